@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/option_values.hpp"
+#include "description/follow_target.hpp"
 #include "description/identifier.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
@@ -54,6 +55,9 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
   if (!options.real.empty()) {
     scene.real = options.real == "float" ? Real::float32 : Real::float64;
   }
+  if (!options.target.empty()) scene.target = options.target;
+  follow_target(scene);
+  warn_of_target(scene, diagnostics);
 }
 
 }  // namespace
@@ -64,6 +68,9 @@ void add_input_options(CLI::App& command, InputOptions& options) {
                      "What to generate for it, YAML; without: functions of the joints alone");
   command.add_option("--real", options.real, "Number type, instead of the scene's")
       ->check(one_of({"float", "double"}));
+  command
+      .add_option("--target", options.target, "Processor the code is for, instead of the scene's")
+      ->check(one_of(target_names()));
   command
       .add_option("--functions", options.functions,
                   "Functions, separated by commas, instead of the scene's")

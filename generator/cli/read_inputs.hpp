@@ -20,6 +20,7 @@ struct InputOptions {
   std::string urdf, scene;
   std::string name;                    ///< empty: the scene's
   std::string real;                    ///< `float`, `double`; empty: the scene's
+  std::string target;                  ///< processor; empty: the scene's
   std::vector<std::string> functions;  ///< empty: the scene's
   std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
   Warnings warnings = Warnings::summary;

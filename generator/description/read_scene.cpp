@@ -6,6 +6,7 @@
 
 #include "description/check_scene.hpp"
 #include "description/default_base.hpp"
+#include "description/follow_target.hpp"
 #include "description/identifier.hpp"
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
@@ -134,6 +135,11 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
   if (const auto noise = find("noise"); noise != fields.end()) read_noise(noise->second, scene);
   if (const auto lanes = find("lanes"); lanes != fields.end()) {
     scene.lanes = 1 << lanes->second.choice({"1", "2", "4", "8"}).value_or(3);
+    scene.lanes_chosen = true;
+  }
+  if (const auto target = find("target"); target != fields.end()) {
+    const std::vector<std::string> names = target_names();
+    scene.target = names[target->second.choice(names).value_or(0)];
   }
   if (const auto batch = find("batch"); batch != fields.end()) {
     scene.batch = 2 << batch->second.choice({"2", "4", "8", "16"}).value_or(2);
@@ -156,9 +162,10 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   const auto fields =
       top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes", "batch",
                   "damped", "operational_points", "external_forces", "contacts", "functions",
-                  "locked", "objects", "singular", "snap_angles", "noise"});
+                  "locked", "objects", "singular", "snap_angles", "noise", "target"});
   if (!fields.contains("base")) scene.base = default_base(robot);
   read_settings(fields, scene);
+  follow_target(scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);
   }

@@ -15,6 +15,7 @@
 #include "emission/print_joints.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_source.hpp"
+#include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {
@@ -44,8 +45,11 @@ std::string print_cmake(const EmissionContext& context, std::span<const Program>
   for (const Program& program : batch) {
     sources += "batch_" + program.name + ".cpp\n";
   }
-  return fill_template(templates::kCMakeLists,
-                       {{"robot", context.robot}, {"name", context.name}, {"sources", sources}});
+  return fill_template(templates::kCMakeLists, {{"robot", context.robot},
+                                                {"name", context.name},
+                                                {"contraction", contraction_default(context)},
+                                                {"target_flags", print_target_flags(context)},
+                                                {"sources", sources}});
 }
 
 /// `puma560`, `sin_cos.hpp`: `TREELINE_PUMA560_SIN_COS_HPP`. Two robots' files of one name must

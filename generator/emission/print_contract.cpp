@@ -7,6 +7,7 @@
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/print_source.hpp"
+#include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "program/format_literal.hpp"
 
@@ -127,6 +128,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                         {"version", generator_version()},
                         {"origin", comment("//", describe_origin(context))},
                         {"conventions", comment("//", describe_conventions(context))},
+                        {"target", comment("//", describe_target(context))},
                         {"name", context.name},
                         {"real", single ? "float" : "double"},
                         {"bytes", single ? "4" : "8"},

@@ -10,6 +10,7 @@
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/print_source.hpp"
+#include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
 
@@ -126,6 +127,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"robot", quote_json(context.robot)},
        {"command", quote_json(context.command)},
        {"real", context.single_precision ? "\"float\"" : "\"double\""},
+       {"target", print_target_line(context)},
        {"coordinates", std::to_string(context.coordinates)},
        {"velocities", std::to_string(context.velocities)},
        {"task_rows", std::to_string(context.task_rows)},

@@ -9,6 +9,7 @@
 #include "emission/comment.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
@@ -66,16 +67,18 @@ std::string print_declaration(const Program& program) {
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
-  return fill_template(templates::kFunction,
-                       {{"head", describe_source(program)},
-                        {"cost", describe_cost(program)},
-                        {"name", context.name},
-                        {"optimize", print_optimize(program)},
-                        {"includes", print_includes(program)},
-                        {"lanes", print_lanes_type(program)},
-                        {"signature", wrap_line(print_head(program) + " {", 0)},
-                        {"body", print_body(program, context.single_precision,
-                                            find_taken_names(context, program))}});
+  return fill_template(
+      templates::kFunction,
+      {{"head", describe_source(program)},
+       {"cost", describe_cost(program)},
+       {"name", context.name},
+       {"optimize", print_optimize(program)},
+       {"includes", print_includes(program)},
+       {"lanes", print_lanes_type(program)},
+       {"section", print_section_macro(context)},
+       {"signature", print_section(context) + wrap_line(print_head(program) + " {", 0)},
+       {"body",
+        print_body(program, context.single_precision, find_taken_names(context, program))}});
 }
 
 bool is_long(const Program& program) {
