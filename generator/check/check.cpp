@@ -1,10 +1,10 @@
 #include "check/check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <set>
 
+#include "check/find_sources.hpp"
 #include "check/generated_library.hpp"
 #include "check/judge_function.hpp"
 #include "check/run_commands.hpp"
@@ -32,26 +32,10 @@ struct Libraries {
 /// Whether these flags may fuse products and sums. They cannot only if the last flag about
 /// contraction turns it off and no flag selects a special machine.
 bool contracts(const std::string& flags) {
-  bool contracted = true;
-  bool special_machine = false;
-  for (const std::string& flag : split_words(flags)) {
-    if (flag.starts_with("-ffp-contract=")) contracted = flag != "-ffp-contract=off";
-    special_machine = special_machine || flag.starts_with("-m");
-  }
-  return contracted || special_machine;
-}
-
-bool refuse_fast_math(const std::string& flags, Diagnostics& diagnostics) {
-  constexpr std::array kRefused = {"-ffast-math", "-Ofast", "-funsafe-math-optimizations",
-                                   "-fassociative-math", "-freciprocal-math"};
-  for (const std::string& flag : split_words(flags)) {
-    if (std::find(kRefused.begin(), kRefused.end(), flag) == kRefused.end()) continue;
-    diagnostics.add({Severity::error, "", 0, flag,
-                     "generated code relies on the order of its operations",
-                     "Leave this flag out, here and where the code is used."});
-    return true;
-  }
-  return false;
+  const std::vector<std::string> words = split_words(flags);
+  return asks_contraction(flags) || std::any_of(words.begin(), words.end(), [](const auto& word) {
+           return word.starts_with("-m");
+         });
 }
 
 std::optional<GeneratedLibrary> compile_and_load(const fs::path& sources, const Scene& scene,
@@ -86,15 +70,6 @@ std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& s
   if (!libraries.separate) return std::nullopt;
   libraries.exact_command = compilation.command;
   return libraries;
-}
-
-/// Whether the folder exists and contains the robot's header.
-bool has_header(const fs::path& folder, const Scene& scene, Diagnostics& diagnostics) {
-  const fs::path header = folder / (scene.name + std::string(backend_of(scene.language).header));
-  if (fs::exists(header)) return true;
-  diagnostics.add({Severity::error, header, 0, "", "there is no such file",
-                   "Name a folder that `treeline generate` has written for this scene."});
-  return false;
 }
 
 void add_compilation(const Compilation& compilation, FunctionReport& report) {
@@ -134,20 +109,6 @@ CheckReport begin_report(const Scene& scene, const CheckOptions& options,
   report.compile_peak_kib = libraries.compilation.peak_kib;
   report.folder = options.folder.string();
   return report;
-}
-
-/// Returns the folder to compile: the given one, or a new one with the code generated now.
-std::optional<fs::path> find_sources(const Scene& scene, const Generation& generation,
-                                     const CheckOptions& options, const fs::path& work,
-                                     Diagnostics& diagnostics) {
-  if (refuse_fast_math(options.compile.flags, diagnostics)) return std::nullopt;
-  if (!options.folder.empty()) {
-    if (!has_header(options.folder, scene, diagnostics)) return std::nullopt;
-    return options.folder;
-  }
-  const fs::path sources = work / scene.name;
-  if (!write_files(sources, generation.files, diagnostics)) return std::nullopt;
-  return sources;
 }
 
 CheckReport judge(const Scene& scene, const Generation& generation,

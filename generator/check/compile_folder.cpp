@@ -10,7 +10,6 @@
 #include <numeric>
 #include <sstream>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 #include "check/print_entry.hpp"
@@ -26,10 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kNoSpace = "No space left on device";  // passed on by every compiler
 constexpr const char* kEntryStem = "treeline_check_entry";
-
-int core_count(int jobs) {
-  return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 const char* standard_flag(Language language) {
   return language == Language::c ? "-std=c99" : "-std=c++17";
@@ -95,7 +90,7 @@ std::vector<CommandOutcome> run_largest_first(const std::vector<Command>& comman
   std::vector<Command> sorted;
   for (const std::size_t i : order) sorted.push_back(commands[i]);
   std::vector<CommandOutcome> ran =
-      run_commands(sorted, core_count(options.jobs), work, options.progress);
+      run_commands(sorted, count_cores(options.jobs), work, options.progress);
   std::vector<CommandOutcome> outcomes(commands.size());
   for (std::size_t i = 0; i < order.size(); ++i) outcomes[order[i]] = std::move(ran[i]);
   return outcomes;

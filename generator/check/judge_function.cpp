@@ -10,12 +10,6 @@
 namespace treeline {
 namespace {
 
-/// Whether the numbers are equal including their signs, or both are NaN.
-bool same_bits(double a, double b) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return a == b && std::signbit(a) == std::signbit(b);
-}
-
 void note_bits(const CallResult& result, const StateReference& reference,
                const FunctionReference& function, FunctionReport& report) {
   report.bits_known = report.bits_known && !function.graph.empty();
@@ -80,6 +74,11 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
   report.median = quantile(errors, 0.5);
   report.percent_99 = quantile(errors, 0.99);
   return report;
+}
+
+bool same_bits(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return a == b && std::signbit(a) == std::signbit(b);
 }
 
 double quantile(std::vector<double>& values, double share) {

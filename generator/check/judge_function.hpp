@@ -18,6 +18,9 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
                               const Domain& domain, const GeneratedLibrary& accurate,
                               const GeneratedLibrary& exact);
 
+/// Whether the numbers are equal including their signs, or both are NaN.
+bool same_bits(double a, double b);
+
 /// Value below which the given share of the values lies. Changes the order of the values.
 double quantile(std::vector<double>& values, double share);
 

@@ -17,6 +17,7 @@
 #include <mutex>
 #include <sstream>
 #include <string_view>
+#include <thread>
 
 #include "interruption/clean_up.hpp"
 
@@ -149,6 +150,10 @@ std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, i
   }
   for (auto& worker : workers) worker.get();
   return outcomes;
+}
+
+int count_cores(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 std::vector<std::string> split_words(const std::string& text) {

@@ -26,6 +26,9 @@ std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, i
                                          const std::filesystem::path& folder,
                                          const std::function<void(int, int)>& progress = {});
 
+/// Number of commands to run at a time: `jobs`, or as many as there are cores if it is 0.
+int count_cores(int jobs);
+
 /// Returns all bytes of a file; an empty string if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 

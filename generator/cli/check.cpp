@@ -6,13 +6,16 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "board/check_on_board.hpp"
 #include "check/check.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/write_output.hpp"
+#include "target/target.hpp"
 
 namespace treeline {
 namespace {
@@ -50,7 +53,24 @@ constexpr const char* kHowToReadCheck =
     "  treeline check puma560.urdf\n"
     "  treeline check puma560.urdf scene.yaml\n"
     "  treeline check puma560.urdf scene.yaml --flags '-O3 -march=native'\n"
-    "  treeline check puma560.urdf scene.yaml --generated generated/puma560";
+    "  treeline check puma560.urdf scene.yaml --generated generated/puma560\n"
+    "  treeline check puma560.urdf scene.yaml --real float --target cortex-m4f";
+
+constexpr const char* kHowToReadTargets =
+    "With --target NAME, unless NAME is generic or of x86, the code is compiled for that "
+    "processor\n"
+    "with GCC and runs on a board that QEMU imitates; each result is compared with this "
+    "machine's:\n"
+    "  text, const bytes of code, and of constants outside of it\n"
+    "  stack       bytes as the compiler measured them, summed over the deepest path of calls,\n"
+    "              without the compiler's own library; seen: those that a call wrote to, with it\n"
+    "  instructions  that a call executes, least and most over all states if they differ\n"
+    "  cycles, about  an estimate: instructions times the mean of the costs printed below the "
+    "table\n"
+    "  bits        equal: those of this machine; with flags that fuse products and sums the "
+    "largest\n"
+    "              error in ulp of the scale instead\n"
+    "  library     functions of the compiler's own that emulate operations\n\n";
 
 struct CheckCommand {
   InputOptions inputs;
@@ -67,6 +87,20 @@ Progress count_progress(const char* what) {
   };
 }
 
+/// Whether the code shall run on a board instead of this machine.
+bool is_for_board(const CheckCommand& options) {
+  const Target* const target = find_target(options.inputs.target);
+  return target != nullptr && target->board.kind != BoardKind::none;
+}
+
+std::optional<BoardReport> make_board_report(const CheckCommand& options,
+                                             Diagnostics& diagnostics) {
+  const auto made = generate_from_files(options.inputs, diagnostics);
+  if (!made) return std::nullopt;
+  return check_on_board(made->inputs.robot, made->inputs.scene, made->generation, options.check,
+                        diagnostics);
+}
+
 std::optional<CheckReport> make_report(const CheckCommand& options, Diagnostics& diagnostics) {
   const auto made = generate_from_files(options.inputs, diagnostics);
   if (!made) return std::nullopt;
@@ -74,17 +108,28 @@ std::optional<CheckReport> make_report(const CheckCommand& options, Diagnostics&
                diagnostics);
 }
 
-int run(CheckCommand options) {
-  Diagnostics diagnostics;
-  options.check.folder = options.folder;
-  options.check.compile.progress = count_progress("compiled");
-  options.check.references.progress = count_progress("states");
-  const auto report = make_report(options, diagnostics);
+/// Prints a report of either kind, if there is one.
+template <class Report>
+int print_report(const CheckCommand& options, const std::optional<Report>& report,
+                 const Diagnostics& diagnostics) {
   print_diagnostics(diagnostics, options.inputs.warnings);
   if (!report) return kBadInput;
   const ExitCode exit_code = report->passed() ? kOk : kMismatch;
   return options.json ? write_output(print_json(*report), OutputForm::json, exit_code)
                       : write_output(print_text(*report), OutputForm::text, exit_code);
+}
+
+int run(CheckCommand options) {
+  Diagnostics diagnostics;
+  options.check.folder = options.folder;
+  options.check.compile.progress = count_progress("compiled");
+  options.check.references.progress = count_progress("states");
+  if (is_for_board(options)) {
+    const auto report = make_board_report(options, diagnostics);
+    return print_report(options, report, diagnostics);
+  }
+  const auto report = make_report(options, diagnostics);
+  return print_report(options, report, diagnostics);
 }
 
 }  // namespace
@@ -97,9 +142,11 @@ void add_check(CLI::App& app, int& exit_code) {
   command->add_option("--generated", options->folder,
                       "Compile this folder instead of what is generated now, and name stale files");
   ReferenceOptions& references = options->check.references;
-  command->add_option("--states", references.states, "How many states")
-      ->capture_default_str()
-      ->check(whole_between(1, 1000000));
+  auto* states = command
+                     ->add_option("--states", references.states,
+                                  "How many states; for a board of --target 300 unless you say")
+                     ->capture_default_str()
+                     ->check(whole_between(1, 1000000));
   command->add_option("--first", references.first, "Index of the first state")
       ->capture_default_str()
       ->check(whole_between(0, 1000000000));
@@ -114,8 +161,12 @@ void add_check(CLI::App& app, int& exit_code) {
   command->add_option("--choices", options->inputs.choices,
                       "Algorithms and lanes as this manifest.json records them, not by cost");
   command->add_flag("--json", options->json, "Everything as JSON, with the states it names");
-  command->footer(kHowToReadCheck);
-  command->callback([options, flags, &exit_code] {
+  command->footer(std::string(kHowToReadTargets) + kHowToReadCheck);
+  command->callback([options, flags, states, &exit_code] {
+    constexpr int kStatesOnBoard = 300;
+    if (states->empty() && is_for_board(*options)) {
+      options->check.references.states = kStatesOnBoard;
+    }
     if (flags->empty()) options->check.compile.long_flags = "-O1 -ffp-contract=off";
     exit_code = run(*options);
   });

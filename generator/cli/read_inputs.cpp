@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "cli/option_values.hpp"
+#include "description/follow_target.hpp"
 #include "description/identifier.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
-#include "description/set_language.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -56,8 +56,11 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
     scene.real = options.real == "float" ? Real::float32 : Real::float64;
   }
   if (!options.language.empty()) {
-    set_language(options.language == "c" ? Language::c : Language::cpp, scene);
+    scene.language = options.language == "c" ? Language::c : Language::cpp;
   }
+  if (!options.target.empty()) scene.target = options.target;
+  follow_target(scene);
+  warn_of_target(scene, diagnostics);
 }
 
 }  // namespace
@@ -68,6 +71,9 @@ void add_input_options(CLI::App& command, InputOptions& options) {
                      "What to generate for it, YAML; without: functions of the joints alone");
   command.add_option("--real", options.real, "Number type, instead of the scene's")
       ->check(one_of({"float", "double"}));
+  command
+      .add_option("--target", options.target, "Processor the code is for, instead of the scene's")
+      ->check(one_of(target_names()));
   command
       .add_option("--functions", options.functions,
                   "Functions, separated by commas, instead of the scene's")

@@ -21,6 +21,7 @@ struct InputOptions {
   std::string name;                    ///< empty: the scene's
   std::string real;                    ///< `float`, `double`; empty: the scene's
   std::string language;                ///< `c++`, `c`; empty: the scene's
+  std::string target;                  ///< processor; empty: the scene's
   std::vector<std::string> functions;  ///< empty: the scene's
   std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
   Warnings warnings = Warnings::summary;

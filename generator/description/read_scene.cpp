@@ -6,6 +6,7 @@
 
 #include "description/check_scene.hpp"
 #include "description/default_base.hpp"
+#include "description/follow_target.hpp"
 #include "description/identifier.hpp"
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
@@ -14,7 +15,6 @@
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
-#include "description/set_language.hpp"
 #include "description/snap_angles.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
@@ -140,7 +140,11 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
   }
   if (const auto language = find("language"); language != fields.end()) {
     const bool is_c = language->second.choice({"c++", "c"}) == 1;
-    set_language(is_c ? Language::c : Language::cpp, scene);
+    scene.language = is_c ? Language::c : Language::cpp;
+  }
+  if (const auto target = find("target"); target != fields.end()) {
+    const std::vector<std::string> names = target_names();
+    scene.target = names[target->second.choice(names).value_or(0)];
   }
   if (const auto batch = find("batch"); batch != fields.end()) {
     scene.batch = 2 << batch->second.choice({"2", "4", "8", "16"}).value_or(2);
@@ -160,13 +164,30 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
 Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = package_name_from(robot.name);
-  const auto fields =
-      top.fields({"name", "base", "gravity", "real", "sin_cos", "accuracy", "lanes", "batch",
-                  "damped", "operational_points", "external_forces", "contacts", "functions",
-                  "armature", "language", "locked", "objects", "singular", "snap_angles",
-                  "noise"});
+  const auto fields = top.fields({"name",
+                                  "base",
+                                  "gravity",
+                                  "real",
+                                  "sin_cos",
+                                  "accuracy",
+                                  "lanes",
+                                  "batch",
+                                  "damped",
+                                  "operational_points",
+                                  "external_forces",
+                                  "contacts",
+                                  "functions",
+                                  "armature",
+                                  "language",
+                                  "locked",
+                                  "objects",
+                                  "singular",
+                                  "snap_angles",
+                                  "noise",
+                                  "target"});
   if (!fields.contains("base")) scene.base = default_base(robot);
   read_settings(fields, scene);
+  follow_target(scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {
     scene.operational_points = read_operational_points(points->second, robot);
   }

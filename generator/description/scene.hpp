@@ -95,7 +95,8 @@ struct Scene {
   /// Numbers that the emitted code may compute together: 1, 2, 4 or 8. What a machine's registers
   /// cannot hold its compiler takes apart again.
   int lanes = 8;
-  bool asks_for_lanes = false;  ///< whether `lanes` is written; see `set_language`
+  bool asks_for_lanes = false;     ///< by the scene's author; else they follow language and target
+  std::string target = "generic";  ///< processor that the code is for, see `find_target`
   int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
   SingularTasks singular = SingularTasks::smooth;
   std::optional<HeaviestMotion> damped;  ///< asks for NAME_damped.hpp: damped_control_torque

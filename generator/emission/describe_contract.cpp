@@ -6,6 +6,7 @@
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_target.hpp"
 #include "program/format_literal.hpp"
 
 namespace treeline {
@@ -109,6 +110,7 @@ std::map<std::string, std::string> describe_contract(const EmissionContext& cont
           {"version", generator_version()},
           {"origin", comment("//", describe_origin(context))},
           {"conventions", comment("//", describe_conventions(context))},
+          {"target", comment("//", describe_target(context))},
           {"name", context.name},
           {"real", single ? "float" : "double"},
           {"digits", single ? "24" : "53"},

@@ -18,6 +18,7 @@ struct EmissionContext {
   std::string command;  ///< that regenerates the folder, file names without directories
   Language language = Language::cpp;
   bool single_precision = false;
+  std::string target = "generic";   ///< processor, see `find_target`
   int batch = 0;                    ///< states a call of the functions in NAME_batch.hpp; 0: none
   std::vector<double> heaviest;     ///< of each task row, for NAME_damped.hpp; empty: none
   int coordinates = 0;              ///< nq

@@ -10,6 +10,7 @@
 #include "emission/digest.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
 
@@ -127,6 +128,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"command", quote_json(context.command)},
        {"language", context.language == Language::c ? "  \"language\": \"c\",\n" : ""},
        {"real", context.single_precision ? "\"float\"" : "\"double\""},
+       {"target", print_target_line(context)},
        {"coordinates", std::to_string(context.coordinates)},
        {"velocities", std::to_string(context.velocities)},
        {"task_rows", std::to_string(context.task_rows)},

@@ -176,6 +176,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.robot = robot.name;
   context.language = scene.language;
   context.single_precision = scene.real == Real::float32;
+  context.target = scene.target;
   context.batch = scene.batch;
   context.heaviest = heaviest_rows(scene);
   context.coordinates = mechanism.nq();

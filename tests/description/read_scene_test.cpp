@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "description/count_freedoms.hpp"
-#include "description/set_language.hpp"
+#include "description/follow_target.hpp"
 #include "scene_robot.hpp"
 
 namespace treeline {
@@ -127,7 +127,8 @@ TEST(ReadScene, LanguageDecidesTheLanesThatAreNotWritten) {
   EXPECT_EQ(read("language: c").lanes, 1);
   EXPECT_EQ(read("{language: c, lanes: 4}").lanes, 4);
   Scene scene = read("language: c");
-  set_language(Language::cpp, scene);
+  scene.language = Language::cpp;
+  follow_target(scene);
   EXPECT_EQ(scene.lanes, 8);
 }
 

@@ -3,6 +3,7 @@
 #include "emission/c/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_target.hpp"
 
 namespace treeline::c {
 namespace {
@@ -32,6 +33,8 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   return fill_template(templates::kCMakeLists, {{"robot", context.robot},
                                                 {"name", context.name},
                                                 {"sources", sources},
+                                                {"contraction", contraction_default(context)},
+                                                {"target_flags", print_target_flags(context)},
                                                 {"optimize", print_optimize(programs)}});
 }
 

@@ -10,6 +10,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::c {
@@ -65,7 +66,9 @@ std::string print_source(const EmissionContext& context, const Program& program)
                         {"cost", describe_cost(program)},
                         {"name", context.name},
                         {"includes", print_includes(program)},
-                        {"signature", wrap_line(print_signature(context, program) + " {", 0)},
+                        {"section", print_section_macro(context)},
+                        {"signature", print_section(context) +
+                                          wrap_line(print_signature(context, program) + " {", 0)},
                         {"unread", print_unread(program)},
                         {"body", print_body(program, make_syntax(context), taken)}});
 }

@@ -10,6 +10,7 @@
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_target.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -30,8 +31,11 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   for (const Program& program : batch) {
     sources += "batch_" + program.name + ".cpp\n";
   }
-  return fill_template(templates::kCMakeLists,
-                       {{"robot", context.robot}, {"name", context.name}, {"sources", sources}});
+  return fill_template(templates::kCMakeLists, {{"robot", context.robot},
+                                                {"name", context.name},
+                                                {"contraction", contraction_default(context)},
+                                                {"target_flags", print_target_flags(context)},
+                                                {"sources", sources}});
 }
 
 /// The wrapper for Eigen, functions of several states at once, damped control.

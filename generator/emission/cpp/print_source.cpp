@@ -8,6 +8,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {
@@ -70,7 +71,8 @@ std::string print_source(const EmissionContext& context, const Program& program)
        {"optimize", print_optimize(program)},
        {"includes", print_includes(program)},
        {"lanes", print_lanes_type(program)},
-       {"signature", wrap_line(print_head(program) + " {", 0)},
+       {"section", print_section_macro(context)},
+       {"signature", print_section(context) + wrap_line(print_head(program) + " {", 0)},
        {"body", print_body(program, make_syntax(context), find_taken(context, program))}});
 }
 

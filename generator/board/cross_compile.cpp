@@ -1,0 +1,118 @@
+#include "board/cross_compile.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <initializer_list>
+#include <utility>
+
+#include "emission/describe_program.hpp"
+
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What every firmware's compiler is told. -fno-pie for compilers that belong to an operating
+/// system.
+constexpr const char* kFreestanding =
+    "-std=c++17 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics "
+    "-fno-asynchronous-unwind-tables -fno-pie";
+
+void append_words(Command& command, const std::string& words) {
+  for (std::string& word : split_words(words)) command.push_back(std::move(word));
+}
+
+bool board_succeeded(const CommandOutcome& outcome, const fs::path& file, const char* fault,
+                     Diagnostics& diagnostics) {
+  if (outcome.started && outcome.exit_code == 0) return true;
+  constexpr std::size_t kMost = 1500;
+  const bool cut = outcome.output.size() > kMost;
+  diagnostics.add(
+      {Severity::error, file, 0, "",
+       fmt::format("{}\n  {}{}", fault, outcome.output.substr(0, kMost), cut ? "\n  ..." : ""),
+       "Look at the flags; when the folder is an old one, generate it again."});
+  return false;
+}
+
+/// Sources to compile, each with its flags.
+struct Sources {
+  std::vector<fs::path> files;
+  std::vector<std::string> stems, flags;
+  void add(const fs::path& folder, const std::string& stem, std::string with) {
+    files.push_back(fs::absolute(folder / (stem + ".cpp")));
+    stems.push_back(stem);
+    flags.push_back(std::move(with));
+  }
+};
+
+Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction>& functions,
+                     const CompileOptions& options, const fs::path& work) {
+  Sources sources;
+  for (const GeneratedFunction& generated : functions) {
+    const bool long_one = !options.long_flags.empty() && is_long(generated.program);
+    sources.add(
+        is_composed(generated) ? work : folder, source_stem(generated),
+        (long_one ? options.long_flags : options.flags) + " -fstack-usage -fcallgraph-info=su");
+  }
+  for (const char* stem : {kMainStem, kEmptyStem, kStartStem}) sources.add(work, stem, "-O2");
+  return sources;
+}
+
+}  // namespace
+
+std::optional<BoardObjects> cross_compile(const fs::path& sources,
+                                          const std::vector<GeneratedFunction>& functions,
+                                          const Target& target, const Tools& tools,
+                                          const CompileOptions& options, const fs::path& work,
+                                          Diagnostics& diagnostics) {
+  const auto start = std::chrono::steady_clock::now();
+  const Sources list = list_sources(sources, functions, options, work);
+  std::vector<Command> commands;
+  for (std::size_t i = 0; i < list.files.size(); ++i) {
+    Command command{tools.compiler};
+    append_words(command, fmt::format("{} {} {}", kFreestanding, target.flags, list.flags[i]));
+    command.insert(command.end(), {"-I", fs::absolute(sources), "-I", work, "-c", list.files[i],
+                                   "-o", work / (list.stems[i] + ".o")});
+    commands.push_back(std::move(command));
+  }
+  const auto outcomes = run_commands(commands, count_cores(options.jobs), work, options.progress);
+  bool all = true;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    all = board_succeeded(outcomes[i], list.files[i], "does not compile", diagnostics) && all;
+  }
+  if (!all) return std::nullopt;
+  BoardObjects objects{work, {}, {}, {}, 0};
+  for (std::size_t i = 0; i < list.stems.size(); ++i) {
+    (i < functions.size() ? objects.stems : objects.harness).push_back(list.stems[i]);
+  }
+  objects.command =
+      fmt::format("{} {} {} {}", tools.compiler, kFreestanding, target.flags, options.flags);
+  objects.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return objects;
+}
+
+std::optional<fs::path> link_program(const BoardObjects& objects, const Target& target,
+                                     const Tools& tools, Diagnostics& diagnostics) {
+  const fs::path program = objects.folder / "board.elf";
+  Command command{tools.compiler};
+  append_words(command, target.flags);
+  for (const char* word : {"-nostdlib", "-static", "-no-pie", "-Wl,--build-id=none", "-T"}) {
+    command.emplace_back(word);
+  }
+  command.push_back(objects.folder / kLinkerScript);
+  for (const std::string& place : split_words(target.board.linker)) {
+    command.push_back("-Wl," + place);
+  }
+  for (const auto* stems : {&objects.harness, &objects.stems}) {
+    for (const std::string& stem : *stems) command.push_back(objects.folder / (stem + ".o"));
+  }
+  command.insert(command.end(), {"-lgcc", "-o", program});
+  if (!board_succeeded(run_commands({command}, 1, objects.folder).front(), program, "does not link",
+                       diagnostics)) {
+    return std::nullopt;
+  }
+  return program;
+}
+
+}  // namespace treeline

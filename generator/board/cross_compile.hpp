@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "board/find_tools.hpp"
+#include "check/compile_folder.hpp"
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// Object files of a program for a board, all in one folder.
+struct BoardObjects {
+  std::filesystem::path folder;
+  std::vector<std::string> stems;    ///< of the functions, in their order
+  std::vector<std::string> harness;  ///< of all others
+  std::string command;               ///< compiler and flags
+  double seconds = 0;
+};
+
+/// Compiles the functions of a generated folder and the program in `work` that calls them: its
+/// sources are there. Errors: a source does not compile, with the compiler's first lines.
+std::optional<BoardObjects> cross_compile(const std::filesystem::path& sources,
+                                          const std::vector<GeneratedFunction>& functions,
+                                          const Target& target, const Tools& tools,
+                                          const CompileOptions& options,
+                                          const std::filesystem::path& work,
+                                          Diagnostics& diagnostics);
+
+/// Links the objects. Errors: it does not link.
+std::optional<std::filesystem::path> link_program(const BoardObjects& objects, const Target& target,
+                                                  const Tools& tools, Diagnostics& diagnostics);
+
+/// Stems of the program's own sources.
+inline constexpr const char* kMainStem = "board_main";
+inline constexpr const char* kEmptyStem = "board_empty";
+inline constexpr const char* kStartStem = "board_start";
+inline constexpr const char* kLinkerScript = "board.ld";
+
+}  // namespace treeline

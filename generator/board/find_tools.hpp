@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "check/run_commands.hpp"
+#include "description/diagnostic.hpp"
+#include "target/target.hpp"
+
+namespace treeline {
+
+/// Programs for a target, which start.
+struct Tools {
+  std::string compiler;          ///< the program
+  std::string prefix;            ///< of the names of nm, size and objdump
+  std::string compiler_version;  ///< first line that it prints
+  Command simulator;             ///< QEMU with the options that every run has
+};
+
+/// Finds compiler and simulator of a target that has a board. Errors: a program is missing, with
+/// the package of Debian that holds it.
+std::optional<Tools> find_tools(const Target& target, const std::filesystem::path& work,
+                                Diagnostics& diagnostics);
+
+}  // namespace treeline

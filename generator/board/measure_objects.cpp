@@ -1,0 +1,118 @@
+#include "board/measure_objects.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include "board/count_instructions.hpp"
+#include "board/read_call_graph.hpp"
+
+namespace treeline {
+namespace {
+
+/// Symbol of a function in a namespace, up to its arguments.
+std::string mangled_beginning(const std::string& space, const std::string& function) {
+  return fmt::format("_ZN{}{}{}{}E", space.size(), space, function.size(), function);
+}
+
+/// The symbol of a call graph that begins so; empty if there is none.
+std::string find_symbol(const CallGraph& graph, const std::string& beginning) {
+  const auto found = graph.functions.lower_bound(beginning);
+  const bool is_it = found != graph.functions.end() && found->first.starts_with(beginning);
+  return is_it ? found->first : std::string();
+}
+
+CallGraph read_call_graphs(const BoardObjects& objects) {
+  CallGraph graph;
+  for (const std::string& stem : objects.stems) {
+    read_call_graph(read_file(objects.folder / (stem + ".ci")), graph);
+  }
+  return graph;
+}
+
+/// Outputs of one of the compiler's companions for all functions.
+std::vector<std::string> ask(const std::string& program, const std::string& option,
+                             const BoardObjects& objects) {
+  std::vector<Command> commands;
+  for (const std::string& stem : objects.stems) {
+    commands.push_back({program, option, objects.folder / (stem + ".o")});
+  }
+  std::vector<std::string> outputs;
+  for (CommandOutcome& outcome : run_commands(commands, 1, objects.folder)) {
+    outputs.push_back(std::move(outcome.output));
+  }
+  return outputs;
+}
+
+void sort_symbols(const std::string& listing, const CallGraph& graph, BoardFunction& function) {
+  for (const std::string& symbol : list_undefined(listing)) {
+    const auto found = graph.functions.find(symbol);
+    if (found != graph.functions.end() && found->second.own_bytes) continue;
+    (is_arithmetic(symbol) ? function.arithmetic : function.strays).push_back(symbol);
+  }
+}
+
+}  // namespace
+
+SectionBytes add_sections(std::string_view listing) {
+  SectionBytes bytes;
+  std::istringstream lines{std::string(listing)};
+  for (std::string line; std::getline(lines, line);) {
+    const auto words = split_words(line);  // name, size, address
+    if (words.size() != 3 || !words[0].starts_with(".")) continue;
+    const int size = std::atoi(words[1].c_str());
+    const auto is = [&](const char* section) { return words[0].starts_with(section); };
+    if (is(".text")) bytes.text += size;
+    if (is(".rodata") || is(".srodata")) bytes.constants += size;
+    if (is(".data") || is(".sdata") || is(".bss") || is(".sbss")) bytes.variables += size;
+  }
+  return bytes;
+}
+
+bool is_arithmetic(const std::string& symbol) {
+  // __aeabi_dmul, __muldf3, __udivsi3, ...
+  static const std::regex names(
+      "__aeabi_(c?[dfil]|ui|ul|lcmp|ulcmp)[a-z0-9_]*|"
+      "__(add|sub|mul|div|udiv|mod|umod|neg|eq|ne|lt|le|gt|ge|unord|fix|fixuns|float|floatun|"
+      "extend|trunc|ashl|ashr|lshr|clz)[a-z]*[sdt]+[fi]*[sdt]*[fi]*[234]?");
+  return std::regex_match(symbol, names);
+}
+
+std::vector<std::string> list_undefined(std::string_view listing) {
+  std::vector<std::string> symbols;
+  std::istringstream lines{std::string(listing)};
+  for (std::string line; std::getline(lines, line);) {
+    const auto words = split_words(line);
+    if (words.size() == 2 && (words[0] == "U" || words[0] == "w")) symbols.push_back(words[1]);
+  }
+  return symbols;
+}
+
+std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const std::string& name,
+                                           const std::vector<GeneratedFunction>& functions,
+                                           const Target& target, const Tools& tools) {
+  const CallGraph graph = read_call_graphs(objects);
+  const auto sizes = ask(tools.prefix + "size", "-A", objects);
+  const auto symbols = ask(tools.prefix + "nm", "-u", objects);
+  const auto listings = ask(tools.prefix + "objdump", "-d", objects);
+  std::vector<BoardFunction> measured(functions.size());
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    BoardFunction& function = measured[i];
+    function.name = source_stem(functions[i]);
+    const SectionBytes bytes = add_sections(sizes[i]);
+    function.text_bytes = bytes.text;
+    function.constant_bytes = bytes.constants;
+    function.static_bytes = bytes.variables;
+    const std::string space = is_composed(functions[i]) ? "composed" : name;
+    function.stack_bytes =
+        add_stack(graph, find_symbol(graph, mangled_beginning(space, functions[i].program.name)))
+            .bytes;
+    sort_symbols(symbols[i], graph, function);
+    function.cycles = mean_cycles(listings[i], target.cycles);
+  }
+  return measured;
+}
+
+}  // namespace treeline

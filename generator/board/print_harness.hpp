@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generation/generate_code.hpp"
+#include "target/target.hpp"
+
+namespace treeline {
+
+/// Place of one argument among the numbers of a state.
+struct StatePlace {
+  std::string name;
+  int size = 0;
+  int at = 0;
+};
+
+/// Arguments that the functions take, each once, one behind another.
+std::vector<StatePlace> place_arguments(const std::vector<GeneratedFunction>& functions);
+
+/// Where the program finds its states and leaves its results, and how many states there are.
+struct HarnessFiles {
+  std::string states, results;
+  int count = 0;
+};
+
+/// Header that declares the functions to call, and their namesakes that do nothing.
+std::string print_functions_header(const std::string& name,
+                                   const std::vector<GeneratedFunction>& functions);
+/// Source of the functions that do nothing.
+std::string print_empty_functions(const std::vector<GeneratedFunction>& functions);
+/// Source of a function that is composed of others in a header.
+std::string print_composed_function(const std::string& name, const GeneratedFunction& generated);
+/// Source of the program.
+std::string print_main(const std::string& name, const std::vector<GeneratedFunction>& functions,
+                       const HarnessFiles& files);
+/// Source of what starts it on the target's board.
+std::string print_start(const Board& board);
+
+/// Number of numbers that a function writes.
+int count_outputs(const GeneratedFunction& generated);
+
+}  // namespace treeline

@@ -1,0 +1,78 @@
+#include <nlohmann/json.hpp>
+
+#include "board/board_report.hpp"
+
+namespace treeline {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json if_known(const std::optional<T>& x) {
+  return x ? Json(*x) : Json(nullptr);
+}
+
+Json describe_function(const BoardFunction& f, bool contracted) {
+  return {{"name", f.name},
+          {"passed", f.passed(contracted)},
+          {"text_bytes", f.text_bytes},
+          {"constant_bytes", f.constant_bytes},
+          {"variable_bytes", f.static_bytes},
+          {"stack_bytes", if_known(f.stack_bytes)},
+          {"stack_bytes_seen", f.stack_seen},
+          {"library", f.arithmetic},
+          {"undefined", f.strays},
+          {"least_instructions", f.least},
+          {"most_instructions", f.most},
+          {"constant_time", f.takes_constant_time()},
+          {"cycles_estimate", f.cycles},
+          {"states", f.states},
+          {"bits_differ", f.bits_differ},
+          {"first_bits_differ", if_known(f.first_bits_differ)},
+          {"beyond_bound", contracted ? Json(f.beyond_bound) : Json(nullptr)},
+          {"worst_error", contracted ? Json(f.worst) : Json(nullptr)}};
+}
+
+Json describe_costs(const CycleCosts& costs) {
+  return {{"source", costs.source},
+          {"other", costs.other},
+          {"memory", costs.memory},
+          {"branch", costs.branch},
+          {"arithmetic", costs.arithmetic},
+          {"fused", costs.fused},
+          {"divide_float", costs.divide_float},
+          {"divide_double", costs.divide_double}};
+}
+
+}  // namespace
+
+std::string print_json(const BoardReport& report) {
+  Json functions = Json::array();
+  for (const BoardFunction& f : report.functions) {
+    functions.push_back(describe_function(f, report.contracted));
+  }
+  Json stale = Json::array();
+  for (const FileDifference& file : report.stale) stale.push_back(file.name);
+  const Json json{{"name", report.name},
+                  {"robot", report.robot},
+                  {"target", report.target->name},
+                  {"passed", report.passed()},
+                  {"real", report.single_precision ? "float" : "double"},
+                  {"contracted", report.contracted},
+                  {"states", report.states},
+                  {"first_state", report.first_state},
+                  {"seed", report.seed},
+                  {"compiler", report.compiler},
+                  {"command", report.command},
+                  {"simulator", report.simulator},
+                  {"compile_seconds", report.compile_seconds},
+                  {"run_seconds", report.run_seconds},
+                  {"cycles", describe_costs(report.target->cycles)},
+                  {"folder", report.folder.empty() ? Json(nullptr) : Json(report.folder)},
+                  {"stale", stale},
+                  {"not_run", report.not_run},
+                  {"functions", functions}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace treeline

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "board/cross_compile.hpp"
+#include "oracle/draw_state.hpp"
+
+namespace treeline {
+
+/// Calls of one function on a board, at one state after another.
+struct BoardCalls {
+  std::uint64_t stack_seen = 0;              ///< bytes that the first call wrote to
+  std::vector<std::uint64_t> instructions;   ///< of a call, by state
+  std::vector<std::vector<double>> results;  ///< by state
+};
+
+/// Writes the sources of the program that calls the functions at the states, and the states, to
+/// `work`. Returns false and reports an error if that fails.
+bool write_harness(const std::string& name, const std::vector<GeneratedFunction>& functions,
+                   const std::vector<State>& states, Real real, const Target& target,
+                   const std::filesystem::path& work, Diagnostics& diagnostics);
+
+/// Runs the linked program and reads what it has written. Errors: QEMU fails, the program stops
+/// with a fault or does not end, its clock does not count instructions.
+std::optional<std::vector<BoardCalls>> run_board(const std::filesystem::path& program,
+                                                 const std::vector<GeneratedFunction>& functions,
+                                                 std::size_t states, Real real, const Tools& tools,
+                                                 const std::filesystem::path& work,
+                                                 Diagnostics& diagnostics);
+
+}  // namespace treeline

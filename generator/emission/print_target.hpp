@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "emission/emission_context.hpp"
+
+namespace treeline {
+
+/// What generated files say of the processor that they are for. All are empty for `generic`.
+
+/// Lines of the contract: processor, flags, sections, how to measure there.
+std::string describe_target(const EmissionContext& context);
+/// Definition of the macro before a function, which places its code in memory.
+std::string print_section_macro(const EmissionContext& context);
+/// That macro, on a line of its own before a definition.
+std::string print_section(const EmissionContext& context);
+/// Flags of the processor for the emitted CMakeLists.txt.
+std::string print_target_flags(const EmissionContext& context);
+/// A line of the manifest.
+std::string print_target_line(const EmissionContext& context);
+
+/// Whether the emitted CMakeLists.txt lets the compiler fuse products and sums: ON or OFF.
+const char* contraction_default(const EmissionContext& context);
+
+}  // namespace treeline

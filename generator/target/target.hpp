@@ -1,0 +1,68 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace treeline {
+
+/// Formats of numbers that a processor computes with by instructions. All others are emulated.
+enum class FloatUnit { none, single_only, single_and_double };
+
+/// How a program starts and talks to its host on a board.
+enum class BoardKind { none, cortex_m, riscv, aarch64 };
+
+/// A board that QEMU imitates.
+struct Board {
+  BoardKind kind = BoardKind::none;
+  const char* simulator = "";  ///< program of QEMU
+  const char* machine = "";    ///< its options that name board and processor
+  const char* package = "";    ///< of Debian, holds the program
+  const char* linker = "";     ///< options for the linker: emulation, where code and data go
+  /// Frequency of the clock that the program reads, MHz. One instruction takes 1 ns there.
+  int clock_mhz = 0;
+};
+
+/// Cycles of one instruction of each kind, for estimates.
+struct CycleCosts {
+  double other = 1;       ///< integers, moves, comparisons
+  double memory = 1;      ///< loads and stores of one register
+  double branch = 1;      ///< calls and jumps
+  double arithmetic = 1;  ///< sum, difference or product of floating-point numbers
+  double fused = 1;       ///< product and sum in one instruction
+  double divide_float = 1, divide_double = 1;  ///< quotients and square roots
+  const char* source = "";                     ///< of these numbers
+};
+
+/// A processor that code can be generated for.
+struct Target {
+  const char* name;     ///< as scenes and `--target` write it
+  const char* about;    ///< one phrase for readers
+  const char* prefix;   ///< of the names of GCC's programs for it; empty: those of this machine
+  const char* package;  ///< of Debian, holds that compiler
+  const char* flags;    ///< that select the processor
+  FloatUnit unit;
+  /// Bytes of the vector registers that emitted lanes use (see runtime/core/lanes.hpp); 0: none.
+  int vector_bytes = 0;
+  /// Whether the emitted CMakeLists.txt leaves it to the compiler to fuse products and sums. Not on
+  /// microcontrollers, so that they give the bits of every other machine.
+  bool contracts = true;
+  Board board = {};
+  CycleCosts cycles = {};
+};
+
+/// All targets; the first is `generic`, for any processor.
+std::span<const Target> all_targets();
+
+/// Returns the target of this name, or null.
+const Target* find_target(std::string_view name);
+
+/// Whether the target is a particular processor.
+bool is_particular(const Target& target);
+
+/// Returns the number of lanes that suit the target for numbers of so many bytes: 1, 2, 4 or 8.
+int choose_lanes(const Target& target, int bytes_of_real);
+
+/// Whether the target computes with numbers of so many bytes by calls of a library.
+bool emulates(const Target& target, int bytes_of_real);
+
+}  // namespace treeline

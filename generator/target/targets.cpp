@@ -1,0 +1,106 @@
+#include <array>
+
+#include "target/target.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr const char* kArmPackage = "gcc-arm-none-eabi";
+constexpr const char* kRiscvPackage = "gcc-riscv64-unknown-elf";
+constexpr const char* kSystemArm = "qemu-system-arm";
+constexpr const char* kSystemMisc = "qemu-system-misc";
+
+/// A board of Arm's MPS2 and MPS3 series.
+constexpr Board arm_board(const char* machine, const char* linker, int clock_mhz) {
+  return {BoardKind::cortex_m, kSystemArm, machine, kSystemArm, linker, clock_mhz};
+}
+
+// Code and data of these boards. What is behind `data` holds the states.
+constexpr const char* kMps2 =
+    "--defsym=code_begin=0 --defsym=data_begin=0x20000000 --defsym=data_size=0x400000 "
+    "--defsym=bulk_begin=0x21000000";
+constexpr const char* kMps2WithM7 =
+    "--defsym=code_begin=0 --defsym=data_begin=0x20000000 --defsym=data_size=0x400000 "
+    "--defsym=bulk_begin=0x60000000";
+constexpr const char* kMps2Secure =
+    "--defsym=code_begin=0x10000000 --defsym=data_begin=0x38000000 --defsym=data_size=0x200000 "
+    "--defsym=bulk_begin=0x38200000";
+constexpr const char* kMps3 =
+    "--defsym=code_begin=0 --defsym=data_begin=0x20000000 --defsym=data_size=0x80000 "
+    "--defsym=bulk_begin=0x60000000";
+constexpr const char* kVirt =
+    "--defsym=code_begin=0x80000000 --defsym=data_begin=0x81000000 --defsym=data_size=0x400000 "
+    "--defsym=bulk_begin=0x82000000";
+constexpr const char* kVirtArm =
+    "--defsym=code_begin=0x40100000 --defsym=data_begin=0x41000000 --defsym=data_size=0x400000 "
+    "--defsym=bulk_begin=0x42000000";
+
+constexpr CycleCosts kCortexM0{
+    1, 2, 3, 1, 1, 1, 1, "Arm's manual of the Cortex-M0, memory without wait states"};
+constexpr CycleCosts kCortexM3{
+    1, 2, 3, 1, 1, 1, 1, "Arm's manual of the Cortex-M3, memory without wait states"};
+constexpr CycleCosts kCortexM4{
+    1, 2, 3, 1, 3, 14, 14, "Arm's manual of the Cortex-M4, memory without wait states"};
+constexpr CycleCosts kCortexM33{1, 2,  3,  1,
+                                3, 14, 14, "assumed as on a Cortex-M4: Arm publishes none"};
+constexpr CycleCosts kCortexM7{
+    0.6, 1,  1,  1,
+    1,   16, 30, "assumed: two instructions start together, a quotient waits; Arm publishes none"};
+constexpr CycleCosts kCortexM55{
+    1, 1,  2,  1,
+    2, 14, 30, "assumed: one instruction a cycle, a quotient waits; Arm publishes none"};
+constexpr CycleCosts kInOrder{
+    1, 1,  2,  1,
+    1, 20, 30, "assumed: a core that starts one instruction a cycle, with a pipelined unit"};
+constexpr CycleCosts kTwoInOrder{
+    0.6, 1,  1,  1,
+    1,   12, 22, "assumed: a core that starts two instructions a cycle in order, as a Cortex-A53"};
+
+constexpr auto kTargets = std::to_array<Target>({
+    {"generic", "any processor", "", "g++", "", FloatUnit::single_and_double, 64},
+    {"cortex-m0", "Arm Cortex-M0, no floating-point unit", "arm-none-eabi-", kArmPackage,
+     "-mcpu=cortex-m0 -mthumb -mfloat-abi=soft", FloatUnit::none, 0, false,
+     // QEMU's only board with this core has 16 KB of memory. A Cortex-M3 executes the same code.
+     arm_board("-M mps2-an385", kMps2, 25), kCortexM0},
+    {"cortex-m3", "Arm Cortex-M3, no floating-point unit", "arm-none-eabi-", kArmPackage,
+     "-mcpu=cortex-m3 -mthumb -mfloat-abi=soft", FloatUnit::none, 0, false,
+     arm_board("-M mps2-an385", kMps2, 25), kCortexM3},
+    {"cortex-m4f", "Arm Cortex-M4 with a single-precision unit", "arm-none-eabi-", kArmPackage,
+     "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16", FloatUnit::single_only, 0, false,
+     arm_board("-M mps2-an386", kMps2, 25), kCortexM4},
+    {"cortex-m7", "Arm Cortex-M7 with a double-precision unit", "arm-none-eabi-", kArmPackage,
+     "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16", FloatUnit::single_and_double, 0,
+     false, arm_board("-M mps2-an500", kMps2WithM7, 25), kCortexM7},
+    {"cortex-m33", "Arm Cortex-M33 with a single-precision unit", "arm-none-eabi-", kArmPackage,
+     "-mcpu=cortex-m33 -mthumb -mfloat-abi=hard -mfpu=fpv5-sp-d16", FloatUnit::single_only, 0,
+     false, arm_board("-M mps2-an505", kMps2Secure, 20), kCortexM33},
+    // Its vectors hold no doubles, and to collect four floats takes more than it saves.
+    {"cortex-m55", "Arm Cortex-M55 with a double-precision unit", "arm-none-eabi-", kArmPackage,
+     "-mcpu=cortex-m55 -mthumb -mfloat-abi=hard", FloatUnit::single_and_double, 0, false,
+     arm_board("-M mps3-an547", kMps3, 32), kCortexM55},
+    {"rv32imfc", "32-bit RISC-V with a single-precision unit", "riscv64-unknown-elf-",
+     kRiscvPackage, "-march=rv32imfc -mabi=ilp32f", FloatUnit::single_only, 0, false,
+     Board{BoardKind::riscv, "qemu-system-riscv32", "-M virt -bios none", kSystemMisc, kVirt, 0},
+     kInOrder},
+    {"rv64gc", "64-bit RISC-V with a double-precision unit", "riscv64-unknown-elf-", kRiscvPackage,
+     "-march=rv64gc -mabi=lp64d -mcmodel=medany", FloatUnit::single_and_double, 0, true,
+     Board{BoardKind::riscv, "qemu-system-riscv64", "-M virt -bios none", kSystemMisc, kVirt, 0},
+     kInOrder},
+    {"aarch64", "64-bit Arm", "aarch64-linux-gnu-", "g++-aarch64-linux-gnu", "-march=armv8-a",
+     FloatUnit::single_and_double, 16, true,
+     Board{BoardKind::aarch64, "qemu-system-aarch64", "-M virt -cpu cortex-a53 -nic none",
+           kSystemArm, kVirtArm, 0},
+     kTwoInOrder},
+    {"x86-64-v3", "64-bit x86 with AVX2 and fused multiply-add", "", "g++", "-march=x86-64-v3",
+     FloatUnit::single_and_double, 32},
+    {"x86-64-v4", "64-bit x86 with AVX-512", "", "g++", "-march=x86-64-v4",
+     FloatUnit::single_and_double, 64},
+});
+
+}  // namespace
+
+std::span<const Target> all_targets() {
+  return kTargets;
+}
+
+}  // namespace treeline

@@ -1,0 +1,168 @@
+// Would catch: other bits on a processor than on the host, a count of instructions that depends on
+// the state where every operation has an instruction, a stack that exceeds what is stated, a call
+// of a library, and a changed function that passes.
+#include "board/check_on_board.hpp"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "check/fixture.hpp"
+#include "description/follow_target.hpp"
+
+namespace treeline::tests {
+namespace {
+
+/// The PUMA with some of its functions, for a target.
+Subjects puma_for(const std::string& target, Real real, std::vector<Function> functions) {
+  Subjects subjects = load("puma560", "scene_float.yaml");
+  subjects.scene.real = real;
+  subjects.scene.target = target;
+  subjects.scene.functions = std::move(functions);
+  follow_target(subjects.scene);
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  return subjects;
+}
+
+CheckOptions board_options(int states) {
+  CheckOptions options;
+  options.references.states = states;
+  return options;
+}
+
+BoardReport run_on_board(const Subjects& subjects, const CheckOptions& options) {
+  Diagnostics diagnostics;
+  const auto report =
+      check_on_board(subjects.robot, subjects.scene, subjects.generation, options, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.list()) ADD_FAILURE() << to_string(diagnostic);
+  if (!report) throw std::runtime_error("nothing ran");
+  return *report;
+}
+
+std::vector<std::string> boards() {
+  std::vector<std::string> names;
+  for (const Target& target : all_targets()) {
+    if (target.board.kind != BoardKind::none) names.emplace_back(target.name);
+  }
+  return names;
+}
+
+using Machine = std::tuple<std::string, Real>;
+
+class OnBoard : public testing::TestWithParam<Machine> {};
+
+TEST_P(OnBoard, GivesTheHostsBits) {
+  const auto& [name, real] = GetParam();
+  const Subjects subjects =
+      puma_for(name, real, {Function::inverse_dynamics, Function::control_torque});
+  const BoardReport report = run_on_board(subjects, board_options(40));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  ASSERT_EQ(report.functions.size(), 2U);
+  const bool emulated = emulates(*find_target(name), bytes_of(real));
+  for (const BoardFunction& f : report.functions) {
+    EXPECT_EQ(f.states, 40);
+    EXPECT_EQ(f.bits_differ, 0) << f.name;
+    EXPECT_EQ(f.arithmetic.empty(), !emulated) << f.name;
+    EXPECT_GT(f.text_bytes, 400) << f.name;
+    ASSERT_TRUE(f.stack_bytes) << f.name;
+    if (emulated) continue;
+    EXPECT_EQ(f.least, f.most) << f.name;
+    EXPECT_GT(f.cycles, 0.3 * static_cast<double>(f.most)) << f.name;
+    EXPECT_LE(f.stack_seen, static_cast<std::uint64_t>(*f.stack_bytes)) << f.name;
+    EXPECT_GE(f.stack_seen + 64, static_cast<std::uint64_t>(*f.stack_bytes)) << f.name;
+  }
+}
+
+std::string machine_name(const testing::TestParamInfo<Machine>& info) {
+  std::string name = std::get<0>(info.param);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name + (std::get<1>(info.param) == Real::float32 ? "_float" : "_double");
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, OnBoard,
+                         testing::Combine(testing::ValuesIn(boards()),
+                                          testing::Values(Real::float32, Real::float64)),
+                         machine_name);
+
+// Would catch: float code that a single-precision unit computes in double, or in a loop of sweeps.
+TEST(OnBoard, FloatControlFitsASmallCore) {
+  const BoardReport report = run_on_board(
+      puma_for("cortex-m4f", Real::float32, {Function::control_torque}), board_options(300));
+  ASSERT_EQ(report.functions.size(), 1U);
+  EXPECT_LT(report.functions[0].most, 1200U);
+  EXPECT_TRUE(report.functions[0].takes_constant_time()) << print_text(report);
+  EXPECT_TRUE(report.functions[0].arithmetic.empty());
+}
+
+TEST(OnBoard, RunsTheDampedLaw) {
+  Subjects subjects = puma_for("cortex-m7", Real::float64,
+                               {Function::jacobian, Function::bias_acceleration,
+                                Function::inverse_dynamics, Function::lambda_inverse});
+  subjects.scene.damped = HeaviestMotion{20, 2};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  const BoardReport report = run_on_board(subjects, board_options(20));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  ASSERT_EQ(report.functions.size(), 5U);
+  const BoardFunction& damped = report.functions.back();
+  EXPECT_EQ(damped.name, "damped_control_torque");
+  // It calls the others: its stack holds the deepest of them.
+  ASSERT_TRUE(damped.stack_bytes);
+  EXPECT_GT(*damped.stack_bytes, report.functions[3].stack_bytes.value_or(0));
+  EXPECT_LE(damped.stack_seen, static_cast<std::uint64_t>(*damped.stack_bytes));
+}
+
+TEST(OnBoard, HoldsContractionToTheBound) {
+  CheckOptions options = board_options(40);
+  options.compile.flags = "-O2";
+  const Subjects subjects = puma_for("cortex-m7", Real::float64, {Function::inverse_dynamics});
+  const BoardReport report = run_on_board(subjects, options);
+  EXPECT_TRUE(report.contracted);
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  EXPECT_GT(report.functions[0].bits_differ, 0);
+  EXPECT_GT(report.functions[0].worst, 0);
+}
+
+// Would catch: a comparison that always passes.
+TEST(OnBoard, CatchesAChangedFunction) {
+  const Subjects subjects =
+      puma_for("cortex-m4f", Real::float32, {Function::inverse_dynamics, Function::gravity});
+  const TemporaryFolder folder;
+  write_folder(folder.path() / "code", subjects.generation);
+  const auto file = folder.path() / "code" / "gravity.cpp";
+  std::string text = read_file(file);
+  const auto at = text.rfind(" + ");
+  ASSERT_NE(at, std::string::npos);
+  write_file(file, text.replace(at, 3, " - "));
+  CheckOptions options = board_options(20);
+  options.folder = folder.path() / "code";
+  const BoardReport report = run_on_board(subjects, options);
+  EXPECT_FALSE(report.passed());
+  ASSERT_EQ(report.functions.size(), 2U);
+  EXPECT_EQ(report.functions[0].bits_differ, 0);
+  EXPECT_GT(report.functions[1].bits_differ, 0);
+  ASSERT_EQ(report.stale.size(), 1U);
+  EXPECT_NE(print_text(report).find("gravity: other bits than on the host"), std::string::npos);
+}
+
+// Would catch: a library function that slips into firmware.
+TEST(OnBoard, NamesCallsAndVariables) {
+  const Subjects subjects = puma_for("cortex-m4f", Real::float32, {Function::gravity});
+  const TemporaryFolder folder;
+  write_folder(folder.path() / "code", subjects.generation);
+  const auto file = folder.path() / "code" / "gravity.cpp";
+  const std::string text = read_file(file);
+  write_file(file,
+             text +
+                 "\nextern \"C\" __attribute__((weak)) void print_line();\n"
+                 "int calls;\nvoid count_call() { ++calls; if (&print_line) print_line(); }\n");
+  CheckOptions options = board_options(20);
+  options.folder = folder.path() / "code";
+  const BoardReport report = run_on_board(subjects, options);
+  EXPECT_FALSE(report.passed());
+  EXPECT_EQ(report.functions[0].strays, std::vector<std::string>{"print_line"});
+  EXPECT_EQ(report.functions[0].static_bytes, 4);
+  EXPECT_EQ(report.functions[0].bits_differ, 0);
+}
+
+}  // namespace
+}  // namespace treeline::tests

@@ -1,0 +1,60 @@
+// Would catch: a header or a build that does not say what processor it is for, flags that reach a
+// build for this machine, and files that change where no processor is named.
+#include "emission/print_target.hpp"
+
+#include <gtest/gtest.h>
+
+namespace treeline {
+namespace {
+
+EmissionContext context_for(const char* target) {
+  EmissionContext context;
+  context.name = "arm";
+  context.target = target;
+  return context;
+}
+
+TEST(PrintTarget, SaysNothingOfTheGenericOne) {
+  const EmissionContext context = context_for("generic");
+  EXPECT_EQ(describe_target(context), "");
+  EXPECT_EQ(print_section_macro(context), "");
+  EXPECT_EQ(print_section(context), "");
+  EXPECT_EQ(print_target_flags(context), "");
+  EXPECT_EQ(print_target_line(context), "");
+  EXPECT_STREQ(contraction_default(context), "ON");
+}
+
+TEST(PrintTarget, FitsAMicrocontroller) {
+  const EmissionContext context = context_for("cortex-m7");
+  EXPECT_NE(describe_target(context).find("-mcpu=cortex-m7"), std::string::npos);
+  EXPECT_NE(describe_target(context).find("--target cortex-m7"), std::string::npos);
+  EXPECT_NE(print_section_macro(context).find("#define TREELINE_CODE_SECTION"), std::string::npos);
+  EXPECT_EQ(print_section(context), "TREELINE_CODE_SECTION\n");
+  const std::string flags = print_target_flags(context);
+  EXPECT_NE(flags.find("target_compile_options(arm PRIVATE -mcpu=cortex-m7"), std::string::npos);
+  EXPECT_NE(flags.find("${CMAKE_CROSSCOMPILING})"), std::string::npos);
+  EXPECT_EQ(print_target_line(context), "  \"target\": \"cortex-m7\",\n");
+  EXPECT_STREQ(contraction_default(context), "OFF");
+}
+
+TEST(PrintTarget, FitsALargeProcessor) {
+  const EmissionContext context = context_for("x86-64-v3");
+  EXPECT_EQ(describe_target(context).find("QEMU"), std::string::npos);
+  EXPECT_NE(print_target_flags(context).find("-march=x86-64-v3\" ON)"), std::string::npos);
+  EXPECT_STREQ(contraction_default(context), "ON");
+}
+
+// Would catch: a long flag or phrase that makes a line of the header longer than 100 columns.
+TEST(PrintTarget, KeepsLinesShort) {
+  for (const char* target : {"cortex-m4f", "cortex-m33", "rv64gc", "aarch64", "x86-64-v4"}) {
+    const std::string text = describe_target(context_for(target));
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      EXPECT_LE(end - begin, 97U) << text.substr(begin, end - begin);
+      begin = end + 1;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treeline
