@@ -8,7 +8,7 @@
 
 #include "check/compile_folder.hpp"
 #include "check/run_commands.hpp"
-#include "emission/print_source.hpp"
+#include "emission/describe_program.hpp"
 
 namespace treeline {
 namespace {
@@ -95,7 +95,7 @@ fs::path link(const Command& compiler, const std::vector<Source>& sources, const
 
 fs::path compile_robot(const std::vector<CompiledPart>& parts, const fs::path& work,
                        const std::function<void(int, int)>& progress, Diagnostics& diagnostics) {
-  const auto compiler = find_compiler("", work, diagnostics);
+  const auto compiler = find_compiler(CompileOptions{}, work, diagnostics);
   if (!compiler) return {};
   const std::vector<Source> sources = list_sources(parts, work);
   std::vector<Command> commands;

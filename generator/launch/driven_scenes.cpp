@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "description/follow_target.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 
@@ -30,6 +31,8 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(scene.batch > 0, "batch");
   add(scene.real == Real::float32, "real: float");
   add(scene.sin_cos == Sines::given, "sin_cos: given");
+  add(scene.language == Language::c, "language: c");
+  add(scene.target != "generic", "target");
   if (left.empty()) return;
   diagnostics.add(
       {Severity::note, scene.file, 0, "", "left out while the robot is driven: " + left, ""});
@@ -55,6 +58,9 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
   note_left_out(scene, diagnostics);
   Scene control = scene;
+  control.language = Language::cpp;
+  control.target = "generic";
+  follow_target(control);
   control.objects.clear();
   control.contacts.clear();
   control.external_forces.clear();
