@@ -103,8 +103,9 @@ class PoseCleaner {
 };
 
 void make_exact(Joint& joint, double limit, const Place& at, NoiseDecisions* decisions) {
-  // Beside -z, the least digits say in which directions a planar joint's x and y are.
-  if (joint.type == JointType::planar) return;
+  // Beside -z, the least digits say in which directions the other axes are, as those of a planar
+  // joint.
+  if (info_of(joint.type).steps.size() > 1) return;
   double largest = 0;
   for (const double component : joint.axis) largest = std::max(largest, std::abs(component));
   for (std::size_t i = 0; i < 3; ++i) {
