@@ -30,8 +30,8 @@ std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_righ
   const std::string text = reference(node);
   const bool user_is_sum = is_sum(user);
   const bool own_is_sum = is_sum(graph_.nodes()[node].op);
-  const bool binds =
-      is_atom(node) || (user_is_sum && !own_is_sum) || (user_is_sum == own_is_sum && !is_right);
+  const bool binds = is_atom(node) || (user_is_sum && !own_is_sum && !syntax_.parenthesize) ||
+                     (user_is_sum == own_is_sum && !is_right);
   return binds ? text : fmt::format("({})", text);
 }
 

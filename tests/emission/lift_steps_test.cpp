@@ -35,6 +35,17 @@ TEST(LiftSteps, TurnsEveryStepIntoC) {
   EXPECT_EQ(in_float.at("constants").find("uint64_t"), std::string::npos);
 }
 
+// Would catch: parentheses that change what is added first.
+TEST(LiftSteps, PutsProductsOfSumsInParentheses) {
+  const auto in_double = c::lift_steps(kHeader, "arm", false);
+  EXPECT_NE(in_double.at("subtract_quarters")
+                .find("const double rough = (x - (turns * kPart1)) - (turns * kPart2);\n"),
+            std::string::npos);
+  EXPECT_NE(in_double.at("sin_cos_remainder")
+                .find("sine = r - (((z * ((tail * 0.5) - (v * s))) - tail) - (v * kS1));\n"),
+            std::string::npos);
+}
+
 TEST(LiftSteps, FollowsTheHeader) {
   const std::string other = changed("kS1 = -0x1.5555555555548p-3", "kS1 = -0x1.5555555555550p-3");
   EXPECT_NE(c::lift_steps(other, "arm", false).at("sin_cos_remainder"),

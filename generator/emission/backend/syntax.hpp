@@ -14,6 +14,8 @@ struct Syntax {
   std::string number;        ///< type of a local number: `Real`
   std::string prefix;        ///< of names at file scope; empty where namespaces keep robots apart
   std::string_view comment;  ///< what a comment begins with: `//`
+  /// Whether a product in a sum stands in parentheses, as rules for safe code ask.
+  bool parenthesize = false;
 
   /// A number without its sign.
   std::string (*literal)(double value);

@@ -52,6 +52,58 @@ Step find_step(std::string_view header, const std::string& function) {
   return {comment_before(header, begin), std::string(header.substr(first, close + 1 - first))};
 }
 
+/// The place of the parenthesis that closes the one at `open`.
+std::size_t find_close(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (depth == 0) return i;
+  }
+  reject(text, "lacks a parenthesis");
+}
+
+/// A formula with its products in parentheses where they are part of a sum, as in all emitted C.
+std::string parenthesize(std::string_view text) {
+  std::vector<std::string> terms(1), signs;
+  std::vector<bool> is_product(1, false);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view three = text.substr(i, 3);
+    if (three == " + " || three == " - ") {
+      signs.emplace_back(three);
+      terms.emplace_back();
+      is_product.push_back(false);
+      i += 2;
+    } else if (text[i] == '(') {
+      const std::size_t close = find_close(text, i);
+      terms.back() += fmt::format("({})", parenthesize(text.substr(i + 1, close - i - 1)));
+      i = close;
+    } else {
+      is_product.back() = is_product.back() || text[i] == '*';
+      terms.back() += text[i];
+    }
+  }
+  std::string joined;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    joined += i > 0 ? signs[i - 1] : "";
+    joined += terms.size() > 1 && is_product[i] ? fmt::format("({})", terms[i]) : terms[i];
+  }
+  return joined;
+}
+
+/// The same for every line that assigns a formula of numbers.
+std::string parenthesize_lines(const std::string& text) {
+  const std::regex formula("^([^=]* = )([^=&|^<>~]* \\* [^=&|^<>~]*);$");
+  std::istringstream lines(text);
+  std::string changed;
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_formula = std::regex_match(line, found, formula);
+    changed += is_formula ? found[1].str() + parenthesize(found[2].str()) + ";" : line;
+    changed += "\n";
+  }
+  return changed;
+}
+
 /// Statements of C++ as the steps are written in, in C.
 std::string translate(const std::string& text, const std::string& name, bool single_precision) {
   const std::string bits = single_precision ? "uint32_t" : "uint64_t";
@@ -60,9 +112,11 @@ std::string translate(const std::string& text, const std::string& name, bool sin
       {std::regex("^  using [^;]*;\n", std::regex::multiline), ""},
       {std::regex("static constexpr "), "const "},
       {std::regex("constexpr "), "const "},
+      {std::regex("const int (\\w+ = \\w+);"), "const uint32_t $1U;"},
+      {std::regex("kSignAt - 1\\)"), "kSignAt - 1U)"},
       {std::regex("typename Lanes::Value|\\bValue\\b"), real},
       {std::regex("\\bBits?\\{(\\w+)\\}"), fmt::format("({})$1", bits)},
-      {std::regex("\\bBits?\\{([^}]*)\\}"), fmt::format("({})($1)", bits)},
+      {std::regex("\\bBits?\\{(\\w+) \\+ (\\w+)\\}"), fmt::format("(({0})$1 + ({0})$2)", bits)},
       {std::regex("typename Lanes::Bits|\\bBits?\\b(?= )"), bits},
       {std::regex("Lanes::(to|from)_bits\\((\\w+), (\\w+)\\)"),
        fmt::format("{}_$1_bits(&$2, &$3)", name)},
@@ -74,7 +128,7 @@ std::string translate(const std::string& text, const std::string& name, bool sin
   }
   static const std::regex left_over("::|\\{|<[a-zA-Z]|typename|using|constexpr|static_cast|auto ");
   if (std::regex_search(translated, left_over)) reject(translated, "is not to be had in C");
-  return translated;
+  return parenthesize_lines(translated);
 }
 
 /// The constants of the number's format that `steps` use.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/symmetric_eigen.hpp"
@@ -47,15 +48,27 @@ std::string print_damped_head(const EmissionContext& context, const Program& inv
 }
 
 /// What chooses the target's instruction for a square root: the lines of preprocessor in the
-/// header of the runtime.
-std::string lift_instructions() {
+/// header of the runtime, but those for the other number type.
+std::string lift_instructions(const EmissionContext& context) {
+  const std::string own =
+      fmt::format("TREELINE_ROOT_OF_{}", context.single_precision ? "FLOAT" : "DOUBLE");
   const std::string_view header = cpp::templates::kSquareRoot;
   const std::size_t begin = header.find("#if defined(TREELINE_PORTABLE_SQUARE_ROOT)");
   const std::size_t end = header.find("\nnamespace ", begin);
   if (begin == header.npos || end == header.npos) {
     throw std::logic_error("square_root.hpp: where are its instructions?");
   }
-  return std::string(header.substr(begin, end - begin));
+  std::istringstream lines{std::string(header.substr(begin, end - begin))};
+  std::string lifted;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(own);
+    if (line.starts_with("#define") && at == line.npos) continue;
+    if (at != line.npos) {
+      line.replace(at, own.size(), fmt::format("TREELINE_{}_ROOT", name_in_capitals(context)));
+    }
+    lifted += line + "\n";
+  }
+  return lifted;
 }
 
 /// A number of the context's type, as a literal of C.
@@ -67,16 +80,17 @@ std::string print_square_root(const EmissionContext& context) {
   const bool single = context.single_precision;
   return fill_template(templates::kSquareRoot, {{"name", context.name},
                                                 {"real", single ? "float" : "double"},
-                                                {"REAL", single ? "FLOAT" : "DOUBLE"},
+                                                {"NAME", name_in_capitals(context)},
                                                 {"bits", single ? "uint32_t" : "uint64_t"},
                                                 {"fraction", single ? "23" : "52"},
                                                 {"turns", single ? "24" : "53"},
+                                                {"quiet", single ? "22" : "51"},
                                                 {"bias", single ? "127" : "1023"},
                                                 {"sign", single ? "31" : "63"},
                                                 {"infinity", single ? "255" : "2047"},
                                                 {"raised", single ? "24" : "54"},
                                                 {"zero", number(context, "0.0")},
-                                                {"instructions", lift_instructions()}});
+                                                {"instructions", lift_instructions(context)}});
 }
 
 std::string print_damped_solve(const EmissionContext& context) {

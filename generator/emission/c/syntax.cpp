@@ -29,6 +29,7 @@ Syntax make_syntax(const EmissionContext& context) {
   Syntax syntax = make_c_family_syntax(context.single_precision);
   syntax.number = context.single_precision ? "float" : "double";
   syntax.prefix = context.name;
+  syntax.parenthesize = true;
   syntax.lanes = name_lanes;
   syntax.make_lanes = make_vector;
   syntax.take_sines = call_sin_cos;

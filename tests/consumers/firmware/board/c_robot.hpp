@@ -9,10 +9,10 @@
 namespace c_robot {
 
 using Real = JOIN(FIRMWARE_C, _real);
-constexpr int kCoordinates = JOIN(FIRMWARE_C_CAPITALS, _COORDINATES);
-constexpr int kVelocities = JOIN(FIRMWARE_C_CAPITALS, _VELOCITIES);
-constexpr int kTaskRows = JOIN(FIRMWARE_C_CAPITALS, _TASK_ROWS);
+inline constexpr int kCoordinates = JOIN(FIRMWARE_C_CAPITALS, _COORDINATES);
+inline constexpr int kVelocities = JOIN(FIRMWARE_C_CAPITALS, _VELOCITIES);
+inline constexpr int kTaskRows = JOIN(FIRMWARE_C_CAPITALS, _TASK_ROWS);
 
-constexpr auto& control_torque = JOIN(FIRMWARE_C, _control_torque);
+inline constexpr auto& control_torque = JOIN(FIRMWARE_C, _control_torque);
 
 }  // namespace c_robot

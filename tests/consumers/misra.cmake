@@ -1,0 +1,43 @@
+# Checks emitted C against MISRA C:2012 with the rules that cppcheck knows. Fails at every violation but
+# of four advisory rules, which generator/README.md lists.
+# cmake -DTREELINE=program -DROBOTS=dir -DFOLDER=dir -P misra.cmake
+find_program(cppcheck cppcheck)
+if(NOT cppcheck)
+  message(FATAL_ERROR "cppcheck is missing: run .ci/install-packages with what .ci/packages names")
+endif()
+set(allowed 2\\.3 2\\.4 2\\.5 19\\.2)
+list(JOIN allowed "|" allowed)
+# What <float.h> defines, since cppcheck reads no headers of the system.
+set(float -DFLT_RADIX=2 -DFLT_MANT_DIG=24 -DFLT_MAX_EXP=128 -DDBL_MANT_DIG=53 -DDBL_MAX_EXP=1024
+  -DFLT_EVAL_METHOD=0 -D__GNUC__=12)
+foreach(real float double)
+  set(folder ${FOLDER}/${real})
+  execute_process(COMMAND ${TREELINE} generate ${ROBOTS}/ur10e/ur10e.urdf ${ROBOTS}/ur10e/scene.yaml
+      --language c --name arm --real ${real} --output ${folder}
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  file(GLOB sources ${folder}/*.c)
+  list(LENGTH sources count)
+  if(count LESS 12)
+    message(FATAL_ERROR "only ${count} sources in ${folder}")
+  endif()
+  execute_process(COMMAND ${cppcheck} -q --std=c99 --addon=misra --enable=style ${float}
+      --suppress=unusedFunction --suppress=missingIncludeSystem ${sources}
+    ERROR_VARIABLE said OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "[^\n]*\\[[a-zA-Z0-9.-]+\\]\n[^\n]*" found "${said}")
+  set(violations)
+  set(expected 0)
+  foreach(each IN LISTS found)
+    if(each MATCHES "misra-c2012-(${allowed})\\]")
+      math(EXPR expected "${expected} + 1")
+    else()
+      list(APPEND violations "${each}")
+    endif()
+  endforeach()
+  if(expected EQUAL 0)
+    message(FATAL_ERROR "cppcheck sees not even the violations that are known: ${said}")
+  endif()
+  if(violations)
+    list(JOIN violations "\n" violations)
+    message(FATAL_ERROR "in ${real}:\n${violations}")
+  endif()
+endforeach()
