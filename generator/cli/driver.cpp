@@ -77,6 +77,7 @@ class Driver {
   void tell_front_ends();
   drive::ServerHandlers handlers();
   void receive();
+  void warn_of_weight() const;
   void obey_script();
   void obey_line(const drive::Script::Line& line);
   void obey_local(const drive::Command& command);
@@ -132,10 +133,24 @@ void Driver::record_line(const std::string& line, const drive::Answer& answer) {
   record_ << drive::print_command(line, time(), answer) << '\n';
 }
 
+/// In the first cycle the robot holds its weight. A joint whose force is cut then cannot, with the
+/// limit that its URDF states.
+void Driver::warn_of_weight() const {
+  for (const drive::DrivenCoordinate& coordinate : session_.robot().coordinates) {
+    if (!drive::is_single(coordinate)) continue;
+    const int index = session_.layout().tau + coordinate.velocity_index;
+    const double force = session_.report().numbers[static_cast<std::size_t>(index)];
+    if (std::fabs(force) < coordinate.effort) continue;
+    say(fmt::format("warning: {} cannot hold the weight here: its effort limit is {:g} {}",
+                    coordinate.name, coordinate.effort, drive::is_angle(coordinate) ? "N m" : "N"));
+  }
+}
+
 void Driver::receive() {
   drive::ReportHead head;
   while (loop_.receive(head, numbers_.data())) {
     session_.take_report(head, numbers_.data());
+    if (head.cycle == 0) warn_of_weight();
     record_state();
   }
   const std::string fault = session_.fault();
