@@ -13,6 +13,7 @@
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
+#include "cli/robot_elsewhere.hpp"
 #include "cli/write_output.hpp"
 #include "description/read_text_file.hpp"
 #include "drive/find_meshes.hpp"
@@ -102,7 +103,8 @@ int run(DriveOptions options) {
   if (!robot) return kBadInput;
   Diagnostics of_drive;
   if (!options.act_as_robot.empty()) {
-    const bool acted = act_as_robot(*robot, drive, options.act_as_robot, of_drive);
+    const bool acted =
+        act_as_robot(*robot, drive.start, drive.rate, options.act_as_robot, of_drive);
     print_diagnostics(of_drive, options.inputs.warnings);
     return acted ? kOk : kBadInput;
   }
