@@ -1,6 +1,7 @@
 #include "cli/drive.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <map>
@@ -13,6 +14,7 @@
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
+#include "cli/robot_elsewhere.hpp"
 #include "cli/write_output.hpp"
 #include "description/read_text_file.hpp"
 #include "drive/find_meshes.hpp"
@@ -85,8 +87,9 @@ int run(DriveOptions options) {
   drive.serves = !options.headless;
   constexpr std::string_view kUdp = "udp:";
   if (options.robot.starts_with(kUdp)) drive.udp_robot = options.robot.substr(kUdp.size());
-  drive.real_time = drive.real_time || drive.serves || !drive.udp_robot.empty();
   drive.reads_input = options.script.empty();
+  const bool is_typed = drive.reads_input && isatty(STDIN_FILENO) != 0;
+  drive.real_time = drive.real_time || drive.serves || is_typed || !drive.udp_robot.empty();
   warn_of_listeners(drive, diagnostics);
   std::optional<LaunchedRobot> robot;
   const auto packages = read_packages(options.packages, diagnostics);
@@ -102,7 +105,8 @@ int run(DriveOptions options) {
   if (!robot) return kBadInput;
   Diagnostics of_drive;
   if (!options.act_as_robot.empty()) {
-    const bool acted = act_as_robot(*robot, drive, options.act_as_robot, of_drive);
+    const bool acted =
+        act_as_robot(*robot, drive.start, drive.rate, options.act_as_robot, of_drive);
     print_diagnostics(of_drive, options.inputs.warnings);
     return acted ? kOk : kBadInput;
   }
@@ -125,7 +129,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
                      "File of commands, one a line; - is standard input");
   command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states");
   command.add_flag("--real-time", drive.real_time,
-                   "Without a page: keep to the machine's clock; with it always");
+                   "Keep to the machine's clock; always so with the page, a terminal or --robot");
   command.add_option("--rate", drive.rate, "Cycles of the control loop a second")
       ->check(between(50, 10000))
       ->capture_default_str();

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "cli/loop_handle.hpp"
+#include "cli/robot_elsewhere.hpp"
 #include "description/printable.hpp"
 #include "drive/page.hpp"
 #include "drive/rate_limit.hpp"
@@ -77,6 +78,7 @@ class Driver {
   void tell_front_ends();
   drive::ServerHandlers handlers();
   void receive();
+  void warn_of_weight() const;
   void obey_script();
   void obey_line(const drive::Script::Line& line);
   void obey_local(const drive::Command& command);
@@ -132,10 +134,24 @@ void Driver::record_line(const std::string& line, const drive::Answer& answer) {
   record_ << drive::print_command(line, time(), answer) << '\n';
 }
 
+/// In the first cycle the robot holds its weight. A joint whose force is cut then cannot, with the
+/// limit that its URDF states.
+void Driver::warn_of_weight() const {
+  for (const drive::DrivenCoordinate& coordinate : session_.robot().coordinates) {
+    if (!drive::is_single(coordinate)) continue;
+    const int index = session_.layout().tau + coordinate.velocity_index;
+    const double force = session_.report().numbers[static_cast<std::size_t>(index)];
+    if (std::fabs(force) < coordinate.effort) continue;
+    say(fmt::format("warning: {} cannot hold the weight here: its effort limit is {:g} {}",
+                    coordinate.name, coordinate.effort, drive::is_angle(coordinate) ? "N m" : "N"));
+  }
+}
+
 void Driver::receive() {
   drive::ReportHead head;
   while (loop_.receive(head, numbers_.data())) {
     session_.take_report(head, numbers_.data());
+    if (head.cycle == 0) warn_of_weight();
     record_state();
   }
   const std::string fault = session_.fault();
@@ -340,43 +356,9 @@ DriveOutcome Driver::run() {
 
 }  // namespace
 
-namespace {
-
-/// The coordinates at the beginning; empty after an error.
-std::vector<double> start_of(const LaunchedRobot& robot, const DriveSettings& settings,
-                             Diagnostics& diagnostics) {
-  const std::size_t size = robot.description.coordinates.size();
-  if (settings.start.empty()) return default_start(robot.description);
-  if (settings.start.size() == size) return settings.start;
-  diagnostics.add(
-      {Severity::error, "", 0, "--q",
-       fmt::format("{} numbers are given, the robot has {}", settings.start.size(), size),
-       "`treeline inspect` lists the joints in their order."});
-  return {};
-}
-
-/// The robot at an address, after its first state has come. Null after an error.
-std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const std::string& address,
-                                            Diagnostics& diagnostics) {
-  constexpr double kPatience = 5;  // s
-  std::string error;
-  auto found = drive::UdpRobot::open(address, robot.description.checksum,
-                                     static_cast<int>(robot.description.coordinates.size()),
-                                     robot.description.velocities, error);
-  if (found && found->wait_for_state(kPatience)) return found;
-  diagnostics.add({Severity::error, "", 0, "--robot",
-                   found ? fmt::format("no robot answers at {} within {} s", address, kPatience)
-                         : fmt::format("\"{}\": {}", address, error),
-                   "`treeline drive --act-as-robot HOST:PORT`, with the same URDF and scene, is a "
-                   "simulated one."});
-  return nullptr;
-}
-
-}  // namespace
-
 std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
                                       Diagnostics& diagnostics) {
-  std::vector<double> start = start_of(robot, settings, diagnostics);
+  std::vector<double> start = start_of(robot, settings.start, diagnostics);
   if (start.empty()) return std::nullopt;
   std::unique_ptr<drive::UdpRobot> external;
   if (!settings.udp_robot.empty()) {
@@ -393,37 +375,6 @@ std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSet
   }
   answer_signals(nullptr);
   return outcome;
-}
-
-bool act_as_robot(const LaunchedRobot& robot, const DriveSettings& settings,
-                  const std::string& address, Diagnostics& diagnostics) {
-  const std::vector<double> start = start_of(robot, settings, diagnostics);
-  if (start.empty()) return false;
-  const drive::RobotLibrary& library = robot.library.functions();
-  const LoopNumbers numbers(robot.description);
-  const drive::LoopOptions options = options_for(robot.description, numbers, start);
-  const std::unique_ptr<void, void (*)(void*)> simulated(library.create_robot(&options),
-                                                         library.destroy_robot);
-  drive::RobotSide side;
-  side.address = address;
-  side.checksum = robot.description.checksum;
-  side.rate = settings.rate;
-  side.nq = library.coordinates;
-  side.nv = library.velocities;
-  side.advance = [&](const double* tau, double seconds) {
-    library.advance_robot(simulated.get(), tau, seconds);
-  };
-  side.read = [&](double* state) { library.read_robot(simulated.get(), state); };
-  asked_to_end = false;
-  answer_signals([] { asked_to_end = true; });
-  say(fmt::format("the simulated robot listens at {}", address));
-  const std::string error = drive::run_robot_side(side, asked_to_end);
-  answer_signals(nullptr);
-  if (error.empty()) return true;
-  diagnostics.add({Severity::error, "", 0, "--act-as-robot",
-                   fmt::format("{} cannot be listened on: {}", address, error),
-                   "Name an address of this machine as a number, and a free port."});
-  return false;
 }
 
 }  // namespace treeline

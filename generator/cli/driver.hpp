@@ -40,9 +40,4 @@ struct DriveOutcome {
 std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
                                       Diagnostics& diagnostics);
 
-/// Simulates the robot for a loop in another process that talks to it over UDP at `address`, until
-/// a signal comes. Returns whether that was possible.
-bool act_as_robot(const LaunchedRobot& robot, const DriveSettings& settings,
-                  const std::string& address, Diagnostics& diagnostics);
-
 }  // namespace treeline

@@ -114,6 +114,7 @@ std::vector<GeneratedFile> runtime_headers() {
           file("servo/statistics.hpp", t::kServoStatistics),
           file("drive/drive_controller.hpp", t::kDriveController),
           file("drive/drive_controller_body.hpp", t::kDriveControllerBody),
+          file("drive/drive_goals.hpp", t::kDriveGoals),
           file("drive/drive_loop.hpp", t::kDriveLoop),
           file("drive/driven_robot.hpp", t::kDriveRobot),
           file("drive/instruction.hpp", t::kDriveInstruction),

@@ -22,6 +22,7 @@ extern const std::string_view kServoStateMachine;
 extern const std::string_view kServoStatistics;
 extern const std::string_view kDriveController;
 extern const std::string_view kDriveControllerBody;
+extern const std::string_view kDriveGoals;
 extern const std::string_view kDriveLoop;
 extern const std::string_view kDriveRobot;
 extern const std::string_view kDriveInstruction;

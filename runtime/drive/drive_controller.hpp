@@ -172,3 +172,4 @@ class DriveController {
 }  // namespace treeline::drive
 
 #include "drive/drive_controller_body.hpp"
+#include "drive/drive_goals.hpp"

@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 #include "drive/command.hpp"
+#include "drive/parse_words.hpp"
 
 namespace treeline::drive {
 namespace {
@@ -17,80 +17,10 @@ constexpr double kLongest = 3600.0;  // s
 constexpr double kShortest = 0.02;   // s
 constexpr double kStiffest = 1e5;    // 1/s^2
 
-struct Word {
-  std::string_view text;
-  std::size_t at = 0;
-};
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
-std::vector<Word> split(std::string_view line) {
-  std::vector<Word> words;
-  for (std::size_t i = 0; i < line.size() && line[i] != '#';) {
-    if (is_blank(line[i])) {
-      ++i;
-      continue;
-    }
-    std::size_t end = i;
-    while (end < line.size() && !is_blank(line[end]) && line[end] != '#') ++end;
-    words.push_back({line.substr(i, end - i), i});
-    i = end;
-  }
-  return words;
-}
-
-/// The number of letters to change, insert or remove.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t above = row[j + 1];
-      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row.back();
-}
-
-/// "did you mean `elbow`?", or the names if they are few, or how many there are.
-std::string suggest(std::string_view wanted, const std::vector<std::string>& names) {
-  const std::string* nearest = nullptr;
-  std::size_t least = wanted.size() < 4 ? 2 : std::min<std::size_t>(2 + wanted.size() / 8, 4) + 1;
-  for (const std::string& name : names) {
-    const std::size_t d = distance(wanted.substr(0, 64), name);
-    if (d < least) {
-      least = d;
-      nearest = &name;
-    }
-  }
-  if (nearest != nullptr) return fmt::format("did you mean `{}`?", *nearest);
-  constexpr std::size_t kFew = 12;
-  if (names.empty()) return "this robot has none";
-  const std::size_t shown = std::min(names.size(), kFew);
-  std::string text = fmt::format(
-      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
-  if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
-  return "one of " + text;
-}
-
-/// Shows a word of any bytes in an answer.
-std::string shown(std::string_view word) {
-  std::string text;
-  for (const char c : word.substr(0, 40)) {
-    text += c >= ' ' && c <= '~' ? c : '?';
-  }
-  return text + (word.size() > 40 ? "..." : "");
-}
-
 class Parser {
  public:
   Parser(std::string_view line, const RobotDescription& robot)
-      : line_(line), words_(split(line)), robot_(robot) {}
+      : line_(line), words_(split_line(line)), robot_(robot) {}
 
   std::variant<Command, CommandFault> parse() {
     if (words_.empty()) return CommandFault{};
@@ -101,8 +31,8 @@ class Parser {
     parse_verb();
     if (!fault_ && next_ < words_.size()) {
       fail(fmt::format("expected the end of the command{}, found `{}`",
-                       next_ > 0 ? " after `" + shown(words_[next_ - 1].text) + "`" : "",
-                       shown(words_[next_].text)));
+                       next_ > 0 ? " after `" + shown_word(words_[next_ - 1].text) + "`" : "",
+                       shown_word(words_[next_].text)));
     }
     if (fault_) return *fault_;
     return command_;
@@ -127,11 +57,11 @@ class Parser {
   }
   /// What stands where something else was expected.
   std::string found() const {
-    return next_ < words_.size() ? "found `" + shown(words_[next_].text) + "`"
+    return next_ < words_.size() ? "found `" + shown_word(words_[next_].text) + "`"
                                  : std::string("the command ends");
   }
   std::string after() const {
-    return next_ > 0 ? " after `" + shown(words_[next_ - 1].text) + "`" : std::string();
+    return next_ > 0 ? " after `" + shown_word(words_[next_ - 1].text) + "`" : std::string();
   }
   bool sees(std::string_view word) const {
     return !fault_ && next_ < words_.size() && words_[next_].text == word;
@@ -205,7 +135,8 @@ class Parser {
       return static_cast<int>(found - names.begin());
     }
     --next_;
-    fail(fmt::format("there is no {} `{}`: {}", what, shown(*word), suggest(*word, names)));
+    fail(fmt::format("there is no {} `{}`: {}", what, shown_word(*word),
+                     suggest_word(*word, names)));
     return 0;
   }
   void take_coordinate() {
@@ -379,7 +310,7 @@ void Parser::parse_mode() {
   if (found == controls.end()) {
     --next_;
     fail(fmt::format("expected `joint`, `task` or `gravity` after `mode`, found `{}`",
-                     shown(*word)));
+                     shown_word(*word)));
     return;
   }
   command_.control = static_cast<Control>(found - controls.begin());
@@ -441,8 +372,8 @@ void Parser::parse_verb() {
   const std::vector<std::string> words = {
       "start", "stop",    "brake", "reset", "mode", "joint", "move", "turn", "posture", "hold",
       "drag",  "release", "pull",  "gains", "take", "give",  "wait", "help", "quit"};
-  fail(fmt::format("there is no command `{}`: {}", shown(words_[0].text),
-                   suggest(words_[0].text, words)));
+  fail(fmt::format("there is no command `{}`: {}", shown_word(words_[0].text),
+                   suggest_word(words_[0].text, words)));
 }
 
 }  // namespace

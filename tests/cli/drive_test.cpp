@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
 
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
@@ -61,16 +64,26 @@ double distance(const interpreter::PointPose<double>& pose, const Eigen::Vector3
 
 // Would catch: a command that moves the tool elsewhere or turns it otherwise.
 TEST_F(DriveTest, PumaArrives) {
-  const Arrival arrival =
-      arrive(kRobots + "/puma560/puma560.urdf", kRobots + "/puma560/scene.yaml",
-             "start\njoint joint2 to -45 deg in 1 s\njoint joint3 to 90 deg in 1 s\nwait\n"
-             "move tool to 0.4 0.2 0.9 in 1.5 s\nturn tool to 0 1 0 0 in 1.5 s\nwait\n");
-  ASSERT_EQ(arrival.poses.size(), 1U);
-  EXPECT_LT(distance(arrival.poses[0], Eigen::Vector3d(0.4, 0.2, 0.9)), 1e-3);
-  const Eigen::Vector3d z = arrival.poses[0].rotation.col(2);
-  EXPECT_LT((z - Eigen::Vector3d(0, 0, -1)).norm(), 1e-2);  // half a turn about y
-  EXPECT_EQ(arrival.state["mode"], "idle");
-  EXPECT_EQ(arrival.state["fault"], "");
+  const std::string urdf = kRobots + "/puma560/puma560.urdf";
+  const std::string scene = kRobots + "/puma560/scene.yaml";
+  const std::string ready =
+      "start\njoint joint2 to -45 deg in 1 s\njoint joint3 to 90 deg in 1 s\n"
+      "joint joint5 to 0.8 in 1 s\nwait\n";
+  const Arrival before = arrive(urdf, scene, ready);
+  const Arrival after = arrive(urdf, scene,
+                               ready +
+                                   "move tool by -0.05 0.1 -0.1 in 1.5 s\n"
+                                   "turn tool by 0 0 20 deg in 1.5 s\nwait\n");
+  ASSERT_EQ(after.poses.size(), 1U);
+  const Eigen::Vector3d wanted = before.poses[0].position + Eigen::Vector3d(-0.05, 0.1, -0.1);
+  EXPECT_LT(distance(after.poses[0], wanted), 1e-3);
+  const double angle = 20 * std::numbers::pi / 180;
+  const Eigen::Matrix3d turned =
+      Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * before.poses[0].rotation;
+  EXPECT_LT((after.poses[0].rotation - turned).norm(), 1e-3);
+  EXPECT_EQ(after.state["mode"], "idle");
+  EXPECT_EQ(after.state["fault"], "");
+  EXPECT_NEAR(before.state["q"][1].get<double>(), -std::numbers::pi / 4, 1e-4);
 }
 
 TEST_F(DriveTest, SammArrives) {
@@ -154,7 +167,7 @@ TEST_F(DriveTest, RunsInRealTimeAndRecords) {
   const std::string command =
       "cd " + root_.string() + " && { '" + std::string(TREELINE_PROGRAM) + "' drive " + robot +
       " --headless --real-time --script script.txt --warnings none >end.json 2>end.txt & } && "
-      "i=0; until grep -q begins end.txt || [ $i -gt 600 ]; do sleep 0.1; i=$((i+1)); done; "
+      "i=0; until grep -qs begins end.txt || [ $i -gt 600 ]; do sleep 0.1; i=$((i+1)); done; "
       "kill -TERM $!; wait $!";
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(test::read_file(root_ / "end.txt").find("fault"), std::string::npos);
@@ -170,7 +183,7 @@ TEST_F(DriveTest, DrivesARobotOverUdp) {
       "cd " + root_.string() + " && { '" + std::string(TREELINE_PROGRAM) + "' drive " + robot +
       " --act-as-robot " + address +
       " --warnings none >robot.txt 2>&1 & } && "
-      "i=0; until grep -q listens robot.txt || [ $i -gt 600 ]; do sleep 0.1; i=$((i+1)); done; '" +
+      "i=0; until grep -qs listens robot.txt || [ $i -gt 600 ]; do sleep 0.1; i=$((i+1)); done; '" +
       std::string(TREELINE_PROGRAM) + "' drive " + robot + " --robot udp:" + address +
       " --headless --script script.txt >end.json 2>end.txt; code=$?; kill -TERM $!; wait $!; "
       "exit $code";

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mutate_text.hpp"
+#include "try_drive.hpp"
 #include "try_input.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mutate_text.hpp"
+#include "try_drive.hpp"
 #include "try_input.hpp"
 
 namespace treeline::fuzz {
@@ -26,6 +27,7 @@ struct Target {
 const std::vector<Target> kTargets = {
     {"urdf", try_urdf, mutate_urdf},
     {"scene", try_scene, mutate_scene},
+    {"drive", try_drive, mutate_drive},
     {"both", try_both, [](std::string text, Random& random) { return mutate_both(text, random); }}};
 
 std::string read_file(const fs::path& path) {

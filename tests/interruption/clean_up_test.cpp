@@ -72,6 +72,32 @@ TEST_F(CleanUp, LeavesWhatIsNotItsOwn) {
   EXPECT_TRUE(fs::exists(root_ / "kept"));
 }
 
+// Would catch: a program that ends where it wanted to brake first, or that no second signal ends.
+TEST_F(CleanUp, TheFirstSignalIsAnsweredAndTheSecondEnds) {
+  int ready[2];
+  ASSERT_EQ(pipe(ready), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    static int answer = ready[1];
+    clean_up_on_signals();
+    answer_signals([] { (void)!::write(answer, "a", 1); });
+    (void)!::write(ready[1], "x", 1);
+    for (;;) pause();
+  }
+  char byte = 0;
+  (void)!read(ready[0], &byte, 1);
+  EXPECT_EQ(byte, 'x');
+  kill(child, SIGINT);
+  (void)!read(ready[0], &byte, 1);
+  EXPECT_EQ(byte, 'a');
+  kill(child, SIGTERM);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
+  close(ready[0]);
+  close(ready[1]);
+}
+
 // Would catch: a signal that interrupts a rename of several files.
 TEST_F(CleanUp, WaitsForWhatMustNotBeInterrupted) {
   int ready[2];

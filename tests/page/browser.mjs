@@ -7,6 +7,9 @@ import {kPage, load_package} from './packages.mjs';
 const kCandidates = [process.env.TREELINE_CHROMIUM, '/usr/bin/chromium',
   '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
+// Whether the bundle of TREELINE_PAGE stands in for the one that a program carries.
+const kNewest = Boolean(process.env.TREELINE_NEWEST_PAGE);
+
 /** The browser's program, or undefined. */
 export function find_chromium() {
   return kCandidates.find((file) => file && fs.existsSync(file));
@@ -16,7 +19,8 @@ export function find_chromium() {
 export function launch_browser() {
   return load_package('playwright-core').chromium.launch({executablePath: find_chromium(),
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-gpu-rasterization']});
+      '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-gpu-rasterization',
+      ...(kNewest ? ['--disable-features=LocalNetworkAccessChecks'] : [])]});
 }
 
 /** Puts the newest bundle in the place of the one that a program carries: while one works on it. */
@@ -41,7 +45,7 @@ export async function open_page(browser, address, options = {}) {
     const away = /WebSocket connection|ERR_CONNECTION|GPU stall/;
     if (message.type() === 'error' && !away.test(message.text())) page.faults.push(message.text());
   });
-  if (process.env.TREELINE_NEWEST_PAGE) await put_newest(page);
+  if (kNewest) await put_newest(page);
   await page.goto(address);
   await page.waitForFunction(() => window.treeline?.state);
   return page;

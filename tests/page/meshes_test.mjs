@@ -86,7 +86,7 @@ async function show(t, served) {
   });
   await page.click('#tab-View');
   for (const name of ['Disks and rails of joints', 'Planes and belts of points',
-    'Frames of points', 'Forces of contact', 'Trace of points']) {
+    'Frames of points', 'Forces', 'Trace of points']) {
     await page.click(`button:text-is("${name}")`);
   }
   await page.waitForTimeout(500);

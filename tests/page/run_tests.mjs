@@ -1,6 +1,7 @@
 // Runs one file of tests of the page: node run_tests.mjs FILE
 // Exit status 77, with the reason on stdout, where the browser or the page is missing.
 import {spawnSync} from 'node:child_process';
+import fs from 'node:fs';
 
 import {find_chromium} from './browser.mjs';
 import {kPage, page_is_built} from './packages.mjs';
@@ -12,8 +13,8 @@ function reason_to_skip(file) {
   if (!/_math_test|complete_test/.test(file) && !find_chromium()) {
     return 'there is no Chromium: install the package chromium, or name it in TREELINE_CHROMIUM';
   }
-  if (/drive_test/.test(file) && !process.env.TREELINE_DRIVE) {
-    return 'TREELINE_DRIVE does not name the program treeline';
+  if (/drive_test/.test(file) && !fs.existsSync(process.env.TREELINE_DRIVE ?? '')) {
+    return 'TREELINE_DRIVE does not name the program treeline: build it first';
   }
   return '';
 }

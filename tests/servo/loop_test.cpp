@@ -206,6 +206,34 @@ TEST(ServoLoop, PositionAndVelocityLimits) {
   EXPECT_EQ(describe(rig.loop.fault(), "shoulder").substr(0, 17), "shoulder moves at");
 }
 
+// Found 0.1 rad beyond its limit, a joint stays there after a reset without another fault, moves
+// back within, and has its limit again; farther out is a fault.
+TEST(ServoLoop, AJointBeyondItsLimitCanBeLedBack) {
+  Rig rig;
+  RobotState<2, 2> beyond = rig.initial;
+  beyond.q[1] = -2.1;
+  rig.robot.set_state(beyond);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::position_limit);
+  rig.send(MessageKind::reset);
+  rig.cycles(300);
+  EXPECT_EQ(rig.loop.mode(), Mode::idle);
+  rig.send(MessageKind::start);  // the controller swings upwards, back into the range
+  rig.cycles(1200);
+  EXPECT_EQ(rig.loop.mode(), Mode::running);
+  EXPECT_GT(rig.state().q[1], -2.0);
+  rig.robot.set_state(beyond);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::position_limit);
+  EXPECT_EQ(rig.loop.fault().limit, -2.0);
+  rig.send(MessageKind::reset);
+  rig.cycles(1);
+  beyond.q[1] = -2.11;
+  rig.robot.set_state(beyond);
+  rig.cycles(1);
+  EXPECT_EQ(rig.loop.fault().kind, FaultKind::position_limit);
+}
+
 TEST(ServoLoop, ExcessiveTorqueIsNotSent) {
   Rig rig;
   rig.send(MessageKind::start);

@@ -17,6 +17,12 @@ function takes_blanks(target) {
   return target instanceof HTMLInputElement && target.type === 'text' && target.value.trim() !== '';
 }
 
+/** What is wrong, and what to do; empty if nothing is. */
+function words_of(state) {
+  if (state.mode === 'faulted') return `${state.fault || 'stopped'}: press Reset, then Start`;
+  return state.fault || (state.saturated ? 'a torque is at its limit' : '');
+}
+
 export class StatusBar {
   #may_command = true;
   #commanding = false;
@@ -69,7 +75,7 @@ export class StatusBar {
     const tone = {running: 'good', faulted: 'bad', stopping: 'warn'}[state.mode] ?? 'quiet';
     const control = state.mode === 'running' && state.control ? ` (${state.control})` : '';
     show(this.mode, (kModes[state.mode] ?? state.mode) + control, tone);
-    set_text(this.fault, state.fault || (state.saturated ? 'A torque is at its limit.' : ''));
+    set_text(this.fault, words_of(state));
     this.fault.dataset.tone = state.fault ? 'bad' : 'warn';
     this.state = state;
     this.#commanding = state.commanding;

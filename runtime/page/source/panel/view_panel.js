@@ -3,7 +3,7 @@ import {button, element, toggle} from '../element.js';
 
 const kParts = [['ghost', 'Ghost of the goal'], ['trace', 'Trace of points'],
   ['points', 'Frames of points'], ['frames', 'Frames of links'], ['mass', 'Centre of mass'],
-  ['forces', 'Forces of contact'], ['torques', 'Torques, as shares of their limits']];
+  ['forces', 'Forces'], ['torques', 'Torques, as shares of their limits']];
 const kHandles = [['joints', 'Disks and rails of joints'],
   ['points', 'Planes and belts of points']];
 

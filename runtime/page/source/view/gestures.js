@@ -33,6 +33,8 @@ export class Gestures {
     const listen = (name, call) => canvas.addEventListener(name, call, {capture: true});
     listen('pointerdown', (event) => this.#press(event));
     listen('pointermove', (event) => this.#move(event));
+    // Raw events come as the mouse moves, not with the next picture.
+    listen('pointerrawupdate', (event) => this.#drag && this.#move(event));
     for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) {
       listen(name, () => this.end());
     }

@@ -6,7 +6,7 @@ import {highlight, kAxisNames, make_belt, make_disk, make_plane, make_rail} from
 import {typical_length} from './stick_figure.js';
 
 const kZ = new three.Vector3(0, 0, 1);
-const kSmallest = 16;  // pixels: a handle's radius on the screen is at least this
+const kSmallest = 12;  // pixels: a handle's radius on the screen is at least this
 
 /** Axis of a coordinate in the frame of its joint, before the joint moves. */
 function axis_of(coordinate, joint) {

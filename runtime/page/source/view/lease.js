@@ -2,17 +2,21 @@
 
 const kPeriod = 33;    // ms between lines that only keep the lease
 const kQuickest = 15;  // ms between lines that say something new
+const kTick = 8;       // ms between looks at the clock
 
 /**
  * Sends the newest line from `begin` to `end`, and nothing after: about 30 times a second while
- * the pointer rests, up to twice as often while it moves.
+ * the pointer rests, up to twice as often while it moves. A line that is new goes out at once,
+ * unless another new one has just gone.
  */
 export class Lease {
   #timer = 0;
   #line = null;
+  #sent_line = null;
   #sent = -Infinity;
+  #sent_new = -Infinity;
 
-  /** `send(line)` sends; it returns a promise of the reply. */
+  /** `send(line)` sends. */
   constructor(send) {
     this.send = send;
   }
@@ -23,26 +27,31 @@ export class Lease {
 
   begin() {
     this.end();
-    this.#timer = setInterval(() => this.#send_if_due(kPeriod), kPeriod / 3);
+    this.#timer = setInterval(() => this.#send_if_due(), kTick);
   }
 
-  /** The line from now on. It goes out at once if the last one is long enough ago. */
+  /** The line from now on. */
   update(line) {
-    const period = line === this.#line ? kPeriod : kQuickest;
     this.#line = line;
-    this.#send_if_due(period);
+    this.#send_if_due();
   }
 
   end() {
     clearInterval(this.#timer);
     this.#timer = 0;
     this.#line = null;
+    this.#sent_line = null;
   }
 
-  #send_if_due(period) {
+  #send_if_due() {
+    if (this.#line === null) return;
     const now = performance.now();
-    if (this.#line === null || now - this.#sent < period - 1) return;
+    const is_new = this.#line !== this.#sent_line;
+    const due = is_new ? this.#sent_new + kQuickest : this.#sent + kPeriod;
+    if (now < due) return;
     this.#sent = now;
+    if (is_new) this.#sent_new = now;
+    this.#sent_line = this.#line;
     this.send(this.#line);
   }
 }

@@ -1,0 +1,76 @@
+#include "cli/robot_elsewhere.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+
+#include "cli/loop_handle.hpp"
+#include "description/printable.hpp"
+#include "interruption/clean_up.hpp"
+
+namespace treeline {
+namespace {
+
+std::atomic<bool> asked_to_rest{false};
+
+}  // namespace
+
+std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
+                             Diagnostics& diagnostics) {
+  const std::size_t size = robot.description.coordinates.size();
+  if (given.empty()) return default_start(robot.description);
+  if (given.size() == size) return given;
+  diagnostics.add({Severity::error, "", 0, "--q",
+                   fmt::format("{} numbers are given, the robot has {}", given.size(), size),
+                   "`treeline inspect` lists the joints in their order."});
+  return {};
+}
+
+std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const std::string& address,
+                                            Diagnostics& diagnostics) {
+  constexpr double kPatience = 5;  // s
+  std::string error;
+  auto found = drive::UdpRobot::open(address, robot.description.checksum,
+                                     static_cast<int>(robot.description.coordinates.size()),
+                                     robot.description.velocities, error);
+  if (found && found->wait_for_state(kPatience)) return found;
+  diagnostics.add({Severity::error, "", 0, "--robot",
+                   found ? fmt::format("no robot answers at {} within {} s", address, kPatience)
+                         : fmt::format("\"{}\": {}", address, error),
+                   "`treeline drive --act-as-robot HOST:PORT`, with the same URDF and scene, is a "
+                   "simulated one."});
+  return nullptr;
+}
+
+bool act_as_robot(const LaunchedRobot& robot, const std::vector<double>& given, double rate,
+                  const std::string& address, Diagnostics& diagnostics) {
+  const std::vector<double> start = start_of(robot, given, diagnostics);
+  if (start.empty()) return false;
+  const drive::RobotLibrary& library = robot.library.functions();
+  const LoopNumbers numbers(robot.description);
+  const drive::LoopOptions options = options_for(robot.description, numbers, start);
+  const std::unique_ptr<void, void (*)(void*)> simulated(library.create_robot(&options),
+                                                         library.destroy_robot);
+  drive::RobotSide side;
+  side.address = address;
+  side.checksum = robot.description.checksum;
+  side.rate = rate;
+  side.nq = library.coordinates;
+  side.nv = library.velocities;
+  side.advance = [&](const double* tau, double seconds) {
+    library.advance_robot(simulated.get(), tau, seconds);
+  };
+  side.read = [&](double* state) { library.read_robot(simulated.get(), state); };
+  asked_to_rest = false;
+  answer_signals([] { asked_to_rest = true; });
+  fmt::print(stderr, "the simulated robot listens at {}\n", printable(address));
+  const std::string error = drive::run_robot_side(side, asked_to_rest);
+  answer_signals(nullptr);
+  if (error.empty()) return true;
+  diagnostics.add({Severity::error, "", 0, "--act-as-robot",
+                   fmt::format("{} cannot be listened on: {}", address, error),
+                   "Name an address of this machine as a number, and a free port."});
+  return false;
+}
+
+}  // namespace treeline

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+#include "drive/udp_robot.hpp"
+#include "launch/launch.hpp"
+
+namespace treeline {
+
+/// The coordinates at the beginning: those that were given, if any. Empty after an error.
+std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
+                             Diagnostics& diagnostics);
+
+/// The robot at an address, after its first state has come. Null after an error.
+std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const std::string& address,
+                                            Diagnostics& diagnostics);
+
+/// Simulates the robot for a loop in another process that talks to it over UDP at `address`, with
+/// `rate` Hz, until a signal comes. Returns whether that was possible.
+bool act_as_robot(const LaunchedRobot& robot, const std::vector<double>& given, double rate,
+                  const std::string& address, Diagnostics& diagnostics);
+
+}  // namespace treeline
