@@ -46,6 +46,14 @@ std::vector<std::string> ask(const std::string& program, const std::string& opti
   return outputs;
 }
 
+/// Stack of the function whose symbol begins so, without that of the compiler's library. Absent if
+/// any other function on a path is unknown.
+std::optional<int> stack_of(const CallGraph& graph, const std::string& beginning) {
+  const StackUse use = add_stack(graph, find_symbol(graph, beginning));
+  const bool known = std::all_of(use.unknown.begin(), use.unknown.end(), is_arithmetic);
+  return known ? use.bytes : std::nullopt;
+}
+
 void sort_symbols(const std::string& listing, const CallGraph& graph, BoardFunction& function) {
   for (const std::string& symbol : list_undefined(listing)) {
     const auto found = graph.functions.find(symbol);
@@ -106,9 +114,7 @@ std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const st
     function.constant_bytes = bytes.constants;
     function.static_bytes = bytes.variables;
     const std::string space = is_composed(functions[i]) ? "composed" : name;
-    function.stack_bytes =
-        add_stack(graph, find_symbol(graph, mangled_beginning(space, functions[i].program.name)))
-            .bytes;
+    function.stack_bytes = stack_of(graph, mangled_beginning(space, functions[i].program.name));
     sort_symbols(symbols[i], graph, function);
     function.cycles = mean_cycles(listings[i], target.cycles);
   }

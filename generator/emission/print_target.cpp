@@ -55,7 +55,7 @@ std::string print_target_flags(const EmissionContext& context) {
   const bool cross = *target->prefix != '\0';
   return fmt::format(
       "# OFF: whatever else the project compiles for, this machine for instance.\n"
-      "option(TREELINE_TARGET_FLAGS \"Compile for {0}: {1}\" {2})\n"
+      "option(TREELINE_TARGET_FLAGS\n  \"Compile for {0}: {1}\"\n  {2})\n"
       "if(TREELINE_TARGET_FLAGS)\n"
       "  target_compile_options({3} PRIVATE {1})\n"
       "endif()\n",

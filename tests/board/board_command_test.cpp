@@ -24,7 +24,8 @@ const std::string kFiles =
 class BoardCommand : public testing::Test {
  protected:
   Outcome run(const std::string& options) {
-    return test::run_program(folder_.path(), "check " + kFiles + " --functions gravity " + options);
+    return test::run_program(folder_.path(),
+                             "check " + kFiles + " --functions jacobian " + options);
   }
 
   /// Writes an executable script to a folder that stands for PATH.
@@ -39,7 +40,7 @@ class BoardCommand : public testing::Test {
     const std::string command = "cd '" + folder_.path().string() + "' && PATH='" +
                                 (folder_.path() / "bin").string() +
                                 "' '" TREELINE_PROGRAM "' check " + kFiles +
-                                " --functions gravity " + options + " >stdout.txt 2>stderr.txt";
+                                " --functions jacobian " + options + " >stdout.txt 2>stderr.txt";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_.path() / "stdout.txt"),
             read_file(folder_.path() / "stderr.txt")};
@@ -67,7 +68,7 @@ TEST_F(BoardCommand, PrintsJson) {
   EXPECT_EQ(json.at("target"), "rv32imfc");
   EXPECT_EQ(json.at("states"), 300);
   const auto& function = json.at("functions")[0];
-  EXPECT_EQ(function.at("name"), "gravity");
+  EXPECT_EQ(function.at("name"), "jacobian");
   EXPECT_TRUE(function.at("constant_time"));
   EXPECT_EQ(function.at("undefined").size(), 0U);
   for (const char* key : {"text_bytes", "stack_bytes", "least_instructions", "cycles_estimate"}) {
@@ -124,7 +125,7 @@ TEST_F(BoardCommand, LeavesNothingBehindOnASignal) {
     setenv("PATH", path.c_str(), 1);
     setenv("TMPDIR", temporary.c_str(), 1);
     const std::string command = "exec '" TREELINE_PROGRAM "' check " + kFiles +
-                                " --functions gravity --target cortex-m7 --states 20 2>/dev/null";
+                                " --functions jacobian --target cortex-m7 --states 20 2>/dev/null";
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
