@@ -198,7 +198,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   }
   for (const auto& [joint, inertia] : scene.armature) {
     context.notes.push_back(
-        fmt::format("a rotor adds {} {} to joint {}", inertia,
+        fmt::format("a rotor adds {:.6g} {} to joint {}", inertia,
                     info_of(find_joint(robot, joint)->type).slides() ? "kg" : "kg m^2", joint));
   }
   for (const Joint& joint : robot.joints) {
