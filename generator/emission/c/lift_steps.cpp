@@ -112,7 +112,7 @@ std::string translate(const std::string& text, const std::string& name, bool sin
       {std::regex("^  using [^;]*;\n", std::regex::multiline), ""},
       {std::regex("static constexpr "), "const "},
       {std::regex("constexpr "), "const "},
-      {std::regex("const int (\\w+ = \\w+);"), "const uint32_t $1U;"},
+      {std::regex("const int (\\w+ = \\w+);"), fmt::format("const {} $1U;", bits)},
       {std::regex("kSignAt - 1\\)"), "kSignAt - 1U)"},
       {std::regex("typename Lanes::Value|\\bValue\\b"), real},
       {std::regex("\\bBits?\\{(\\w+)\\}"), fmt::format("({})$1", bits)},
