@@ -61,18 +61,29 @@ struct Format<float> {
 #endif
 #endif
 
+// g++ for RISC-V calls functions of one instruction unless it is told not to.
+#if defined(__GNUC__)
+#define TREELINE_INLINE_BITS inline __attribute__((always_inline))
+#else
+#define TREELINE_INLINE_BITS inline
+#endif
+
 /// One number with the bits it is made of.
 template <class Number>
 struct OneLane {
   using Real = Number;
   using Value = Real;
   using Bits = typename Format<Real>::Bits;
-  static void to_bits(const Value& value, Bits& bits) noexcept { copy(value, bits); }
-  static void from_bits(const Bits& bits, Value& value) noexcept { copy(bits, value); }
+  static TREELINE_INLINE_BITS void to_bits(const Value& value, Bits& bits) noexcept {
+    copy(value, bits);
+  }
+  static TREELINE_INLINE_BITS void from_bits(const Bits& bits, Value& value) noexcept {
+    copy(bits, value);
+  }
 
  private:
   template <class From, class To>
-  static void copy(const From& from, To& to) noexcept {
+  static TREELINE_INLINE_BITS void copy(const From& from, To& to) noexcept {
     static_assert(sizeof(From) == sizeof(To));
 #if defined(TREELINE_HAS_BIT_CAST)
     to = __builtin_bit_cast(To, from);
@@ -387,6 +398,7 @@ inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noex
 }
 #endif
 
+#undef TREELINE_INLINE_BITS
 #undef TREELINE_INLINE_LANES
 #undef TREELINE_HAS_LANES
 #undef TREELINE_HAS_BIT_CAST

@@ -43,14 +43,14 @@ void warn_of_target(const Scene& scene, Diagnostics& diagnostics) {
   const int bytes = bytes_of(scene.real);
   if (emulates(target, bytes)) {
     const bool can_single = !emulates(target, bytes_of(Real::float32));
-    warn(
-        scene, "real",
-        fmt::format("{} has no instructions for {}: a library emulates each operation, in 12 to 90 "
-                    "times the instructions and in a time that depends on the numbers",
-                    target.name, bytes == 4 ? "float" : "double"),
-        can_single ? "write real: float, which it computes with instructions"
-                   : "see what a call takes with treeline check --target, or take another target",
-        diagnostics);
+    warn(scene, "real",
+         fmt::format(
+             "{} has no instructions for {}: a library emulates each operation, in 12 to 110 "
+             "times the instructions and in a time that depends on the numbers",
+             target.name, bytes == 4 ? "float" : "double"),
+         can_single ? "write real: float, which it computes with instructions"
+                    : "see what a call takes with treeline check --target, or take another target",
+         diagnostics);
   }
   const int most = choose_lanes(target, bytes);
   if (is_particular(target) && scene.lanes > most) {
