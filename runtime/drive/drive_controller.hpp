@@ -137,6 +137,10 @@ class DriveController {
                            const double* q, const double* qd, double* qdd) const noexcept;
   void push_from_limits(const State& state, double (&qdd)[nv]) const noexcept;
   void yield_to_hand(const State& state, double (&qdd)[nv]) const noexcept;
+  void measure_points(double time, const State& state, double* rotations, double* errors) noexcept;
+  double command_row(int row, const double* rotations, const double* errors,
+                     double velocity) const noexcept;
+  void stretch_spring(const double* position, const double* R, double (&lever)[3]) noexcept;
   void command_task(double time, const State& state, double (&tau)[nv]) noexcept;
   void add_pull(const State& state, double (&tau)[nv]) noexcept;
   void blend(double time, double (&tau)[nv]) noexcept;

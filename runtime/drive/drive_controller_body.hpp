@@ -183,21 +183,21 @@ void DriveController<F>::yield_to_hand(const State& state, double (&qdd)[nv]) co
   push_from_limits(state, qdd);
 }
 
+/// Where the points are, and how far from their goals: position over rotation vector, world axes.
 template <class F>
-void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
+void DriveController<F>::measure_points(double time, const State& state, double* rotations,
+                                        double* errors) noexcept {
   if constexpr (kPoints > 0) {
     double positions[3 * kPoints];
-    double rotations[9 * kPoints];
-    double J[F::kTaskRows * nv];
-    F::forward_kinematics(state.q, positions, rotations);
-    F::jacobian(state.q, J);
-    double errors[6 * kPoints];
+    double turns[9 * kPoints];
+    F::forward_kinematics(state.q, positions, turns);
     for (int k = 0; k < kPoints; ++k) {
+      const double position[3] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
       double R[9];
       for (int i = 0; i < 9; ++i) {
-        R[i] = rotations[9 * k + i];
+        R[i] = turns[9 * k + i];
+        rotations[9 * k + i] = R[i];
       }
-      const double position[3] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
       if (free_[at(k)]) {
         points_[at(k)].begin(time, position, R, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
       }
@@ -209,35 +209,71 @@ void DriveController<F>::command_task(double time, const State& state, double (&
         errors[6 * k + i] = error[i];
       }
     }
+  }
+}
+
+/// The acceleration of one row of the task, which moves at `velocity`.
+template <class F>
+double DriveController<F>::command_row(int row, const double* rotations, const double* errors,
+                                       double velocity) const noexcept {
+  const TaskRow& place = F::kRows[row];
+  if (free_[at(place.point)]) {
+    return -task_gains_.kv * velocity;
+  }
+  const SmoothPose& goal = points_[at(place.point)];
+  const double* R = rotations + 9 * place.point;
+  // In the point's own axes a row is the component along a column of its rotation.
+  const auto component = [&](auto&& of) {
+    const int part = place.axis < 3 ? 0 : 3;
+    const int i = place.axis % 3;
+    return F::kLocalAxes[place.point]
+               ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
+               : of(part + i);
+  };
+  return component([&](int i) { return goal.acceleration(i); }) +
+         task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
+         task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
+}
+
+template <class F>
+void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
+  if constexpr (kPoints > 0) {
+    double rotations[9 * kPoints];
+    double errors[6 * kPoints];
+    measure_points(time, state, rotations, errors);
+    double J[F::kTaskRows * nv];
+    F::jacobian(state.q, J);
     double xdd[F::kTaskRows];
     for (int row = 0; row < F::kTaskRows; ++row) {
-      const TaskRow& place = F::kRows[row];
-      const SmoothPose& goal = points_[at(place.point)];
-      const double* R = rotations + 9 * place.point;
-      // In the point's own axes a row is the component along a column of its rotation.
-      const auto component = [&](auto&& of) {
-        const int part = place.axis < 3 ? 0 : 3;
-        const int i = place.axis % 3;
-        return F::kLocalAxes[place.point]
-                   ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
-                   : of(part + i);
-      };
       double velocity = 0.0;
       for (int i = 0; i < nv; ++i) {
         velocity += J[row * nv + i] * state.qd[i];
       }
-      if (free_[at(place.point)]) {
-        xdd[row] = -task_gains_.kv * velocity;
-        continue;
-      }
-      xdd[row] = component([&](int i) { return goal.acceleration(i); }) +
-                 task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
-                 task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
+      xdd[row] = command_row(row, rotations, errors, velocity);
     }
     double posture[nv];
     accelerate_joints(posture_gains_, state, posture);
     push_from_limits(state, posture);
     F::control_torque(state.q, state.qd, posture, xdd, tau);
+  }
+}
+
+/// The force of the hand's spring on the link and the lever from the link's origin to it.
+template <class F>
+void DriveController<F>::stretch_spring(const double* position, const double* R,
+                                        double (&lever)[3]) noexcept {
+  double squared = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    lever[i] = R[3 * i] * pull_on_link_[0] + R[3 * i + 1] * pull_on_link_[1] +
+               R[3 * i + 2] * pull_on_link_[2];
+    pull_at_[i] = position[i] + lever[i];
+    pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
+    squared += pull_force_[i] * pull_force_[i];
+  }
+  const double size = std::sqrt(squared);
+  const double scale = size > settings_.pull_force ? settings_.pull_force / size : 1.0;
+  for (double& f : pull_force_) {
+    f *= scale;
   }
 }
 
@@ -248,21 +284,8 @@ void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcep
     double positions[3 * F::kLinks];
     double rotations[9 * F::kLinks];
     F::link_frames(state.q, positions, rotations);
-    const double* R = rotations + 9 * pull_link_;
     double lever[3];
-    double squared = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      lever[i] = R[3 * i] * pull_on_link_[0] + R[3 * i + 1] * pull_on_link_[1] +
-                 R[3 * i + 2] * pull_on_link_[2];
-      pull_at_[i] = positions[3 * pull_link_ + i] + lever[i];
-      pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
-      squared += pull_force_[i] * pull_force_[i];
-    }
-    const double size = std::sqrt(squared);
-    const double scale = size > settings_.pull_force ? settings_.pull_force / size : 1.0;
-    for (double& f : pull_force_) {
-      f *= scale;
-    }
+    stretch_spring(positions + 3 * pull_link_, rotations + 9 * pull_link_, lever);
     const double(&f)[3] = pull_force_;
     double forces[6 * F::kLinks] = {};
     const double moment[3] = {lever[1] * f[2] - lever[2] * f[1], lever[2] * f[0] - lever[0] * f[2],

@@ -109,6 +109,47 @@ TEST_F(DriveTest, TheFloatingHumanoidArrives) {
   EXPECT_LT(distance(after.poses.at(1), right + Eigen::Vector3d(0, 0, 0.05)), 3e-2);
 }
 
+// Under gravity compensation a pull adds J^T f to the torque, for the force that is reported and
+// the place of the link where the hand is. Would catch: a force on another link or with another
+// lever.
+TEST_F(DriveTest, APullIsAForceOnTheLink) {
+  const std::string urdf = kRobots + "/puma560/puma560.urdf";
+  const Outcome outcome = drive(urdf + " " + kRobots + "/puma560/scene.yaml",
+                                "start\nmode gravity\nwait 0.5 s\n"
+                                "pull tool at 0.05 0 0.1 to 1 0.5 1\nwait 0.1 s\nbrake\nwait\n",
+                                "--q 0.2,-0.8,1.5,0.3,0.7,0.1 --record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(urdf, diagnostics);
+  const auto scene =
+      parse_scene("operational_points: [{name: hand, link: tool, origin: {xyz: [0.05, 0, 0.1]}}]",
+                  "hand", *robot, diagnostics);
+  const auto model = model_from_robot<double>(*robot, *scene);
+  const auto points = points_from_scene(model, scene->operational_points);
+  const auto vector = [](const json& numbers) {
+    const auto list = numbers.get<std::vector<double>>();
+    return interpreter::Vector<double>(
+        interpreter::Vector<double>::Map(list.data(), static_cast<Eigen::Index>(list.size())));
+  };
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  int pulled = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] != "state" || entry["forces"].empty()) continue;
+    ++pulled;
+    const auto q = vector(entry["q"]);
+    const auto qd = vector(entry["qd"]);
+    const auto force = vector(entry["forces"][0]["force"]);
+    const auto J = interpreter::jacobian<double>(model, points, q);
+    const interpreter::Vector<double> tau =
+        interpreter::inverse_dynamics<double>(model, q, qd, -2.0 * qd) +
+        J.topRows(3).transpose() * force;
+    EXPECT_LT((vector(entry["tau"]) - tau).norm(), 1e-6) << line;
+    EXPECT_GT(force.norm(), 1.0);
+  }
+  EXPECT_GT(pulled, 5);
+}
+
 // Without a scene the joints are driven.
 TEST_F(DriveTest, ARobotWithoutASceneArrives) {
   const Outcome outcome = drive(kRobots + "/planar3r/planar3r.urdf",
