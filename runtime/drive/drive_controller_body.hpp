@@ -167,20 +167,42 @@ void DriveController<F>::push_from_limits(const State& state, double (&qdd)[nv])
       [](int, int, int) {});
 }
 
-/// Joints that a hand leads: hardly damped, but from 40 % of their speed limit on.
+/// Bounds the accelerations of joints that a hand leads, however hard it pulls: so that each comes
+/// to rest before its limit of position, and stays below 60 % of its limit of speed.
 template <class F>
-void DriveController<F>::yield_to_hand(const State& state, double (&qdd)[nv]) const noexcept {
-  const double damping = std::fmin(300.0, 0.3 / settings_.period);
+void DriveController<F>::stay_within_limits(const State& state, double (&qdd)[nv]) const noexcept {
+  constexpr double kMargin = 0.03;  // rad or m, at most a tenth of the range
+  const double rate = std::fmin(30.0, 0.1 / settings_.period);  // 1/s
   for_each_joint(
-      [&](int, int iv) {
-        const double speed = std::fabs(state.qd[iv]);
-        const double limit = 0.4 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
-        const double excess =
-            speed > limit ? (state.qd[iv] > 0.0 ? speed - limit : limit - speed) : 0.0;
-        qdd[iv] = -kHandDamping * state.qd[iv] - damping * excess;
+      [&](int iq, int iv) {
+        const double range = settings_.upper[at(iq)] - settings_.lower[at(iq)];
+        const double margin = std::fmin(kMargin, 0.1 * range);
+        const double q = state.q[iq];
+        const double qd = state.qd[iv];
+        const double fastest = 0.6 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
+        const double to_upper = rate * rate * (settings_.upper[at(iq)] - margin - q);
+        const double to_lower = rate * rate * (settings_.lower[at(iq)] + margin - q);
+        const double most = std::fmin(to_upper - 2.0 * rate * qd, 2.0 * rate * (fastest - qd));
+        const double least = std::fmax(to_lower - 2.0 * rate * qd, 2.0 * rate * (-fastest - qd));
+        qdd[iv] = std::fmax(least, std::fmin(most, qdd[iv]));
       },
       [](int, int, int) {});
-  push_from_limits(state, qdd);
+}
+
+/// Gravity compensation: joints are hardly damped, a hand may pull, and limits are kept.
+template <class F>
+void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) noexcept {
+  double qdd[nv];
+  accelerate_joints(joint_gains_, state, qdd);
+  for_each_joint([&](int, int iv) { qdd[iv] = -kHandDamping * state.qd[iv]; },
+                 [](int, int, int) {});
+  F::inverse_dynamics(state.q, state.qd, qdd, tau);
+  if (pulled_) {
+    add_pull(state, tau);
+    F::forward_dynamics(state.q, state.qd, tau, qdd);
+  }
+  stay_within_limits(state, qdd);
+  F::inverse_dynamics(state.q, state.qd, qdd, tau);
 }
 
 /// Where the points are, and how far from their goals: position over rotation vector, world axes.
@@ -340,17 +362,16 @@ template <class F>
 void DriveController<F>::control(double time, const State& state, double (&tau)[nv]) noexcept {
   state_ = state;
   advance(time);
-  if (control_ == Control::task) {
+  if (control_ == Control::gravity) {
+    yield_to_hand(state, tau);
+  } else if (control_ == Control::task) {
     command_task(time, state, tau);
   } else {
     double qdd[nv];
     accelerate_joints(joint_gains_, state, qdd);
-    if (control_ == Control::gravity) {
-      yield_to_hand(state, qdd);
-    }
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }
-  if (pulled_) {
+  if (pulled_ && control_ != Control::gravity) {
     add_pull(state, tau);
   }
   blend(time, tau);

@@ -114,11 +114,6 @@ TEST_F(DriveTest, TheFloatingHumanoidArrives) {
 // lever.
 TEST_F(DriveTest, APullIsAForceOnTheLink) {
   const std::string urdf = kRobots + "/puma560/puma560.urdf";
-  const Outcome outcome = drive(urdf + " " + kRobots + "/puma560/scene.yaml",
-                                "start\nmode gravity\nwait 0.5 s\n"
-                                "pull tool at 0.05 0 0.1 to 1 0.5 1\nwait 0.1 s\nbrake\nwait\n",
-                                "--q 0.2,-0.8,1.5,0.3,0.7,0.1 --record record.jsonl");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   Diagnostics diagnostics;
   const auto robot = read_urdf(urdf, diagnostics);
   const auto scene =
@@ -126,6 +121,16 @@ TEST_F(DriveTest, APullIsAForceOnTheLink) {
                   "hand", *robot, diagnostics);
   const auto model = model_from_robot<double>(*robot, *scene);
   const auto points = points_from_scene(model, scene->operational_points);
+  interpreter::Vector<double> start(6);
+  start << 0.2, -0.8, 1.5, 0.3, 0.7, 0.1;
+  const auto hand = interpreter::forward_kinematics<double>(model, points, start).at(0).position;
+  const Outcome outcome =
+      drive(urdf + " " + kRobots + "/puma560/scene.yaml",
+            "start\nmode gravity\nwait 0.5 s\npull tool at 0.05 0 0.1 to " +
+                std::to_string(hand[0] + 0.02) + " " + std::to_string(hand[1] - 0.01) + " " +
+                std::to_string(hand[2] + 0.01) + "\nwait 0.1 s\nbrake\nwait\n",
+            "--q 0.2,-0.8,1.5,0.3,0.7,0.1 --record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto vector = [](const json& numbers) {
     const auto list = numbers.get<std::vector<double>>();
     return interpreter::Vector<double>(
@@ -148,6 +153,18 @@ TEST_F(DriveTest, APullIsAForceOnTheLink) {
     EXPECT_GT(force.norm(), 1.0);
   }
   EXPECT_GT(pulled, 5);
+}
+
+// A hand that pulls as hard as it can, for a long time, breaks no limit.
+TEST_F(DriveTest, NoPullBreaksALimit) {
+  std::string script = "start\nmode gravity\n";
+  for (int i = 0; i < 30; ++i) {
+    script += std::string("pull tool at 0 0 0.1 to ") + (i < 15 ? "3 2 -1" : "-3 -2 3") +
+              "\nwait 0.1 s\n";
+  }
+  const Outcome outcome =
+      drive(kRobots + "/puma560/puma560.urdf " + kRobots + "/puma560/scene.yaml", script);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 // Without a scene the joints are driven.
