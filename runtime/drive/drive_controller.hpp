@@ -33,7 +33,7 @@ struct ControlSettings {
 /// Moves joints or operational points to goals, or lets the robot be led by hand:
 ///   joint    tau = ID(q, qd, qdd_ref + kv (qd_ref - qd) + kp (q_ref - q))
 ///   task     tau = control_torque(q, qd, posture law, xdd_ref + kv (xd_ref - xd) + kp (x_ref - x))
-///   gravity  tau = ID(q, qd, -damping qd), damped more towards limits of speed and position
+///   gravity  tau = ID(q, qd, -damping qd) plus a pull, within limits of position and speed
 /// Goals are led smoothly. Where the control changes, the torque's step is taken away and fades. A
 /// floating joint has a pose as its goal in every control. Nothing is allocated.
 ///
@@ -136,7 +136,12 @@ class DriveController {
   void accelerate_floating(const core::Gains<double>& gains, const SmoothPose& goal,
                            const double* q, const double* qd, double* qdd) const noexcept;
   void push_from_limits(const State& state, double (&qdd)[nv]) const noexcept;
-  void yield_to_hand(const State& state, double (&qdd)[nv]) const noexcept;
+  void stay_within_limits(const State& state, double (&qdd)[nv]) const noexcept;
+  void yield_to_hand(const State& state, double (&tau)[nv]) noexcept;
+  void measure_points(double time, const State& state, double* rotations, double* errors) noexcept;
+  double command_row(int row, const double* rotations, const double* errors,
+                     double velocity) const noexcept;
+  void stretch_spring(const double* position, const double* R, double (&lever)[3]) noexcept;
   void command_task(double time, const State& state, double (&tau)[nv]) noexcept;
   void add_pull(const State& state, double (&tau)[nv]) noexcept;
   void blend(double time, double (&tau)[nv]) noexcept;

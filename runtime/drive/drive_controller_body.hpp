@@ -167,37 +167,59 @@ void DriveController<F>::push_from_limits(const State& state, double (&qdd)[nv])
       [](int, int, int) {});
 }
 
-/// Joints that a hand leads: hardly damped, but from 40 % of their speed limit on.
+/// Bounds the accelerations of joints that a hand leads, however hard it pulls: so that each comes
+/// to rest before its limit of position, and stays below 60 % of its limit of speed.
 template <class F>
-void DriveController<F>::yield_to_hand(const State& state, double (&qdd)[nv]) const noexcept {
-  const double damping = std::fmin(300.0, 0.3 / settings_.period);
+void DriveController<F>::stay_within_limits(const State& state, double (&qdd)[nv]) const noexcept {
+  constexpr double kMargin = 0.03;  // rad or m, at most a tenth of the range
+  const double rate = std::fmin(30.0, 0.1 / settings_.period);  // 1/s
   for_each_joint(
-      [&](int, int iv) {
-        const double speed = std::fabs(state.qd[iv]);
-        const double limit = 0.4 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
-        const double excess =
-            speed > limit ? (state.qd[iv] > 0.0 ? speed - limit : limit - speed) : 0.0;
-        qdd[iv] = -kHandDamping * state.qd[iv] - damping * excess;
+      [&](int iq, int iv) {
+        const double range = settings_.upper[at(iq)] - settings_.lower[at(iq)];
+        const double margin = std::fmin(kMargin, 0.1 * range);
+        const double q = state.q[iq];
+        const double qd = state.qd[iv];
+        const double fastest = 0.6 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
+        const double to_upper = rate * rate * (settings_.upper[at(iq)] - margin - q);
+        const double to_lower = rate * rate * (settings_.lower[at(iq)] + margin - q);
+        const double most = std::fmin(to_upper - 2.0 * rate * qd, 2.0 * rate * (fastest - qd));
+        const double least = std::fmax(to_lower - 2.0 * rate * qd, 2.0 * rate * (-fastest - qd));
+        qdd[iv] = std::fmax(least, std::fmin(most, qdd[iv]));
       },
       [](int, int, int) {});
-  push_from_limits(state, qdd);
 }
 
+/// Gravity compensation: joints are hardly damped, a hand may pull, and limits are kept.
 template <class F>
-void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
+void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) noexcept {
+  double qdd[nv];
+  accelerate_joints(joint_gains_, state, qdd);
+  for_each_joint([&](int, int iv) { qdd[iv] = -kHandDamping * state.qd[iv]; },
+                 [](int, int, int) {});
+  F::inverse_dynamics(state.q, state.qd, qdd, tau);
+  if (pulled_) {
+    add_pull(state, tau);
+    F::forward_dynamics(state.q, state.qd, tau, qdd);
+  }
+  stay_within_limits(state, qdd);
+  F::inverse_dynamics(state.q, state.qd, qdd, tau);
+}
+
+/// Where the points are, and how far from their goals: position over rotation vector, world axes.
+template <class F>
+void DriveController<F>::measure_points(double time, const State& state, double* rotations,
+                                        double* errors) noexcept {
   if constexpr (kPoints > 0) {
     double positions[3 * kPoints];
-    double rotations[9 * kPoints];
-    double J[F::kTaskRows * nv];
-    F::forward_kinematics(state.q, positions, rotations);
-    F::jacobian(state.q, J);
-    double errors[6 * kPoints];
+    double turns[9 * kPoints];
+    F::forward_kinematics(state.q, positions, turns);
     for (int k = 0; k < kPoints; ++k) {
+      const double position[3] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
       double R[9];
       for (int i = 0; i < 9; ++i) {
-        R[i] = rotations[9 * k + i];
+        R[i] = turns[9 * k + i];
+        rotations[9 * k + i] = R[i];
       }
-      const double position[3] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
       if (free_[at(k)]) {
         points_[at(k)].begin(time, position, R, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
       }
@@ -209,35 +231,71 @@ void DriveController<F>::command_task(double time, const State& state, double (&
         errors[6 * k + i] = error[i];
       }
     }
+  }
+}
+
+/// The acceleration of one row of the task, which moves at `velocity`.
+template <class F>
+double DriveController<F>::command_row(int row, const double* rotations, const double* errors,
+                                       double velocity) const noexcept {
+  const TaskRow& place = F::kRows[row];
+  if (free_[at(place.point)]) {
+    return -task_gains_.kv * velocity;
+  }
+  const SmoothPose& goal = points_[at(place.point)];
+  const double* R = rotations + 9 * place.point;
+  // In the point's own axes a row is the component along a column of its rotation.
+  const auto component = [&](auto&& of) {
+    const int part = place.axis < 3 ? 0 : 3;
+    const int i = place.axis % 3;
+    return F::kLocalAxes[place.point]
+               ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
+               : of(part + i);
+  };
+  return component([&](int i) { return goal.acceleration(i); }) +
+         task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
+         task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
+}
+
+template <class F>
+void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
+  if constexpr (kPoints > 0) {
+    double rotations[9 * kPoints];
+    double errors[6 * kPoints];
+    measure_points(time, state, rotations, errors);
+    double J[F::kTaskRows * nv];
+    F::jacobian(state.q, J);
     double xdd[F::kTaskRows];
     for (int row = 0; row < F::kTaskRows; ++row) {
-      const TaskRow& place = F::kRows[row];
-      const SmoothPose& goal = points_[at(place.point)];
-      const double* R = rotations + 9 * place.point;
-      // In the point's own axes a row is the component along a column of its rotation.
-      const auto component = [&](auto&& of) {
-        const int part = place.axis < 3 ? 0 : 3;
-        const int i = place.axis % 3;
-        return F::kLocalAxes[place.point]
-                   ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
-                   : of(part + i);
-      };
       double velocity = 0.0;
       for (int i = 0; i < nv; ++i) {
         velocity += J[row * nv + i] * state.qd[i];
       }
-      if (free_[at(place.point)]) {
-        xdd[row] = -task_gains_.kv * velocity;
-        continue;
-      }
-      xdd[row] = component([&](int i) { return goal.acceleration(i); }) +
-                 task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
-                 task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
+      xdd[row] = command_row(row, rotations, errors, velocity);
     }
     double posture[nv];
     accelerate_joints(posture_gains_, state, posture);
     push_from_limits(state, posture);
     F::control_torque(state.q, state.qd, posture, xdd, tau);
+  }
+}
+
+/// The force of the hand's spring on the link and the lever from the link's origin to it.
+template <class F>
+void DriveController<F>::stretch_spring(const double* position, const double* R,
+                                        double (&lever)[3]) noexcept {
+  double squared = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    lever[i] = R[3 * i] * pull_on_link_[0] + R[3 * i + 1] * pull_on_link_[1] +
+               R[3 * i + 2] * pull_on_link_[2];
+    pull_at_[i] = position[i] + lever[i];
+    pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
+    squared += pull_force_[i] * pull_force_[i];
+  }
+  const double size = std::sqrt(squared);
+  const double scale = size > settings_.pull_force ? settings_.pull_force / size : 1.0;
+  for (double& f : pull_force_) {
+    f *= scale;
   }
 }
 
@@ -248,21 +306,8 @@ void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcep
     double positions[3 * F::kLinks];
     double rotations[9 * F::kLinks];
     F::link_frames(state.q, positions, rotations);
-    const double* R = rotations + 9 * pull_link_;
     double lever[3];
-    double squared = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      lever[i] = R[3 * i] * pull_on_link_[0] + R[3 * i + 1] * pull_on_link_[1] +
-                 R[3 * i + 2] * pull_on_link_[2];
-      pull_at_[i] = positions[3 * pull_link_ + i] + lever[i];
-      pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
-      squared += pull_force_[i] * pull_force_[i];
-    }
-    const double size = std::sqrt(squared);
-    const double scale = size > settings_.pull_force ? settings_.pull_force / size : 1.0;
-    for (double& f : pull_force_) {
-      f *= scale;
-    }
+    stretch_spring(positions + 3 * pull_link_, rotations + 9 * pull_link_, lever);
     const double(&f)[3] = pull_force_;
     double forces[6 * F::kLinks] = {};
     const double moment[3] = {lever[1] * f[2] - lever[2] * f[1], lever[2] * f[0] - lever[0] * f[2],
@@ -317,17 +362,16 @@ template <class F>
 void DriveController<F>::control(double time, const State& state, double (&tau)[nv]) noexcept {
   state_ = state;
   advance(time);
-  if (control_ == Control::task) {
+  if (control_ == Control::gravity) {
+    yield_to_hand(state, tau);
+  } else if (control_ == Control::task) {
     command_task(time, state, tau);
   } else {
     double qdd[nv];
     accelerate_joints(joint_gains_, state, qdd);
-    if (control_ == Control::gravity) {
-      yield_to_hand(state, qdd);
-    }
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }
-  if (pulled_) {
+  if (pulled_ && control_ != Control::gravity) {
     add_pull(state, tau);
   }
   blend(time, tau);

@@ -109,6 +109,64 @@ TEST_F(DriveTest, TheFloatingHumanoidArrives) {
   EXPECT_LT(distance(after.poses.at(1), right + Eigen::Vector3d(0, 0, 0.05)), 3e-2);
 }
 
+// Under gravity compensation a pull adds J^T f to the torque, for the force that is reported and
+// the place of the link where the hand is. Would catch: a force on another link or with another
+// lever.
+TEST_F(DriveTest, APullIsAForceOnTheLink) {
+  const std::string urdf = kRobots + "/puma560/puma560.urdf";
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(urdf, diagnostics);
+  const auto scene =
+      parse_scene("operational_points: [{name: hand, link: tool, origin: {xyz: [0.05, 0, 0.1]}}]",
+                  "hand", *robot, diagnostics);
+  const auto model = model_from_robot<double>(*robot, *scene);
+  const auto points = points_from_scene(model, scene->operational_points);
+  interpreter::Vector<double> start(6);
+  start << 0.2, -0.8, 1.5, 0.3, 0.7, 0.1;
+  const auto hand = interpreter::forward_kinematics<double>(model, points, start).at(0).position;
+  const Outcome outcome =
+      drive(urdf + " " + kRobots + "/puma560/scene.yaml",
+            "start\nmode gravity\nwait 0.5 s\npull tool at 0.05 0 0.1 to " +
+                std::to_string(hand[0] + 0.02) + " " + std::to_string(hand[1] - 0.01) + " " +
+                std::to_string(hand[2] + 0.01) + "\nwait 0.1 s\nbrake\nwait\n",
+            "--q 0.2,-0.8,1.5,0.3,0.7,0.1 --record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto vector = [](const json& numbers) {
+    const auto list = numbers.get<std::vector<double>>();
+    return interpreter::Vector<double>(
+        interpreter::Vector<double>::Map(list.data(), static_cast<Eigen::Index>(list.size())));
+  };
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  int pulled = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] != "state" || entry["forces"].empty()) continue;
+    ++pulled;
+    const auto q = vector(entry["q"]);
+    const auto qd = vector(entry["qd"]);
+    const auto force = vector(entry["forces"][0]["force"]);
+    const auto J = interpreter::jacobian<double>(model, points, q);
+    const interpreter::Vector<double> tau =
+        interpreter::inverse_dynamics<double>(model, q, qd, -2.0 * qd) +
+        J.topRows(3).transpose() * force;
+    EXPECT_LT((vector(entry["tau"]) - tau).norm(), 1e-6) << line;
+    EXPECT_GT(force.norm(), 1.0);
+  }
+  EXPECT_GT(pulled, 5);
+}
+
+// A hand that pulls as hard as it can, for a long time, breaks no limit.
+TEST_F(DriveTest, NoPullBreaksALimit) {
+  std::string script = "start\nmode gravity\n";
+  for (int i = 0; i < 30; ++i) {
+    script += std::string("pull tool at 0 0 0.1 to ") + (i < 15 ? "3 2 -1" : "-3 -2 3") +
+              "\nwait 0.1 s\n";
+  }
+  const Outcome outcome =
+      drive(kRobots + "/puma560/puma560.urdf " + kRobots + "/puma560/scene.yaml", script);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 // Without a scene the joints are driven.
 TEST_F(DriveTest, ARobotWithoutASceneArrives) {
   const Outcome outcome = drive(kRobots + "/planar3r/planar3r.urdf",

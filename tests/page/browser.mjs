@@ -7,6 +7,8 @@ import {kPage, load_package} from './packages.mjs';
 const kCandidates = [process.env.TREELINE_CHROMIUM, '/usr/bin/chromium',
   '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
+const kPatience = 90000;  // ms: machines that do much else are slow at drawing in software
+
 // Whether the bundle of TREELINE_PAGE stands in for the one that a program carries.
 const kNewest = Boolean(process.env.TREELINE_NEWEST_PAGE);
 
@@ -39,6 +41,7 @@ async function put_newest(page) {
  */
 export async function open_page(browser, address, options = {}) {
   const page = await browser.newPage({viewport: {width: 1366, height: 768}, ...options});
+  page.setDefaultTimeout(kPatience);
   page.faults = [];
   page.on('pageerror', (error) => page.faults.push(error.message));
   page.on('console', (message) => {
@@ -101,7 +104,7 @@ export function straight([dx, dy], count) {
 }
 
 /** Waits until `holds(state)` of the newest state that the page has got. */
-export async function wait_for_state(page, holds, timeout = 15000) {
+export async function wait_for_state(page, holds, timeout = kPatience) {
   const end = performance.now() + timeout;
   for (;;) {
     const state = await state_of(page);

@@ -25,7 +25,7 @@ export class Observer {
   }
 
   /** Waits until `holds(state)`; fails after `timeout` ms with what the state was. */
-  async wait_until(holds, timeout = 15000) {
+  async wait_until(holds, timeout = 60000) {
     const end = performance.now() + timeout;
     while (!holds(this.state)) {
       if (performance.now() > end) {

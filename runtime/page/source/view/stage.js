@@ -4,6 +4,8 @@ import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
 import {make_axes} from './handle_shapes.js';
 
+const kSlow = 40;  // ms: pictures that take longer leave as much time again to everything else
+
 /** Value of a CSS variable of the page, for instance `--view-ground`. */
 export function css_color(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -14,6 +16,8 @@ export class Stage {
   scene = new three.Scene();
   camera = new three.PerspectiveCamera(40, 1, 0.01, 200);
   #wanted = false;
+  #asked = 0;
+  #rest_until = 0;
   #before_draw = [];
 
   constructor(canvas) {
@@ -39,7 +43,19 @@ export class Stage {
   redraw() {
     if (this.#wanted) return;
     this.#wanted = true;
-    requestAnimationFrame(() => this.draw());
+    const rest = this.#rest_until - performance.now();
+    if (rest > 0) setTimeout(() => this.#ask(), rest);
+    else this.#ask();
+  }
+
+  #ask() {
+    this.#asked = performance.now();
+    requestAnimationFrame(() => {
+      this.draw();
+      const now = performance.now();
+      const took = now - this.#asked;
+      this.#rest_until = took > kSlow ? now + took : 0;
+    });
   }
 
   draw() {
