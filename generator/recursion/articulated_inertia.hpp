@@ -119,7 +119,7 @@ template <class Scalar>
 ArticulatedInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
                                      const ArticulatedInertia<Scalar>& I) {
   return shifted<Scalar>(
-      {X.matrix_to_parent(I.A), X.matrix_to_parent(I.B), X.matrix_to_parent(I.C)}, X.p);
+      {X.lone_matrix_to_parent(I.A), X.matrix_to_parent(I.B), X.lone_matrix_to_parent(I.C)}, X.p);
 }
 
 /// X^-1 I X^-T, the inertia of the parent at a link's origin, in the link's axes.

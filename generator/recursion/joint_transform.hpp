@@ -25,8 +25,12 @@ struct JointTransform {
     const Vector3<Scalar> seated = rotate_back(R, v);
     return general ? transposed_times(Q, seated) : rotate_z(turn.inverse(), seated);
   }
-  /// R Q A Q^T R^T.
+  /// R Q A Q^T R^T, where columns of A are rotated too: with them, `congruent` shares Q A.
   [[nodiscard]] Symmetric3<Scalar> matrix_to_parent(const Symmetric3<Scalar>& A) const {
+    return rotate(R, general ? congruent(Q, A) : rotate_z(turn, A));
+  }
+  /// R Q A Q^T R^T of an articulated inertia, of which no columns are rotated.
+  [[nodiscard]] Symmetric3<Scalar> lone_matrix_to_parent(const Symmetric3<Scalar>& A) const {
     return rotate(R, general ? turned(Q, A) : rotate_z(turn, A));
   }
   /// R Q A Q^T R^T for a matrix without symmetry.
