@@ -92,7 +92,7 @@ export class Overlays {
     this.arrows = new three.Group();
     this.frames = this.#make_frames();
     this.group.add(this.mass, this.spring, this.arrows, ...this.axes, ...this.goals,
-      ...this.leads, ...this.traces.map((trace) => trace.line), this.#make_obstacles());
+      ...this.leads, ...this.traces.map((trace) => trace.line));
     stage.scene.add(this.group);
     this.scene = stage.scene;
   }
@@ -249,20 +249,5 @@ export class Overlays {
       link.add(frame);
       return frame;
     });
-  }
-
-  #make_obstacles() {
-    const group = new three.Group();
-    const material = new three.MeshLambertMaterial(
-      {color: 0xe5484d, transparent: true, opacity: 0.35, depthWrite: false});
-    for (const {at, turn, radius, size} of this.hello.obstacles ?? []) {
-      const shape = radius ? new three.SphereGeometry(radius, 32, 20)
-        : new three.BoxGeometry(...size);
-      const mesh = new three.Mesh(shape, material);
-      mesh.position.set(...at);
-      if (turn) mesh.quaternion.set(...turn);
-      group.add(mesh);
-    }
-    return group;
   }
 }

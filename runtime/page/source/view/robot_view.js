@@ -96,7 +96,7 @@ export class RobotView {
     this.stage.look_at(ball.center, this.radius);
   }
 
-  /** Place on the screen where a handle can be grabbed, or of the middle of `link:NAME`; for tests. */
+  /** Where a handle can be grabbed on the screen, or the middle of `link:NAME` is; for tests. */
   where(name) {
     const link = this.model.links[name.replace(/^link:/, '')];
     const place = link ? new three.Box3().setFromObject(link.children.find((one) =>
