@@ -61,7 +61,7 @@
 //   400 200 250 200 120 120 100 80 30 30 30 120 120 100 80 30 30 30 20 20 2 2, |xdd_cmd| <= 100.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "humanoid24: compile without -ffast-math (put -fno-fast-math behind it): it changes results"
+#error "humanoid24: compile without -ffast-math (put -fno-fast-math behind it)"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "humanoid24: compile without -ffinite-math-only (put -fno-finite-math-only behind it)"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16

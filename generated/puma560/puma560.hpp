@@ -39,7 +39,7 @@
 //   20.1 21.3, |xdd_cmd| <= 100.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "puma560: compile without -ffast-math (put -fno-fast-math behind it): it changes results"
+#error "puma560: compile without -ffast-math (put -fno-fast-math behind it)"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "puma560: compile without -ffinite-math-only (put -fno-finite-math-only behind it)"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16

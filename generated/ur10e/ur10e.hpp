@@ -45,7 +45,7 @@
 //   <= 330 330 150 56 56 56, |xdd_cmd| <= 100.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "ur10e: compile without -ffast-math (put -fno-fast-math behind it): it changes results"
+#error "ur10e: compile without -ffast-math (put -fno-fast-math behind it)"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "ur10e: compile without -ffinite-math-only (put -fno-finite-math-only behind it)"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16

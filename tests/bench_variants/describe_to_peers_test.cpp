@@ -91,7 +91,7 @@ TEST(DescribeToPeers, RefusesWhatPeersCannotDo) {
   EXPECT_EQ(refusal(mimics), "the robot has joints that mimic others");
   RandomOptions planar;
   planar.mix = {0, 0, 0, 0, 0, 1};
-  EXPECT_EQ(refusal(planar), "the robot has planar or floating joints");
+  EXPECT_EQ(refusal(planar), "the robot has planar, floating or ball joints");
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(BallCheck, RandomRobots) {
     options.joints = 3 + static_cast<int>(seed);
     options.floating_base = seed % 2 == 0;
     options.mimic = seed % 3 == 0 ? 0.4 : 0;
-    options.mix = {3, 1, 2, 1, 0.3, 1, 5};
+    options.mix = {3, 1, 2, 1, 0, 1, 5};
     options.external_forces = static_cast<int>(seed % 3);
     const Subjects subjects = draw(seed, options, seed % 4 == 3 ? Real::float32 : Real::float64);
     const auto report = check_or_throw(subjects, quick_options(40));

@@ -111,7 +111,7 @@ TEST_F(MessagesTest, UnknownLinksAndJointsGetTheTree) {
 }
 
 TEST_F(MessagesTest, UnknownKeysAndFunctionsGetTheList) {
-  for (const char* key : {"friction", "armature", "payload", "tool"}) {
+  for (const char* key : {"friction", "motors", "payload", "tool"}) {
     expect_parts(refused(std::string(key) + ": 1\n"),
                  {"is unknown", "the keys here are name, base, gravity,", "operational_points"});
   }
