@@ -4,6 +4,7 @@
 
 #include "comparison/compare_parts.hpp"
 #include "description/rotation.hpp"
+#include "description/total_mass.hpp"
 
 namespace treeline {
 namespace {
@@ -28,12 +29,6 @@ double distance_of_centres(const Inertial& a, const Inertial& b) {
   const Eigen::Vector3d centre_a = Eigen::Map<const Eigen::Vector3d>(a.origin.xyz.data());
   const Eigen::Vector3d centre_b = Eigen::Map<const Eigen::Vector3d>(b.origin.xyz.data());
   return (centre_a - centre_b).norm();
-}
-
-double total_mass(const Robot& robot) {
-  double sum = 0;
-  for (const Link& link : robot.links) sum += link.inertial ? link.inertial->mass : 0;
-  return sum;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "description/find_joint.hpp"
 #include "description/list_rows.hpp"
 #include "description/rotation.hpp"
+#include "description/total_mass.hpp"
 
 namespace treeline {
 namespace {
@@ -100,8 +101,7 @@ drive::RobotDescription describe_robot(const Robot& robot, const Scene& control,
   }
   for (const ScenePoint& point : links.operational_points) description.links.push_back(point.link);
   description.locked.assign(control.locked.begin(), control.locked.end());
-  double mass = 0;
-  for (const Link& link : robot.links) mass += link.inertial ? link.inertial->mass : 0;
+  const double mass = total_mass(robot);
   description.mass = mass > 0 ? mass : 1;
   return description;
 }

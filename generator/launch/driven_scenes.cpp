@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "description/follow_target.hpp"
+#include "description/total_mass.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 
@@ -13,12 +14,6 @@ namespace {
 
 /// Beyond this many links a pull would cost too much of a cycle, and its code too long to compile.
 constexpr std::size_t kMostLinks = 80;
-
-double total_mass(const Robot& robot) {
-  double mass = 0;
-  for (const Link& link : robot.links) mass += link.inertial ? link.inertial->mass : 0;
-  return mass;
-}
 
 void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   std::string left;
@@ -36,6 +31,16 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   if (left.empty()) return;
   diagnostics.add(
       {Severity::note, scene.file, 0, "", "left out while the robot is driven: " + left, ""});
+}
+
+/// No command and no reference of the control loop turns a quaternion other than the base's.
+void refuse_ball_joints(const Robot& robot, Diagnostics& diagnostics) {
+  for (const Joint& joint : robot.joints) {
+    if (joint.type != JointType::ball) continue;
+    diagnostics.add({Severity::error, robot.file, joint.line,
+                     fmt::format("robot/joint[{}]", joint.name), "ball joints cannot be driven yet",
+                     "Write three revolute joints in its place, or hold it: type=\"fixed\"."});
+  }
 }
 
 std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
@@ -56,6 +61,7 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
 }  // namespace
 
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
+  refuse_ball_joints(robot, diagnostics);
   note_left_out(scene, diagnostics);
   Scene control = scene;
   control.language = Language::cpp;

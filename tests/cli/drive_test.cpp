@@ -204,6 +204,19 @@ TEST_F(DriveTest, SaysWhatWentWrong) {
   EXPECT_EQ(drive(robot, "start\n", "--package arm").exit_code, 1);
 }
 
+// No command turns a ball joint yet: its four coordinates must not be taken for four angles.
+TEST_F(DriveTest, RefusesBallJoints) {
+  write("ball.urdf", R"(<robot name="pendulum"><link name="world"/>
+<link name="bob"><inertial><mass value="1"/><origin xyz="0 0 -0.3"/>
+<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+<joint name="swivel" type="ball"><parent link="world"/><child link="bob"/></joint></robot>)");
+  const Outcome outcome = drive("ball.urdf", "start\n");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("robot/joint[swivel]: ball joints cannot be driven yet"),
+            std::string::npos)
+      << outcome.err;
+}
+
 // In real time one second lasts one second, a record has what happened, and a signal ends it.
 TEST_F(DriveTest, RunsInRealTimeAndRecords) {
   const std::string robot = kRobots + "/planar3r/planar3r.urdf";
