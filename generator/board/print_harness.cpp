@@ -24,11 +24,6 @@ std::string escape(const std::string& text) {
   return escaped;
 }
 
-/// Number of results that are arguments. The last one of a composed function is returned.
-std::size_t count_written(const GeneratedFunction& generated) {
-  return generated.program.results.size() - (is_composed(generated) ? 1 : 0);
-}
-
 /// Types of a function's arguments, for a declaration.
 std::string print_types(const GeneratedFunction& generated, bool with_names) {
   const Program& program = generated.program;

@@ -7,6 +7,7 @@
 
 #include "board/print_harness.hpp"
 #include "board/templates.hpp"
+#include "check/write_work_file.hpp"
 #include "oracle/graph_run.hpp"
 
 namespace treeline {
@@ -43,16 +44,6 @@ std::string pack_states(const std::vector<GeneratedFunction>& functions,
     }
   }
   return bytes;
-}
-
-bool write_board_file(const fs::path& path, const std::string& bytes, Diagnostics& diagnostics) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << bytes;
-  stream.close();
-  if (stream) return true;
-  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end",
-                   "free some space there, or set TMPDIR to a folder with more"});
-  return false;
 }
 
 /// Reads numbers from the bytes that the program has written.
@@ -107,7 +98,7 @@ bool write_harness(const std::string& name, const std::vector<GeneratedFunction>
   const HarnessFiles files{work / kStatesFile, work / kResultsFile,
                            static_cast<int>(states.size())};
   const auto write = [&](const std::string& file, const std::string& text) {
-    return write_board_file(work / file, text, diagnostics);
+    return write_work_file(work / file, text, diagnostics);
   };
   const auto source = [](const char* stem) { return std::string(stem) + ".cpp"; };
   bool written = write(kStatesFile, pack_states(functions, states, real)) &&

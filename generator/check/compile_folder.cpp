@@ -14,6 +14,7 @@
 
 #include "check/print_entry.hpp"
 #include "check/run_commands.hpp"
+#include "check/write_work_file.hpp"
 #include "emission/backend/backend.hpp"
 #include "emission/describe_program.hpp"
 
@@ -44,15 +45,6 @@ Command compile_command(const Command& compiler, Language language, const std::s
   for (const std::string& flag : split_words(flags)) command.push_back(flag);
   append({"-fPIC", "-fstack-usage", "-I", include, "-c", source, "-o", object});
   return command;
-}
-
-std::string first_lines(const std::string& text) {
-  constexpr int kLines = 12;
-  std::istringstream stream(text);
-  std::string lines;
-  std::string line;
-  for (int i = 0; i < kLines && std::getline(stream, line); ++i) lines += "\n  " + line;
-  return lines + (std::getline(stream, line) ? "\n  ..." : "");
 }
 
 bool succeeded(const CommandOutcome& outcome, const fs::path& file, const std::string& fault,
@@ -132,29 +124,19 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
   return objects;
 }
 
-bool write_source(const fs::path& path, const std::string& text, Diagnostics& diagnostics) {
-  std::ofstream stream(path);
-  stream << text;
-  stream.close();
-  if (stream) return true;
-  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end",
-                   "free some space there, or set TMPDIR to a folder with more"});
-  return false;
-}
-
 /// Writes the sources of the entries, which call the functions. A composed function has no source
 /// other than its entry.
 bool write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
                    Language language, const fs::path& work, Diagnostics& diagnostics) {
   const fs::path entry = work / source_name(kEntryStem, language);
   if (language == Language::c) {
-    return write_source(entry, print_c_entry(name, functions), diagnostics);
+    return write_work_file(entry, print_c_entry(name, functions), diagnostics);
   }
-  bool written = write_source(entry, print_entry(name, functions), diagnostics);
+  bool written = write_work_file(entry, print_entry(name, functions), diagnostics);
   for (const GeneratedFunction& generated : functions) {
     if (!is_composed(generated)) continue;
-    written = write_source(work / (source_stem(generated) + ".cpp"),
-                           print_composed_entry(name, generated), diagnostics) &&
+    written = write_work_file(work / (source_stem(generated) + ".cpp"),
+                              print_composed_entry(name, generated), diagnostics) &&
               written;
   }
   return written;

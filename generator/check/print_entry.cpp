@@ -27,15 +27,10 @@ std::string print_arguments(const Program& program, std::size_t outputs, const c
   return text;
 }
 
-/// The results that a function writes to its arguments: that of a composed one returns the last.
-std::size_t count_outputs(const GeneratedFunction& generated) {
-  return generated.program.results.size() - (is_composed(generated) ? 1 : 0);
-}
-
 /// Prints the entry of a plain function. The last result may be a returned number.
 std::string print_plain(const std::string& name, const GeneratedFunction& generated) {
   const Program& program = generated.program;
-  const std::size_t outputs = count_outputs(generated);
+  const std::size_t outputs = count_written(generated);
   std::string before;
   if (is_composed(generated)) before = fmt::format("output<1>(out[{}])[0] = ", outputs);
   return fill_template(check_templates::kFunction,
@@ -88,7 +83,7 @@ std::string print_c_entry(const std::string& name,
   std::string header = name;
   for (const GeneratedFunction& generated : functions) {
     const Program& program = generated.program;
-    const std::size_t outputs = count_outputs(generated);
+    const std::size_t outputs = count_written(generated);
     std::string list;
     for (std::size_t i = 0; i < program.arguments.size(); ++i) list += fmt::format("in[{}], ", i);
     for (std::size_t i = 0; i < outputs; ++i) {

@@ -152,6 +152,15 @@ std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, i
   return outcomes;
 }
 
+std::string first_lines(const std::string& text) {
+  constexpr int kLines = 12;
+  std::istringstream stream(text);
+  std::string lines;
+  std::string line;
+  for (int i = 0; i < kLines && std::getline(stream, line); ++i) lines += "\n  " + line;
+  return lines + (std::getline(stream, line) ? "\n  ..." : "");
+}
+
 int count_cores(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }

@@ -29,6 +29,9 @@ std::vector<CommandOutcome> run_commands(const std::vector<Command>& commands, i
 /// Number of commands to run at a time: `jobs`, or as many as there are cores if it is 0.
 int count_cores(int jobs);
 
+/// The first twelve lines of a command's output, each on a new line and indented, for a message.
+std::string first_lines(const std::string& text);
+
 /// Returns all bytes of a file; an empty string if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 

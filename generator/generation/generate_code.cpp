@@ -223,6 +223,10 @@ bool is_composed(const GeneratedFunction& generated) {
   return generated.function == Function::damped_control_torque;
 }
 
+std::size_t count_written(const GeneratedFunction& generated) {
+  return generated.program.results.size() - (is_composed(generated) ? 1 : 0);
+}
+
 std::vector<GeneratedFunction> all_functions(const Generation& generation) {
   std::vector<GeneratedFunction> all = generation.functions;
   all.insert(all.end(), generation.batch.begin(), generation.batch.end());

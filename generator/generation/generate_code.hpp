@@ -50,6 +50,9 @@ std::string source_stem(const GeneratedFunction& generated);
 /// functions.
 bool is_composed(const GeneratedFunction& generated);
 
+/// Number of results that the function writes to its arguments: a composed one returns the last.
+std::size_t count_written(const GeneratedFunction& generated);
+
 /// Everything that `treeline generate` makes, in memory.
 struct Generation {
   Domain domain;        ///< domain of the rounding bounds

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
-#include <sstream>
-#include <thread>
 
 #include "check/compile_folder.hpp"
 #include "check/run_commands.hpp"
@@ -52,21 +50,12 @@ Command compile_command(const Command& compiler, const std::vector<CompiledPart>
   return command;
 }
 
-std::string first_lines_of(const std::string& text) {
-  constexpr int kLines = 12;
-  std::istringstream stream(text);
-  std::string lines;
-  std::string line;
-  for (int i = 0; i < kLines && std::getline(stream, line); ++i) lines += "\n  " + line;
-  return lines;
-}
-
 bool all_succeeded(const std::vector<CommandOutcome>& outcomes, const std::vector<Source>& sources,
                    Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].started && outcomes[i].exit_code == 0) continue;
     diagnostics.add({Severity::error, sources[i].path.filename(), 0, "",
-                     "does not compile" + first_lines_of(outcomes[i].output),
+                     "does not compile" + first_lines(outcomes[i].output),
                      "Look whether the folder of temporary files (TMPDIR) has space left, and "
                      "whether $CXX is a compiler for C++20."});
     return false;
@@ -86,7 +75,7 @@ fs::path link(const Command& compiler, const std::vector<Source>& sources, const
   const CommandOutcome outcome = run_commands({command}, 1, work).front();
   if (outcome.started && outcome.exit_code == 0) return library;
   diagnostics.add({Severity::error, library.filename(), 0, "",
-                   "does not link" + first_lines_of(outcome.output),
+                   "does not link" + first_lines(outcome.output),
                    "Look whether the folder of temporary files (TMPDIR) has space left."});
   return {};
 }
@@ -102,8 +91,7 @@ fs::path compile_robot(const std::vector<CompiledPart>& parts, const fs::path& w
   for (const Source& source : sources) {
     commands.push_back(compile_command(*compiler, parts, work, source));
   }
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto outcomes = run_commands(commands, cores, work, progress);
+  const auto outcomes = run_commands(commands, count_cores(0), work, progress);
   if (!all_succeeded(outcomes, sources, diagnostics)) return {};
   return link(*compiler, sources, work, diagnostics);
 }

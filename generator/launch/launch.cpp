@@ -5,6 +5,7 @@
 #include <fstream>
 #include <utility>
 
+#include "check/write_work_file.hpp"
 #include "emission/digest.hpp"
 #include "emission/write_files.hpp"
 #include "generation/generate_code.hpp"
@@ -45,18 +46,6 @@ std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
   return parts;
 }
 
-bool write_text_file(const fs::path& path, const std::string& text, Diagnostics& diagnostics) {
-  std::error_code ignored;  // the stream tells
-  fs::create_directories(path.parent_path(), ignored);
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (stream) return true;
-  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end",
-                   "free some space there, or set TMPDIR to a folder with more"});
-  return false;
-}
-
 bool write_parts(const LaunchInput& input, const Parts& parts, const fs::path& work,
                  Diagnostics& diagnostics) {
   bool written = write_files(work / parts.control.name, parts.control_code.files, diagnostics);
@@ -64,10 +53,10 @@ bool write_parts(const LaunchInput& input, const Parts& parts, const fs::path& w
     written = write_files(work / parts.links.name, parts.link_code->files, diagnostics) && written;
   }
   for (const GeneratedFile& file : runtime_headers()) {
-    written = written && write_text_file(work / "runtime" / file.name, file.text, diagnostics);
+    written = written && write_work_file(work / "runtime" / file.name, file.text, diagnostics);
   }
   return written &&
-         write_text_file(work / "robot.cpp",
+         write_work_file(work / "robot.cpp",
                          print_robot(input.robot, parts.control, parts.control_code, parts.links),
                          diagnostics);
 }

@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "emission/comment.hpp"
@@ -19,6 +20,13 @@ struct Step {
   std::string meaning;
   std::string body;
 };
+
+/// The steps in their order, and whether each has a function of its own for `float`.
+constexpr std::array<std::pair<const char*, bool>, 5> kSteps = {{{"within_range", false},
+                                                                 {"nearest_quarter", false},
+                                                                 {"subtract_quarters", true},
+                                                                 {"sin_cos_remainder", true},
+                                                                 {"rotate_by_quarters", false}}};
 
 [[noreturn]] void reject(std::string_view what, std::string_view why) {
   throw std::logic_error(fmt::format("sin_cos.hpp: {} {}", what, why));
@@ -159,11 +167,8 @@ std::map<std::string, std::string> lift_steps(std::string_view header, const std
   const std::string suffix = single_precision ? "_float" : "";
   std::map<std::string, std::string> lifted;
   std::string all;
-  for (const char* function : {"within_range", "nearest_quarter", "subtract_quarters",
-                               "sin_cos_remainder", "rotate_by_quarters"}) {
-    const bool own = std::string_view(function).starts_with("su") ||
-                     std::string_view(function).starts_with("si");
-    const Step step = find_step(header, function + (own ? suffix : std::string()));
+  for (const auto& [function, has_own_for_float] : kSteps) {
+    const Step step = find_step(header, function + (has_own_for_float ? suffix : std::string()));
     const std::string body = translate(step.body, name, single_precision);
     lifted[function] = comment("//", wrap_text(step.meaning, 92)) + body;
     all += body;

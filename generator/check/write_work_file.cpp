@@ -1,0 +1,21 @@
+#include "check/write_work_file.hpp"
+
+#include <fstream>
+#include <system_error>
+
+namespace treeline {
+
+bool write_work_file(const std::filesystem::path& path, const std::string& bytes,
+                     Diagnostics& diagnostics) {
+  std::error_code ignored;  // the stream tells
+  std::filesystem::create_directories(path.parent_path(), ignored);
+  std::ofstream stream(path, std::ios::binary);
+  stream << bytes;
+  stream.close();
+  if (stream) return true;
+  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end",
+                   "free some space there, or set TMPDIR to a folder with more"});
+  return false;
+}
+
+}  // namespace treeline
