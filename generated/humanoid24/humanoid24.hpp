@@ -18,8 +18,12 @@
 // compiler-rt) for what the target has no instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
-// row-major. Arguments of one call must not overlap. Names and limits of the joints, as arrays:
-// humanoid24_joints.hpp.
+// row-major. Arguments of one call must not overlap.
+//
+// Beside this file, for those who want them:
+//   humanoid24_joints.hpp: names, limits and a home position of the joints, as arrays
+//   humanoid24_calls.hpp: the functions with named inputs, std::array and pointers
+//   humanoid24_eigen.hpp: the functions for Eigen
 //
 // Inputs may be any finite numbers. Sines and cosines are within 0.8 ulp up to 1e5 rad; an angle
 // beyond 2^32 rad counts as 0. A NaN or an infinity makes NaN or infinite what depends on it.

@@ -14,13 +14,19 @@ inline constexpr const char* kCoordinateJoints[6] = {
 inline constexpr const char* kCoordinateMeanings[6] = {
     "angle, rad", "angle, rad", "angle, rad", "angle, rad", "angle, rad", "angle, rad"};
 
+/// A state to begin with: 0, or the limit next to it; quaternions turn nothing.
+inline constexpr double kHome[6] = {
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+
 /// Limits of each entry of q, rad or m.
 inline constexpr double kLowerLimits[6] = {
     -2.79, -3.93, -0.79, -1.92, -1.75, -4.64};
 inline constexpr double kUpperLimits[6] = {
     2.79, 0.79, 3.93, 2.97, 1.75, 4.64};
 
-/// Of each entry of qd, qdd and tau: its name with the unit of qd.
+/// Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd.
+inline constexpr const char* kVelocityJoints[6] = {
+    "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
 inline constexpr const char* kVelocityNames[6] = {
     "joint1, rad/s", "joint2, rad/s", "joint3, rad/s", "joint4, rad/s", "joint5, rad/s",
     "joint6, rad/s"};
@@ -34,6 +40,24 @@ inline constexpr double kEffortLimits[6] = {
 /// Of each task row: its point, and along or about which axis it is.
 inline constexpr const char* kTaskRowNames[6] = {
     "tool x", "tool y", "tool z", "tool rx", "tool ry", "tool rz"};
+
+/// Where a name first stands in a list of names; -1 if nowhere.
+template <int size>
+constexpr int index_of(const char* const (&names)[size], const char* name) noexcept {
+  for (int i = 0; i < size; ++i) {
+    int k = 0;
+    while (names[i][k] != '\0' && names[i][k] == name[k]) ++k;
+    if (names[i][k] == name[k]) return i;
+  }
+  return -1;
+}
+/// First entry of a joint in q, or in qd, qdd and tau; -1 if no joint of this name moves.
+constexpr int coordinate_index(const char* joint) noexcept {
+  return index_of(kCoordinateJoints, joint);
+}
+constexpr int velocity_index(const char* joint) noexcept {
+  return index_of(kVelocityJoints, joint);
+}
 
 }  // namespace puma560
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <stdexcept>
 
 #include "program/format_literal.hpp"
@@ -56,6 +57,12 @@ Syntax make_c_family_syntax(bool single_precision) {
   syntax.store = assign;
   syntax.read = read_plainly;
   return syntax;
+}
+
+std::string name_in_capitals(const EmissionContext& context) {
+  std::string name = context.name;
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
 }
 
 }  // namespace treeline

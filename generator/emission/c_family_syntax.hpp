@@ -1,11 +1,17 @@
 #pragma once
 
+#include <string>
+
 #include "emission/backend/syntax.hpp"
+#include "emission/emission_context.hpp"
 
 namespace treeline {
 
 /// What C and the languages made from it write alike: comments, literals, signs, assignments and
 /// constants. Numbers, lanes and sines are left to fill in.
 Syntax make_c_family_syntax(bool single_precision);
+
+/// The robot's name in capitals, as constants and macros begin: `PUMA560`.
+std::string name_in_capitals(const EmissionContext& context);
 
 }  // namespace treeline

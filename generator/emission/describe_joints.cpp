@@ -70,15 +70,17 @@ std::vector<std::string> name_task_rows(const EmissionContext& context) {
 
 JointArrays describe_joints(const EmissionContext& context, const Syntax& syntax,
                             const std::string& unlimited) {
-  std::vector<std::string> joints, meanings, names;
-  std::vector<double> lower, upper, velocity, effort;
+  std::vector<std::string> joints, meanings, movers, names;
+  std::vector<double> home, lower, upper, velocity, effort;
   for (const EmissionContext::CoordinateRow& row : context.coordinate_rows) {
     joints.push_back(row.joint);
     meanings.push_back(row.meaning);
+    home.push_back(row.home);
     lower.push_back(row.lower);
     upper.push_back(row.upper);
   }
   for (const EmissionContext::VelocityRow& row : context.velocity_rows) {
+    movers.push_back(row.joint);
     names.push_back(row.name);
     velocity.push_back(row.velocity);
     effort.push_back(row.effort);
@@ -97,8 +99,10 @@ JointArrays describe_joints(const EmissionContext& context, const Syntax& syntax
            {"nv", std::to_string(names.size())},
            {"coordinate_joints", print_strings(joints)},
            {"coordinate_meanings", print_strings(meanings)},
+           {"home", print(home)},
            {"lower_limits", print(lower)},
            {"upper_limits", print(upper)},
+           {"velocity_joints", print_strings(movers)},
            {"velocity_names", print_strings(names)},
            {"velocity_limits", print(velocity)},
            {"effort_limits", print(effort)}},

@@ -49,12 +49,14 @@ struct EmissionContext {
     std::string joint;
     std::string meaning;  ///< "angle, rad"
     double lower = 0, upper = 0;
+    double home = 0;  ///< within the limits and as near as they permit to no displacement
   };
   std::vector<CoordinateRow> coordinate_rows;
 
   /// One entry of qd, qdd and tau; limits in rad/s or m/s and N m or N, infinite where there are
   /// none.
   struct VelocityRow {
+    std::string joint;
     std::string name;  ///< "elbow, rad/s"
     double velocity = 0, effort = 0;
   };

@@ -73,7 +73,10 @@ std::vector<std::string> joint_conventions(const Robot& robot, const Mechanism& 
 std::vector<EmissionContext::CoordinateRow> coordinate_rows(const Mechanism& mechanism) {
   std::vector<EmissionContext::CoordinateRow> rows;
   for (const Coordinate& coordinate : mechanism.coordinates) {
-    rows.push_back({coordinate.joint, coordinate.meaning, coordinate.lower, coordinate.upper});
+    const double home =
+        std::min(std::max(coordinate.neutral(), coordinate.lower), coordinate.upper);
+    rows.push_back(
+        {coordinate.joint, coordinate.meaning, coordinate.lower, coordinate.upper, home});
   }
   return rows;
 }
@@ -82,10 +85,14 @@ std::vector<EmissionContext::VelocityRow> velocity_rows(const Robot& robot,
                                                         const Mechanism& mechanism) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<EmissionContext::VelocityRow> rows;
-  for (const std::string& name : mechanism.velocities) rows.push_back({name, kNone, kNone});
+  for (const std::string& name : mechanism.velocities) rows.push_back({"", name, kNone, kNone});
   for (const MovingLink& link : mechanism.links) {
+    if (link.mimics) continue;
+    for (int i = 0; i < link.velocities(); ++i) {
+      rows[static_cast<std::size_t>(link.v_index + i)].joint = link.joint;
+    }
     const Joint* joint = find_joint(robot, link.joint);
-    if (link.mimics || joint == nullptr || !joint->limits) continue;
+    if (joint == nullptr || !joint->limits) continue;
     EmissionContext::VelocityRow& row = rows[static_cast<std::size_t>(link.v_index)];
     row.velocity = joint->limits->velocity;
     row.effort = joint->limits->effort;

@@ -1,11 +1,13 @@
-# treeline_generate(TARGET URDF file [SCENE file] [NAME identifier] [REAL float|double]
-#                   [LANGUAGE c|c++] [FUNCTIONS function...] [CHOICES file])
+# treeline_generate(LIBRARY URDF file [SCENE file] [NAME identifier] [REAL float|double]
+#                   [LANGUAGE c|c++] [FUNCTIONS function...] [TARGET processor] [CHOICES file])
 #
-# Makes the static library TARGET from a robot and a scene (without one: functions of the joints
-# alone) while building: link it and include "NAME.hpp" (or "NAME_eigen.hpp", "NAME_joints.hpp", or
-# "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the
-# target's name unless given; REAL, LANGUAGE and FUNCTIONS go before what the scene says. In C the
-# headers are "NAME.h" and "NAME_joints.h", and the project has to have the language C. CHOICES is
+# Makes the static library LIBRARY from a robot and a scene (without one: functions of the joints
+# alone) while building: link it and include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp",
+# "NAME_joints.hpp", or "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the
+# namespace, is the library's name unless given; REAL, LANGUAGE, FUNCTIONS and TARGET go before what
+# the scene says. In C the headers are "NAME.h" and "NAME_joints.h", and the project has to have the
+# language C. The processor's flags are used as in the emitted CMakeLists.txt: for another processor
+# than this machine's where CMake cross-compiles, or as TREELINE_TARGET_FLAGS says. CHOICES is
 # the manifest.json that `treeline generate --tune` has written. The code is generated again when the
 # URDF, the scene, the choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
@@ -17,7 +19,7 @@ option(TREELINE_FP_CONTRACT
   "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
 
 function(treeline_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;LANGUAGE;CHOICES"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;LANGUAGE;TARGET;CHOICES"
     "FUNCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
@@ -70,6 +72,9 @@ function(treeline_generate target)
     list(APPEND options --functions ${functions})
   endif()
 
+  if(arg_TARGET)
+    list(APPEND options --target ${arg_TARGET})
+  endif()
   if(arg_CHOICES)
     get_filename_component(arg_CHOICES ${arg_CHOICES} ABSOLUTE)
     list(APPEND options --choices ${arg_CHOICES})
@@ -89,10 +94,12 @@ function(treeline_generate target)
   set(stems ${sources})
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")
   set(stamp ${folder}.stamp)
+  set(flags ${folder}.sources/target.flags)
   add_custom_command(OUTPUT ${stamp}
-    BYPRODUCTS ${sources}
+    BYPRODUCTS ${sources} ${flags}
     COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}" -DENDING=${ending}
+      "-DCROSSCOMPILING=${CMAKE_CROSSCOMPILING}" "-DTARGET_FLAGS=${TREELINE_TARGET_FLAGS}"
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline
@@ -106,8 +113,12 @@ function(treeline_generate target)
   add_dependencies(${target} ${target}_generate)
   target_include_directories(${target} PUBLIC ${folder})
   target_compile_features(${target} PUBLIC ${standard})
+  if(NOT DEFINED CMAKE_POSITION_INDEPENDENT_CODE AND NOT CMAKE_SYSTEM_NAME STREQUAL "Generic")
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)  # for shared libraries
+  endif()
   if(compiler MATCHES "GNU|Clang|IntelLLVM")
-    target_compile_options(${target} PRIVATE -fno-fast-math)
+    target_compile_options(${target} PRIVATE -fno-fast-math @${flags})
+    set_source_files_properties(${sources} PROPERTIES OBJECT_DEPENDS ${flags})
     if(NOT TREELINE_FP_CONTRACT)
       target_compile_options(${target} PRIVATE -ffp-contract=off)
     endif()

@@ -32,7 +32,7 @@ TEST(Emit, MakesTheFolder) {
     names.push_back(file.name);
   }
   EXPECT_EQ(names,
-            (std::vector<std::string>{"CMakeLists.txt", "arm.hpp", "arm_eigen.hpp",
+            (std::vector<std::string>{"CMakeLists.txt", "arm.hpp", "arm_calls.hpp", "arm_eigen.hpp",
                                       "arm_joints.hpp", "corner_cases.cpp", "inverse_dynamics.cpp",
                                       "manifest.json", "sin_cos.hpp"}));
   const std::string contract = text_of(files, "arm.hpp");

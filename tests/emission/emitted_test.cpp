@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "core/damped_solve.hpp"
@@ -15,6 +18,7 @@
 #include "sample_c_float.h"
 #include "sample_c_float_joints.h"
 #include "sample_double_batch.hpp"
+#include "sample_double_calls.hpp"
 #include "sample_double_eigen.hpp"
 #include "sample_double_joints.hpp"
 #include "sample_float_batch.hpp"
@@ -233,6 +237,126 @@ TEST(Emitted, JointsInCAreThoseInCpp) {
   EXPECT_STREQ(sample_c_double_coordinate_meanings[0], sample_double::kCoordinateMeanings[0]);
   EXPECT_STREQ(sample_c_float_velocity_names[1], sample_float::kVelocityNames[1]);
   EXPECT_STREQ(sample_c_float_task_row_names[1], sample_float::kTaskRowNames[1]);
+}
+
+// Would catch: a home outside of the limits, and an index of another joint.
+TEST(Emitted, JointsAreFoundByName) {
+  static_assert(sample_double::coordinate_index("shoulder") == 0);
+  static_assert(sample_double::velocity_index("elbow") == 1);
+  static_assert(sample_double::velocity_index("elb") == -1);
+  static_assert(sample_double::velocity_index("elbows") == -1);
+  static_assert(sample_double::coordinate_index("") == -1);
+  static_assert(sample_float::kHome[0] == 0 && sample_float::kHome[1] == 0.25F);
+  EXPECT_EQ(sample_c_float_home[1], 0.25F);
+  EXPECT_STREQ(sample_c_double_velocity_joints[1], sample_double::kVelocityJoints[1]);
+}
+
+/// Results of the function itself, for comparison with other ways to call it.
+struct CornerCases {
+  double q[3] = {0.3, -1.2, 0.8};
+  double delta[2] = {0.5, 1.5};
+  double unread[2] = {4, 5};
+  double out[12] = {};
+  double second[1] = {};
+
+  CornerCases() { sample_double::corner_cases(q, unread, delta, out, second); }
+
+  /// Whether a matrix and a number are the function's results.
+  template <class Out, class Second>
+  void expect_same(const Out& other, const Second& other_second) const {
+    for (Eigen::Index i = 0; i < 12; ++i) EXPECT_EQ(other(i / 3, i % 3), out[i]) << i;
+    EXPECT_EQ(other_second[0], second[0]);
+  }
+};
+
+// Would catch: an argument in another's place, and an output that is not written.
+TEST(Emitted, NamedInputsCallTheSameFunction) {
+  const CornerCases expected;
+  sample_double::CornerCasesInput in{};
+  std::copy_n(expected.q, 3, in.q);
+  std::copy_n(expected.delta, 2, in.delta);
+  const sample_double::CornerCasesOutput out = sample_double::corner_cases(in);
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(out.out[i], expected.out[i]) << i;
+  EXPECT_EQ(out.second[0], expected.second[0]);
+}
+
+// Would catch: the same for std::array, std::vector and std::span.
+TEST(Emitted, ArraysAndPointersCallTheSameFunction) {
+  const CornerCases expected;
+  const std::array<double, 3> q = {expected.q[0], expected.q[1], expected.q[2]};
+  const std::array<double, 2> delta = {expected.delta[0], expected.delta[1]};
+  std::array<double, 12> out{};
+  std::array<double, 1> second{};
+  sample_double::corner_cases(q, delta, delta, out, second);
+  EXPECT_TRUE(std::equal(out.begin(), out.end(), expected.out));
+  EXPECT_EQ(second[0], expected.second[0]);
+
+  const std::vector<double> q_vector(q.begin(), q.end());
+  std::vector<double> out_vector(12);
+  const std::span<const double> delta_span(delta);
+  sample_double::corner_cases(sample_double::array_at<3>(q_vector.data()), expected.unread,
+                              sample_double::array_at<2>(delta_span.data()),
+                              sample_double::array_at<12>(out_vector.data()),
+                              sample_double::array_at<1>(second.data()));
+  EXPECT_TRUE(std::equal(out.begin(), out.end(), out_vector.begin()));
+}
+
+// Would catch: a matrix that comes out transposed, and elements of other places.
+TEST(Emitted, EigenOfAnyKindCallsTheSameFunction) {
+  const CornerCases expected;
+  namespace eigen = sample_double::eigen;
+  const Eigen::Vector3d fixed(0.3, -1.2, 0.8);
+  const Eigen::VectorXd dynamic = fixed;
+  const Eigen::Map<const Eigen::Vector2d> delta(expected.delta);
+  Eigen::Matrix<double, 4, 3> by_columns;
+  Eigen::Matrix<double, 4, 3, Eigen::RowMajor> by_rows;
+  Eigen::Matrix<double, 1, 1> second;
+  eigen::corner_cases(fixed, delta, delta, by_columns, second);
+  expected.expect_same(by_columns, second);
+  eigen::corner_cases(dynamic, delta, delta, by_rows, second);
+  expected.expect_same(by_rows, second);
+
+  Eigen::MatrixXd resized;
+  Eigen::VectorXd second_resized;
+  eigen::corner_cases(dynamic, delta, delta, resized, second_resized);
+  ASSERT_EQ(resized.rows(), 4);
+  ASSERT_EQ(resized.cols(), 3);
+  ASSERT_EQ(second_resized.size(), 1);
+  expected.expect_same(resized, second_resized);
+
+  // Rows of a larger matrix, every second element of a vector, a sum, and a product.
+  Eigen::MatrixXd large = Eigen::MatrixXd::Constant(6, 5, -7);
+  Eigen::VectorXd every_second = Eigen::VectorXd::Constant(6, 9);
+  Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<>> strided(every_second.data(), 3,
+                                                               Eigen::InnerStride<>(2));
+  strided = fixed;
+  eigen::corner_cases(strided, delta * 1.0, Eigen::Matrix2d::Identity() * delta,
+                      large.block(1, 2, 4, 3), second);
+  expected.expect_same(large.block(1, 2, 4, 3), second);
+  EXPECT_EQ((large.array() == -7).count(), 30 - 12);
+  eigen::corner_cases(large.row(0).head(3) * 0 + fixed.transpose(), delta, delta, by_rows,
+                      second_resized.head(1));
+  expected.expect_same(by_rows, second_resized);
+}
+
+// Would catch: a copy where none is needed, which costs time and stack.
+TEST(Emitted, EigenIsNotCopiedWhereItLiesInOrder) {
+  using sample_double::eigen::detail::lies_in_order;
+  static_assert(lies_in_order<Eigen::VectorXd>());
+  static_assert(lies_in_order<Eigen::Matrix<double, 6, 1>>());
+  static_assert(lies_in_order<Eigen::RowVectorXd>());
+  static_assert(lies_in_order<Eigen::Map<const Eigen::VectorXd>>());
+  static_assert(lies_in_order<Eigen::Ref<Eigen::VectorXd>>());
+  static_assert(lies_in_order<Eigen::VectorBlock<Eigen::VectorXd, 3>>());
+  static_assert(lies_in_order<Eigen::Block<Eigen::MatrixXd, Eigen::Dynamic, 1, true>>());
+  static_assert(lies_in_order<Eigen::Matrix<double, 4, 3, Eigen::RowMajor>>());
+  static_assert(lies_in_order<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>());
+  static_assert(lies_in_order<Eigen::Map<Eigen::Matrix<double, 4, 3, Eigen::RowMajor>>>());
+  static_assert(!lies_in_order<Eigen::Matrix<double, 4, 3>>());
+  static_assert(!lies_in_order<Eigen::MatrixXd>());
+  static_assert(!lies_in_order<Eigen::Block<Eigen::MatrixXd, 1, Eigen::Dynamic>>());
+  static_assert(!lies_in_order<Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<>>>());
+  static_assert(!lies_in_order<Eigen::Ref<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>>());
 }
 
 TEST(Emitted, EigenWrapperCallsTheSameFunction) {

@@ -70,9 +70,10 @@ inline EmissionContext sample_context(const std::string& name, bool single_preci
   context.joints = {{"shoulder", "revolute", 0, 1, 0, 1, "-3.1 .. 3.1 rad, 80 Nm, 3 rad/s"},
                     {"elbow", "continuous", 1, 1, 1, 1, ""}};
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  context.coordinate_rows = {{"shoulder", "angle, rad", -3.1, 3.1},
-                             {"elbow \\ \"2\"", "angle, rad", -kNone, kNone}};
-  context.velocity_rows = {{"shoulder, rad/s", 3, 80}, {"elbow, rad/s", kNone, kNone}};
+  context.coordinate_rows = {{"shoulder", "angle, rad", -3.1, 3.1, 0},
+                             {"elbow \\ \"2\"", "angle, rad", -kNone, kNone, 0.25}};
+  context.velocity_rows = {{"shoulder", "shoulder, rad/s", 3, 80},
+                           {"elbow", "elbow, rad/s", kNone, kNone}};
   context.operational_points = {{"tool", "forearm", "origin (0.4, 0, 0) m, world axes", "x y", 0}};
   EmissionContext::ChoiceRow choice;
   choice.function = "inverse_dynamics";

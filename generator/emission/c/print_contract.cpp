@@ -2,6 +2,7 @@
 
 #include "emission/c/print_source.hpp"
 #include "emission/c/templates.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_contract.hpp"
 #include "emission/fill_template.hpp"

@@ -10,6 +10,7 @@
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_damped.hpp"

@@ -5,6 +5,7 @@
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/describe_joints.hpp"
 #include "emission/fill_template.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
@@ -39,12 +40,6 @@ std::string print_unread(const Program& program) {
 }
 
 }  // namespace
-
-std::string name_in_capitals(const EmissionContext& context) {
-  std::string name = context.name;
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
 
 std::string print_signature(const EmissionContext& context, const Program& program) {
   std::string list;

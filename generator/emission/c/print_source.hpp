@@ -13,7 +13,4 @@ std::string print_signature(const EmissionContext& context, const Program& progr
 /// The source file that defines the program's function.
 std::string print_source(const EmissionContext& context, const Program& program);
 
-/// The robot's name in capitals, as constants and macros begin: `PUMA560`.
-std::string name_in_capitals(const EmissionContext& context);
-
 }  // namespace treeline::c

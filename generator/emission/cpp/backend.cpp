@@ -1,6 +1,7 @@
 #include "emission/cpp/backend.hpp"
 
 #include "emission/cpp/print_batch.hpp"
+#include "emission/cpp/print_calls.hpp"
 #include "emission/cpp/print_contract.hpp"
 #include "emission/cpp/print_damped.hpp"
 #include "emission/cpp/print_eigen.hpp"
@@ -19,7 +20,8 @@ namespace {
 void refuse_nothing(const EmissionContext&, Diagnostics&) {}
 
 std::set<std::string> reserved_names(const EmissionContext& context) {
-  return {context.name, "detail", "eigen", "Real", "std"};
+  return {context.name,       "detail",         "eigen", "array_at", "index_of",
+          "coordinate_index", "velocity_index", "Real",  "std"};
 }
 
 std::string print_project(const EmissionContext& context, std::span<const Program> programs,
@@ -38,11 +40,12 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
                                                 {"sources", sources}});
 }
 
-/// The wrapper for Eigen, functions of several states at once, damped control.
+/// Other ways to call, functions of several states at once, damped control.
 std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> batch) {
   std::vector<GeneratedFile> files = {
+      {context.name + "_calls.hpp", print_calls(context, programs)},
       {context.name + "_eigen.hpp", print_eigen(context, programs)}};
   if (!batch.empty()) {
     files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});

@@ -9,30 +9,34 @@
 namespace treeline::cpp {
 namespace {
 
-std::string eigen_type(const Argument& argument) {
-  return argument.cols == 1 ? fmt::format("Vector<{}>", argument.rows)
-                            : fmt::format("Matrix<{}, {}>", argument.rows, argument.cols);
+/// The size of an argument, as template arguments.
+std::string print_size(const Argument& argument) {
+  return argument.cols == 1 ? fmt::format("<{}>", argument.rows)
+                            : fmt::format("<{}, {}>", argument.rows, argument.cols);
 }
 
+/// One function for every kind of Eigen object: `T0`, `T1` and so on are the types of its
+/// arguments.
 std::string print_wrapper(const EmissionContext& context, const Program& program) {
+  std::string types;
   std::string parameters;
   std::string arguments;
-  const auto append = [&](const Argument& argument, const char* qualifier, const char* access) {
-    const char* comma = parameters.empty() ? "" : ", ";
-    parameters += fmt::format("{}{}{}& {}", comma, qualifier, eigen_type(argument), argument.name);
-    arguments +=
-        fmt::format("{}{}<{}>({})", comma, access, argument.rows * argument.cols, argument.name);
+  int count = 0;
+  const auto append = [&](const Argument& argument, const char* access) {
+    const char* comma = count == 0 ? "" : ", ";
+    types += fmt::format("{}class T{}", comma, count);
+    parameters += fmt::format("{}const Eigen::MatrixBase<T{}>& {}", comma, count, argument.name);
+    arguments += fmt::format("{}detail::{}{}({}).array()", comma, access, print_size(argument),
+                             argument.name);
+    ++count;
   };
-  for (const Argument& argument : program.arguments) {
-    append(argument, "const ", "input");
-  }
-  for (const Result& result : program.results) {
-    append(result.argument, "", "output");
-  }
-  const std::string head = fmt::format("inline void {}({}) noexcept {{", program.name, parameters);
+  for (const Argument& argument : program.arguments) append(argument, "input");
+  for (const Result& result : program.results) append(result.argument, "output");
+  const std::string head = fmt::format("void {}({}) {{", program.name, parameters);
   const std::string call = fmt::format("{}::{}({});", context.name, program.name, arguments);
-  return fill_template(templates::kWrapper,
-                       {{"head", wrap_line(head, 0)}, {"call", wrap_line(call, 2)}});
+  return fill_template(templates::kWrapper, {{"types", wrap_line("template <" + types + ">", 0)},
+                                             {"head", wrap_line(head, 0)},
+                                             {"call", wrap_line(call, 2)}});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace treeline::cpp::templates {
 extern const std::string_view kBatch;
 extern const std::string_view kBatchFunction;
 extern const std::string_view kCMakeLists;
+extern const std::string_view kCalls;
 extern const std::string_view kContract;
 extern const std::string_view kDamped;
 extern const std::string_view kDampedSolve;
@@ -18,6 +19,7 @@ extern const std::string_view kFunction;
 extern const std::string_view kJoints;
 extern const std::string_view kLanes;
 extern const std::string_view kLdlt;
+extern const std::string_view kNamedCall;
 extern const std::string_view kOptimize;
 extern const std::string_view kSinCos;
 extern const std::string_view kSquareRoot;

@@ -1,0 +1,96 @@
+#include "emission/cpp/print_calls.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "emission/c_family_syntax.hpp"
+#include "emission/comment.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/wrap_line.hpp"
+
+namespace treeline::cpp {
+namespace {
+
+/// `inverse_dynamics`: `InverseDynamics`.
+std::string in_pascal_case(const std::string& name) {
+  std::string words;
+  bool starts_word = true;
+  for (const char c : name) {
+    if (c != '_') {
+      words += starts_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    starts_word = c == '_';
+  }
+  return words;
+}
+
+int size_of(const Argument& argument) {
+  return argument.rows * argument.cols;
+}
+
+std::string print_member(const Argument& argument) {
+  const std::string shape =
+      argument.cols == 1 ? "" : fmt::format("{} x {}, ", argument.rows, argument.cols);
+  return comment("  ///", wrap_text(shape + argument.meaning, 93)) +
+         fmt::format("  Real {}[{}];\n", argument.name, size_of(argument));
+}
+
+/// The structs of a function and the function that takes them.
+std::string print_structs(const Program& program) {
+  const std::string pascal = in_pascal_case(program.name);
+  std::string inputs;
+  std::string outputs;
+  std::string arguments;
+  for (const Argument& argument : program.arguments) {
+    inputs += print_member(argument);
+    arguments += "in." + argument.name + ", ";
+  }
+  for (const Result& result : program.results) {
+    outputs += print_member(result.argument);
+    arguments += "out." + result.argument.name + ", ";
+  }
+  arguments.resize(arguments.size() - 2);
+  return fill_template(templates::kNamedCall,
+                       {{"function", program.name},
+                        {"Function", pascal},
+                        {"inputs", inputs},
+                        {"outputs", outputs},
+                        {"call", wrap_line(fmt::format("{}({});", program.name, arguments), 2)}});
+}
+
+/// The function for arguments of std::array.
+std::string print_array_call(const Program& program) {
+  std::string parameters;
+  std::string arguments;
+  const auto append = [&](const Argument& argument, const char* qualifier) {
+    const char* comma = parameters.empty() ? "" : ", ";
+    parameters += fmt::format("{}{}std::array<Real, {}>& {}", comma, qualifier, size_of(argument),
+                              argument.name);
+    arguments += fmt::format("{}array_at<{}>({}.data())", comma, size_of(argument), argument.name);
+  };
+  for (const Argument& argument : program.arguments) append(argument, "const ");
+  for (const Result& result : program.results) append(result.argument, "");
+  const std::string head =
+      wrap_line(fmt::format("inline void {}({}) noexcept {{", program.name, parameters), 0);
+  return head + "\n" + wrap_line(fmt::format("{}({});", program.name, arguments), 2) + "\n}\n";
+}
+
+}  // namespace
+
+std::string print_calls(const EmissionContext& context, std::span<const Program> programs) {
+  std::string structs;
+  std::string arrays;
+  for (const Program& program : programs) {
+    structs += print_structs(program) + "\n";
+    arrays += print_array_call(program) + "\n";
+  }
+  return fill_template(templates::kCalls, {{"robot", context.robot},
+                                           {"name", context.name},
+                                           {"NAME", name_in_capitals(context)},
+                                           {"structs", structs},
+                                           {"arrays", arrays}});
+}
+
+}  // namespace treeline::cpp
