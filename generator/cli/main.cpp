@@ -12,6 +12,7 @@
 #include "cli/check.hpp"
 #include "cli/describe_usage_error.hpp"
 #include "cli/diff.hpp"
+#include "cli/draw.hpp"
 #include "cli/drive.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate.hpp"
@@ -49,6 +50,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   treeline::add_init_scene(app, exit_code);
   treeline::add_diff(app, exit_code);
   treeline::add_simulate(app, exit_code);
+  treeline::add_draw(app, exit_code);
   treeline::add_drive(app, exit_code);
 }
 

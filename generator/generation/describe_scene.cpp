@@ -10,6 +10,7 @@
 #include "description/find_joint.hpp"
 #include "description/heaviest_rows.hpp"
 #include "description/list_rows.hpp"
+#include "mechanism/home_of.hpp"
 
 namespace treeline {
 namespace {
@@ -73,10 +74,8 @@ std::vector<std::string> joint_conventions(const Robot& robot, const Mechanism& 
 std::vector<EmissionContext::CoordinateRow> coordinate_rows(const Mechanism& mechanism) {
   std::vector<EmissionContext::CoordinateRow> rows;
   for (const Coordinate& coordinate : mechanism.coordinates) {
-    const double home =
-        std::min(std::max(coordinate.neutral(), coordinate.lower), coordinate.upper);
-    rows.push_back(
-        {coordinate.joint, coordinate.meaning, coordinate.lower, coordinate.upper, home});
+    rows.push_back({coordinate.joint, coordinate.meaning, coordinate.lower, coordinate.upper,
+                    home_of(coordinate)});
   }
   return rows;
 }

@@ -52,6 +52,7 @@ const std::vector<Layer> kLayers = {
      {"functions", "interpreter", "description", "mechanism", "program", "recursion", "bounds",
       "generation"}},
     {"inspect", {"interpreter", "description", "mechanism", "bounds", "oracle"}},
+    {"drawing", {"interpreter", "description", "mechanism", "oracle"}},
     {"comparison", {"interpreter", "description", "bounds", "oracle", "inspect"}},
     {"check",
      {"functions", "interruption", "description", "program", "passes", "bounds", "emission",
@@ -62,10 +63,10 @@ const std::vector<Layer> kLayers = {
      {"description", "mechanism", "emission", "generation", "oracle", "inspect", "check",
       "timing"}},
     {"launch", {"drive", "description", "mechanism", "emission", "generation", "oracle", "check"}},
-    {"cli",
-     {"functions",    "target", "interpreter", "servo",      "drive",   "launch", "simulation",
-      "interruption", "board",  "description", "mechanism",  "program", "passes", "emission",
-      "generation",   "oracle", "inspect",     "comparison", "check",   "timing", "bench"}},
+    {"cli", {"functions",  "target",       "interpreter", "servo",       "drive",     "launch",
+             "simulation", "interruption", "board",       "description", "mechanism", "program",
+             "passes",     "emission",     "generation",  "oracle",      "inspect",   "drawing",
+             "comparison", "check",        "timing",      "bench"}},
 };
 
 bool is_source(const fs::path& path) {

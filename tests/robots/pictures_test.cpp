@@ -1,9 +1,6 @@
-// The programs that draw the pages' pictures, for small inputs. Would catch: a table that is read
-// wrongly or refused without a reason, a joint that does not move what it carries, a hidden face
-// that is drawn, and a dot at the place of another number.
+// The program that draws time against error, for a small report. Would catch: a table that is read
+// wrongly or refused without a reason, and a dot at the place of another number.
 #include <gtest/gtest.h>
-#include <urdf_model/model.h>
-#include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,7 +8,6 @@
 #include <regex>
 
 #include "draw_bench.hpp"
-#include "draw_strip.hpp"
 
 namespace treeline::pictures {
 namespace {
@@ -33,35 +29,6 @@ class TextFile {
  private:
   std::filesystem::path path_;
 };
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t times = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++times;
-  }
-  return times;
-}
-
-TEST(ReadMotion, HasColumnsByName) {
-  const TextFile file("time,q_a\n0,1.5\n0.1,-2e-3\n");
-  std::string error;
-  const Motion motion = read_motion(file.path(), error);
-  EXPECT_EQ(error, "");
-  EXPECT_EQ(motion.at("time"), (std::vector<double>{0, 0.1}));
-  EXPECT_EQ(motion.at("q_a"), (std::vector<double>{1.5, -2e-3}));
-}
-
-TEST(ReadMotion, NamesTheLineThatIsWrong) {
-  for (const char* row : {"0.1", "0.1,x", "0.1,2,3"}) {
-    const TextFile file(std::string("time,q_a\n0,1\n") + row + "\n");
-    std::string error;
-    EXPECT_TRUE(read_motion(file.path(), error).empty()) << row;
-    EXPECT_NE(error.find(":3: "), std::string::npos) << error;
-  }
-  std::string error;
-  EXPECT_TRUE(read_motion("/nowhere/motion.csv", error).empty());
-  EXPECT_NE(error.find("/nowhere/motion.csv"), std::string::npos) << error;
-}
 
 constexpr const char* kReport =
     "arm: time of a call and error against 50 digits\non A PROCESSOR\n\n"
@@ -118,56 +85,6 @@ TEST(DrawBench, FasterIsLeftAndMoreExactIsLow) {
   EXPECT_GT(interpreter.second, peer.second);
   EXPECT_EQ(draw_bench(report, {"lambda"}, error), "");
   EXPECT_NE(error.find("lambda"), std::string::npos);
-}
-
-constexpr const char* kArm = R"(<robot name="arm"><link name="base"/>
-  <link name="arm"><visual><origin xyz="0 0 0.5"/><geometry><box size="0.1 0.2 1"/></geometry></visual></link>
-  <joint name="a" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="1 0 0"/>
-    <limit lower="-3" upper="3" effort="1" velocity="1"/></joint></robot>)";
-
-/// Heights, measured from above, of the corners of the polygons after the floor.
-std::vector<double> heights(const std::string& svg) {
-  std::vector<double> values;
-  const std::regex corner("[0-9.-]+,([0-9.-]+)");
-  const std::size_t floor = svg.find("<polygon");
-  const std::size_t first = svg.find("<polygon", floor + 1);
-  const std::string solids = svg.substr(first, svg.find("<text") - first);
-  for (std::sregex_iterator it(solids.begin(), solids.end(), corner), end; it != end; ++it) {
-    values.push_back(std::stod((*it)[1]));
-  }
-  return values;
-}
-
-TEST(DrawStrip, DrawsWhatIsSeenWhereTheJointPutsIt) {
-  const auto robot = urdf::parseURDF(kArm);
-  ASSERT_TRUE(robot);
-  const Motion motion{{"time", {0, 1}}, {"q_a", {0, 1.5707963267948966}}};
-  StripSettings settings;
-  std::string error;
-  settings.times = {0};
-  const std::string upright = draw_strip(*robot, motion, settings, error);
-  EXPECT_EQ(error, "");
-  EXPECT_EQ(count(upright, "<polygon"), 4U);  // the floor and three of six faces
-  settings.times = {1};
-  const std::string lying = draw_strip(*robot, motion, settings, error);
-  const auto top = [](const std::string& svg) {
-    const std::vector<double> all = heights(svg);
-    return *std::min_element(all.begin(), all.end());
-  };
-  EXPECT_LT(top(upright) + 100, top(lying));  // 1 m is 150 pixels
-  settings.times = {0, 1};
-  EXPECT_EQ(count(draw_strip(*robot, motion, settings, error), "<polygon"), 8U);
-}
-
-TEST(DrawStrip, NamesAColumnThatIsMissing) {
-  const auto robot = urdf::parseURDF(kArm);
-  StripSettings settings;
-  settings.times = {0};
-  settings.path = {"x", "y", "z"};
-  std::string error;
-  const Motion motion{{"time", {0}}, {"x", {0}}, {"y", {0}}};
-  EXPECT_EQ(draw_strip(*robot, motion, settings, error), "");
-  EXPECT_NE(error.find("\"z\""), std::string::npos) << error;
 }
 
 }  // namespace

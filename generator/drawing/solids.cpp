@@ -1,11 +1,10 @@
-#include "solid_faces.hpp"
-
-#include <urdf_model/link.h>
+#include "drawing/solids.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-namespace treeline::pictures {
+namespace treeline {
 namespace {
 
 void add_face(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& normal,
@@ -17,9 +16,11 @@ void add_face(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d
   solids.faces.push_back(face);
 }
 
-void add_box(const urdf::Vector3& size, const Eigen::Isometry3d& pose, const Color& color,
+}  // namespace
+
+void add_box(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, const Color& color,
              Solids& solids) {
-  const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(size.x, size.y, size.z);
+  const Eigen::Vector3d half = 0.5 * size;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -41,7 +42,7 @@ void add_cylinder(double radius, double length, const Eigen::Isometry3d& pose, c
                   Solids& solids) {
   constexpr int kSides = 20;
   const auto rim = [&](int k, double z) {
-    const double angle = 2.0 * std::numbers::pi * k / kSides;
+    const double angle = 2 * std::numbers::pi * k / kSides;
     return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
   };
   std::vector<Eigen::Vector3d> bottom;
@@ -49,25 +50,24 @@ void add_cylinder(double radius, double length, const Eigen::Isometry3d& pose, c
   for (int k = 0; k < kSides; ++k) {
     bottom.push_back(rim(k, -0.5 * length));
     top.push_back(rim(k, 0.5 * length));
-    const double middle = 2.0 * std::numbers::pi * (k + 0.5) / kSides;
+    const double middle = 2 * std::numbers::pi * (k + 0.5) / kSides;
     add_face({bottom.back(), rim(k + 1, -0.5 * length), rim(k + 1, 0.5 * length), top.back()},
-             {std::cos(middle), std::sin(middle), 0.0}, pose, color, solids);
+             {std::cos(middle), std::sin(middle), 0}, pose, color, solids);
   }
   add_face(bottom, -Eigen::Vector3d::UnitZ(), pose, color, solids);
   add_face(top, Eigen::Vector3d::UnitZ(), pose, color, solids);
 }
 
-}  // namespace
-
-void add_solid(const urdf::Geometry& shape, const Eigen::Isometry3d& pose, const Color& color,
-               Solids& solids) {
-  if (const auto* box = dynamic_cast<const urdf::Box*>(&shape)) {
-    add_box(box->dim, pose, color, solids);
-  } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&shape)) {
-    add_cylinder(cylinder->radius, cylinder->length, pose, color, solids);
-  } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&shape)) {
-    solids.balls.push_back({pose.translation(), sphere->radius, color});
-  }
+void add_rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+             const Color& color, Solids& solids) {
+  solids.balls.push_back({from, radius, color});
+  solids.balls.push_back({to, radius, color});
+  const Eigen::Vector3d along = to - from;
+  if (along.norm() <= radius) return;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translate(Eigen::Vector3d(0.5 * (from + to)));
+  pose.rotate(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along));
+  add_cylinder(radius, along.norm(), pose, color, solids);
 }
 
-}  // namespace treeline::pictures
+}  // namespace treeline

@@ -1,0 +1,224 @@
+#include "cli/draw.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
+#include "cli/print_diagnostics.hpp"
+#include "cli/write_output.hpp"
+#include "description/read_scene.hpp"
+#include "description/read_text_file.hpp"
+#include "description/read_urdf.hpp"
+#include "description/suggest_name.hpp"
+#include "drawing/draw_robot.hpp"
+#include "drawing/recorded_motion.hpp"
+#include "mechanism/build_mechanism.hpp"
+
+namespace treeline {
+namespace {
+
+struct DrawOptions {
+  std::string urdf, scene, motion, path, svg;
+  std::vector<double> q, times;
+  int pictures = 5;
+  View view;
+  Warnings warnings = Warnings::summary;
+};
+
+/// What is drawn, read from the files.
+struct Drawn {
+  Robot robot;
+  Scene scene;
+  std::vector<Visual> visuals;
+};
+
+/// Reads robot and scene. What is worth a warning about their dynamics is not about a picture.
+std::optional<std::pair<Robot, Scene>> read_robot(const std::string& text, const std::string& file,
+                                                  const std::string& scene_file,
+                                                  Diagnostics& diagnostics) {
+  Diagnostics own;
+  auto robot = parse_urdf(text, file, own);
+  auto scene = robot ? read_scene(scene_file, *robot, own) : std::nullopt;
+  for (const Diagnostic& diagnostic : own.list()) {
+    if (diagnostic.severity == Severity::error) diagnostics.add(diagnostic);
+  }
+  if (!scene) return std::nullopt;
+  return std::pair{std::move(*robot), std::move(*scene)};
+}
+
+std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnostics) {
+  if (!can_read_both(options.urdf, options.scene, diagnostics)) return std::nullopt;
+  const auto text = read_text_file(options.urdf, diagnostics);
+  if (!text) return std::nullopt;
+  const std::string file = shown_path(options.urdf);
+  auto read = read_robot(*text, file, options.scene, diagnostics);
+  if (!read) return std::nullopt;
+  auto visuals = read_visuals(*text, file, diagnostics);
+  const auto meshes = std::count_if(visuals.begin(), visuals.end(), [](const Visual& visual) {
+    return visual.kind == VisualKind::mesh;
+  });
+  if (meshes > 0) {
+    diagnostics.add({Severity::note, file, 0, "",
+                     fmt::format("{} meshes are not drawn: rods stand for links without another "
+                                 "shape",
+                                 meshes),
+                     "`treeline drive` shows meshes in a browser."});
+  }
+  return Drawn{std::move(read->first), std::move(read->second), std::move(visuals)};
+}
+
+/// The joint of each coordinate.
+std::vector<std::string> coordinate_joints(const Drawn& drawn) {
+  std::vector<std::string> joints;
+  for (const Coordinate& coordinate : build_mechanism(drawn.robot, drawn.scene).coordinates) {
+    joints.push_back(coordinate.joint);
+  }
+  return joints;
+}
+
+/// Index of the point whose path is drawn; nothing, with an error, if the scene has none such.
+std::optional<std::size_t> find_point(const Drawn& drawn, const std::string& name,
+                                      Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const ScenePoint& point : drawn.scene.operational_points) {
+    if (point.name == name) return names.size();
+    names.push_back(point.name);
+  }
+  diagnostics.add(
+      {Severity::error, drawn.scene.file, 0, "--path",
+       fmt::format("there is no operational point `{}`", name),
+       names.empty() ? "Give a scene that has `operational_points`." : suggest_name(name, names)});
+  return std::nullopt;
+}
+
+/// The row of a motion that is nearest before a time, or at it.
+std::size_t row_at(const RecordedMotion& motion, double time) {
+  constexpr double kSlack = 1e-9;  // s, of times that were rounded in the file
+  const auto after = std::upper_bound(motion.times.begin(), motion.times.end(), time + kSlack);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - motion.times.begin() - 1));
+}
+
+/// The times of the pictures: as asked for, or evenly spread.
+std::vector<double> choose_times(const DrawOptions& options, const RecordedMotion& motion) {
+  if (!options.times.empty()) return options.times;
+  std::vector<double> times;
+  const double first = motion.times.front();
+  const double last = motion.times.back();
+  for (int i = 0; i < options.pictures; ++i) {
+    times.push_back(options.pictures == 1 ? last
+                                          : first + (last - first) * i / (options.pictures - 1));
+  }
+  return times;
+}
+
+/// Where the point was up to a row, in at most some hundred steps.
+std::vector<Eigen::Vector3d> trace_path(const LinkPlacer& placer, const RecordedMotion& motion,
+                                        std::size_t point, std::size_t row) {
+  constexpr std::size_t kSteps = 120;
+  const std::size_t stride = std::max<std::size_t>(1, motion.times.size() / kSteps);
+  std::vector<Eigen::Vector3d> path;
+  for (std::size_t k = 0; k < row; k += stride) {
+    path.push_back(placer.place_points(motion.q[k])[point]);
+  }
+  path.push_back(placer.place_points(motion.q[row])[point]);
+  return path;
+}
+
+std::optional<std::vector<Moment>> choose_moments(const DrawOptions& options, const Drawn& drawn,
+                                                  const LinkPlacer& placer,
+                                                  Diagnostics& diagnostics) {
+  if (options.motion.empty()) {
+    if (!options.q.empty() && static_cast<int>(options.q.size()) != placer.coordinates()) {
+      diagnostics.add({Severity::error, "", 0, "--q",
+                       fmt::format("{} numbers are given, the robot has {}", options.q.size(),
+                                   placer.coordinates()),
+                       "`treeline inspect` lists the joints in their order."});
+      return std::nullopt;
+    }
+    return std::vector<Moment>{
+        {options.q.empty() ? placer.home() : options.q, drawn.robot.name, {}}};
+  }
+  const auto motion =
+      read_motion(options.motion, coordinate_joints(drawn), placer.home(), diagnostics);
+  if (!motion) return std::nullopt;
+  std::optional<std::size_t> point;
+  if (!options.path.empty()) {
+    point = find_point(drawn, options.path, diagnostics);
+    if (!point) return std::nullopt;
+  }
+  std::vector<Moment> moments;
+  for (const double time : choose_times(options, *motion)) {
+    const std::size_t row = row_at(*motion, time);
+    moments.push_back({motion->q[row], fmt::format("{:.4g} s", time), {}});
+    if (point) moments.back().path = trace_path(placer, *motion, *point, row);
+  }
+  return moments;
+}
+
+int draw(const DrawOptions& options, Diagnostics& diagnostics) {
+  const auto drawn = read_files(options, diagnostics);
+  if (!drawn) return kBadInput;
+  const LinkPlacer placer(drawn->robot, drawn->scene);
+  const auto moments = choose_moments(options, *drawn, placer, diagnostics);
+  if (!moments) return kBadInput;
+  const std::string svg = draw_robot(drawn->robot, placer, drawn->visuals, *moments, options.view);
+  if (options.svg.empty() || options.svg == "-") return write_output(svg, OutputForm::text, kOk);
+  return write_output_file(options.svg, svg, diagnostics) ? kOk : kBadInput;
+}
+
+void add_options(CLI::App& command, DrawOptions& options) {
+  command.add_option("urdf", options.urdf, "Robot, URDF")->required();
+  command.add_option("scene", options.scene, "Base, locked joints, points; YAML");
+  command.add_option("--q", options.q, "Where it stands, separated by commas; else at rest")
+      ->delimiter(',')
+      ->check(any_number());
+  auto* motion = command.add_option("--motion", options.motion,
+                                    "Draw a motion: table of simulate --csv or of an experiment, "
+                                    "or record of drive");
+  auto* times = command.add_option("--times", options.times, "s, a picture each")
+                    ->delimiter(',')
+                    ->check(any_number())
+                    ->needs(motion);
+  command.add_option("--pictures", options.pictures, "So many, evenly spread")
+      ->check(whole_between(1, 100))
+      ->capture_default_str()
+      ->excludes(times);
+  command.add_option("--path", options.path, "Operational point whose path is drawn")
+      ->needs(motion);
+  command.add_option("--azimuth", options.view.azimuth, "Of the camera about z, rad")
+      ->check(any_number())
+      ->capture_default_str();
+  command.add_option("--elevation", options.view.elevation, "Of the camera over the ground, rad")
+      ->check(any_number())
+      ->capture_default_str();
+  command.add_option("--svg", options.svg, "File to write; else standard output");
+  add_warnings_option(command, options.warnings);
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DrawOptions>();
+  CLI::App* command =
+      app.add_subcommand("draw", "Draw a robot, or moments of its motion side by side, as SVG");
+  add_options(*command, *options);
+  command->footer(
+      "Boxes, cylinders and spheres of the URDF are drawn; rods stand for links with meshes only.\n"
+      "Examples:\n"
+      "  treeline draw puma560.urdf --q 0,-0.7,0.7,0,0.5,0 --svg puma.svg\n"
+      "  treeline simulate planar3r.urdf --csv swing.csv\n"
+      "  treeline draw planar3r.urdf --motion swing.csv --pictures 6 --svg swing.svg\n"
+      "  treeline draw arm.urdf scene.yaml --motion record.jsonl --path tool --svg strip.svg");
+  command->callback([options, &exit_code] {
+    Diagnostics diagnostics;
+    exit_code = draw(*options, diagnostics);
+    print_diagnostics(diagnostics, options->warnings);
+  });
+}
+
+}  // namespace treeline

@@ -1,0 +1,60 @@
+#include "drawing/place_links.hpp"
+
+#include <algorithm>
+
+#include "interpreter/instances.hpp"
+#include "mechanism/build_mechanism.hpp"
+#include "mechanism/home_of.hpp"
+#include "oracle/model_from_robot.hpp"
+
+namespace treeline {
+namespace {
+
+using Vector = interpreter::Vector<double>;
+
+std::vector<double> find_home(const Robot& robot, const Scene& scene) {
+  std::vector<double> home;
+  for (const Coordinate& coordinate : build_mechanism(robot, scene).coordinates) {
+    home.push_back(home_of(coordinate));
+  }
+  return home;
+}
+
+Vector as_vector(std::span<const double> q) {
+  return Vector::Map(q.data(), static_cast<Eigen::Index>(q.size()));
+}
+
+}  // namespace
+
+LinkPlacer::LinkPlacer(const Robot& robot, const Scene& scene)
+    : model_(model_from_robot<double>(robot, scene)),
+      points_(points_from_scene(model_, scene.operational_points)),
+      home_(find_home(robot, scene)) {
+  for (const Link& link : robot.links) {
+    for (int i = 0; i < model_.size(); ++i) {
+      if (model_.body(i).name == link.name) bodies_.push_back(i);
+    }
+  }
+}
+
+std::vector<Eigen::Isometry3d> LinkPlacer::place(std::span<const double> q) const {
+  const auto k = interpreter::kinematics<double>(model_, as_vector(q), Vector::Zero(model_.nv));
+  std::vector<Eigen::Isometry3d> poses;
+  for (const int body : bodies_) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = k.R_world[body];
+    pose.translation() = k.p_world[body];
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+std::vector<Eigen::Vector3d> LinkPlacer::place_points(std::span<const double> q) const {
+  std::vector<Eigen::Vector3d> positions;
+  for (const auto& pose : interpreter::forward_kinematics<double>(model_, points_, as_vector(q))) {
+    positions.push_back(pose.position);
+  }
+  return positions;
+}
+
+}  // namespace treeline

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+#include "interpreter/model.hpp"
+#include "interpreter/points.hpp"
+
+namespace treeline {
+
+/// Where a robot's links and a scene's points are, by the interpreter.
+class LinkPlacer {
+ public:
+  LinkPlacer(const Robot& robot, const Scene& scene);
+
+  [[nodiscard]] int coordinates() const { return model_.nq; }
+  /// The state that nothing displaces, moved into the joints' limits.
+  [[nodiscard]] const std::vector<double>& home() const { return home_; }
+  /// Poses of the links in the world, in the robot's order.
+  [[nodiscard]] std::vector<Eigen::Isometry3d> place(std::span<const double> q) const;
+  /// Positions of the scene's operational points in the world, m.
+  [[nodiscard]] std::vector<Eigen::Vector3d> place_points(std::span<const double> q) const;
+
+ private:
+  interpreter::Model<double> model_;
+  interpreter::Points<double> points_;
+  std::vector<int> bodies_;  ///< of each link
+  std::vector<double> home_;
+};
+
+}  // namespace treeline

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "description/read_number.hpp"
+#include "description/read_text_file.hpp"
+#include "drawing/recorded_motion.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr const char* kForms =
+    "Columns are `time` (or `time_s`) and q0, q1, ... or q_JOINT, separated by commas, below a "
+    "line with their names, as `treeline simulate --csv` writes them; or give a file of `treeline "
+    "drive --record`.";
+
+std::vector<std::string> split_cells(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) {
+    cells.emplace_back(trimmed(cell));
+  }
+  return cells;
+}
+
+/// Reads a file line by line.
+class MotionReading {
+ public:
+  MotionReading(std::string path, const std::vector<std::string>& joints,
+                const std::vector<double>& home, Diagnostics& diagnostics)
+      : path_(std::move(path)), joints_(joints), home_(home), diagnostics_(diagnostics) {}
+
+  std::optional<RecordedMotion> read(const std::string& text) {
+    std::istringstream lines(text);
+    bool well = true;
+    for (std::string line; well && std::getline(lines, line);) {
+      ++number_;
+      if (trimmed(line).empty()) continue;
+      if (line.front() == '{') {
+        well = read_record(line);
+      } else {
+        well = names_.empty() ? read_names(line) : read_row(line);
+      }
+    }
+    if (well && motion_.times.empty()) well = fail("there is no row of numbers");
+    if (!well) return std::nullopt;
+    return std::move(motion_);
+  }
+
+ private:
+  bool fail(std::string fault) {
+    diagnostics_.add({Severity::error, path_, number_, "", std::move(fault), kForms});
+    return false;
+  }
+
+  bool add(double time, std::vector<double> q) {
+    if (!motion_.times.empty() && time < motion_.times.back()) return fail("time runs backwards");
+    motion_.times.push_back(time);
+    motion_.q.push_back(std::move(q));
+    return true;
+  }
+
+  /// Other lines of a record, of commands for instance, have no coordinates.
+  bool read_record(const std::string& line) {
+    const auto json = nlohmann::json::parse(line, nullptr, false);
+    if (json.is_discarded()) return fail("this line is not JSON");
+    if (!json.contains("q") || !json.contains("time")) return true;
+    const auto& q = json["q"];
+    const bool numbers =
+        json["time"].is_number() && q.is_array() &&
+        std::all_of(q.begin(), q.end(), [](const auto& e) { return e.is_number(); });
+    if (!numbers || q.size() != home_.size()) {
+      return fail(fmt::format("`q` has to be {} numbers, those of this robot", home_.size()));
+    }
+    return add(json["time"].get<double>(), q.get<std::vector<double>>());
+  }
+
+  /// Which coordinate a column is: -1 if none.
+  [[nodiscard]] int coordinate_of(const std::string& name) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const bool single = std::count(joints_.begin(), joints_.end(), joints_[i]) == 1;
+      if (name == fmt::format("q{}", i) || (single && name == "q_" + joints_[i])) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+
+  bool read_names(const std::string& line) {
+    names_ = split_cells(line);
+    bool has_time = false;
+    bool has_coordinate = false;
+    for (const std::string& name : names_) {
+      const bool is_time = name == "time" || name == "time_s";
+      has_time = has_time || is_time;
+      columns_.push_back(is_time ? kTime : coordinate_of(name));
+      has_coordinate = has_coordinate || columns_.back() >= 0;
+    }
+    if (!has_time) return fail("there is no column `time`");
+    return has_coordinate || fail("no column is a coordinate of this robot");
+  }
+
+  bool read_row(const std::string& line) {
+    const std::vector<std::string> cells = split_cells(line);
+    if (cells.size() != names_.size()) {
+      return fail(
+          fmt::format("{} numbers are expected, there are {}", names_.size(), cells.size()));
+    }
+    double time = 0;
+    std::vector<double> q = home_;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (columns_[i] == kNone) continue;
+      const auto value = read_number(cells[i]);
+      if (!value) return fail(fmt::format("`{}` is not a number", cells[i]));
+      (columns_[i] == kTime ? time : q[static_cast<std::size_t>(columns_[i])]) = *value;
+    }
+    return add(time, std::move(q));
+  }
+
+  static constexpr int kNone = -1;
+  static constexpr int kTime = -2;
+
+  std::string path_;
+  const std::vector<std::string>& joints_;
+  const std::vector<double>& home_;
+  Diagnostics& diagnostics_;
+  int number_ = 0;
+  std::vector<std::string> names_;
+  std::vector<int> columns_;
+  RecordedMotion motion_;
+};
+
+}  // namespace
+
+std::optional<RecordedMotion> read_motion(const std::string& path,
+                                          const std::vector<std::string>& joints,
+                                          const std::vector<double>& home,
+                                          Diagnostics& diagnostics) {
+  const auto text = read_text_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  return MotionReading(shown_path(path), joints, home, diagnostics).read(*text);
+}
+
+}  // namespace treeline

@@ -1,0 +1,122 @@
+#include "drawing/read_visuals.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <optional>
+
+#include "description/parse_xml.hpp"
+#include "description/read_number.hpp"
+#include "description/rotation.hpp"
+
+namespace treeline {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr Color kGrey = {0.7, 0.7, 0.7};
+
+std::string text_of(const XMLElement& element, const char* attribute) {
+  const char* text = element.Attribute(attribute);
+  return text == nullptr ? "" : text;
+}
+
+/// `count` numbers of an attribute; nothing where there are others.
+std::optional<std::vector<double>> numbers_of(const XMLElement& element, const char* attribute,
+                                              std::size_t count) {
+  auto numbers = read_numbers(text_of(element, attribute));
+  if (!numbers || numbers->size() != count) return std::nullopt;
+  return numbers;
+}
+
+Eigen::Isometry3d read_pose(const XMLElement* origin) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  if (origin == nullptr) return pose;
+  if (const auto xyz = numbers_of(*origin, "xyz", 3)) {
+    pose.translation() = Eigen::Vector3d::Map(xyz->data());
+  }
+  if (const auto rpy = numbers_of(*origin, "rpy", 3)) {
+    pose.linear() = rotation_from_rpy<double>({(*rpy)[0], (*rpy)[1], (*rpy)[2]});
+  }
+  return pose;
+}
+
+std::optional<Color> read_color(const XMLElement* material) {
+  const XMLElement* color = material == nullptr ? nullptr : material->FirstChildElement("color");
+  if (color == nullptr) return std::nullopt;
+  const auto rgba = numbers_of(*color, "rgba", 4);
+  if (!rgba) return std::nullopt;
+  return Color{(*rgba)[0], (*rgba)[1], (*rgba)[2]};
+}
+
+/// Sets kind and size. False if there is no shape that has a size.
+bool read_shape(const XMLElement* geometry, Visual& visual) {
+  const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+  if (shape == nullptr) return false;
+  const std::string name = shape->Name();
+  const auto length = [&](const char* attribute) {
+    const auto number = numbers_of(*shape, attribute, 1);
+    return number && number->front() > 0 ? number->front() : 0;
+  };
+  if (name == "mesh") return true;
+  if (name == "box") {
+    const auto size = numbers_of(*shape, "size", 3);
+    visual.kind = VisualKind::box;
+    if (size) visual.size = Eigen::Vector3d::Map(size->data());
+    return size.has_value() && visual.size.minCoeff() >= 0;
+  }
+  visual.size = {length("radius"), length("length"), 0};
+  visual.kind = name == "sphere" ? VisualKind::sphere : VisualKind::cylinder;
+  return visual.size[0] > 0 && (name == "sphere" || (name == "cylinder" && visual.size[1] > 0));
+}
+
+/// Colours that are given once for the robot, by name.
+std::map<std::string, Color> read_materials(const XMLElement& robot) {
+  std::map<std::string, Color> colors;
+  for (const XMLElement* material = robot.FirstChildElement("material"); material != nullptr;
+       material = material->NextSiblingElement("material")) {
+    if (const auto color = read_color(material)) colors[text_of(*material, "name")] = *color;
+  }
+  return colors;
+}
+
+Color color_of(const XMLElement& visual, const std::map<std::string, Color>& materials) {
+  const XMLElement* material = visual.FirstChildElement("material");
+  if (material == nullptr) return kGrey;
+  if (const auto own = read_color(material)) return *own;
+  const auto named = materials.find(text_of(*material, "name"));
+  return named == materials.end() ? kGrey : named->second;
+}
+
+}  // namespace
+
+std::vector<Visual> read_visuals(const std::string& urdf, const std::string& file,
+                                 Diagnostics& diagnostics) {
+  tinyxml2::XMLDocument document;
+  const XMLElement* robot = parse_urdf_xml(urdf, file, document, diagnostics);
+  if (robot == nullptr) return {};
+  const auto materials = read_materials(*robot);
+  std::vector<Visual> visuals;
+  for (const XMLElement* link = robot->FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    for (const XMLElement* element = link->FirstChildElement("visual"); element != nullptr;
+         element = element->NextSiblingElement("visual")) {
+      Visual visual;
+      visual.link = text_of(*link, "name");
+      visual.pose = read_pose(element->FirstChildElement("origin"));
+      visual.color = color_of(*element, materials);
+      if (read_shape(element->FirstChildElement("geometry"), visual)) {
+        visuals.push_back(visual);
+      } else {
+        diagnostics.add({Severity::warning, file, element->GetLineNum(),
+                         fmt::format("robot/link[{}]/visual", visual.link),
+                         "is not drawn: no shape with a size",
+                         "Write a box, cylinder, sphere or mesh with positive sizes."});
+      }
+    }
+  }
+  return visuals;
+}
+
+}  // namespace treeline

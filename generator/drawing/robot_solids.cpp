@@ -1,0 +1,88 @@
+#include "drawing/robot_solids.hpp"
+
+#include <algorithm>
+
+namespace treeline {
+namespace {
+
+constexpr Color kRod = {0.55, 0.62, 0.72};
+constexpr Color kJoint = {0.93, 0.55, 0.24};
+constexpr double kRodShare = 0.012;    // of the robot's size: radius of a rod
+constexpr double kJointShare = 0.018;  // and of the ball at a joint that moves
+
+void add_visual(const Visual& visual, const Eigen::Isometry3d& link, Solids& solids) {
+  const Eigen::Isometry3d pose = link * visual.pose;
+  switch (visual.kind) {
+    case VisualKind::box:
+      return add_box(visual.size, pose, visual.color, solids);
+    case VisualKind::cylinder:
+      return add_cylinder(visual.size[0], visual.size[1], pose, visual.color, solids);
+    case VisualKind::sphere:
+      solids.balls.push_back({pose.translation(), visual.size[0], visual.color});
+      return;
+    case VisualKind::mesh:
+      return;
+  }
+}
+
+/// Whether a link has a shape that is drawn.
+std::vector<bool> find_shaped(const Robot& robot, const std::vector<Visual>& visuals) {
+  std::vector<bool> shaped;
+  for (const Link& link : robot.links) {
+    shaped.push_back(std::any_of(visuals.begin(), visuals.end(), [&](const Visual& visual) {
+      return visual.link == link.name && visual.kind != VisualKind::mesh;
+    }));
+  }
+  return shaped;
+}
+
+bool carries_none(const Robot& robot, int link) {
+  return std::none_of(robot.joints.begin(), robot.joints.end(),
+                      [&](const Joint& joint) { return joint.parent == link; });
+}
+
+/// A link at the end, from its origin to its centre of mass.
+void add_end(const Link& link, const Eigen::Isometry3d& pose, double radius, Solids& solids) {
+  if (!link.inertial) return;
+  const Eigen::Vector3d center = Eigen::Vector3d::Map(link.inertial->origin.xyz.data());
+  add_rod(pose.translation(), pose * center, radius, kRod, solids);
+}
+
+}  // namespace
+
+double size_of(const std::vector<Eigen::Isometry3d>& links) {
+  constexpr double kLeast = 1e-3;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Isometry3d& link : links) box.extend(link.translation());
+  return std::max(kLeast, box.sizes().maxCoeff());
+}
+
+Solids robot_solids(const Robot& robot, const std::vector<Visual>& visuals,
+                    const std::vector<Eigen::Isometry3d>& links, double size) {
+  Solids solids;
+  const auto pose = [&](int link) { return links[static_cast<std::size_t>(link)]; };
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    for (const Visual& visual : visuals) {
+      if (visual.link == robot.links[i].name) add_visual(visual, links[i], solids);
+    }
+  }
+  const std::vector<bool> shaped = find_shaped(robot, visuals);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const int link = static_cast<int>(i);
+    if (!shaped[i] && carries_none(robot, link)) {
+      add_end(robot.links[i], links[i], kRodShare * size, solids);
+    }
+  }
+  for (const Joint& joint : robot.joints) {
+    const Eigen::Vector3d at = pose(joint.child).translation();
+    if (!shaped[static_cast<std::size_t>(joint.parent)]) {
+      add_rod(pose(joint.parent).translation(), at, kRodShare * size, kRod, solids);
+    }
+    if (joint.type != JointType::fixed && !shaped[static_cast<std::size_t>(joint.child)]) {
+      solids.balls.push_back({at, kJointShare * size, kJoint});
+    }
+  }
+  return solids;
+}
+
+}  // namespace treeline

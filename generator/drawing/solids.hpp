@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+namespace treeline {
+
+using Color = std::array<double, 3>;  ///< red, green, blue, 0 to 1
+
+/// A flat convex part of a solid's surface, in world coordinates (m).
+struct Face {
+  std::vector<Eigen::Vector3d> corners;
+  Eigen::Vector3d normal;  ///< unit length, outwards
+  Color color{};
+};
+
+/// A ball, which looks like a disc from every direction.
+struct Ball {
+  Eigen::Vector3d center;
+  double radius = 0;  ///< m
+  Color color{};
+};
+
+/// What is to be seen.
+struct Solids {
+  std::vector<Face> faces;
+  std::vector<Ball> balls;
+};
+
+/// Adds a box with edges of these lengths, m, about the origin of `pose`.
+void add_box(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, const Color& color,
+             Solids& solids);
+
+/// Adds a cylinder about the z axis of `pose`, half of it below the origin; m.
+void add_cylinder(double radius, double length, const Eigen::Isometry3d& pose, const Color& color,
+                  Solids& solids);
+
+/// Adds a rod between two points, with round ends; m.
+void add_rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
+             const Color& color, Solids& solids);
+
+}  // namespace treeline

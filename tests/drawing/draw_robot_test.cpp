@@ -1,0 +1,118 @@
+#include "drawing/draw_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <regex>
+
+#include "description/read_scene.hpp"
+#include "description/read_urdf.hpp"
+#include "drawing/robot_solids.hpp"
+
+// Would catch: a joint that does not move what it carries, a hidden face that is drawn, a robot
+// that is cut off, and a link with a mesh only that is not seen at all.
+namespace treeline {
+namespace {
+
+constexpr const char* kArm = R"(<robot name="arm"><link name="base"/>
+  <link name="arm"><visual><origin xyz="0 0 0.5"/><geometry><box size="0.1 0.2 1"/></geometry></visual>
+    <inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+  <link name="hand"><visual><geometry><mesh filename="hand.stl"/></geometry></visual>
+    <inertial><mass value="1"/><origin xyz="0 0 0.25"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+  <joint name="a" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="1 0 0"/>
+    <limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+  <joint name="b" type="prismatic"><parent link="arm"/><child link="hand"/><origin xyz="0 0 1"/>
+    <axis xyz="0 0 1"/><limit lower="0" upper="1" effort="1" velocity="1"/></joint></robot>)";
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+struct Arm {
+  Diagnostics diagnostics;
+  Robot robot = parse_urdf(kArm, "arm.urdf", diagnostics).value();
+  Scene scene = read_scene("", robot, diagnostics).value();
+  LinkPlacer placer{robot, scene};
+  std::vector<Visual> visuals = read_visuals(kArm, "arm.urdf", diagnostics);
+
+  [[nodiscard]] std::string draw(const std::vector<Moment>& moments) const {
+    return draw_robot(robot, placer, visuals, moments, {});
+  }
+  [[nodiscard]] Solids solids(double a, double b) const {
+    return robot_solids(robot, visuals, placer.place(std::vector{a, b}), 1);
+  }
+};
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t times = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++times;
+  }
+  return times;
+}
+
+/// Highest corner of all faces, m.
+double top(const Solids& solids) {
+  double highest = -1e9;
+  for (const Face& face : solids.faces) {
+    for (const auto& corner : face.corners) highest = std::max(highest, corner.z());
+  }
+  return highest;
+}
+
+TEST(DrawRobot, ShapesAreWhereTheJointsPutThem) {
+  const Arm arm;
+  EXPECT_NEAR(top(arm.solids(0, 0)), 1.25, 1e-12);       // the rod to the hand's centre of mass
+  EXPECT_NEAR(top(arm.solids(0, 0.5)), 1.75, 1e-12);     // which the sliding joint lifts
+  EXPECT_NEAR(top(arm.solids(kQuarter, 0)), 0.1, 0.02);  // lying: half the width of the box
+}
+
+// Of six faces of a box three are seen.
+TEST(DrawRobot, HiddenFacesAreNotDrawn) {
+  const Arm arm;
+  const Solids solids = arm.solids(0, 0);
+  const auto of_box = std::count_if(solids.faces.begin(), solids.faces.end(),
+                                    [](const Face& face) { return face.color[0] == 0.7; });
+  EXPECT_EQ(of_box, 6);
+  EXPECT_EQ(count(arm.draw({{{0, 0}, "", {}}}), "<polygon"),
+            1 + 3 + 10 + 1);  // the floor, the box, half the sides of the rod and its upper end
+}
+
+TEST(DrawRobot, EverythingIsInThePicture) {
+  const Arm arm;
+  std::string svg =
+      arm.draw({{{0, 0}, "rest", {}}, {{kQuarter, 0.9}, "far", {Eigen::Vector3d(0, -2, 3)}}});
+  EXPECT_EQ(count(svg, "<svg x="), 2U);
+  EXPECT_NE(svg.find(">far</text>"), std::string::npos);
+  svg = std::regex_replace(svg, std::regex("<polygon[^>]*#ecebe6[^>]*>"), "");  // the floor
+  const std::regex corner("([0-9.-]+),([0-9.-]+)[ \"]");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), corner), end; it != end; ++it) {
+    EXPECT_GE(std::stod((*it)[1]), 0) << (*it)[0];
+    EXPECT_LE(std::stod((*it)[1]), 240) << (*it)[0];
+    EXPECT_GE(std::stod((*it)[2]), 0) << (*it)[0];
+    EXPECT_LE(std::stod((*it)[2]), 280) << (*it)[0];
+  }
+}
+
+// The link `base` has no shape, the link `hand` only a mesh.
+TEST(DrawRobot, RodsAndBallsStandForLinksWithoutShapes) {
+  const Solids solids = Arm().solids(0, 0.5);
+  const auto ball_at = [&](double z) {
+    return std::any_of(solids.balls.begin(), solids.balls.end(), [&](const Ball& ball) {
+      return (ball.center - Eigen::Vector3d(0, 0, z)).norm() < 1e-12;
+    });
+  };
+  EXPECT_TRUE(ball_at(0));     // the base's rod
+  EXPECT_TRUE(ball_at(1.5));   // the joint of the hand
+  EXPECT_TRUE(ball_at(1.75));  // the hand's centre of mass
+}
+
+TEST(DrawRobot, CaptionsCannotBreakTheFile) {
+  const Arm arm;
+  const std::string svg = arm.draw({{{0, 0}, "<script>&\x1b", {}}});
+  EXPECT_EQ(svg.find("<script>"), std::string::npos);
+  EXPECT_NE(svg.find("&lt;script>&amp;\\x1b"), std::string::npos) << svg;
+}
+
+}  // namespace
+}  // namespace treeline
