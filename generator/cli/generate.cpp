@@ -9,6 +9,7 @@
 #include <optional>
 #include <system_error>
 
+#include "cli/deliver_files.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
 #include "cli/keep_tried.hpp"
@@ -16,9 +17,7 @@
 #include "cli/print_summary.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/write_output.hpp"
-#include "emission/compare_files.hpp"
 #include "emission/print_manifest.hpp"
-#include "emission/write_files.hpp"
 #include "program/print.hpp"
 #include "timing/tune.hpp"
 
@@ -37,13 +36,23 @@ constexpr const char* kExamples =
     "puma560/manifest.json\n"
     "  treeline generate puma560.urdf scene.yaml --output firmware/puma560 --language c --real "
     "float\n"
+    "  treeline generate puma560.urdf --output lib/puma560 --package platformio --target "
+    "cortex-m4f\n"
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
+
+const std::vector<std::pair<std::string, PackageKind>> kPackages = {
+    {"cmake", PackageKind::cmake},
+    {"platformio", PackageKind::platformio},
+    {"zephyr", PackageKind::zephyr},
+    {"arduino", PackageKind::arduino},
+    {"cmsis", PackageKind::cmsis}};
 
 struct GenerateOptions {
   InputOptions inputs;
   std::string output;
   bool has_output = false;  ///< else it is the scene's name
   std::string dump;         ///< `text`, `dot` or empty
+  PackageKind package = PackageKind::none;
   bool compare = false, json = false, verbose = false, tune = false;
   CompileOptions compile{kTimedFlags};  ///< with which code is tuned
 };
@@ -91,11 +100,13 @@ std::optional<GeneratedInputs> generate_tuned(const GenerateOptions& options,
 }
 
 /// A folder that nobody named is written to only where nobody else's files are.
-bool may_write_to_default(const std::string& output, Diagnostics& diagnostics) {
+bool may_write_to_default(const std::string& output, PackageKind package,
+                          Diagnostics& diagnostics) {
   std::error_code ignored;
   const fs::path folder = output;
+  const fs::path sources = package == PackageKind::none ? folder : folder / "src";
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
-      fs::exists(folder / kManifestName, ignored)) {
+      fs::exists(sources / kManifestName, ignored)) {
     return true;
   }
   diagnostics.add({Severity::error, output, 0, "",
@@ -111,13 +122,16 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
     return write_output(print_programs(generation, options.dump), OutputForm::text, kOk);
   }
   const std::string output = options.has_output ? options.output : made.inputs.scene.name;
-  const auto differences = compare_files(output, generation.files);
-  if (!options.compare && !((options.has_output || may_write_to_default(output, diagnostics)) &&
-                            write_files(output, generation.files, diagnostics))) {
+  const auto folders =
+      make_package(options.package, made.inputs.robot, made.inputs.scene, generation);
+  const auto differences = compare_folders(output, folders);
+  if (!options.compare &&
+      !((options.has_output || may_write_to_default(output, options.package, diagnostics)) &&
+        write_folders(output, folders, diagnostics))) {
     return kBadInput;
   }
   const Summary summary{generation.functions,       differences,     output,
-                        generation.files.size(),    options.compare, options.verbose,
+                        count_files(folders),       options.compare, options.verbose,
                         tuning ? &*tuning : nullptr};
   const ExitCode exit_code = options.compare && !differences.empty() ? kMismatch : kOk;
   return options.json ? write_output(print_json(summary), OutputForm::json, exit_code)
@@ -159,6 +173,10 @@ void add_generate(CLI::App& app, int& exit_code) {
   command->add_option("--name", options->inputs.name,
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);
+  command
+      ->add_option("--package", options->package,
+                   "As a library for cmake, platformio, zephyr, arduino or cmsis: the code in src")
+      ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,
                           "Algorithms and lanes as this manifest.json records them, not by cost");

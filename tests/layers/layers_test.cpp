@@ -47,6 +47,7 @@ const std::vector<Layer> kLayers = {
     {"generation",
      {"functions", "core", "description", "mechanism", "program", "recursion", "passes", "bounds",
       "emission"}},
+    {"packaging", {"target", "description", "emission", "generation"}},
     // What tries, judges and explains it.
     {"oracle",
      {"functions", "interpreter", "description", "mechanism", "program", "recursion", "bounds",
@@ -66,7 +67,7 @@ const std::vector<Layer> kLayers = {
     {"cli", {"functions",  "target",       "interpreter", "servo",       "drive",     "launch",
              "simulation", "interruption", "board",       "description", "mechanism", "program",
              "passes",     "emission",     "generation",  "oracle",      "inspect",   "drawing",
-             "comparison", "check",        "timing",      "bench"}},
+             "comparison", "check",        "timing",      "bench",       "packaging"}},
 };
 
 bool is_source(const fs::path& path) {

@@ -1,0 +1,96 @@
+#include "packaging/describe_package.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+#include "description/printable.hpp"
+#include "emission/generator_version.hpp"
+#include "target/target.hpp"
+
+namespace treeline {
+namespace {
+
+bool is_source(const std::string& file) {
+  return file.ends_with(".cpp") || file.ends_with(".c");
+}
+bool is_header(const std::string& file) {
+  return file.ends_with(".hpp") || file.ends_with(".h");
+}
+
+/// As the emitted CMakeLists.txt compiles: without fast mathematics, and on microcontrollers
+/// without fused operations, so that the bits are those of every other machine.
+std::vector<std::string> flags_of(const Scene& scene) {
+  std::vector<std::string> flags = {"-fno-fast-math"};
+  if (scene.language == Language::cpp) flags.emplace_back("-std=gnu++17");
+  const Target* const target = find_target(scene.target);
+  if (target != nullptr && !target->contracts) flags.emplace_back("-ffp-contract=off");
+  return flags;
+}
+
+std::string join(const std::vector<std::string>& words, std::string_view between,
+                 std::string_view around = "") {
+  std::string text;
+  for (const std::string& word : words) {
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : between, around, word, around);
+  }
+  return text;
+}
+
+/// Text that is harmless in JSON, XML and lists of properties: letters, digits, some punctuation.
+std::string plain(const std::string& text) {
+  std::string result;
+  for (const char c : printable(text)) {
+    const bool safe = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                      std::string_view(" _-.,:()").find(c) != std::string_view::npos;
+    result += safe ? c : '_';
+  }
+  return result;
+}
+
+std::string in_capitals(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+}  // namespace
+
+PackageFacts describe_package(const Robot& robot, const Scene& scene,
+                              const Generation& generation) {
+  std::vector<std::string> functions, keywords, sources, pack_files;
+  for (const GeneratedFunction& generated : generation.functions) {
+    const bool prefixed = scene.language == Language::c;
+    functions.push_back(generated.program.name);
+    keywords.push_back(
+        fmt::format("{}{}\tKEYWORD2", prefixed ? scene.name + "_" : "", generated.program.name));
+  }
+  for (const GeneratedFile& file : generation.files) {
+    if (is_source(file.name)) sources.push_back("../src/" + file.name);
+    if (is_source(file.name) || is_header(file.name)) {
+      pack_files.push_back(fmt::format("<file category=\"{}\" name=\"src/{}\"/>",
+                                       is_source(file.name) ? "source" : "header", file.name));
+    }
+  }
+  const bool is_c = scene.language == Language::c;
+  const std::string ending = is_c ? "h" : "hpp";
+  const auto flags = flags_of(scene);
+  return {{"robot", plain(robot.name)},
+          {"name", scene.name},
+          {"NAME", in_capitals(scene.name)},
+          {"version", generator_version()},
+          {"cmake_language", is_c ? "C" : "CXX"},
+          {"header", scene.name + "." + ending},
+          {"joints_header", scene.name + "_joints." + ending},
+          {"header_ending", ending},
+          {"functions", join(functions, ", ")},
+          {"keywords", join(keywords, "\n")},
+          {"requirement", is_c ? "" : "\tdepends on CPP"},
+          {"sources", join(sources, "\n")},
+          {"pack_files", join(pack_files, "\n")},
+          {"flags", join(flags, " ")},
+          {"quoted_flags", join(flags, ", ", "\"")}};
+}
+
+}  // namespace treeline

@@ -1,0 +1,181 @@
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "program_test.hpp"
+
+// Would catch: a package that names files which are not there, that its tool could not build, or
+// that breaks when a robot's name has quotes in it. Tools that Debian does not have are played: the
+// sources are compiled as they compile them.
+namespace treeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kArm = std::string(TREELINE_ROBOTS) + "/puma560/puma560.urdf";
+
+class PackageTest : public test::OwnFolder {
+ protected:
+  [[nodiscard]] test::Outcome generate(const std::string& options) const {
+    return test::run_program(root_, "generate " + kArm +
+                                        " --functions gravity,inverse_dynamics --name arm "
+                                        "--output lib " +
+                                        options);
+  }
+
+  /// Runs a command in the test's folder. True if it succeeds.
+  [[nodiscard]] bool run(const std::string& command) const {
+    const std::string in_folder = "cd '" + root_.string() + "' && (" + command + ") > log 2>&1";
+    const bool succeeded = std::system(in_folder.c_str()) == 0;
+    EXPECT_TRUE(succeeded) << command << "\n" << read("log");
+    return succeeded;
+  }
+
+  [[nodiscard]] std::string read(const std::string& file) const {
+    return test::read_file(root_ / file);
+  }
+
+  const std::string cxx_ = TREELINE_CXX;
+};
+
+TEST_F(PackageTest, CMakeFindsAndLinksIt) {
+  ASSERT_EQ(generate("--package cmake").exit_code, 0);
+  fs::create_directories(root_ / "use");
+  write("use/CMakeLists.txt",
+        "cmake_minimum_required(VERSION 3.13)\nproject(use LANGUAGES CXX)\n"
+        "find_package(arm REQUIRED)\nadd_executable(use main.cpp)\n"
+        "target_link_libraries(use PRIVATE arm::arm)\n");
+  write("use/main.cpp",
+        "#include <arm.hpp>\nint main() {\n  double q[6] = {}, g[6];\n  arm::gravity(q, g);\n"
+        "  return g[1] != 0 ? 0 : 1;\n}\n");
+  const std::string compiler = " -DCMAKE_CXX_COMPILER=" + cxx_;
+  EXPECT_TRUE(run("cmake -S lib -B build" + compiler +
+                  " && cmake --build build && cmake --install build --prefix \"$PWD/prefix\""));
+  EXPECT_TRUE(run("cmake -S use -B use/build -DCMAKE_PREFIX_PATH=\"$PWD/prefix\"" + compiler +
+                  " && cmake --build use/build && use/build/use"));
+}
+
+// The functions of Zephyr's build, as far as a module calls them.
+TEST_F(PackageTest, ZephyrCompilesItsModule) {
+  ASSERT_EQ(generate("--package zephyr --target cortex-m4f --real float").exit_code, 0);
+  EXPECT_NE(read("lib/zephyr/module.yml").find("cmake: zephyr\n"), std::string::npos);
+  EXPECT_NE(read("lib/zephyr/Kconfig").find("config ARM\n\tbool"), std::string::npos);
+  EXPECT_NE(read("lib/zephyr/Kconfig").find("\tdepends on CPP\n"), std::string::npos);
+  write("CMakeLists.txt", R"(cmake_minimum_required(VERSION 3.20)
+project(app LANGUAGES CXX)
+function(zephyr_library_named name)
+  add_library(${name} STATIC)
+  set(library ${name} PARENT_SCOPE)
+endfunction()
+macro(zephyr_library_sources)
+  target_sources(${library} PRIVATE ${ARGN})
+endmacro()
+macro(zephyr_include_directories)
+  target_include_directories(${library} PUBLIC ${ARGN})
+endmacro()
+macro(zephyr_library_compile_options)
+  target_compile_options(${library} PRIVATE ${ARGN})
+endmacro()
+set(CONFIG_ARM y)
+add_subdirectory(lib/zephyr)
+)");
+  EXPECT_TRUE(run("cmake -S . -B build -DCMAKE_CXX_COMPILER=" + cxx_ +
+                  " && cmake --build build --verbose"));
+  EXPECT_NE(read("log").find("-ffp-contract=off"), std::string::npos);
+}
+
+TEST_F(PackageTest, PlatformioHasItsManifest) {
+  ASSERT_EQ(generate("--package platformio").exit_code, 0);
+  const auto library = nlohmann::json::parse(read("lib/library.json"));
+  EXPECT_EQ(library["name"], "arm");
+  EXPECT_EQ(library["version"], TREELINE_PROJECT_VERSION);
+  std::string flags;
+  for (const auto& flag : library["build"]["flags"])
+    flags.append(" ").append(flag.get<std::string>());
+  const auto source = library["build"]["srcDir"].get<std::string>();
+  const auto include = library["build"]["includeDir"].get<std::string>();
+  EXPECT_TRUE(fs::exists(root_ / "lib" / include / library["headers"].get<std::string>()));
+  EXPECT_TRUE(run("cd lib && for file in " + source + "/*.cpp; do " + cxx_ + flags + " -O1 -I" +
+                  include + " -c $file -o /dev/null || exit 1; done"));
+}
+
+TEST_F(PackageTest, ArduinoBuildsLibraryAndExample) {
+  ASSERT_EQ(generate("--package arduino --language c --real float").exit_code, 0);
+  std::map<std::string, std::string> properties;
+  std::istringstream lines(read("lib/library.properties"));
+  for (std::string line; std::getline(lines, line);) {
+    const auto equals = line.find('=');
+    ASSERT_NE(equals, std::string::npos) << line;
+    properties[line.substr(0, equals)] = line.substr(equals + 1);
+  }
+  for (const char* needed : {"name", "version", "author", "maintainer", "sentence", "paragraph",
+                             "category", "url", "architectures", "includes"}) {
+    EXPECT_FALSE(properties[needed].empty()) << needed;
+  }
+  EXPECT_EQ(properties["includes"], "arm.h");
+  EXPECT_EQ(read("lib/keywords.txt"), "arm_inverse_dynamics\tKEYWORD2\narm_gravity\tKEYWORD2\n");
+  write("Arduino.h",
+        "struct Port {\n  void begin(long) {}\n  template <class T> void print(T) {}\n"
+        "  template <class T> void println(T) {}\n};\nextern Port Serial;\n"
+        "unsigned long micros();\nvoid delay(int);\n");
+  EXPECT_TRUE(run("gcc -std=gnu11 -O1 -c lib/src/*.c && " + cxx_ +
+                  " -std=gnu++11 -include Arduino.h -I lib/src -x c++ -c "
+                  "lib/examples/arm_time/arm_time.ino -o /dev/null"));
+}
+
+TEST_F(PackageTest, CmsisPackListsItsFiles) {
+  ASSERT_EQ(generate("--package cmsis").exit_code, 0);
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.LoadFile((root_ / "lib/Treeline.arm.pdsc").c_str()), tinyxml2::XML_SUCCESS);
+  const auto* package = document.FirstChildElement("package");
+  ASSERT_NE(package, nullptr);
+  for (const char* needed : {"vendor", "name", "description", "releases", "components"}) {
+    EXPECT_NE(package->FirstChildElement(needed), nullptr) << needed;
+  }
+  const auto* component = package->FirstChildElement("components")->FirstChildElement("component");
+  int sources = 0;
+  for (const auto* file = component->FirstChildElement("files")->FirstChildElement("file");
+       file != nullptr; file = file->NextSiblingElement("file")) {
+    EXPECT_TRUE(fs::exists(root_ / "lib" / file->Attribute("name"))) << file->Attribute("name");
+    sources += file->Attribute("category") == std::string("source") ? 1 : 0;
+  }
+  EXPECT_EQ(sources, 2);
+}
+
+TEST_F(PackageTest, CompareKnowsThePackage) {
+  EXPECT_EQ(generate("--package cmsis --compare").exit_code, 3);
+  ASSERT_EQ(generate("--package cmsis").exit_code, 0);
+  EXPECT_EQ(generate("--package cmsis --compare").exit_code, 0);
+  write("lib/src/gravity.cpp", "");
+  const auto changed = generate("--package cmsis --compare");
+  EXPECT_EQ(changed.exit_code, 3);
+  EXPECT_NE(changed.out.find("src/gravity.cpp: changed"), std::string::npos) << changed.out;
+  EXPECT_EQ(generate("--package pip").exit_code, 2);
+}
+
+// A name that ends strings and tags.
+TEST_F(PackageTest, StrangeNamesBreakNoFile) {
+  const std::string urdf = test::read_file(kArm);
+  write("odd.urdf", std::string(urdf).replace(urdf.find("name=\"puma560\""), 14,
+                                              "name=\"a &quot;&lt;/name&gt; b=c\""));
+  for (const char* package : {"platformio", "cmsis", "arduino"}) {
+    const auto outcome =
+        test::run_program(root_, std::string("generate odd.urdf --functions gravity --name odd "
+                                             "--output ") +
+                                     package + " --package " + package);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  EXPECT_FALSE(
+      nlohmann::json::parse(read("platformio/library.json"), nullptr, false).is_discarded());
+  tinyxml2::XMLDocument document;
+  EXPECT_EQ(document.Parse(read("cmsis/Treeline.odd.pdsc").c_str()), tinyxml2::XML_SUCCESS);
+  EXPECT_EQ(read("arduino/library.properties").find("<"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace treeline
