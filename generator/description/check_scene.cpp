@@ -130,7 +130,7 @@ void complain_of_rows(const SceneElement& top, const Scene& scene, const std::st
 void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene) {
   const bool yield = has_priorities(scene.operational_points);
   const auto needs_lambda = [yield](Function f) {
-    return f == Function::lambda || (f == Function::control_torque && !yield);
+    return has_lambda(f) && !(f == Function::control_torque && yield);
   };
   if (std::none_of(scene.functions.begin(), scene.functions.end(), needs_lambda)) return;
   Freedoms all;

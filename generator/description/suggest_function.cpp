@@ -18,6 +18,8 @@ namespace {
 constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, const char*>>({
     {"aba", "\"forward_dynamics\" is computed so where that is cheapest"},
     {"bias_forces", "\"nonlinear_effects\" is b + g"},
+    {"ccrba", "did you mean \"centroidal_momentum_matrix\"?"},
+    {"cmm", "did you mean \"centroidal_momentum_matrix\"?"},
     {"com", "did you mean \"center_of_mass\"?"},
     {"com_jacobian", "did you mean \"center_of_mass_jacobian\"?"},
     {"coriolis",
@@ -26,8 +28,12 @@ constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, cons
     {"crba", "did you mean \"mass_matrix\"?"},
     {"energy", "\"kinetic_energy\" and \"potential_energy\" are computed apart"},
     {"inertia_matrix", "did you mean \"mass_matrix\"?"},
+    {"jbar", "did you mean \"dynamically_consistent_inverse\"?"},
+    {"mu", "did you mean \"operational_bias_force\"?"},
+    {"nullspace_projector", "did you mean \"null_space_projector\"?"},
     {"osim", "\"lambda_inverse\" is J M^-1 J^T, \"lambda\" its inverse"},
     {"rnea", "did you mean \"inverse_dynamics\"?"},
+    {"twist", "did you mean \"point_velocity\"?"},
 });
 
 std::vector<std::string> names_of(std::span<const Function> functions) {

@@ -38,6 +38,17 @@ enum class Function {
   coriolis_matrix,
   kinetic_energy,
   potential_energy,
+  centroidal_momentum_matrix,
+  centroidal_momentum,
+  centroidal_bias,
+  center_of_mass_bias_acceleration,
+  subtree_masses_and_centers,
+  point_velocity,
+  point_acceleration,
+  dynamically_consistent_inverse,
+  null_space_projector,
+  operational_bias_force,
+  operational_gravity,
   damped_control_torque,
 };
 
@@ -213,6 +224,49 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::potential_energy, "potential_energy", FunctionGroup::robot, Emitted::on_request,
      Solve::none, frames_by(Function::potential_energy), Columns::computed, inputs(Quantity::q),
      "U = -sum of m_i gravity . c_i, zero at the world's origin"},
+    {Function::centroidal_momentum_matrix, "centroidal_momentum_matrix",
+     FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
+     frames_by(Function::centroidal_momentum_matrix), Columns::computed, inputs(Quantity::q),
+     "h_G = A_G qd: the matrix A_G; h_G is momentum over angular momentum about the centre of "
+     "mass"},
+    {Function::centroidal_momentum, "centroidal_momentum", FunctionGroup::center_of_mass,
+     Emitted::on_request, Solve::none, frames_by(Function::centroidal_momentum), Columns::computed,
+     inputs(Quantity::q, Quantity::qd),
+     "h_G = A_G qd: momentum over angular momentum about the centre of mass"},
+    {Function::centroidal_bias, "centroidal_bias", FunctionGroup::center_of_mass,
+     Emitted::on_request, Solve::none, frames_by(Function::centroidal_bias), Columns::carried,
+     inputs(Quantity::q, Quantity::qd), "dh_G/dt = A_G qdd + dA_G/dt qd: the term dA_G/dt qd"},
+    {Function::center_of_mass_bias_acceleration, "center_of_mass_bias_acceleration",
+     FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
+     frames_by(Function::center_of_mass_bias_acceleration), Columns::carried,
+     inputs(Quantity::q, Quantity::qd),
+     "acceleration of the centre of mass = J_com qdd + dJ_com/dt qd: the term dJ_com/dt qd"},
+    {Function::subtree_masses_and_centers, "subtree_masses_and_centers",
+     FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
+     frames_by(Function::subtree_masses_and_centers), Columns::computed, inputs(Quantity::q),
+     "mass and centre of mass of everything that each joint carries"},
+    {Function::point_velocity, "point_velocity", FunctionGroup::points, Emitted::on_request,
+     Solve::none, frames_by(Function::point_velocity), Columns::computed,
+     inputs(Quantity::q, Quantity::qd), "[v; w] of every operational point, all six rows"},
+    {Function::point_acceleration, "point_acceleration", FunctionGroup::points, Emitted::on_request,
+     Solve::none, frames_by(Function::point_acceleration), Columns::carried,
+     inputs(Quantity::q, Quantity::qd, Quantity::qdd),
+     "[dv/dt; dw/dt] of every operational point, all six rows, without gravity"},
+    {Function::dynamically_consistent_inverse, "dynamically_consistent_inverse",
+     FunctionGroup::points, Emitted::on_request, Solve::lambda_inverse,
+     frames_by(Function::forward_dynamics), Columns::computed, inputs(Quantity::q),
+     "Jbar = M^-1 J^T Lambda, J Jbar = 1"},
+    {Function::null_space_projector, "null_space_projector", FunctionGroup::points,
+     Emitted::on_request, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
+     Columns::computed, inputs(Quantity::q),
+     "N = 1 - Jbar J: J N = 0; N^T tau_0 does not accelerate the task"},
+    {Function::operational_bias_force, "operational_bias_force", FunctionGroup::points,
+     Emitted::on_request, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
+     Columns::computed, inputs(Quantity::q, Quantity::qd),
+     "F = Lambda xdd + mu + p: the term mu = Jbar^T b - Lambda Jd qd"},
+    {Function::operational_gravity, "operational_gravity", FunctionGroup::points,
+     Emitted::on_request, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
+     Columns::computed, inputs(Quantity::q), "F = Lambda xdd + mu + p: the term p = Jbar^T g"},
     {Function::damped_control_torque, "damped_control_torque", FunctionGroup::points,
      Emitted::with_damping, Solve::damped, kFramesAsBuilt, Columns::computed,
      inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd, Quantity::f_ext),
@@ -266,6 +320,10 @@ constexpr bool takes(Function function, Quantity quantity) {
 constexpr bool takes_external_forces(Function function) {
   return takes(function, Quantity::f_ext);
 }
+/// Whether the result has Lambda in it, of which rows of the task yield near singularities.
+constexpr bool has_lambda(Function function) {
+  return needs_points(function) && solve_of(function) == Solve::lambda_inverse;
+}
 constexpr bool is_derivative(Function function) {
   return info_of(function).group == FunctionGroup::derivatives;
 }
@@ -310,7 +368,7 @@ inline constexpr auto kObjectFunctions = select_functions<is_about<FunctionGroup
 /// inertias of all links, which it gets only when it asks.
 inline constexpr auto kContactFunctions =
     select_functions<is_about<FunctionGroup::contacts, FunctionGroup::links>>();
-/// Those that posture laws need, which a scene gets only when it asks.
+/// Those that posture and balance laws need, which a scene gets only when it asks.
 inline constexpr auto kPostureFunctions =
     select_functions<is_about<FunctionGroup::center_of_mass>>();
 /// Those that optimisers need: long code, which a scene gets only when it asks.

@@ -13,6 +13,7 @@ MovingLink rotor_of(const MovingLink& driven, double inertia) {
   rotor.v_index = driven.v_index;
   rotor.multiplier = driven.multiplier;
   rotor.mimics = true;
+  rotor.is_rotor = true;
   rotor.inertia.Sigma(0, 0) = rotor.inertia.Sigma(1, 1) = Exact(inertia) / 2;
   return rotor;
 }

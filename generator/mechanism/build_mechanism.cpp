@@ -59,6 +59,10 @@ class Builder {
       link.radius = radius_of_gyration(link.inertia);
       resolve_inertia(mechanism_, link);
     }
+    for (const MechanismPoint& frame : mechanism_.link_frames) {
+      const Inertia& matter = mechanism_.links[static_cast<std::size_t>(frame.link)].inertia;
+      mechanism_.link_matter.push_back(transformed(matter, inverse(frame.pose)));
+    }
     add_rotors(scene_.armature, mechanism_);
     return std::move(mechanism_);
   }

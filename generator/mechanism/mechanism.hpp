@@ -44,7 +44,8 @@ struct MovingLink : JointStep {
   int v_index = 0;  ///< first velocity
   double multiplier = 1;
   Exact offset = 0;
-  bool mimics = false;  ///< shares the coordinate of the joint that it mimics
+  bool mimics = false;    ///< shares the coordinate of the joint that it mimics
+  bool is_rotor = false;  ///< no link but the rotor of a motor, see `add_rotors`
   Inertia inertia;
   /// Radius of gyration about the frame's origin as in the file, of everything that the link
   /// carries; m.
@@ -106,6 +107,8 @@ struct Mechanism {
   std::vector<MechanismPoint> contacts;  ///< their rows are x y z in world axes
   /// Frame of each URDF link that moves relative to its parent, as the URDF defines it.
   std::vector<MechanismPoint> link_frames;
+  /// Matter of each link of `link_frames` and of what is fixed to it, as in the file, in its frame.
+  std::vector<Inertia> link_matter;
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
   SingularTasks singular = SingularTasks::smooth;  ///< see `Scene`

@@ -35,6 +35,21 @@ std::vector<Scalar> derivatives(const interpreter::DynamicsDerivatives<Scalar>& 
   return entries;
 }
 
+/// Those of links that move against their parents: masses, then centres.
+template <class Scalar>
+std::vector<Scalar> subtrees(const interpreter::Model<Scalar>& model, const Vector<Scalar>& q) {
+  std::vector<Scalar> masses;
+  std::vector<Scalar> centers;
+  const auto all = interpreter::subtrees<Scalar>(model, q);
+  for (int i = 0; i < model.size(); ++i) {
+    if (model.body(i).kind == interpreter::JointKind::fixed) continue;
+    masses.push_back(all[static_cast<std::size_t>(i)].mass);
+    append(all[static_cast<std::size_t>(i)].center, centers);
+  }
+  masses.insert(masses.end(), centers.begin(), centers.end());
+  return masses;
+}
+
 /// The numbers of a state in the interpreter's types.
 template <class Scalar>
 struct Numbers {
@@ -78,6 +93,16 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
       return entries_of(interpreter::center_of_mass<Scalar>(model, at.q));
     case Function::center_of_mass_jacobian:
       return entries_of(interpreter::center_of_mass_jacobian<Scalar>(model, at.q));
+    case Function::centroidal_momentum_matrix:
+      return entries_of(interpreter::centroidal_momentum_matrix<Scalar>(model, at.q));
+    case Function::centroidal_momentum:
+      return entries_of(interpreter::centroidal_momentum<Scalar>(model, at.q, at.qd));
+    case Function::centroidal_bias:
+      return entries_of(interpreter::centroidal_bias<Scalar>(model, at.q, at.qd));
+    case Function::center_of_mass_bias_acceleration:
+      return entries_of(interpreter::center_of_mass_bias_acceleration<Scalar>(model, at.q, at.qd));
+    case Function::subtree_masses_and_centers:
+      return subtrees(model, at.q);
     case Function::inverse_dynamics_derivatives:
       return derivatives(interpreter::inverse_dynamics_derivatives<Scalar>(
           model, at.q, at.qd, at.qdd, external, at.f_ext));
@@ -90,6 +115,12 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
     case Function::lambda_inverse:
     case Function::lambda:
     case Function::control_torque:
+    case Function::point_velocity:
+    case Function::point_acceleration:
+    case Function::dynamically_consistent_inverse:
+    case Function::null_space_projector:
+    case Function::operational_bias_force:
+    case Function::operational_gravity:
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
@@ -145,6 +176,21 @@ std::vector<Scalar> of_points(Function function, const Subject<Scalar>& subject,
       return entries_of(law.borders.empty()
                             ? interpreter::lambda<Scalar>(model, points, at.q)
                             : interpreter::lambda<Scalar>(model, points, at.q, law));
+    case Function::point_velocity:
+      return entries_of(interpreter::point_velocity<Scalar>(model, points, at.q, at.qd));
+    case Function::point_acceleration:
+      return entries_of(
+          interpreter::point_acceleration<Scalar>(model, points, at.q, at.qd, at.qdd));
+    case Function::dynamically_consistent_inverse:
+      return entries_of(
+          interpreter::dynamically_consistent_inverse<Scalar>(model, points, at.q, law));
+    case Function::null_space_projector:
+      return entries_of(interpreter::null_space_projector<Scalar>(model, points, at.q, law));
+    case Function::operational_bias_force:
+      return entries_of(
+          interpreter::operational_bias_force<Scalar>(model, points, at.q, at.qd, law));
+    case Function::operational_gravity:
+      return entries_of(interpreter::operational_gravity<Scalar>(model, points, at.q, law));
     case Function::control_torque:
       return entries_of(control_torque(subject, at, law));
     case Function::damped_control_torque:

@@ -77,8 +77,7 @@ std::optional<LawSizes> ResultSizes::yielding(Function function,
                                               const interpreter::TaskLaw<double>& law) const {
   if (law.borders.empty()) return std::nullopt;
   if (needs_objects(function)) return objects_->yielding(function, law);
-  const bool solves = function == Function::lambda || function == Function::control_torque;
-  if (!solves || Lambda_inverse_.size() == 0) return std::nullopt;
+  if (!has_lambda(function) || Lambda_inverse_.size() == 0) return std::nullopt;
   if (function == Function::control_torque && interpreter::has_priorities(subject_.points)) {
     return std::nullopt;
   }
@@ -109,6 +108,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
                                        const interpreter::TaskLaw<double>& law,
                                        const std::optional<LawSizes>& yielding) const {
   const std::vector<double> none(state_.qd.size(), 0);
+  const Eigen::MatrixXd& Lambda = yielding ? yielding->Lambda : Lambda_;
   switch (function) {
     case Function::forward_kinematics:
       return entries_of(terms_.poses());
@@ -129,7 +129,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::lambda_inverse:
       return entries_of(lambda_inverse());
     case Function::lambda:
-      return entries_of(lambda(yielding ? yielding->Lambda : Lambda_));
+      return entries_of(lambda(Lambda));
     case Function::control_torque:
       return entries_of(control_torque(yielding ? yielding->Lambda : control_Lambda_));
     case Function::center_of_mass:
@@ -146,6 +146,29 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
       return {terms_.kinetic_energy(state_.qd)};
     case Function::potential_energy:
       return {terms_.potential_energy()};
+    case Function::centroidal_momentum_matrix:
+      return entries_of(terms_.centroidal_momentum_matrix());
+    case Function::centroidal_momentum:
+      return entries_of(terms_.centroidal_momentum(state_.qd));
+    case Function::centroidal_bias:
+      return entries_of(terms_.centroidal_bias(state_.qd));
+    case Function::center_of_mass_bias_acceleration:
+      return entries_of(terms_.centroidal_bias(state_.qd).head(3) /
+                        interpreter::total_mass(subject_.model));
+    case Function::subtree_masses_and_centers:
+      return entries_of(terms_.subtrees());
+    case Function::point_velocity:
+      return entries_of(terms_.point_velocities(state_.qd));
+    case Function::point_acceleration:
+      return entries_of(terms_.point_accelerations(state_.qd, state_.qdd));
+    case Function::dynamically_consistent_inverse:
+      return entries_of(dynamically_consistent_inverse(Lambda));
+    case Function::null_space_projector:
+      return entries_of(null_space_projector(Lambda));
+    case Function::operational_bias_force:
+      return entries_of(operational_bias_force(Lambda));
+    case Function::operational_gravity:
+      return entries_of(operational_gravity(Lambda));
     case Function::damped_control_torque:
       return damped_control_torque();
     case Function::object_state:
@@ -197,6 +220,28 @@ std::vector<double> ResultSizes::damped_control_torque() const {
   std::vector<double> entries = entries_of(control_torque(damped_->Lambda));
   entries.push_back(damped_->ease);
   return entries;
+}
+
+Eigen::MatrixXd ResultSizes::dynamically_consistent_inverse(const Eigen::MatrixXd& Lambda) const {
+  return M_inverse_ * terms_.jacobian().transpose() * lambda(Lambda);
+}
+
+Eigen::MatrixXd ResultSizes::null_space_projector(const Eigen::MatrixXd& Lambda) const {
+  return Eigen::MatrixXd::Identity(M_inverse_.rows(), M_inverse_.cols()) +
+         dynamically_consistent_inverse(Lambda) * terms_.jacobian();
+}
+
+Eigen::VectorXd ResultSizes::operational_bias_force(const Eigen::MatrixXd& Lambda) const {
+  Subject<double> weightless = subject_;
+  weightless.model.gravity.setZero();
+  const std::vector<double> none(state_.qd.size(), 0);
+  const Eigen::VectorXd b = TermSizes(weightless, state_.q).forces(state_.qd, none, {});
+  return lambda(Lambda) * (terms_.jacobian() * (M_inverse_ * b) + terms_.bias(state_.qd));
+}
+
+Eigen::VectorXd ResultSizes::operational_gravity(const Eigen::MatrixXd& Lambda) const {
+  const std::vector<double> none(state_.qd.size(), 0);
+  return lambda(Lambda) * (terms_.jacobian() * (M_inverse_ * terms_.forces(none, none, {})));
 }
 
 std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {

@@ -39,6 +39,12 @@ class ResultSizes {
   /// accelerations into forces.
   [[nodiscard]] Eigen::VectorXd control_torque(const Eigen::MatrixXd& Lambda) const;
   [[nodiscard]] std::vector<double> damped_control_torque() const;
+  /// |M^-1| |J|^T |Lambda|, and with |J| behind it.
+  [[nodiscard]] Eigen::MatrixXd dynamically_consistent_inverse(const Eigen::MatrixXd& Lambda) const;
+  [[nodiscard]] Eigen::MatrixXd null_space_projector(const Eigen::MatrixXd& Lambda) const;
+  /// |Lambda| (|J| |M^-1| sizes of b + sizes of Jd qd).
+  [[nodiscard]] Eigen::VectorXd operational_bias_force(const Eigen::MatrixXd& Lambda) const;
+  [[nodiscard]] Eigen::VectorXd operational_gravity(const Eigen::MatrixXd& Lambda) const;
   [[nodiscard]] std::vector<double> inverse_dynamics_derivatives() const;
   [[nodiscard]] std::vector<double> forward_dynamics_derivatives() const;
 

@@ -48,6 +48,20 @@ class TermSizes {
   [[nodiscard]] Eigen::VectorXd center_of_mass() const;
   /// Sizes of the Jacobian of the centre of mass, 3 x nv: the mean of l.
   [[nodiscard]] Eigen::MatrixXd center_of_mass_jacobian() const;
+  /// Sizes of A_G, 6 x nv: m l, and m d l + |I| with the distance d from the centre of mass.
+  [[nodiscard]] Eigen::MatrixXd centroidal_momentum_matrix() const;
+  /// Sizes of h_G, 6: m |v|, and m d |v| + |I| |w|.
+  [[nodiscard]] Eigen::VectorXd centroidal_momentum(const std::vector<double>& qd) const;
+  /// Sizes of dA_G/dt qd, 6: m |a|, and m d |a| + |I| (|alpha| + |w|^2).
+  [[nodiscard]] Eigen::VectorXd centroidal_bias(const std::vector<double>& qd) const;
+  /// Sizes of masses and centres of everything that links carry: n, then 3 n for the n bodies that
+  /// move against their parents.
+  [[nodiscard]] Eigen::VectorXd subtrees() const;
+  /// Sizes of velocities of all points, 6 each.
+  [[nodiscard]] Eigen::VectorXd point_velocities(const std::vector<double>& qd) const;
+  /// Sizes of accelerations of all points, 6 each.
+  [[nodiscard]] Eigen::VectorXd point_accelerations(const std::vector<double>& qd,
+                                                    const std::vector<double>& qdd) const;
 
  private:
   /// Motion of a point per unit of one velocity: `lever` in m, `turn` in rad per unit.
@@ -64,6 +78,7 @@ class TermSizes {
   [[nodiscard]] Columns columns(int body, double distance) const;
   [[nodiscard]] double path_to(int body) const;
   [[nodiscard]] double first_moment() const;
+  [[nodiscard]] std::vector<double> arms() const;
   [[nodiscard]] Motion motion(const Columns& columns, const std::vector<double>& qd,
                               const std::vector<double>& qdd) const;
 

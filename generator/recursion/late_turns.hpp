@@ -82,6 +82,9 @@ void turn_late(Tree<Scalar>& tree, std::vector<JointTransform<Scalar>>& X) {
            {&tree.operational_points, &tree.external_forces, &tree.contacts, &tree.link_frames}) {
         turn_points(owed[i], static_cast<int>(i), *points);
       }
+      for (TreeMatter<Scalar>& matter : tree.link_matter) {
+        if (matter.link == static_cast<int>(i)) matter.h = rotate_z(owed[i], matter.h);
+      }
     }
   }
 }

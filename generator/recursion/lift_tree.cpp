@@ -30,7 +30,8 @@ TreeInertia<Expression> lift(const TreeInertia<double>& inertia) {
 TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choices) {
   return {link,         link.name,          link.parent,        link.q_index,
           link.v_index, link.multiplier,    link.offset,        lift(link.R),
-          lift(link.p), lift(link.inertia), choices.turns_late, choices.carries_column};
+          lift(link.p), lift(link.inertia), choices.turns_late, choices.carries_column,
+          link.is_rotor};
 }
 
 std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<double>>& points) {
@@ -53,12 +54,16 @@ Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mecha
   tree.external_forces = lift(constants.external_forces);
   tree.contacts = lift(constants.contacts);
   tree.link_frames = lift(constants.link_frames);
+  for (const TreeMatter<double>& matter : constants.link_matter) {
+    tree.link_matter.push_back({matter.link, matter.mass, lift(matter.h)});
+  }
   tree.world_moment = lift(constants.world_moment);
   tree.inverse_total_mass = constants.inverse_total_mass;
   tree.gravity = lift(constants.gravity);
   tree.nq = constants.nq;
   tree.nv = constants.nv;
   tree.has_mimics = constants.has_mimics;
+  tree.has_world_matter = constants.has_world_matter;
   mark_limbs(mechanism, tree);
   return tree;
 }

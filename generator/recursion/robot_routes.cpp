@@ -8,6 +8,8 @@
 #include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/kinetic_energy.hpp"
+#include "recursion/operational_quantities.hpp"
+#include "recursion/point_motion.hpp"
 #include "recursion/potential_energy.hpp"
 #include "recursion/resolved_by_pivots.hpp"
 #include "recursion/trace_parts.hpp"
@@ -211,6 +213,76 @@ std::vector<RobotRoute> pose_routes() {
   return {{{"outward", "outward recursion"}, point_poses}};
 }
 
+std::vector<RobotRoute> point_velocity_routes() {
+  return {{{"outward", "outward recursion"}, [](const RobotTrace& trace) {
+             return vector_output("velocity",
+                                  "velocity over angular velocity, world axes, m/s, rad/s, one "
+                                  "point after the other",
+                                  point_velocities<Expression>(trace.tree, trace.X, trace.qd));
+           }}};
+}
+
+std::vector<RobotRoute> point_acceleration_routes() {
+  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
+             return vector_output(
+                 "acceleration",
+                 "acceleration over angular acceleration, world axes, m/s^2, rad/s^2, one point "
+                 "after the other",
+                 point_accelerations<Expression>(trace.tree, trace.X, {trace.qd, trace.qdd}));
+           }}};
+}
+
+DenseMatrix<Expression> jacobian_by(LambdaRoute route, const RobotTrace& trace) {
+  const auto poses = trace.poses();
+  return route == LambdaRoute::factors_world
+             ? jacobian_world(trace.tree, poses, {}, trace.rows)
+             : jacobian_inward(trace.tree, trace.X, task_points(trace.tree, {}, poses), trace.rows,
+                               poses);
+}
+
+/// Of Jbar, and with it of the projector: by the factors of M, which mimic joints permit.
+std::vector<RobotRoute> consistent_inverse_routes(const TracedTree& tree, bool project,
+                                                  TaskLaws& laws) {
+  const auto law = laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
+  std::vector<RobotRoute> routes;
+  for (const LambdaRoute route : {LambdaRoute::factors_inward, LambdaRoute::factors_world}) {
+    if (!permits(tree, {}, route)) continue;
+    routes.push_back(
+        {route_id(LambdaChoice{{}, route}, tree),
+         [route, project](const RobotTrace& trace) {
+           const auto J = jacobian_by(route, trace);
+           const auto Jbar = dynamically_consistent_inverse(trace.tree, trace.X, J, trace.rule);
+           return project ? matrix_output("N", "null-space projector 1 - Jbar J",
+                                          null_space_projector(Jbar, J))
+                          : matrix_output("Jbar", "dynamically consistent inverse of J", Jbar);
+         },
+         law});
+  }
+  return routes;
+}
+
+std::vector<RobotRoute> operational_force_routes(const TracedTree& tree, bool of_gravity,
+                                                 TaskLaws& laws) {
+  const auto law = laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
+  std::vector<RobotRoute> routes;
+  for (const LambdaChoice& choice : lambda_choices(tree)) {
+    routes.push_back(
+        {on_top_of(route_id(choice, tree), "released",
+                   "from the acceleration of the released task"),
+         [choice, of_gravity](const RobotTrace& trace) {
+           return of_gravity ? vector_output("p", "forces of gravity in the task rows, N, N m",
+                                             operational_gravity(trace.tree, trace.X, choice,
+                                                                 trace.rows, trace.rule))
+                             : vector_output("mu", "forces of velocities in the task rows, N, N m",
+                                             operational_bias_force<Expression>(
+                                                 trace.tree, trace.X, choice, trace.rows,
+                                                 trace.rule, trace.qd));
+         },
+         law});
+  }
+  return routes;
+}
+
 std::vector<RobotRoute> bias_routes() {
   return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
              const auto tasks = task_points(trace.tree, {}, trace.poses());
@@ -260,6 +332,18 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
       return lambda_routes(tree, true, laws);
     case Function::control_torque:
       return control_routes(mechanism, tree, laws);
+    case Function::point_velocity:
+      return point_velocity_routes();
+    case Function::point_acceleration:
+      return point_acceleration_routes();
+    case Function::dynamically_consistent_inverse:
+      return consistent_inverse_routes(tree, false, laws);
+    case Function::null_space_projector:
+      return consistent_inverse_routes(tree, true, laws);
+    case Function::operational_bias_force:
+      return operational_force_routes(tree, false, laws);
+    case Function::operational_gravity:
+      return operational_force_routes(tree, true, laws);
     case Function::object_state:
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
@@ -270,6 +354,11 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
     case Function::link_inverse_inertias:
     case Function::center_of_mass:
     case Function::center_of_mass_jacobian:
+    case Function::centroidal_momentum_matrix:
+    case Function::centroidal_momentum:
+    case Function::centroidal_bias:
+    case Function::center_of_mass_bias_acceleration:
+    case Function::subtree_masses_and_centers:
     case Function::inverse_dynamics_derivatives:
     case Function::forward_dynamics_derivatives:
     case Function::damped_control_torque:

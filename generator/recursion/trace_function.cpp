@@ -21,10 +21,6 @@ namespace {
 
 using TracedTree = Tree<Expression>;
 
-bool solves_for_forces(Function function) {
-  return function == Function::lambda || function == Function::control_torque;
-}
-
 /// `, in strict priority: left_hand (1), right_hand (2)`, the most important first.
 std::string priorities_of(const TracedTree& tree) {
   std::vector<TreePoint<Expression>> points = tree.operational_points;
@@ -65,7 +61,7 @@ class Tracer {
       trace.rule = route.law->rule;
       program.law = route.law;
       program.singular = describe(*route.law);
-    } else if (mechanism_.singular == SingularTasks::exact && solves_for_forces(function)) {
+    } else if (mechanism_.singular == SingularTasks::exact && has_lambda(function)) {
       program.singular = kBareSolve;
     }
     program.results = route.body(trace);

@@ -33,6 +33,7 @@ struct TreeLink : JointStep {
   Vector3<Scalar> p;   ///< origin of the placement, in the parent's axes
   TreeInertia<Scalar> inertia;
   bool turns_late = false, carries_column = false;  ///< see `MovingLink`
+  bool is_rotor = false;                            ///< see `MovingLink`
 };
 
 template <class Scalar>
@@ -46,15 +47,25 @@ struct TreePoint {
   int priority = 1;
 };
 
+/// Mass and first moment of matter as in the file, about the origin of the link's frame.
+template <class Scalar>
+struct TreeMatter {
+  int link = -1;
+  Scalar mass{};
+  Vector3<Scalar> h;
+};
+
 template <class Scalar>
 struct Tree {
   std::vector<TreeLink<Scalar>> links;
   std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
+  std::vector<TreeMatter<Scalar>> link_matter;  ///< of each of `link_frames`
   Vector3<Scalar> gravity;
   Vector3<Scalar> world_moment;  ///< first moment of matter fixed to the world
   Scalar inverse_total_mass{};   ///< of all links; 0 if the robot has no mass
   int nq = 0, nv = 0;
   bool has_mimics = false;
+  bool has_world_matter = false;  ///< matter fixed to the world counts for the centre of mass
 };
 
 /// The nearest double, as in emitted code. For Digits50 the value itself, so that tests can show
@@ -133,7 +144,8 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
          {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
           rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
          link.turns_late,
-         link.carries_column});
+         link.carries_column,
+         link.is_rotor});
   }
   for (const MechanismPoint& point : mechanism.operational_points) {
     tree.operational_points.push_back(tree_point<Scalar>(point));
@@ -147,6 +159,12 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   for (const MechanismPoint& point : mechanism.link_frames) {
     tree.link_frames.push_back(tree_point<Scalar>(point));
   }
+  for (std::size_t i = 0; i < mechanism.link_matter.size(); ++i) {
+    const MechanismPoint& frame = mechanism.link_frames[i];
+    const Inertia matter = transformed(mechanism.link_matter[i], frame.pose);
+    tree.link_matter.push_back(
+        {frame.link, rounded<Scalar>(matter.mass), rounded<Scalar>(matter.h)});
+  }
   Exact mass = mechanism.world.mass;
   for (const MovingLink& link : mechanism.links) mass += link.inertia.mass;
   tree.world_moment = rounded<Scalar>(mechanism.world.h);
@@ -156,6 +174,7 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   tree.nq = mechanism.nq();
   tree.nv = mechanism.nv();
   tree.has_mimics = mechanism.has_mimics();
+  tree.has_world_matter = mechanism.world.mass != 0 || !mechanism.world.h.isZero(0);
   if constexpr (std::is_same_v<Scalar, Expression>) {
     mark_limbs(mechanism, tree);
   }

@@ -36,7 +36,13 @@ namespace treeline::interpreter {
   EXTERN template T kinetic_energy<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);                \
   EXTERN template T potential_energy<T>(const Model<T>&, VectorArg<T>);                            \
   EXTERN template Vector3<T> center_of_mass<T>(const Model<T>&, VectorArg<T>);                     \
-  EXTERN template Matrix<T> center_of_mass_jacobian<T>(const Model<T>&, VectorArg<T>)
+  EXTERN template Matrix<T> center_of_mass_jacobian<T>(const Model<T>&, VectorArg<T>);             \
+  EXTERN template Matrix<T> centroidal_momentum_matrix<T>(const Model<T>&, VectorArg<T>);          \
+  EXTERN template Vector6<T> centroidal_momentum<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);  \
+  EXTERN template Vector6<T> centroidal_bias<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);      \
+  EXTERN template Vector3<T> center_of_mass_bias_acceleration<T>(                                  \
+      const Model<T>&, VectorArg<T>, VectorArg<T>);                                                \
+  EXTERN template std::vector<Subtree<T>> subtrees<T>(const Model<T>&, VectorArg<T>)
 
 #define TREELINE_INTERPRETER_OPERATIONAL_SPACE(EXTERN, T)                                          \
   EXTERN template std::vector<PointPose<T>> forward_kinematics<T>(                                 \
@@ -46,6 +52,18 @@ namespace treeline::interpreter {
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>);                    \
   EXTERN template Vector<T> bias_acceleration<T>(                                                  \
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template Vector<T> point_velocity<T>(                                                     \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template Vector<T> point_acceleration<T>(                                                 \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>);                    \
+  EXTERN template Matrix<T> dynamically_consistent_inverse<T>(                                     \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, const TaskLaw<T>&);                             \
+  EXTERN template Matrix<T> null_space_projector<T>(                                               \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, const TaskLaw<T>&);                             \
+  EXTERN template Vector<T> operational_bias_force<T>(                                             \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, const TaskLaw<T>&);               \
+  EXTERN template Vector<T> operational_gravity<T>(                                                \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, const TaskLaw<T>&);                             \
   EXTERN template Matrix<T> lambda_inverse<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);        \
   EXTERN template Matrix<T> lambda<T>(const Model<T>&, PointsArg<T>, VectorArg<T>);                \
   EXTERN template Matrix<T> law_rows<T>(                                                           \

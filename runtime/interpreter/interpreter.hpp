@@ -8,6 +8,7 @@
 
 #include "interpreter/augmented_object.hpp"
 #include "interpreter/center_of_mass.hpp"
+#include "interpreter/centroidal_momentum.hpp"
 #include "interpreter/contacts.hpp"
 #include "interpreter/control_torque.hpp"
 #include "interpreter/coriolis_matrix.hpp"
@@ -27,6 +28,7 @@
 #include "interpreter/mass_matrix.hpp"
 #include "interpreter/object_control_torque.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
+#include "interpreter/operational_quantities.hpp"
 #include "interpreter/point_accelerations.hpp"
 #include "interpreter/potential_energy.hpp"
 #include "interpreter/prioritized_torque.hpp"

@@ -82,6 +82,38 @@ TEST(Check, CoriolisMatrixAndEnergies) {
   }
 }
 
+TEST(Check, Momentum) {
+  for (const char* name : {"puma560", "tumbler", "samm"}) {
+    SCOPED_TRACE(name);
+    for (const Real real : {Real::float64, Real::float32}) {
+      Subjects subjects = load(name);
+      subjects.scene.real = real;
+      subjects.scene.functions = {Function::centroidal_momentum_matrix,
+                                  Function::centroidal_momentum, Function::centroidal_bias,
+                                  Function::center_of_mass_bias_acceleration,
+                                  Function::subtree_masses_and_centers};
+      subjects.generation = generate(subjects.robot, subjects.scene);
+      expect_passed(check_or_throw(subjects, quick_options(40)), 5);
+    }
+  }
+}
+
+// At singularities of the wrist, too, where rows yield.
+TEST(Check, QuantitiesOfOperationalPoints) {
+  for (const char* name : {"puma560", "planar3r", "samm"}) {
+    SCOPED_TRACE(name);
+    Subjects subjects = load(name);
+    subjects.scene.functions = {Function::point_velocity,
+                                Function::point_acceleration,
+                                Function::dynamically_consistent_inverse,
+                                Function::null_space_projector,
+                                Function::operational_bias_force,
+                                Function::operational_gravity};
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    expect_passed(check_or_throw(subjects, quick_options(60)), 6);
+  }
+}
+
 TEST(Check, Float) {
   const auto report = check_or_throw(load("puma560", "scene_float.yaml"), quick_options(60));
   expect_passed(report, 2);

@@ -5,6 +5,7 @@
 #include "core/closed_chain.hpp"
 #include "core/command_laws.hpp"
 #include "core/contact_solver.hpp"
+#include "core/coordinates.hpp"
 #include "core/damped_solve.hpp"
 #include "core/ldlt.hpp"
 #include "core/orientation.hpp"
@@ -30,6 +31,8 @@ struct Data {
   Real b2[2];
   Real a3[3];
   Real b3[3];
+  Real c3[3];
+  Real c5[5];
   Real a4[4];
   Real a6[6];
   Real b6[6];
@@ -61,6 +64,7 @@ void use_prioritized_solve(Data& data) noexcept;
 void use_posture_laws(Data& data) noexcept;
 void use_task_selection(Data& data) noexcept;
 Real use_singularity(Data& data) noexcept;
+void use_coordinates(Data& data) noexcept;
 void use_spline(Data& data) noexcept;
 void use_orientation(Data& data) noexcept;
 bool use_small_solvers(Data& data) noexcept;
@@ -123,6 +127,14 @@ Real use_singularity(Data& data) noexcept {
   return turns ? core::drive_along(data.null_gains, lost, data.x, Real(1), data.x)
                : core::turn_away(data.null_gains, found.directions + 2, lost, data.a2, data.x,
                                  data.x);
+}
+
+void use_coordinates(Data& data) noexcept {
+  const core::QuaternionJoint ball[] = {{2, false}};
+  core::integrate(ball, data.a6, data.c5, data.x, data.b6);
+  core::difference(ball, data.b6, data.a6, data.c5);
+  core::integrate(data.a3, data.b3, data.x, data.c3);
+  core::difference(data.a3, data.b3, data.c3);
 }
 
 void use_spline(Data& data) noexcept {

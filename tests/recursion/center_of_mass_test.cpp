@@ -16,6 +16,8 @@
 namespace treeline::tests {
 namespace {
 
+constexpr std::array kOfThisFile = {Function::center_of_mass, Function::center_of_mass_jacobian};
+
 std::vector<Seeded> robots() {
   std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
@@ -70,7 +72,7 @@ class CenterOfMass : public testing::TestWithParam<Seeded> {
 INSTANTIATE_TEST_SUITE_P(Robots, CenterOfMass, testing::ValuesIn(robots()));
 
 TEST_P(CenterOfMass, TracedFunctionsAgreeWithTheInterpreter) {
-  for (const Function function : kPostureFunctions) {
+  for (const Function function : kOfThisFile) {
     for (const Program& program : trace_function(mechanism_, function)) {
       const auto results = evaluate<double>(program, {rounded_to<double>(listed(q_))});
       // A few roundings per link, and rounded coordinates.

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 
+#include "core/coordinates.hpp"
 #include "simulation/sample.hpp"
 
 // Would catch: a wrong order of an integrator, quaternions that lose unit length, a body whose
@@ -91,6 +93,20 @@ TEST(Integrators, KeepQuaternionsUnitAndReportTheirDrift) {
 }
 
 // Nothing but gravity acts on it, which only the total momentum shows.
+// What controllers integrate with and what moves the simulated robot are the same.
+TEST(Integrators, MoveAsTheCoreDoes) {
+  const Sample sample = random_sample(11, {.joints = 0, .floating_base = true}, 4);
+  ASSERT_EQ(sample.model.nq, 7);
+  simulation::Vector moved = sample.state.q;
+  move(simulation::coordinates_of(sample.model), sample.state.qd, 0.2, moved);
+  double q[7], qd[6], next[7];
+  std::copy(sample.state.q.begin(), sample.state.q.end(), q);
+  std::copy(sample.state.qd.begin(), sample.state.qd.end(), qd);
+  const core::QuaternionJoint base[] = {{0, true}};
+  core::integrate(base, q, qd, 0.2, next);
+  for (int i = 0; i < 7; ++i) EXPECT_NEAR(next[i], moved(i), 4e-15) << i;
+}
+
 TEST(Integrators, KeepTheMomentumOfWhatFallsFreely) {
   const Sample sample = random_sample(5, kFloatingTree);
   const auto before = momentum(sample.model, sample.state);
