@@ -48,6 +48,23 @@ std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
   return sizes;
 }
 
+/// Mass, first moment and rotational inertia of matter within reach of the origin.
+std::vector<double> inertia_sizes(const std::vector<SceneInertia>& bodies) {
+  std::vector<double> sizes;
+  for (const SceneInertia& body : bodies) {
+    sizes.push_back(body.mass);
+    sizes.insert(sizes.end(), 3, body.mass * body.reach);
+    sizes.insert(sizes.end(), 6, body.mass * body.reach * body.reach);
+  }
+  return sizes;
+}
+
+std::vector<double> tool_sizes(const std::vector<SceneTool>& tools) {
+  std::vector<double> sizes;
+  for (const SceneTool& tool : tools) sizes.insert(sizes.end(), 3, tool.reach);
+  return sizes;
+}
+
 /// Rounds down to four digits. A larger value would state a range in which the bound may not hold.
 double rounded_down(double value) {
   if (value == 0) return 0;
@@ -105,6 +122,18 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
       case IndexSpace::linkages:
       case IndexSpace::grasp_gains:
         domain.each[row.symbol] = row.range;
+        break;
+      case IndexSpace::gravity:
+        domain.sizes[row.symbol] = same(scene.inputs.gravity ? 3 : 0, row.range);
+        break;
+      case IndexSpace::payloads:
+        domain.sizes[row.symbol] = inertia_sizes(scene.inputs.payloads);
+        break;
+      case IndexSpace::parameters:
+        domain.sizes[row.symbol] = inertia_sizes(scene.inputs.parameters);
+        break;
+      case IndexSpace::tools:
+        domain.sizes[row.symbol] = tool_sizes(scene.inputs.tools);
         break;
     }
   }

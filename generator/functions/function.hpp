@@ -91,7 +91,7 @@ enum class Columns { computed, carried };
 /// Arguments in the order of the contract. Those of no size, as f_ext in a scene without external
 /// forces, are left out of it.
 struct FunctionInputs {
-  std::array<Quantity, 5> quantities{};
+  std::array<Quantity, 9> quantities{};
   std::size_t count = 0;
 
   [[nodiscard]] constexpr const Quantity* begin() const { return quantities.data(); }
@@ -101,6 +101,23 @@ struct FunctionInputs {
 template <class... Listed>
 constexpr FunctionInputs inputs(Listed... listed) {
   return {{listed...}, sizeof...(listed)};
+}
+
+/// The same of a function that depends on inertia but not on weight. What changes a robot while it
+/// runs is an argument only in scenes that list it under `inputs`.
+template <class... Listed>
+constexpr FunctionInputs inertial_inputs(Listed... listed) {
+  return inputs(listed..., Quantity::payload, Quantity::parameters);
+}
+/// The same of a function that depends on weight.
+template <class... Listed>
+constexpr FunctionInputs weighed_inputs(Listed... listed) {
+  return inputs(listed..., Quantity::gravity, Quantity::payload, Quantity::parameters);
+}
+/// The same of a function that depends on where operational points are.
+constexpr FunctionInputs with_tool(FunctionInputs listed) {
+  listed.quantities[listed.count++] = Quantity::tool;
+  return listed;
 }
 
 /// All that is known of a function before any algorithm.
@@ -119,40 +136,41 @@ struct FunctionInfo {
 /// Every function, in the order of the enumeration.
 inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::forward_kinematics, "forward_kinematics", FunctionGroup::points, Emitted::by_default,
-     Solve::none, frames_by(Function::forward_kinematics), Columns::computed, inputs(Quantity::q),
-     "x_world = R x_point + p, for every operational point"},
+     Solve::none, frames_by(Function::forward_kinematics), Columns::computed,
+     with_tool(inputs(Quantity::q)), "x_world = R x_point + p, for every operational point"},
     {Function::jacobian, "jacobian", FunctionGroup::points, Emitted::by_default, Solve::none,
-     frames_by(Function::jacobian), Columns::computed, inputs(Quantity::q),
+     frames_by(Function::jacobian), Columns::computed, with_tool(inputs(Quantity::q)),
      "xd = J qd, rows stacked over operational points"},
     {Function::bias_acceleration, "bias_acceleration", FunctionGroup::points, Emitted::by_default,
      Solve::none, frames_by(Function::bias_acceleration), Columns::carried,
-     inputs(Quantity::q, Quantity::qd), "xdd = J qdd + Jd qd: the term Jd qd"},
+     with_tool(inputs(Quantity::q, Quantity::qd)), "xdd = J qdd + Jd qd: the term Jd qd"},
     {Function::inverse_dynamics, "inverse_dynamics", FunctionGroup::robot, Emitted::by_default,
      Solve::none, frames_by(Function::inverse_dynamics), Columns::carried,
-     inputs(Quantity::q, Quantity::qd, Quantity::qdd, Quantity::f_ext),
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd, Quantity::f_ext),
      "tau = M qdd + b + g - J_ext^T f_ext"},
     {Function::gravity, "gravity", FunctionGroup::robot, Emitted::by_default, Solve::none,
-     frames_by(Function::gravity), Columns::computed, inputs(Quantity::q),
+     frames_by(Function::gravity), Columns::computed, weighed_inputs(Quantity::q),
      "g: the joint forces that hold the robot at rest"},
     {Function::nonlinear_effects, "nonlinear_effects", FunctionGroup::robot, Emitted::by_default,
      Solve::none, frames_by(Function::nonlinear_effects), Columns::carried,
-     inputs(Quantity::q, Quantity::qd), "h = b + g: the joint forces at qdd = 0"},
+     weighed_inputs(Quantity::q, Quantity::qd), "h = b + g: the joint forces at qdd = 0"},
     {Function::mass_matrix, "mass_matrix", FunctionGroup::robot, Emitted::by_default, Solve::none,
-     frames_by(Function::mass_matrix), Columns::computed, inputs(Quantity::q),
+     frames_by(Function::mass_matrix), Columns::computed, inertial_inputs(Quantity::q),
      "tau = M qdd + b + g: the matrix M"},
     {Function::forward_dynamics, "forward_dynamics", FunctionGroup::robot, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::carried,
-     inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
      "qdd = M^-1 (tau - b - g + J_ext^T f_ext)"},
     {Function::lambda_inverse, "lambda_inverse", FunctionGroup::points, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
-     inputs(Quantity::q), "Lambda^-1 = J M^-1 J^T"},
+     with_tool(inertial_inputs(Quantity::q)), "Lambda^-1 = J M^-1 J^T"},
     {Function::lambda, "lambda", FunctionGroup::points, Emitted::by_default, Solve::lambda_inverse,
-     frames_by(Function::forward_dynamics), Columns::computed, inputs(Quantity::q),
-     "Lambda = (J M^-1 J^T)^-1"},
+     frames_by(Function::forward_dynamics), Columns::computed,
+     with_tool(inertial_inputs(Quantity::q)), "Lambda = (J M^-1 J^T)^-1"},
     {Function::control_torque, "control_torque", FunctionGroup::points, Emitted::by_default,
      Solve::lambda_inverse, frames_by(Function::forward_dynamics), Columns::computed,
-     inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd, Quantity::f_ext),
+     with_tool(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
+                              Quantity::f_ext)),
      "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
      "F = Lambda (xdd_cmd - Jd qd - J qdd_0)"},
     {Function::object_state, "object_state", FunctionGroup::objects, Emitted::by_default,
@@ -162,12 +180,14 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::object_control_torque, "object_control_torque", FunctionGroup::objects,
      Emitted::by_default, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
      Columns::computed,
-     inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_object, Quantity::internal),
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_object,
+                    Quantity::internal),
      "tau = J^T f + M qdd_0 + b + g, f = Lambda (C xdd - Jd qd - J qdd_0) + "
      "W^-1 [Lambda_obj xdd + mu_obj + p_obj; internal]"},
     {Function::object_forward_dynamics, "object_forward_dynamics", FunctionGroup::objects,
      Emitted::by_default, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
-     Columns::computed, inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::stabilisation),
+     Columns::computed,
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::stabilisation),
      "M qdd + b + g = tau - J^T f, Lambda_obj xdd + mu_obj + p_obj = C^T f, "
      "J qdd + Jd qd = C xdd - stabilisation[0] drift_rate - stabilisation[1] drift"},
     {Function::contact_motion, "contact_motion", FunctionGroup::contacts, Emitted::by_default,
@@ -175,47 +195,49 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      inputs(Quantity::q, Quantity::qd), "positions of the contacts and their derivatives"},
     {Function::contact_inverse_inertia, "contact_inverse_inertia", FunctionGroup::contacts,
      Emitted::by_default, Solve::mass_matrix, frames_by(Function::forward_dynamics),
-     Columns::computed, inputs(Quantity::q),
+     Columns::computed, inertial_inputs(Quantity::q),
      "dv = Lambda_c^-1 y: velocities of the contacts by impulses there"},
     {Function::effective_mass, "effective_mass", FunctionGroup::contacts, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
-     inputs(Quantity::q, Quantity::normals),
+     inertial_inputs(Quantity::q, Quantity::normals),
      "m = 1 / (n^T Lambda_c^-1 n), for every contact by itself"},
     {Function::impulse_response, "impulse_response", FunctionGroup::contacts, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
-     inputs(Quantity::q, Quantity::impulse), "dqd = M^-1 J_c^T y"},
+     inertial_inputs(Quantity::q, Quantity::impulse), "dqd = M^-1 J_c^T y"},
     {Function::link_inverse_inertias, "link_inverse_inertias", FunctionGroup::links,
      Emitted::on_request, Solve::mass_matrix, kFramesAsBuilt, Columns::computed,
-     inputs(Quantity::q),
+     inertial_inputs(Quantity::q),
      "Lambda_i^-1 = J_i M^-1 J_i^T, for every link that moves against its parent"},
     {Function::center_of_mass, "center_of_mass", FunctionGroup::center_of_mass, Emitted::on_request,
-     Solve::none, frames_by(Function::center_of_mass), Columns::computed, inputs(Quantity::q),
-     "centre of mass: sum of m_i c_i over the mass of all links"},
+     Solve::none, frames_by(Function::center_of_mass), Columns::computed,
+     inertial_inputs(Quantity::q), "centre of mass: sum of m_i c_i over the mass of all links"},
     {Function::center_of_mass_jacobian, "center_of_mass_jacobian", FunctionGroup::center_of_mass,
      Emitted::on_request, Solve::none, frames_by(Function::center_of_mass_jacobian),
-     Columns::computed, inputs(Quantity::q), "velocity of the centre of mass = J_com qd"},
+     Columns::computed, inertial_inputs(Quantity::q), "velocity of the centre of mass = J_com qd"},
     {Function::inverse_dynamics_derivatives, "inverse_dynamics_derivatives",
      FunctionGroup::derivatives, Emitted::on_request, Solve::none,
      frames_by(Function::forward_dynamics, Function::mass_matrix), Columns::computed,
-     inputs(Quantity::q, Quantity::qd, Quantity::qdd, Quantity::f_ext),
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd, Quantity::f_ext),
      "derivatives of tau = M qdd + b + g - J_ext^T f_ext, f_ext held"},
     {Function::forward_dynamics_derivatives, "forward_dynamics_derivatives",
      FunctionGroup::derivatives, Emitted::on_request, Solve::mass_matrix,
      frames_by(Function::forward_dynamics, Function::mass_matrix), Columns::computed,
-     inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
      "derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext), f_ext held"},
     {Function::coriolis_matrix, "coriolis_matrix", FunctionGroup::robot, Emitted::on_request,
      Solve::none, frames_by(Function::coriolis_matrix), Columns::computed,
-     inputs(Quantity::q, Quantity::qd), "C qd = b, dM/dt - 2 C skew-symmetric: the matrix C"},
+     inertial_inputs(Quantity::q, Quantity::qd),
+     "C qd = b, dM/dt - 2 C skew-symmetric: the matrix C"},
     {Function::kinetic_energy, "kinetic_energy", FunctionGroup::robot, Emitted::on_request,
      Solve::none, frames_by(Function::kinetic_energy), Columns::computed,
-     inputs(Quantity::q, Quantity::qd), "T = qd^T M qd / 2"},
+     inertial_inputs(Quantity::q, Quantity::qd), "T = qd^T M qd / 2"},
     {Function::potential_energy, "potential_energy", FunctionGroup::robot, Emitted::on_request,
-     Solve::none, frames_by(Function::potential_energy), Columns::computed, inputs(Quantity::q),
-     "U = -sum of m_i gravity . c_i, zero at the world's origin"},
+     Solve::none, frames_by(Function::potential_energy), Columns::computed,
+     weighed_inputs(Quantity::q), "U = -sum of m_i gravity . c_i, zero at the world's origin"},
     {Function::damped_control_torque, "damped_control_torque", FunctionGroup::points,
      Emitted::with_damping, Solve::damped, kFramesAsBuilt, Columns::computed,
-     inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd, Quantity::f_ext),
+     with_tool(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
+                              Quantity::f_ext)),
      "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
      "F = (Lambda^-1 + Delta)^-1 (xdd_cmd - Jd qd - J qdd_0)"},
 });

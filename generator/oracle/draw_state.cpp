@@ -110,6 +110,47 @@ std::vector<double> draw_q(Dice& dice, const StateSpace& space, const State& sta
   return q;
 }
 
+/// Draws the inertial parameters of some point masses, as those of a body: mass, first moment and
+/// rotational inertia about the origin.
+void draw_body(Dice& dice, const SubjectInertia& box, std::vector<double>& entries) {
+  constexpr int kPointMasses = 4;  // fewer have no inertia about some axis
+  const double side = box.reach / std::sqrt(3.0);
+  std::array<double, kInertialParameters> sums{};
+  for (int k = 0; k < kPointMasses; ++k) {
+    const double m = dice.within(0, box.mass / kPointMasses);
+    const double x = dice.within(side), y = dice.within(side), z = dice.within(side);
+    const std::array<double, kInertialParameters> own{
+        1, x, y, z, y * y + z * z, -x * y, -x * z, x * x + z * z, -y * z, x * x + y * y};
+    for (std::size_t i = 0; i < own.size(); ++i) sums[i] += m * own[i];
+  }
+  entries.insert(entries.end(), sums.begin(), sums.end());
+}
+
+/// Draws what the robot is at a state, within the ranges of the scene. The first state carries
+/// nothing.
+std::vector<double> draw_model(Dice& dice, const SubjectInputs& inputs, Quantity quantity,
+                               int index) {
+  std::vector<double> entries;
+  switch (info_of(quantity).space) {
+    case IndexSpace::payloads:
+      for (const SubjectInertia& box : inputs.payloads) {
+        draw_body(dice, index == 0 ? SubjectInertia{} : box, entries);
+      }
+      return entries;
+    case IndexSpace::parameters:
+      for (const SubjectInertia& box : inputs.parameters) draw_body(dice, box, entries);
+      return entries;
+    case IndexSpace::tools:
+      for (const SubjectTool& tool : inputs.tools) {
+        for (int i = 0; i < 3; ++i) entries.push_back(dice.within(tool.reach));
+      }
+      return entries;
+    default:
+      for (int i = 0; i < 3; ++i) entries.push_back(dice.within(info_of(quantity).range));
+      return entries;
+  }
+}
+
 void round_to_float(State& state) {
   for (auto* entries :
        {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd, &state.f_ext}) {
@@ -152,6 +193,10 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::normals:
     case Quantity::stabilisation:
     case Quantity::xdd_object:
+    case Quantity::gravity:
+    case Quantity::payload:
+    case Quantity::parameters:
+    case Quantity::tool:
       break;
   }
   const auto found = state.others.find(quantity);
@@ -188,6 +233,10 @@ State draw_state(const StateSpace& space, int index) {
     state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));
   }
   for (const auto& [quantity, count] : space.others) {
+    if (is_of_model(quantity)) {
+      state.others[quantity] = draw_model(dice, space.subject.inputs, quantity, index);
+      continue;
+    }
     // At rest too: a direction is none without a length.
     state.others[quantity] = draw_rates(dice, state.kind, static_cast<std::size_t>(count),
                                         speed(state.kind).acceleration);

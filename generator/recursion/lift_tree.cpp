@@ -54,6 +54,7 @@ Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mecha
   tree.contacts = lift(constants.contacts);
   tree.link_frames = lift(constants.link_frames);
   tree.world_moment = lift(constants.world_moment);
+  tree.total_mass = constants.total_mass;
   tree.inverse_total_mass = constants.inverse_total_mass;
   tree.gravity = lift(constants.gravity);
   tree.nq = constants.nq;

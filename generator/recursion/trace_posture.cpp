@@ -15,7 +15,8 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   const TracedInputs inputs(mechanism, function, program);
-  auto tree = tree_of<Expression>(mechanism);
+  auto tree = constant_tree<Expression>(mechanism);
+  apply_inputs(mechanism, inputs, tree);
   auto X = joint_transforms<Expression>(tree, inputs[Quantity::q]);
   turn_late(tree, X);
   if (function == Function::center_of_mass) {
