@@ -100,7 +100,8 @@ nlohmann::json costs_in(const Generation& generation) {
   nlohmann::json costs;
   for (const GeneratedFile& file : generation.files) {
     if (file.name != "manifest.json") continue;
-    for (const auto& function : nlohmann::json::parse(file.text).at("functions")) {
+    const auto manifest = nlohmann::json::parse(file.text);
+    for (const auto& function : manifest.at("functions")) {
       costs[std::string(function.at("name"))] = function.value("input_flops", nlohmann::json{});
     }
   }
