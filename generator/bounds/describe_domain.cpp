@@ -160,8 +160,17 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
       text += fmt::format(" {:.4g}", rounded_down(sizes[i]));
   }
-  const bool given = std::count(arguments.begin(), arguments.end(), symbol_of(Quantity::sin_q)) > 0;
-  return text + (given ? ", sin_q^2 + cos_q^2 = 1 of each angle but for rounding" : "");
+  const auto has = [&](Quantity quantity) {
+    return std::count(arguments.begin(), arguments.end(), symbol_of(quantity)) > 0;
+  };
+  if (has(Quantity::payload)) text += ", payload that of a body";
+  if (has(Quantity::parameters)) {
+    text +=
+        ", parameters those of a body of at least a tenth of this mass, with radii of gyration "
+        "of at least a tenth of |m c| / m";
+  }
+  return text +
+         (has(Quantity::sin_q) ? ", sin_q^2 + cos_q^2 = 1 of each angle but for rounding" : "");
 }
 
 }  // namespace treeline

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "bounds/dice.hpp"
+#include "bounds/draw_body.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "oracle/term_sizes.hpp"
 
@@ -110,20 +111,12 @@ std::vector<double> draw_q(Dice& dice, const StateSpace& space, const State& sta
   return q;
 }
 
-/// Draws the inertial parameters of some point masses, as those of a body: mass, first moment and
-/// rotational inertia about the origin.
-void draw_body(Dice& dice, const SubjectInertia& box, std::vector<double>& entries) {
-  constexpr int kPointMasses = 4;  // fewer have no inertia about some axis
-  const double side = box.reach / std::sqrt(3.0);
-  std::array<double, kInertialParameters> sums{};
-  for (int k = 0; k < kPointMasses; ++k) {
-    const double m = dice.within(0, box.mass / kPointMasses);
-    const double x = dice.within(side), y = dice.within(side), z = dice.within(side);
-    const std::array<double, kInertialParameters> own{
-        1, x, y, z, y * y + z * z, -x * y, -x * z, x * x + z * z, -y * z, x * x + y * y};
-    for (std::size_t i = 0; i < own.size(); ++i) sums[i] += m * own[i];
-  }
-  entries.insert(entries.end(), sums.begin(), sums.end());
+/// Draws the inertial parameters of a body.
+void draw_body(Dice& dice, const SubjectInertia& within, bool whole, std::vector<double>& entries) {
+  std::array<double, kInertialParameters> choice{};
+  for (double& each : choice) each = dice.within(1);
+  const auto body = bounds::body_of({within.mass, within.reach, whole}, choice);
+  entries.insert(entries.end(), body.begin(), body.end());
 }
 
 /// Draws what the robot is at a state, within the ranges of the scene. The first state carries
@@ -134,11 +127,11 @@ std::vector<double> draw_model(Dice& dice, const SubjectInputs& inputs, Quantity
   switch (info_of(quantity).space) {
     case IndexSpace::payloads:
       for (const SubjectInertia& box : inputs.payloads) {
-        draw_body(dice, index == 0 ? SubjectInertia{} : box, entries);
+        draw_body(dice, index == 0 ? SubjectInertia{} : box, false, entries);
       }
       return entries;
     case IndexSpace::parameters:
-      for (const SubjectInertia& box : inputs.parameters) draw_body(dice, box, entries);
+      for (const SubjectInertia& box : inputs.parameters) draw_body(dice, box, true, entries);
       return entries;
     case IndexSpace::tools:
       for (const SubjectTool& tool : inputs.tools) {

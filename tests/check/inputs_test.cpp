@@ -4,6 +4,7 @@
 // state. The reference is the interpreter with a payload as a body of its own.
 #include <nlohmann/json.hpp>
 
+#include "description/scene_inputs.hpp"
 #include "fixture.hpp"
 
 namespace treeline::tests {
@@ -31,7 +32,7 @@ void expect_right(const Subjects& subjects, int states) {
   EXPECT_TRUE(report.passed()) << print_text(report);
   for (const GeneratedFunction& generated : subjects.generation.functions) {
     for (const Quantity quantity : info_of(generated.function).inputs) {
-      if (!is_of_model(quantity)) continue;
+      if (!is_of_model(quantity) || !has_input(subjects.scene, quantity)) continue;
       const auto& arguments = generated.program.arguments;
       EXPECT_TRUE(std::any_of(
           arguments.begin(), arguments.end(),
