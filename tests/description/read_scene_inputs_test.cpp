@@ -59,7 +59,7 @@ struct BadInputs {
 
 TEST(ReadInputs, SaysWhatIsWrong) {
   const BadInputs cases[] = {
-      {"inputs: {wind: true}", {Severity::error, 1, "inputs", "wind", "gravity"}},
+      {"inputs: {wind: true}", {Severity::error, 1, "inputs/wind", "unknown", "gravity"}},
       {"inputs: {gravity: 9.81}", {Severity::error, 1, "inputs/gravity", "9.81", "true"}},
       {"inputs: {payload: tol}",
        {Severity::error, 1, "inputs/payload", "no link \"tol\"", "did you mean \"tool\"?"}},
