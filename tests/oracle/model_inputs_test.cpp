@@ -44,6 +44,7 @@ TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
   Subjects subjects = load("puma560");
   ScenePoint contact = subjects.scene.operational_points.front();
   contact.name = "contact";
+  contact.rows = {true, true, true, false, false, false};
   subjects.scene.contacts = {contact};
   subjects.scene.inputs = everything(subjects.scene);
   const Mechanism mechanism = reduced_mechanism(subjects.robot, subjects.scene);
