@@ -2,6 +2,7 @@
 
 #include "bench/contender.hpp"
 #include "oracle/interpret.hpp"
+#include "oracle/subject_at.hpp"
 
 namespace treeline {
 namespace {
@@ -20,12 +21,14 @@ void append_contenders(const Subject<interpreter::Digits50>& exact, const Scene&
   for (const Function function : scene.functions) {
     Contender contender{{function, VariantGroup::interpreter, name, real}, {}, {}};
     contender.call = [subject, function](const State& state) {
-      const std::vector<Scalar> entries = interpret<Scalar>(function, *subject, state);
+      const std::vector<Scalar> entries =
+          interpret<Scalar>(function, subject_at(*subject, state), state);
       return std::vector<double>(entries.begin(), entries.end());
     };
     contender.pass.calls = few.size();
     contender.pass.pass = [subject, function, few] {
-      for (const State& state : few) interpret<Scalar>(function, *subject, state);
+      for (const State& state : few)
+        interpret<Scalar>(function, subject_at(*subject, state), state);
     };
     contenders.push_back(std::move(contender));
   }

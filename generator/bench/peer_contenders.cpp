@@ -18,7 +18,7 @@ PeerInputs inputs_of(Function function, const State& state) {
   PeerInputs inputs{};
   std::size_t filled = 0;
   for (const Quantity quantity : info_of(function).inputs) {
-    if (quantity == Quantity::f_ext) continue;
+    if (quantity == Quantity::f_ext || is_of_model(quantity)) continue;
     inputs.at(filled++) = values_of(state, quantity).data();
   }
   return inputs;
@@ -29,6 +29,7 @@ std::string beyond_peers(const Scene& scene, const GeneratedFunction& function) 
   if (takes_external_forces(function.function) && !scene.external_forces.empty()) {
     return "external forces";
   }
+  if (!scene.inputs.empty()) return "inputs";
   if (function.function == Function::control_torque && has_priorities(scene.operational_points)) {
     return "priorities";
   }

@@ -48,6 +48,23 @@ std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
   return sizes;
 }
 
+/// Mass, first moment and rotational inertia of matter within reach of the origin.
+std::vector<double> inertia_sizes(const std::vector<SceneInertia>& bodies) {
+  std::vector<double> sizes;
+  for (const SceneInertia& body : bodies) {
+    sizes.push_back(body.mass);
+    sizes.insert(sizes.end(), 3, body.mass * body.reach);
+    sizes.insert(sizes.end(), 6, body.mass * body.reach * body.reach);
+  }
+  return sizes;
+}
+
+std::vector<double> tool_sizes(const std::vector<SceneTool>& tools) {
+  std::vector<double> sizes;
+  for (const SceneTool& tool : tools) sizes.insert(sizes.end(), 3, tool.reach);
+  return sizes;
+}
+
 /// Rounds down to four digits. A larger value would state a range in which the bound may not hold.
 double rounded_down(double value) {
   if (value == 0) return 0;
@@ -106,6 +123,18 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
       case IndexSpace::grasp_gains:
         domain.each[row.symbol] = row.range;
         break;
+      case IndexSpace::gravity:
+        domain.sizes[row.symbol] = same(scene.inputs.gravity ? 3 : 0, row.range);
+        break;
+      case IndexSpace::payloads:
+        domain.sizes[row.symbol] = inertia_sizes(scene.inputs.payloads);
+        break;
+      case IndexSpace::parameters:
+        domain.sizes[row.symbol] = inertia_sizes(scene.inputs.parameters);
+        break;
+      case IndexSpace::tools:
+        domain.sizes[row.symbol] = tool_sizes(scene.inputs.tools);
+        break;
     }
   }
   for (const MovingLink& link : mechanism.links) {
@@ -131,8 +160,17 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
       text += fmt::format(" {:.4g}", rounded_down(sizes[i]));
   }
-  const bool given = std::count(arguments.begin(), arguments.end(), symbol_of(Quantity::sin_q)) > 0;
-  return text + (given ? ", sin_q^2 + cos_q^2 = 1 of each angle but for rounding" : "");
+  const auto has = [&](Quantity quantity) {
+    return std::count(arguments.begin(), arguments.end(), symbol_of(quantity)) > 0;
+  };
+  if (has(Quantity::payload)) text += ", payload that of a body";
+  if (has(Quantity::parameters)) {
+    text +=
+        ", parameters those of a body of at least a tenth of this mass, with radii of gyration "
+        "of at least a tenth of |m c| / m";
+  }
+  return text +
+         (has(Quantity::sin_q) ? ", sin_q^2 + cos_q^2 = 1 of each angle but for rounding" : "");
 }
 
 }  // namespace treeline

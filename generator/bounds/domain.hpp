@@ -36,7 +36,7 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
 
 /// Describes the domain of these arguments: `|q| <= 2.8 3.1 ..., |qd| <= 10`, with a single number
 /// if all entries have the same limit. If sines and cosines are arguments, the text says that they
-/// lie on the unit circle.
+/// lie on the unit circle; if inertial parameters are, that they are those of bodies.
 std::string describe(const Domain& domain, const std::vector<std::string>& arguments);
 
 }  // namespace treeline

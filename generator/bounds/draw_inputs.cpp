@@ -20,11 +20,31 @@ InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
     const std::string angle = std::string(symbol_of(Quantity::q)).append(name, name.find('['));
     inputs_.push_back({entry_of(reading == Reading::plain ? name : angle, domain), reading});
   }
+  find_bodies(Quantity::payload, graph, domain);
+  find_bodies(Quantity::parameters, graph, domain);
   for (const std::size_t first : domain.quaternions) {
     std::vector<std::size_t>& quaternion = quaternions_.emplace_back();
     for (std::size_t i = first; i < first + 4; ++i) {
       quaternion.push_back(entry_of(fmt::format("q[{}]", i), domain));
     }
+  }
+}
+
+void InputSpace::find_bodies(Quantity quantity, const Graph& graph, const Domain& domain) {
+  const std::string symbol = symbol_of(quantity);
+  const auto sizes = domain.sizes.find(symbol);
+  const bool taken =
+      std::any_of(graph.inputs().begin(), graph.inputs().end(),
+                  [&](const std::string& name) { return quantity_of_input(name) == quantity; });
+  if (!taken || sizes == domain.sizes.end()) return;
+  for (std::size_t first = 0; first < sizes->second.size(); first += kInertialParameters) {
+    Body body;
+    const double mass = sizes->second[first];
+    body.range = {mass, sizes->second[first + 1] / mass, quantity == Quantity::parameters};
+    for (std::size_t i = 0; i < body.entries.size(); ++i) {
+      body.entries[i] = entry_of(fmt::format("{}[{}]", symbol, first + i), domain);
+    }
+    bodies_.push_back(body);
   }
 }
 
@@ -63,8 +83,20 @@ InputSpace::Point InputSpace::change(Point point, Dice& dice) const {
   return point;
 }
 
+void InputSpace::put_bodies(Point& values) const {
+  for (const Body& body : bodies_) {
+    std::array<double, kInertialParameters> entries{};
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      entries[i] = values[body.entries[i]] / entries_[body.entries[i]].size;
+    }
+    entries = body_of(body.range, entries);
+    for (std::size_t i = 0; i < entries.size(); ++i) values[body.entries[i]] = entries[i];
+  }
+}
+
 void InputSpace::put(const Point& point, std::size_t s, std::vector<States>& inputs) const {
   Point values = point;
+  put_bodies(values);
   for (const std::vector<std::size_t>& quaternion : quaternions_) {
     double norm = 0;
     for (const std::size_t i : quaternion) norm = std::hypot(norm, values[i]);

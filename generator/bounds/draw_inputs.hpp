@@ -1,17 +1,19 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bounds/dice.hpp"
 #include "bounds/domain.hpp"
+#include "bounds/draw_body.hpp"
 #include "bounds/propagate_errors.hpp"
 
 namespace treeline::bounds {
 
 /// The inputs of a graph as points of a domain. Quaternions have length 1. Sines and cosines that
-/// are inputs belong to one angle each.
+/// are inputs belong to one angle each. Inertial parameters are those of bodies.
 class InputSpace {
  public:
   /// One number for each entry of the domain.
@@ -42,12 +44,20 @@ class InputSpace {
     double size = 0;
     bool coordinate = false;
   };
+  /// Entries of ten inertial parameters that are inputs.
+  struct Body {
+    std::array<std::size_t, kInertialParameters> entries{};
+    BodyRange range;
+  };
+  void find_bodies(Quantity quantity, const Graph& graph, const Domain& domain);
+  void put_bodies(Point& values) const;
   std::size_t entry_of(const std::string& name, const Domain& domain);
   double draw_entry(const Entry& entry, Dice& dice) const;
 
   std::vector<Entry> entries_;
   std::vector<Input> inputs_;
   std::vector<std::vector<std::size_t>> quaternions_;  ///< indices of their entries that are inputs
+  std::vector<Body> bodies_;
   std::optional<std::string> missing_;
 };
 

@@ -76,6 +76,7 @@ std::optional<Inspection> inspect(const InspectOptions& options, Diagnostics& di
     if (!scene) {
       return std::nullopt;
     }
+    scene->inputs = {};  // the robot as it is in the files
   }
   const Scene seen = scene.value_or(Scene{});
   note_noise(build_mechanism(*robot, seen).noise, seen, diagnostics);

@@ -11,6 +11,7 @@
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_armature.hpp"
+#include "description/read_scene_inputs.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
@@ -177,6 +178,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "external_forces",
                                   "contacts",
                                   "functions",
+                                  "inputs",
                                   "armature",
                                   "language",
                                   "locked",
@@ -202,6 +204,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto locked = fields.find("locked"); locked != fields.end()) {
     read_locked(locked->second, robot, scene);
+  }
+  if (const auto inputs = fields.find("inputs"); inputs != fields.end()) {
+    read_scene_inputs(inputs->second, robot, scene);
   }
   if (const auto armature = fields.find("armature"); armature != fields.end()) {
     read_armature(armature->second, robot, scene);

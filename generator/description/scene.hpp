@@ -61,6 +61,34 @@ struct SceneObject {
   std::vector<SceneGrasp> grasps;  ///< at least one; the first says where the object is
 };
 
+/// A link whose ten inertial parameters are an argument: those of a body added to it, or its own.
+/// Rounding bounds hold for matter of up to `mass` (kg) within `reach` (m) of the link's origin.
+struct SceneInertia {
+  std::string link;
+  double mass = kPayloadMass;
+  double reach = kPayloadReach;
+};
+
+/// An operational point whose origin in its link's frame is an argument. Rounding bounds hold for
+/// components of up to `reach` (m).
+struct SceneTool {
+  std::string point;
+  double reach = info_of(Quantity::tool).range;
+};
+
+/// What of the robot and its surroundings functions take as arguments, because it changes while the
+/// robot runs.
+struct SceneInputs {
+  bool gravity = false;
+  std::vector<SceneInertia> payloads;    ///< bodies that are added to links
+  std::vector<SceneInertia> parameters;  ///< in place of those of the URDF
+  std::vector<SceneTool> tools;          ///< in place of the origins in the scene
+
+  [[nodiscard]] bool empty() const {
+    return !gravity && payloads.empty() && parameters.empty() && tools.empty();
+  }
+};
+
 /// The effective masses beyond which a direction of the task yields near singularities: kg in rows
 /// of translation, kg m^2 in rows of rotation. See `core::damped_solve`.
 struct HeaviestMotion {
@@ -78,6 +106,7 @@ struct Scene {
   std::vector<ScenePoint> external_forces;  ///< [force; moment] inputs; always all six rows
   std::vector<ScenePoint> contacts;         ///< rows x y z in world axes
   std::vector<SceneObject> objects;
+  SceneInputs inputs;
   std::vector<Function> functions;  ///< sorted, unique
   Real real = Real::float64;
   Language language = Language::cpp;

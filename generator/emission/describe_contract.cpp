@@ -60,9 +60,11 @@ std::string describe_conventions(const EmissionContext& context) {
   text += describe_points("Operational points, rows of task vectors:", context.operational_points);
   text += describe_points("External forces, elements of f_ext ([force; moment] on the robot):",
                           context.external_forces);
-  text +=
-      fmt::format("Gravity ({}, {}, {}) m/s^2 in world axes.\n", format_literal(context.gravity[0]),
-                  format_literal(context.gravity[1]), format_literal(context.gravity[2]));
+  text += context.gravity_given
+              ? "Gravity is the argument gravity, an acceleration in world axes, m/s^2.\n"
+              : fmt::format("Gravity ({}, {}, {}) m/s^2 in world axes.\n",
+                            format_literal(context.gravity[0]), format_literal(context.gravity[1]),
+                            format_literal(context.gravity[2]));
   for (const std::string& note : context.notes) {
     text += wrap_text(note, 95) + "\n";
   }
@@ -83,6 +85,19 @@ std::string describe_argument(const Argument& argument, const char* direction) {
          "\n";
 }
 
+/// `gravity as an argument costs 12 flops, payload 80`
+std::string describe_input_costs(const EmissionContext& context, const Program& program) {
+  const auto costs = context.input_costs.find(program.name);
+  if (costs == context.input_costs.end()) return {};
+  std::string text;
+  for (const EmissionContext::InputCost& cost : costs->second) {
+    text += text.empty()
+                ? fmt::format("Of these, {} as an argument takes {}", cost.argument, cost.flops)
+                : fmt::format(", {} {}", cost.argument, cost.flops);
+  }
+  return wrap_text(text + ".", 95) + "\n";
+}
+
 }  // namespace
 
 std::string describe_function(const EmissionContext& context, const Program& program) {
@@ -96,8 +111,9 @@ std::string describe_function(const EmissionContext& context, const Program& pro
     text += describe_argument(result.argument, "out");
   }
   const int live = count_live_values(program);
-  text += fmt::format("Cost: {}.\nStack, an estimate: {} values live at once, {} bytes.\n",
-                      describe_cost(program), live, live * (context.single_precision ? 4 : 8));
+  text += fmt::format("Cost: {}.\n{}Stack, an estimate: {} values live at once, {} bytes.\n",
+                      describe_cost(program), describe_input_costs(context, program), live,
+                      live * (context.single_precision ? 4 : 8));
   if (!program.singular.empty()) {
     text += wrap_text("Singularities: " + program.singular, 95) + "\n";
   }

@@ -36,6 +36,26 @@ std::string damped_name(const Argument& argument) {
   return argument.name == "qdd" ? "qdd_0" : argument.name;
 }
 
+std::vector<Argument> list_damped_arguments(const std::vector<DampedCall>& calls, int task_rows) {
+  std::vector<Argument> arguments;
+  for (Argument argument : calls.back().program->arguments) {
+    const bool is_posture = argument.name == "qdd";
+    argument.name = damped_name(argument);
+    arguments.push_back(argument);
+    if (is_posture) arguments.push_back({"xdd_cmd", task_rows, 1, ""});
+  }
+  for (const DampedCall& call : calls) {
+    for (const Argument& argument : call.program->arguments) {
+      const std::string name = damped_name(argument);
+      if (std::none_of(arguments.begin(), arguments.end(),
+                       [&](const Argument& listed) { return listed.name == name; })) {
+        arguments.push_back(argument);
+      }
+    }
+  }
+  return arguments;
+}
+
 std::string describe_damped_cost(const EmissionContext& context,
                                  std::span<const Program> programs) {
   const DampedCost cost = cost_of_damped(context, programs);

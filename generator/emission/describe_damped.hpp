@@ -23,6 +23,10 @@ std::vector<DampedCall> list_damped_calls(std::span<const Program> programs);
 /// What `damped_control_torque` calls an argument of one of them.
 std::string damped_name(const Argument& argument);
 
+/// Arguments of `damped_control_torque`, in the order of `control_torque`: q, its sines and
+/// cosines, qd, qdd_0, xdd_cmd, f_ext, and what of the robot is an argument.
+std::vector<Argument> list_damped_arguments(const std::vector<DampedCall>& calls, int task_rows);
+
 /// Cost, stack and rounding, as every function of the contract states them.
 std::string describe_damped_cost(const EmissionContext& context, std::span<const Program> programs);
 

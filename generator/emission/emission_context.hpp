@@ -25,6 +25,7 @@ struct EmissionContext {
   int velocities = 0;               ///< nv
   int task_rows = 0;                ///< stacked over the operational points
   std::string base;                 ///< "fixed" or "floating"
+  bool gravity_given = false;       ///< as an argument
   std::array<double, 3> gravity{};  ///< m/s^2, world axes
 
   struct Input {
@@ -87,6 +88,13 @@ struct EmissionContext {
   };
   std::vector<ChoiceRow> choices;
   std::string measured;  ///< what the choices were measured with; empty: they were counted
+
+  /// Operations that a function takes because something of the robot is an argument.
+  struct InputCost {
+    std::string argument;
+    int flops = 0;
+  };
+  std::map<std::string, std::vector<InputCost>> input_costs;  ///< by function
 
   /// Of each source, by name without `.cpp`, what is known of its rounding errors, and the inputs
   /// for which that holds.

@@ -54,6 +54,18 @@ std::string print_lanes(const Program& program) {
                      program.packs.size(), shared, program.lane_moves);
 }
 
+/// What each argument that is of the robot costs: `, "input_flops": {"gravity": 12}`.
+std::string print_input_costs(const EmissionContext& context, const Program& program) {
+  const auto costs = context.input_costs.find(program.name);
+  if (costs == context.input_costs.end()) return {};
+  std::string list;
+  for (const EmissionContext::InputCost& cost : costs->second) {
+    list +=
+        fmt::format("{}{}: {}", list.empty() ? "" : ", ", quote_json(cost.argument), cost.flops);
+  }
+  return fmt::format(R"(, "input_flops": {{{}}})", list);
+}
+
 std::string print_function(const EmissionContext& context, const Program& program) {
   const auto rounding = context.rounding.find(program.name);
   const std::string bound = rounding == context.rounding.end()
@@ -65,10 +77,11 @@ std::string print_function(const EmissionContext& context, const Program& progra
   const OperationCount count = count_operations(program);
   return fmt::format(
       R"({{"name": {}, "route": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, )"
-      R"("sin_cos": {}, "live_values": {}{}{}{}}})",
+      R"("sin_cos": {}, "live_values": {}{}{}{}{}}})",
       quote_json(program.name), quote_json(key_of(program.route)),
       quote_json(describe(program.route)), count.flops(), count.add, count.mul, count.div,
-      count.sin_cos, count_live_values(program), print_lanes(program), singular, bound);
+      count.sin_cos, count_live_values(program), print_input_costs(context, program),
+      print_lanes(program), singular, bound);
 }
 
 /// Of the function of NAME_damped.hpp, which is composed of others.

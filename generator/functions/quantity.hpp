@@ -24,6 +24,10 @@ enum class Quantity {
   normals,
   stabilisation,
   xdd_object,
+  gravity,
+  payload,
+  parameters,
+  tool,
 };
 
 /// What the entries of an argument belong to.
@@ -36,6 +40,10 @@ enum class IndexSpace {
   objects,          ///< 6 an object, linear over angular
   linkages,         ///< 6 a grasp but for the first of each object
   grasp_gains,      ///< 2: damping, stiffness
+  gravity,          ///< 3, if the scene makes gravity an input
+  payloads,         ///< 10 a payload that the scene makes an input
+  parameters,       ///< 10 a link whose inertial parameters the scene makes an input
+  tools,            ///< 3 an operational point whose origin the scene makes an input
 };
 
 /// All that is known of a quantity. Units are those of rotation and translation where joints or
@@ -52,6 +60,14 @@ struct QuantityInfo {
 /// Of q, what rounding bounds allow where the URDF states no limits.
 inline constexpr double kAngleRange = std::numbers::pi;  ///< rad
 inline constexpr double kPositionRange = 10;             ///< m
+
+/// Of bodies whose inertial parameters are inputs, what rounding bounds allow where the scene says
+/// nothing else.
+inline constexpr double kPayloadMass = 10;    ///< kg
+inline constexpr double kPayloadReach = 0.5;  ///< m, farthest matter from the link's origin
+
+/// Number of inertial parameters of a rigid body.
+inline constexpr int kInertialParameters = 10;
 
 /// Every quantity, in the order of the enumeration.
 inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
@@ -80,9 +96,22 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::xdd_object, "xdd_object",
      "commanded accelerations of the objects' origins over angular ones, world axes",
      "m/s^2, rad/s^2", IndexSpace::objects, 100},
+    {Quantity::gravity, "gravity", "acceleration of gravity, world axes", "m/s^2",
+     IndexSpace::gravity, 20},
+    {Quantity::payload, "payload",
+     "m, m c_x, m c_y, m c_z, Ixx, Ixy, Ixz, Iyy, Iyz, Izz of each body added to a link, about the "
+     "origin of the link's frame in the URDF and in its axes, kg, kg m, kg m^2",
+     "kg, kg m, kg m^2", IndexSpace::payloads, kPayloadMass},
+    {Quantity::parameters, "parameters",
+     "m, m c_x, m c_y, m c_z, Ixx, Ixy, Ixz, Iyy, Iyz, Izz of each link named, in place of the "
+     "URDF's, about the origin of the link's frame and in its axes, kg, kg m, kg m^2",
+     "kg, kg m, kg m^2", IndexSpace::parameters, kPayloadMass},
+    {Quantity::tool, "tool",
+     "origin of each point named, in the frame of its link in the URDF, in place of the scene's, m",
+     "m", IndexSpace::tools, 1},
 });
 
-static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::xdd_object) + 1,
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::tool) + 1,
               "every quantity has a row");
 static_assert(
     [] {
@@ -108,6 +137,11 @@ constexpr std::optional<Quantity> find_quantity(std::string_view symbol) {
     if (symbol == row.symbol) return row.quantity;
   }
   return std::nullopt;
+}
+
+/// Whether it says what the robot is, not what it does: the scene's key `inputs` asks for it.
+constexpr bool is_of_model(Quantity quantity) {
+  return quantity >= Quantity::gravity;
 }
 
 }  // namespace treeline

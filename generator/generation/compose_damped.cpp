@@ -41,6 +41,15 @@ GeneratedFunction compose_damped(const std::vector<GeneratedFunction>& functions
           {symbol_of(Quantity::xdd_cmd), bias.results.front().argument.rows, 1, ""});
     }
   }
+  for (const Function function : kDampedFunctions) {
+    for (const Argument& argument : find_program(functions, function).arguments) {
+      const auto quantity = find_quantity(argument.name);
+      const bool is_new =
+          std::none_of(program.arguments.begin(), program.arguments.end(),
+                       [&](const Argument& own) { return own.name == argument.name; });
+      if (quantity && is_of_model(*quantity) && is_new) program.arguments.push_back(argument);
+    }
+  }
   program.results = {result_like(inverse_dynamics.results.front().argument),
                      result_like({"ease", 1, 1, "least ease, returned"})};
   return composed;

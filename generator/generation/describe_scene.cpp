@@ -10,6 +10,7 @@
 #include "description/find_joint.hpp"
 #include "description/heaviest_rows.hpp"
 #include "description/list_rows.hpp"
+#include "generation/describe_inputs.hpp"
 #include "mechanism/home_of.hpp"
 
 namespace treeline {
@@ -190,12 +191,14 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.task_rows = mechanism.task_rows();
   context.base = scene.base == Base::fixed ? "fixed" : "floating";
   context.gravity = scene.gravity;
+  context.gravity_given = scene.inputs.gravity;
   context.joints = joint_rows(robot, mechanism);
   context.joint_conventions = joint_conventions(robot, mechanism);
   context.coordinate_rows = coordinate_rows(mechanism);
   context.velocity_rows = velocity_rows(robot, mechanism);
   context.operational_points = point_rows(scene.operational_points);
   context.external_forces = point_rows(scene.external_forces);
+  append_input_notes(scene, mechanism, context.notes);
   for (const SceneObject& object : scene.objects) {
     context.notes.push_back(object_text(object));
   }

@@ -1,10 +1,12 @@
 #include "generation/function_mechanisms.hpp"
 
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "description/check_scene.hpp"
+#include "description/scene_inputs.hpp"
 #include "generation/choose_axes.hpp"
 #include "mechanism/build_mechanism.hpp"
 
@@ -15,6 +17,15 @@ constexpr unsigned kPoints = 1;
 constexpr unsigned kForces = 2;
 constexpr unsigned kContacts = 4;
 
+/// What the scene lists under `inputs`, and what stands for it among a function's needs.
+struct ModelNeed {
+  Quantity quantity;
+  unsigned bit;
+};
+constexpr std::array kModelNeeds = {
+    ModelNeed{Quantity::gravity, 8}, ModelNeed{Quantity::payload, 16},
+    ModelNeed{Quantity::parameters, 32}, ModelNeed{Quantity::tool, 64}};
+
 }  // namespace
 
 FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, Inertias inertias)
@@ -22,6 +33,9 @@ FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, I
   if (!scene.operational_points.empty()) in_scene_ |= kPoints;
   if (!scene.external_forces.empty()) in_scene_ |= kForces;
   if (!scene.contacts.empty()) in_scene_ |= kContacts;
+  for (const ModelNeed& need : kModelNeeds) {
+    if (has_input(scene, need.quantity)) in_scene_ |= need.bit;
+  }
 }
 
 const Mechanism& FunctionMechanisms::of(Function function) {
@@ -29,6 +43,9 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (needs_points(function) || needs_objects(function)) needs |= kPoints;
   if (takes_external_forces(function)) needs |= kForces;
   if (needs_contacts(function)) needs |= kContacts;
+  for (const ModelNeed& need : kModelNeeds) {
+    if (takes(function, need.quantity)) needs |= need.bit;
+  }
   needs &= in_scene_;
   const FrameCost& frames = info_of(function).frames;
   if (frames.count == 0) return reduced(needs);
@@ -76,6 +93,9 @@ const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   }
   if ((needs & kForces) == 0) seen.external_forces.clear();
   if ((needs & kContacts) == 0) seen.contacts.clear();
+  for (const ModelNeed& need : kModelNeeds) {
+    if ((needs & need.bit) == 0) remove_input(need.quantity, seen);
+  }
   return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
 }
 

@@ -9,6 +9,7 @@
 #include "emission/backend/backend.hpp"
 #include "generation/bound_damped.hpp"
 #include "generation/compose_damped.hpp"
+#include "generation/count_inputs.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/quote_for_shell.hpp"
@@ -264,6 +265,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (scene.damped) generation.damped = compose_damped(generation.functions);
   EmissionContext context = context_of(robot, scene, provenance, generation);
   context.measured = choices.measured;
+  context.input_costs = count_inputs(robot, scene, generation.functions);
   generation.files =
       emit(context, programs_of(generation.functions), diagnostics, programs_of(generation.batch));
   if (diagnostics.has_errors()) {

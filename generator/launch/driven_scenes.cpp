@@ -23,6 +23,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(!scene.objects.empty(), "objects");
   add(!scene.contacts.empty(), "contacts");
   add(!scene.external_forces.empty(), "external_forces");
+  add(!scene.inputs.empty(), "inputs");
   add(scene.batch > 0, "batch");
   add(scene.real == Real::float32, "real: float");
   add(scene.sin_cos == Sines::given, "sin_cos: given");
@@ -70,6 +71,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.objects.clear();
   control.contacts.clear();
   control.external_forces.clear();
+  control.inputs = {};
   control.batch = 0;
   control.real = Real::float64;
   control.sin_cos = Sines::computed;

@@ -11,6 +11,7 @@
 #include "description/snap_angles.hpp"
 #include "mechanism/add_rotors.hpp"
 #include "mechanism/exact_from_file.hpp"
+#include "mechanism/place_inputs.hpp"
 
 namespace treeline {
 namespace {
@@ -55,8 +56,10 @@ class Builder {
     mechanism_.objects = objects();
     mechanism_.contacts = points(scene_.contacts);
     mechanism_.link_frames = link_frames();
-    for (MovingLink& link : mechanism_.links) {
-      link.radius = radius_of_gyration(link.inertia);
+    mechanism_.inputs = place_inputs(robot_, scene_, files_frames());
+    for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
+      MovingLink& link = mechanism_.links[i];
+      link.radius = radius_of_gyration(nominal_inertia(mechanism_, static_cast<int>(i)));
       resolve_inertia(mechanism_, link);
     }
     for (const MechanismPoint& frame : mechanism_.link_frames) {
@@ -114,6 +117,7 @@ class Builder {
     Inertia& carrier = place.link < 0
                            ? mechanism_.world
                            : mechanism_.links[static_cast<std::size_t>(place.link)].inertia;
+    if (has_parameters_as_input(scene_, link.name)) return;
     const Inertia own = link.inertial ? exact_inertia(*link.inertial) : Inertia{};
     carrier = carrier + transformed(own, place.pose);
     if (link.inertial && (place.link < 0 || carrier_name(place) != link.name)) {
@@ -278,6 +282,15 @@ class Builder {
       }
     }
     return result;
+  }
+
+  /// Where the frames of all links of the URDF are.
+  [[nodiscard]] std::vector<MechanismPoint> files_frames() const {
+    std::vector<MechanismPoint> frames;
+    for (std::size_t i = 0; i < robot_.links.size(); ++i) {
+      frames.push_back({robot_.links[i].name, places_[i].link, places_[i].pose});
+    }
+    return frames;
   }
 
   /// Frames of moving links with the names of their URDF links. The inner links of a joint of

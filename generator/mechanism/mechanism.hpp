@@ -81,6 +81,28 @@ struct MechanismObject {
   std::vector<MechanismGrasp> grasps;
 };
 
+/// Ten inertial parameters that functions take as an argument: those of a payload, or a link's own,
+/// in the frame of that link in the URDF.
+struct MechanismInertia {
+  MechanismPoint frame;  ///< where that frame is now
+  Inertia nominal;       ///< what the files say: nothing of a payload
+};
+
+/// An operational point whose origin is an argument, in the frame of its link in the URDF.
+struct MechanismTool {
+  std::size_t point = 0;
+  MechanismPoint frame;    ///< where that frame is now
+  ExactVector3 nominal{};  ///< what the scene says
+};
+
+/// What functions take as arguments of what changes the robot, see `SceneInputs`.
+struct MechanismInputs {
+  bool gravity = false;
+  /// Added to the links' inertias, which contain neither.
+  std::vector<MechanismInertia> payloads, parameters;
+  std::vector<MechanismTool> tools;
+};
+
 /// Isomorphic subtrees on one link: arms, legs, fingers. Their operations may share lanes.
 struct LimbFamily {
   std::vector<std::vector<int>> limbs;  ///< links of each limb, in corresponding order
@@ -111,6 +133,7 @@ struct Mechanism {
   std::vector<Inertia> link_matter;
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
+  MechanismInputs inputs;
   SingularTasks singular = SingularTasks::smooth;  ///< see `Scene`
   Real real = Real::float64;                       ///< see `Scene`
   std::vector<Coordinate> coordinates;             ///< nq of them

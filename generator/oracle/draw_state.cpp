@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "bounds/dice.hpp"
+#include "bounds/draw_body.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "oracle/term_sizes.hpp"
 
@@ -110,6 +111,39 @@ std::vector<double> draw_q(Dice& dice, const StateSpace& space, const State& sta
   return q;
 }
 
+/// Draws the inertial parameters of a body.
+void draw_body(Dice& dice, const SubjectInertia& within, bool whole, std::vector<double>& entries) {
+  std::array<double, kInertialParameters> choice{};
+  for (double& each : choice) each = dice.within(1);
+  const auto body = bounds::body_of({within.mass, within.reach, whole}, choice);
+  entries.insert(entries.end(), body.begin(), body.end());
+}
+
+/// Draws what the robot is at a state, within the ranges of the scene. The first state carries
+/// nothing.
+std::vector<double> draw_model(Dice& dice, const SubjectInputs& inputs, Quantity quantity,
+                               int index) {
+  std::vector<double> entries;
+  switch (info_of(quantity).space) {
+    case IndexSpace::payloads:
+      for (const SubjectInertia& box : inputs.payloads) {
+        draw_body(dice, index == 0 ? SubjectInertia{} : box, false, entries);
+      }
+      return entries;
+    case IndexSpace::parameters:
+      for (const SubjectInertia& box : inputs.parameters) draw_body(dice, box, true, entries);
+      return entries;
+    case IndexSpace::tools:
+      for (const SubjectTool& tool : inputs.tools) {
+        for (int i = 0; i < 3; ++i) entries.push_back(dice.within(tool.reach));
+      }
+      return entries;
+    default:
+      for (int i = 0; i < 3; ++i) entries.push_back(dice.within(info_of(quantity).range));
+      return entries;
+  }
+}
+
 void round_to_float(State& state) {
   for (auto* entries :
        {&state.q, &state.qd, &state.qdd, &state.tau, &state.xdd_cmd, &state.f_ext}) {
@@ -152,6 +186,10 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::normals:
     case Quantity::stabilisation:
     case Quantity::xdd_object:
+    case Quantity::gravity:
+    case Quantity::payload:
+    case Quantity::parameters:
+    case Quantity::tool:
       break;
   }
   const auto found = state.others.find(quantity);
@@ -188,6 +226,10 @@ State draw_state(const StateSpace& space, int index) {
     state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));
   }
   for (const auto& [quantity, count] : space.others) {
+    if (is_of_model(quantity)) {
+      state.others[quantity] = draw_model(dice, space.subject.inputs, quantity, index);
+      continue;
+    }
     // At rest too: a direction is none without a length.
     state.others[quantity] = draw_rates(dice, state.kind, static_cast<std::size_t>(count),
                                         speed(state.kind).acceleration);

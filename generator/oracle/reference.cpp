@@ -24,13 +24,17 @@ bool is_member(Quantity quantity) {
     case IndexSpace::objects:
     case IndexSpace::linkages:
     case IndexSpace::grasp_gains:
+    case IndexSpace::gravity:
+    case IndexSpace::payloads:
+    case IndexSpace::parameters:
+    case IndexSpace::tools:
       break;
   }
   return false;
 }
 
-/// Arguments of functions about contacts and objects; they are drawn without regard to their
-/// meaning.
+/// Arguments of functions about contacts and objects, which are drawn without regard to their
+/// meaning, and arguments that change the robot.
 std::map<Quantity, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
   std::map<Quantity, int> sizes;
   for (const GeneratedFunction& generated : functions) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "description/heaviest_rows.hpp"
 #include "interpreter/damped_torque.hpp"
 #include "interpreter/points.hpp"
@@ -8,6 +11,26 @@
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {
+
+/// A body whose inertial parameters are an argument, and the matter that it may have: kg, within m
+/// of the link's origin.
+struct SubjectInertia {
+  int body = 0;
+  double mass = 0, reach = 0;
+};
+
+/// An operational point whose origin is an argument, with components up to `reach`, m.
+struct SubjectTool {
+  std::size_t point = 0;
+  double reach = 0;
+};
+
+/// What of the subject arguments change, see `SceneInputs`.
+struct SubjectInputs {
+  bool gravity = false;
+  std::vector<SubjectInertia> payloads, parameters;
+  std::vector<SubjectTool> tools;
+};
 
 /// Robot and scene in the interpreter's types.
 template <class Scalar>
@@ -18,7 +41,47 @@ struct Subject {
   interpreter::Points<Scalar> contacts;
   interpreter::ClosedChain<Scalar> chain;  ///< with the objects that the robot holds
   interpreter::Damping<Scalar> damping;    ///< empty if the scene asks for no damping
+  SubjectInputs inputs;                    ///< payloads are bodies of their own, without mass
 };
+
+/// Index of the body of a link.
+template <class Scalar>
+int find_body(const interpreter::Model<Scalar>& model, const std::string& link) {
+  int body = 0;
+  while (model.body(body).name != link) ++body;
+  return body;
+}
+
+/// Fixes a body without mass to each link that carries a payload.
+template <class Scalar>
+void add_payloads(const Scene& scene, interpreter::Model<Scalar>& model) {
+  for (const SceneInertia& payload : scene.inputs.payloads) {
+    interpreter::Body<Scalar> body;
+    body.name = "payload of " + payload.link;
+    body.parent = find_body(model, payload.link);
+    interpreter::add_body(model, body);
+  }
+}
+
+/// `model` without payloads.
+template <class Scalar>
+SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& model) {
+  SubjectInputs inputs;
+  inputs.gravity = scene.inputs.gravity;
+  for (const SceneInertia& payload : scene.inputs.payloads) {
+    const int body = model.size() + static_cast<int>(inputs.payloads.size());
+    inputs.payloads.push_back({body, payload.mass, payload.reach});
+  }
+  for (const SceneInertia& own : scene.inputs.parameters) {
+    inputs.parameters.push_back({find_body(model, own.link), own.mass, own.reach});
+  }
+  for (const SceneTool& tool : scene.inputs.tools) {
+    std::size_t point = 0;
+    while (scene.operational_points[point].name != tool.point) ++point;
+    inputs.tools.push_back({point, tool.reach});
+  }
+  return inputs;
+}
 
 template <class Scalar>
 Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
@@ -31,15 +94,22 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   subject.damping.heaviest = vector_of<Scalar>(heaviest_rows(scene));
   // The values of `core::add_damping_by_directions`.
   subject.damping.resolution = Scalar(scene.real == Real::float32 ? 0x1p-17 : 0x1p-46);
+  subject.inputs = inputs_of(scene, subject.model);
+  add_payloads(scene, subject.model);
+  for (auto& robot_of_chain : subject.chain.robots) add_payloads(scene, robot_of_chain);
   return subject;
 }
 
 /// Converts every number to another type, rounding it once.
 template <class To, class From>
 Subject<To> cast(const Subject<From>& subject) {
-  return {interpreter::cast<To>(subject.model),    interpreter::cast<To>(subject.points),
-          interpreter::cast<To>(subject.external), interpreter::cast<To>(subject.contacts),
-          interpreter::cast<To>(subject.chain),    interpreter::cast<To>(subject.damping)};
+  return {interpreter::cast<To>(subject.model),
+          interpreter::cast<To>(subject.points),
+          interpreter::cast<To>(subject.external),
+          interpreter::cast<To>(subject.contacts),
+          interpreter::cast<To>(subject.chain),
+          interpreter::cast<To>(subject.damping),
+          subject.inputs};
 }
 
 }  // namespace treeline

@@ -68,9 +68,17 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
     case IndexSpace::linkages:
       return internal_force_entries(mechanism);
     case IndexSpace::grasp_gains:
+      return 2;
+    case IndexSpace::gravity:
+      return mechanism.inputs.gravity ? 3 : 0;
+    case IndexSpace::payloads:
+      return kInertialParameters * static_cast<int>(mechanism.inputs.payloads.size());
+    case IndexSpace::parameters:
+      return kInertialParameters * static_cast<int>(mechanism.inputs.parameters.size());
+    case IndexSpace::tools:
       break;
   }
-  return 2;
+  return 3 * static_cast<int>(mechanism.inputs.tools.size());
 }
 
 TracedInputs::TracedInputs(const Mechanism& mechanism, Function function, Program& program) {
@@ -85,6 +93,25 @@ TracedInputs::TracedInputs(const Mechanism& mechanism, Function function, Progra
           program.graph.input(std::string(row.symbol) + "[" + std::to_string(i) + "]"));
     }
   }
+}
+
+void apply_inputs(const Mechanism& mechanism, const TracedInputs& inputs, Tree<Expression>& tree) {
+  ModelInputs<Expression> model;
+  if (const auto& gravity = inputs[Quantity::gravity]; !gravity.empty()) {
+    model.gravity = triple_at(gravity, 0);
+  }
+  model.payloads = inertial_parameters(inputs[Quantity::payload]);
+  model.parameters = inertial_parameters(inputs[Quantity::parameters]);
+  const auto& tools = inputs[Quantity::tool];
+  for (std::size_t i = 0; i < tools.size(); i += 3) model.tools.push_back(triple_at(tools, i));
+  apply_inputs<Expression>(mechanism, model, tree);
+}
+
+Tree<Expression> structure_of(const Mechanism& mechanism, Function function, Program& scratch) {
+  const TracedInputs inputs(mechanism, function, scratch);
+  auto tree = constant_tree<Expression>(mechanism);
+  apply_inputs(mechanism, inputs, tree);
+  return tree;
 }
 
 }  // namespace treeline

@@ -7,6 +7,7 @@
 #include "functions/function.hpp"
 #include "mechanism/mechanism.hpp"
 #include "program/program.hpp"
+#include "recursion/model_inputs.hpp"
 
 namespace treeline {
 
@@ -31,5 +32,13 @@ class TracedInputs {
  private:
   std::array<std::vector<Expression>, kQuantities.size()> entries_;
 };
+
+/// Makes the constant tree that of the robot which the arguments say. What the function does not
+/// take is as in the files.
+void apply_inputs(const Mechanism& mechanism, const TracedInputs& inputs, Tree<Expression>& tree);
+
+/// The tree that traces of the function work with, for what depends on its structure alone.
+/// `scratch` is to be thrown away; its graph must be open.
+Tree<Expression> structure_of(const Mechanism& mechanism, Function function, Program& scratch);
 
 }  // namespace treeline

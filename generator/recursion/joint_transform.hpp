@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "recursion/tree.hpp"
+#include "recursion/model_inputs.hpp"
 
 namespace treeline {
 

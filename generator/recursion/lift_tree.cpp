@@ -58,6 +58,7 @@ Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mecha
     tree.link_matter.push_back({matter.link, matter.mass, lift(matter.h)});
   }
   tree.world_moment = lift(constants.world_moment);
+  tree.total_mass = constants.total_mass;
   tree.inverse_total_mass = constants.inverse_total_mass;
   tree.gravity = lift(constants.gravity);
   tree.nq = constants.nq;

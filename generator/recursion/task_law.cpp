@@ -61,9 +61,13 @@ struct Posed {
 };
 
 template <class Scalar>
-Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vector<double>& q) {
+Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vector<double>& q,
+                   const std::vector<double>& tool = {}) {
   Posed<Scalar> posed;
-  posed.tree = tree_of<Scalar>(mechanism);
+  ModelInputs<Scalar> inputs;
+  const std::vector<Scalar> origins(tool.begin(), tool.end());
+  for (std::size_t i = 0; i < origins.size(); i += 3) inputs.tools.push_back(triple_at(origins, i));
+  posed.tree = tree_of<Scalar>(mechanism, inputs);
   if (points == LawPoints::contacts) posed.tree.operational_points = posed.tree.contacts;
   if (points == LawPoints::grasps) {
     posed.objects = objects_of<Scalar>(mechanism);
@@ -285,10 +289,11 @@ Matrix3<Exact> arm_rows(const Posed<Exact>& posed, const TaskLaw& law, const Mat
 
 }  // namespace
 
-std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& q) {
+std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& q,
+                                 const std::vector<double>& tool) {
   const TaskBasis& basis = law.basis;
   if (!basis.in_link_axes && !basis.at_link_origin && basis.axes_link < 0) return {};
-  const auto posed = pose<Exact>(*law.mechanism, law.points, q);
+  const auto posed = pose<Exact>(*law.mechanism, law.points, q, tool);
   const auto poses = world_poses(posed.tree, posed.X);
   const auto axes_of = [&](int link, const TreePoint<Exact>& point) {
     if (link < 0 && !basis.in_link_axes && point.axes == Axes::world) return identity3<Exact>();

@@ -81,7 +81,9 @@ struct LawFrame {
 };
 
 /// Frames of the law's rows at `q`, one per point; empty if all rows are those of the scene.
-std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& q);
+/// `tool`: origins of points that are arguments, empty for those of the scene.
+std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& q,
+                                 const std::vector<double>& tool = {});
 
 /// Makes the task laws of a mechanism's functions, each once.
 class TaskLaws {

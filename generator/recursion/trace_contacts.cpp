@@ -164,11 +164,12 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
   ContactTrace traced;
-  traced.tree = tree_of<Expression>(mechanism);
+  traced.tree = constant_tree<Expression>(mechanism);
   const TracedInputs inputs(mechanism, function, program);
+  apply_inputs(mechanism, inputs, traced.tree);
   traced.q = inputs[Quantity::q];
   for (const Quantity quantity : info_of(function).inputs) {
-    if (quantity != Quantity::q) traced.other = inputs[quantity];
+    if (quantity != Quantity::q && !is_of_model(quantity)) traced.other = inputs[quantity];
   }
   traced.X = joint_transforms<Expression>(traced.tree, traced.q);
   turn_late(traced.tree, traced.X);
@@ -188,11 +189,11 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
 
 std::vector<Program> trace_contact_function(const Mechanism& mechanism, Function function,
                                             int lanes) {
-  Graph graph;
+  Program scratch;
   std::vector<ContactRoute> routes;
   {
-    const Graph::Scope scope(graph);
-    routes = routes_of(function, mechanism, tree_of<Expression>(mechanism));
+    const Graph::Scope scope(scratch.graph);
+    routes = routes_of(function, mechanism, structure_of(mechanism, function, scratch));
   }
   std::vector<Program> programs;
   for (const ContactRoute& route : routes)

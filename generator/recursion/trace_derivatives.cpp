@@ -45,7 +45,8 @@ Program trace_inverse(const Mechanism& mechanism, Program program) {
   program.route = {"unit-changes", "unit changes of motion and of wrenches carried inward", "own",
                    "in link axes"};
   const TracedInputs in(mechanism, Function::inverse_dynamics_derivatives, program);
-  auto tree = tree_of<Expression>(mechanism);
+  auto tree = constant_tree<Expression>(mechanism);
+  apply_inputs(mechanism, in, tree);
   auto X = joint_transforms<Expression>(tree, in[Quantity::q]);
   turn_late(tree, X);
   const auto d = inverse_dynamics_derivatives<Expression>(
@@ -65,7 +66,8 @@ Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRou
     program.route = {"inverse", "-M^-1 times those of inverse dynamics, M^-1 by L^T D L"};
   }
   const TracedInputs in(mechanism, Function::forward_dynamics_derivatives, program);
-  auto tree = tree_of<Expression>(mechanism);
+  auto tree = constant_tree<Expression>(mechanism);
+  apply_inputs(mechanism, in, tree);
   auto X = joint_transforms<Expression>(tree, in[Quantity::q]);
   turn_late(tree, X);
   const auto d = forward_dynamics_derivatives<Expression>(

@@ -37,7 +37,7 @@ std::string priorities_of(const TracedTree& tree) {
 class Tracer {
  public:
   Tracer(const Mechanism& mechanism, int lanes)
-      : mechanism_(mechanism), constants_(tree_of<double>(mechanism)), lanes_(lanes) {}
+      : mechanism_(mechanism), constants_(constant_tree<double>(mechanism)), lanes_(lanes) {}
 
   Program trace(Function function, const RobotRoute& route, Names names = Names::kept) const {
     Program program;
@@ -71,6 +71,7 @@ class Tracer {
  private:
   void take_inputs(Function function, Program& program, RobotTrace& trace) const {
     const TracedInputs inputs(mechanism_, function, program);
+    apply_inputs(mechanism_, inputs, trace.tree);
     trace.q = inputs[Quantity::q];
     trace.qd = inputs[Quantity::qd];
     trace.qdd = inputs[takes(function, Quantity::qdd_0) ? Quantity::qdd_0 : Quantity::qdd];
@@ -84,10 +85,10 @@ class Tracer {
   int lanes_;
 };
 
-/// Which routes there are depends on the tree's structure alone; a throw-away graph holds it.
-TracedTree structure_of(const Mechanism& mechanism, Graph& graph) {
-  const Graph::Scope scope(graph);
-  return tree_of<Expression>(mechanism);
+/// Which routes there are depends on the tree's structure alone.
+TracedTree structure_in(Program& scratch, const Mechanism& mechanism, Function function) {
+  const Graph::Scope scope(scratch.graph);
+  return structure_of(mechanism, function, scratch);
 }
 
 }  // namespace
@@ -107,8 +108,8 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
     case FunctionGroup::points:
       break;
   }
-  Graph graph;
-  const TracedTree tree = structure_of(mechanism, graph);
+  Program scratch;
+  const TracedTree tree = structure_in(scratch, mechanism, function);
   const Tracer tracer(mechanism, lanes);
   std::vector<Program> programs;
   HopelessAlgorithms hopeless;
@@ -122,8 +123,8 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
 
 std::function<Program(Names)> prepare_route(const Mechanism& mechanism, Function function,
                                             const RouteId& id) {
-  Graph graph;
-  const TracedTree tree = structure_of(mechanism, graph);
+  Program scratch;
+  const TracedTree tree = structure_in(scratch, mechanism, function);
   for (const RobotRoute& route : robot_routes(function, mechanism, tree)) {
     if (key_of(route.id) != key_of(id)) continue;
     return [tracer = Tracer(mechanism, 1), function, route](Names names) {

@@ -176,6 +176,7 @@ std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
 
 void take_inputs(const Mechanism& mechanism, Function function, Program& program, Trace& trace) {
   const TracedInputs inputs(mechanism, function, program);
+  apply_inputs(mechanism, inputs, trace.tree);
   trace.q = inputs[Quantity::q];
   trace.qd = inputs[Quantity::qd];
   trace.qdd_0 = inputs[Quantity::qdd_0];
@@ -194,7 +195,7 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
   const Graph::Scope scope(program.graph);
   Trace trace;
   trace.objects = objects_of<Expression>(mechanism);
-  trace.tree = holding_tree(tree_of<Expression>(mechanism), trace.objects);
+  trace.tree = holding_tree(constant_tree<Expression>(mechanism), trace.objects);
   take_inputs(mechanism, function, program, trace);
   trace.X = joint_transforms<Expression>(trace.tree, trace.q);
   turn_late(trace.tree, trace.X);
@@ -214,10 +215,10 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
 
 std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function,
                                            int lanes) {
-  Graph graph;  // a throw-away one: routes depend on the tree's structure alone
-  const Graph::Scope scope(graph);
+  Program scratch;  // routes depend on the tree's structure alone
+  const Graph::Scope scope(scratch.graph);
   const auto objects = objects_of<Expression>(mechanism);
-  const auto tree = holding_tree(tree_of<Expression>(mechanism), objects);
+  const auto tree = holding_tree(structure_of(mechanism, function, scratch), objects);
   std::vector<Program> programs;
   for (const Route& route : routes_of(function, mechanism, tree)) {
     programs.push_back(trace_route(mechanism, function, route, lanes));

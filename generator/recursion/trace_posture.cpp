@@ -96,7 +96,8 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   const Graph::Scope scope(program.graph);
   const TracedInputs inputs(mechanism, function, program);
   PostureTrace trace;
-  trace.tree = tree_of<Expression>(mechanism);
+  trace.tree = constant_tree<Expression>(mechanism);
+  apply_inputs(mechanism, inputs, trace.tree);
   trace.X = joint_transforms<Expression>(trace.tree, inputs[Quantity::q]);
   turn_late(trace.tree, trace.X);
   trace.qd = inputs[Quantity::qd];

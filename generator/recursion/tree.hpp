@@ -62,7 +62,8 @@ struct Tree {
   std::vector<TreeMatter<Scalar>> link_matter;  ///< of each of `link_frames`
   Vector3<Scalar> gravity;
   Vector3<Scalar> world_moment;  ///< first moment of matter fixed to the world
-  Scalar inverse_total_mass{};   ///< of all links; 0 if the robot has no mass
+  Scalar total_mass{};           ///< of all links
+  Scalar inverse_total_mass{};   ///< 0 if the robot has no mass
   int nq = 0, nv = 0;
   bool has_mimics = false;
   bool has_world_matter = false;  ///< matter fixed to the world counts for the centre of mass
@@ -126,8 +127,10 @@ TreePoint<Scalar> tree_point(const MechanismPoint& point) {
           point.priority};
 }
 
+/// What of the tree is constant: without inertias that are arguments, with the gravity and the
+/// points of the scene. See `tree_of`.
 template <class Scalar>
-Tree<Scalar> tree_of(const Mechanism& mechanism) {
+Tree<Scalar> constant_tree(const Mechanism& mechanism) {
   Tree<Scalar> tree;
   for (const MovingLink& link : mechanism.links) {
     const ExactMatrix3 J = rotational_inertia(link.inertia);
@@ -168,6 +171,7 @@ Tree<Scalar> tree_of(const Mechanism& mechanism) {
   Exact mass = mechanism.world.mass;
   for (const MovingLink& link : mechanism.links) mass += link.inertia.mass;
   tree.world_moment = rounded<Scalar>(mechanism.world.h);
+  tree.total_mass = rounded<Scalar>(mass);
   tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Exact(1 / mass) : Exact(0));
   const auto& g = mechanism.gravity;
   tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};

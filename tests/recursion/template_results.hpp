@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
+#include "recursion/center_of_mass.hpp"
 #include "recursion/control_torque.hpp"
 #include "recursion/coriolis_matrix.hpp"
 #include "recursion/forward_dynamics.hpp"
@@ -26,14 +27,17 @@ struct RouteResults {
 template <class Scalar>
 class TemplateRun {
  public:
-  TemplateRun(const Mechanism& mechanism, const Inputs<Scalar>& in)
+  TemplateRun(const Mechanism& mechanism, const Inputs<Scalar>& in,
+              const ModelInputs<Scalar>& model = {})
       : in_(in),
-        tree_(tree_of<Scalar>(mechanism)),
+        tree_(tree_of<Scalar>(mechanism, model)),
         rows_(static_cast<std::size_t>(mechanism.task_rows())),
         X_(transforms_with_late_turns(tree_, in_.q)),
         poses_(world_poses(tree_, X_)) {
     if (!in_.f_ext.empty()) applied_ = applied_wrenches<Scalar>(tree_, X_, in_.f_ext);
   }
+
+  [[nodiscard]] Vector3<Scalar> center() const { return center_of_mass(tree_, X_); }
 
   /// Results of the function by every route that applies to the tree.
   [[nodiscard]] std::vector<RouteResults<Scalar>> results(Function function) const {

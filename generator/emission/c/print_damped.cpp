@@ -31,17 +31,16 @@ std::string print_damped_calls(const EmissionContext& context,
   return calls;
 }
 
-/// In the order of control_torque: q, its sines and cosines, qd, qdd_0, xdd_cmd, f_ext.
-std::string print_damped_head(const EmissionContext& context, const Program& inverse_dynamics) {
+std::string print_damped_head(const EmissionContext& context,
+                              const std::vector<Argument>& arguments) {
   const char* const real = context.single_precision ? "float" : "double";
   const std::string capitals = name_in_capitals(context);
   const auto array = [&](const char* qualifier, const std::string& name, int size) {
     return fmt::format("{}{} {}[TREELINE_{}_ARRAY({})]", qualifier, real, name, capitals, size);
   };
   std::string list;
-  for (const Argument& argument : inverse_dynamics.arguments) {
-    list += array("const ", damped_name(argument), argument.rows * argument.cols) + ", ";
-    if (argument.name == "qdd") list += array("const ", "xdd_cmd", context.task_rows) + ", ";
+  for (const Argument& argument : arguments) {
+    list += array("const ", argument.name, argument.rows * argument.cols) + ", ";
   }
   return fmt::format("{} {}_damped_control_torque({}{}, {})", real, context.name, list,
                      array("", "tau", context.velocities),
@@ -114,7 +113,8 @@ std::vector<GeneratedFile> print_damped(const EmissionContext& context,
                                         std::span<const Program> programs) {
   const std::vector<DampedCall> calls = list_damped_calls(programs);
   const std::string real = context.single_precision ? "float" : "double";
-  const std::string head = print_damped_head(context, *calls.back().program);
+  const std::string head =
+      print_damped_head(context, list_damped_arguments(calls, context.task_rows));
   const std::string heaviest =
       fmt::format("static const {} {}_heaviest[{}] = {{{}}};", real, context.name,
                   context.task_rows, list_heaviest(context, make_syntax(context)));

@@ -23,13 +23,13 @@ std::string print_calls(const std::vector<DampedCall>& called) {
   return calls;
 }
 
-/// In the order of control_torque: q, its sines and cosines, qd, qdd_0, xdd_cmd, f_ext.
-std::string print_damped_signature(const Program& inverse_dynamics) {
+std::string print_damped_signature(const std::vector<Argument>& arguments) {
   std::string list;
-  for (const Argument& argument : inverse_dynamics.arguments) {
-    list +=
-        fmt::format("const Real (&{})[{}], ", damped_name(argument), argument.rows * argument.cols);
-    if (argument.name == "qdd") list += "const Real (&xdd_cmd)[kTaskRows], ";
+  for (const Argument& argument : arguments) {
+    const std::string size = argument.name == "xdd_cmd"
+                                 ? std::string("kTaskRows")
+                                 : std::to_string(argument.rows * argument.cols);
+    list += fmt::format("const Real (&{})[{}], ", argument.name, size);
   }
   return fmt::format(
       "inline Real damped_control_torque({}Real (&tau)[kVelocities], "
@@ -43,13 +43,15 @@ std::string print_damped(const EmissionContext& context, std::span<const Program
   const std::vector<DampedCall> calls = list_damped_calls(programs);
   const std::string heaviest = fmt::format("inline constexpr Real kHeaviest[kTaskRows] = {{{}}};",
                                            list_heaviest(context, make_syntax(context)));
-  return fill_template(templates::kDamped,
-                       {{"robot", context.robot},
-                        {"name", context.name},
-                        {"heaviest", wrap_line(heaviest, 0)},
-                        {"cost", comment("///", describe_damped_cost(context, programs))},
-                        {"signature", wrap_line(print_damped_signature(*calls.back().program), 0)},
-                        {"calls", print_calls(calls)}});
+  return fill_template(
+      templates::kDamped,
+      {{"robot", context.robot},
+       {"name", context.name},
+       {"heaviest", wrap_line(heaviest, 0)},
+       {"cost", comment("///", describe_damped_cost(context, programs))},
+       {"signature",
+        wrap_line(print_damped_signature(list_damped_arguments(calls, context.task_rows)), 0)},
+       {"calls", print_calls(calls)}});
 }
 
 }  // namespace treeline::cpp

@@ -1,0 +1,162 @@
+#include "description/read_scene_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/count_freedoms.hpp"
+#include "description/list_links.hpp"
+#include "description/scene_inputs.hpp"
+#include "description/suggest_name.hpp"
+
+namespace treeline {
+namespace {
+
+using Fields = std::map<std::string, SceneElement>;
+
+/// One or a list of these.
+std::vector<SceneElement> one_or_more(const SceneElement& element) {
+  return element.is_list() ? element.items() : std::vector<SceneElement>{element};
+}
+
+double read_positive(const Fields& fields, const char* key, double otherwise) {
+  const auto found = fields.find(key);
+  if (found == fields.end()) return otherwise;
+  const double value = found->second.number().value_or(otherwise);
+  if (value > 0) return value;
+  found->second.error(fmt::format("{} is not positive", value),
+                      "give the largest that occurs; rounding bounds hold up to it");
+  return otherwise;
+}
+
+/// The name alone, or the value of `key` in a map.
+std::optional<std::string> read_name(const SceneElement& element, const Fields& fields,
+                                     const char* key) {
+  if (!element.is_map()) return element.text();
+  const auto found = fields.find(key);
+  if (found != fields.end()) return found->second.text();
+  element.error(fmt::format("the key \"{}\" is missing", key), "name it");
+  return std::nullopt;
+}
+
+/// What a body may have whose parameters are those of a link: twice what the file says.
+SceneInertia ranges_of(const Link& link) {
+  SceneInertia ranges{link.name};
+  if (!link.inertial || !(link.inertial->mass > 0)) return ranges;
+  const Inertial& own = *link.inertial;
+  const auto& c = own.origin.xyz;
+  const double trace = std::abs(own.ixx) + std::abs(own.iyy) + std::abs(own.izz);
+  ranges.mass = 2 * own.mass;
+  ranges.reach = 2 * (std::hypot(c[0], c[1], c[2]) + std::sqrt(trace / 2 / own.mass));
+  return ranges;
+}
+
+const Link* find_moving_link(const SceneElement& element, const std::string& name,
+                             const Robot& robot, const Scene& scene) {
+  const auto link = std::find_if(robot.links.begin(), robot.links.end(),
+                                 [&](const Link& each) { return each.name == name; });
+  if (link == robot.links.end()) {
+    element.error(fmt::format("the robot has no link \"{}\"", name), suggest_link(name, robot));
+    return nullptr;
+  }
+  if (find_freedoms_of_link(robot, scene, name).empty()) {
+    element.error(fmt::format("the link \"{}\" cannot move", name),
+                  "name a link behind a joint that moves");
+    return nullptr;
+  }
+  return &*link;
+}
+
+/// The links of `payload` or `parameters`.
+std::vector<SceneInertia> read_inertias(const SceneElement& element, const Robot& robot,
+                                        const Scene& scene, bool of_links) {
+  std::vector<SceneInertia> inertias;
+  for (const SceneElement& item : one_or_more(element)) {
+    const Fields fields = item.is_map() ? item.fields({"link", "mass", "reach"}) : Fields{};
+    const auto name = read_name(item, fields, "link");
+    const Link* link = name ? find_moving_link(item, *name, robot, scene) : nullptr;
+    if (link == nullptr) continue;
+    if (std::any_of(inertias.begin(), inertias.end(),
+                    [&](const SceneInertia& other) { return other.link == *name; })) {
+      item.error(fmt::format("the link \"{}\" is listed twice", *name), "list it once");
+      continue;
+    }
+    SceneInertia inertia = of_links ? ranges_of(*link) : SceneInertia{*name};
+    inertia.mass = read_positive(fields, "mass", inertia.mass);
+    inertia.reach = read_positive(fields, "reach", inertia.reach);
+    inertias.push_back(inertia);
+  }
+  return inertias;
+}
+
+bool holds_object(const Scene& scene, const std::string& point) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+    return std::any_of(object.grasps.begin(), object.grasps.end(),
+                       [&](const SceneGrasp& grasp) { return grasp.point == point; });
+  });
+}
+
+/// False, and an error, for a name that no tool can have.
+bool check_tool(const SceneElement& item, const std::string& name, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const ScenePoint& point : scene.operational_points) names.push_back(point.name);
+  const auto& tools = scene.inputs.tools;
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    item.error(fmt::format("there is no operational point \"{}\"", name),
+               names.empty() ? "add a list operational_points"
+                             : suggest_name(name, names, "the operational points are"));
+  } else if (holds_object(scene, name)) {
+    item.error(fmt::format("the point \"{}\" holds an object", name),
+               "name a point that holds none, or remove the object");
+  } else if (std::any_of(tools.begin(), tools.end(),
+                         [&](const SceneTool& other) { return other.point == name; })) {
+    item.error(fmt::format("the point \"{}\" is listed twice", name), "list it once");
+  } else {
+    return true;
+  }
+  return false;
+}
+
+void read_tools(const SceneElement& element, Scene& scene) {
+  for (const SceneElement& item : one_or_more(element)) {
+    const Fields fields = item.is_map() ? item.fields({"point", "reach"}) : Fields{};
+    const auto name = read_name(item, fields, "point");
+    if (!name || !check_tool(item, *name, scene)) continue;
+    SceneTool tool{*name};
+    tool.reach = read_positive(fields, "reach", tool.reach);
+    scene.inputs.tools.push_back(tool);
+  }
+}
+
+}  // namespace
+
+void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& scene) {
+  const Fields fields = element.fields({"gravity", "payload", "parameters", "tool"});
+  if (const auto gravity = fields.find("gravity"); gravity != fields.end()) {
+    scene.inputs.gravity = gravity->second.choice({"false", "true"}) == 1;
+  }
+  if (const auto payload = fields.find("payload"); payload != fields.end()) {
+    scene.inputs.payloads = read_inertias(payload->second, robot, scene, false);
+  }
+  if (const auto links = fields.find("parameters"); links != fields.end()) {
+    scene.inputs.parameters = read_inertias(links->second, robot, scene, true);
+  }
+  if (const auto tool = fields.find("tool"); tool != fields.end()) read_tools(tool->second, scene);
+}
+
+void check_inputs_used(const SceneElement& top, const Scene& scene) {
+  for (const QuantityInfo& row : kQuantities) {
+    if (!is_of_model(row.quantity) || !has_input(scene, row.quantity)) continue;
+    const bool used = std::any_of(scene.functions.begin(), scene.functions.end(),
+                                  [&](Function f) { return takes(f, row.quantity); });
+    if (used) continue;
+    top.warn(fmt::format("{} is listed under inputs, but no function depends on it", row.symbol),
+             "remove it, or add a function that does");
+  }
+}
+
+}  // namespace treeline

@@ -1,0 +1,30 @@
+#include "generation/count_inputs.hpp"
+
+#include "description/scene_inputs.hpp"
+#include "generation/function_mechanisms.hpp"
+#include "passes/count_operations.hpp"
+
+namespace treeline {
+
+std::map<std::string, std::vector<EmissionContext::InputCost>> count_inputs(
+    const Robot& robot, const Scene& scene, const std::vector<GeneratedFunction>& functions) {
+  std::map<std::string, std::vector<EmissionContext::InputCost>> costs;
+  for (const QuantityInfo& row : kQuantities) {
+    if (!is_of_model(row.quantity) || !has_input(scene, row.quantity)) continue;
+    Scene without = scene;
+    remove_input(row.quantity, without);
+    FunctionMechanisms mechanisms(robot, without);
+    for (const GeneratedFunction& generated : functions) {
+      const Function function = generated.function;
+      if (!takes(function, row.quantity)) continue;
+      const GeneratedFunction other =
+          generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos);
+      costs[generated.program.name].push_back(
+          {row.symbol,
+           count_operations(generated.program).flops() - count_operations(other.program).flops()});
+    }
+  }
+  return costs;
+}
+
+}  // namespace treeline

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "functions/quantity.hpp"
+#include "recursion/tree.hpp"
+
+namespace treeline {
+
+/// The ten inertial parameters of a body in a frame. They are linear: those of two bodies that are
+/// joined add up.
+template <class Scalar>
+struct InertialParameters {
+  Scalar mass{};
+  Vector3<Scalar> h;     ///< first moment m c
+  Symmetric3<Scalar> J;  ///< rotational inertia about the frame's origin
+};
+
+/// What arguments say of the robot, see `MechanismInputs`. What is empty is as in the files.
+template <class Scalar>
+struct ModelInputs {
+  std::optional<Vector3<Scalar>> gravity;
+  std::vector<InertialParameters<Scalar>> payloads, parameters;
+  std::vector<Vector3<Scalar>> tools;
+};
+
+template <class Scalar>
+Vector3<Scalar> triple_at(const std::vector<Scalar>& entries, std::size_t first) {
+  return {entries[first], entries[first + 1], entries[first + 2]};
+}
+
+/// Of an argument with ten entries a body: m, m c, Ixx, Ixy, Ixz, Iyy, Iyz, Izz.
+template <class Scalar>
+std::vector<InertialParameters<Scalar>> inertial_parameters(const std::vector<Scalar>& entries) {
+  std::vector<InertialParameters<Scalar>> bodies;
+  for (std::size_t at = 0; at < entries.size(); at += kInertialParameters) {
+    bodies.push_back({entries[at],
+                      triple_at(entries, at + 1),
+                      {entries[at + 4], entries[at + 5], entries[at + 6], entries[at + 7],
+                       entries[at + 8], entries[at + 9]}});
+  }
+  return bodies;
+}
+
+template <class Scalar>
+InertialParameters<Scalar> inertial_parameters(const Inertia& inertia) {
+  return {rounded<Scalar>(inertia.mass), rounded<Scalar>(inertia.h),
+          rounded_symmetric<Scalar>(rotational_inertia(inertia))};
+}
+
+/// The same body in another frame, in which its own frame has `pose` (parallel axes): J' = R J R^T
+/// + 2 (p.k) 1 - (p k^T + k p^T) with k = R h + m p / 2.
+template <class Scalar>
+InertialParameters<Scalar> transformed(const InertialParameters<Scalar>& body,
+                                       const ExactPose& pose) {
+  const Rotation<Scalar> R = planar_factors<Scalar>(pose.R);
+  const Vector3<Scalar> p = rounded<Scalar>(pose.p);
+  const Vector3<Scalar> h = rotate(R, body.h);
+  const Vector3<Scalar> k = h + p * (Scalar(0.5) * body.mass);
+  const Scalar xx = p.x * k.x;
+  const Scalar yy = p.y * k.y;
+  const Scalar zz = p.z * k.z;
+  const Scalar two(2.0);
+  const Symmetric3<Scalar> shift{two * (yy + zz),          -(p.x * k.y + p.y * k.x),
+                                 -(p.x * k.z + p.z * k.x), two * (xx + zz),
+                                 -(p.y * k.z + p.z * k.y), two * (xx + yy)};
+  return {body.mass, h + p * body.mass, rotate(R, body.J) + shift};
+}
+
+/// Adds a body to the link that carries it.
+template <class Scalar>
+void add_body(const MechanismPoint& frame, const InertialParameters<Scalar>& body,
+              Tree<Scalar>& tree) {
+  const InertialParameters<Scalar> moved = transformed(body, frame.pose);
+  tree.total_mass = tree.total_mass + moved.mass;
+  if (frame.link < 0) {
+    tree.world_moment = tree.world_moment + moved.h;
+    return;
+  }
+  TreeInertia<Scalar>& own = tree.links[static_cast<std::size_t>(frame.link)].inertia;
+  own.mass = own.mass + moved.mass;
+  own.h = own.h + moved.h;
+  own.J = own.J + moved.J;
+  const Scalar half = Scalar(0.5) * (own.J.xx + own.J.yy + own.J.zz);
+  own.Sigma = {half - own.J.xx, -own.J.xy, -own.J.xz, half - own.J.yy, -own.J.yz, half - own.J.zz};
+}
+
+template <class Scalar>
+void add_bodies(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs, Tree<Scalar>& tree) {
+  const MechanismInputs& places = mechanism.inputs;
+  for (std::size_t i = 0; i < inputs.payloads.size(); ++i) {
+    add_body(places.payloads[i].frame, inputs.payloads[i], tree);
+  }
+  for (std::size_t i = 0; i < places.parameters.size(); ++i) {
+    const MechanismInertia& place = places.parameters[i];
+    add_body(place.frame,
+             inputs.parameters.empty() ? inertial_parameters<Scalar>(place.nominal)
+                                       : inputs.parameters[i],
+             tree);
+  }
+  const bool changed = !inputs.payloads.empty() || !places.parameters.empty();
+  if (!changed || tree.total_mass == Scalar(0.0)) return;
+  tree.inverse_total_mass = Scalar(1.0) / tree.total_mass;
+}
+
+/// Makes the constant tree that of a robot with these inputs.
+template <class Scalar>
+void apply_inputs(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs,
+                  Tree<Scalar>& tree) {
+  if (inputs.gravity) tree.gravity = *inputs.gravity;
+  for (std::size_t i = 0; i < inputs.tools.size(); ++i) {
+    const MechanismTool& tool = mechanism.inputs.tools[i];
+    tree.operational_points[tool.point].p =
+        rotate(planar_factors<Scalar>(tool.frame.pose.R), inputs.tools[i]) +
+        rounded<Scalar>(tool.frame.pose.p);
+  }
+  add_bodies(mechanism, inputs, tree);
+}
+
+/// The tree with these inputs; by default that of the files.
+template <class Scalar>
+Tree<Scalar> tree_of(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs = {}) {
+  Tree<Scalar> tree = constant_tree<Scalar>(mechanism);
+  apply_inputs(mechanism, inputs, tree);
+  return tree;
+}
+
+}  // namespace treeline

@@ -1,0 +1,143 @@
+// What changes the robot while it runs, as arguments of compiled functions. Would catch: an
+// argument in another place of the list than the contract says, a function that does not take what
+// it depends on, a bound that the new arguments make wrong, and costs that the manifest does not
+// state. The reference is the interpreter with a payload as a body of its own.
+#include <nlohmann/json.hpp>
+
+#include "description/scene_inputs.hpp"
+#include "fixture.hpp"
+
+namespace treeline::tests {
+namespace {
+
+SceneInputs inputs_of_puma() {
+  SceneInputs inputs;
+  inputs.gravity = true;
+  inputs.payloads = {{"link6", 3, 0.3}};
+  inputs.parameters = {{"link3", 10, 0.5}};
+  inputs.tools = {{"tool", 0.5}};
+  return inputs;
+}
+
+std::vector<Function> all_of_a_robot() {
+  std::vector<Function> functions;
+  for (const Function function : kSceneFunctions) {
+    if (!needs_objects(function) && !needs_contacts(function)) functions.push_back(function);
+  }
+  return functions;
+}
+
+void expect_right(const Subjects& subjects, int states) {
+  const auto report = check_or_throw(subjects, quick_options(states));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  for (const GeneratedFunction& generated : subjects.generation.functions) {
+    for (const Quantity quantity : info_of(generated.function).inputs) {
+      if (!is_of_model(quantity) || !has_input(subjects.scene, quantity)) continue;
+      const auto& arguments = generated.program.arguments;
+      EXPECT_TRUE(std::any_of(
+          arguments.begin(), arguments.end(),
+          [&](const Argument& argument) { return argument.name == symbol_of(quantity); }))
+          << generated.program.name << " " << symbol_of(quantity);
+    }
+  }
+}
+
+TEST(CheckInputs, EveryFunctionOfPuma560) {
+  Subjects subjects = load("puma560");
+  subjects.scene.inputs = inputs_of_puma();
+  subjects.scene.functions = all_of_a_robot();
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  expect_right(subjects, 60);
+}
+
+TEST(CheckInputs, InFloatInBatchesAndDamped) {
+  Subjects subjects = load("puma560");
+  subjects.scene.inputs = inputs_of_puma();
+  subjects.scene.real = Real::float32;
+  subjects.scene.batch = 4;
+  subjects.scene.damped = HeaviestMotion{20, 0.5};
+  subjects.scene.functions = {kDampedFunctions.begin(), kDampedFunctions.end()};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  expect_right(subjects, 40);
+}
+
+TEST(CheckInputs, InC) {
+  Subjects subjects = load("puma560");
+  subjects.scene.inputs = inputs_of_puma();
+  subjects.scene.language = Language::c;
+  subjects.scene.lanes = 1;
+  subjects.scene.sin_cos = Sines::given;
+  subjects.scene.damped = HeaviestMotion{20, 0.5};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  expect_right(subjects, 40);
+}
+
+TEST(CheckInputs, ContactsAndObjects) {
+  for (const char* scene : {"scene_hit_wall.yaml", "scene_box.yaml"}) {
+    SCOPED_TRACE(scene);
+    Subjects subjects = load("humanoid24", scene);
+    subjects.scene.inputs.gravity = true;
+    subjects.scene.inputs.payloads = {{subjects.scene.operational_points.front().link, 2, 0.3}};
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    expect_right(subjects, 20);
+  }
+}
+
+TEST(CheckInputs, FloatingBase) {
+  Subjects subjects = load("tumbler");
+  subjects.scene.inputs.gravity = true;
+  for (const Link& link : subjects.robot.links) {
+    subjects.scene.inputs.payloads.push_back({link.name, 2, 0.3});
+    if (link.inertial) subjects.scene.inputs.parameters.push_back({link.name, 5, 0.4});
+  }
+  subjects.scene.functions = {Function::inverse_dynamics, Function::mass_matrix,
+                              Function::center_of_mass};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  expect_right(subjects, 40);
+}
+
+/// Costs by function and argument, as the manifest has them.
+nlohmann::json costs_in(const Generation& generation) {
+  nlohmann::json costs;
+  for (const GeneratedFile& file : generation.files) {
+    if (file.name != "manifest.json") continue;
+    const auto manifest = nlohmann::json::parse(file.text);
+    for (const auto& function : manifest.at("functions")) {
+      costs[std::string(function.at("name"))] = function.value("input_flops", nlohmann::json{});
+    }
+  }
+  return costs;
+}
+
+int flops_of(const Generation& generation, Function function) {
+  for (const GeneratedFunction& each : generation.functions) {
+    if (each.function == function) return each.chosen.count.flops();
+  }
+  return 0;
+}
+
+TEST(CheckInputs, ManifestStatesWhatTheyCost) {
+  Subjects subjects = load("puma560");
+  subjects.scene.functions = {Function::jacobian, Function::inverse_dynamics,
+                              Function::mass_matrix};
+  const Generation before = generate(subjects.robot, subjects.scene);
+  EXPECT_TRUE(costs_in(before)["mass_matrix"].is_null());
+  subjects.scene.inputs.payloads = {{"link6", 3, 0.3}};
+  const Generation payload = generate(subjects.robot, subjects.scene);
+  for (const Function function : {Function::inverse_dynamics, Function::mass_matrix}) {
+    const int more = flops_of(payload, function) - flops_of(before, function);
+    EXPECT_GT(more, 0);
+    EXPECT_EQ(costs_in(payload)[function_name(function)]["payload"], more);
+  }
+  // What does not depend on it stays as it was.
+  EXPECT_TRUE(costs_in(payload)["jacobian"].is_null());
+  for (const GeneratedFile& file : before.files) {
+    if (file.name != "jacobian.cpp") continue;
+    const auto same = std::find_if(payload.files.begin(), payload.files.end(),
+                                   [&](const auto& other) { return other.name == file.name; });
+    EXPECT_EQ(file.text, same->text);
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests

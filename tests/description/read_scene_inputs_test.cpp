@@ -1,0 +1,97 @@
+// Would catch: an input that is read as another, ranges that are lost, and links or points that no
+// argument can be of which are not reported with their place and a remedy.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "description/read_scene.hpp"
+#include "scene_robot.hpp"
+
+namespace treeline {
+namespace {
+
+const std::string kPoints = "operational_points: [{name: a, link: tool}, {name: b, link: rail}]\n";
+
+TEST(ReadInputs, ReadsEverySetting) {
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(kPoints +
+                                     "inputs:\n"
+                                     "  gravity: true\n"
+                                     "  payload: [tool, {link: rail, mass: 3, reach: 0.2}]\n"
+                                     "  parameters: [fore, {link: upper, mass: 7}]\n"
+                                     "  tool: {point: b, reach: 0.4}\n",
+                                 "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  const SceneInputs& inputs = scene->inputs;
+  EXPECT_TRUE(inputs.gravity);
+  ASSERT_EQ(inputs.payloads.size(), 2U);
+  EXPECT_EQ(inputs.payloads[0].link, "tool");
+  EXPECT_EQ(inputs.payloads[0].mass, kPayloadMass);
+  EXPECT_EQ(inputs.payloads[0].reach, kPayloadReach);
+  EXPECT_EQ(inputs.payloads[1].mass, 3);
+  EXPECT_EQ(inputs.payloads[1].reach, 0.2);
+  ASSERT_EQ(inputs.parameters.size(), 2U);
+  EXPECT_EQ(inputs.parameters[0].link, "fore");
+  EXPECT_EQ(inputs.parameters[0].mass, 2);  // twice the file's 1 kg, with three moments of 1 kg m^2
+  EXPECT_DOUBLE_EQ(inputs.parameters[0].reach, 2 * std::sqrt(1.5));
+  EXPECT_EQ(inputs.parameters[1].mass, 7);
+  ASSERT_EQ(inputs.tools.size(), 1U);
+  EXPECT_EQ(inputs.tools[0].point, "b");
+  EXPECT_EQ(inputs.tools[0].reach, 0.4);
+}
+
+TEST(ReadInputs, TakesOneForAList) {
+  Diagnostics diagnostics;
+  const auto scene =
+      parse_scene(kPoints + "inputs: {payload: tool, parameters: fore, tool: a, gravity: false}\n",
+                  "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_FALSE(scene->inputs.gravity);
+  EXPECT_EQ(scene->inputs.payloads.at(0).link, "tool");
+  EXPECT_EQ(scene->inputs.parameters.at(0).link, "fore");
+  EXPECT_EQ(scene->inputs.tools.at(0).point, "a");
+}
+
+struct BadInputs {
+  std::string text;
+  Expected expected;
+};
+
+TEST(ReadInputs, SaysWhatIsWrong) {
+  const BadInputs cases[] = {
+      {"inputs: {wind: true}", {Severity::error, 1, "inputs/wind", "unknown", "gravity"}},
+      {"inputs: {gravity: 9.81}", {Severity::error, 1, "inputs/gravity", "9.81", "true"}},
+      {"inputs: {payload: tol}",
+       {Severity::error, 1, "inputs/payload", "no link \"tol\"", "did you mean \"tool\"?"}},
+      {"inputs: {payload: base}",
+       {Severity::error, 1, "inputs/payload", "\"base\" cannot move", "behind a joint"}},
+      {"locked: {shoulder: 0}\ninputs: {parameters: upper}",
+       {Severity::error, 2, "inputs/parameters", "\"upper\" cannot move", "behind a joint"}},
+      {"inputs: {payload: {mass: 3}}",
+       {Severity::error, 1, "inputs/payload", "\"link\" is missing", ""}},
+      {"inputs: {payload: {link: tool, mass: 0}}",
+       {Severity::error, 1, "inputs/payload/mass", "0 is not positive", "largest"}},
+      {"inputs: {parameters: [tool, tool]}",
+       {Severity::error, 1, "inputs/parameters[1]", "listed twice", "once"}},
+      {"inputs: {tool: a}",
+       {Severity::error, 1, "inputs/tool", "no operational point \"a\"", "operational_points"}},
+      {kPoints + "inputs: {tool: [a, a]}",
+       {Severity::error, 2, "inputs/tool[1]", "listed twice", "once"}},
+      {kPoints +
+           "objects: [{name: box, mass: 1, inertia: {ixx: 1, iyy: 1, izz: 1}, grasps: [{point: "
+           "a}]}]\ninputs: {tool: a}",
+       {Severity::error, 3, "inputs/tool", "\"a\" holds an object", "name a point"}},
+      {"functions: [mass_matrix]\ninputs: {gravity: true}",
+       {Severity::warning, 1, "", "gravity is listed under inputs", "add a function"}},
+  };
+  for (const BadInputs& each : cases) {
+    SCOPED_TRACE(each.text);
+    Diagnostics diagnostics;
+    const auto scene = parse_scene(each.text, "bad.yaml", make_robot(), diagnostics);
+    EXPECT_EQ(scene.has_value(), each.expected.severity != Severity::error);
+    expect_diagnosed(diagnostics, "bad.yaml", each.expected);
+  }
+}
+
+}  // namespace
+}  // namespace treeline

@@ -1,0 +1,93 @@
+// Would catch: a function that depends on gravity, payloads, inertial parameters or a tool and does
+// not take them, or takes what its result does not depend on; a state whose payload is none that a
+// body can have.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "check/fixture.hpp"
+#include "mechanism/build_mechanism.hpp"
+#include "oracle/interpret.hpp"
+#include "oracle/reference.hpp"
+#include "oracle/subject_at.hpp"
+
+namespace treeline::tests {
+namespace {
+
+SceneInputs everything(const Scene& scene) {
+  SceneInputs inputs;
+  inputs.gravity = true;
+  inputs.payloads = {{scene.operational_points.front().link, 2, 0.3}};
+  inputs.parameters = {{scene.operational_points.front().link, 5, 0.3}};
+  inputs.tools = {{scene.operational_points.front().name, 0.5}};
+  return inputs;
+}
+
+/// A state with random entries for what functions of one contact take, too.
+State draw(const StateSpace& space) {
+  State state = draw_state(space, 3);
+  Dice dice(7);
+  for (const Quantity quantity : {Quantity::impulse, Quantity::normals}) {
+    for (int i = 0; i < 3; ++i) state.others[quantity].push_back(dice.uniform(0.1, 1));
+  }
+  return state;
+}
+
+bool changes(Function function, Quantity quantity, const StateSpace& space, const State& state) {
+  State other = state;
+  for (double& entry : other.others[quantity]) entry *= 1.25;
+  return interpret<double>(function, subject_at(space.subject, state), state) !=
+         interpret<double>(function, subject_at(space.subject, other), other);
+}
+
+TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
+  Subjects subjects = load("puma560");
+  ScenePoint contact = subjects.scene.operational_points.front();
+  contact.name = "contact";
+  contact.rows = {true, true, true, false, false, false};
+  subjects.scene.contacts = {contact};
+  subjects.scene.inputs = everything(subjects.scene);
+  const Mechanism mechanism = reduced_mechanism(subjects.robot, subjects.scene);
+  StateSpace space = make_state_space(subjects.robot, subjects.scene, mechanism, {}, 1);
+  space.subject = make_subject<double>(subjects.robot, subjects.scene);
+  space.others = {{Quantity::gravity, 3},
+                  {Quantity::payload, 10},
+                  {Quantity::parameters, 10},
+                  {Quantity::tool, 3}};
+  const State state = draw(space);
+  for (const FunctionInfo& row : kFunctions) {
+    if (needs_objects(row.function) || row.function == Function::damped_control_torque) continue;
+    for (const auto& [quantity, size] : space.others) {
+      EXPECT_EQ(changes(row.function, quantity, space, state), takes(row.function, quantity))
+          << row.name << " " << symbol_of(quantity);
+    }
+  }
+}
+
+// A second moment without a negative principal value belongs to some distribution of matter.
+TEST(ModelInputs, AreDrawnAsBodiesHaveThem) {
+  Subjects subjects = load("puma560");
+  subjects.scene.inputs = everything(subjects.scene);
+  const Mechanism mechanism = reduced_mechanism(subjects.robot, subjects.scene);
+  StateSpace space = make_state_space(subjects.robot, subjects.scene, mechanism, {}, 1);
+  space.subject = make_subject<double>(subjects.robot, subjects.scene);
+  space.others = {{Quantity::payload, 10}};
+  for (int index = 0; index < 50; ++index) {
+    const auto p = draw_state(space, index).others.at(Quantity::payload);
+    ASSERT_EQ(p.size(), 10U);
+    EXPECT_EQ(p[0] > 0, index > 0);
+    EXPECT_LE(p[0], 2);
+    const double half = (p[4] + p[7] + p[9]) / 2;
+    Eigen::Matrix4d pseudo;  // second moments, first moments and mass (Wensing et al. 2018)
+    pseudo << half - p[4], -p[5], -p[6], p[1],  //
+        -p[5], half - p[7], -p[8], p[2],        //
+        -p[6], -p[8], half - p[9], p[3],        //
+        p[1], p[2], p[3], p[0];
+    const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(pseudo).eigenvalues()(0);
+    EXPECT_GE(least, -1e-15) << index;
+    EXPECT_EQ(least > 0, index > 0);
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
