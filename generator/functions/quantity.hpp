@@ -24,6 +24,8 @@ enum class Quantity {
   normals,
   stabilisation,
   xdd_object,
+  drift,
+  f_wanted,
 };
 
 /// What the entries of an argument belong to.
@@ -36,6 +38,7 @@ enum class IndexSpace {
   objects,          ///< 6 an object, linear over angular
   linkages,         ///< 6 a grasp but for the first of each object
   grasp_gains,      ///< 2: damping, stiffness
+  held_rows,        ///< the rows that constraints hold
 };
 
 /// All that is known of a quantity. Units are those of rotation and translation where joints or
@@ -75,14 +78,22 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::normals, "normals", "directions, world axes, one contact after the other", "1",
      IndexSpace::contacts, 1},
     {Quantity::stabilisation, "stabilisation",
-     "damping, 1/s, and stiffness, 1/s^2, of the grasps' drift (Baumgarte); 0: none", "1/s, 1/s^2",
+     "damping, 1/s, and stiffness, 1/s^2, of the drift (Baumgarte); 0: none", "1/s, 1/s^2",
      IndexSpace::grasp_gains, 1000},
     {Quantity::xdd_object, "xdd_object",
      "commanded accelerations of the objects' origins over angular ones, world axes",
      "m/s^2, rad/s^2", IndexSpace::objects, 100},
+    {Quantity::drift, "drift",
+     "how far the rows that constraints hold are from where they should be: position, or a small "
+     "turn, along the row",
+     "m, rad", IndexSpace::held_rows, 0.1},
+    {Quantity::f_wanted, "f_wanted",
+     "forces that the constraints shall have, in their rows; the nearest ones that carry the "
+     "motion are taken",
+     "N, N m", IndexSpace::held_rows, 1000},
 });
 
-static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::xdd_object) + 1,
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::f_wanted) + 1,
               "every quantity has a row");
 static_assert(
     [] {

@@ -14,6 +14,7 @@ namespace {
 constexpr unsigned kPoints = 1;
 constexpr unsigned kForces = 2;
 constexpr unsigned kContacts = 4;
+constexpr unsigned kConstraints = 8;
 
 }  // namespace
 
@@ -22,6 +23,7 @@ FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, I
   if (!scene.operational_points.empty()) in_scene_ |= kPoints;
   if (!scene.external_forces.empty()) in_scene_ |= kForces;
   if (!scene.contacts.empty()) in_scene_ |= kContacts;
+  if (!scene.constraints.empty()) in_scene_ |= kConstraints;
 }
 
 const Mechanism& FunctionMechanisms::of(Function function) {
@@ -29,6 +31,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (needs_points(function) || needs_objects(function)) needs |= kPoints;
   if (takes_external_forces(function)) needs |= kForces;
   if (needs_contacts(function)) needs |= kContacts;
+  if (needs_constraints(function)) needs |= kConstraints;
   needs &= in_scene_;
   const FrameCost& frames = info_of(function).frames;
   if (frames.count == 0) return reduced(needs);
@@ -76,6 +79,7 @@ const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   }
   if ((needs & kForces) == 0) seen.external_forces.clear();
   if ((needs & kContacts) == 0) seen.contacts.clear();
+  if ((needs & kConstraints) == 0) seen.constraints.clear();
   return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
 }
 

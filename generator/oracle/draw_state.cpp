@@ -152,6 +152,8 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::normals:
     case Quantity::stabilisation:
     case Quantity::xdd_object:
+    case Quantity::drift:
+    case Quantity::f_wanted:
       break;
   }
   const auto found = state.others.find(quantity);

@@ -24,13 +24,14 @@ bool is_member(Quantity quantity) {
     case IndexSpace::objects:
     case IndexSpace::linkages:
     case IndexSpace::grasp_gains:
+    case IndexSpace::held_rows:
       break;
   }
   return false;
 }
 
-/// Arguments of functions about contacts and objects; they are drawn without regard to their
-/// meaning.
+/// Arguments of functions about contacts, objects and constraints; they are drawn without regard to
+/// their meaning.
 std::map<Quantity, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
   std::map<Quantity, int> sizes;
   for (const GeneratedFunction& generated : functions) {
