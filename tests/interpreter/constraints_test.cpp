@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iostream>
+#include <utility>
+
 #include "interpreter/physics.hpp"
 #include "interpreter/supported_cases.hpp"
 
@@ -161,6 +165,75 @@ TEST(RedundantConstraints, LeaveTheAccelerationUnique) {
   const auto relaxed =
       interpreter::constrained_forward_dynamics<Digits50>(c.model, twice, state_of(c, c.tau), law);
   EXPECT_LE(size_of(once.qdd - relaxed.qdd), Digits50("1e-18") * size_of(once.qdd));
+}
+
+/// A robot on point feet that falls and swings without drive, in double.
+struct Swing {
+  interpreter::Model<double> model;
+  interpreter::Points<double> feet;
+  interpreter::Vector<double> q, qd;
+};
+
+Swing draw_swing() {
+  const StandingCase c = draw_standing_regular(3, standings()[2]);
+  Swing swing{interpreter::cast<double>(c.model), interpreter::cast<double>(c.task.constraints),
+              c.q.unaryExpr([](const Digits50& x) { return static_cast<double>(x); }),
+              c.qd.unaryExpr([](const Digits50& x) { return static_cast<double>(x); })};
+  for (auto& foot : swing.feet) foot.axes = interpreter::PointAxes::world;
+  const Eigen::MatrixXd J = interpreter::jacobian<double>(swing.model, swing.feet, swing.q);
+  swing.qd -= J.completeOrthogonalDecomposition().solve(Eigen::VectorXd(J * swing.qd));
+  return swing;
+}
+
+/// One step of the classical Runge-Kutta method.
+void advance(Swing& swing, double dt) {
+  const interpreter::Vector<double> none = interpreter::Vector<double>::Zero(swing.model.nv);
+  interpreter::Vector<double> rates = interpreter::Vector<double>::Zero(swing.model.nq);
+  interpreter::Vector<double> qdd = none, q_sum = swing.q, qd_sum = swing.qd;
+  const double fractions[] = {0, 0.5, 0.5, 1}, weights[] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+  for (int stage = 0; stage < 4; ++stage) {
+    const interpreter::Vector<double> q = swing.q + fractions[stage] * dt * rates;
+    const interpreter::Vector<double> qd = swing.qd + fractions[stage] * dt * qdd;
+    rates = interpreter::position_derivative<double>(swing.model, q, qd);
+    qdd = interpreter::constrained_forward_dynamics<double>(swing.model, swing.feet,
+                                                            {q, qd, none, {}})
+              .qdd;
+    q_sum += weights[stage] * dt * rates;
+    qd_sum += weights[stage] * dt * qdd;
+  }
+  swing.q = q_sum;
+  swing.qd = qd_sum;
+}
+
+double energy_of(const Swing& swing) {
+  return interpreter::kinetic_energy<double>(swing.model, swing.q, swing.qd) +
+         interpreter::potential_energy<double>(swing.model, swing.q);
+}
+
+// Constraints do no work. What is left is the integrator's error, of fifth order in its step.
+TEST(ConstrainedMotion, KeepsEnergyAndPlaces) {
+  const auto run = [](double dt) {
+    Swing swing = draw_swing();
+    const double kinetic = interpreter::kinetic_energy<double>(swing.model, swing.q, swing.qd);
+    const double energy = energy_of(swing);
+    const auto places = interpreter::forward_kinematics<double>(swing.model, swing.feet, swing.q);
+    const int steps = static_cast<int>(std::lround(0.1 / dt));
+    for (int step = 0; step < steps; ++step) advance(swing, dt);
+    const auto now = interpreter::forward_kinematics<double>(swing.model, swing.feet, swing.q);
+    double drift = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      drift = std::max(drift, (now[i].position - places[i].position).norm());
+    }
+    return std::pair{std::abs(energy_of(swing) - energy) / kinetic, drift};
+  };
+  const auto [coarse, coarse_drift] = run(1e-3);
+  const auto [fine, fine_drift] = run(5e-4);
+  std::cout << "energy off by " << coarse << " and " << fine << ", feet by " << coarse_drift
+            << " and " << fine_drift << " m\n";
+  EXPECT_LE(fine, std::max(1e-12, coarse / 8));
+  EXPECT_LE(fine_drift, std::max(1e-13, coarse_drift / 8));
+  EXPECT_LE(coarse, 1e-5);
+  EXPECT_LE(coarse_drift, 1e-5);
 }
 
 }  // namespace
