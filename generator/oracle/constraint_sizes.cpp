@@ -8,6 +8,7 @@
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_constraints.hpp"
+#include "recursion/pivot_rule.hpp"
 
 namespace treeline {
 namespace {
@@ -24,6 +25,14 @@ Subject<double> seen_at_constraints(const Subject<double>& subject, bool tasks) 
                    [](const auto& a, const auto& b) { return a.priority < b.priority; });
   seen.points.insert(seen.points.end(), points.begin(), points.end());
   return seen;
+}
+
+/// Whether a plain solve for the tasks, which have no borders then, has no digit left.
+bool leaves_no_digit(double condition, const interpreter::TaskLaw<double>& law, Eigen::Index held) {
+  const bool plain = std::all_of(law.borders.begin() + held, law.borders.end(),
+                                 [](double border) { return border == 0; });
+  const bool single = law.power == inverse_inertia_shape(Real::float32).power;
+  return plain && condition > (single ? 0x1p17 : 0x1p46);
 }
 
 MatrixXd inverse_of(const MatrixXd& A) {
@@ -72,6 +81,9 @@ std::optional<LawSizes> ConstraintSizes::yielding(const interpreter::TaskLaw<dou
   if (held_ > 0 && !subject_.passive.empty()) others += forces(parts.forces).condition;
   LawSizes found = find_law_sizes(A, terms, parts.rows);
   found.condition += others;
+  if (leaves_no_digit(found.condition, parts.rows, held_)) {
+    found.condition = std::numeric_limits<double>::infinity();
+  }
   return found;
 }
 

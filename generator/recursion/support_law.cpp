@@ -129,8 +129,8 @@ SupportRules support_rules(const Mechanism& mechanism) {
   rules.rows = {shape.power, states.rows(rules).borders(shape.share)};
   const auto free = always_free(states.tree());
   for (std::size_t k = 0; k < rules.rows.borders.size(); ++k) {
-    const bool bare = k < rules.held && free[k];
-    if (bare || mechanism.singular == SingularTasks::exact) rules.rows.borders[k] = 0;
+    const bool exact = mechanism.singular == SingularTasks::exact;
+    if (k < rules.held ? free[k] : exact) rules.rows.borders[k] = 0;
   }
   return rules;
 }

@@ -104,8 +104,8 @@ class TaskLaws {
   std::shared_ptr<const TaskLaw> resolved(int axes_link);
 
   /// Law of a supported control torque; the mechanism must come from `with_supports`. With
-  /// `singular: exact` the rows of Lambda^-1 have no borders. All else has: forces of constraints
-  /// are ambiguous as a rule.
+  /// `singular: exact` the rows of tasks have no borders. Those of constraints have: they depend on
+  /// each other as a rule, and what they hold does not.
   std::shared_ptr<const TaskLaw> supported();
 
  private:

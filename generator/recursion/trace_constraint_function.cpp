@@ -80,6 +80,8 @@ class ConstraintTracer {
         lanes_(lanes),
         supports_(function == Function::supported_control_torque),
         seen_(supports_ ? with_supports(mechanism) : with_constraints_only(mechanism)) {
+    // Rows of constraints may depend on each other, whatever the scene asks of tasks.
+    if (!supports_) seen_.singular = SingularTasks::smooth;
     TaskLaws laws(seen_);
     law_ = supports_ ? laws.supported()
                      : laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
@@ -99,11 +101,10 @@ class ConstraintTracer {
                             return trace_supported_torque(trace, choice, rules, passive);
                           }});
       } else {
-        routes.push_back(
-            {on_top_of(own, "constrained", "forces of the constraints by Lambda^-1"),
-             [choice, rule = law_ ? law_->rule : PivotRule{}](const ConstraintTrace& trace) {
-               return trace_constrained_motion(trace, choice, rule);
-             }});
+        routes.push_back({on_top_of(own, "constrained", "forces of the constraints by Lambda^-1"),
+                          [choice, rule = law_->rule](const ConstraintTrace& trace) {
+                            return trace_constrained_motion(trace, choice, rule);
+                          }});
       }
     }
     return routes;
@@ -120,7 +121,7 @@ class ConstraintTracer {
     trace.tree = tree_of<Expression>(seen_);
     take_inputs(program, trace);
     program.law = law_;
-    program.singular = law_ ? describe(*law_) : kBareSolve;
+    program.singular = describe(*law_);
     program.results = route.body(trace);
     return program;
   }

@@ -23,11 +23,20 @@ constexpr double kLeastDigits = 12.5, kLeastDigitsOfFloat = 5.5;
 const std::map<std::string, std::string> kWrong = {};
 
 bool solves(const std::string& function) {
-  static const std::set<std::string> kSolving = {
-      "forward_dynamics",        "lambda_inverse",   "lambda",
-      "control_torque",          "object_state",     "object_control_torque",
-      "object_forward_dynamics", "impulse_response", "damped_control_torque",
-      "contact_inverse_inertia", "effective_mass",   "link_inverse_inertias"};
+  static const std::set<std::string> kSolving = {"forward_dynamics",
+                                                 "lambda_inverse",
+                                                 "lambda",
+                                                 "control_torque",
+                                                 "object_state",
+                                                 "object_control_torque",
+                                                 "object_forward_dynamics",
+                                                 "impulse_response",
+                                                 "damped_control_torque",
+                                                 "contact_inverse_inertia",
+                                                 "effective_mass",
+                                                 "link_inverse_inertias",
+                                                 "constrained_forward_dynamics",
+                                                 "supported_control_torque"};
   return kSolving.contains(function);
 }
 
