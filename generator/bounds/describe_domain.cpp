@@ -121,6 +121,7 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
       case IndexSpace::objects:
       case IndexSpace::linkages:
       case IndexSpace::grasp_gains:
+      case IndexSpace::held_rows:
         domain.each[row.symbol] = row.range;
         break;
       case IndexSpace::gravity:

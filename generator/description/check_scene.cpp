@@ -53,6 +53,9 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
     } else if (needs_objects(function) && scene.objects.empty()) {
       top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
                 "add a list objects, or remove the function");
+    } else if (needs_constraints(function) && !permits(scene, function)) {
+      top.error(fmt::format("{} is listed, but nothing is held", function_name(function)),
+                "add a list constraints, or remove the function");
     } else if (needs_mass(function) && !has_mass(robot)) {
       top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
                 "give some link mass in the URDF, or remove the function");
@@ -109,6 +112,22 @@ void check_contacts(const SceneElement& top, const Robot& robot, const Scene& sc
   if (!scene.contacts.empty() && !used) {
     top.warn("contacts are listed, but no function takes them",
              "add contact_inverse_inertia, effective_mass or impulse_response to functions");
+  }
+}
+
+/// A frame that cannot move needs no force to be held.
+void check_constraints(const SceneElement& top, const Robot& robot, const Scene& scene) {
+  for (const ScenePoint& held : scene.constraints) {
+    if (!find_freedoms_of_link(robot, scene, held.link).empty()) continue;
+    top.error(
+        fmt::format("constraint \"{}\" holds link \"{}\", which cannot move", held.name, held.link),
+        "hold a link behind a joint that moves, or write base: floating");
+  }
+  const bool listed = !scene.constraints.empty() || !scene.passive.empty();
+  const bool used = std::any_of(scene.functions.begin(), scene.functions.end(), needs_constraints);
+  if (listed && !used) {
+    top.warn("constraints or passive joints are listed, but no function takes them",
+             "add constrained_forward_dynamics or supported_control_torque to functions");
   }
 }
 
@@ -186,6 +205,10 @@ bool permits(const Scene& scene, Function function) {
       return !scene.objects.empty();
     case FunctionGroup::contacts:
       return !scene.contacts.empty();
+    case FunctionGroup::constraints:
+      if (function == Function::constrained_forward_dynamics) return !scene.constraints.empty();
+      return !scene.operational_points.empty() &&
+             (!scene.constraints.empty() || !scene.passive.empty());
     case FunctionGroup::robot:
     case FunctionGroup::links:
     case FunctionGroup::center_of_mass:
@@ -227,6 +250,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   check_forces_used(top, scene);
   check_inputs_used(top, scene);
   check_contacts(top, robot, scene);
+  check_constraints(top, robot, scene);
   check_rows(top, robot, scene);
   check_objects(top, robot, scene);
   check_joint_identifiers(top, robot, freedoms);

@@ -28,7 +28,8 @@ template <class Visit>
 void for_each_point_pose(Scene& scene, Visit visit) {
   for (auto& [key, points] : {std::pair{"operational_points", &scene.operational_points},
                               {"external_forces", &scene.external_forces},
-                              {"contacts", &scene.contacts}}) {
+                              {"contacts", &scene.contacts},
+                              {"constraints", &scene.constraints}}) {
     for (ScenePoint& point : *points) {
       visit(point.origin, 0, fmt::format("{}[{}]/origin", key, point.name));
     }

@@ -177,12 +177,14 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "operational_points",
                                   "external_forces",
                                   "contacts",
+                                  "constraints",
                                   "functions",
                                   "inputs",
                                   "armature",
                                   "language",
                                   "locked",
                                   "objects",
+                                  "passive",
                                   "singular",
                                   "snap_angles",
                                   "noise",
@@ -199,6 +201,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   if (const auto contacts = fields.find("contacts"); contacts != fields.end()) {
     scene.contacts = read_contacts(contacts->second, robot);
   }
+  if (const auto constraints = fields.find("constraints"); constraints != fields.end()) {
+    scene.constraints = read_constraints(constraints->second, robot);
+  }
   if (const auto objects = fields.find("objects"); objects != fields.end()) {
     read_objects(objects->second, scene);
   }
@@ -207,6 +212,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto inputs = fields.find("inputs"); inputs != fields.end()) {
     read_scene_inputs(inputs->second, robot, scene);
+  }
+  if (const auto passive = fields.find("passive"); passive != fields.end()) {
+    read_passive(passive->second, robot, scene);
   }
   if (const auto armature = fields.find("armature"); armature != fields.end()) {
     read_armature(armature->second, robot, scene);

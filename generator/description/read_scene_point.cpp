@@ -31,21 +31,39 @@ std::string read_point_name(const SceneElement& point, const Fields& fields) {
   return name.value_or("");
 }
 
-std::string read_link_name(const SceneElement& point, const Fields& fields, const Robot& robot) {
-  const auto found = fields.find("link");
-  if (found == fields.end()) {
-    point.error("the key \"link\" is missing", "name the link that carries the point");
-    return {};
-  }
-  const auto name = found->second.text();
+/// The name of a link of the robot, as it is written; an error where the robot has none of it.
+std::string read_known_link(const SceneElement& element, const Robot& robot) {
+  const auto name = element.text();
   if (!name) return {};
   const bool known = std::any_of(robot.links.begin(), robot.links.end(),
                                  [&](const Link& link) { return link.name == *name; });
   if (!known) {
-    found->second.error(fmt::format("the robot has no link \"{}\"", *name),
-                        suggest_link(*name, robot));
+    element.error(fmt::format("the robot has no link \"{}\"", *name), suggest_link(*name, robot));
   }
   return *name;
+}
+
+std::string read_link_name(const SceneElement& point, const Fields& fields, const Robot& robot) {
+  const auto found = fields.find("link");
+  if (found != fields.end()) return read_known_link(found->second, robot);
+  point.error("the key \"link\" is missing", "name the link that carries the point");
+  return {};
+}
+
+/// The link of `between: [link, world]`.
+std::string read_held_link(const SceneElement& point, const Fields& fields, const Robot& robot) {
+  const auto found = fields.find("between");
+  if (found == fields.end()) {
+    point.error("the key \"between\" is missing", "write between: [link, world]");
+    return {};
+  }
+  const std::vector<SceneElement> ends = found->second.items();
+  if (ends.size() != 2 || !ends.back().is("world")) {
+    found->second.error("only what is held between a link and the world can be generated",
+                        "write between: [link, world], the link first");
+    return {};
+  }
+  return read_known_link(ends.front(), robot);
 }
 
 std::array<bool, 6> read_rows(const SceneElement& element) {
@@ -88,7 +106,9 @@ ScenePoint read_point(const SceneElement& element, const Robot& robot,
   ScenePoint point;
   const Fields fields = element.fields(keys);
   point.name = read_point_name(element, fields);
-  point.link = read_link_name(element, fields, robot);
+  const bool held = std::find(keys.begin(), keys.end(), "between") != keys.end();
+  point.link =
+      held ? read_held_link(element, fields, robot) : read_link_name(element, fields, robot);
   if (const auto origin = fields.find("origin"); origin != fields.end()) {
     point.origin = read_origin(origin->second);
   }
@@ -160,6 +180,28 @@ std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& 
     contact.rows = {true, true, true, false, false, false};
   }
   return contacts;
+}
+
+std::vector<ScenePoint> read_constraints(const SceneElement& element, const Robot& robot) {
+  return read_points(element, robot, {"name", "between", "origin", "rows", "axes"});
+}
+
+void read_passive(const SceneElement& element, const Robot& robot, Scene& scene) {
+  for (const SceneElement& item : element.items()) {
+    const auto name = item.text();
+    const Joint* joint = name ? find_joint(item, *name, robot) : nullptr;
+    if (joint == nullptr) continue;
+    if (joint->mimic) {
+      const Joint& followed = robot.joints[static_cast<std::size_t>(joint->mimic->joint)];
+      item.error("a joint that mimics has no motor of its own",
+                 fmt::format("name the joint it follows, \"{}\"", followed.name));
+    } else if (!info_of(joint->type).moves() || scene.locked.contains(*name)) {
+      item.error("this joint does not move", "remove it from the list");
+    } else if (std::count(scene.passive.begin(), scene.passive.end(), *name) > 0) {
+      item.error(fmt::format("{} is listed twice", *name), "list it once");
+    }
+    scene.passive.push_back(*name);
+  }
 }
 
 void read_locked(const SceneElement& element, const Robot& robot, Scene& scene) {

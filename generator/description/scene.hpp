@@ -107,6 +107,10 @@ struct Scene {
   std::vector<ScenePoint> contacts;         ///< rows x y z in world axes
   std::vector<SceneObject> objects;
   SceneInputs inputs;
+  /// Frames whose `rows` are held relative to the world: feet on the ground, hands on a wall.
+  std::vector<ScenePoint> constraints;
+  /// Names of joints without a motor. The floating base and floating joints never have one.
+  std::vector<std::string> passive;
   std::vector<Function> functions;  ///< sorted, unique
   Real real = Real::float64;
   Language language = Language::cpp;

@@ -30,6 +30,8 @@ enum class Function {
   contact_inverse_inertia,
   effective_mass,
   impulse_response,
+  constrained_forward_dynamics,
+  supported_control_torque,
   link_inverse_inertias,
   center_of_mass,
   center_of_mass_jacobian,
@@ -58,6 +60,7 @@ enum class FunctionGroup {
   points,          ///< operational points
   objects,         ///< objects in the hands
   contacts,        ///< points where impulses act
+  constraints,     ///< rows that constraints hold, and joints without a motor
   links,           ///< every link
   center_of_mass,  ///< some link must have mass
   derivatives,     ///< of forward and inverse dynamics
@@ -102,7 +105,7 @@ enum class Columns { computed, carried };
 /// Arguments in the order of the contract. Those of no size, as f_ext in a scene without external
 /// forces, are left out of it.
 struct FunctionInputs {
-  std::array<Quantity, 9> quantities{};
+  std::array<Quantity, 10> quantities{};
   std::size_t count = 0;
 
   [[nodiscard]] constexpr const Quantity* begin() const { return quantities.data(); }
@@ -215,6 +218,20 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::impulse_response, "impulse_response", FunctionGroup::contacts, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
      inertial_inputs(Quantity::q, Quantity::impulse), "dqd = M^-1 J_c^T y"},
+    {Function::constrained_forward_dynamics, "constrained_forward_dynamics",
+     FunctionGroup::constraints, Emitted::by_default, Solve::lambda_inverse,
+     frames_by(Function::forward_dynamics), Columns::computed,
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::stabilisation,
+                    Quantity::drift, Quantity::f_ext),
+     "M qdd + b + g = tau + J_s^T f + J_ext^T f_ext, "
+     "J_s qdd + Jd_s qd = -stabilisation[0] J_s qd - stabilisation[1] drift"},
+    {Function::supported_control_torque, "supported_control_torque", FunctionGroup::constraints,
+     Emitted::by_default, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
+     Columns::computed,
+     with_tool(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
+                              Quantity::f_wanted, Quantity::f_ext)),
+     "M qdd + b + g = tau + J_s^T f + J_ext^T f_ext, J_s qdd + Jd_s qd = 0, "
+     "J qdd + Jd qd = xdd_cmd, tau = 0 at passive joints, qdd nearest to qdd_0"},
     {Function::link_inverse_inertias, "link_inverse_inertias", FunctionGroup::links,
      Emitted::on_request, Solve::mass_matrix, kFramesAsBuilt, Columns::computed,
      inertial_inputs(Quantity::q),
@@ -325,13 +342,17 @@ constexpr Solve solve_of(Function function) {
 }
 
 constexpr bool needs_points(Function function) {
-  return info_of(function).group == FunctionGroup::points;
+  return info_of(function).group == FunctionGroup::points ||
+         function == Function::supported_control_torque;
 }
 constexpr bool needs_objects(Function function) {
   return info_of(function).group == FunctionGroup::objects;
 }
 constexpr bool needs_contacts(Function function) {
   return info_of(function).group == FunctionGroup::contacts;
+}
+constexpr bool needs_constraints(Function function) {
+  return info_of(function).group == FunctionGroup::constraints;
 }
 constexpr bool needs_mass(Function function) {
   return info_of(function).group == FunctionGroup::center_of_mass;

@@ -28,6 +28,8 @@ enum class Quantity {
   payload,
   parameters,
   tool,
+  drift,
+  f_wanted,
 };
 
 /// What the entries of an argument belong to.
@@ -44,6 +46,7 @@ enum class IndexSpace {
   payloads,         ///< 10 a payload that the scene makes an input
   parameters,       ///< 10 a link whose inertial parameters the scene makes an input
   tools,            ///< 3 an operational point whose origin the scene makes an input
+  held_rows,        ///< the rows that constraints hold
 };
 
 /// All that is known of a quantity. Units are those of rotation and translation where joints or
@@ -91,7 +94,7 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::normals, "normals", "directions, world axes, one contact after the other", "1",
      IndexSpace::contacts, 1},
     {Quantity::stabilisation, "stabilisation",
-     "damping, 1/s, and stiffness, 1/s^2, of the grasps' drift (Baumgarte); 0: none", "1/s, 1/s^2",
+     "damping, 1/s, and stiffness, 1/s^2, of the drift (Baumgarte); 0: none", "1/s, 1/s^2",
      IndexSpace::grasp_gains, 1000},
     {Quantity::xdd_object, "xdd_object",
      "commanded accelerations of the objects' origins over angular ones, world axes",
@@ -109,9 +112,17 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::tool, "tool",
      "origin of each point named, in the frame of its link in the URDF, in place of the scene's, m",
      "m", IndexSpace::tools, 1},
+    {Quantity::drift, "drift",
+     "how far the rows that constraints hold are from where they should be: position, or a small "
+     "turn, along the row",
+     "m, rad", IndexSpace::held_rows, 0.1},
+    {Quantity::f_wanted, "f_wanted",
+     "forces that the constraints shall have, in their rows; the nearest ones that carry the "
+     "motion are taken",
+     "N, N m", IndexSpace::held_rows, 1000},
 });
 
-static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::tool) + 1,
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::f_wanted) + 1,
               "every quantity has a row");
 static_assert(
     [] {

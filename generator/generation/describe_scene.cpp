@@ -142,6 +142,28 @@ void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
   }
 }
 
+/// Which rows are held, and which entries of tau are zero.
+void append_constraint_notes(const Scene& scene, const Mechanism& mechanism,
+                             std::vector<std::string>& notes) {
+  const auto rows = point_rows(scene.constraints);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    notes.push_back(
+        fmt::format("constraint {}: {} holds {} of link {} to the world, {}; rows from {}", i,
+                    rows[i].name, list_rows(scene.constraints[i], " "), rows[i].link,
+                    frame_text(scene.constraints[i]), rows[i].first_row));
+  }
+  const bool asked = std::any_of(scene.functions.begin(), scene.functions.end(), [](Function f) {
+    return f == Function::supported_control_torque;
+  });
+  if (!asked) return;
+  std::string passive;
+  for (const int v : mechanism.passive) {
+    passive += fmt::format("{}{}", passive.empty() ? "" : " ", v);
+  }
+  notes.push_back(
+      fmt::format("passive, without a motor: qd[i] of i = {}", passive.empty() ? "none" : passive));
+}
+
 /// What becomes of tasks that conflict.
 constexpr const char* kPriorityNote =
     "control_torque keeps strict priority: each row acts in the dynamically consistent null space "
@@ -219,6 +241,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
     }
   }
   append_contact_notes(scene, mechanism, context.notes);
+  append_constraint_notes(scene, mechanism, context.notes);
   const bool controlled = std::find(scene.functions.begin(), scene.functions.end(),
                                     Function::control_torque) != scene.functions.end();
   if (controlled && has_priorities(scene.operational_points)) {

@@ -16,6 +16,7 @@ namespace {
 constexpr unsigned kPoints = 1;
 constexpr unsigned kForces = 2;
 constexpr unsigned kContacts = 4;
+constexpr unsigned kConstraints = 128;
 
 /// What the scene lists under `inputs`, and what stands for it among a function's needs.
 struct ModelNeed {
@@ -36,6 +37,7 @@ FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, I
   for (const ModelNeed& need : kModelNeeds) {
     if (has_input(scene, need.quantity)) in_scene_ |= need.bit;
   }
+  if (!scene.constraints.empty()) in_scene_ |= kConstraints;
 }
 
 const Mechanism& FunctionMechanisms::of(Function function) {
@@ -46,6 +48,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   for (const ModelNeed& need : kModelNeeds) {
     if (takes(function, need.quantity)) needs |= need.bit;
   }
+  if (needs_constraints(function)) needs |= kConstraints;
   needs &= in_scene_;
   const FrameCost& frames = info_of(function).frames;
   if (frames.count == 0) return reduced(needs);
@@ -96,6 +99,7 @@ const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   for (const ModelNeed& need : kModelNeeds) {
     if ((needs & need.bit) == 0) remove_input(need.quantity, seen);
   }
+  if ((needs & kConstraints) == 0) seen.constraints.clear();
   return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
 }
 

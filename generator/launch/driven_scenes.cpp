@@ -22,6 +22,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   };
   add(!scene.objects.empty(), "objects");
   add(!scene.contacts.empty(), "contacts");
+  add(!scene.constraints.empty(), "constraints");
   add(!scene.external_forces.empty(), "external_forces");
   add(!scene.inputs.empty(), "inputs");
   add(scene.batch > 0, "batch");
@@ -70,6 +71,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   follow_target(control);
   control.objects.clear();
   control.contacts.clear();
+  control.constraints.clear();
   control.external_forces.clear();
   control.inputs = {};
   control.batch = 0;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "description/joints_depth_first.hpp"
@@ -55,6 +57,8 @@ class Builder {
     mechanism_.external_forces = points(scene_.external_forces);
     mechanism_.objects = objects();
     mechanism_.contacts = points(scene_.contacts);
+    mechanism_.constraints = points(scene_.constraints);
+    mechanism_.passive = passive_velocities();
     mechanism_.link_frames = link_frames();
     mechanism_.inputs = place_inputs(robot_, scene_, files_frames());
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
@@ -291,6 +295,18 @@ class Builder {
       frames.push_back({robot_.links[i].name, places_[i].link, places_[i].pose});
     }
     return frames;
+  }
+
+  /// Velocities of floating joints and of those that the scene calls passive.
+  [[nodiscard]] std::vector<int> passive_velocities() const {
+    std::set<int> velocities;
+    for (const MovingLink& link : mechanism_.links) {
+      const bool named = std::find(scene_.passive.begin(), scene_.passive.end(), link.joint) !=
+                         scene_.passive.end();
+      if (!link.is_floating() && !named) continue;
+      for (int k = 0; k < link.velocities(); ++k) velocities.insert(link.v_index + k);
+    }
+    return {velocities.begin(), velocities.end()};
   }
 
   /// Frames of moving links with the names of their URDF links. The inner links of a joint of

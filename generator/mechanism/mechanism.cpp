@@ -47,10 +47,22 @@ int MechanismPoint::row_count() const {
   return static_cast<int>(std::count(rows.begin(), rows.end(), true));
 }
 
+namespace {
+
+int rows_of(const std::vector<MechanismPoint>& points) {
+  return std::accumulate(points.begin(), points.end(), 0, [](int sum, const MechanismPoint& point) {
+    return sum + point.row_count();
+  });
+}
+
+}  // namespace
+
 int Mechanism::task_rows() const {
-  return std::accumulate(
-      operational_points.begin(), operational_points.end(), 0,
-      [](int sum, const MechanismPoint& point) { return sum + point.row_count(); });
+  return rows_of(operational_points);
+}
+
+int Mechanism::held_rows() const {
+  return rows_of(constraints);
 }
 
 bool Mechanism::has_mimics() const {

@@ -126,7 +126,9 @@ struct Mechanism {
   Inertia world;
   std::vector<MechanismPoint> operational_points;
   std::vector<MechanismPoint> external_forces;
-  std::vector<MechanismPoint> contacts;  ///< their rows are x y z in world axes
+  std::vector<MechanismPoint> contacts;     ///< their rows are x y z in world axes
+  std::vector<MechanismPoint> constraints;  ///< their rows are held relative to the world
+  std::vector<int> passive;                 ///< velocities without a motor, in ascending order
   /// Frame of each URDF link that moves relative to its parent, as the URDF defines it.
   std::vector<MechanismPoint> link_frames;
   /// Matter of each link of `link_frames` and of what is fixed to it, as in the file, in its frame.
@@ -148,6 +150,7 @@ struct Mechanism {
   [[nodiscard]] int nq() const { return static_cast<int>(coordinates.size()); }
   [[nodiscard]] int nv() const { return static_cast<int>(velocities.size()); }
   [[nodiscard]] int task_rows() const;
+  [[nodiscard]] int held_rows() const;  ///< of all constraints
   [[nodiscard]] bool has_mimics() const;
 };
 

@@ -273,8 +273,8 @@ void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint 
       on_child(link);
     }
   }
-  for (auto* points :
-       {&mechanism.operational_points, &mechanism.external_forces, &mechanism.contacts}) {
+  for (auto* points : {&mechanism.operational_points, &mechanism.external_forces,
+                       &mechanism.contacts, &mechanism.constraints}) {
     for (MechanismPoint& point : *points) {
       if (point.link == index) {
         on_point(point);

@@ -190,6 +190,8 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::payload:
     case Quantity::parameters:
     case Quantity::tool:
+    case Quantity::drift:
+    case Quantity::f_wanted:
       break;
   }
   const auto found = state.others.find(quantity);

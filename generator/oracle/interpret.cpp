@@ -5,6 +5,7 @@
 
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/interpret_constraints.hpp"
 #include "oracle/interpret_contacts.hpp"
 #include "oracle/interpret_objects.hpp"
 
@@ -128,6 +129,8 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
     case Function::impulse_response:
+    case Function::constrained_forward_dynamics:
+    case Function::supported_control_torque:
     case Function::link_inverse_inertias:
     case Function::damped_control_torque:
       break;
@@ -211,6 +214,8 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
     case FunctionGroup::contacts:
     case FunctionGroup::links:
       return interpret_contacts(function, subject, state, law);
+    case FunctionGroup::constraints:
+      return interpret_constraints(function, subject, state, law);
     case FunctionGroup::points:
       return of_points(function, subject, Numbers<Scalar>(state), law);
     case FunctionGroup::robot:

@@ -86,4 +86,9 @@ LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q
   return found;
 }
 
+LawSizes find_law_sizes(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
+                        const interpreter::TaskLaw<double>& law) {
+  return probe(A, terms, law);
+}
+
 }  // namespace treeline

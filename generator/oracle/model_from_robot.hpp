@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -184,6 +186,26 @@ class ModelBuilder {
 template <class Scalar>
 interpreter::Model<Scalar> model_from_robot(const Robot& robot, const Scene& scene) {
   return detail::ModelBuilder<Scalar>(robot, scene).model();
+}
+
+/// Velocities without a motor of the model that `model_from_robot` makes: those of floating joints
+/// and of joints that the scene calls passive.
+template <class Scalar>
+std::vector<int> passive_velocities(const interpreter::Model<Scalar>& model, const Robot& robot,
+                                    const Scene& scene) {
+  std::set<std::string> links;
+  for (const Joint& joint : robot.joints) {
+    const auto& names = scene.passive;
+    if (std::find(names.begin(), names.end(), joint.name) == names.end()) continue;
+    links.insert(robot.links[static_cast<std::size_t>(joint.child)].name);
+  }
+  std::set<int> velocities;
+  for (const auto& body : model.bodies) {
+    const bool floats = body.kind == interpreter::JointKind::floating;
+    if (!floats && !links.contains(body.name)) continue;
+    for (int i = 0; i < interpreter::velocity_count(body.kind); ++i) velocities.insert(body.v + i);
+  }
+  return {velocities.begin(), velocities.end()};
 }
 
 /// Converts a scene's operational points or external forces to points on the model that

@@ -28,13 +28,14 @@ bool is_member(Quantity quantity) {
     case IndexSpace::payloads:
     case IndexSpace::parameters:
     case IndexSpace::tools:
+    case IndexSpace::held_rows:
       break;
   }
   return false;
 }
 
-/// Arguments of functions about contacts and objects, which are drawn without regard to their
-/// meaning, and arguments that change the robot.
+/// Arguments of functions about contacts, objects and constraints, which are drawn without regard
+/// to their meaning, and arguments that change the robot.
 std::map<Quantity, int> other_arguments(const std::vector<GeneratedFunction>& functions) {
   std::map<Quantity, int> sizes;
   for (const GeneratedFunction& generated : functions) {

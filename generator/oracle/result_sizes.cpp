@@ -51,6 +51,12 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
   M_inverse_ = inverse(M).cwiseAbs();
   if (!subject.chain.objects.empty()) objects_.emplace(subject_, state_, M_inverse_);
+  if (!subject.constraints.empty()) {
+    constrained_.emplace(subject_, state_, M_inverse_, ConstraintSizes::Tasks::none);
+  }
+  if (!subject.points.empty() && (!subject.constraints.empty() || !subject.passive.empty())) {
+    supported_.emplace(subject_, state_, M_inverse_, ConstraintSizes::Tasks::all);
+  }
   if (subject.points.empty() || M_condition_ > std::numeric_limits<double>::max()) {
     Lambda_condition_ = std::numeric_limits<double>::infinity();
     control_condition_ = Lambda_condition_;
@@ -77,6 +83,7 @@ std::optional<LawSizes> ResultSizes::yielding(Function function,
                                               const interpreter::TaskLaw<double>& law) const {
   if (law.borders.empty()) return std::nullopt;
   if (needs_objects(function)) return objects_->yielding(function, law);
+  if (needs_constraints(function)) return of_constraints(function).yielding(law);
   if (!has_lambda(function) || Lambda_inverse_.size() == 0) return std::nullopt;
   if (function == Function::control_torque && interpreter::has_priorities(subject_.points)) {
     return std::nullopt;
@@ -89,6 +96,10 @@ double ResultSizes::condition(Function function, const std::optional<LawSizes>& 
   const bool about_hands = needs_objects(function) && solve_of(function) != Solve::none;
   if (about_hands) {
     return std::max(yielding ? yielding->condition : objects_->condition(), M_condition_);
+  }
+  if (needs_constraints(function)) {
+    const double own = yielding ? yielding->condition : of_constraints(function).condition();
+    return std::max(own, M_condition_);
   }
   if (yielding) return yielding->condition;
   switch (solve_of(function)) {
@@ -175,6 +186,9 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
       return objects_->sizes(function, yielding);
+    case Function::constrained_forward_dynamics:
+    case Function::supported_control_torque:
+      return of_constraints(function).sizes(law, yielding);
     case Function::contact_motion:
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
@@ -183,6 +197,10 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
       return contact_sizes(function, subject_, state_, M_inverse_, result, law);
   }
   throw std::logic_error("a function outside of its enumeration");
+}
+
+const ConstraintSizes& ResultSizes::of_constraints(Function function) const {
+  return function == Function::supported_control_torque ? *supported_ : *constrained_;
 }
 
 /// M^-1| (|tau| + sizes of inverse dynamics at the resulting qdd).

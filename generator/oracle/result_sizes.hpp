@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/constraint_sizes.hpp"
 #include "oracle/damped_sizes.hpp"
 #include "oracle/law_sizes.hpp"
 #include "oracle/object_sizes.hpp"
@@ -32,6 +33,7 @@ class ResultSizes {
                                  const std::optional<LawSizes>& yielding = std::nullopt) const;
 
  private:
+  [[nodiscard]] const ConstraintSizes& of_constraints(Function function) const;
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
   [[nodiscard]] Eigen::MatrixXd lambda_inverse() const;
   [[nodiscard]] static Eigen::MatrixXd lambda(const Eigen::MatrixXd& Lambda);
@@ -55,7 +57,8 @@ class ResultSizes {
   Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
   Eigen::MatrixXd Lambda_inverse_;      ///< the matrix itself; empty if M has no inverse
   std::optional<ObjectSizes> objects_;  ///< only if the scene has objects
-  std::optional<DampedSizes> damped_;   ///< only if the scene asks for damping
+  std::optional<ConstraintSizes> constrained_, supported_;  ///< only where they can be asked for
+  std::optional<DampedSizes> damped_;                       ///< only if the scene asks for damping
   double M_condition_ = 1, Lambda_condition_ = 1, control_condition_ = 1;
 };
 

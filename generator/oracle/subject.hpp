@@ -39,9 +39,11 @@ struct Subject {
   interpreter::Points<Scalar> points;    ///< operational points
   interpreter::Points<Scalar> external;  ///< where external forces act
   interpreter::Points<Scalar> contacts;
-  interpreter::ClosedChain<Scalar> chain;  ///< with the objects that the robot holds
-  interpreter::Damping<Scalar> damping;    ///< empty if the scene asks for no damping
-  SubjectInputs inputs;                    ///< payloads are bodies of their own, without mass
+  interpreter::Points<Scalar> constraints;  ///< whose rows are held
+  std::vector<int> passive;                 ///< velocities without a motor
+  interpreter::ClosedChain<Scalar> chain;   ///< with the objects that the robot holds
+  interpreter::Damping<Scalar> damping;     ///< empty if the scene asks for no damping
+  SubjectInputs inputs;                     ///< payloads are bodies of their own, without mass
 };
 
 /// Index of the body of a link.
@@ -90,6 +92,8 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   subject.points = points_from_scene(subject.model, scene.operational_points);
   subject.external = points_from_scene(subject.model, scene.external_forces);
   subject.contacts = points_from_scene(subject.model, scene.contacts);
+  subject.constraints = points_from_scene(subject.model, scene.constraints);
+  subject.passive = passive_velocities(subject.model, robot, scene);
   if (!scene.objects.empty()) subject.chain = chain_from_scene<Scalar>(robot, scene);
   subject.damping.heaviest = vector_of<Scalar>(heaviest_rows(scene));
   // The values of `core::add_damping_by_directions`.
@@ -107,6 +111,8 @@ Subject<To> cast(const Subject<From>& subject) {
           interpreter::cast<To>(subject.points),
           interpreter::cast<To>(subject.external),
           interpreter::cast<To>(subject.contacts),
+          interpreter::cast<To>(subject.constraints),
+          subject.passive,
           interpreter::cast<To>(subject.chain),
           interpreter::cast<To>(subject.damping),
           subject.inputs};

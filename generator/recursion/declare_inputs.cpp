@@ -67,6 +67,8 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
       return 6 * static_cast<int>(mechanism.objects.size());
     case IndexSpace::linkages:
       return internal_force_entries(mechanism);
+    case IndexSpace::held_rows:
+      return mechanism.held_rows();
     case IndexSpace::grasp_gains:
       return 2;
     case IndexSpace::gravity:

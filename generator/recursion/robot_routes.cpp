@@ -351,6 +351,8 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
     case Function::contact_inverse_inertia:
     case Function::effective_mass:
     case Function::impulse_response:
+    case Function::constrained_forward_dynamics:
+    case Function::supported_control_torque:
     case Function::link_inverse_inertias:
     case Function::center_of_mass:
     case Function::center_of_mass_jacobian:

@@ -4,89 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
-#include "recursion/late_turns.hpp"
-#include "recursion/object_forward_dynamics.hpp"
 #include "recursion/order_pivots.hpp"
+#include "recursion/ordinary_states.hpp"
 #include "recursion/resolved_by_pivots.hpp"
 
 namespace treeline {
 namespace {
-
-/// Ordinary states at which pivots are looked at. An odd number has a median.
-constexpr int kStates = 15;
-
-bool is_prime(int n) {
-  for (int divisor = 2; divisor * divisor <= n; ++divisor) {
-    if (n % divisor == 0) return false;
-  }
-  return n >= 2;
-}
-
-int prime_after(int n) {
-  do ++n;
-  while (!is_prime(n));
-  return n;
-}
-
-/// Spread evenly over the limits, of angles over a turn at most: multiples of the square root of a
-/// prime of its own. A rational one would leave a coordinate where it is in every state.
-double ordinary_coordinate(const Coordinate& coordinate, int prime, int state) {
-  const double reach = coordinate.ordinary_reach();
-  const double low = std::clamp(coordinate.lower, -reach, reach);
-  const double high = std::clamp(coordinate.upper, -reach, reach);
-  const double multiple = (state + 0.5) * std::sqrt(static_cast<double>(prime));
-  return low + (high - low) * (multiple - std::floor(multiple));
-}
-
-std::vector<double> ordinary_state(const Mechanism& mechanism, int state) {
-  std::vector<double> q;
-  int prime = 1;
-  for (const Coordinate& coordinate : mechanism.coordinates) {
-    prime = prime_after(prime);
-    q.push_back(coordinate.is_of_quaternion() ? coordinate.neutral()
-                                              : ordinary_coordinate(coordinate, prime, state));
-  }
-  return q;
-}
-
-/// A mechanism at a state, its points those of a law.
-template <class Scalar>
-struct Posed {
-  Tree<Scalar> tree;
-  std::vector<TreeObject<Scalar>> objects;
-  std::vector<JointTransform<Scalar>> X;
-};
-
-template <class Scalar>
-Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vector<double>& q,
-                   const std::vector<double>& tool = {}) {
-  Posed<Scalar> posed;
-  ModelInputs<Scalar> inputs;
-  const std::vector<Scalar> origins(tool.begin(), tool.end());
-  for (std::size_t i = 0; i < origins.size(); i += 3) inputs.tools.push_back(triple_at(origins, i));
-  posed.tree = tree_of<Scalar>(mechanism, inputs);
-  if (points == LawPoints::contacts) posed.tree.operational_points = posed.tree.contacts;
-  if (points == LawPoints::grasps) {
-    posed.objects = objects_of<Scalar>(mechanism);
-    posed.tree = holding_tree(posed.tree, posed.objects);
-  }
-  const std::vector<Scalar> at(q.begin(), q.end());
-  posed.X = joint_transforms<Scalar>(posed.tree, at);
-  turn_late(posed.tree, posed.X);
-  if (points == LawPoints::grasps) follow_points(posed.tree, posed.objects);
-  return posed;
-}
-
-std::size_t count_rows(const Tree<double>& tree) {
-  std::size_t rows = 0;
-  for (const auto& point : tree.operational_points) {
-    rows += static_cast<std::size_t>(std::count(point.rows.begin(), point.rows.end(), true));
-  }
-  return rows;
-}
 
 /// What the LDL^T of a law is taken of.
 DenseMatrix<double> matrix_at(const Posed<double>& posed, TaskLaw::Kind kind, TaskBasis basis) {
@@ -114,9 +39,6 @@ struct RowSizes {
   double pivot = 0, diagonal = 0;
 };
 
-/// A row whose pivot is but rounding error of its diagonal depends on those before it.
-constexpr double kDependent = 1e-10;
-
 std::vector<RowSizes> eliminate_rows(const DenseMatrix<double>& A) {
   std::vector<RowSizes> sizes;
   factor_ldlt(A, [&](std::size_t k, double c) {
@@ -126,24 +48,11 @@ std::vector<RowSizes> eliminate_rows(const DenseMatrix<double>& A) {
   return sizes;
 }
 
-double median(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// A power of two: short in the code, and the same on every host.
-double rounded_border(double border) {
-  return border > 0 && std::isfinite(border) ? std::exp2(std::round(std::log2(border))) : 0x1p-40;
-}
-
 /// Of each row the median over ordinary states.
 std::vector<RowSizes> ordinary_sizes(const Mechanism& mechanism, TaskLaw::Kind kind,
                                      LawPoints points, TaskBasis basis) {
   std::vector<std::vector<double>> pivots, diagonals;
-  for (int state = 0; state < kStates; ++state) {
+  for (int state = 0; state < kOrdinaryStates; ++state) {
     const auto posed = pose<double>(mechanism, points, ordinary_state(mechanism, state));
     const auto sizes = eliminate_rows(matrix_at(posed, kind, basis));
     pivots.resize(sizes.size());
@@ -160,30 +69,8 @@ std::vector<RowSizes> ordinary_sizes(const Mechanism& mechanism, TaskLaw::Kind k
   return medians;
 }
 
-/// The nearest joint inward that has all six freedoms, or none.
-int floating_above(const Tree<double>& tree, int link) {
-  while (link >= 0 && !tree.links[static_cast<std::size_t>(link)].is_floating()) {
-    link = tree.links[static_cast<std::size_t>(link)].parent;
-  }
-  return link;
-}
-
-/// For each row whether nothing that comes before can ever hold it: rows of the first point that
-/// each floating joint carries.
-std::vector<bool> always_free(const Tree<double>& tree) {
-  std::vector<bool> free;
-  std::set<int> used;
-  for (const auto& point : tree.operational_points) {
-    const int joint = floating_above(tree, point.link);
-    const bool first = joint >= 0 && used.insert(joint).second;
-    free.insert(free.end(),
-                static_cast<std::size_t>(std::count(point.rows.begin(), point.rows.end(), true)),
-                first);
-  }
-  return free;
-}
-
-/// The same of what holds an object: its own matter moves the rows of its first grasp.
+/// For each row whether nothing that comes before can ever hold it: an object's own matter moves
+/// the rows of its first grasp.
 std::vector<bool> first_grasps(const std::vector<TreeObject<double>>& objects) {
   std::vector<bool> first;
   for (const auto& object : objects) {
@@ -243,7 +130,7 @@ std::vector<double> jacobian_borders(const TaskLaw& law, const std::vector<bool>
   std::vector<std::vector<double>> sizes(6);
   const auto [lone, a, b] = law.arm.rows();
   const std::vector<Pivot> last(law.pivots.begin() + 3, law.pivots.end());
-  for (int state = 0; state < kStates; ++state) {
+  for (int state = 0; state < kOrdinaryStates; ++state) {
     const auto posed =
         pose<double>(*law.mechanism, LawPoints::operational, ordinary_state(*law.mechanism, state));
     const auto J = wrist_jacobian(posed.tree, posed.X, law.basis.axes_link);
@@ -338,6 +225,14 @@ std::string describe(const TaskLaw& law) {
     case TaskLaw::Kind::priorities:
       return "finite everywhere; a row that those before it leave 2^-13 of what its point has "
              "yields, smoothly and alone.";
+    case TaskLaw::Kind::supported:
+      if (law.mechanism->singular == SingularTasks::exact) return kBareSolve;
+      return fmt::format(
+          "finite everywhere; a row that constraints, passive joints and the rows before it leave "
+          "nothing to move with yields, smoothly and alone, where its inverse inertia falls below "
+          "{} of what is ordinary, and is exact to rounding above {}. Constraints that cannot "
+          "carry the motion leave part of it to forces that tau lacks.",
+          single ? "5e-4" : "8e-6", single ? "3e-2" : "1e-3");
     case TaskLaw::Kind::normals:
       return fmt::format(
           "finite everywhere; along what cannot be moved the mass tends to 0, smoothly, where the "

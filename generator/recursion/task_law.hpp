@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
+#include "recursion/passive_joints.hpp"
 #include "recursion/pivot_rule.hpp"
 #include "recursion/task_basis.hpp"
 
@@ -47,6 +48,7 @@ struct TaskLaw {
     grasp_forces,     ///< LDL^T of Lambda_e^-1 + C Lambda_obj^-1 C^T
     normals,          ///< n^T Lambda_c^-1 n of each contact separately
     priorities,       ///< borders are added to mobilities, see `rows_by_priority`
+    supported,        ///< of a supported control torque, see `split_rules`
     jacobian          ///< resolved acceleration: elimination of J in the order of `pivots`
   };
   Kind kind = Kind::inverse_inertia;
@@ -60,6 +62,11 @@ struct TaskLaw {
   std::vector<Pivot> pivots;
   ArmPlane arm;
 };
+
+/// The rules of a law for a supported control torque. Its mechanism comes from `with_supports`; its
+/// borders are those of Lambda^-1, of the constraints with motors locked if passive joints can move
+/// then, and of the equations for forces.
+SupportRules split_rules(const TaskLaw& law);
 
 /// Describes in one sentence for users what a function with this law returns at singularities.
 std::string describe(const TaskLaw& law);
@@ -97,6 +104,11 @@ class TaskLaws {
   /// the scene has `singular: exact`, if the arm has no plane, or if the wrist's equations have no
   /// order of pivots; a pivot could then vanish where the robot is not singular.
   std::shared_ptr<const TaskLaw> resolved(int axes_link);
+
+  /// Law of a supported control torque; the mechanism must come from `with_supports`. With
+  /// `singular: exact` the rows of tasks have no borders. Those of constraints have: they depend on
+  /// each other as a rule, and what they hold does not.
+  std::shared_ptr<const TaskLaw> supported();
 
  private:
   using Key = std::tuple<TaskLaw::Kind, LawPoints, bool, bool, int>;

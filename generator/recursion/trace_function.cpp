@@ -10,6 +10,7 @@
 #include "recursion/late_turns.hpp"
 #include "recursion/lift_tree.hpp"
 #include "recursion/robot_routes.hpp"
+#include "recursion/trace_constraint_function.hpp"
 #include "recursion/trace_contacts.hpp"
 #include "recursion/trace_derivatives.hpp"
 #include "recursion/trace_object_function.hpp"
@@ -100,6 +101,8 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
       return trace_contact_function(mechanism, function, lanes);
     case FunctionGroup::objects:
       return trace_object_function(mechanism, function, lanes);
+    case FunctionGroup::constraints:
+      return trace_constraint_function(mechanism, function, lanes);
     case FunctionGroup::center_of_mass:
       return trace_posture_function(mechanism, function, lanes);
     case FunctionGroup::derivatives:

@@ -114,7 +114,15 @@ namespace treeline::interpreter {
       const Stabilisation<std::type_identity_t<T>>&);                                              \
   EXTERN template ClosedChainMotion<T> object_forward_dynamics<T>(const ClosedChain<T>&,           \
       PerRobotArg<T>, PerRobotArg<T>, PerRobotArg<T>,                                              \
-      const Stabilisation<std::type_identity_t<T>>&, const TaskLaw<T>&)
+      const Stabilisation<std::type_identity_t<T>>&, const TaskLaw<T>&);                           \
+  EXTERN template ConstrainedMotion<T> constrained_forward_dynamics<T>(                            \
+      const Model<T>&, PointsArg<T>, const ConstrainedState<std::type_identity_t<T>>&);            \
+  EXTERN template ConstrainedMotion<T> constrained_forward_dynamics<T>(const Model<T>&,            \
+      PointsArg<T>, const ConstrainedState<std::type_identity_t<T>>&, const TaskLaw<T>&);          \
+  EXTERN template SupportedTorque<T> supported_control_torque<T>(                                  \
+      const Model<T>&, const SupportedTask<T>&, VectorArg<T>, VectorArg<T>);                       \
+  EXTERN template SupportedTorque<T> supported_control_torque<T>(const Model<T>&,                  \
+      const SupportedTask<T>&, VectorArg<T>, VectorArg<T>, const SupportLaw<T>&)
 // clang-format on
 
 #define TREELINE_INTERPRETER_INSTANCES(EXTERN, T)    \

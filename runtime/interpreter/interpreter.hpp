@@ -9,6 +9,7 @@
 #include "interpreter/augmented_object.hpp"
 #include "interpreter/center_of_mass.hpp"
 #include "interpreter/centroidal_momentum.hpp"
+#include "interpreter/constrained_forward_dynamics.hpp"
 #include "interpreter/contacts.hpp"
 #include "interpreter/control_torque.hpp"
 #include "interpreter/coriolis_matrix.hpp"
@@ -34,4 +35,5 @@
 #include "interpreter/prioritized_torque.hpp"
 #include "interpreter/propagate_inertia.hpp"
 #include "interpreter/propagate_unit_forces.hpp"
+#include "interpreter/supported_control_torque.hpp"
 #include "interpreter/task_posture.hpp"

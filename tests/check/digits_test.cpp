@@ -38,7 +38,9 @@ bool solves(const std::string& function) {
                                                  "dynamically_consistent_inverse",
                                                  "null_space_projector",
                                                  "operational_bias_force",
-                                                 "operational_gravity"};
+                                                 "operational_gravity",
+                                                 "constrained_forward_dynamics",
+                                                 "supported_control_torque"};
   return kSolving.contains(function);
 }
 

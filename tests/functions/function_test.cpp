@@ -34,7 +34,9 @@ TEST(Functions, AreDefaultsOrRequested) {
     EXPECT_EQ(row.emitted == Emitted::by_default, !requested && !composed) << row.name;
     EXPECT_NE(std::string(row.equation), "") << row.name;
     if (is_among(row.function, kDefaultFunctions)) {
-      EXPECT_FALSE(needs_objects(row.function) || needs_contacts(row.function)) << row.name;
+      EXPECT_FALSE(needs_objects(row.function) || needs_contacts(row.function) ||
+                   needs_constraints(row.function))
+          << row.name;
     }
   }
   for (const Function function : kDampedFunctions)

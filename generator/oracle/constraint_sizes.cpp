@@ -1,0 +1,181 @@
+#include "oracle/constraint_sizes.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+
+#include "interpreter/instances.hpp"
+#include "oracle/condition.hpp"
+#include "oracle/entries.hpp"
+#include "oracle/interpret_constraints.hpp"
+#include "recursion/pivot_rule.hpp"
+
+namespace treeline {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Subject<double> seen_at_constraints(const Subject<double>& subject, bool tasks) {
+  Subject<double> seen = subject;
+  seen.points = subject.constraints;
+  if (!tasks) return seen;
+  auto points = subject.points;
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.priority < b.priority; });
+  seen.points.insert(seen.points.end(), points.begin(), points.end());
+  return seen;
+}
+
+/// Whether a plain solve for the tasks, which have no borders then, has no digit left.
+bool leaves_no_digit(double condition, const interpreter::TaskLaw<double>& law, Eigen::Index held) {
+  const bool plain = std::all_of(law.borders.begin() + held, law.borders.end(),
+                                 [](double border) { return border == 0; });
+  const bool single = law.power == inverse_inertia_shape(Real::float32).power;
+  return plain && condition > (single ? 0x1p17 : 0x1p46);
+}
+
+MatrixXd inverse_of(const MatrixXd& A) {
+  return A.ldlt().solve(MatrixXd::Identity(A.rows(), A.cols()));
+}
+
+}  // namespace
+
+ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& state,
+                                 const MatrixXd& M_inverse, Tasks tasks)
+    : subject_(subject),
+      state_(state),
+      M_inverse_(M_inverse),
+      tasks_(tasks),
+      seen_(seen_at_constraints(subject, tasks == Tasks::all)),
+      terms_(seen_, state.q),
+      J_(terms_.jacobian()),
+      bias_(terms_.bias(state.qd)),
+      held_(interpreter::row_count(subject.constraints)) {
+  condition_ = std::numeric_limits<double>::infinity();
+  if (!M_inverse.allFinite()) return;
+  Lambda_inverse_ =
+      interpreter::lambda_inverse<double>(subject.model, seen_.points, vector_of<double>(state.q));
+  condition_ = scaled_condition(Lambda_inverse_, (J_ * M_inverse * J_.transpose()).diagonal());
+}
+
+std::optional<LawSizes> ConstraintSizes::yielding(const interpreter::TaskLaw<double>& law) const {
+  if (Lambda_inverse_.size() == 0) return std::nullopt;
+  VectorXd terms = (J_ * M_inverse_ * J_.transpose()).diagonal();
+  if (tasks_ == Tasks::none) return find_law_sizes(Lambda_inverse_, terms, law);
+  const auto task = supported_task(subject_, state_);
+  const auto parts = interpreter::split_law<double>(law, task);
+  MatrixXd A = Lambda_inverse_;
+  double others = 0;
+  if (parts.passive_moves) {
+    const interpreter::detail::SupportedRows<double> rows(
+        subject_.model, task, vector_of<double>(state_.q), vector_of<double>(state_.qd));
+    const auto tail = A.rows() - held_;
+    const MatrixXd J = passive_columns().bottomRows(tail);
+    A.bottomRightCorner(tail, tail) -=
+        J * interpreter::passive_mobility(rows, task.passive, parts) * J.transpose();
+    const MatrixXd size = passive_sizes();
+    terms += (size * passive_mobility() * size.transpose()).diagonal();
+    if (held_ > 0) others += locked(parts.locked).condition;
+  }
+  if (held_ > 0 && !subject_.passive.empty()) others += forces(parts.forces).condition;
+  LawSizes found = find_law_sizes(A, terms, parts.rows);
+  found.condition += others;
+  if (leaves_no_digit(found.condition, parts.rows, held_)) {
+    found.condition = std::numeric_limits<double>::infinity();
+  }
+  return found;
+}
+
+std::vector<double> ConstraintSizes::sizes(const interpreter::TaskLaw<double>& law,
+                                           const std::optional<LawSizes>& yielding) const {
+  const MatrixXd Lambda =
+      yielding ? yielding->Lambda : MatrixXd(inverse_of(Lambda_inverse_).cwiseAbs());
+  return tasks_ == Tasks::none ? constrained(Lambda) : supported(law, Lambda);
+}
+
+/// Sizes of qdd_o + M^-1 J^T f, f = Lambda (J qdd_o + Jd qd + damping J qd + stiffness drift).
+std::vector<double> ConstraintSizes::constrained(const MatrixXd& Lambda) const {
+  const std::vector<double> none(state_.qd.size(), 0);
+  const VectorXd gains = magnitudes(values_of(state_, Quantity::stabilisation));
+  const VectorXd free =
+      M_inverse_ * (magnitudes(state_.tau) + terms_.forces(state_.qd, none, state_.f_ext));
+  const VectorXd missing = bias_ + J_ * free + gains(0) * (J_ * magnitudes(state_.qd)) +
+                           gains(1) * magnitudes(values_of(state_, Quantity::drift));
+  const VectorXd f = Lambda * missing;
+  std::vector<double> entries = entries_of(VectorXd(free + M_inverse_ * (J_.transpose() * f)));
+  append(f, entries);
+  return entries;
+}
+
+/// Sizes of gamma + J_s^T f, gamma = M qdd + b + g - J_ext^T f_ext, and of f. Like the torques of a
+/// task, each has at least a thousandth of the largest.
+std::vector<double> ConstraintSizes::supported(const interpreter::TaskLaw<double>& law,
+                                               const MatrixXd& Lambda) const {
+  const auto parts = interpreter::split_law<double>(law, supported_task(subject_, state_));
+  const auto& passive = subject_.passive;
+  const MatrixXd J_p = passive_sizes();
+  const auto tail = J_.rows() - held_;
+  VectorXd gamma = terms_.forces(state_.qd, state_.qdd, state_.f_ext);
+  VectorXd rows = bias_ + J_ * magnitudes(state_.qdd);
+  VectorXd asked = magnitudes(state_.xdd_cmd);
+  rows.tail(tail).array() += asked.size() > 0 ? asked.maxCoeff() : 0;
+  VectorXd settled = VectorXd::Zero(static_cast<Eigen::Index>(passive.size()));
+  if (parts.passive_moves) {
+    settled = passive_mobility() * VectorXd(gamma(passive));
+    rows.tail(tail) += J_p.bottomRows(tail) * settled;
+  }
+  const VectorXd f_rows = Lambda * rows;
+  gamma += J_.transpose() * f_rows;
+  if (parts.passive_moves) {
+    settled += passive_mobility() * (J_p.transpose() * f_rows);
+    gamma += terms_.mass_matrix()(Eigen::all, passive) * settled;
+  }
+  VectorXd f = magnitudes(values_of(state_, Quantity::f_wanted));
+  if (held_ > 0) {
+    const MatrixXd J_sp = J_p.topRows(held_);
+    if (!passive.empty()) {
+      const VectorXd balance = VectorXd(gamma(passive)) + J_sp.transpose() * f;
+      const VectorXd weights = interpreter::detail::force_weights<double>(subject_.constraints);
+      f += weights.cwiseProduct(J_sp * (forces(parts.forces).Lambda * balance));
+    }
+    gamma += J_.topRows(held_).transpose() * f;
+  }
+  std::vector<double> entries = entries_of(VectorXd(gamma.cwiseMax(0x1p-10 * gamma.maxCoeff())));
+  if (held_ > 0) append(VectorXd(f.cwiseMax(0x1p-10 * f.maxCoeff())), entries);
+  return entries;
+}
+
+MatrixXd ConstraintSizes::passive_mobility() const {
+  const MatrixXd M = interpreter::mass_matrix<double>(subject_.model, vector_of<double>(state_.q));
+  return inverse_of(M(subject_.passive, subject_.passive)).cwiseAbs();
+}
+
+LawSizes ConstraintSizes::forces(const interpreter::TaskLaw<double>& law) const {
+  const VectorXd weights = interpreter::detail::force_weights<double>(subject_.constraints);
+  const MatrixXd J = passive_columns().topRows(held_);
+  const MatrixXd size = passive_sizes().topRows(held_);
+  return find_law_sizes(J.transpose() * weights.asDiagonal() * J,
+                        (size.transpose() * weights.asDiagonal() * size).diagonal(), law);
+}
+
+LawSizes ConstraintSizes::locked(const interpreter::TaskLaw<double>& law) const {
+  const MatrixXd M = interpreter::mass_matrix<double>(subject_.model, vector_of<double>(state_.q));
+  const MatrixXd K_inverse = inverse_of(M(subject_.passive, subject_.passive));
+  const MatrixXd J = passive_columns().topRows(held_);
+  const MatrixXd size = passive_sizes().topRows(held_);
+  return find_law_sizes(J * K_inverse * J.transpose(),
+                        (size * K_inverse.cwiseAbs() * size.transpose()).diagonal(), law);
+}
+
+MatrixXd ConstraintSizes::passive_columns() const {
+  const MatrixXd J =
+      interpreter::jacobian<double>(subject_.model, seen_.points, vector_of<double>(state_.q));
+  return J(Eigen::all, subject_.passive);
+}
+
+MatrixXd ConstraintSizes::passive_sizes() const {
+  return J_(Eigen::all, subject_.passive);
+}
+
+}  // namespace treeline

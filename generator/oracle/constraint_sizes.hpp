@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "interpreter/task_law.hpp"
+#include "oracle/draw_state.hpp"
+#include "oracle/law_sizes.hpp"
+#include "oracle/subject.hpp"
+#include "oracle/term_sizes.hpp"
+
+namespace treeline {
+
+/// Scales of the results of functions about constraints at one state: their equations with the
+/// magnitude of every term in place of the term.
+class ConstraintSizes {
+ public:
+  /// Whose rows there are beside those of the constraints: none for constrained forward dynamics,
+  /// those of all operational points for a supported control torque.
+  enum class Tasks { none, all };
+
+  /// `M_inverse` has the magnitudes of M^-1.
+  ConstraintSizes(const Subject<double>& subject, const State& state,
+                  const Eigen::MatrixXd& M_inverse, Tasks tasks);
+
+  /// Properties of the solve with rows that are relaxed by `law`; its condition is that of all
+  /// solves together. Nothing without a law, or if M has no inverse.
+  [[nodiscard]] std::optional<LawSizes> yielding(const interpreter::TaskLaw<double>& law) const;
+  /// Scale of each entry of the function's results, in their order.
+  [[nodiscard]] std::vector<double> sizes(const interpreter::TaskLaw<double>& law,
+                                          const std::optional<LawSizes>& yielding) const;
+  /// Condition number of Lambda^-1, scaled to a unit diagonal.
+  [[nodiscard]] double condition() const { return condition_; }
+
+ private:
+  [[nodiscard]] std::vector<double> constrained(const Eigen::MatrixXd& Lambda) const;
+  [[nodiscard]] std::vector<double> supported(const interpreter::TaskLaw<double>& law,
+                                              const Eigen::MatrixXd& Lambda) const;
+  /// Sizes of K^-1, the inverse inertia of passive joints.
+  [[nodiscard]] Eigen::MatrixXd passive_mobility() const;
+  /// Properties of the solve for the constraints' forces on passive joints.
+  [[nodiscard]] LawSizes forces(const interpreter::TaskLaw<double>& law) const;
+  /// Properties of the solve for the constraints with motors locked.
+  [[nodiscard]] LawSizes locked(const interpreter::TaskLaw<double>& law) const;
+  /// The columns of J that belong to passive joints, and their sizes.
+  [[nodiscard]] Eigen::MatrixXd passive_columns() const;
+  [[nodiscard]] Eigen::MatrixXd passive_sizes() const;
+
+  const Subject<double>& subject_;
+  const State& state_;
+  const Eigen::MatrixXd& M_inverse_;
+  Tasks tasks_;
+  Subject<double> seen_;  ///< its points are the constraints, then the tasks by priority
+  TermSizes terms_;
+  Eigen::MatrixXd J_, Lambda_inverse_;
+  Eigen::VectorXd bias_;
+  Eigen::Index held_ = 0;
+  double condition_ = 1;
+};
+
+}  // namespace treeline

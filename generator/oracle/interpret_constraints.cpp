@@ -1,0 +1,59 @@
+#include "oracle/interpret_constraints.hpp"
+
+#include "interpreter/instances.hpp"
+#include "oracle/entries.hpp"
+
+namespace treeline {
+namespace {
+
+template <class Scalar>
+interpreter::ConstrainedMotion<Scalar> constrained_motion(const Subject<Scalar>& subject,
+                                                          const State& state,
+                                                          const interpreter::TaskLaw<Scalar>& law) {
+  const auto gains = vector_of<Scalar>(values_of(state, Quantity::stabilisation));
+  const interpreter::ConstrainedState<Scalar> at{
+      vector_of<Scalar>(state.q),
+      vector_of<Scalar>(state.qd),
+      vector_of<Scalar>(state.tau),
+      vector_of<Scalar>(values_of(state, Quantity::drift)),
+      gains(0),
+      gains(1),
+      subject.external,
+      vector_of<Scalar>(state.f_ext)};
+  return law.borders.empty() ? interpreter::constrained_forward_dynamics<Scalar>(
+                                   subject.model, subject.constraints, at)
+                             : interpreter::constrained_forward_dynamics<Scalar>(
+                                   subject.model, subject.constraints, at, law);
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<Scalar> interpret_constraints(Function function, const Subject<Scalar>& subject,
+                                          const State& state,
+                                          const interpreter::TaskLaw<Scalar>& law) {
+  std::vector<Scalar> entries;
+  if (function == Function::constrained_forward_dynamics) {
+    const auto motion = constrained_motion(subject, state, law);
+    append(motion.qdd, entries);
+    append(motion.f, entries);
+    return entries;
+  }
+  const auto task = supported_task(subject, state);
+  const auto torque = interpreter::supported_control_torque<Scalar>(
+      subject.model, task, vector_of<Scalar>(state.q), vector_of<Scalar>(state.qd),
+      interpreter::split_law<Scalar>(law, task));
+  append(torque.tau, entries);
+  append(torque.f, entries);
+  return entries;
+}
+
+template std::vector<float> interpret_constraints(Function, const Subject<float>&, const State&,
+                                                  const interpreter::TaskLaw<float>&);
+template std::vector<double> interpret_constraints(Function, const Subject<double>&, const State&,
+                                                   const interpreter::TaskLaw<double>&);
+template std::vector<interpreter::Digits50> interpret_constraints(
+    Function, const Subject<interpreter::Digits50>&, const State&,
+    const interpreter::TaskLaw<interpreter::Digits50>&);
+
+}  // namespace treeline

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <vector>
+
+#include "recursion/control_torque.hpp"
+#include "recursion/forward_dynamics.hpp"
+#include "recursion/link_velocities.hpp"
+
+namespace treeline {
+
+/// Joint forces J^T f due to forces f in the rows of `tasks`.
+template <class Scalar>
+std::vector<Scalar> forces_of_rows(const Tree<Scalar>& tree,
+                                   const std::vector<JointTransform<Scalar>>& X,
+                                   const std::vector<TaskPoint<Scalar>>& tasks,
+                                   const std::vector<Scalar>& f) {
+  std::vector<Wrench<Scalar>> wrenches(tree.links.size());
+  std::size_t row = 0;
+  for (const TaskPoint<Scalar>& task : tasks) {
+    Wrench<Scalar> at_point;
+    for (const TaskRow<Scalar>& direction : task.rows) {
+      Vector3<Scalar>& sum = direction.angular ? at_point.n : at_point.f;
+      sum = sum + direction.e * f[row++];
+    }
+    if (task.link < 0) continue;
+    Wrench<Scalar>& wrench = wrenches[static_cast<std::size_t>(task.link)];
+    wrench = wrench + wrench_at(at_point.f, at_point.n, task.r);
+  }
+  return inward_forces(tree, X, std::move(wrenches));
+}
+
+/// Velocities of the rows of `tasks`.
+template <class Scalar>
+std::vector<Scalar> row_velocities(const std::vector<TaskPoint<Scalar>>& tasks,
+                                   const std::vector<LinkVelocity<Scalar>>& links) {
+  std::vector<Scalar> velocities;
+  for (const TaskPoint<Scalar>& task : tasks) {
+    const LinkVelocity<Scalar>& link = links[static_cast<std::size_t>(task.link)];
+    const Vector3<Scalar> linear = link.v + cross(link.w, task.r);
+    for (const TaskRow<Scalar>& row : task.rows) {
+      velocities.push_back(dot(row.e, row.angular ? link.w : linear));
+    }
+  }
+  return velocities;
+}
+
+template <class Scalar>
+struct ConstrainedInputs {
+  std::span<const Scalar> qd, tau;
+  std::span<const Scalar> stabilisation;  ///< damping 1/s, stiffness 1/s^2
+  std::span<const Scalar> drift;          ///< by row
+  std::vector<Wrench<Scalar>> applied;
+};
+
+/// Joint accelerations, and forces in the held rows, on the robot.
+template <class Scalar>
+struct ConstrainedMotion {
+  std::vector<Scalar> qdd, f;
+};
+
+/// Motion under joint forces while the rows of the operational points of `tree` are held:
+///     qdd_o = M^-1 (tau - b - g + J_ext^T f_ext),
+///     f = Lambda (-stabilisation - J qdd_o - Jd qd),  qdd = qdd_o + M^-1 J^T f,
+/// the KKT system of Gauss' principle, eliminated by Lambda^-1 = J M^-1 J^T. `solve_for_qdd` maps
+/// joint forces to accelerations. `rule` inverts the pivots of Lambda^-1: a row that depends on
+/// those before it gets no force, and the acceleration is the same whichever row that is.
+template <class Scalar, class Solve>
+ConstrainedMotion<Scalar> constrained_forward_dynamics(const Tree<Scalar>& tree,
+                                                       const std::vector<JointTransform<Scalar>>& X,
+                                                       const ConstrainedInputs<Scalar>& inputs,
+                                                       const LambdaChoice& choice,
+                                                       const Solve& solve_for_qdd,
+                                                       const PivotRule& rule = {}) {
+  std::vector<Scalar> net = inverse_dynamics<Scalar>(tree, X, {inputs.qd, {}}, inputs.applied);
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    net[i] = inputs.tau[i] - net[i];
+  }
+  ConstrainedMotion<Scalar> motion;
+  motion.qdd = solve_for_qdd(net);
+  const auto tasks = task_points(tree, {}, world_poses(tree, X));
+  const auto links = outward_motion<Scalar>(tree, X, {inputs.qd, motion.qdd}, Vector3<Scalar>{});
+  std::vector<Scalar> missing;
+  for (const TaskPoint<Scalar>& task : tasks) {
+    append_accelerations(task, links, missing);
+  }
+  const auto velocities = row_velocities(tasks, link_velocities(tree, X, {inputs.qd, {}}));
+  for (std::size_t k = 0; k < missing.size(); ++k) {
+    missing[k] = -(missing[k] + velocities[k] * inputs.stabilisation[0] +
+                   inputs.drift[k] * inputs.stabilisation[1]);
+  }
+  const auto Lambda_inv = lambda_inverse_as_asked(tree, X, choice, missing.size());
+  motion.f = solve(factor_ldlt(Lambda_inv, rule), missing);
+  const auto change = solve_for_qdd(forces_of_rows(tree, X, tasks, motion.f));
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    motion.qdd[i] = motion.qdd[i] + change[i];
+  }
+  return motion;
+}
+
+}  // namespace treeline

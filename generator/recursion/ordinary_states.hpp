@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "recursion/late_turns.hpp"
+#include "recursion/model_inputs.hpp"
+#include "recursion/object_forward_dynamics.hpp"
+#include "recursion/task_law.hpp"
+
+namespace treeline {
+
+/// Ordinary states at which pivots are looked at. An odd number has a median.
+inline constexpr int kOrdinaryStates = 15;
+
+/// Coordinates spread evenly over the limits, of angles over a turn at most.
+std::vector<double> ordinary_state(const Mechanism& mechanism, int state);
+
+/// A mechanism at a state, its points those of a law.
+template <class Scalar>
+struct Posed {
+  Tree<Scalar> tree;
+  std::vector<TreeObject<Scalar>> objects;
+  std::vector<JointTransform<Scalar>> X;
+};
+
+/// `tool`: origins of points that are arguments, empty for those of the scene.
+template <class Scalar>
+Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vector<double>& q,
+                   const std::vector<double>& tool = {}) {
+  Posed<Scalar> posed;
+  ModelInputs<Scalar> inputs;
+  const std::vector<Scalar> origins(tool.begin(), tool.end());
+  for (std::size_t i = 0; i < origins.size(); i += 3) inputs.tools.push_back(triple_at(origins, i));
+  posed.tree = tree_of<Scalar>(mechanism, inputs);
+  if (points == LawPoints::contacts) posed.tree.operational_points = posed.tree.contacts;
+  if (points == LawPoints::grasps) {
+    posed.objects = objects_of<Scalar>(mechanism);
+    posed.tree = holding_tree(posed.tree, posed.objects);
+  }
+  const std::vector<Scalar> at(q.begin(), q.end());
+  posed.X = joint_transforms<Scalar>(posed.tree, at);
+  turn_late(posed.tree, posed.X);
+  if (points == LawPoints::grasps) follow_points(posed.tree, posed.objects);
+  return posed;
+}
+
+/// A row whose pivot is but rounding error of its diagonal depends on those before it.
+constexpr double kDependent = 1e-10;
+
+std::size_t count_rows(const Tree<double>& tree);
+
+/// The middle one of those that are finite; 0 if there are none.
+double median(std::vector<double> values);
+
+/// A power of two: short in the code, and the same on every host.
+double rounded_border(double border);
+
+/// For each row whether nothing that comes before can ever hold it: rows of the first point that
+/// each floating joint carries.
+std::vector<bool> always_free(const Tree<double>& tree);
+
+}  // namespace treeline

@@ -1,0 +1,167 @@
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "recursion/ordinary_states.hpp"
+#include "recursion/supported_control_torque.hpp"
+#include "recursion/task_law.hpp"
+
+namespace treeline {
+namespace {
+
+/// Sizes of the rows of one matrix, state after state.
+class MedianSizes {
+ public:
+  /// `diagonal` may be larger than that of A, where A is a difference.
+  void add(const DenseMatrix<double>& A, const std::vector<double>& diagonal) {
+    pivots_.resize(A.rows());
+    diagonals_.resize(A.rows());
+    factor_ldlt(A, [&](std::size_t k, double c) {
+      pivots_[k].push_back(c);
+      diagonals_[k].push_back(diagonal[k]);
+      return c > kDependent * diagonal[k] ? 1 / c : 0;
+    });
+  }
+  void add(const DenseMatrix<double>& A) {
+    std::vector<double> diagonal;
+    for (std::size_t k = 0; k < A.rows(); ++k) diagonal.push_back(A(k, k));
+    add(A, diagonal);
+  }
+
+  [[nodiscard]] bool has_dependent() const {
+    for (std::size_t k = 0; k < pivots_.size(); ++k) {
+      if (is_dependent(k)) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] std::vector<double> borders(double share) const {
+    std::vector<double> borders;
+    for (std::size_t k = 0; k < pivots_.size(); ++k) {
+      borders.push_back(
+          rounded_border(share * median(is_dependent(k) ? diagonals_[k] : pivots_[k])));
+    }
+    return borders;
+  }
+
+ private:
+  [[nodiscard]] bool is_dependent(std::size_t k) const {
+    return !(median(pivots_[k]) > kDependent * median(diagonals_[k]));
+  }
+
+  std::vector<std::vector<double>> pivots_, diagonals_;
+};
+
+/// Ordinary states of a robot that constraints support.
+class SupportedStates {
+ public:
+  explicit SupportedStates(const Mechanism& mechanism) : passive_(mechanism.passive) {
+    held_ = static_cast<std::size_t>(mechanism.held_rows());
+    for (int state = 0; state < kOrdinaryStates; ++state) {
+      posed_.push_back(
+          pose<double>(mechanism, LawPoints::operational, ordinary_state(mechanism, state)));
+      const auto& [tree, objects, X] = posed_.back();
+      const auto tasks = task_points(tree, {}, world_poses(tree, X));
+      columns_.push_back(passive_columns<double>(tree, X, tasks, {}, passive_, count_rows(tree)));
+    }
+  }
+
+  [[nodiscard]] MedianSizes forces() const {
+    MedianSizes sizes;
+    for (std::size_t s = 0; s < posed_.size(); ++s) {
+      const auto weights = force_weights(posed_[s].tree.operational_points);
+      sizes.add(weighted_square(columns_[s], weights, held_));
+    }
+    return sizes;
+  }
+
+  [[nodiscard]] MedianSizes locked() const {
+    MedianSizes sizes;
+    for (std::size_t s = 0; s < posed_.size(); ++s) {
+      const auto K = factor_ldlt(locked_inertia(posed_[s]));
+      sizes.add(leading_block(mobility_of_rows(K, columns_[s]), held_));
+    }
+    return sizes;
+  }
+
+  [[nodiscard]] MedianSizes rows(const SupportRules& rules) const {
+    MedianSizes sizes;
+    for (std::size_t s = 0; s < posed_.size(); ++s) {
+      auto A = inverse_inertia(posed_[s]);
+      std::vector<double> diagonal;
+      for (std::size_t k = 0; k < A.rows(); ++k) diagonal.push_back(A(k, k));
+      if (rules.passive_moves) {
+        PassiveMotion<double>(locked_inertia(posed_[s]), columns_[s], rules).subtract_from(A);
+      }
+      sizes.add(A, diagonal);
+    }
+    return sizes;
+  }
+
+  [[nodiscard]] std::size_t held() const { return held_; }
+  [[nodiscard]] const Tree<double>& tree() const { return posed_.front().tree; }
+
+ private:
+  static DenseMatrix<double> inverse_inertia(const Posed<double>& posed) {
+    return lambda_inverse(posed.tree, posed.X, world_poses(posed.tree, posed.X),
+                          {{}, LambdaRoute::factors_inward}, count_rows(posed.tree));
+  }
+  [[nodiscard]] DenseMatrix<double> locked_inertia(const Posed<double>& posed) const {
+    return block_of_velocities(mass_matrix(posed.tree, posed.X), passive_);
+  }
+
+  std::vector<int> passive_;
+  std::size_t held_ = 0;
+  std::vector<Posed<double>> posed_;
+  std::vector<DenseMatrix<double>> columns_;
+};
+
+SupportRules support_rules(const Mechanism& mechanism) {
+  const YieldShape shape = inverse_inertia_shape(mechanism.real);
+  const SupportedStates states(mechanism);
+  SupportRules rules;
+  rules.held = states.held();
+  const MedianSizes forces = states.forces();
+  rules.passive_moves = !mechanism.passive.empty() && (rules.held == 0 || forces.has_dependent());
+  if (rules.held > 0) rules.forces = {shape.power, forces.borders(shape.share)};
+  if (rules.passive_moves && rules.held > 0) {
+    rules.locked = {shape.power, states.locked().borders(shape.share)};
+  }
+  rules.rows = {shape.power, states.rows(rules).borders(shape.share)};
+  const auto free = always_free(states.tree());
+  for (std::size_t k = 0; k < rules.rows.borders.size(); ++k) {
+    const bool exact = mechanism.singular == SingularTasks::exact;
+    if (k < rules.held ? free[k] : exact) rules.rows.borders[k] = 0;
+  }
+  return rules;
+}
+
+}  // namespace
+
+std::shared_ptr<const TaskLaw> TaskLaws::supported() {
+  const SupportRules rules = support_rules(*mechanism_);
+  TaskLaw law;
+  law.kind = TaskLaw::Kind::supported;
+  law.mechanism = mechanism_;
+  law.rule = rules.rows;
+  for (const PivotRule* next : {&rules.locked, &rules.forces}) {
+    law.rule.borders.insert(law.rule.borders.end(), next->borders.begin(), next->borders.end());
+  }
+  return std::make_shared<const TaskLaw>(std::move(law));
+}
+
+SupportRules split_rules(const TaskLaw& law) {
+  const auto rows = static_cast<std::ptrdiff_t>(law.mechanism->task_rows());
+  const auto held = static_cast<std::ptrdiff_t>(law.mechanism->held_rows());
+  const auto passive = static_cast<std::ptrdiff_t>(law.mechanism->passive.size());
+  const auto first = law.rule.borders.begin();
+  const auto last = law.rule.borders.end();
+  const std::ptrdiff_t locked = held > 0 ? last - first - rows - passive : 0;
+  const int power = law.rule.power;
+  return {{power, {first, first + rows}},
+          {power, {first + rows, first + rows + locked}},
+          {power, {first + rows + locked, last}},
+          static_cast<std::size_t>(held),
+          passive > 0 && (held == 0 || locked > 0)};
+}
+
+}  // namespace treeline

@@ -1,0 +1,173 @@
+#include "recursion/trace_constraint_function.hpp"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "recursion/describe_choice.hpp"
+#include "recursion/hopeless_algorithms.hpp"
+#include "recursion/late_turns.hpp"
+#include "recursion/supported_control_torque.hpp"
+#include "recursion/supported_mechanism.hpp"
+#include "recursion/task_law.hpp"
+#include "recursion/trace_parts.hpp"
+
+namespace treeline {
+namespace {
+
+/// What a trace of a function about constraints has at hand.
+struct ConstraintTrace {
+  Tree<Expression> tree;  ///< its points are the constraints, and the tasks if there are any
+  std::vector<JointTransform<Expression>> X;
+  std::vector<Expression> qd, qdd_0, tau, xdd_cmd, f_wanted, stabilisation, drift;
+  std::vector<Wrench<Expression>> applied;
+};
+
+using ConstraintBody = std::function<std::vector<Result>(const ConstraintTrace&)>;
+
+struct ConstraintRoute {
+  RouteId id;
+  ConstraintBody body;
+};
+
+std::vector<Result> trace_constrained_motion(const ConstraintTrace& trace,
+                                             const LambdaChoice& choice, const PivotRule& rule) {
+  const ConstrainedInputs<Expression> inputs{trace.qd, trace.tau, trace.stabilisation, trace.drift,
+                                             trace.applied};
+  const auto results = [](const ConstrainedMotion<Expression>& motion) {
+    return std::vector<Result>{
+        vector_result("qdd", "joint accelerations", motion.qdd),
+        vector_result("f", "forces of the constraints on the robot, in their rows, N, N m",
+                      motion.f)};
+  };
+  const bool by_factors =
+      choice.route == LambdaRoute::factors_inward || choice.route == LambdaRoute::factors_world;
+  if (by_factors) {
+    const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
+    return results(constrained_forward_dynamics<Expression>(
+        trace.tree, trace.X, inputs, choice,
+        [&factor](const std::vector<Expression>& forces) { return solve(factor, forces); }, rule));
+  }
+  const auto bodies = articulate(trace.tree, trace.X);
+  return results(constrained_forward_dynamics<Expression>(
+      trace.tree, trace.X, inputs, choice,
+      [&](const std::vector<Expression>& forces) {
+        return solve_articulated(trace.tree, trace.X, bodies, forces);
+      },
+      rule));
+}
+
+std::vector<Result> trace_supported_torque(const ConstraintTrace& trace, const LambdaChoice& choice,
+                                           const SupportRules& rules,
+                                           const std::vector<int>& passive) {
+  const auto torque = supported_control_torque<Expression>(
+      trace.tree, trace.X, {{trace.qd, trace.qdd_0}, trace.xdd_cmd, trace.f_wanted, trace.applied},
+      passive, choice, rules);
+  std::vector<Result> results{
+      vector_result("tau", "joint forces, 0 where no motor is", torque.tau)};
+  if (!torque.f.empty()) {
+    results.push_back(vector_result(
+        "f", "forces of the constraints on the robot, in their rows, N, N m", torque.f));
+  }
+  return results;
+}
+
+class ConstraintTracer {
+ public:
+  ConstraintTracer(const Mechanism& mechanism, Function function, int lanes)
+      : mechanism_(mechanism),
+        function_(function),
+        lanes_(lanes),
+        supports_(function == Function::supported_control_torque),
+        seen_(supports_ ? with_supports(mechanism) : with_constraints_only(mechanism)) {
+    // Rows of constraints may depend on each other, whatever the scene asks of tasks.
+    if (!supports_) seen_.singular = SingularTasks::smooth;
+    TaskLaws laws(seen_);
+    law_ = supports_ ? laws.supported()
+                     : laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
+  }
+
+  [[nodiscard]] std::vector<ConstraintRoute> routes() const {
+    Program scratch;  // to be thrown away: routes depend on the tree's structure alone
+    const Graph::Scope scope(scratch.graph);
+    auto tree = constant_tree<Expression>(seen_);
+    apply_inputs(seen_, TracedInputs(mechanism_, function_, scratch), tree);
+    std::vector<ConstraintRoute> routes;
+    for (const LambdaChoice& choice : lambda_choices(tree)) {
+      const RouteId own = route_id(choice, tree);
+      if (supports_) {
+        routes.push_back({on_top_of(own, "supported", "support-consistent, one system"),
+                          [choice, rules = split_rules(*law_),
+                           passive = seen_.passive](const ConstraintTrace& trace) {
+                            return trace_supported_torque(trace, choice, rules, passive);
+                          }});
+      } else {
+        routes.push_back({on_top_of(own, "constrained", "forces of the constraints by Lambda^-1"),
+                          [choice, rule = law_->rule](const ConstraintTrace& trace) {
+                            return trace_constrained_motion(trace, choice, rule);
+                          }});
+      }
+    }
+    return routes;
+  }
+
+  [[nodiscard]] Program trace(const ConstraintRoute& route) const {
+    Program program;
+    program.name = function_name(function_);
+    program.equation = info_of(function_).equation;
+    program.route = route.id;
+    program.graph = Graph::for_trace(lanes_);
+    const Graph::Scope scope(program.graph);
+    ConstraintTrace trace;
+    trace.tree = constant_tree<Expression>(seen_);
+    take_inputs(program, trace);
+    program.law = law_;
+    program.singular = describe(*law_);
+    program.results = route.body(trace);
+    return program;
+  }
+
+ private:
+  void take_inputs(Program& program, ConstraintTrace& trace) const {
+    const TracedInputs inputs(mechanism_, function_, program);
+    apply_inputs(seen_, inputs, trace.tree);
+    trace.qd = inputs[Quantity::qd];
+    trace.qdd_0 = inputs[Quantity::qdd_0];
+    trace.tau = inputs[Quantity::tau];
+    trace.f_wanted = inputs[Quantity::f_wanted];
+    trace.stabilisation = inputs[Quantity::stabilisation];
+    trace.drift = inputs[Quantity::drift];
+    if (supports_) {
+      const auto& asked = inputs[Quantity::xdd_cmd];
+      for (const std::size_t row : task_row_order(mechanism_)) trace.xdd_cmd.push_back(asked[row]);
+    }
+    trace.X = joint_transforms<Expression>(trace.tree, inputs[Quantity::q]);
+    turn_late(trace.tree, trace.X);
+    const auto& f_ext = inputs[Quantity::f_ext];
+    if (!f_ext.empty()) trace.applied = applied_wrenches<Expression>(trace.tree, trace.X, f_ext);
+  }
+
+  const Mechanism& mechanism_;
+  Function function_;
+  int lanes_;
+  bool supports_;
+  Mechanism seen_;
+  std::shared_ptr<const TaskLaw> law_;
+};
+
+}  // namespace
+
+std::vector<Program> trace_constraint_function(const Mechanism& mechanism, Function function,
+                                               int lanes) {
+  const ConstraintTracer tracer(mechanism, function, lanes);
+  std::vector<Program> programs;
+  HopelessAlgorithms hopeless;
+  for (const ConstraintRoute& route : tracer.routes()) {
+    if (hopeless.has(route.id)) continue;
+    programs.push_back(tracer.trace(route));
+    hopeless.look_at(programs.back());
+  }
+  return programs;
+}
+
+}  // namespace treeline

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <Eigen/QR>
+#include <limits>
+
+#include "interpreter/inverse_dynamics.hpp"
+#include "interpreter/jacobian.hpp"
+#include "interpreter/mass_matrix.hpp"
+#include "interpreter/point_accelerations.hpp"
+#include "interpreter/task_law.hpp"
+
+namespace treeline::interpreter {
+
+/// State and drive of a robot whose constraints hold the rows of some points.
+template <class Scalar>
+struct ConstrainedState {
+  Vector<Scalar> q, qd, tau;
+  Vector<Scalar> drift;                 ///< by held row; empty: none
+  Scalar damping = Scalar(0);           ///< 1/s
+  Scalar stiffness = Scalar(0);         ///< 1/s^2
+  Points<Scalar> external_points = {};  ///< where external forces act
+  Vector<Scalar> f_ext = {};
+};
+
+template <class Scalar>
+struct ConstrainedMotion {
+  Vector<Scalar> qdd;
+  Vector<Scalar> f;  ///< by held row, on the robot
+};
+
+namespace detail {
+
+/// The least-norm solution of a linear system that has solutions, however many.
+template <class Scalar>
+Vector<Scalar> solve_consistent(const Matrix<Scalar>& A, const Vector<Scalar>& b) {
+  using std::sqrt;
+  using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  Eigen::CompleteOrthogonalDecomposition<Dense> decomposition(A.rows(), A.cols());
+  decomposition.setThreshold(Scalar(sqrt(std::numeric_limits<Scalar>::epsilon())));
+  decomposition.compute(Dense(A));
+  return decomposition.solve(b);
+}
+
+/// Accelerations of the held rows that are asked for, less Jd qd.
+template <class Scalar>
+Vector<Scalar> held_accelerations(const Model<Scalar>& model, const Points<Scalar>& constraints,
+                                  const Matrix<Scalar>& J, const ConstrainedState<Scalar>& at) {
+  Vector<Scalar> asked = -bias_acceleration<Scalar>(model, constraints, at.q, at.qd);
+  asked -= at.damping * (J * at.qd);
+  if (at.drift.size() > 0) asked -= at.stiffness * at.drift;
+  return asked;
+}
+
+/// tau - b - g + J_ext^T f_ext.
+template <class Scalar>
+Vector<Scalar> net_forces(const Model<Scalar>& model, const ConstrainedState<Scalar>& at) {
+  const Vector<Scalar> rest = Vector<Scalar>::Zero(model.nv);
+  return at.tau - inverse_dynamics<Scalar>(model, at.q, at.qd, rest, at.external_points, at.f_ext);
+}
+
+}  // namespace detail
+
+/// Motion with the rows of the constraints held, by the KKT system of Gauss' principle as a whole:
+///     [M  -J^T] [qdd]   [tau - b - g + J_ext^T f_ext        ]
+///     [J    0 ] [ f ] = [-Jd qd - damping J qd - stiffness drift].
+/// If rows depend on each other, the acceleration is still unique, and of all forces the least are
+/// taken.
+template <class Scalar>
+ConstrainedMotion<Scalar> constrained_forward_dynamics(
+    const Model<Scalar>& model, PointsArg<Scalar> constraints,
+    const ConstrainedState<std::type_identity_t<Scalar>>& at) {
+  const Matrix<Scalar> J = jacobian<Scalar>(model, constraints, at.q);
+  const auto rows = J.rows();
+  const auto nv = static_cast<Eigen::Index>(model.nv);
+  Matrix<Scalar> A = Matrix<Scalar>::Zero(nv + rows, nv + rows);
+  A.topLeftCorner(nv, nv) = mass_matrix<Scalar>(model, at.q);
+  A.topRightCorner(nv, rows) = -J.transpose();
+  A.bottomLeftCorner(rows, nv) = J;
+  Vector<Scalar> b(nv + rows);
+  b.head(nv) = detail::net_forces(model, at);
+  b.tail(rows) = detail::held_accelerations<Scalar>(model, constraints, J, at);
+  const Vector<Scalar> x = detail::solve_consistent<Scalar>(A, b);
+  return {x.head(nv), x.tail(rows)};
+}
+
+/// The same where `law` relaxes rows that cannot be held by a force of their own.
+template <class Scalar>
+ConstrainedMotion<Scalar> constrained_forward_dynamics(
+    const Model<Scalar>& model, PointsArg<Scalar> constraints,
+    const ConstrainedState<std::type_identity_t<Scalar>>& at, const TaskLaw<Scalar>& law) {
+  const Matrix<Scalar> J = jacobian<Scalar>(model, constraints, at.q);
+  const Matrix<Scalar> M_inverse =
+      inverse_of_positive_definite<Scalar>(mass_matrix<Scalar>(model, at.q));
+  const Vector<Scalar> free = M_inverse * detail::net_forces(model, at);
+  const Vector<Scalar> missing =
+      detail::held_accelerations<Scalar>(model, constraints, J, at) - J * free;
+  const Vector<Scalar> f =
+      bordered_inverse<Scalar>(Matrix<Scalar>(J * M_inverse * J.transpose()), law) * missing;
+  return {free + M_inverse * (J.transpose() * f), f};
+}
+
+}  // namespace treeline::interpreter

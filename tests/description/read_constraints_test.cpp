@@ -1,0 +1,107 @@
+// Would catch: constraints that hold another link or other rows than the scene says, joints that
+// are taken to have a motor, and faults in either that are reported without place or remedy.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "description/read_scene.hpp"
+#include "mechanism/build_mechanism.hpp"
+#include "scene_robot.hpp"
+
+namespace treeline {
+namespace {
+
+const std::string kHand = "operational_points: [{name: hand, link: tool, rows: [x]}]\n";
+const std::string kHold =
+    "constraints: [{name: rail, between: [rail, world], origin: {xyz: [0, 0, 0.1]}, rows: [x, rz], "
+    "axes: local}]\n";
+
+std::optional<Scene> read(const std::string& text, Diagnostics& diagnostics) {
+  static const Robot robot = make_robot();
+  return parse_scene(text, "s.yaml", robot, diagnostics);
+}
+
+bool has(const Scene& scene, Function function) {
+  return std::count(scene.functions.begin(), scene.functions.end(), function) > 0;
+}
+
+TEST(ReadConstraints, ReadsEverySetting) {
+  Diagnostics diagnostics;
+  const auto scene = read(kHand + kHold + "passive: [elbow]\n", diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  ASSERT_EQ(scene->constraints.size(), 1U);
+  const ScenePoint& held = scene->constraints[0];
+  EXPECT_EQ(held.name, "rail");
+  EXPECT_EQ(held.link, "rail");
+  EXPECT_EQ(held.origin.xyz, (std::array{0.0, 0.0, 0.1}));
+  EXPECT_EQ(held.rows, (std::array{true, false, false, false, false, true}));
+  EXPECT_EQ(held.axes, Axes::local);
+  EXPECT_EQ(scene->passive, std::vector<std::string>{"elbow"});
+  EXPECT_TRUE(has(*scene, Function::constrained_forward_dynamics));
+  EXPECT_TRUE(has(*scene, Function::supported_control_torque));
+}
+
+TEST(ReadConstraints, FunctionsFollowWhatIsListed) {
+  Diagnostics diagnostics;
+  const auto neither = read(kHand, diagnostics);
+  ASSERT_TRUE(neither);
+  EXPECT_FALSE(has(*neither, Function::constrained_forward_dynamics));
+  EXPECT_FALSE(has(*neither, Function::supported_control_torque));
+  const auto held = read(kHold, diagnostics);
+  ASSERT_TRUE(held);
+  EXPECT_TRUE(has(*held, Function::constrained_forward_dynamics));
+  EXPECT_FALSE(has(*held, Function::supported_control_torque));
+  const auto passive = read(kHand + "passive: [elbow]\n", diagnostics);
+  ASSERT_TRUE(passive);
+  EXPECT_FALSE(has(*passive, Function::constrained_forward_dynamics));
+  EXPECT_TRUE(has(*passive, Function::supported_control_torque));
+}
+
+TEST(ReadConstraints, PassiveVelocitiesAreThoseOfTheBaseAndOfNamedJoints) {
+  Diagnostics diagnostics;
+  const Robot robot = make_robot();
+  const auto scene = parse_scene("base: floating\npassive: [slide, shoulder]\n" + kHold, "s.yaml",
+                                 robot, diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  // Base, shoulder, elbow, slide; the joint that follows slide has no velocity of its own.
+  EXPECT_EQ(build_mechanism(robot, *scene).passive, (std::vector{0, 1, 2, 3, 4, 5, 6, 8}));
+}
+
+struct Fault {
+  const char* text;
+  const char* fault;
+  const char* remedy;
+};
+
+class ConstraintFaults : public testing::TestWithParam<Fault> {};
+
+TEST_P(ConstraintFaults, NameTheFaultAndTheRemedy) {
+  Diagnostics diagnostics;
+  read(GetParam().text, diagnostics);
+  const std::string told = to_string(diagnostics);
+  EXPECT_NE(told.find(GetParam().fault), std::string::npos) << told;
+  EXPECT_NE(told.find(GetParam().remedy), std::string::npos) << told;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ConstraintFaults,
+    testing::Values(
+        Fault{"constraints: [{name: a}]", "\"between\" is missing", "between: [link, world]"},
+        Fault{"constraints: [{name: a, between: [tool, rail]}]", "between a link and the world",
+              "[link, world]"},
+        Fault{"constraints: [{name: a, between: [world, tool]}]", "between a link and the world",
+              "the link first"},
+        Fault{"constraints: [{name: a, between: [tol, world]}]", "no link \"tol\"", "tool"},
+        Fault{"constraints: [{name: a, between: [tool, world], link: tool}]", "link", "keys"},
+        Fault{"constraints: [{name: a, between: [base, world]}]", "cannot move", "floating"},
+        Fault{"functions: [constrained_forward_dynamics]", "nothing is held", "constraints"},
+        Fault{"constraints: [{name: a, between: [tool, world]}]\nfunctions: [gravity]",
+              "no function takes them", "supported_control_torque"},
+        Fault{"passive: [elbw]", "no joint \"elbw\"", "elbow"},
+        Fault{"passive: [follow]", "no motor of its own", "slide"},
+        Fault{"passive: [flange]", "does not move", "remove"},
+        Fault{"locked: {elbow: 0}\npassive: [elbow]", "does not move", "remove"},
+        Fault{"passive: [elbow, elbow]", "twice", "once"}));
+
+}  // namespace
+}  // namespace treeline

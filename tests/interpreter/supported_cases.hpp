@@ -1,0 +1,166 @@
+#pragma once
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "interpreter/instances.hpp"
+#include "oracle/model_from_robot.hpp"
+#include "random_state.hpp"
+#include "recursion/function_results.hpp"
+
+/// Random robots that stand on random constraints or have joints without a motor, with tasks that
+/// they can do, in 50 digits.
+namespace treeline::tests {
+
+using Vector50 = interpreter::Vector<Digits50>;
+using Matrix50 = interpreter::Matrix<Digits50>;
+
+using Rows = std::array<bool, 6>;
+inline constexpr Rows kAllRows{true, true, true, true, true, true};
+inline constexpr Rows kPointFoot{true, true, true, false, false, false};
+
+struct Standing {
+  const char* name;
+  std::vector<Rows> feet;
+  int task_rows = 6;
+  bool floating_base = true;
+  int passive = 0;  ///< joints without a motor
+  double mimic = 0;
+  int external_forces = 0;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Standing& standing) {
+  return out << standing.name;
+}
+
+/// One to four supports, and less than what would hold a floating base.
+inline const std::vector<Standing>& standings() {
+  static const std::vector<Standing> kStandings{
+      {"one_foot", {kAllRows}},
+      {"two_feet", {kAllRows, kAllRows}},
+      {"three_points", {kPointFoot, kPointFoot, kPointFoot}},
+      {"four_points", {kPointFoot, kPointFoot, kPointFoot, kPointFoot}, 3},
+      {"foot_and_edge", {kAllRows, {true, false, true, true, false, false}}, 4},
+      {"two_points", {kPointFoot, kPointFoot}, 3},
+      {"one_point", {kPointFoot}, 3},
+      {"no_foot", {}, 3},
+      {"passive_joint", {}, 3, false, 1},
+      {"passive_joints_at_a_wall", {kPointFoot}, 2, false, 2},
+      {"hand_at_a_wall", {kAllRows}, 2, false},
+      {"mimics", {kAllRows, kAllRows}, 3, true, 0, 0.15},
+      {"pushed", {kPointFoot, kPointFoot, kPointFoot}, 3, true, 1, 0, 2}};
+  return kStandings;
+}
+
+struct StandingCase {
+  RandomMechanism made;
+  interpreter::Model<Digits50> model;
+  interpreter::SupportedTask<Digits50> task;
+  Vector50 q, qd, tau, drift;
+  double growth = 1;  ///< largest condition number that amplifies rounding
+};
+
+inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) {
+  RandomOptions options;
+  const int feet = static_cast<int>(standing.feet.size());
+  options.joints = 10 + 5 * feet;
+  options.branching = 0.2;
+  options.mix = {5, 1, 1, 0.3, 0, 0.3, 0.3};
+  options.floating_base = standing.floating_base;
+  options.mimic = standing.mimic;
+  options.operational_points = 2;
+  options.external_forces = standing.external_forces;
+  StandingCase c;
+  c.made = random_mechanism(seed, options);
+  Scene& scene = c.made.scene;
+  Dice dice(seed + 5);
+  for (int i = 0; i < feet; ++i) {
+    scene.constraints.push_back(
+        detail::random_point(dice, options, c.made.robot, "foot_" + std::to_string(i)));
+    scene.constraints.back().rows = standing.feet[static_cast<std::size_t>(i)];
+  }
+  int left = standing.task_rows;
+  for (ScenePoint& point : scene.operational_points) {
+    for (bool& row : point.rows) row = left > 0 && dice.chance(0.6) && left-- > 0;
+    point.priority = 1 + dice.below(2);
+  }
+  for (const Joint& joint : c.made.robot.joints) {
+    const auto wanted = static_cast<std::size_t>(standing.passive);
+    if (scene.passive.size() < wanted && detail::has_one_degree(joint) && !joint.mimic) {
+      scene.passive.push_back(joint.name);
+    }
+  }
+  c.model = model_from_robot<Digits50>(c.made.robot, scene);
+  auto& task = c.task;
+  task.constraints = points_from_scene(c.model, scene.constraints);
+  task.points = points_from_scene(c.model, scene.operational_points);
+  task.passive = passive_velocities(c.model, c.made.robot, scene);
+  task.external_points = points_from_scene(c.model, scene.external_forces);
+  const auto drawn = [&](int count, double size) {
+    return random_entries<Digits50>(dice, count, size);
+  };
+  const int held = interpreter::row_count(task.constraints);
+  c.q = random_position(dice, c.model, 2.0);
+  c.qd = drawn(c.model.nv, 2);
+  c.tau = drawn(c.model.nv, 20);
+  c.drift = drawn(held, 0.01);
+  task.qdd_0 = drawn(c.model.nv, 5);
+  task.xdd_cmd = drawn(interpreter::row_count(task.points), 5);
+  task.f_wanted = drawn(held, 50);
+  task.f_ext = drawn(6 * standing.external_forces, 30);
+  return c;
+}
+
+/// Smallest singular value but those that are zero to rounding, relative to the largest.
+inline double spread(const Matrix50& A) {
+  if (A.rows() == 0 || A.cols() == 0) return 1;
+  const Eigen::MatrixXd in_double =
+      A.unaryExpr([](const Digits50& x) { return static_cast<double>(x); });
+  const Eigen::VectorXd s = in_double.jacobiSvd().singularValues();
+  double least = s(0);
+  for (const double value : s) {
+    if (value > 1e-11 * s(0)) least = value;
+  }
+  return s(0) / least;
+}
+
+/// Inverse inertia of the task rows by motors alone, while constraints hold: from the motion that a
+/// unit force of each motor causes.
+inline Matrix50 motor_mobility(const StandingCase& c) {
+  const interpreter::detail::SupportedRows<Digits50> rows(c.model, c.task, c.q, c.qd);
+  const Matrix50 M_inverse = interpreter::inverse_of_positive_definite<Digits50>(rows.M);
+  const Matrix50 J_s = rows.J.topRows(rows.held);
+  Matrix50 held = M_inverse;
+  if (rows.held > 0) {
+    const Matrix50 carried = M_inverse * J_s.transpose();
+    const Matrix50 A = J_s * carried;
+    held -= carried * interpreter::inverse_of_positive_definite<Digits50>(A) * carried.transpose();
+  }
+  Matrix50 by_motors = rows.J.bottomRows(rows.J.rows() - rows.held) * held;
+  for (const int v : c.task.passive) by_motors.col(v).setZero();
+  return by_motors * by_motors.transpose();
+}
+
+/// The first case from this seed on in which constraints are independent and tasks possible.
+inline StandingCase draw_standing_regular(std::uint64_t seed, const Standing& standing) {
+  for (;; seed += 13) {
+    StandingCase c = draw_standing(seed, standing);
+    if (interpreter::row_count(c.task.points) == 0) continue;
+    const interpreter::detail::SupportedRows<Digits50> rows(c.model, c.task, c.q, c.qd);
+    const Matrix50 A =
+        rows.J * interpreter::inverse_of_positive_definite<Digits50>(rows.M) * rows.J.transpose();
+    if (rows.held > 0) {
+      c.growth = condition(Matrix50(A.topLeftCorner(rows.held, rows.held)));
+      if (!(c.growth < 1e5)) continue;
+      c.growth = std::max(c.growth, spread(rows.J_passive.topRows(rows.held)));
+    }
+    c.growth = std::max({c.growth, condition(rows.M), condition(A), condition(motor_mobility(c))});
+    if (c.growth < 1e6) return c;
+  }
+}
+
+}  // namespace treeline::tests
