@@ -71,9 +71,9 @@ TEST(LiftTree, IsTheTreeOfTheMechanism) {
     const RandomMechanism drawn = random_mechanism(seed, options);
     Mechanism mechanism = reduced_mechanism(drawn.robot, drawn.scene);
     mechanism.limbs = find_limbs(mechanism, 8);
-    const auto constants = tree_of<double>(mechanism);
+    const auto constants = constant_tree<double>(mechanism);
     mechanism.links.back().turns_late = true;
-    const auto expected = in_new_graph([&] { return tree_of<Expression>(mechanism); });
+    const auto expected = in_new_graph([&] { return constant_tree<Expression>(mechanism); });
     const auto lifted = in_new_graph([&] { return lift_tree(constants, mechanism); });
     ASSERT_EQ(lifted.links.size(), expected.links.size());
     for (std::size_t i = 0; i < lifted.links.size(); ++i) {
@@ -85,6 +85,7 @@ TEST(LiftTree, IsTheTreeOfTheMechanism) {
     expect_same(lifted.link_frames, expected.link_frames);
     expect_same(lifted.gravity, expected.gravity);
     expect_same(lifted.world_moment, expected.world_moment);
+    EXPECT_TRUE(lifted.total_mass == expected.total_mass);
     EXPECT_TRUE(lifted.inverse_total_mass == expected.inverse_total_mass);
     EXPECT_TRUE(lifted.nq == expected.nq && lifted.nv == expected.nv);
     EXPECT_EQ(lifted.has_mimics, expected.has_mimics);
