@@ -57,6 +57,8 @@ const std::vector<Layer> kLayers = {
      {"functions", "interruption", "description", "program", "passes", "bounds", "emission",
       "generation", "oracle", "inspect"}},
     {"board", {"target", "description", "emission", "generation", "oracle", "inspect", "check"}},
+    {"certify",
+     {"functions", "description", "program", "bounds", "generation", "check"}},
     {"timing", {"emission", "generation", "oracle", "check"}},
     {"bench",
      {"description", "mechanism", "emission", "generation", "oracle", "inspect", "check",
@@ -65,7 +67,7 @@ const std::vector<Layer> kLayers = {
     {"cli",
      {"functions",    "target", "interpreter", "servo",      "drive",   "launch", "simulation",
       "interruption", "board",  "description", "mechanism",  "program", "passes", "emission",
-      "generation",   "oracle", "inspect",     "comparison", "check",   "timing", "bench"}},
+      "generation",   "oracle", "inspect",     "comparison", "check",   "certify", "timing", "bench"}},
 };
 
 bool is_source(const fs::path& path) {
