@@ -192,8 +192,8 @@ void StepBounds::bound_turned_product(std::uint32_t node) {
   const GappaNumber found =
       bound(fmt::format("X{} = {} * {} by the sum of their squares", node, a, b), hypotheses,
             fmt::format("|{} * {}|", a, b),
-            {fmt::format("{0} * {1} -> (({2}) - ({0} - {1}) * ({0} - {1})) * 1b-1", a, b, sum),
-             fmt::format("{0} * {1} -> (({0} + {1}) * ({0} + {1}) - ({2})) * 1b-1", a, b, sum)});
+            {fmt::format("{0} * {1} -> (({2}) - ({0} - {1}) * ({0} - {1})) / 2", a, b, sum),
+             fmt::format("{0} * {1} -> (({0} + {1}) * ({0} + {1}) - ({2})) / 2", a, b, sum)});
   bounds_[node].size = less(bounds_[node].size, found);
 }
 

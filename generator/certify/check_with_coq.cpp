@@ -13,8 +13,14 @@ namespace {
 constexpr const char* kHead =
     "(* Proofs of rounding bounds, found by Gappa. *)\n"
     "Require Import Reals Gappa.Gappa_library.\n"
+    "Lemma take_sign_out : forall p e,\n"
+    "  float2R (Float2 (Zneg p) e) = (- float2R (Float2 (Zpos p) e))%R.\n"
+    "Proof.\n"
+    "  intros p e. unfold float2R, Defs.F2R. simpl.\n"
+    "  change (IZR (Zneg p)) with (- IZR (Zpos p))%R. ring.\n"
+    "Qed.\n"
     "Ltac prove_equation :=\n"
-    "  unfold Float1, Float2, Float10, float2R, float10R; simpl;\n"
+    "  unfold Float1; rewrite ?take_sign_out;\n"
     "  first [ ring | field | exact (eq_sym (sqrt_Rsqr_abs _)) ].\n\n";
 
 /// The module of a step, from Gappa's proof: hypotheses about equations become lemmas.
