@@ -57,7 +57,7 @@ class StepBoundsOfGravity : public testing::Test {
     return values;
   }
 
-  std::vector<double> draw(Dice& dice) const {
+  std::vector<double> draw(treeline::Dice& dice) const {
     std::vector<double> q;
     for (const double size : subjects_.generation.domain.sizes.at("q")) {
       q.push_back(dice.within(size));
@@ -73,7 +73,7 @@ class StepBoundsOfGravity : public testing::Test {
 };
 
 TEST_F(StepBoundsOfGravity, HoldInStatesOfTheDomain) {
-  Dice dice(7);
+  treeline::Dice dice(7);
   const std::vector<Node>& nodes = program_.graph.nodes();
   double closest = 0;
   for (int state = 0; state < 200; ++state) {
@@ -98,7 +98,7 @@ double value_of(const std::string& operand, const std::vector<double>& values) {
 }
 
 TEST_F(StepBoundsOfGravity, RoundWhatTheCodeComputes) {
-  Dice dice(11);
+  treeline::Dice dice(11);
   const auto values = run<double>(draw(dice));
   const std::regex rounding(R"(\|rnd\((\S+) ([-+*]) (\S+)\) - \(.*\)\|)");
   const std::regex meaning("X[0-9]+ = .*, x([0-9]+) = rnd.*");
