@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/bench.hpp"
+#include "cli/certify.hpp"
 #include "cli/check.hpp"
 #include "cli/describe_usage_error.hpp"
 #include "cli/diff.hpp"
@@ -45,6 +46,7 @@ void add_commands(CLI::App& app, int& exit_code) {
       "Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.");
   treeline::add_generate(app, exit_code);
   treeline::add_check(app, exit_code);
+  treeline::add_certify(app, exit_code);
   treeline::add_bench(app, exit_code);
   treeline::add_inspect(app, exit_code);
   treeline::add_init_scene(app, exit_code);

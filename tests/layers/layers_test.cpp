@@ -59,6 +59,7 @@ const std::vector<Layer> kLayers = {
      {"functions", "interruption", "description", "program", "passes", "bounds", "emission",
       "generation", "oracle", "inspect"}},
     {"board", {"target", "description", "emission", "generation", "oracle", "inspect", "check"}},
+    {"certify", {"functions", "description", "program", "bounds", "generation", "check"}},
     {"timing", {"emission", "generation", "oracle", "check"}},
     {"bench",
      {"description", "mechanism", "emission", "generation", "oracle", "inspect", "check",
@@ -67,7 +68,7 @@ const std::vector<Layer> kLayers = {
     {"cli", {"functions",  "target",       "interpreter", "servo",       "drive",     "launch",
              "simulation", "interruption", "board",       "description", "mechanism", "program",
              "passes",     "emission",     "generation",  "oracle",      "inspect",   "drawing",
-             "comparison", "check",        "timing",      "bench",       "packaging"}},
+             "comparison", "check",        "timing",      "bench",       "packaging", "certify"}},
 };
 
 bool is_source(const fs::path& path) {

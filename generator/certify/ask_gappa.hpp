@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certify/proof_step.hpp"
+#include "description/diagnostic.hpp"
+
+namespace treeline {
+
+/// Runs the program `gappa`.
+class Gappa {
+ public:
+  /// Scripts are written to `folder`.
+  Gappa(std::filesystem::path folder, Precision precision)
+      : folder_(std::move(folder)), precision_(precision) {}
+
+  /// Lets Gappa find the least bounds of the goals that it can prove and writes them to the step;
+  /// then lets it prove the step with these numbers. Returns false if it cannot.
+  [[nodiscard]] bool solve(ProofStep& step) const;
+  /// Whether Gappa proves the step with the bounds that its goals state.
+  [[nodiscard]] bool proves(const ProofStep& step) const;
+  /// The proof of the step for Coq. Nothing if there is none.
+  [[nodiscard]] std::optional<std::string> prove_for_coq(const ProofStep& step) const;
+  [[nodiscard]] Precision precision() const { return precision_; }
+
+ private:
+  [[nodiscard]] std::optional<std::string> run(const std::string& script,
+                                               const std::vector<std::string>& options) const;
+
+  std::filesystem::path folder_;
+  Precision precision_;
+};
+
+/// First line that `gappa --version` prints. Without the program an error that names its package.
+std::optional<std::string> find_gappa(const std::filesystem::path& folder,
+                                      Diagnostics& diagnostics);
+
+/// The number `12345b-67`, `17` or `0x1.8p+3`.
+GappaNumber read_gappa_number(const std::string& text);
+
+/// The number with this value, exactly.
+GappaNumber exact_number(double value);
+
+}  // namespace treeline
