@@ -1,0 +1,97 @@
+#include "data/list_data.hpp"
+#include "fixture.hpp"
+
+// Robots that stand, or have joints without a motor, from the file to the compiled code. Would
+// catch: rows of constraints in another order than the scene's, a law that the interpreter does not
+// share, and variants (batches, float, given sines, exact tasks) that these functions do not have.
+
+namespace treeline::tests {
+namespace {
+
+Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(urdf, diagnostics);
+  if (!robot) throw std::runtime_error("the robot cannot be read");
+  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
+  if (!scene) throw std::runtime_error("the scene cannot be read");
+  return {*robot, *scene, generate(*robot, *scene)};
+}
+
+void expect_right(const Subjects& subjects, std::size_t functions, int states = 24) {
+  const auto report = check_or_throw(subjects, quick_options(states));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  EXPECT_EQ(report.functions.size(), functions);
+}
+
+const std::string kBoth = "functions: [constrained_forward_dynamics, supported_control_torque]\n";
+
+/// A quadruped on these feet.
+Subjects quadruped_on(const std::vector<std::string>& feet, const std::string& more = "") {
+  std::string scene =
+      "base: floating\noperational_points:\n  - {name: trunk, link: base}\nconstraints:\n";
+  for (const std::string& foot : feet) {
+    scene += "  - {name: " + foot + ", between: [" + foot + "_FOOT, world], rows: [x, y, z]}\n";
+  }
+  return in_scene(data_file("published/anymal_c.urdf"), scene + kBoth + more);
+}
+
+TEST(ConstraintsCheck, QuadrupedOnFourPointFeet) {
+  expect_right(quadruped_on({"LF", "RF", "LH", "RH"}), 2);
+}
+
+// Two point feet leave the trunk a freedom that no motor commands.
+TEST(ConstraintsCheck, QuadrupedOnADiagonal) {
+  expect_right(quadruped_on({"LF", "RH"}), 2);
+}
+
+TEST(ConstraintsCheck, QuadrupedOnOneFootInBatchesOfFloat) {
+  expect_right(quadruped_on({"LF"}, "real: float\nbatch: 8\n"), 4, 20);
+}
+
+TEST(ConstraintsCheck, QuadrupedWithExactTasks) {
+  expect_right(quadruped_on({"LF", "RF", "RH"}, "singular: exact\nsin_cos: given\n"), 2);
+}
+
+// Both feet of this humanoid are on one link: twelve rows, of which six are independent.
+TEST(ConstraintsCheck, HumanoidOnFeetThatDependOnEachOther) {
+  expect_right(load("humanoid24", "scene_stand.yaml"), 5);
+}
+
+TEST(ConstraintsCheck, HumanoidWithTasksByPriorityThatIsPushed) {
+  expect_right(in_scene(data_file("written/ball_humanoid.urdf"), R"(
+base: floating
+operational_points:
+  - {name: left_hand, link: left_forearm, origin: {xyz: [0, 0, -0.24]}, rows: [x, y, z], priority: 2}
+  - {name: trunk, link: right_forearm, rows: [x, z], axes: local}
+constraints:
+  - {name: left_foot, between: [left_foot, world], axes: local}
+  - {name: right_foot, between: [right_foot, world], rows: [x, z, rx, ry]}
+external_forces:
+  - {name: push, link: right_forearm}
+)" + kBoth),
+               2);
+}
+
+TEST(ConstraintsCheck, ArmWithAPassiveElbow) {
+  expect_right(in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf", R"(
+operational_points:
+  - {name: tool, link: tool, rows: [x, y, z]}
+passive: [elbow]
+functions: [supported_control_torque]
+)"),
+               1);
+}
+
+TEST(ConstraintsCheck, FloatingArmThatHoldsNothing) {
+  expect_right(in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf", R"(
+base: floating
+operational_points:
+  - {name: tool, link: tool, rows: [x, y, z]}
+passive: [wrist_3]
+functions: [supported_control_torque]
+)"),
+               1);
+}
+
+}  // namespace
+}  // namespace treeline::tests
