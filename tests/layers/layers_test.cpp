@@ -59,6 +59,7 @@ const std::vector<Layer> kLayers = {
     {"board", {"target", "description", "emission", "generation", "oracle", "inspect", "check"}},
     {"certify",
      {"functions", "description", "program", "bounds", "generation", "check"}},
+    {"safety", {"description", "bounds", "emission", "generation"}},
     {"timing", {"emission", "generation", "oracle", "check"}},
     {"bench",
      {"description", "mechanism", "emission", "generation", "oracle", "inspect", "check",
@@ -67,7 +68,7 @@ const std::vector<Layer> kLayers = {
     {"cli",
      {"functions",    "target", "interpreter", "servo",      "drive",   "launch", "simulation",
       "interruption", "board",  "description", "mechanism",  "program", "passes", "emission",
-      "generation",   "oracle", "inspect",     "comparison", "check",   "certify", "timing", "bench"}},
+      "generation",   "oracle", "inspect",     "comparison", "check",   "certify", "safety", "timing", "bench"}},
 };
 
 bool is_source(const fs::path& path) {
