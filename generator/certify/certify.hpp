@@ -14,7 +14,7 @@
 namespace treeline {
 
 struct CertifyOptions {
-  double within = 1.5;           ///< proven bounds may be this many times those that are stated
+  double within = 2;             ///< proven bounds may be this many times those that are stated
   double seconds = 300;          ///< for each function
   bool coq = false;              ///< let Coq check every step
   std::filesystem::path folder;  ///< for scripts and proofs; empty: they are not kept
@@ -46,7 +46,7 @@ struct Certificate {
   std::string name, gappa, coq;  ///< scene, versions of the programs
   std::string domain;            ///< ranges of inputs
   bool single_precision = false;
-  double within = 1.5;
+  double within = 2;
   std::vector<CertifiedFunction> functions;
 
   /// Whether no tried proof failed or is worse than asked for, and at least one was tried.

@@ -19,6 +19,7 @@
 #include "cli/write_output.hpp"
 #include "emission/print_manifest.hpp"
 #include "program/print.hpp"
+#include "safety/describe_safety.hpp"
 #include "timing/tune.hpp"
 
 namespace treeline {
@@ -38,6 +39,8 @@ constexpr const char* kExamples =
     "float\n"
     "  treeline generate puma560.urdf --output lib/puma560 --package platformio --target "
     "cortex-m4f\n"
+    "  treeline generate puma560.urdf scene.yaml --output puma560 --safety SAFETY.md --evidence "
+    "check.json\n"
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
 
 const std::vector<std::pair<std::string, PackageKind>> kPackages = {
@@ -50,8 +53,10 @@ const std::vector<std::pair<std::string, PackageKind>> kPackages = {
 struct GenerateOptions {
   InputOptions inputs;
   std::string output;
-  bool has_output = false;  ///< else it is the scene's name
-  std::string dump;         ///< `text`, `dot` or empty
+  bool has_output = false;            ///< else it is the scene's name
+  std::string dump;                   ///< `text`, `dot` or empty
+  std::string safety;                 ///< file for safety notes, or empty
+  std::vector<std::string> evidence;  ///< reports for them
   PackageKind package = PackageKind::none;
   bool compare = false, json = false, verbose = false, tune = false;
   CompileOptions compile{kTimedFlags};  ///< with which code is tuned
@@ -138,6 +143,23 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
                       : write_output(print_text(summary), OutputForm::text, exit_code);
 }
 
+/// Writes the notes for a safety review, if they are asked for.
+bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
+                  Diagnostics& diagnostics) {
+  if (options.safety.empty()) return true;
+  std::vector<Evidence> evidence;
+  for (const std::string& file : options.evidence) {
+    auto read = read_evidence(file, made.inputs.scene.name, diagnostics);
+    if (!read) return false;
+    evidence.push_back(std::move(*read));
+  }
+  return write_output_file(
+      options.safety,
+      describe_safety(made.inputs.scene, made.generation,
+                      provenance_of(options.inputs, made.inputs, made.choices), evidence),
+      diagnostics);
+}
+
 /// Whether this command leaves files behind.
 bool writes(const GenerateOptions& options) {
   return options.dump.empty() && !options.compare;
@@ -155,7 +177,8 @@ int run(const GenerateOptions& options) {
   ExitCode exit_code = failed ? kMismatch : kBadInput;
   if (made) {
     if (options.verbose) print_log(made->generation);
-    const ExitCode delivered = deliver(options, *made, tuning, diagnostics);
+    ExitCode delivered = deliver(options, *made, tuning, diagnostics);
+    if (delivered == kOk && !write_safety(options, *made, diagnostics)) delivered = kBadInput;
     exit_code = failed && delivered == kOk ? kMismatch : delivered;
   }
   print_diagnostics(diagnostics, options.inputs.warnings);
@@ -196,6 +219,14 @@ void add_generate(CLI::App& app, int& exit_code) {
       command->add_option("--dump", options->dump, "Print the expression graphs and write nothing")
           ->check(one_of({"text", "dot"}));
   compare->excludes(dump);
+  auto* safety = command->add_option("--safety", options->safety,
+                                     "File for notes to a reviewer of functional safety");
+  command
+      ->add_option(
+          "--evidence", options->evidence,
+          "Report of check or certify, printed with --json, for the notes; may be repeated")
+      ->needs(safety);
+  safety->excludes(dump);
   tune->excludes(compare)->excludes(dump);
   command->footer(kExamples);
   command->callback([options, output, &exit_code] {

@@ -34,6 +34,13 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
 
 }  // namespace
 
+Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs,
+                         const Choices& choices) {
+  return {file_name(options.urdf), inputs.urdf_text,
+          options.scene.empty() ? "" : file_name(options.scene), inputs.scene_text,
+          describe_options(options, inputs.scene, !choices.empty())};
+}
+
 std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
                                                    Diagnostics& diagnostics) {
   auto inputs = read_inputs(options, diagnostics);
@@ -49,10 +56,7 @@ std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
 std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     RobotAndScene inputs, const Choices& choices,
                                                     Diagnostics& diagnostics) {
-  const Provenance provenance{file_name(options.urdf), inputs.urdf_text,
-                              options.scene.empty() ? "" : file_name(options.scene),
-                              inputs.scene_text,
-                              describe_options(options, inputs.scene, !choices.empty())};
+  const Provenance provenance = provenance_of(options, inputs, choices);
   LateProgress progress;
   auto generation = generate_code(
       inputs.robot, inputs.scene, provenance, diagnostics, choices,

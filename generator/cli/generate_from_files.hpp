@@ -14,6 +14,10 @@ struct GeneratedInputs {
   Choices choices;
 };
 
+/// What generated code says of its origin.
+Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs,
+                         const Choices& choices);
+
 /// Reads the files of a command line and generates in memory, by the choices in `options.choices`
 /// where that names a file. Faults are in `diagnostics`.
 std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,

@@ -60,15 +60,17 @@ const std::vector<Layer> kLayers = {
       "generation", "oracle", "inspect"}},
     {"board", {"target", "description", "emission", "generation", "oracle", "inspect", "check"}},
     {"certify", {"functions", "description", "program", "bounds", "generation", "check"}},
+    {"safety", {"description", "bounds", "emission", "generation"}},
     {"timing", {"emission", "generation", "oracle", "check"}},
     {"bench",
      {"description", "mechanism", "emission", "generation", "oracle", "inspect", "check",
       "timing"}},
     {"launch", {"drive", "description", "mechanism", "emission", "generation", "oracle", "check"}},
-    {"cli", {"functions",  "target",       "interpreter", "servo",       "drive",     "launch",
-             "simulation", "interruption", "board",       "description", "mechanism", "program",
-             "passes",     "emission",     "generation",  "oracle",      "inspect",   "drawing",
-             "comparison", "check",        "timing",      "bench",       "packaging", "certify"}},
+    {"cli",
+     {"functions",    "target",    "interpreter", "servo",     "drive",      "launch", "simulation",
+      "interruption", "board",     "description", "mechanism", "program",    "passes", "emission",
+      "generation",   "oracle",    "inspect",     "drawing",   "comparison", "check",  "timing",
+      "bench",        "packaging", "certify",     "safety"}},
 };
 
 bool is_source(const fs::path& path) {

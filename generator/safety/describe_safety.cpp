@@ -1,0 +1,165 @@
+#include "safety/describe_safety.hpp"
+
+#include <fmt/format.h>
+
+#include "bounds/bound_rounding.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/digest.hpp"
+#include "emission/generator_version.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr const char* kBehaviour =
+    "- Straight-line code: no loop, no branch on data, no recursion, no heap, no exception, no\n"
+    "  global or static variable, no call but of sine and cosine, which are part of the code.\n"
+    "- The same inputs give the same bits. On targets with instructions for `Real` a call takes "
+    "the\n"
+    "  same instructions whatever its inputs.\n"
+    "- Functions are reentrant and keep no state.\n";
+
+constexpr const char* kMisraC =
+    "`cppcheck --addon=misra` finds violations of four advisory rules and of no other. cppcheck\n"
+    "does not check all rules of the standard.\n\n"
+    "| rule | deviation | reason |\n|---|---|---|\n"
+    "| 2.3 (advisory) | the type `NAME_real` is not used by the code itself | it is for callers |\n"
+    "| 2.4 (advisory) | enumerations without a name count as unused tags | cppcheck counts them; "
+    "they are integer constants |\n"
+    "| 2.5 (advisory) | the macro of a square-root instruction may be unused | the portable root "
+    "was asked for |\n"
+    "| 19.2 (advisory) | a union takes the bits of a number | a copy by `memcpy` needs a library "
+    "|\n";
+
+constexpr const char* kMisraCpp =
+    "The code is C++17 and was not compared with MISRA C++. `language: c` gives C99 with the same\n"
+    "bits, which was compared with MISRA C:2012.\n";
+
+constexpr const char* kNotCovered =
+    "- Whether URDF and scene describe the real robot: masses, limits, frames, gravity.\n"
+    "- Friction, flexible links, contact and closed chains beyond what the scene names.\n"
+    "- Reading of sensors, range checks of inputs, limits on commands, reactions to faults: the\n"
+    "  code has none of them. The caller has to supply them.\n"
+    "- Compiler, linker, processor, interrupts, caches, and time on the target.\n"
+    "- Qualification of Treeline as a tool. It is not qualified. Its output has to be verified, "
+    "for\n  which the evidence above is meant.\n";
+
+std::string print_files(const Generation& generation, const Provenance& provenance) {
+  std::string text = "| file | role | SHA-256 |\n|---|---|---|\n";
+  const auto row = [&text](const std::string& name, const char* role, const std::string& bytes) {
+    text += fmt::format("| `{}` | {} | `{}` |\n", name, role, digest(bytes));
+  };
+  row(provenance.urdf_name, "input", provenance.urdf_text);
+  if (!provenance.scene_name.empty()) row(provenance.scene_name, "input", provenance.scene_text);
+  for (const GeneratedFile& file : generation.files) row(file.name, "output", file.text);
+  return text;
+}
+
+std::string print_assumptions(const Scene& scene, const Generation& generation) {
+  const bool single = scene.real == Real::float32;
+  return fmt::format(
+      "1. Inputs are finite. A NaN or an infinity makes NaN or infinite what depends on it; "
+      "nothing "
+      "is trapped or replaced. Results have to be tested by the caller.\n"
+      "2. Bounds of errors hold for {}. Beyond, results stay finite while squares and sums fit "
+      "`Real`, and no bound is stated.\n"
+      "3. Sines and cosines are within 0.8 ulp up to {} rad; an angle beyond {} rad counts as 0.\n"
+      "4. Rounding is to nearest. Subnormal numbers are not flushed to zero.\n"
+      "5. `Real` is {} of IEC 60559, every operation rounds to it. The header stops the compiler "
+      "where it tells otherwise; clang does not tell of `-funsafe-math-optimizations`, "
+      "`-fassociative-math`, `-freciprocal-math`.\n"
+      "6. Products and sums may be contracted within the stated bounds. For the same bits "
+      "everywhere, and for proofs of `certify`: `-ffp-contract=off`, with g++ also "
+      "`-fno-tree-slp-vectorize`.\n"
+      "7. Arguments of one call do not overlap and have at least the stated sizes.\n",
+      describe_domain(generation).empty() ? "no range of inputs" : describe_domain(generation),
+      single ? "4000" : "1e5", single ? "2^20" : "2^32", single ? "binary32" : "binary64");
+}
+
+const char* word_of(const RoundingBound& bound) {
+  switch (bound.kind) {
+    case RoundingBound::Kind::proven:
+      return "proven";
+    case RoundingBound::Kind::searched:
+      return "searched, not proven";
+    case RoundingBound::Kind::typical:
+      return "typical, no bound";
+    case RoundingBound::Kind::none:
+      break;
+  }
+  return "none";
+}
+
+std::string print_functions(const Scene& scene, const Generation& generation) {
+  const bool single = scene.real == Real::float32;
+  std::string text =
+      "| function | operations | stack, an estimate | rounding error | kind of bound |\n"
+      "|---|---|---|---|---|\n";
+  for (const GeneratedFunction& function : generation.functions) {
+    const Program& program = function.program;
+    text += fmt::format("| `{}` | {} | {} bytes | {} | {} |\n", program.name,
+                        describe_cost(program), count_live_values(program) * (single ? 4 : 8),
+                        describe(function.rounding, program, single ? 0x1p-24 : 0x1p-53),
+                        word_of(function.rounding));
+  }
+  for (const GeneratedFunction& function : generation.functions) {
+    if (function.program.singular.empty()) continue;
+    text += fmt::format("\nAt singularities `{}` is {}\n", function.program.name,
+                        function.program.singular);
+  }
+  return text;
+}
+
+std::string print_evidence(const std::vector<Evidence>& all) {
+  if (all.empty()) {
+    return "None was named. `--evidence` takes reports of `treeline check`, `treeline check "
+           "--target` and `treeline certify`, printed with `--json`.\n";
+  }
+  std::string text;
+  for (const Evidence& evidence : all) {
+    text += fmt::format("### {}\n\n{}: **{}**. SHA-256 `{}`.\n\n", evidence.file, evidence.kind,
+                        evidence.passed ? "passed" : "FAILED", evidence.digest);
+    for (const std::string& fact : evidence.facts) text += "- " + fact + "\n";
+    text += fmt::format("\n| function | {} |\n|---", fmt::join(evidence.columns, " | "));
+    for (std::size_t i = 0; i < evidence.columns.size(); ++i) text += "|---";
+    text += "|\n";
+    for (const EvidenceRow& row : evidence.rows) {
+      text += fmt::format("| `{}` | {}", row.function, fmt::join(row.cells, " | "));
+      for (std::size_t i = row.cells.size(); i < evidence.columns.size(); ++i) text += " |";
+      text += " |\n";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string describe_safety(const Scene& scene, const Generation& generation,
+                            const Provenance& provenance, const std::vector<Evidence>& evidence) {
+  const bool is_c = scene.language == Language::c;
+  std::string text = fmt::format(
+      "# {}: notes for a safety review\n\nGenerated by Treeline {}. Options that override the "
+      "scene: {}. Language: {}. Number type: {}. Target: {}.\n",
+      scene.name, generator_version(),
+      provenance.options.empty() ? "none" : "`" + provenance.options.substr(1) + "`",
+      is_c ? "C99" : "C++17", scene.real == Real::float32 ? "float" : "double", scene.target);
+  const auto section = [&text](const char* title, const std::string& body) {
+    text += fmt::format("\n## {}\n\n{}", title, body);
+  };
+  section("Inputs and outputs", print_files(generation, provenance));
+  section("Behaviour of the code", kBehaviour);
+  section("Assumptions that the surrounding program has to meet",
+          print_assumptions(scene, generation));
+  section("Functions",
+          print_functions(scene, generation) +
+              "\nOperations and errors are derived from the expression graph. The stack is an "
+              "estimate, the values that live at once; compilers take more. Measured figures are "
+              "below, where a report has them. \"Searched\" bounds are four times the worst that a "
+              "search met.\n");
+  section("Coding rules", is_c ? kMisraC : kMisraCpp);
+  section("Evidence", print_evidence(evidence));
+  section("Not covered", kNotCovered);
+  return text;
+}
+
+}  // namespace treeline

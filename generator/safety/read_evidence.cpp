@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "description/read_text_file.hpp"
+#include "emission/digest.hpp"
+#include "safety/evidence.hpp"
+
+namespace treeline {
+namespace {
+
+using nlohmann::json;
+
+std::string number(const json& value, const char* format) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "unknown";
+}
+
+std::string whole(const json& value) {
+  return value.is_number() ? fmt::format("{}", value.get<long long>()) : "unknown";
+}
+
+void read_check(const json& report, Evidence& evidence) {
+  evidence.kind = "`treeline check`: results compared with an interpreter in 50 digits";
+  evidence.facts = {
+      fmt::format("{} states, seed {}.", whole(report.at("states")), whole(report.at("seed"))),
+      fmt::format("Compiled by `{}`.", report.at("compile").at("command").get<std::string>()),
+      "Code and stack are those of this compiler on the machine that ran the check."};
+  evidence.columns = {"worst error, ulp", "allowed, ulp", "states with other bits than the graph",
+                      "code, bytes", "stack, bytes"};
+  for (const json& f : report.at("functions")) {
+    evidence.rows.push_back(
+        {f.at("name"),
+         {number(f.at("worst").at("error"), "{:.2f}"), number(f.at("worst").at("bound"), "{:.1f}"),
+          whole(f.at("bits_differ")), whole(f.at("code_bytes")), whole(f.at("stack_bytes"))}});
+  }
+}
+
+void read_board(const json& report, Evidence& evidence) {
+  evidence.kind = fmt::format("`treeline check --target {}`: run on a board that QEMU imitates",
+                              report.at("target").get<std::string>());
+  evidence.facts = {
+      fmt::format("{} states.", whole(report.at("states"))),
+      fmt::format("Compiled by {}: `{}`.", report.at("compiler").get<std::string>(),
+                  report.at("command").get<std::string>()),
+      "Stack is what the compiler measured, summed over the deepest path of calls, without the "
+      "compiler's own library; instructions are counted by QEMU."};
+  evidence.columns = {"text, bytes",        "constants, bytes",
+                      "stack, bytes",       "instructions, least",
+                      "instructions, most", "states with other bits than the host"};
+  for (const json& f : report.at("functions")) {
+    evidence.rows.push_back({f.at("name"),
+                             {whole(f.at("text_bytes")), whole(f.at("constant_bytes")),
+                              whole(f.at("stack_bytes")), whole(f.at("least_instructions")),
+                              whole(f.at("most_instructions")), whole(f.at("bits_differ"))}});
+  }
+}
+
+void read_certificate(const json& report, Evidence& evidence) {
+  const std::string coq = report.at("coq");
+  evidence.kind = "`treeline certify`: rounding bounds proven by another program";
+  evidence.facts = {fmt::format("Proven by {}{}{}.", report.at("gappa").get<std::string>(),
+                                coq.empty() ? "" : ", each step checked by ", coq),
+                    "The proofs are of code without contraction (`-ffp-contract=off`)."};
+  evidence.columns = {"result", "proven bound", "stated bound", "steps"};
+  for (const json& f : report.at("functions")) {
+    if (f.contains("skipped")) {
+      evidence.rows.push_back({f.at("name"), {"none: " + f.at("skipped").get<std::string>()}});
+    }
+    for (const json& r : f.value("results", json::array())) {
+      evidence.rows.push_back({f.at("name"),
+                               {r.at("name"), number(r.at("proven"), "{:.2e}"),
+                                number(r.at("stated"), "{:.2e}"), whole(f.at("steps"))}});
+    }
+    if (f.contains("failed")) {
+      evidence.rows.push_back({f.at("name"), {"FAILED: " + f.at("failed").get<std::string>()}});
+    }
+  }
+}
+
+/// Fills in what the report says. Throws json::exception if it is none of these reports.
+void read(const json& report, Evidence& evidence) {
+  evidence.passed = report.at("passed");
+  if (report.contains("gappa")) {
+    read_certificate(report, evidence);
+  } else if (report.contains("target")) {
+    read_board(report, evidence);
+  } else {
+    read_check(report, evidence);
+  }
+}
+
+}  // namespace
+
+std::optional<Evidence> read_evidence(const std::string& path, const std::string& name,
+                                      Diagnostics& diagnostics) {
+  const auto text = read_text_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  Evidence evidence{
+      std::filesystem::path(path).filename().string(), digest(*text), {}, {}, {}, {}, {}};
+  std::string fault = "is no report of check or certify";
+  try {
+    const json report = json::parse(*text);
+    read(report, evidence);
+    const std::string of = report.at("name");
+    if (of == name) return evidence;
+    fault = fmt::format("is a report about {}, not {}", of, name);
+  } catch (const json::exception&) {
+  }
+  diagnostics.add({Severity::error, path, 0, "", fault,
+                   "Print one with `treeline check ... --json` or `treeline certify ... --json`."});
+  return std::nullopt;
+}
+
+}  // namespace treeline
