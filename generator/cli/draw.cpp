@@ -133,13 +133,7 @@ std::optional<std::vector<Moment>> choose_moments(const DrawOptions& options, co
                                                   const LinkPlacer& placer,
                                                   Diagnostics& diagnostics) {
   if (options.motion.empty()) {
-    if (!options.q.empty() && static_cast<int>(options.q.size()) != placer.coordinates()) {
-      diagnostics.add({Severity::error, "", 0, "--q",
-                       fmt::format("{} numbers are given, the robot has {}", options.q.size(),
-                                   placer.coordinates()),
-                       "`treeline inspect` lists the joints in their order."});
-      return std::nullopt;
-    }
+    if (!has_size("--q", options.q, placer.coordinates(), diagnostics)) return std::nullopt;
     return std::vector<Moment>{
         {options.q.empty() ? placer.home() : options.q, drawn.robot.name, {}}};
   }

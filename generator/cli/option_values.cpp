@@ -60,4 +60,13 @@ CLI::Validator any_number() {
       "");
 }
 
+bool has_size(const char* option, const std::vector<double>& given, int size,
+              Diagnostics& diagnostics) {
+  if (given.empty() || static_cast<int>(given.size()) == size) return true;
+  diagnostics.add({Severity::error, "", 0, option,
+                   fmt::format("{} numbers are given, the robot has {}", given.size(), size),
+                   "`treeline inspect` lists the joints in their order."});
+  return false;
+}
+
 }  // namespace treeline

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "description/diagnostic.hpp"
+
 namespace treeline {
 
 /// One of these words: anything else is a usage error that names the near one, or all. The text of
@@ -20,6 +22,11 @@ CLI::Validator whole_between(std::int64_t low, std::int64_t high);
 
 /// A finite number.
 CLI::Validator any_number();
+
+/// Whether an option was given as many numbers as the robot has, or none; else an error that names
+/// the option.
+bool has_size(const char* option, const std::vector<double>& given, int size,
+              Diagnostics& diagnostics);
 
 /// A word that stands for a value of an enumeration; for `transform`.
 template <class Value>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/option_values.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
@@ -22,18 +23,10 @@ double middle(const Coordinate& coordinate) {
   return limited ? (coordinate.lower + coordinate.upper) / 2 : coordinate.neutral();
 }
 
-bool fits(const char* name, const std::vector<double>& given, int size, Diagnostics& diagnostics) {
-  if (given.empty() || static_cast<int>(given.size()) == size) return true;
-  diagnostics.add({Severity::error, "", 0, name,
-                   fmt::format("{} numbers are given, the robot has {}", given.size(), size),
-                   "`treeline inspect` lists the joints in their order."});
-  return false;
-}
-
 std::optional<State> start_state(const simulation::Model& model, const Mechanism& mechanism,
                                  const MotionSettings& settings, Diagnostics& diagnostics) {
-  const bool q_fits = fits("--q", settings.q, model.nq, diagnostics);
-  if (!fits("--qd", settings.qd, model.nv, diagnostics) || !q_fits) return std::nullopt;
+  const bool q_fits = has_size("--q", settings.q, model.nq, diagnostics);
+  if (!has_size("--qd", settings.qd, model.nv, diagnostics) || !q_fits) return std::nullopt;
   State state{Vector::Zero(model.nq), Vector::Zero(model.nv)};
   for (int i = 0; i < model.nq; ++i) {
     const auto k = static_cast<std::size_t>(i);

@@ -24,12 +24,12 @@ enum class Quantity {
   normals,
   stabilisation,
   xdd_object,
+  drift,
+  f_wanted,
   gravity,
   payload,
   parameters,
   tool,
-  drift,
-  f_wanted,
 };
 
 /// What the entries of an argument belong to.
@@ -42,11 +42,11 @@ enum class IndexSpace {
   objects,          ///< 6 an object, linear over angular
   linkages,         ///< 6 a grasp but for the first of each object
   grasp_gains,      ///< 2: damping, stiffness
+  held_rows,        ///< the rows that constraints hold
   gravity,          ///< 3, if the scene makes gravity an input
   payloads,         ///< 10 a payload that the scene makes an input
   parameters,       ///< 10 a link whose inertial parameters the scene makes an input
   tools,            ///< 3 an operational point whose origin the scene makes an input
-  held_rows,        ///< the rows that constraints hold
 };
 
 /// All that is known of a quantity. Units are those of rotation and translation where joints or
@@ -99,6 +99,14 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::xdd_object, "xdd_object",
      "commanded accelerations of the objects' origins over angular ones, world axes",
      "m/s^2, rad/s^2", IndexSpace::objects, 100},
+    {Quantity::drift, "drift",
+     "how far the rows that constraints hold are from where they should be: position, or a small "
+     "turn, along the row",
+     "m, rad", IndexSpace::held_rows, 0.1},
+    {Quantity::f_wanted, "f_wanted",
+     "forces that the constraints shall have, in their rows; the nearest ones that carry the "
+     "motion are taken",
+     "N, N m", IndexSpace::held_rows, 1000},
     {Quantity::gravity, "gravity", "acceleration of gravity, world axes", "m/s^2",
      IndexSpace::gravity, 20},
     {Quantity::payload, "payload",
@@ -112,17 +120,9 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::tool, "tool",
      "origin of each point named, in the frame of its link in the URDF, in place of the scene's, m",
      "m", IndexSpace::tools, 1},
-    {Quantity::drift, "drift",
-     "how far the rows that constraints hold are from where they should be: position, or a small "
-     "turn, along the row",
-     "m, rad", IndexSpace::held_rows, 0.1},
-    {Quantity::f_wanted, "f_wanted",
-     "forces that the constraints shall have, in their rows; the nearest ones that carry the "
-     "motion are taken",
-     "N, N m", IndexSpace::held_rows, 1000},
 });
 
-static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::f_wanted) + 1,
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::tool) + 1,
               "every quantity has a row");
 static_assert(
     [] {
