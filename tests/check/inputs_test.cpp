@@ -22,7 +22,9 @@ SceneInputs inputs_of_puma() {
 std::vector<Function> all_of_a_robot() {
   std::vector<Function> functions;
   for (const Function function : kSceneFunctions) {
-    if (!needs_objects(function) && !needs_contacts(function)) functions.push_back(function);
+    if (needs_objects(function) || needs_contacts(function) || needs_constraints(function))
+      continue;
+    functions.push_back(function);
   }
   return functions;
 }
@@ -81,6 +83,22 @@ TEST(CheckInputs, ContactsAndObjects) {
     subjects.generation = generate(subjects.robot, subjects.scene);
     expect_right(subjects, 20);
   }
+}
+
+// The points of tasks stand behind those of constraints there, by priority.
+TEST(CheckInputs, ConstraintsAndTools) {
+  Subjects subjects = load("humanoid24", "scene_stand.yaml");
+  ScenePoint head = subjects.scene.operational_points.front();
+  head.name = "head";
+  head.link = "head";
+  subjects.scene.operational_points.front().priority = 2;
+  subjects.scene.operational_points.push_back(head);
+  subjects.scene.inputs.gravity = true;
+  subjects.scene.inputs.payloads = {{"left_hand", 2, 0.3}};
+  subjects.scene.inputs.parameters = {{"right_hand", 2, 0.3}};
+  subjects.scene.inputs.tools = {{"left_hand", 0.3}, {"head", 0.2}};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  expect_right(subjects, 20);
 }
 
 TEST(CheckInputs, FloatingBase) {

@@ -272,10 +272,10 @@ struct CornerCases {
 // Would catch: an argument in another's place, and an output that is not written.
 TEST(Emitted, NamedInputsCallTheSameFunction) {
   const CornerCases expected;
-  sample_double::CornerCasesInput in{};
+  sample_double::calls::CornerCasesInput in{};
   std::copy_n(expected.q, 3, in.q);
   std::copy_n(expected.delta, 2, in.delta);
-  const sample_double::CornerCasesOutput out = sample_double::corner_cases(in);
+  const sample_double::calls::CornerCasesOutput out = sample_double::calls::corner_cases(in);
   for (int i = 0; i < 12; ++i) EXPECT_EQ(out.out[i], expected.out[i]) << i;
   EXPECT_EQ(out.second[0], expected.second[0]);
 }
@@ -287,17 +287,17 @@ TEST(Emitted, ArraysAndPointersCallTheSameFunction) {
   const std::array<double, 2> delta = {expected.delta[0], expected.delta[1]};
   std::array<double, 12> out{};
   std::array<double, 1> second{};
-  sample_double::corner_cases(q, delta, delta, out, second);
+  sample_double::calls::corner_cases(q, delta, delta, out, second);
   EXPECT_TRUE(std::equal(out.begin(), out.end(), expected.out));
   EXPECT_EQ(second[0], expected.second[0]);
 
   const std::vector<double> q_vector(q.begin(), q.end());
   std::vector<double> out_vector(12);
   const std::span<const double> delta_span(delta);
-  sample_double::corner_cases(sample_double::array_at<3>(q_vector.data()), expected.unread,
-                              sample_double::array_at<2>(delta_span.data()),
-                              sample_double::array_at<12>(out_vector.data()),
-                              sample_double::array_at<1>(second.data()));
+  using sample_double::calls::array_at;
+  sample_double::corner_cases(array_at<3>(q_vector.data()), expected.unread,
+                              array_at<2>(delta_span.data()), array_at<12>(out_vector.data()),
+                              array_at<1>(second.data()));
   EXPECT_TRUE(std::equal(out.begin(), out.end(), out_vector.begin()));
 }
 

@@ -20,7 +20,7 @@ namespace {
 void refuse_nothing(const EmissionContext&, Diagnostics&) {}
 
 std::set<std::string> reserved_names(const EmissionContext& context) {
-  return {context.name,       "detail",         "eigen", "array_at", "index_of",
+  return {context.name,       "detail",         "eigen", "calls", "index_of",
           "coordinate_index", "velocity_index", "Real",  "std"};
 }
 

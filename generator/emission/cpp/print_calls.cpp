@@ -38,7 +38,7 @@ std::string print_member(const Argument& argument) {
 }
 
 /// The structs of a function and the function that takes them.
-std::string print_structs(const Program& program) {
+std::string print_structs(const EmissionContext& context, const Program& program) {
   const std::string pascal = in_pascal_case(program.name);
   std::string inputs;
   std::string outputs;
@@ -52,16 +52,17 @@ std::string print_structs(const Program& program) {
     arguments += "out." + result.argument.name + ", ";
   }
   arguments.resize(arguments.size() - 2);
-  return fill_template(templates::kNamedCall,
-                       {{"function", program.name},
-                        {"Function", pascal},
-                        {"inputs", inputs},
-                        {"outputs", outputs},
-                        {"call", wrap_line(fmt::format("{}({});", program.name, arguments), 2)}});
+  return fill_template(
+      templates::kNamedCall,
+      {{"function", program.name},
+       {"Function", pascal},
+       {"inputs", inputs},
+       {"outputs", outputs},
+       {"call", wrap_line(fmt::format("{}::{}({});", context.name, program.name, arguments), 2)}});
 }
 
 /// The function for arguments of std::array.
-std::string print_array_call(const Program& program) {
+std::string print_array_call(const EmissionContext& context, const Program& program) {
   std::string parameters;
   std::string arguments;
   const auto append = [&](const Argument& argument, const char* qualifier) {
@@ -74,7 +75,8 @@ std::string print_array_call(const Program& program) {
   for (const Result& result : program.results) append(result.argument, "");
   const std::string head =
       wrap_line(fmt::format("inline void {}({}) noexcept {{", program.name, parameters), 0);
-  return head + "\n" + wrap_line(fmt::format("{}({});", program.name, arguments), 2) + "\n}\n";
+  return head + "\n" +
+         wrap_line(fmt::format("{}::{}({});", context.name, program.name, arguments), 2) + "\n}\n";
 }
 
 }  // namespace
@@ -83,8 +85,8 @@ std::string print_calls(const EmissionContext& context, std::span<const Program>
   std::string structs;
   std::string arrays;
   for (const Program& program : programs) {
-    structs += print_structs(program) + "\n";
-    arrays += print_array_call(program) + "\n";
+    structs += print_structs(context, program) + "\n";
+    arrays += print_array_call(context, program) + "\n";
   }
   return fill_template(templates::kCalls, {{"robot", context.robot},
                                            {"name", context.name},
