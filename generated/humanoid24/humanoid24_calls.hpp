@@ -2,7 +2,8 @@
 #define TREELINE_HUMANOID24_CALLS_HPP
 // humanoid24: other ways to call the functions of humanoid24.hpp.
 // Generated; optional. With named inputs, so that q and qd cannot be swapped, with std::array, and
-// with pointers. Nothing is copied but what a struct of inputs is filled with.
+// with pointers. Nothing is copied but what a struct of inputs is filled with. They are in a
+// namespace of their own so that a function's address is never ambiguous.
 #if defined(__has_include)
 #if __has_include(<array>)
 #include <array>
@@ -12,7 +13,7 @@
 
 #include "humanoid24.hpp"
 
-namespace humanoid24 {
+namespace humanoid24::calls {
 
 /// The `size` numbers from `first` on as the array that a function takes: for pointers,
 /// std::vector::data() and spans. There have to be that many.
@@ -41,7 +42,7 @@ struct ForwardKinematicsOutput {
 
 inline ForwardKinematicsOutput forward_kinematics(const ForwardKinematicsInput& in) noexcept {
   ForwardKinematicsOutput out;
-  forward_kinematics(in.q, out.position, out.rotation);
+  humanoid24::forward_kinematics(in.q, out.position, out.rotation);
   return out;
 }
 
@@ -59,7 +60,7 @@ struct JacobianOutput {
 
 inline JacobianOutput jacobian(const JacobianInput& in) noexcept {
   JacobianOutput out;
-  jacobian(in.q, out.J);
+  humanoid24::jacobian(in.q, out.J);
   return out;
 }
 
@@ -79,7 +80,7 @@ struct BiasAccelerationOutput {
 
 inline BiasAccelerationOutput bias_acceleration(const BiasAccelerationInput& in) noexcept {
   BiasAccelerationOutput out;
-  bias_acceleration(in.q, in.qd, out.bias);
+  humanoid24::bias_acceleration(in.q, in.qd, out.bias);
   return out;
 }
 
@@ -101,7 +102,7 @@ struct InverseDynamicsOutput {
 
 inline InverseDynamicsOutput inverse_dynamics(const InverseDynamicsInput& in) noexcept {
   InverseDynamicsOutput out;
-  inverse_dynamics(in.q, in.qd, in.qdd, out.tau);
+  humanoid24::inverse_dynamics(in.q, in.qd, in.qdd, out.tau);
   return out;
 }
 
@@ -119,7 +120,7 @@ struct GravityOutput {
 
 inline GravityOutput gravity(const GravityInput& in) noexcept {
   GravityOutput out;
-  gravity(in.q, out.g);
+  humanoid24::gravity(in.q, out.g);
   return out;
 }
 
@@ -139,7 +140,7 @@ struct NonlinearEffectsOutput {
 
 inline NonlinearEffectsOutput nonlinear_effects(const NonlinearEffectsInput& in) noexcept {
   NonlinearEffectsOutput out;
-  nonlinear_effects(in.q, in.qd, out.h);
+  humanoid24::nonlinear_effects(in.q, in.qd, out.h);
   return out;
 }
 
@@ -157,7 +158,7 @@ struct MassMatrixOutput {
 
 inline MassMatrixOutput mass_matrix(const MassMatrixInput& in) noexcept {
   MassMatrixOutput out;
-  mass_matrix(in.q, out.M);
+  humanoid24::mass_matrix(in.q, out.M);
   return out;
 }
 
@@ -179,7 +180,7 @@ struct ForwardDynamicsOutput {
 
 inline ForwardDynamicsOutput forward_dynamics(const ForwardDynamicsInput& in) noexcept {
   ForwardDynamicsOutput out;
-  forward_dynamics(in.q, in.qd, in.tau, out.qdd);
+  humanoid24::forward_dynamics(in.q, in.qd, in.tau, out.qdd);
   return out;
 }
 
@@ -197,7 +198,7 @@ struct LambdaInverseOutput {
 
 inline LambdaInverseOutput lambda_inverse(const LambdaInverseInput& in) noexcept {
   LambdaInverseOutput out;
-  lambda_inverse(in.q, out.Lambda_inv);
+  humanoid24::lambda_inverse(in.q, out.Lambda_inv);
   return out;
 }
 
@@ -215,7 +216,7 @@ struct LambdaOutput {
 
 inline LambdaOutput lambda(const LambdaInput& in) noexcept {
   LambdaOutput out;
-  lambda(in.q, out.Lambda);
+  humanoid24::lambda(in.q, out.Lambda);
   return out;
 }
 
@@ -239,7 +240,7 @@ struct ControlTorqueOutput {
 
 inline ControlTorqueOutput control_torque(const ControlTorqueInput& in) noexcept {
   ControlTorqueOutput out;
-  control_torque(in.q, in.qd, in.qdd_0, in.xdd_cmd, out.tau);
+  humanoid24::control_torque(in.q, in.qd, in.qdd_0, in.xdd_cmd, out.tau);
   return out;
 }
 
@@ -248,69 +249,71 @@ inline ControlTorqueOutput control_torque(const ControlTorqueInput& in) noexcept
 inline void forward_kinematics(const std::array<Real, 24>& q, std::array<Real, 6>& position,
     std::array<Real, 18>& rotation) noexcept {
 
-  forward_kinematics(array_at<24>(q.data()), array_at<6>(position.data()),
+  humanoid24::forward_kinematics(array_at<24>(q.data()), array_at<6>(position.data()),
       array_at<18>(rotation.data()));
 
 }
 
 inline void jacobian(const std::array<Real, 24>& q, std::array<Real, 288>& J) noexcept {
 
-  jacobian(array_at<24>(q.data()), array_at<288>(J.data()));
+  humanoid24::jacobian(array_at<24>(q.data()), array_at<288>(J.data()));
 
 }
 
 inline void bias_acceleration(const std::array<Real, 24>& q, const std::array<Real, 24>& qd,
     std::array<Real, 12>& bias) noexcept {
 
-  bias_acceleration(array_at<24>(q.data()), array_at<24>(qd.data()), array_at<12>(bias.data()));
+  humanoid24::bias_acceleration(array_at<24>(q.data()), array_at<24>(qd.data()),
+      array_at<12>(bias.data()));
 
 }
 
 inline void inverse_dynamics(const std::array<Real, 24>& q, const std::array<Real, 24>& qd,
     const std::array<Real, 24>& qdd, std::array<Real, 24>& tau) noexcept {
 
-  inverse_dynamics(array_at<24>(q.data()), array_at<24>(qd.data()), array_at<24>(qdd.data()),
-      array_at<24>(tau.data()));
+  humanoid24::inverse_dynamics(array_at<24>(q.data()), array_at<24>(qd.data()),
+      array_at<24>(qdd.data()), array_at<24>(tau.data()));
 
 }
 
 inline void gravity(const std::array<Real, 24>& q, std::array<Real, 24>& g) noexcept {
 
-  gravity(array_at<24>(q.data()), array_at<24>(g.data()));
+  humanoid24::gravity(array_at<24>(q.data()), array_at<24>(g.data()));
 
 }
 
 inline void nonlinear_effects(const std::array<Real, 24>& q, const std::array<Real, 24>& qd,
     std::array<Real, 24>& h) noexcept {
 
-  nonlinear_effects(array_at<24>(q.data()), array_at<24>(qd.data()), array_at<24>(h.data()));
+  humanoid24::nonlinear_effects(array_at<24>(q.data()), array_at<24>(qd.data()),
+      array_at<24>(h.data()));
 
 }
 
 inline void mass_matrix(const std::array<Real, 24>& q, std::array<Real, 576>& M) noexcept {
 
-  mass_matrix(array_at<24>(q.data()), array_at<576>(M.data()));
+  humanoid24::mass_matrix(array_at<24>(q.data()), array_at<576>(M.data()));
 
 }
 
 inline void forward_dynamics(const std::array<Real, 24>& q, const std::array<Real, 24>& qd,
     const std::array<Real, 24>& tau, std::array<Real, 24>& qdd) noexcept {
 
-  forward_dynamics(array_at<24>(q.data()), array_at<24>(qd.data()), array_at<24>(tau.data()),
-      array_at<24>(qdd.data()));
+  humanoid24::forward_dynamics(array_at<24>(q.data()), array_at<24>(qd.data()),
+      array_at<24>(tau.data()), array_at<24>(qdd.data()));
 
 }
 
 inline void lambda_inverse(const std::array<Real, 24>& q, std::array<Real,
     144>& Lambda_inv) noexcept {
 
-  lambda_inverse(array_at<24>(q.data()), array_at<144>(Lambda_inv.data()));
+  humanoid24::lambda_inverse(array_at<24>(q.data()), array_at<144>(Lambda_inv.data()));
 
 }
 
 inline void lambda(const std::array<Real, 24>& q, std::array<Real, 144>& Lambda) noexcept {
 
-  lambda(array_at<24>(q.data()), array_at<144>(Lambda.data()));
+  humanoid24::lambda(array_at<24>(q.data()), array_at<144>(Lambda.data()));
 
 }
 
@@ -318,14 +321,14 @@ inline void control_torque(const std::array<Real, 24>& q, const std::array<Real,
     const std::array<Real, 24>& qdd_0, const std::array<Real, 12>& xdd_cmd, std::array<Real,
     24>& tau) noexcept {
 
-  control_torque(array_at<24>(q.data()), array_at<24>(qd.data()), array_at<24>(qdd_0.data()),
-      array_at<12>(xdd_cmd.data()), array_at<24>(tau.data()));
+  humanoid24::control_torque(array_at<24>(q.data()), array_at<24>(qd.data()),
+      array_at<24>(qdd_0.data()), array_at<12>(xdd_cmd.data()), array_at<24>(tau.data()));
 
 }
 
 #undef HUMANOID24_HAS_ARRAY
 #endif
 
-}  // namespace humanoid24
+}  // namespace humanoid24::calls
 
 #endif  // TREELINE_HUMANOID24_CALLS_HPP

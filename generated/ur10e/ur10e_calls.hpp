@@ -2,7 +2,8 @@
 #define TREELINE_UR10E_CALLS_HPP
 // ur10e: other ways to call the functions of ur10e.hpp.
 // Generated; optional. With named inputs, so that q and qd cannot be swapped, with std::array, and
-// with pointers. Nothing is copied but what a struct of inputs is filled with.
+// with pointers. Nothing is copied but what a struct of inputs is filled with. They are in a
+// namespace of their own so that a function's address is never ambiguous.
 #if defined(__has_include)
 #if __has_include(<array>)
 #include <array>
@@ -12,7 +13,7 @@
 
 #include "ur10e.hpp"
 
-namespace ur10e {
+namespace ur10e::calls {
 
 /// The `size` numbers from `first` on as the array that a function takes: for pointers,
 /// std::vector::data() and spans. There have to be that many.
@@ -41,7 +42,7 @@ struct ForwardKinematicsOutput {
 
 inline ForwardKinematicsOutput forward_kinematics(const ForwardKinematicsInput& in) noexcept {
   ForwardKinematicsOutput out;
-  forward_kinematics(in.q, out.position, out.rotation);
+  ur10e::forward_kinematics(in.q, out.position, out.rotation);
   return out;
 }
 
@@ -59,7 +60,7 @@ struct JacobianOutput {
 
 inline JacobianOutput jacobian(const JacobianInput& in) noexcept {
   JacobianOutput out;
-  jacobian(in.q, out.J);
+  ur10e::jacobian(in.q, out.J);
   return out;
 }
 
@@ -79,7 +80,7 @@ struct BiasAccelerationOutput {
 
 inline BiasAccelerationOutput bias_acceleration(const BiasAccelerationInput& in) noexcept {
   BiasAccelerationOutput out;
-  bias_acceleration(in.q, in.qd, out.bias);
+  ur10e::bias_acceleration(in.q, in.qd, out.bias);
   return out;
 }
 
@@ -101,7 +102,7 @@ struct InverseDynamicsOutput {
 
 inline InverseDynamicsOutput inverse_dynamics(const InverseDynamicsInput& in) noexcept {
   InverseDynamicsOutput out;
-  inverse_dynamics(in.q, in.qd, in.qdd, out.tau);
+  ur10e::inverse_dynamics(in.q, in.qd, in.qdd, out.tau);
   return out;
 }
 
@@ -119,7 +120,7 @@ struct GravityOutput {
 
 inline GravityOutput gravity(const GravityInput& in) noexcept {
   GravityOutput out;
-  gravity(in.q, out.g);
+  ur10e::gravity(in.q, out.g);
   return out;
 }
 
@@ -139,7 +140,7 @@ struct NonlinearEffectsOutput {
 
 inline NonlinearEffectsOutput nonlinear_effects(const NonlinearEffectsInput& in) noexcept {
   NonlinearEffectsOutput out;
-  nonlinear_effects(in.q, in.qd, out.h);
+  ur10e::nonlinear_effects(in.q, in.qd, out.h);
   return out;
 }
 
@@ -157,7 +158,7 @@ struct MassMatrixOutput {
 
 inline MassMatrixOutput mass_matrix(const MassMatrixInput& in) noexcept {
   MassMatrixOutput out;
-  mass_matrix(in.q, out.M);
+  ur10e::mass_matrix(in.q, out.M);
   return out;
 }
 
@@ -179,7 +180,7 @@ struct ForwardDynamicsOutput {
 
 inline ForwardDynamicsOutput forward_dynamics(const ForwardDynamicsInput& in) noexcept {
   ForwardDynamicsOutput out;
-  forward_dynamics(in.q, in.qd, in.tau, out.qdd);
+  ur10e::forward_dynamics(in.q, in.qd, in.tau, out.qdd);
   return out;
 }
 
@@ -197,7 +198,7 @@ struct LambdaInverseOutput {
 
 inline LambdaInverseOutput lambda_inverse(const LambdaInverseInput& in) noexcept {
   LambdaInverseOutput out;
-  lambda_inverse(in.q, out.Lambda_inv);
+  ur10e::lambda_inverse(in.q, out.Lambda_inv);
   return out;
 }
 
@@ -215,7 +216,7 @@ struct LambdaOutput {
 
 inline LambdaOutput lambda(const LambdaInput& in) noexcept {
   LambdaOutput out;
-  lambda(in.q, out.Lambda);
+  ur10e::lambda(in.q, out.Lambda);
   return out;
 }
 
@@ -239,7 +240,7 @@ struct ControlTorqueOutput {
 
 inline ControlTorqueOutput control_torque(const ControlTorqueInput& in) noexcept {
   ControlTorqueOutput out;
-  control_torque(in.q, in.qd, in.qdd_0, in.xdd_cmd, out.tau);
+  ur10e::control_torque(in.q, in.qd, in.qdd_0, in.xdd_cmd, out.tau);
   return out;
 }
 
@@ -248,55 +249,55 @@ inline ControlTorqueOutput control_torque(const ControlTorqueInput& in) noexcept
 inline void forward_kinematics(const std::array<Real, 6>& q, std::array<Real, 3>& position,
     std::array<Real, 9>& rotation) noexcept {
 
-  forward_kinematics(array_at<6>(q.data()), array_at<3>(position.data()),
+  ur10e::forward_kinematics(array_at<6>(q.data()), array_at<3>(position.data()),
       array_at<9>(rotation.data()));
 
 }
 
 inline void jacobian(const std::array<Real, 6>& q, std::array<Real, 36>& J) noexcept {
 
-  jacobian(array_at<6>(q.data()), array_at<36>(J.data()));
+  ur10e::jacobian(array_at<6>(q.data()), array_at<36>(J.data()));
 
 }
 
 inline void bias_acceleration(const std::array<Real, 6>& q, const std::array<Real, 6>& qd,
     std::array<Real, 6>& bias) noexcept {
 
-  bias_acceleration(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(bias.data()));
+  ur10e::bias_acceleration(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(bias.data()));
 
 }
 
 inline void inverse_dynamics(const std::array<Real, 6>& q, const std::array<Real, 6>& qd,
     const std::array<Real, 6>& qdd, std::array<Real, 6>& tau) noexcept {
 
-  inverse_dynamics(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(qdd.data()),
+  ur10e::inverse_dynamics(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(qdd.data()),
       array_at<6>(tau.data()));
 
 }
 
 inline void gravity(const std::array<Real, 6>& q, std::array<Real, 6>& g) noexcept {
 
-  gravity(array_at<6>(q.data()), array_at<6>(g.data()));
+  ur10e::gravity(array_at<6>(q.data()), array_at<6>(g.data()));
 
 }
 
 inline void nonlinear_effects(const std::array<Real, 6>& q, const std::array<Real, 6>& qd,
     std::array<Real, 6>& h) noexcept {
 
-  nonlinear_effects(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(h.data()));
+  ur10e::nonlinear_effects(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(h.data()));
 
 }
 
 inline void mass_matrix(const std::array<Real, 6>& q, std::array<Real, 36>& M) noexcept {
 
-  mass_matrix(array_at<6>(q.data()), array_at<36>(M.data()));
+  ur10e::mass_matrix(array_at<6>(q.data()), array_at<36>(M.data()));
 
 }
 
 inline void forward_dynamics(const std::array<Real, 6>& q, const std::array<Real, 6>& qd,
     const std::array<Real, 6>& tau, std::array<Real, 6>& qdd) noexcept {
 
-  forward_dynamics(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(tau.data()),
+  ur10e::forward_dynamics(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(tau.data()),
       array_at<6>(qdd.data()));
 
 }
@@ -304,13 +305,13 @@ inline void forward_dynamics(const std::array<Real, 6>& q, const std::array<Real
 inline void lambda_inverse(const std::array<Real, 6>& q, std::array<Real,
     36>& Lambda_inv) noexcept {
 
-  lambda_inverse(array_at<6>(q.data()), array_at<36>(Lambda_inv.data()));
+  ur10e::lambda_inverse(array_at<6>(q.data()), array_at<36>(Lambda_inv.data()));
 
 }
 
 inline void lambda(const std::array<Real, 6>& q, std::array<Real, 36>& Lambda) noexcept {
 
-  lambda(array_at<6>(q.data()), array_at<36>(Lambda.data()));
+  ur10e::lambda(array_at<6>(q.data()), array_at<36>(Lambda.data()));
 
 }
 
@@ -318,7 +319,7 @@ inline void control_torque(const std::array<Real, 6>& q, const std::array<Real, 
     const std::array<Real, 6>& qdd_0, const std::array<Real, 6>& xdd_cmd, std::array<Real,
     6>& tau) noexcept {
 
-  control_torque(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(qdd_0.data()),
+  ur10e::control_torque(array_at<6>(q.data()), array_at<6>(qd.data()), array_at<6>(qdd_0.data()),
       array_at<6>(xdd_cmd.data()), array_at<6>(tau.data()));
 
 }
@@ -326,6 +327,6 @@ inline void control_torque(const std::array<Real, 6>& q, const std::array<Real, 
 #undef UR10E_HAS_ARRAY
 #endif
 
-}  // namespace ur10e
+}  // namespace ur10e::calls
 
 #endif  // TREELINE_UR10E_CALLS_HPP
