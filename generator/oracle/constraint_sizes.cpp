@@ -81,7 +81,8 @@ std::optional<LawSizes> ConstraintSizes::yielding(const interpreter::TaskLaw<dou
   if (held_ > 0 && !subject_.passive.empty()) others += forces(parts.forces).condition;
   LawSizes found = find_law_sizes(A, terms, parts.rows);
   found.condition += others;
-  if (leaves_no_digit(found.condition, parts.rows, held_)) {
+  // A plain solve for rows that are given twice divides by zero.
+  if (!found.Lambda.allFinite() || leaves_no_digit(found.condition, parts.rows, held_)) {
     found.condition = std::numeric_limits<double>::infinity();
   }
   return found;

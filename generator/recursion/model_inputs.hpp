@@ -79,6 +79,11 @@ void add_body(const MechanismPoint& frame, const InertialParameters<Scalar>& bod
     tree.world_moment = tree.world_moment + moved.h;
     return;
   }
+  for (TreeMatter<Scalar>& matter : tree.link_matter) {
+    if (matter.link != frame.link) continue;
+    matter.mass = matter.mass + moved.mass;
+    matter.h = matter.h + moved.h;
+  }
   TreeInertia<Scalar>& own = tree.links[static_cast<std::size_t>(frame.link)].inertia;
   own.mass = own.mass + moved.mass;
   own.h = own.h + moved.h;

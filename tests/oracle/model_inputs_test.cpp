@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <map>
 
 #include "check/fixture.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -23,12 +24,17 @@ SceneInputs everything(const Scene& scene) {
   return inputs;
 }
 
-/// A state with random entries for what functions of one contact take, too.
+/// A state with random entries for what functions of one contact and one held row take, too.
 State draw(const StateSpace& space) {
   State state = draw_state(space, 3);
   Dice dice(7);
-  for (const Quantity quantity : {Quantity::impulse, Quantity::normals}) {
-    for (int i = 0; i < 3; ++i) state.others[quantity].push_back(dice.uniform(0.1, 1));
+  const std::map<Quantity, int> sizes = {{Quantity::impulse, 3},
+                                         {Quantity::normals, 3},
+                                         {Quantity::stabilisation, 2},
+                                         {Quantity::drift, 1},
+                                         {Quantity::f_wanted, 1}};
+  for (const auto& [quantity, size] : sizes) {
+    for (int i = 0; i < size; ++i) state.others[quantity].push_back(dice.uniform(0.1, 1));
   }
   return state;
 }
@@ -46,6 +52,11 @@ TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
   contact.name = "contact";
   contact.rows = {true, true, true, false, false, false};
   subjects.scene.contacts = {contact};
+  ScenePoint held = contact;
+  held.name = "held";
+  held.link = "link3";
+  held.rows = {true, false, false, false, false, false};
+  subjects.scene.constraints = {held};
   subjects.scene.inputs = everything(subjects.scene);
   const Mechanism mechanism = reduced_mechanism(subjects.robot, subjects.scene);
   StateSpace space = make_state_space(subjects.robot, subjects.scene, mechanism, {}, 1);

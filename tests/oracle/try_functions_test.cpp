@@ -77,10 +77,14 @@ TEST(TryFunctions, OfAllKinds) {
   scene.contacts = {scene.operational_points.front()};
   scene.contacts.front().rows = {true, true, true, false, false, false};
   scene.contacts.front().axes = Axes::world;
-  scene.constraints = {scene.operational_points.front()};
   scene.functions.assign(kSceneFunctions.begin(), kSceneFunctions.end());
   std::erase_if(scene.functions, needs_objects);
+  std::erase_if(scene.functions, needs_constraints);
   expect_tried({drawn.robot, scene, generate(drawn.robot, scene)});
+}
+
+TEST(TryFunctions, OfARobotThatStands) {
+  expect_tried(load("humanoid24", "scene_stand.yaml"));
 }
 
 TEST(TryFunctions, OfObjects) {
