@@ -40,9 +40,13 @@ std::vector<Scalar> interpret_constraints(Function function, const Subject<Scala
     return entries;
   }
   const auto task = supported_task(subject, state);
-  const auto torque = interpreter::supported_control_torque<Scalar>(
-      subject.model, task, vector_of<Scalar>(state.q), vector_of<Scalar>(state.qd),
-      interpreter::split_law<Scalar>(law, task));
+  const auto q = vector_of<Scalar>(state.q);
+  const auto qd = vector_of<Scalar>(state.qd);
+  const auto torque =
+      law.borders.empty()
+          ? interpreter::supported_control_torque<Scalar>(subject.model, task, q, qd)
+          : interpreter::supported_control_torque<Scalar>(
+                subject.model, task, q, qd, interpreter::split_law<Scalar>(law, task));
   append(torque.tau, entries);
   append(torque.f, entries);
   return entries;
