@@ -26,13 +26,13 @@ void expect_right(const Subjects& subjects, std::size_t functions, int states = 
 const std::string kBoth = "functions: [constrained_forward_dynamics, supported_control_torque]\n";
 
 /// A quadruped on these feet.
-Subjects quadruped_on(const std::vector<std::string>& feet, const std::string& more = "") {
+Subjects quadruped_on(const std::vector<std::string>& feet) {
   std::string scene =
       "base: floating\noperational_points:\n  - {name: trunk, link: base}\nconstraints:\n";
   for (const std::string& foot : feet) {
     scene += "  - {name: " + foot + ", between: [" + foot + "_FOOT, world], rows: [x, y, z]}\n";
   }
-  return in_scene(data_file("published/anymal_c.urdf"), scene + kBoth + more);
+  return in_scene(data_file("published/anymal_c.urdf"), scene + kBoth);
 }
 
 TEST(ConstraintsCheck, QuadrupedOnFourPointFeet) {
@@ -42,14 +42,6 @@ TEST(ConstraintsCheck, QuadrupedOnFourPointFeet) {
 // Two point feet leave the trunk a freedom that no motor commands.
 TEST(ConstraintsCheck, QuadrupedOnADiagonal) {
   expect_right(quadruped_on({"LF", "RH"}), 2);
-}
-
-TEST(ConstraintsCheck, QuadrupedOnOneFootInBatchesOfFloat) {
-  expect_right(quadruped_on({"LF"}, "real: float\nbatch: 8\n"), 4, 20);
-}
-
-TEST(ConstraintsCheck, QuadrupedWithExactTasks) {
-  expect_right(quadruped_on({"LF", "RF", "RH"}, "singular: exact\nsin_cos: given\n"), 2);
 }
 
 // Both feet of this humanoid are on one link: twelve rows, of which six are independent.
@@ -72,25 +64,25 @@ external_forces:
                2);
 }
 
-TEST(ConstraintsCheck, ArmWithAPassiveElbow) {
-  expect_right(in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf", R"(
-operational_points:
-  - {name: tool, link: tool, rows: [x, y, z]}
-passive: [elbow]
-functions: [supported_control_torque]
-)"),
-               1);
+Subjects arm(const std::string& scene_text) {
+  return in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf",
+                  "operational_points: [{name: tool, link: tool, rows: [x, y]}]\n" + scene_text);
+}
+
+TEST(ConstraintsCheck, ArmWithAPassiveElbowInBatchesOfFloat) {
+  expect_right(
+      arm("passive: [elbow]\nreal: float\nbatch: 8\nfunctions: [supported_control_torque]"), 2);
+}
+
+TEST(ConstraintsCheck, ArmAtAWallWithExactTasks) {
+  expect_right(arm("constraints: [{name: wall, between: [wrist_1, world], rows: [z]}]\n"
+                   "singular: exact\nsin_cos: given\n" +
+                   kBoth),
+               2);
 }
 
 TEST(ConstraintsCheck, FloatingArmThatHoldsNothing) {
-  expect_right(in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf", R"(
-base: floating
-operational_points:
-  - {name: tool, link: tool, rows: [x, y, z]}
-passive: [wrist_3]
-functions: [supported_control_torque]
-)"),
-               1);
+  expect_right(arm("base: floating\npassive: [wrist_3]\nfunctions: [supported_control_torque]"), 1);
 }
 
 }  // namespace
