@@ -18,6 +18,10 @@ constexpr const char* kBehaviour =
     "  same instructions whatever its inputs.\n"
     "- Functions are reentrant and keep no state.\n";
 
+constexpr const char* kDamped =
+    "- `damped_control_torque` is not straight-line: it calls the functions above and has loops, "
+    "of\n  bounded length. The header tells its typical errors, no bound.\n";
+
 constexpr const char* kMisraC =
     "`cppcheck --addon=misra` finds violations of four advisory rules and of no other. cppcheck\n"
     "does not check all rules of the standard.\n\n"
@@ -147,7 +151,7 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
     text += fmt::format("\n## {}\n\n{}", title, body);
   };
   section("Inputs and outputs", print_files(generation, provenance));
-  section("Behaviour of the code", kBehaviour);
+  section("Behaviour of the code", std::string(kBehaviour) + (generation.damped ? kDamped : ""));
   section("Assumptions that the surrounding program has to meet",
           print_assumptions(scene, generation));
   section("Functions",
