@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "bench/contender.hpp"
 #include "oracle/interpret.hpp"
@@ -15,20 +17,22 @@ void append_contenders(const Subject<interpreter::Digits50>& exact, const Scene&
                        const std::vector<State>& timed, const char* name,
                        std::vector<Contender>& contenders) {
   const auto subject = std::make_shared<const Subject<Scalar>>(cast<Scalar>(exact));
-  const std::vector<State> few(
-      timed.begin(), timed.begin() + static_cast<std::ptrdiff_t>(std::min(kTimed, timed.size())));
+  // Subjects are made here because a pass must time the interpreter alone.
+  std::vector<std::pair<SubjectAt<Scalar>, State>> few;
+  for (std::size_t i = 0; i < std::min(kTimed, timed.size()); ++i) {
+    few.emplace_back(SubjectAt(*subject, timed[i]), timed[i]);
+  }
   const Real real = sizeof(Scalar) == sizeof(float) ? Real::float32 : Real::float64;
   for (const Function function : scene.functions) {
     Contender contender{{function, VariantGroup::interpreter, name, real}, {}, {}};
     contender.call = [subject, function](const State& state) {
       const std::vector<Scalar> entries =
-          interpret<Scalar>(function, subject_at(*subject, state), state);
+          interpret<Scalar>(function, *SubjectAt(*subject, state), state);
       return std::vector<double>(entries.begin(), entries.end());
     };
     contender.pass.calls = few.size();
     contender.pass.pass = [subject, function, few] {
-      for (const State& state : few)
-        interpret<Scalar>(function, subject_at(*subject, state), state);
+      for (const auto& [at_state, state] : few) interpret<Scalar>(function, *at_state, state);
     };
     contenders.push_back(std::move(contender));
   }

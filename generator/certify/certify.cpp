@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 
 #include "certify/bound_in_steps.hpp"
 #include "certify/check_with_coq.hpp"
 #include "certify/write_proofs.hpp"
 #include "check/temporary_folder.hpp"
+#include "check/write_work_file.hpp"
 
 namespace treeline {
 namespace {
@@ -75,22 +75,24 @@ class Certifier {
         !write_proofs(options_.folder, to.name, bounds.steps(), gappa_.precision(), diagnostics_)) {
       return false;
     }
-    if (options_.coq && to.failed.empty()) check_with_coq(bounds.steps(), to);
-    return true;
+    return !options_.coq || !to.failed.empty() || check_with_coq(bounds.steps(), to);
   }
 
  private:
-  void check_with_coq(const std::vector<ProofStep>& steps, CertifiedFunction& to) {
+  /// False, with an error, if the proof cannot be written.
+  bool check_with_coq(const std::vector<ProofStep>& steps, CertifiedFunction& to) {
     const auto start = Clock::now();
     const auto proof = print_coq(gappa_, steps);
     const std::filesystem::path file = work_ / (to.name + ".v");
     if (proof) {
-      std::ofstream(file) << *proof;
-      if (!options_.folder.empty()) std::ofstream(options_.folder / (to.name + ".v")) << *proof;
+      const auto kept = options_.folder / (to.name + ".v");
+      if (!write_work_file(file, *proof, diagnostics_)) return false;
+      if (!options_.folder.empty() && !write_work_file(kept, *proof, diagnostics_)) return false;
     }
     to.checked_by_coq = proof && accepts(file, work_);
     if (!to.checked_by_coq) to.failed = "Coq does not accept the proof";
     to.coq_seconds = seconds_since(start);
+    return true;
   }
 
   const Generation& generation_;

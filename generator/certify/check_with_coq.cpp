@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 
 #include "check/run_commands.hpp"
+#include "check/write_work_file.hpp"
 
 namespace treeline {
 namespace {
@@ -40,7 +40,7 @@ std::string print_module(const std::string& proof, std::size_t number) {
 }  // namespace
 
 std::optional<std::string> find_coq(const std::filesystem::path& folder, Diagnostics& diagnostics) {
-  std::ofstream(folder / "find.v") << kHead;
+  if (!write_work_file(folder / "find.v", kHead, diagnostics)) return std::nullopt;
   const auto version = run_commands({{"coqc", "--version"}}, 1, folder).front();
   if (version.started && accepts(folder / "find.v", folder)) {
     return version.output.substr(0, version.output.find('\n'));

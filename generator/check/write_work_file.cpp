@@ -14,7 +14,7 @@ bool write_work_file(const std::filesystem::path& path, const std::string& bytes
   stream.close();
   if (stream) return true;
   diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end",
-                   "free some space there, or set TMPDIR to a folder with more"});
+                   "free some space there, or name a folder with more: --output, TMPDIR"});
   return false;
 }
 

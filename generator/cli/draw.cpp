@@ -17,7 +17,6 @@
 #include "description/suggest_name.hpp"
 #include "drawing/draw_robot.hpp"
 #include "drawing/recorded_motion.hpp"
-#include "mechanism/build_mechanism.hpp"
 
 namespace treeline {
 namespace {
@@ -70,15 +69,6 @@ std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnos
                      "`treeline drive` shows meshes in a browser."});
   }
   return Drawn{std::move(read->first), std::move(read->second), std::move(visuals)};
-}
-
-/// The joint of each coordinate.
-std::vector<std::string> coordinate_joints(const Drawn& drawn) {
-  std::vector<std::string> joints;
-  for (const Coordinate& coordinate : build_mechanism(drawn.robot, drawn.scene).coordinates) {
-    joints.push_back(coordinate.joint);
-  }
-  return joints;
 }
 
 /// Index of the point whose path is drawn; nothing, with an error, if the scene has none such.
@@ -137,8 +127,7 @@ std::optional<std::vector<Moment>> choose_moments(const DrawOptions& options, co
     return std::vector<Moment>{
         {options.q.empty() ? placer.home() : options.q, drawn.robot.name, {}}};
   }
-  const auto motion =
-      read_motion(options.motion, coordinate_joints(drawn), placer.home(), diagnostics);
+  const auto motion = read_motion(options.motion, placer.joints(), placer.home(), diagnostics);
   if (!motion) return std::nullopt;
   std::optional<std::size_t> point;
   if (!options.path.empty()) {

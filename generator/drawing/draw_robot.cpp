@@ -111,15 +111,21 @@ std::string draw_solids(const Camera& camera, const Solids& solids) {
   return text;
 }
 
+/// Calls `visit(point, radius)` for the corners of all faces, with radius 0, and all balls.
+template <class Visit>
+void for_each_extreme(const std::vector<Solids>& all, const Visit& visit) {
+  for (const Solids& solids : all) {
+    for (const Face& face : solids.faces) {
+      for (const Eigen::Vector3d& corner : face.corners) visit(corner, 0.0);
+    }
+    for (const Ball& ball : solids.balls) visit(ball.center, ball.radius);
+  }
+}
+
 /// A patch of the ground, z = 0, below everything.
 std::vector<Eigen::Vector3d> find_floor(const std::vector<Solids>& all) {
   Eigen::AlignedBox3d box;
-  for (const Solids& solids : all) {
-    for (const Face& face : solids.faces) {
-      for (const Eigen::Vector3d& corner : face.corners) box.extend(corner);
-    }
-    for (const Ball& ball : solids.balls) box.extend(ball.center);
-  }
+  for_each_extreme(all, [&](const Eigen::Vector3d& point, double) { box.extend(point); });
   constexpr double kBelow = 0.02;  // of its size a robot may reach below the ground it stands on
   if (box.isEmpty() || box.min().z() < -kBelow * box.sizes().maxCoeff()) return {};
   const double margin = 0.1 * box.sizes().maxCoeff();
@@ -148,12 +154,8 @@ std::string draw_path(const Camera& camera, const std::vector<Eigen::Vector3d>& 
 Camera fit_camera(const View& view, const std::vector<Solids>& all,
                   const std::vector<Moment>& moments) {
   Camera camera(view);
-  for (const Solids& solids : all) {
-    for (const Face& face : solids.faces) {
-      for (const Eigen::Vector3d& corner : face.corners) camera.include(corner, 0);
-    }
-    for (const Ball& ball : solids.balls) camera.include(ball.center, ball.radius);
-  }
+  for_each_extreme(
+      all, [&](const Eigen::Vector3d& point, double radius) { camera.include(point, radius); });
   for (const Moment& moment : moments) {
     for (const Eigen::Vector3d& point : moment.path) camera.include(point, 0);
   }

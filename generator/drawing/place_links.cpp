@@ -12,14 +12,6 @@ namespace {
 
 using Vector = interpreter::Vector<double>;
 
-std::vector<double> find_home(const Robot& robot, const Scene& scene) {
-  std::vector<double> home;
-  for (const Coordinate& coordinate : build_mechanism(robot, scene).coordinates) {
-    home.push_back(home_of(coordinate));
-  }
-  return home;
-}
-
 Vector as_vector(std::span<const double> q) {
   return Vector::Map(q.data(), static_cast<Eigen::Index>(q.size()));
 }
@@ -28,8 +20,11 @@ Vector as_vector(std::span<const double> q) {
 
 LinkPlacer::LinkPlacer(const Robot& robot, const Scene& scene)
     : model_(model_from_robot<double>(robot, scene)),
-      points_(points_from_scene(model_, scene.operational_points)),
-      home_(find_home(robot, scene)) {
+      points_(points_from_scene(model_, scene.operational_points)) {
+  for (const Coordinate& coordinate : build_mechanism(robot, scene).coordinates) {
+    home_.push_back(home_of(coordinate));
+    joints_.push_back(coordinate.joint);
+  }
   for (const Link& link : robot.links) {
     for (int i = 0; i < model_.size(); ++i) {
       if (model_.body(i).name == link.name) bodies_.push_back(i);

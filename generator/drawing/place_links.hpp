@@ -20,6 +20,8 @@ class LinkPlacer {
   [[nodiscard]] int coordinates() const { return model_.nq; }
   /// The state that nothing displaces, moved into the joints' limits.
   [[nodiscard]] const std::vector<double>& home() const { return home_; }
+  /// The joint of each coordinate.
+  [[nodiscard]] const std::vector<std::string>& joints() const { return joints_; }
   /// Poses of the links in the world, in the robot's order.
   [[nodiscard]] std::vector<Eigen::Isometry3d> place(std::span<const double> q) const;
   /// Positions of the scene's operational points in the world, m.
@@ -30,6 +32,7 @@ class LinkPlacer {
   interpreter::Points<double> points_;
   std::vector<int> bodies_;  ///< of each link
   std::vector<double> home_;
+  std::vector<std::string> joints_;
 };
 
 }  // namespace treeline

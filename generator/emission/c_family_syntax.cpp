@@ -59,10 +59,13 @@ Syntax make_c_family_syntax(bool single_precision) {
   return syntax;
 }
 
-std::string name_in_capitals(const EmissionContext& context) {
-  std::string name = context.name;
+std::string in_capitals(std::string name) {
   for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return name;
+}
+
+std::string name_in_capitals(const EmissionContext& context) {
+  return in_capitals(context.name);
 }
 
 }  // namespace treeline

@@ -11,6 +11,7 @@ namespace treeline {
 /// constants. Numbers, lanes and sines are left to fill in.
 Syntax make_c_family_syntax(bool single_precision);
 
+std::string in_capitals(std::string name);
 /// The robot's name in capitals, as constants and macros begin: `PUMA560`.
 std::string name_in_capitals(const EmissionContext& context);
 

@@ -1,6 +1,5 @@
 #include "generation/function_mechanisms.hpp"
 
-#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -13,19 +12,25 @@
 namespace treeline {
 namespace {
 
+/// What a function may need of a scene, as bits. Those above are the quantities of `kQuantities` of
+/// which the robot is made (`is_of_model`).
 constexpr unsigned kPoints = 1;
 constexpr unsigned kForces = 2;
 constexpr unsigned kContacts = 4;
-constexpr unsigned kConstraints = 128;
+constexpr unsigned kConstraints = 8;
 
-/// What the scene lists under `inputs`, and what stands for it among a function's needs.
-struct ModelNeed {
-  Quantity quantity;
-  unsigned bit;
-};
-constexpr std::array kModelNeeds = {
-    ModelNeed{Quantity::gravity, 8}, ModelNeed{Quantity::payload, 16},
-    ModelNeed{Quantity::parameters, 32}, ModelNeed{Quantity::tool, 64}};
+constexpr unsigned bit_of(Quantity quantity) {
+  return kConstraints << (1 + static_cast<unsigned>(quantity));
+}
+static_assert(bit_of(kQuantities.back().quantity) != 0, "the bits of needs have run out");
+
+/// Calls `visit(quantity)` for each that scenes may make an argument under `inputs`.
+template <class Visit>
+void for_each_of_model(const Visit& visit) {
+  for (const QuantityInfo& row : kQuantities) {
+    if (is_of_model(row.quantity)) visit(row.quantity);
+  }
+}
 
 }  // namespace
 
@@ -34,9 +39,9 @@ FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, I
   if (!scene.operational_points.empty()) in_scene_ |= kPoints;
   if (!scene.external_forces.empty()) in_scene_ |= kForces;
   if (!scene.contacts.empty()) in_scene_ |= kContacts;
-  for (const ModelNeed& need : kModelNeeds) {
-    if (has_input(scene, need.quantity)) in_scene_ |= need.bit;
-  }
+  for_each_of_model([&](Quantity quantity) {
+    if (has_input(scene, quantity)) in_scene_ |= bit_of(quantity);
+  });
   if (!scene.constraints.empty()) in_scene_ |= kConstraints;
 }
 
@@ -45,9 +50,9 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (needs_points(function) || needs_objects(function)) needs |= kPoints;
   if (takes_external_forces(function)) needs |= kForces;
   if (needs_contacts(function)) needs |= kContacts;
-  for (const ModelNeed& need : kModelNeeds) {
-    if (takes(function, need.quantity)) needs |= need.bit;
-  }
+  for_each_of_model([&](Quantity quantity) {
+    if (takes(function, quantity)) needs |= bit_of(quantity);
+  });
   if (needs_constraints(function)) needs |= kConstraints;
   needs &= in_scene_;
   const FrameCost& frames = info_of(function).frames;
@@ -96,9 +101,9 @@ const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   }
   if ((needs & kForces) == 0) seen.external_forces.clear();
   if ((needs & kContacts) == 0) seen.contacts.clear();
-  for (const ModelNeed& need : kModelNeeds) {
-    if ((needs & need.bit) == 0) remove_input(need.quantity, seen);
-  }
+  for_each_of_model([&](Quantity quantity) {
+    if ((needs & bit_of(quantity)) == 0) remove_input(quantity, seen);
+  });
   if ((needs & kConstraints) == 0) seen.constraints.clear();
   return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
 }

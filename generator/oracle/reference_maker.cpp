@@ -58,8 +58,8 @@ StateReference ReferenceMaker::estimate(int index) const {
 void ReferenceMaker::complete(std::size_t i, const State& state,
                               FunctionReference& estimated) const {
   const std::size_t plain = functions_[i].batch > 0 ? i - plain_ : i;
-  const Subject<double> subject = subject_at(space_.subject, state);
-  const ResultSizes sizes(subject, state);
+  const SubjectAt subject(space_.subject, state);
+  const ResultSizes sizes(*subject, state);
   FunctionReference made = interpret_at(plain, state, sizes, Digits::fifty);
   made.graph = std::move(estimated.graph);
   made.computed_angles = estimated.computed_angles;
@@ -68,8 +68,8 @@ void ReferenceMaker::complete(std::size_t i, const State& state,
 
 StateReference ReferenceMaker::make(int index, Digits digits) const {
   StateReference made{draw_state(space_, index), {}};
-  const Subject<double> subject = subject_at(space_.subject, made.state);
-  const ResultSizes sizes(subject, made.state);
+  const SubjectAt subject(space_.subject, made.state);
+  const ResultSizes sizes(*subject, made.state);
   for (std::size_t i = 0; i < functions_.size(); ++i) {
     // A batch function has a different graph than the plain function, but the same reference.
     made.functions.push_back(functions_[i].batch > 0 ? made.functions[i - plain_]
@@ -129,7 +129,7 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
     reference.size = sizes.sizes(function, reference.high, size_law, yielding);
     return reference;
   }
-  split(interpret<Digits50>(function, subject_at(exact_, state), state, law), reference);
+  split(interpret<Digits50>(function, *SubjectAt(exact_, state), state, law), reference);
   reference.size = sizes.sizes(function, reference.high, size_law, yielding);
   reference.interpreter_error = error_in_ulp(in_real, reference, unit_of(real_));
   return reference;
@@ -146,9 +146,9 @@ bool ReferenceMaker::stays_finite(Function function, const State& state, const R
 
 std::vector<double> ReferenceMaker::interpret_in_real(
     Function function, const State& state, const interpreter::TaskLaw<Digits50>& law) const {
-  return real_ == Real::float32 ? widened(interpret<float>(function, subject_at(single_, state),
+  return real_ == Real::float32 ? widened(interpret<float>(function, *SubjectAt(single_, state),
                                                            state, interpreter::cast<float>(law)))
-                                : interpret<double>(function, subject_at(space_.subject, state),
+                                : interpret<double>(function, *SubjectAt(space_.subject, state),
                                                     state, interpreter::cast<double>(law));
 }
 

@@ -27,7 +27,6 @@ struct SubjectTool {
 
 /// What of the subject arguments change, see `SceneInputs`.
 struct SubjectInputs {
-  bool gravity = false;
   std::vector<SubjectInertia> payloads, parameters;
   std::vector<SubjectTool> tools;
 };
@@ -69,7 +68,6 @@ void add_payloads(const Scene& scene, interpreter::Model<Scalar>& model) {
 template <class Scalar>
 SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& model) {
   SubjectInputs inputs;
-  inputs.gravity = scene.inputs.gravity;
   for (const SceneInertia& payload : scene.inputs.payloads) {
     const int body = model.size() + static_cast<int>(inputs.payloads.size());
     inputs.payloads.push_back({body, payload.mass, payload.reach});

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "oracle/draw_state.hpp"
@@ -42,17 +44,38 @@ void change_model(const SubjectInputs& inputs, const State& state,
   set_all_parameters(inputs.parameters, values_of(state, Quantity::parameters), model);
 }
 
-/// The subject with what the state says of gravity, payloads, inertial parameters and tools.
-template <class Scalar>
-Subject<Scalar> subject_at(Subject<Scalar> subject, const State& state) {
-  change_model(subject.inputs, state, subject.model);
-  for (auto& robot : subject.chain.robots) change_model(subject.inputs, state, robot);
-  const std::vector<double>& tool = values_of(state, Quantity::tool);
-  for (std::size_t i = 0; 3 * i < tool.size(); ++i) {
-    subject.points[subject.inputs.tools[i].point].p = {Scalar(tool[3 * i]), Scalar(tool[3 * i + 1]),
-                                                       Scalar(tool[3 * i + 2])};
-  }
-  return subject;
+/// Whether a state says anything that the model, or a tool, is made of.
+inline bool has_model_inputs(const State& state) {
+  return std::ranges::any_of(kQuantities, [&](const QuantityInfo& row) {
+    return is_of_model(row.quantity) && !values_of(state, row.quantity).empty();
+  });
 }
+
+/// A subject with what a state says of gravity, payloads, inertial parameters and tools. If the
+/// state says nothing of them, it is the given subject, which must live as long; else a copy.
+template <class Scalar>
+class SubjectAt {
+ public:
+  SubjectAt(const Subject<Scalar>& subject, const State& state) : given_(&subject) {
+    if (has_model_inputs(state)) change(state);
+  }
+
+  const Subject<Scalar>& operator*() const { return changed_ ? *changed_ : *given_; }
+
+ private:
+  void change(const State& state) {
+    Subject<Scalar>& subject = changed_.emplace(*given_);
+    change_model(subject.inputs, state, subject.model);
+    for (auto& robot : subject.chain.robots) change_model(subject.inputs, state, robot);
+    const std::vector<double>& tool = values_of(state, Quantity::tool);
+    for (std::size_t i = 0; 3 * i < tool.size(); ++i) {
+      subject.points[subject.inputs.tools[i].point].p = {
+          Scalar(tool[3 * i]), Scalar(tool[3 * i + 1]), Scalar(tool[3 * i + 2])};
+    }
+  }
+
+  const Subject<Scalar>* given_;
+  std::optional<Subject<Scalar>> changed_;
+};
 
 }  // namespace treeline

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "description/printable.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/generator_version.hpp"
 #include "target/target.hpp"
 
@@ -30,15 +31,6 @@ std::vector<std::string> flags_of(const Scene& scene) {
   return flags;
 }
 
-std::string join(const std::vector<std::string>& words, std::string_view between,
-                 std::string_view around = "") {
-  std::string text;
-  for (const std::string& word : words) {
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : between, around, word, around);
-  }
-  return text;
-}
-
 /// Text that is harmless in JSON, XML and lists of properties: letters, digits, some punctuation.
 std::string plain(const std::string& text) {
   std::string result;
@@ -48,11 +40,6 @@ std::string plain(const std::string& text) {
     result += safe ? c : '_';
   }
   return result;
-}
-
-std::string in_capitals(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
 }
 
 }  // namespace
@@ -84,13 +71,13 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
           {"header", scene.name + "." + ending},
           {"joints_header", scene.name + "_joints." + ending},
           {"header_ending", ending},
-          {"functions", join(functions, ", ")},
-          {"keywords", join(keywords, "\n")},
+          {"functions", fmt::format("{}", fmt::join(functions, ", "))},
+          {"keywords", fmt::format("{}", fmt::join(keywords, "\n"))},
           {"requirement", is_c ? "" : "\tdepends on CPP"},
-          {"sources", join(sources, "\n")},
-          {"pack_files", join(pack_files, "\n")},
-          {"flags", join(flags, " ")},
-          {"quoted_flags", join(flags, ", ", "\"")}};
+          {"sources", fmt::format("{}", fmt::join(sources, "\n"))},
+          {"pack_files", fmt::format("{}", fmt::join(pack_files, "\n"))},
+          {"flags", fmt::format("{}", fmt::join(flags, " "))},
+          {"quoted_flags", fmt::format("\"{}\"", fmt::join(flags, "\", \""))}};
 }
 
 }  // namespace treeline

@@ -24,6 +24,11 @@ enum class LambdaRoute {
   inertia_propagation,   ///< Chang table 5.1
 };
 
+/// Whether `route` solves with the factors of M, not by recursions of articulated bodies.
+constexpr bool uses_factors(LambdaRoute route) {
+  return route == LambdaRoute::factors_inward || route == LambdaRoute::factors_world;
+}
+
 /// An algorithm for Lambda^-1 and the coordinates in which it computes.
 struct LambdaChoice {
   TaskBasis basis;
@@ -35,9 +40,7 @@ struct LambdaChoice {
 /// a link's.
 template <class Scalar>
 bool permits(const Tree<Scalar>& tree, TaskBasis basis, LambdaRoute route) {
-  const bool by_factors =
-      route == LambdaRoute::factors_inward || route == LambdaRoute::factors_world;
-  if (!permits(tree, basis) || (tree.has_mimics && !by_factors)) {
+  if (!permits(tree, basis) || (tree.has_mimics && !uses_factors(route))) {
     return false;
   }
   if (route == LambdaRoute::inertia_propagation) {

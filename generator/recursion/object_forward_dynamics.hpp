@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "recursion/forces_of_rows.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/lambda_routes.hpp"
 #include "recursion/object_control_torque.hpp"
@@ -257,26 +258,6 @@ void report_grasps(const std::vector<TreeObject<Scalar>>& objects, const HeldObj
   }
 }
 
-/// Joint forces -J^T f due to the forces on the objects.
-template <class Scalar>
-std::vector<Scalar> reaction_forces(const Tree<Scalar>& tree,
-                                    const std::vector<JointTransform<Scalar>>& X,
-                                    const std::vector<TaskPoint<Scalar>>& tasks,
-                                    const std::vector<Scalar>& f) {
-  std::vector<Wrench<Scalar>> wrenches(tree.links.size());
-  std::size_t row = 0;
-  for (const TaskPoint<Scalar>& task : tasks) {
-    Wrench<Scalar> at_point;
-    for (const TaskRow<Scalar>& direction : task.rows) {
-      Vector3<Scalar>& sum = direction.angular ? at_point.n : at_point.f;
-      sum = sum - direction.e * f[row++];
-    }
-    Wrench<Scalar>& wrench = wrenches[static_cast<std::size_t>(task.link)];
-    wrench = wrench + wrench_at(at_point.f, at_point.n, task.r);
-  }
-  return inward_forces(tree, X, std::move(wrenches));
-}
-
 template <class Scalar>
 struct ObjectDynamicsInputs {
   std::span<const Scalar> qd, tau;
@@ -311,9 +292,9 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
   const auto forces =
       grasp_forces(tree, objects, state, lambda_inverse_as_asked(tree, X, choice, xdd_o.size()),
                    xdd_o, solution, rule);
-  const auto change = solve_for_qdd(reaction_forces(tree, X, tasks, forces.f));
+  const auto change = solve_for_qdd(forces_of_rows(tree, X, tasks, forces.f));
   for (std::size_t i = 0; i < change.size(); ++i) {
-    motion.qdd[i] = motion.qdd[i] + change[i];
+    motion.qdd[i] = motion.qdd[i] - change[i];  // the objects push back
   }
   motion.xdd_object = forces.xdd_object;
   report_grasps(objects, state, forces.f, motion);

@@ -69,10 +69,8 @@ template <class Scalar>
 std::vector<Scalar> accelerate(const Tree<Scalar>& tree,
                                const std::vector<JointTransform<Scalar>>& X, LambdaRoute route,
                                const std::vector<Scalar>& forces) {
-  const bool by_factors =
-      route == LambdaRoute::factors_inward || route == LambdaRoute::factors_world;
-  return by_factors ? solve(factor_ltdl(mass_matrix(tree, X)), forces)
-                    : solve_articulated(tree, X, articulate(tree, X), forces);
+  return uses_factors(route) ? solve(factor_ltdl(mass_matrix(tree, X)), forces)
+                             : solve_articulated(tree, X, articulate(tree, X), forces);
 }
 
 /// Lambda times the accelerations of the task rows, negative, that the robot has when it moves at

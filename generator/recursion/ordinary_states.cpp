@@ -71,6 +71,41 @@ double rounded_border(double border) {
   return border > 0 && std::isfinite(border) ? std::exp2(std::round(std::log2(border))) : 0x1p-40;
 }
 
+void OrdinaryPivots::add(const DenseMatrix<double>& A) {
+  std::vector<double> diagonal;
+  for (std::size_t k = 0; k < A.rows(); ++k) diagonal.push_back(A(k, k));
+  add(A, diagonal);
+}
+
+void OrdinaryPivots::add(const DenseMatrix<double>& A, const std::vector<double>& diagonal) {
+  pivots_.resize(A.rows());
+  diagonals_.resize(A.rows());
+  factor_ldlt(A, [&](std::size_t k, double c) {
+    pivots_[k].push_back(c);
+    diagonals_[k].push_back(diagonal[k]);
+    return c > kDependent * diagonal[k] ? 1 / c : 0;
+  });
+}
+
+bool OrdinaryPivots::is_dependent(std::size_t row) const {
+  return !(median(pivots_[row]) > kDependent * diagonal(row));
+}
+
+bool OrdinaryPivots::has_dependent() const {
+  for (std::size_t k = 0; k < rows(); ++k) {
+    if (is_dependent(k)) return true;
+  }
+  return false;
+}
+
+std::vector<double> OrdinaryPivots::borders(double share) const {
+  std::vector<double> borders;
+  for (std::size_t k = 0; k < rows(); ++k) {
+    borders.push_back(rounded_border(share * (is_dependent(k) ? diagonal(k) : median(pivots_[k]))));
+  }
+  return borders;
+}
+
 std::vector<bool> always_free(const Tree<double>& tree) {
   std::vector<bool> free;
   std::set<int> used;

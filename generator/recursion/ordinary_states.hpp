@@ -57,6 +57,27 @@ double median(std::vector<double> values);
 /// A power of two: short in the code, and the same on every host.
 double rounded_border(double border);
 
+/// What is left of the rows of a symmetric matrix A when LDL^T eliminates those before them, state
+/// after state: their pivots, beside their diagonal entries.
+class OrdinaryPivots {
+ public:
+  void add(const DenseMatrix<double>& A);
+  /// Where A is a difference, `diagonal` is that of what was subtracted from: its rounding decides.
+  void add(const DenseMatrix<double>& A, const std::vector<double>& diagonal);
+
+  [[nodiscard]] std::size_t rows() const { return pivots_.size(); }
+  [[nodiscard]] double diagonal(std::size_t row) const { return median(diagonals_[row]); }
+  [[nodiscard]] bool has_dependent() const;
+  /// For each row a share of the median of its pivots; of its diagonal entries if it depends on
+  /// rows before it.
+  [[nodiscard]] std::vector<double> borders(double share) const;
+
+ private:
+  [[nodiscard]] bool is_dependent(std::size_t row) const;
+
+  std::vector<std::vector<double>> pivots_, diagonals_;
+};
+
 /// For each row whether nothing that comes before can ever hold it: rows of the first point that
 /// each floating joint carries.
 std::vector<bool> always_free(const Tree<double>& tree);

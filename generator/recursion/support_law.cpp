@@ -9,48 +9,6 @@
 namespace treeline {
 namespace {
 
-/// Sizes of the rows of one matrix, state after state.
-class MedianSizes {
- public:
-  /// `diagonal` may be larger than that of A, where A is a difference.
-  void add(const DenseMatrix<double>& A, const std::vector<double>& diagonal) {
-    pivots_.resize(A.rows());
-    diagonals_.resize(A.rows());
-    factor_ldlt(A, [&](std::size_t k, double c) {
-      pivots_[k].push_back(c);
-      diagonals_[k].push_back(diagonal[k]);
-      return c > kDependent * diagonal[k] ? 1 / c : 0;
-    });
-  }
-  void add(const DenseMatrix<double>& A) {
-    std::vector<double> diagonal;
-    for (std::size_t k = 0; k < A.rows(); ++k) diagonal.push_back(A(k, k));
-    add(A, diagonal);
-  }
-
-  [[nodiscard]] bool has_dependent() const {
-    for (std::size_t k = 0; k < pivots_.size(); ++k) {
-      if (is_dependent(k)) return true;
-    }
-    return false;
-  }
-  [[nodiscard]] std::vector<double> borders(double share) const {
-    std::vector<double> borders;
-    for (std::size_t k = 0; k < pivots_.size(); ++k) {
-      borders.push_back(
-          rounded_border(share * median(is_dependent(k) ? diagonals_[k] : pivots_[k])));
-    }
-    return borders;
-  }
-
- private:
-  [[nodiscard]] bool is_dependent(std::size_t k) const {
-    return !(median(pivots_[k]) > kDependent * median(diagonals_[k]));
-  }
-
-  std::vector<std::vector<double>> pivots_, diagonals_;
-};
-
 /// Ordinary states of a robot that constraints support.
 class SupportedStates {
  public:
@@ -65,8 +23,8 @@ class SupportedStates {
     }
   }
 
-  [[nodiscard]] MedianSizes forces() const {
-    MedianSizes sizes;
+  [[nodiscard]] OrdinaryPivots forces() const {
+    OrdinaryPivots sizes;
     for (std::size_t s = 0; s < posed_.size(); ++s) {
       const auto weights = force_weights(posed_[s].tree.operational_points);
       sizes.add(weighted_square(columns_[s], weights, held_));
@@ -74,8 +32,8 @@ class SupportedStates {
     return sizes;
   }
 
-  [[nodiscard]] MedianSizes locked() const {
-    MedianSizes sizes;
+  [[nodiscard]] OrdinaryPivots locked() const {
+    OrdinaryPivots sizes;
     for (std::size_t s = 0; s < posed_.size(); ++s) {
       const auto K = factor_ldlt(locked_inertia(posed_[s]));
       sizes.add(leading_block(mobility_of_rows(K, columns_[s]), held_));
@@ -83,8 +41,8 @@ class SupportedStates {
     return sizes;
   }
 
-  [[nodiscard]] MedianSizes rows(const SupportRules& rules) const {
-    MedianSizes sizes;
+  [[nodiscard]] OrdinaryPivots rows(const SupportRules& rules) const {
+    OrdinaryPivots sizes;
     for (std::size_t s = 0; s < posed_.size(); ++s) {
       auto A = inverse_inertia(posed_[s]);
       std::vector<double> diagonal;
@@ -120,7 +78,7 @@ SupportRules support_rules(const Mechanism& mechanism) {
   const SupportedStates states(mechanism);
   SupportRules rules;
   rules.held = states.held();
-  const MedianSizes forces = states.forces();
+  const OrdinaryPivots forces = states.forces();
   rules.passive_moves = !mechanism.passive.empty() && (rules.held == 0 || forces.has_dependent());
   if (rules.held > 0) rules.forces = {shape.power, forces.borders(shape.share)};
   if (rules.passive_moves && rules.held > 0) {

@@ -34,39 +34,14 @@ DenseMatrix<double> matrix_at(const Posed<double>& posed, TaskLaw::Kind kind, Ta
   return A;
 }
 
-/// Of each row at one state: its pivot, and its diagonal entry.
-struct RowSizes {
-  double pivot = 0, diagonal = 0;
-};
-
-std::vector<RowSizes> eliminate_rows(const DenseMatrix<double>& A) {
-  std::vector<RowSizes> sizes;
-  factor_ldlt(A, [&](std::size_t k, double c) {
-    sizes.push_back({c, A(k, k)});
-    return c > kDependent * A(k, k) ? 1 / c : 0;
-  });
-  return sizes;
-}
-
-/// Of each row the median over ordinary states.
-std::vector<RowSizes> ordinary_sizes(const Mechanism& mechanism, TaskLaw::Kind kind,
-                                     LawPoints points, TaskBasis basis) {
-  std::vector<std::vector<double>> pivots, diagonals;
+OrdinaryPivots ordinary_pivots(const Mechanism& mechanism, TaskLaw::Kind kind, LawPoints points,
+                               TaskBasis basis) {
+  OrdinaryPivots pivots;
   for (int state = 0; state < kOrdinaryStates; ++state) {
     const auto posed = pose<double>(mechanism, points, ordinary_state(mechanism, state));
-    const auto sizes = eliminate_rows(matrix_at(posed, kind, basis));
-    pivots.resize(sizes.size());
-    diagonals.resize(sizes.size());
-    for (std::size_t k = 0; k < sizes.size(); ++k) {
-      pivots[k].push_back(sizes[k].pivot);
-      diagonals[k].push_back(sizes[k].diagonal);
-    }
+    pivots.add(matrix_at(posed, kind, basis));
   }
-  std::vector<RowSizes> medians;
-  for (std::size_t k = 0; k < pivots.size(); ++k) {
-    medians.push_back({median(pivots[k]), median(diagonals[k])});
-  }
-  return medians;
+  return pivots;
 }
 
 /// For each row whether nothing that comes before can ever hold it: an object's own matter moves
@@ -84,23 +59,20 @@ std::vector<double> row_borders(const Mechanism& mechanism, TaskLaw::Kind kind, 
   const auto posed = pose<double>(mechanism, points, ordinary_state(mechanism, 0));
   const auto free =
       kind == TaskLaw::Kind::grasp_forces ? first_grasps(posed.objects) : always_free(posed.tree);
-  std::vector<double> borders;
-  for (const RowSizes& sizes : ordinary_sizes(mechanism, kind, points, basis)) {
-    const bool dependent = !(sizes.pivot > kDependent * sizes.diagonal);
-    const bool bare = free[borders.size()];
-    borders.push_back(bare ? 0
-                           : rounded_border(share * (dependent ? sizes.diagonal : sizes.pivot)));
+  auto borders = ordinary_pivots(mechanism, kind, points, basis).borders(share);
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    if (free[k]) borders[k] = 0;
   }
   return borders;
 }
 
 /// One for each contact: a share of the mean of its three diagonal entries.
 std::vector<double> normal_borders(const Mechanism& mechanism, double share) {
-  const auto sizes =
-      ordinary_sizes(mechanism, TaskLaw::Kind::normals, LawPoints::contacts, TaskBasis{});
+  const auto pivots =
+      ordinary_pivots(mechanism, TaskLaw::Kind::normals, LawPoints::contacts, TaskBasis{});
   std::vector<double> borders;
-  for (std::size_t row = 0; row < sizes.size(); row += 3) {
-    const double sum = sizes[row].diagonal + sizes[row + 1].diagonal + sizes[row + 2].diagonal;
+  for (std::size_t row = 0; row < pivots.rows(); row += 3) {
+    const double sum = pivots.diagonal(row) + pivots.diagonal(row + 1) + pivots.diagonal(row + 2);
     borders.push_back(rounded_border(share * sum / 3));
   }
   return borders;
@@ -109,15 +81,15 @@ std::vector<double> normal_borders(const Mechanism& mechanism, double share) {
 /// One for each row: a share of the sum over its point's rows of its kind.
 std::vector<double> mobility_floors(const Mechanism& mechanism) {
   constexpr double kShare = 0x1p-6;
-  const auto sizes =
-      ordinary_sizes(mechanism, TaskLaw::Kind::priorities, LawPoints::operational, TaskBasis{});
+  const auto pivots =
+      ordinary_pivots(mechanism, TaskLaw::Kind::priorities, LawPoints::operational, TaskBasis{});
   std::vector<double> floors;
   for (const MechanismPoint& point : mechanism.operational_points) {
     for (const std::ptrdiff_t first : {0, 3}) {
       const auto begin = point.rows.begin() + first;
       const auto count = static_cast<std::size_t>(std::count(begin, begin + 3, true));
       double sum = 0;
-      for (std::size_t i = 0; i < count; ++i) sum += sizes[floors.size() + i].diagonal;
+      for (std::size_t i = 0; i < count; ++i) sum += pivots.diagonal(floors.size() + i);
       floors.insert(floors.end(), count, rounded_border(kShare * sum));
     }
   }

@@ -7,6 +7,7 @@
 #include "recursion/describe_choice.hpp"
 #include "recursion/hopeless_algorithms.hpp"
 #include "recursion/late_turns.hpp"
+#include "recursion/operational_quantities.hpp"
 #include "recursion/supported_control_torque.hpp"
 #include "recursion/supported_mechanism.hpp"
 #include "recursion/task_law.hpp"
@@ -34,27 +35,15 @@ std::vector<Result> trace_constrained_motion(const ConstraintTrace& trace,
                                              const LambdaChoice& choice, const PivotRule& rule) {
   const ConstrainedInputs<Expression> inputs{trace.qd, trace.tau, trace.stabilisation, trace.drift,
                                              trace.applied};
-  const auto results = [](const ConstrainedMotion<Expression>& motion) {
-    return std::vector<Result>{
-        vector_result("qdd", "joint accelerations", motion.qdd),
-        vector_result("f", "forces of the constraints on the robot, in their rows, N, N m",
-                      motion.f)};
-  };
-  const bool by_factors =
-      choice.route == LambdaRoute::factors_inward || choice.route == LambdaRoute::factors_world;
-  if (by_factors) {
-    const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
-    return results(constrained_forward_dynamics<Expression>(
-        trace.tree, trace.X, inputs, choice,
-        [&factor](const std::vector<Expression>& forces) { return solve(factor, forces); }, rule));
-  }
-  const auto bodies = articulate(trace.tree, trace.X);
-  return results(constrained_forward_dynamics<Expression>(
+  const auto motion = constrained_forward_dynamics<Expression>(
       trace.tree, trace.X, inputs, choice,
       [&](const std::vector<Expression>& forces) {
-        return solve_articulated(trace.tree, trace.X, bodies, forces);
+        return accelerate(trace.tree, trace.X, choice.route, forces);
       },
-      rule));
+      rule);
+  return {vector_result("qdd", "joint accelerations", motion.qdd),
+          vector_result("f", "forces of the constraints on the robot, in their rows, N, N m",
+                        motion.f)};
 }
 
 std::vector<Result> trace_supported_torque(const ConstraintTrace& trace, const LambdaChoice& choice,

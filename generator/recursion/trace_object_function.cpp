@@ -10,6 +10,7 @@
 #include "recursion/describe_choice.hpp"
 #include "recursion/late_turns.hpp"
 #include "recursion/object_forward_dynamics.hpp"
+#include "recursion/operational_quantities.hpp"
 #include "recursion/task_law.hpp"
 #include "recursion/trace_parts.hpp"
 
@@ -98,19 +99,10 @@ std::vector<Route> control_routes(const Tree<Expression>& tree, TaskLaws& laws) 
 ClosedChainMotion<Expression> traced_motion(const Trace& trace, const LambdaChoice& choice,
                                             GraspSolution solution) {
   const ObjectDynamicsInputs<Expression> inputs{trace.qd, trace.tau, trace.stabilisation};
-  const bool by_factors =
-      choice.route == LambdaRoute::factors_inward || choice.route == LambdaRoute::factors_world;
-  if (by_factors) {
-    const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
-    return object_forward_dynamics<Expression>(
-        trace.tree, trace.objects, trace.X, inputs, choice, solution,
-        [&factor](const Expressions& forces) { return solve(factor, forces); }, trace.rule);
-  }
-  const auto bodies = articulate(trace.tree, trace.X);
   return object_forward_dynamics<Expression>(
       trace.tree, trace.objects, trace.X, inputs, choice, solution,
       [&](const Expressions& forces) {
-        return solve_articulated(trace.tree, trace.X, bodies, forces);
+        return accelerate(trace.tree, trace.X, choice.route, forces);
       },
       trace.rule);
 }

@@ -42,8 +42,8 @@ State draw(const StateSpace& space) {
 bool changes(Function function, Quantity quantity, const StateSpace& space, const State& state) {
   State other = state;
   for (double& entry : other.others[quantity]) entry *= 1.25;
-  return interpret<double>(function, subject_at(space.subject, state), state) !=
-         interpret<double>(function, subject_at(space.subject, other), other);
+  return interpret<double>(function, *SubjectAt(space.subject, state), state) !=
+         interpret<double>(function, *SubjectAt(space.subject, other), other);
 }
 
 TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
