@@ -122,6 +122,7 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
       case IndexSpace::linkages:
       case IndexSpace::grasp_gains:
       case IndexSpace::held_rows:
+      case IndexSpace::anchored_rows:
         domain.each[row.symbol] = row.range;
         break;
       case IndexSpace::gravity:

@@ -43,7 +43,7 @@ void choose_functions(const std::string& singular, Scene& scene) {
 void check_functions(const SceneElement& top, const Robot& robot, const std::string& singular,
                      const Scene& scene) {
   for (const Function function : scene.functions) {
-    if (needs_points(function) && scene.operational_points.empty()) {
+    if (info_of(function).group == FunctionGroup::points && scene.operational_points.empty()) {
       top.error(
           fmt::format("{} is listed, but there is no operational point", function_name(function)),
           "add a list operational_points, or remove the function");
@@ -55,7 +55,7 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
                 "add a list objects, or remove the function");
     } else if (needs_constraints(function) && !permits(scene, function)) {
       top.error(fmt::format("{} is listed, but nothing is held", function_name(function)),
-                "add a list constraints, or remove the function");
+                "add a list constraints or couplings, or remove the function");
     } else if (needs_mass(function) && !has_mass(robot)) {
       top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
                 "give some link mass in the URDF, or remove the function");
@@ -123,7 +123,14 @@ void check_constraints(const SceneElement& top, const Robot& robot, const Scene&
         fmt::format("constraint \"{}\" holds link \"{}\", which cannot move", held.name, held.link),
         "hold a link behind a joint that moves, or write base: floating");
   }
-  const bool listed = !scene.constraints.empty() || !scene.passive.empty();
+  for (const SceneLoop& loop : scene.loops) {
+    if (moves_against(robot, scene, loop.first.link, loop.second.link)) continue;
+    top.error(fmt::format("constraint \"{}\" is between links \"{}\" and \"{}\", which no joint "
+                          "moves against each other",
+                          loop.first.name, loop.first.link, loop.second.link),
+              "name two links with joints that move between them");
+  }
+  const bool listed = scene.holds_rows() || !scene.passive.empty();
   const bool used = std::any_of(scene.functions.begin(), scene.functions.end(), needs_constraints);
   if (listed && !used) {
     top.warn("constraints or passive joints are listed, but no function takes them",
@@ -206,9 +213,12 @@ bool permits(const Scene& scene, Function function) {
     case FunctionGroup::contacts:
       return !scene.contacts.empty();
     case FunctionGroup::constraints:
-      if (function == Function::constrained_forward_dynamics) return !scene.constraints.empty();
-      return !scene.operational_points.empty() &&
-             (!scene.constraints.empty() || !scene.passive.empty());
+      if (function == Function::constraint_errors) {
+        return !scene.loops.empty() || !scene.couplings.empty();
+      }
+      if (function != Function::supported_control_torque) return scene.holds_rows();
+      if (scene.operational_points.empty()) return scene.holds_rows() && !scene.passive.empty();
+      return scene.holds_rows() || !scene.passive.empty();
     case FunctionGroup::robot:
     case FunctionGroup::links:
     case FunctionGroup::center_of_mass:

@@ -54,7 +54,7 @@ std::vector<int> find_parent_joints(const std::vector<NamedJoint>& joints, std::
         fmt::format(
             "the link \"{}\" has two parents: it is already the child of joint \"{}\" in line {}",
             joints[j].child, first.joint.name, first.joint.line),
-        "remove one of the joints: the links must form a tree, loops cannot be expressed");
+        "remove one of the joints, and close the loop by constraints in the scene");
   }
   return parent_joint;
 }

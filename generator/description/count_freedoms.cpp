@@ -1,5 +1,8 @@
 #include "description/count_freedoms.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <set>
 #include <vector>
 
 namespace treeline {
@@ -12,6 +15,24 @@ void add_owner(const Robot& robot, const Scene& scene, int joint, Freedoms& free
   const Joint& moving = robot.joints[static_cast<std::size_t>(owner)];
   if (!info_of(moving.type).moves() || scene.locked.contains(moving.name)) return;
   freedoms.emplace(owner, info_of(moving.type).freedoms());
+}
+
+/// The joints from the root to a link.
+std::set<int> joints_above(const Robot& robot, const std::string& link) {
+  std::vector<int> parent_joint(robot.links.size(), -1);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    parent_joint[static_cast<std::size_t>(robot.joints[i].child)] = static_cast<int>(i);
+  }
+  std::set<int> above;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.links[i].name != link) continue;
+    for (int joint = parent_joint[i]; joint >= 0;) {
+      above.insert(joint);
+      const int parent = robot.joints[static_cast<std::size_t>(joint)].parent;
+      joint = parent_joint[static_cast<std::size_t>(parent)];
+    }
+  }
+  return above;
 }
 
 Freedoms base_freedoms(const Scene& scene) {
@@ -36,20 +57,21 @@ Freedoms find_freedoms(const Robot& robot, const Scene& scene) {
 }
 
 Freedoms find_freedoms_of_link(const Robot& robot, const Scene& scene, const std::string& link) {
-  std::vector<int> parent_joint(robot.links.size(), -1);
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    parent_joint[static_cast<std::size_t>(robot.joints[i].child)] = static_cast<int>(i);
-  }
   Freedoms freedoms = base_freedoms(scene);
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    if (robot.links[i].name != link) continue;
-    for (int joint = parent_joint[i]; joint >= 0;) {
-      add_owner(robot, scene, joint, freedoms);
-      const int parent = robot.joints[static_cast<std::size_t>(joint)].parent;
-      joint = parent_joint[static_cast<std::size_t>(parent)];
-    }
-  }
+  for (const int joint : joints_above(robot, link)) add_owner(robot, scene, joint, freedoms);
   return freedoms;
+}
+
+bool moves_against(const Robot& robot, const Scene& scene, const std::string& link,
+                   const std::string& other) {
+  const std::set<int> above = joints_above(robot, link);
+  const std::set<int> above_other = joints_above(robot, other);
+  std::vector<int> between;
+  std::set_symmetric_difference(above.begin(), above.end(), above_other.begin(), above_other.end(),
+                                std::back_inserter(between));
+  Freedoms freedoms;
+  for (const int joint : between) add_owner(robot, scene, joint, freedoms);
+  return !freedoms.empty();
 }
 
 }  // namespace treeline

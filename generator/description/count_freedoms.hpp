@@ -22,4 +22,8 @@ Freedoms find_freedoms(const Robot& robot, const Scene& scene);
 /// Those that move a link in the world. A mimic joint on the way stands for the joint it follows.
 Freedoms find_freedoms_of_link(const Robot& robot, const Scene& scene, const std::string& link);
 
+/// Whether some joint between two links moves.
+bool moves_against(const Robot& robot, const Scene& scene, const std::string& link,
+                   const std::string& other);
+
 }  // namespace treeline

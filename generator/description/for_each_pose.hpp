@@ -23,7 +23,7 @@ void for_each_pose(AnyRobot& robot, Visit visit) {
   }
 }
 
-/// Likewise for every pose that a scene gives: of points, objects and grasps.
+/// Likewise for every pose that a scene gives: of points, constraints, objects and grasps.
 template <class Visit>
 void for_each_point_pose(Scene& scene, Visit visit) {
   for (auto& [key, points] : {std::pair{"operational_points", &scene.operational_points},
@@ -33,6 +33,10 @@ void for_each_point_pose(Scene& scene, Visit visit) {
     for (ScenePoint& point : *points) {
       visit(point.origin, 0, fmt::format("{}[{}]/origin", key, point.name));
     }
+  }
+  for (SceneLoop& loop : scene.loops) {
+    visit(loop.first.origin, 0, fmt::format("constraints[{}]/origin", loop.first.name));
+    visit(loop.second.origin, 0, fmt::format("constraints[{}]/other_origin", loop.first.name));
   }
   for (SceneObject& object : scene.objects) {
     visit(object.inertial.origin, 0, fmt::format("objects[{}]/inertial/origin", object.name));

@@ -11,6 +11,7 @@
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_armature.hpp"
+#include "description/read_constraints.hpp"
 #include "description/read_scene_inputs.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
@@ -178,6 +179,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "external_forces",
                                   "contacts",
                                   "constraints",
+                                  "couplings",
                                   "functions",
                                   "inputs",
                                   "armature",
@@ -201,8 +203,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   if (const auto contacts = fields.find("contacts"); contacts != fields.end()) {
     scene.contacts = read_contacts(contacts->second, robot);
   }
+  add_loops_of_robot(robot, scene);
   if (const auto constraints = fields.find("constraints"); constraints != fields.end()) {
-    scene.constraints = read_constraints(constraints->second, robot);
+    read_constraints(constraints->second, robot, scene);
   }
   if (const auto objects = fields.find("objects"); objects != fields.end()) {
     read_objects(objects->second, scene);
@@ -212,6 +215,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto inputs = fields.find("inputs"); inputs != fields.end()) {
     read_scene_inputs(inputs->second, robot, scene);
+  }
+  if (const auto couplings = fields.find("couplings"); couplings != fields.end()) {
+    read_couplings(couplings->second, robot, scene);
   }
   if (const auto passive = fields.find("passive"); passive != fields.end()) {
     read_passive(passive->second, robot, scene);
@@ -249,6 +255,12 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   if (!file_name.empty() && scene.base == Base::floating && !(*document)["base"]) {
     top.note("the scene says nothing of the base, which floats, for no joint moves",
              "write base: floating or base: fixed to choose");
+  }
+  if (!robot.loops.empty()) {
+    top.note(fmt::format("the robot's file closes {} loops: functions about constraints keep them "
+                         "closed, all others are those of the open tree",
+                         robot.loops.size()),
+             "use constrained_forward_dynamics and supported_control_torque");
   }
   snap_angles(robot, scene, diagnostics);
   if (scene.noise <= kResolution) return scene;

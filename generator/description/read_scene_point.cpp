@@ -11,11 +11,8 @@
 #include "description/list_rows.hpp"
 
 namespace treeline {
-namespace {
 
 using Fields = std::map<std::string, SceneElement>;
-
-const std::vector<std::string> kRows(kRowNames.begin(), kRowNames.end());
 
 std::string read_point_name(const SceneElement& point, const Fields& fields) {
   const auto found = fields.find("name");
@@ -31,7 +28,6 @@ std::string read_point_name(const SceneElement& point, const Fields& fields) {
   return name.value_or("");
 }
 
-/// The name of a link of the robot, as it is written; an error where the robot has none of it.
 std::string read_known_link(const SceneElement& element, const Robot& robot) {
   const auto name = element.text();
   if (!name) return {};
@@ -43,30 +39,12 @@ std::string read_known_link(const SceneElement& element, const Robot& robot) {
   return *name;
 }
 
-std::string read_link_name(const SceneElement& point, const Fields& fields, const Robot& robot) {
-  const auto found = fields.find("link");
-  if (found != fields.end()) return read_known_link(found->second, robot);
-  point.error("the key \"link\" is missing", "name the link that carries the point");
-  return {};
-}
-
-/// The link of `between: [link, world]`.
-std::string read_held_link(const SceneElement& point, const Fields& fields, const Robot& robot) {
-  const auto found = fields.find("between");
-  if (found == fields.end()) {
-    point.error("the key \"between\" is missing", "write between: [link, world]");
-    return {};
-  }
-  const std::vector<SceneElement> ends = found->second.items();
-  if (ends.size() != 2 || !ends.back().is("world")) {
-    found->second.error("only what is held between a link and the world can be generated",
-                        "write between: [link, world], the link first");
-    return {};
-  }
-  return read_known_link(ends.front(), robot);
+Axes read_axes(const SceneElement& element) {
+  return element.choice({"world", "local"}) == 1 ? Axes::local : Axes::world;
 }
 
 std::array<bool, 6> read_rows(const SceneElement& element) {
+  static const std::vector<std::string> kRows(kRowNames.begin(), kRowNames.end());
   std::array<bool, 6> rows{};
   const std::vector<SceneElement> items = element.items();
   if (items.empty())
@@ -91,6 +69,15 @@ std::array<bool, 6> read_rows(const SceneElement& element) {
   return rows;
 }
 
+namespace {
+
+std::string read_link_name(const SceneElement& point, const Fields& fields, const Robot& robot) {
+  const auto found = fields.find("link");
+  if (found != fields.end()) return read_known_link(found->second, robot);
+  point.error("the key \"link\" is missing", "name the link that carries the point");
+  return {};
+}
+
 int read_priority(const SceneElement& element) {
   const double priority = element.number().value_or(1);
   if (priority >= 1 && priority <= 1000 && priority == std::floor(priority)) {
@@ -106,14 +93,12 @@ ScenePoint read_point(const SceneElement& element, const Robot& robot,
   ScenePoint point;
   const Fields fields = element.fields(keys);
   point.name = read_point_name(element, fields);
-  const bool held = std::find(keys.begin(), keys.end(), "between") != keys.end();
-  point.link =
-      held ? read_held_link(element, fields, robot) : read_link_name(element, fields, robot);
+  point.link = read_link_name(element, fields, robot);
   if (const auto origin = fields.find("origin"); origin != fields.end()) {
     point.origin = read_origin(origin->second);
   }
   if (const auto axes = fields.find("axes"); axes != fields.end()) {
-    point.axes = axes->second.choice({"world", "local"}) == 1 ? Axes::local : Axes::world;
+    point.axes = read_axes(axes->second);
   }
   if (const auto rows = fields.find("rows"); rows != fields.end()) {
     point.rows = read_rows(rows->second);
@@ -180,10 +165,6 @@ std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& 
     contact.rows = {true, true, true, false, false, false};
   }
   return contacts;
-}
-
-std::vector<ScenePoint> read_constraints(const SceneElement& element, const Robot& robot) {
-  return read_points(element, robot, {"name", "between", "origin", "rows", "axes"});
 }
 
 void read_passive(const SceneElement& element, const Robot& robot, Scene& scene) {

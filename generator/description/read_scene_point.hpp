@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "description/robot.hpp"
@@ -11,12 +14,19 @@ namespace treeline {
 /// A pose: optional xyz and rpy.
 Pose read_origin(const SceneElement& element);
 
+/// The key `name` of a map's `fields`. An error if it is missing or no identifier.
+std::string read_point_name(const SceneElement& element,
+                            const std::map<std::string, SceneElement>& fields);
+/// The name of a link of the robot, as it is written; an error where the robot has none of it.
+std::string read_known_link(const SceneElement& element, const Robot& robot);
+Axes read_axes(const SceneElement& element);
+/// A list of some of x y z rx ry rz, in this order.
+std::array<bool, 6> read_rows(const SceneElement& element);
+
 /// The scene's lists of frames on links. Names must be identifiers and differ within a list.
 std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot);
 std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot);
 std::vector<ScenePoint> read_contacts(const SceneElement& element, const Robot& robot);
-/// Frames of which rows are held relative to the world: `between: [link, world]`.
-std::vector<ScenePoint> read_constraints(const SceneElement& element, const Robot& robot);
 
 /// The joint of that name; null, and an error with a suggestion, where the robot has none.
 const Joint* find_joint(const SceneElement& element, const std::string& name, const Robot& robot);

@@ -13,6 +13,7 @@
 #include "description/parse_xml.hpp"
 #include "description/read_joint.hpp"
 #include "description/read_link.hpp"
+#include "description/read_loops.hpp"
 #include "description/read_rotors.hpp"
 #include "description/read_text_file.hpp"
 #include "description/resolve_mimics.hpp"
@@ -28,6 +29,7 @@ constexpr std::size_t kMostLinks = 4096;
 struct Elements {
   std::vector<UrdfElement> links;
   std::vector<UrdfElement> joints;
+  std::vector<UrdfElement> loops;
 };
 
 void check_version(const UrdfElement& robot) {
@@ -65,8 +67,9 @@ void read_other(const UrdfElement& element) {
   const std::string_view name = element.name();
   if (name.starts_with("xacro:")) return;  // see find_leftover_xacro
   if (changes_mechanism(name)) {
-    element.error(fmt::format("<{}> is not part of URDF and changes the mechanism", name),
-                  "write it with links and joints of URDF; loops cannot be expressed");
+    element.error(
+        fmt::format("<{}> is not part of URDF and changes the mechanism", name),
+        "write a tree of links and joints of URDF, and close loops by constraints in the scene");
     return;
   }
   if (name == "gazebo" && element.xml().FirstChildElement("joint") != nullptr) {
@@ -94,6 +97,8 @@ Elements list_elements(const UrdfElement& robot) {
       elements.links.push_back(element);
     } else if (element.name() == "joint" || is_ball_of_drake(element)) {
       elements.joints.push_back(element);
+    } else if (is_loop_joint(element)) {
+      elements.loops.push_back(element);
     } else {
       read_other(element);
     }
@@ -147,6 +152,7 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   std::vector<NamedJoint> joints;
   for (const UrdfElement& joint : elements.joints) joints.push_back(read_joint(joint));
   connect_tree(joints, elements.links, robot, reading);
+  for (const UrdfElement& loop : elements.loops) read_loop_joint(loop, robot);
   check_unique(robot.links, elements.links, "link");
   check_unique(robot.joints, elements.joints, "joint");
   if (reading.failed()) return std::nullopt;

@@ -63,6 +63,18 @@ struct Joint {
   int line = 0;
 };
 
+/// A joint that closes a loop, beside the tree: origins of two frames coincide, and if
+/// `holds_turns` their axes too.
+struct RobotLoop {
+  struct End {
+    std::string link;
+    Pose origin;
+  };
+  std::string name;
+  End first, second;
+  bool holds_turns = false;
+};
+
 /// What a URDF says, checked: names are unique, the joints make the links one tree, axes have unit
 /// length, no mass is negative, mimic joints lead to a joint that is not one. Links and joints
 /// are in the file's order. `read_urdf` is the only maker outside tests.
@@ -71,6 +83,7 @@ struct Robot {
   std::string file;  ///< path it was read from, for diagnostics
   std::vector<Link> links;
   std::vector<Joint> joints;
+  std::vector<RobotLoop> loops;
   int root = -1;  ///< index of the root link
 };
 

@@ -38,6 +38,25 @@ struct ScenePoint {
   int priority = 1;  ///< of an operational point's task: 1 comes first; equal ones share a level
 };
 
+/// Two frames of the robot of which rows are held relative to each other, so that a loop closes.
+/// Rows are along the axes of the second frame, which also says which: x, y, z of the first frame's
+/// origin seen from the second, and small turns of the first frame.
+struct SceneLoop {
+  ScenePoint first, second;
+};
+
+/// A linear relation that velocities of joints keep: sum of `factor` times q + `offset` = 0, in the
+/// units of the joints.
+struct SceneCoupling {
+  struct Part {
+    std::string joint;
+    double factor = 1;
+  };
+  std::string name;
+  std::vector<Part> parts;
+  double offset = 0;
+};
+
 /// Whether the points differ in priority: then `control_torque` obeys it.
 inline bool has_priorities(const std::vector<ScenePoint>& points) {
   for (const ScenePoint& point : points) {
@@ -109,6 +128,8 @@ struct Scene {
   SceneInputs inputs;
   /// Frames whose `rows` are held relative to the world: feet on the ground, hands on a wall.
   std::vector<ScenePoint> constraints;
+  std::vector<SceneLoop> loops;          ///< constraints between two links
+  std::vector<SceneCoupling> couplings;  ///< constraints between joints
   /// Names of joints without a motor. The floating base and floating joints never have one.
   std::vector<std::string> passive;
   std::vector<Function> functions;  ///< sorted, unique
@@ -137,6 +158,10 @@ struct Scene {
   /// joints).
   std::map<std::string, double> armature;
   std::map<std::string, double> locked;  ///< joint name -> value it is held at
+
+  [[nodiscard]] bool holds_rows() const {
+    return !constraints.empty() || !loops.empty() || !couplings.empty();
+  }
 };
 
 }  // namespace treeline

@@ -32,6 +32,8 @@ enum class Function {
   impulse_response,
   constrained_forward_dynamics,
   supported_control_torque,
+  constraint_jacobian,
+  constraint_errors,
   link_inverse_inertias,
   center_of_mass,
   center_of_mass_jacobian,
@@ -232,6 +234,13 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
                               Quantity::f_wanted, Quantity::f_ext)),
      "M qdd + b + g = tau + J_s^T f + J_ext^T f_ext, J_s qdd + Jd_s qd = 0, "
      "J qdd + Jd qd = xdd_cmd, tau = 0 at passive joints, qdd nearest to qdd_0"},
+    {Function::constraint_jacobian, "constraint_jacobian", FunctionGroup::constraints,
+     Emitted::on_request, Solve::none, kFramesAsBuilt, Columns::computed, inputs(Quantity::q),
+     "J_s: rows that constraints hold have the velocities J_s qd, which are zero"},
+    {Function::constraint_errors, "constraint_errors", FunctionGroup::constraints,
+     Emitted::on_request, Solve::none, kFramesAsBuilt, Columns::computed, inputs(Quantity::q),
+     "how far loops and couplings are from closed, by row: displacements, sines of turns, sums of "
+     "coordinates; their derivatives are rows of J_s where they are closed"},
     {Function::link_inverse_inertias, "link_inverse_inertias", FunctionGroup::links,
      Emitted::on_request, Solve::mass_matrix, kFramesAsBuilt, Columns::computed,
      inertial_inputs(Quantity::q),

@@ -43,6 +43,7 @@ enum class IndexSpace {
   linkages,         ///< 6 a grasp but for the first of each object
   grasp_gains,      ///< 2: damping, stiffness
   held_rows,        ///< the rows that constraints hold
+  anchored_rows,    ///< those of them that are held relative to the world
   gravity,          ///< 3, if the scene makes gravity an input
   payloads,         ///< 10 a payload that the scene makes an input
   parameters,       ///< 10 a link whose inertial parameters the scene makes an input
@@ -100,9 +101,9 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
      "commanded accelerations of the objects' origins over angular ones, world axes",
      "m/s^2, rad/s^2", IndexSpace::objects, 100},
     {Quantity::drift, "drift",
-     "how far the rows that constraints hold are from where they should be: position, or a small "
-     "turn, along the row",
-     "m, rad", IndexSpace::held_rows, 0.1},
+     "how far the rows that constraints hold relative to the world are from where they should be: "
+     "position, or a small turn, along the row",
+     "m, rad", IndexSpace::anchored_rows, 0.1},
     {Quantity::f_wanted, "f_wanted",
      "forces that the constraints shall have, in their rows; the nearest ones that carry the "
      "motion are taken",

@@ -100,14 +100,18 @@ std::vector<EmissionContext::VelocityRow> velocity_rows(const Robot& robot,
   return rows;
 }
 
-std::string frame_text(const ScenePoint& point) {
-  const auto& xyz = point.origin.xyz;
-  const auto& rpy = point.origin.rpy;
+std::string origin_text(const Pose& origin) {
+  const auto& [xyz, rpy] = origin;
   std::string text = fmt::format("origin ({}, {}, {}) m", xyz[0], xyz[1], xyz[2]);
   if (rpy != std::array<double, 3>{}) {
     text += fmt::format(", rpy ({}, {}, {}) rad", rpy[0], rpy[1], rpy[2]);
   }
-  return text + (point.axes == Axes::world ? " in the link, world axes" : " in the link, own axes");
+  return text;
+}
+
+std::string frame_text(const ScenePoint& point) {
+  return origin_text(point.origin) +
+         (point.axes == Axes::world ? " in the link, world axes" : " in the link, own axes");
 }
 
 std::vector<EmissionContext::PointRow> point_rows(const std::vector<ScenePoint>& points) {
@@ -142,6 +146,27 @@ void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
   }
 }
 
+/// Which rows hold parts of the robot to each other, after `row` others.
+void append_loop_notes(const Scene& scene, std::size_t row, std::vector<std::string>& notes) {
+  for (const SceneLoop& loop : scene.loops) {
+    notes.push_back(fmt::format(
+        "constraint {}: {} of link {}, {}, held to link {}, {}, along the latter's axes; rows from "
+        "{}",
+        loop.first.name, list_rows(loop.second, " "), loop.first.link, origin_text(loop.first.origin),
+        loop.second.link, origin_text(loop.second.origin), row));
+    const auto& on = loop.second.rows;
+    row += static_cast<std::size_t>(std::count(on.begin(), on.end(), true));
+  }
+  for (const SceneCoupling& coupling : scene.couplings) {
+    std::string sum;
+    for (const auto& [joint, factor] : coupling.parts) {
+      sum += fmt::format("{}{} {}", sum.empty() ? "" : " + ", factor, joint);
+    }
+    notes.push_back(
+        fmt::format("coupling {}: {} + {} = 0; row {}", coupling.name, sum, coupling.offset, row++));
+  }
+}
+
 /// Which rows are held, and which entries of tau are zero.
 void append_constraint_notes(const Scene& scene, const Mechanism& mechanism,
                              std::vector<std::string>& notes) {
@@ -152,6 +177,7 @@ void append_constraint_notes(const Scene& scene, const Mechanism& mechanism,
                     rows[i].name, list_rows(scene.constraints[i], " "), rows[i].link,
                     frame_text(scene.constraints[i]), rows[i].first_row));
   }
+  append_loop_notes(scene, static_cast<std::size_t>(mechanism.anchored_rows()), notes);
   const bool asked = std::any_of(scene.functions.begin(), scene.functions.end(), [](Function f) {
     return f == Function::supported_control_torque;
   });

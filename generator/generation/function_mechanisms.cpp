@@ -42,7 +42,7 @@ FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, I
   for_each_of_model([&](Quantity quantity) {
     if (has_input(scene, quantity)) in_scene_ |= bit_of(quantity);
   });
-  if (!scene.constraints.empty()) in_scene_ |= kConstraints;
+  if (scene.holds_rows()) in_scene_ |= kConstraints;
 }
 
 const Mechanism& FunctionMechanisms::of(Function function) {
@@ -104,7 +104,11 @@ const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   for_each_of_model([&](Quantity quantity) {
     if ((needs & bit_of(quantity)) == 0) remove_input(quantity, seen);
   });
-  if ((needs & kConstraints) == 0) seen.constraints.clear();
+  if ((needs & kConstraints) == 0) {
+    seen.constraints.clear();
+    seen.loops.clear();
+    seen.couplings.clear();
+  }
   return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
 }
 

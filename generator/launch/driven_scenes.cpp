@@ -22,7 +22,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   };
   add(!scene.objects.empty(), "objects");
   add(!scene.contacts.empty(), "contacts");
-  add(!scene.constraints.empty(), "constraints");
+  add(scene.holds_rows(), "constraints");
   add(!scene.external_forces.empty(), "external_forces");
   add(!scene.inputs.empty(), "inputs");
   add(scene.batch > 0, "batch");
@@ -72,6 +72,8 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.objects.clear();
   control.contacts.clear();
   control.constraints.clear();
+  control.loops.clear();
+  control.couplings.clear();
   control.external_forces.clear();
   control.inputs = {};
   control.batch = 0;

@@ -58,6 +58,8 @@ class Builder {
     mechanism_.objects = objects();
     mechanism_.contacts = points(scene_.contacts);
     mechanism_.constraints = points(scene_.constraints);
+    mechanism_.loops = loops();
+    mechanism_.couplings = couplings();
     mechanism_.passive = passive_velocities();
     mechanism_.link_frames = link_frames();
     mechanism_.inputs = place_inputs(robot_, scene_, files_frames());
@@ -274,15 +276,35 @@ class Builder {
     return robot_.joints[static_cast<std::size_t>(joint.mimic->joint)];
   }
 
+  MechanismPoint point(const ScenePoint& wanted) {
+    std::size_t i = 0;
+    while (robot_.links[i].name != wanted.link) ++i;
+    const ExactPose pose = resolve(places_[i].pose * exact_pose(wanted.origin), wanted.name);
+    return {wanted.name, places_[i].link, pose, wanted.axes, wanted.rows, wanted.priority};
+  }
+
   std::vector<MechanismPoint> points(const std::vector<ScenePoint>& wanted) {
     std::vector<MechanismPoint> result;
-    for (const ScenePoint& point : wanted) {
-      for (std::size_t i = 0; i < robot_.links.size(); ++i) {
-        if (robot_.links[i].name == point.link) {
-          const ExactPose pose = resolve(places_[i].pose * exact_pose(point.origin), point.name);
-          result.push_back(
-              {point.name, places_[i].link, pose, point.axes, point.rows, point.priority});
-        }
+    for (const ScenePoint& each : wanted) result.push_back(point(each));
+    return result;
+  }
+
+  std::vector<MechanismLoop> loops() {
+    std::vector<MechanismLoop> result;
+    for (const SceneLoop& loop : scene_.loops) {
+      result.push_back({point(loop.first), point(loop.second)});
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<MechanismCoupling> couplings() const {
+    std::vector<MechanismCoupling> result;
+    for (const SceneCoupling& coupling : scene_.couplings) {
+      result.push_back({coupling.name, {}, coupling.offset});
+      for (const auto& [name, factor] : coupling.parts) {
+        std::size_t j = 0;
+        while (robot_.joints[j].name != name) ++j;
+        result.back().parts.push_back({first_coordinate_[j].q, first_coordinate_[j].v, factor});
       }
     }
     return result;

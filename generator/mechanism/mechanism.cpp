@@ -61,8 +61,14 @@ int Mechanism::task_rows() const {
   return rows_of(operational_points);
 }
 
-int Mechanism::held_rows() const {
+int Mechanism::anchored_rows() const {
   return rows_of(constraints);
+}
+
+int Mechanism::held_rows() const {
+  int rows = anchored_rows() + static_cast<int>(couplings.size());
+  for (const MechanismLoop& loop : loops) rows += loop.second.row_count();
+  return rows;
 }
 
 bool Mechanism::has_mimics() const {

@@ -103,6 +103,23 @@ struct MechanismInputs {
   std::vector<MechanismTool> tools;
 };
 
+/// Two frames on links, or on the world, of which rows are held relative to each other: see
+/// `SceneLoop`. Rows are those of the second frame.
+struct MechanismLoop {
+  MechanismPoint first, second;
+};
+
+/// A linear relation between coordinates, see `SceneCoupling`.
+struct MechanismCoupling {
+  struct Part {
+    int q_index = 0, v_index = 0;
+    double factor = 1;
+  };
+  std::string name;
+  std::vector<Part> parts;
+  double offset = 0;
+};
+
 /// Isomorphic subtrees on one link: arms, legs, fingers. Their operations may share lanes.
 struct LimbFamily {
   std::vector<std::vector<int>> limbs;  ///< links of each limb, in corresponding order
@@ -128,7 +145,9 @@ struct Mechanism {
   std::vector<MechanismPoint> external_forces;
   std::vector<MechanismPoint> contacts;     ///< their rows are x y z in world axes
   std::vector<MechanismPoint> constraints;  ///< their rows are held relative to the world
-  std::vector<int> passive;                 ///< velocities without a motor, in ascending order
+  std::vector<MechanismLoop> loops;
+  std::vector<MechanismCoupling> couplings;
+  std::vector<int> passive;  ///< velocities without a motor, in ascending order
   /// Frame of each URDF link that moves relative to its parent, as the URDF defines it.
   std::vector<MechanismPoint> link_frames;
   /// Matter of each link of `link_frames` and of what is fixed to it, as in the file, in its frame.
@@ -150,7 +169,10 @@ struct Mechanism {
   [[nodiscard]] int nq() const { return static_cast<int>(coordinates.size()); }
   [[nodiscard]] int nv() const { return static_cast<int>(velocities.size()); }
   [[nodiscard]] int task_rows() const;
-  [[nodiscard]] int held_rows() const;  ///< of all constraints
+  /// Rows that are held: of the constraints to the world first, then of the loops, then one a
+  /// coupling.
+  [[nodiscard]] int held_rows() const;
+  [[nodiscard]] int anchored_rows() const;  ///< of the constraints to the world
   [[nodiscard]] bool has_mimics() const;
 };
 

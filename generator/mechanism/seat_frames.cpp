@@ -284,6 +284,10 @@ void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint 
   const auto visit = [&](MechanismPoint& frame) {
     if (frame.link == index) on_point(frame);
   };
+  for (MechanismLoop& loop : mechanism.loops) {
+    visit(loop.first);
+    visit(loop.second);
+  }
   for (MechanismInertia& payload : mechanism.inputs.payloads) visit(payload.frame);
   for (MechanismInertia& own : mechanism.inputs.parameters) visit(own.frame);
   for (MechanismTool& tool : mechanism.inputs.tools) visit(tool.frame);

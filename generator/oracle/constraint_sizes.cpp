@@ -29,10 +29,19 @@ Subject<double> seen_at_constraints(const Subject<double>& subject, bool tasks) 
 
 /// Whether a plain solve for the tasks, which have no borders then, has no digit left.
 bool leaves_no_digit(double condition, const interpreter::TaskLaw<double>& law, Eigen::Index held) {
-  const bool plain = std::all_of(law.borders.begin() + held, law.borders.end(),
-                                 [](double border) { return border == 0; });
+  const auto first = law.borders.begin() + held;
+  const bool plain = first != law.borders.end() &&
+                     std::all_of(first, law.borders.end(), [](double b) { return b == 0; });
   const bool single = law.power == inverse_inertia_shape(Real::float32).power;
   return plain && condition > (single ? 0x1p17 : 0x1p46);
+}
+
+/// Rows of points, with those of loops after the first `at`.
+template <class Rows>
+Rows with_loops(const Rows& points, const Rows& loops, Eigen::Index at) {
+  Rows all(points.rows() + loops.rows(), points.cols());
+  all << points.topRows(at), loops, points.bottomRows(points.rows() - at);
+  return all;
 }
 
 MatrixXd inverse_of(const MatrixXd& A) {
@@ -49,13 +58,20 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
       tasks_(tasks),
       seen_(seen_at_constraints(subject, tasks == Tasks::all)),
       terms_(seen_, state.q),
-      J_(terms_.jacobian()),
-      bias_(terms_.bias(state.qd)),
-      held_(interpreter::row_count(subject.constraints)) {
+      loops_(loop_sizes(subject, state)),
+      anchored_(interpreter::row_count(subject.constraints)),
+      held_(anchored_ + interpreter::row_count(subject.loops)) {
+  J_ = with_loops<MatrixXd>(terms_.jacobian(), loops_.J, anchored_);
+  bias_ = with_loops<VectorXd>(terms_.bias(state.qd), loops_.bias, anchored_);
   condition_ = std::numeric_limits<double>::infinity();
   if (!M_inverse.allFinite()) return;
-  Lambda_inverse_ =
-      interpreter::lambda_inverse<double>(subject.model, seen_.points, vector_of<double>(state.q));
+  const auto q = vector_of<double>(state.q);
+  Lambda_inverse_ = interpreter::lambda_inverse<double>(subject.model, seen_.points, q);
+  if (!subject.loops.empty()) {
+    const MatrixXd J = jacobian_of_rows();
+    const MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
+    Lambda_inverse_ = J * M.ldlt().solve(J.transpose());
+  }
   condition_ = scaled_condition(Lambda_inverse_, (J_ * M_inverse * J_.transpose()).diagonal());
 }
 
@@ -101,8 +117,10 @@ std::vector<double> ConstraintSizes::constrained(const MatrixXd& Lambda) const {
   const VectorXd gains = magnitudes(values_of(state_, Quantity::stabilisation));
   const VectorXd free =
       M_inverse_ * (magnitudes(state_.tau) + terms_.forces(state_.qd, none, state_.f_ext));
-  const VectorXd missing = bias_ + J_ * free + gains(0) * (J_ * magnitudes(state_.qd)) +
-                           gains(1) * magnitudes(values_of(state_, Quantity::drift));
+  VectorXd drift(held_);
+  drift << magnitudes(values_of(state_, Quantity::drift)), loops_.errors;
+  const VectorXd missing =
+      bias_ + J_ * free + gains(0) * (J_ * magnitudes(state_.qd)) + gains(1) * drift;
   const VectorXd f = Lambda * missing;
   std::vector<double> entries = entries_of(VectorXd(free + M_inverse_ * (J_.transpose() * f)));
   append(f, entries);
@@ -137,7 +155,8 @@ std::vector<double> ConstraintSizes::supported(const interpreter::TaskLaw<double
     const MatrixXd J_sp = J_p.topRows(held_);
     if (!passive.empty()) {
       const VectorXd balance = VectorXd(gamma(passive)) + J_sp.transpose() * f;
-      const VectorXd weights = interpreter::detail::force_weights<double>(subject_.constraints);
+      const VectorXd weights =
+          interpreter::detail::held_weights<double>(supported_task(subject_, state_));
       f += weights.cwiseProduct(J_sp * (forces(parts.forces).Lambda * balance));
     }
     gamma += J_.topRows(held_).transpose() * f;
@@ -153,7 +172,8 @@ MatrixXd ConstraintSizes::passive_mobility() const {
 }
 
 LawSizes ConstraintSizes::forces(const interpreter::TaskLaw<double>& law) const {
-  const VectorXd weights = interpreter::detail::force_weights<double>(subject_.constraints);
+  const VectorXd weights =
+      interpreter::detail::held_weights<double>(supported_task(subject_, state_));
   const MatrixXd J = passive_columns().topRows(held_);
   const MatrixXd size = passive_sizes().topRows(held_);
   return find_law_sizes(J.transpose() * weights.asDiagonal() * J,
@@ -169,10 +189,15 @@ LawSizes ConstraintSizes::locked(const interpreter::TaskLaw<double>& law) const 
                         (size * K_inverse.cwiseAbs() * size.transpose()).diagonal(), law);
 }
 
+MatrixXd ConstraintSizes::jacobian_of_rows() const {
+  const auto q = vector_of<double>(state_.q);
+  return with_loops<MatrixXd>(interpreter::jacobian<double>(subject_.model, seen_.points, q),
+                              interpreter::loop_jacobian<double>(subject_.model, subject_.loops, q),
+                              anchored_);
+}
+
 MatrixXd ConstraintSizes::passive_columns() const {
-  const MatrixXd J =
-      interpreter::jacobian<double>(subject_.model, seen_.points, vector_of<double>(state_.q));
-  return J(Eigen::all, subject_.passive);
+  return jacobian_of_rows()(Eigen::all, subject_.passive);
 }
 
 MatrixXd ConstraintSizes::passive_sizes() const {

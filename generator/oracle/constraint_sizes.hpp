@@ -7,6 +7,7 @@
 #include "interpreter/task_law.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/law_sizes.hpp"
+#include "oracle/loop_sizes.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/term_sizes.hpp"
 
@@ -30,6 +31,9 @@ class ConstraintSizes {
   /// Scale of each entry of the function's results, in their order.
   [[nodiscard]] std::vector<double> sizes(const interpreter::TaskLaw<double>& law,
                                           const std::optional<LawSizes>& yielding) const;
+  /// Scales of J of all rows, and of how far loops are from closed.
+  [[nodiscard]] const Eigen::MatrixXd& jacobian() const { return J_; }
+  [[nodiscard]] const Eigen::VectorXd& loop_errors() const { return loops_.errors; }
   /// Condition number of Lambda^-1, scaled to a unit diagonal.
   [[nodiscard]] double condition() const { return condition_; }
 
@@ -43,6 +47,8 @@ class ConstraintSizes {
   [[nodiscard]] LawSizes forces(const interpreter::TaskLaw<double>& law) const;
   /// Properties of the solve for the constraints with motors locked.
   [[nodiscard]] LawSizes locked(const interpreter::TaskLaw<double>& law) const;
+  /// J of all rows: constraints to the world, loops, then tasks.
+  [[nodiscard]] Eigen::MatrixXd jacobian_of_rows() const;
   /// The columns of J that belong to passive joints, and their sizes.
   [[nodiscard]] Eigen::MatrixXd passive_columns() const;
   [[nodiscard]] Eigen::MatrixXd passive_sizes() const;
@@ -53,9 +59,10 @@ class ConstraintSizes {
   Tasks tasks_;
   Subject<double> seen_;  ///< its points are the constraints, then the tasks by priority
   TermSizes terms_;
+  LoopSizes loops_;
+  Eigen::Index anchored_ = 0, held_ = 0;  ///< rows held to the world, and all that are held
   Eigen::MatrixXd J_, Lambda_inverse_;
   Eigen::VectorXd bias_;
-  Eigen::Index held_ = 0;
   double condition_ = 1;
 };
 

@@ -131,6 +131,8 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
     case Function::impulse_response:
     case Function::constrained_forward_dynamics:
     case Function::supported_control_torque:
+    case Function::constraint_jacobian:
+    case Function::constraint_errors:
     case Function::link_inverse_inertias:
     case Function::damped_control_torque:
       break;

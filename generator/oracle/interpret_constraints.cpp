@@ -19,7 +19,8 @@ interpreter::ConstrainedMotion<Scalar> constrained_motion(const Subject<Scalar>&
       gains(0),
       gains(1),
       subject.external,
-      vector_of<Scalar>(state.f_ext)};
+      vector_of<Scalar>(state.f_ext),
+      subject.loops};
   return law.borders.empty() ? interpreter::constrained_forward_dynamics<Scalar>(
                                    subject.model, subject.constraints, at)
                              : interpreter::constrained_forward_dynamics<Scalar>(
@@ -33,6 +34,17 @@ std::vector<Scalar> interpret_constraints(Function function, const Subject<Scala
                                           const State& state,
                                           const interpreter::TaskLaw<Scalar>& law) {
   std::vector<Scalar> entries;
+  const auto q = vector_of<Scalar>(state.q);
+  if (function == Function::constraint_jacobian) {
+    append(interpreter::detail::held_jacobian<Scalar>(subject.model, subject.constraints,
+                                                      subject.loops, q),
+           entries);
+    return entries;
+  }
+  if (function == Function::constraint_errors) {
+    append(interpreter::loop_errors<Scalar>(subject.model, subject.loops, q), entries);
+    return entries;
+  }
   if (function == Function::constrained_forward_dynamics) {
     const auto motion = constrained_motion(subject, state, law);
     append(motion.qdd, entries);
@@ -40,7 +52,6 @@ std::vector<Scalar> interpret_constraints(Function function, const Subject<Scala
     return entries;
   }
   const auto task = supported_task(subject, state);
-  const auto q = vector_of<Scalar>(state.q);
   const auto qd = vector_of<Scalar>(state.qd);
   const auto torque =
       law.borders.empty()

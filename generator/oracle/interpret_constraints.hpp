@@ -20,7 +20,8 @@ interpreter::SupportedTask<Scalar> supported_task(const Subject<Scalar>& subject
           vector_of<Scalar>(state.xdd_cmd),
           vector_of<Scalar>(values_of(state, Quantity::f_wanted)),
           subject.external,
-          vector_of<Scalar>(state.f_ext)};
+          vector_of<Scalar>(state.f_ext),
+          subject.loops};
 }
 
 /// Results of a function about constraints or passive joints, like `interpret`.

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "description/find_joint.hpp"
 #include "description/joints_depth_first.hpp"
 #include "description/noise.hpp"
 #include "description/robot.hpp"
 #include "description/rotation.hpp"
 #include "description/scene.hpp"
 #include "interpreter/joint_parts.hpp"
+#include "interpreter/loops.hpp"
 #include "interpreter/model.hpp"
 
 namespace treeline {
@@ -230,6 +232,29 @@ interpreter::Points<Scalar> points_from_scene(const interpreter::Model<Scalar>& 
     points.push_back(point);
   }
   return points;
+}
+
+/// Constraints between links, and between joints.
+template <class Scalar>
+interpreter::Loops<Scalar> loops_from_scene(const interpreter::Model<Scalar>& model,
+                                            const Robot& robot, const Scene& scene) {
+  interpreter::Loops<Scalar> loops;
+  for (const SceneLoop& loop : scene.loops) {
+    const auto both = points_from_scene(model, {loop.first, loop.second});
+    loops.frames.push_back({both[0], both[1]});
+  }
+  for (const SceneCoupling& from : scene.couplings) {
+    interpreter::Coupling<Scalar> coupling{{}, Scalar(from.offset)};
+    for (const auto& [name, factor] : from.parts) {
+      const std::string& child =
+          robot.links[static_cast<std::size_t>(find_joint(robot, name)->child)].name;
+      int body = 0;
+      while (model.body(body).name != child) ++body;
+      coupling.parts.push_back({model.body(body).q, model.body(body).v, Scalar(factor)});
+    }
+    loops.couplings.push_back(std::move(coupling));
+  }
+  return loops;
 }
 
 }  // namespace treeline

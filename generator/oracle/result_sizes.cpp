@@ -51,10 +51,11 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
   M_inverse_ = inverse(M).cwiseAbs();
   if (!subject.chain.objects.empty()) objects_.emplace(subject_, state_, M_inverse_);
-  if (!subject.constraints.empty()) {
+  if (subject.holds_rows()) {
     constrained_.emplace(subject_, state_, M_inverse_, ConstraintSizes::Tasks::none);
   }
-  if (!subject.points.empty() && (!subject.constraints.empty() || !subject.passive.empty())) {
+  if (subject.points.empty() ? subject.holds_rows() && !subject.passive.empty()
+                             : subject.holds_rows() || !subject.passive.empty()) {
     supported_.emplace(subject_, state_, M_inverse_, ConstraintSizes::Tasks::all);
   }
   if (subject.points.empty() || M_condition_ > std::numeric_limits<double>::max()) {
@@ -97,7 +98,7 @@ double ResultSizes::condition(Function function, const std::optional<LawSizes>& 
   if (about_hands) {
     return std::max(yielding ? yielding->condition : objects_->condition(), M_condition_);
   }
-  if (needs_constraints(function)) {
+  if (needs_constraints(function) && solve_of(function) != Solve::none) {
     const double own = yielding ? yielding->condition : of_constraints(function).condition();
     return std::max(own, M_condition_);
   }
@@ -186,6 +187,10 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::object_control_torque:
     case Function::object_forward_dynamics:
       return objects_->sizes(function, yielding);
+    case Function::constraint_jacobian:
+      return entries_of(constrained_->jacobian());
+    case Function::constraint_errors:
+      return entries_of(constrained_->loop_errors());
     case Function::constrained_forward_dynamics:
     case Function::supported_control_torque:
       return of_constraints(function).sizes(law, yielding);

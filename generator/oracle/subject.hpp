@@ -39,10 +39,13 @@ struct Subject {
   interpreter::Points<Scalar> external;  ///< where external forces act
   interpreter::Points<Scalar> contacts;
   interpreter::Points<Scalar> constraints;  ///< whose rows are held
+  interpreter::Loops<Scalar> loops;         ///< whose rows are held too
   std::vector<int> passive;                 ///< velocities without a motor
   interpreter::ClosedChain<Scalar> chain;   ///< with the objects that the robot holds
   interpreter::Damping<Scalar> damping;     ///< empty if the scene asks for no damping
   SubjectInputs inputs;                     ///< payloads are bodies of their own, without mass
+
+  [[nodiscard]] bool holds_rows() const { return !constraints.empty() || !loops.empty(); }
 };
 
 /// Index of the body of a link.
@@ -91,6 +94,7 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   subject.external = points_from_scene(subject.model, scene.external_forces);
   subject.contacts = points_from_scene(subject.model, scene.contacts);
   subject.constraints = points_from_scene(subject.model, scene.constraints);
+  subject.loops = loops_from_scene(subject.model, robot, scene);
   subject.passive = passive_velocities(subject.model, robot, scene);
   if (!scene.objects.empty()) subject.chain = chain_from_scene<Scalar>(robot, scene);
   subject.damping.heaviest = vector_of<Scalar>(heaviest_rows(scene));
@@ -110,6 +114,7 @@ Subject<To> cast(const Subject<From>& subject) {
           interpreter::cast<To>(subject.external),
           interpreter::cast<To>(subject.contacts),
           interpreter::cast<To>(subject.constraints),
+          interpreter::cast<To>(subject.loops),
           subject.passive,
           interpreter::cast<To>(subject.chain),
           interpreter::cast<To>(subject.damping),

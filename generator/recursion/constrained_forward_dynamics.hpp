@@ -5,7 +5,9 @@
 #include "recursion/control_torque.hpp"
 #include "recursion/forces_of_rows.hpp"
 #include "recursion/forward_dynamics.hpp"
+#include "recursion/lambda_inverse.hpp"
 #include "recursion/link_velocities.hpp"
+#include "recursion/loop_rows.hpp"
 
 namespace treeline {
 
@@ -26,9 +28,9 @@ std::vector<Scalar> row_velocities(const std::vector<TaskPoint<Scalar>>& tasks,
 
 template <class Scalar>
 struct ConstrainedInputs {
-  std::span<const Scalar> qd, tau;
+  std::span<const Scalar> q, qd, tau;
   std::span<const Scalar> stabilisation;  ///< damping 1/s, stiffness 1/s^2
-  std::span<const Scalar> drift;          ///< by row
+  std::span<const Scalar> drift;          ///< by row of the points
   std::vector<Wrench<Scalar>> applied;
 };
 
@@ -74,6 +76,51 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(const Tree<Scalar>& tree,
   for (std::size_t i = 0; i < change.size(); ++i) {
     motion.qdd[i] = motion.qdd[i] + change[i];
   }
+  return motion;
+}
+
+/// J^T f.
+template <class Scalar>
+std::vector<Scalar> transposed_times(const DenseMatrix<Scalar>& J, const std::vector<Scalar>& f) {
+  std::vector<Scalar> product(J.cols(), Scalar(0.0));
+  for (std::size_t v = 0; v < J.cols(); ++v) {
+    for (std::size_t i = 0; i < f.size(); ++i) product[v] = product[v] + J(i, v) * f[i];
+  }
+  return product;
+}
+
+/// The same while the rows of the tree's loops are held too, which follow those of its points:
+/// unknown forces between two links, or in a joint, are rows of J like any other. Everything is
+/// solved with the factors of M, which permit joints that share a coordinate.
+template <class Scalar>
+ConstrainedMotion<Scalar> looped_forward_dynamics(const Tree<Scalar>& tree,
+                                                  const std::vector<JointTransform<Scalar>>& X,
+                                                  const ConstrainedInputs<Scalar>& inputs,
+                                                  const PivotRule& rule) {
+  const auto factor = factor_ltdl(mass_matrix(tree, X));
+  std::vector<Scalar> net = inverse_dynamics<Scalar>(tree, X, {inputs.qd, {}}, inputs.applied);
+  for (std::size_t i = 0; i < net.size(); ++i) net[i] = inputs.tau[i] - net[i];
+  ConstrainedMotion<Scalar> motion;
+  motion.qdd = solve(factor, net);
+  const auto tasks = task_points(tree, {}, world_poses(tree, X));
+  const auto loops = loop_rows(tree, X, inputs.q, inputs.qd);
+  std::vector<Scalar> missing = bias_acceleration(tree, X, tasks, inputs.qd);
+  const std::size_t anchored = missing.size();
+  missing.insert(missing.end(), loops.bias.begin(), loops.bias.end());
+  const auto J = jacobian_with_loops(tree, X, tasks, anchored);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    Scalar velocity(0.0);
+    for (std::size_t v = 0; v < J.cols(); ++v) {
+      velocity = velocity + J(i, v) * inputs.qd[v];
+      missing[i] = missing[i] + J(i, v) * motion.qdd[v];
+    }
+    const Scalar& error = i < anchored ? inputs.drift[i] : loops.errors[i - anchored];
+    missing[i] =
+        -(missing[i] + velocity * inputs.stabilisation[0] + error * inputs.stabilisation[1]);
+  }
+  motion.f = solve(factor_ldlt(lambda_inverse_by_factors(tree, X, J), rule), missing);
+  const auto change = solve(factor, transposed_times(J, motion.f));
+  for (std::size_t v = 0; v < change.size(); ++v) motion.qdd[v] = motion.qdd[v] + change[v];
   return motion;
 }
 

@@ -69,6 +69,8 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
       return internal_force_entries(mechanism);
     case IndexSpace::held_rows:
       return mechanism.held_rows();
+    case IndexSpace::anchored_rows:
+      return mechanism.anchored_rows();
     case IndexSpace::grasp_gains:
       return 2;
     case IndexSpace::gravity:

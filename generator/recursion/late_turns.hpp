@@ -41,14 +41,23 @@ void turn_inertia(const PlanarRotation<Scalar>& turn, TreeInertia<Scalar>& inert
 }
 
 template <class Scalar>
-void turn_points(const PlanarRotation<Scalar>& turn, int link,
-                 std::vector<TreePoint<Scalar>>& points) {
-  for (TreePoint<Scalar>& point : points) {
-    if (point.link != link) continue;
-    point.p = rotate_z(turn, point.p);
-    const Matrix3<Scalar> columns = transposed(point.R);
-    point.R = transposed<Scalar>({rotate_z(turn, columns.row_x), rotate_z(turn, columns.row_y),
-                                  rotate_z(turn, columns.row_z)});
+void turn_point(const PlanarRotation<Scalar>& turn, int link, TreePoint<Scalar>& point) {
+  if (point.link != link) return;
+  point.p = rotate_z(turn, point.p);
+  const Matrix3<Scalar> columns = transposed(point.R);
+  point.R = transposed<Scalar>({rotate_z(turn, columns.row_x), rotate_z(turn, columns.row_y),
+                                rotate_z(turn, columns.row_z)});
+}
+
+template <class Scalar>
+void turn_points(const PlanarRotation<Scalar>& turn, int link, Tree<Scalar>& tree) {
+  for (auto* points :
+       {&tree.operational_points, &tree.external_forces, &tree.contacts, &tree.link_frames}) {
+    for (TreePoint<Scalar>& point : *points) turn_point(turn, link, point);
+  }
+  for (TreeLoop<Scalar>& loop : tree.loops) {
+    turn_point(turn, link, loop.first);
+    turn_point(turn, link, loop.second);
   }
 }
 
@@ -78,10 +87,7 @@ void turn_late(Tree<Scalar>& tree, std::vector<JointTransform<Scalar>>& X) {
       owed[i] = X[i].R.b * X[i].turn;
       X[i].R.b = X[i].turn = {};
       turn_inertia(owed[i], link.inertia);
-      for (auto* points :
-           {&tree.operational_points, &tree.external_forces, &tree.contacts, &tree.link_frames}) {
-        turn_points(owed[i], static_cast<int>(i), *points);
-      }
+      turn_points(owed[i], static_cast<int>(i), tree);
       for (TreeMatter<Scalar>& matter : tree.link_matter) {
         if (matter.link == static_cast<int>(i)) matter.h = rotate_z(owed[i], matter.h);
       }

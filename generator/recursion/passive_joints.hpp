@@ -152,6 +152,20 @@ std::vector<Scalar> force_weights(const std::vector<TreePoint<Scalar>>& points) 
   return weights;
 }
 
+/// Weights of the rows that are held: of the first `anchored` rows of the points, then of the
+/// loops. A coupling's row counts like a force.
+template <class Scalar>
+std::vector<Scalar> held_weights(const Tree<Scalar>& tree, std::size_t anchored) {
+  std::vector<Scalar> weights = force_weights(tree.operational_points);
+  weights.resize(anchored);
+  for (const TreeLoop<Scalar>& loop : tree.loops) {
+    const auto own = force_weights<Scalar>({loop.second});
+    weights.insert(weights.end(), own.begin(), own.end());
+  }
+  weights.resize(weights.size() + tree.couplings.size(), Scalar(1.0));
+  return weights;
+}
+
 /// J^T W J of the first rows of J.
 template <class Scalar>
 DenseMatrix<Scalar> weighted_square(const DenseMatrix<Scalar>& J,

@@ -353,6 +353,8 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
     case Function::impulse_response:
     case Function::constrained_forward_dynamics:
     case Function::supported_control_torque:
+    case Function::constraint_jacobian:
+    case Function::constraint_errors:
     case Function::link_inverse_inertias:
     case Function::center_of_mass:
     case Function::center_of_mass_jacobian:

@@ -13,22 +13,20 @@ namespace {
 class SupportedStates {
  public:
   explicit SupportedStates(const Mechanism& mechanism) : passive_(mechanism.passive) {
+    anchored_ = static_cast<std::size_t>(mechanism.anchored_rows());
     held_ = static_cast<std::size_t>(mechanism.held_rows());
     for (int state = 0; state < kOrdinaryStates; ++state) {
       posed_.push_back(
           pose<double>(mechanism, LawPoints::operational, ordinary_state(mechanism, state)));
-      const auto& [tree, objects, X] = posed_.back();
-      const auto tasks = task_points(tree, {}, world_poses(tree, X));
-      columns_.push_back(passive_columns<double>(tree, X, tasks, {}, passive_, count_rows(tree)));
+      rows_.push_back(jacobian_of(posed_.back()));
+      columns_.push_back(columns_of(rows_.back(), passive_));
     }
   }
 
   [[nodiscard]] OrdinaryPivots forces() const {
     OrdinaryPivots sizes;
-    for (std::size_t s = 0; s < posed_.size(); ++s) {
-      const auto weights = force_weights(posed_[s].tree.operational_points);
-      sizes.add(weighted_square(columns_[s], weights, held_));
-    }
+    const auto weights = held_weights(tree(), anchored_);
+    for (const auto& columns : columns_) sizes.add(weighted_square(columns, weights, held_));
     return sizes;
   }
 
@@ -44,7 +42,7 @@ class SupportedStates {
   [[nodiscard]] OrdinaryPivots rows(const SupportRules& rules) const {
     OrdinaryPivots sizes;
     for (std::size_t s = 0; s < posed_.size(); ++s) {
-      auto A = inverse_inertia(posed_[s]);
+      auto A = lambda_inverse_by_factors(posed_[s].tree, posed_[s].X, rows_[s]);
       std::vector<double> diagonal;
       for (std::size_t k = 0; k < A.rows(); ++k) diagonal.push_back(A(k, k));
       if (rules.passive_moves) {
@@ -55,22 +53,23 @@ class SupportedStates {
     return sizes;
   }
 
+  [[nodiscard]] std::size_t anchored() const { return anchored_; }
   [[nodiscard]] std::size_t held() const { return held_; }
   [[nodiscard]] const Tree<double>& tree() const { return posed_.front().tree; }
 
  private:
-  static DenseMatrix<double> inverse_inertia(const Posed<double>& posed) {
-    return lambda_inverse(posed.tree, posed.X, world_poses(posed.tree, posed.X),
-                          {{}, LambdaRoute::factors_inward}, count_rows(posed.tree));
+  [[nodiscard]] DenseMatrix<double> jacobian_of(const Posed<double>& posed) const {
+    const auto tasks = task_points(posed.tree, {}, world_poses(posed.tree, posed.X));
+    return jacobian_with_loops(posed.tree, posed.X, tasks, anchored_);
   }
   [[nodiscard]] DenseMatrix<double> locked_inertia(const Posed<double>& posed) const {
     return block_of_velocities(mass_matrix(posed.tree, posed.X), passive_);
   }
 
   std::vector<int> passive_;
-  std::size_t held_ = 0;
+  std::size_t anchored_ = 0, held_ = 0;  ///< rows held to the world, and all that are held
   std::vector<Posed<double>> posed_;
-  std::vector<DenseMatrix<double>> columns_;
+  std::vector<DenseMatrix<double>> rows_, columns_;  ///< J, and its columns of passive joints
 };
 
 SupportRules support_rules(const Mechanism& mechanism) {
@@ -88,7 +87,8 @@ SupportRules support_rules(const Mechanism& mechanism) {
   const auto free = always_free(states.tree());
   for (std::size_t k = 0; k < rules.rows.borders.size(); ++k) {
     const bool exact = mechanism.singular == SingularTasks::exact;
-    if (k < rules.held ? free[k] : exact) rules.rows.borders[k] = 0;
+    const bool held_alone = k < states.anchored() && free[k];
+    if (k < rules.held ? held_alone : exact) rules.rows.borders[k] = 0;
   }
   return rules;
 }
@@ -108,8 +108,9 @@ std::shared_ptr<const TaskLaw> TaskLaws::supported() {
 }
 
 SupportRules split_rules(const TaskLaw& law) {
-  const auto rows = static_cast<std::ptrdiff_t>(law.mechanism->task_rows());
   const auto held = static_cast<std::ptrdiff_t>(law.mechanism->held_rows());
+  // The rows of points, of which some are held, and those of loops.
+  const std::ptrdiff_t rows = law.mechanism->task_rows() + held - law.mechanism->anchored_rows();
   const auto passive = static_cast<std::ptrdiff_t>(law.mechanism->passive.size());
   const auto first = law.rule.borders.begin();
   const auto last = law.rule.borders.end();

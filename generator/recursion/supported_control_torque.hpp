@@ -91,12 +91,31 @@ std::vector<Scalar> choose_support_forces(const DenseMatrix<Scalar>& J,
 template <class Scalar>
 struct SupportedRows {
   std::vector<TaskPoint<Scalar>> tasks;
+  DenseMatrix<Scalar> all;         ///< J of all rows, only where loops are held
   std::vector<Scalar> errors;      ///< what the rows lack at qdd_0
   DenseMatrix<Scalar> Lambda_inv;  ///< J M^-1 J^T
   DenseMatrix<Scalar> J;           ///< columns of passive joints
   std::vector<Scalar> gamma;       ///< M qdd + b + g - J_ext^T f_ext, at qdd_0 at first
   std::vector<Scalar> balance;     ///< gamma of passive joints, which constraints must carry
 };
+
+/// Puts what the rows of loops lack behind the first `anchored` rows, and forms J of all rows.
+template <class Scalar>
+void add_loops(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+               const JointRates<Scalar>& rates, std::size_t anchored, SupportedRows<Scalar>& rows) {
+  const auto loops = loop_rows<Scalar>(tree, X, {}, rates.qd);
+  std::vector<Scalar> errors;
+  for (std::size_t i = 0; i < loops.bias.size(); ++i) {
+    Scalar lacks = -loops.bias[i];
+    for (std::size_t v = 0; v < loops.J.cols(); ++v) {
+      lacks = lacks - loops.J(i, v) * rates.acceleration(v);
+    }
+    errors.push_back(lacks);
+  }
+  rows.errors.insert(rows.errors.begin() + static_cast<std::ptrdiff_t>(anchored), errors.begin(),
+                     errors.end());
+  rows.all = jacobian_with_loops(tree, X, rows.tasks, anchored);
+}
 
 template <class Scalar>
 SupportedRows<Scalar> supported_rows(const Tree<Scalar>& tree,
@@ -105,13 +124,20 @@ SupportedRows<Scalar> supported_rows(const Tree<Scalar>& tree,
                                      const std::vector<int>& passive, const LambdaChoice& choice,
                                      std::size_t held) {
   const auto motions = outward_motion(tree, X, inputs.rates, -tree.gravity);
-  std::vector<Scalar> wanted(held, Scalar(0.0));
+  const std::size_t anchored = held - count_loop_rows(tree);
+  std::vector<Scalar> wanted(anchored, Scalar(0.0));
   wanted.insert(wanted.end(), inputs.xdd_cmd.begin(), inputs.xdd_cmd.end());
   SupportedRows<Scalar> rows;
   rows.tasks = task_points(tree, {}, world_poses(tree, X));
   rows.errors = supported_errors(tree, X, rows.tasks, motions, wanted);
-  rows.Lambda_inv = lambda_inverse_as_asked(tree, X, choice, wanted.size());
-  rows.J = passive_columns(tree, X, rows.tasks, choice, passive, wanted.size());
+  if (has_loops(tree)) {
+    add_loops(tree, X, inputs.rates, anchored, rows);
+    rows.Lambda_inv = lambda_inverse_by_factors(tree, X, rows.all);
+    rows.J = columns_of(rows.all, passive);
+  } else {
+    rows.Lambda_inv = lambda_inverse_as_asked(tree, X, choice, wanted.size());
+    rows.J = passive_columns(tree, X, rows.tasks, choice, passive, wanted.size());
+  }
   auto wrenches = inertial_wrenches(tree, motions);
   for (std::size_t i = 0; i < inputs.applied.size(); ++i) {
     wrenches[i] = wrenches[i] - inputs.applied[i];
@@ -184,10 +210,12 @@ SupportedTorque<Scalar> supported_control_torque(const Tree<Scalar>& tree,
                ? multipliers_with_passive_motion(rows, mass_matrix(tree, X), passive, rules)
                : multipliers_on_supports(rows, rules);
   SupportedTorque<Scalar> result;
-  result.f = choose_support_forces(rows.J, force_weights(tree.operational_points), rows.balance,
+  const std::size_t anchored = rules.held - count_loop_rows(tree);
+  result.f = choose_support_forces(rows.J, held_weights(tree, anchored), rows.balance,
                                    inputs.f_wanted, rules.forces);
   for (std::size_t i = 0; i < rules.held; ++i) f[i] = f[i] - result.f[i];
-  result.tau = forces_of_rows(tree, X, rows.tasks, f);
+  result.tau =
+      has_loops(tree) ? transposed_times(rows.all, f) : forces_of_rows(tree, X, rows.tasks, f);
   for (std::size_t i = 0; i < rows.gamma.size(); ++i) result.tau[i] = result.tau[i] + rows.gamma[i];
   for (const int v : passive) result.tau[static_cast<std::size_t>(v)] = Scalar(0.0);
   return result;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recursion/loop_rows.hpp"
 #include "recursion/order_pivots.hpp"
 #include "recursion/ordinary_states.hpp"
 #include "recursion/resolved_by_pivots.hpp"
@@ -16,6 +17,11 @@ namespace {
 /// What the LDL^T of a law is taken of.
 DenseMatrix<double> matrix_at(const Posed<double>& posed, TaskLaw::Kind kind, TaskBasis basis) {
   const std::size_t rows = count_rows(posed.tree);
+  if (has_loops(posed.tree)) {
+    const auto tasks = task_points(posed.tree, {}, world_poses(posed.tree, posed.X));
+    return lambda_inverse_by_factors(posed.tree, posed.X,
+                                     jacobian_with_loops(posed.tree, posed.X, tasks, rows));
+  }
   const auto poses = poses_seen_from(posed.tree, posed.X, basis.axes_link);
   auto A = lambda_inverse(posed.tree, posed.X, poses, {basis, LambdaRoute::factors_inward}, rows);
   if (kind != TaskLaw::Kind::grasp_forces) return A;
@@ -61,7 +67,7 @@ std::vector<double> row_borders(const Mechanism& mechanism, TaskLaw::Kind kind, 
       kind == TaskLaw::Kind::grasp_forces ? first_grasps(posed.objects) : always_free(posed.tree);
   auto borders = ordinary_pivots(mechanism, kind, points, basis).borders(share);
   for (std::size_t k = 0; k < borders.size(); ++k) {
-    if (free[k]) borders[k] = 0;
+    if (k < free.size() && free[k]) borders[k] = 0;  // rows of loops follow, which are not free
   }
   return borders;
 }

@@ -20,7 +20,7 @@ namespace {
 struct ConstraintTrace {
   Tree<Expression> tree;  ///< its points are the constraints, and the tasks if there are any
   std::vector<JointTransform<Expression>> X;
-  std::vector<Expression> qd, qdd_0, tau, xdd_cmd, f_wanted, stabilisation, drift;
+  std::vector<Expression> q, qd, qdd_0, tau, xdd_cmd, f_wanted, stabilisation, drift;
   std::vector<Wrench<Expression>> applied;
 };
 
@@ -33,14 +33,16 @@ struct ConstraintRoute {
 
 std::vector<Result> trace_constrained_motion(const ConstraintTrace& trace,
                                              const LambdaChoice& choice, const PivotRule& rule) {
-  const ConstrainedInputs<Expression> inputs{trace.qd, trace.tau, trace.stabilisation, trace.drift,
-                                             trace.applied};
-  const auto motion = constrained_forward_dynamics<Expression>(
-      trace.tree, trace.X, inputs, choice,
-      [&](const std::vector<Expression>& forces) {
-        return accelerate(trace.tree, trace.X, choice.route, forces);
-      },
-      rule);
+  const ConstrainedInputs<Expression> inputs{
+      trace.q, trace.qd, trace.tau, trace.stabilisation, trace.drift, trace.applied};
+  const auto motion = has_loops(trace.tree)
+                          ? looped_forward_dynamics<Expression>(trace.tree, trace.X, inputs, rule)
+                          : constrained_forward_dynamics<Expression>(
+                                trace.tree, trace.X, inputs, choice,
+                                [&](const std::vector<Expression>& forces) {
+                                  return accelerate(trace.tree, trace.X, choice.route, forces);
+                                },
+                                rule);
   return {vector_result("qdd", "joint accelerations", motion.qdd),
           vector_result("f", "forces of the constraints on the robot, in their rows, N, N m",
                         motion.f)};
@@ -61,6 +63,20 @@ std::vector<Result> trace_supported_torque(const ConstraintTrace& trace, const L
   return results;
 }
 
+std::vector<Result> trace_jacobian(const ConstraintTrace& trace) {
+  const auto tasks = task_points(trace.tree, {}, world_poses(trace.tree, trace.X));
+  std::size_t anchored = 0;
+  for (const auto& task : tasks) anchored += task.rows.size();
+  return {matrix_result("J_s", "Jacobian of the rows that are held",
+                        jacobian_with_loops(trace.tree, trace.X, tasks, anchored))};
+}
+
+std::vector<Result> trace_errors(const ConstraintTrace& trace) {
+  const std::vector<Expression> rest(static_cast<std::size_t>(trace.tree.nv), Expression(0.0));
+  return {vector_result("error", "how far loops and couplings are from closed, m, 1, rad",
+                        loop_rows<Expression>(trace.tree, trace.X, trace.q, rest).errors)};
+}
+
 class ConstraintTracer {
  public:
   ConstraintTracer(const Mechanism& mechanism, Function function, int lanes)
@@ -71,18 +87,34 @@ class ConstraintTracer {
         seen_(supports_ ? with_supports(mechanism) : with_constraints_only(mechanism)) {
     // Rows of constraints may depend on each other, whatever the scene asks of tasks.
     if (!supports_) seen_.singular = SingularTasks::smooth;
+    if (solve_of(function) == Solve::none) return;
     TaskLaws laws(seen_);
     law_ = supports_ ? laws.supported()
                      : laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
   }
 
   [[nodiscard]] std::vector<ConstraintRoute> routes() const {
+    if (function_ == Function::constraint_jacobian) {
+      return {{{"inward", "rows carried inward"}, trace_jacobian}};
+    }
+    if (function_ == Function::constraint_errors) {
+      return {{{"around", "frames carried around the loop"}, trace_errors}};
+    }
+    return solving_routes();
+  }
+
+  /// Functions that solve for the forces of the constraints.
+  [[nodiscard]] std::vector<ConstraintRoute> solving_routes() const {
     Program scratch;  // to be thrown away: routes depend on the tree's structure alone
     const Graph::Scope scope(scratch.graph);
     auto tree = constant_tree<Expression>(seen_);
     apply_inputs(seen_, TracedInputs(mechanism_, function_, scratch), tree);
     std::vector<ConstraintRoute> routes;
-    for (const LambdaChoice& choice : lambda_choices(tree)) {
+    // Rows of loops are rows of J alone, which only solves with the factors of M take.
+    const auto choices = has_loops(tree)
+                             ? std::vector<LambdaChoice>{{{}, LambdaRoute::factors_inward}}
+                             : lambda_choices(tree);
+    for (const LambdaChoice& choice : choices) {
       const RouteId own = route_id(choice, tree);
       if (supports_) {
         routes.push_back({on_top_of(own, "supported", "support-consistent, one system"),
@@ -111,7 +143,7 @@ class ConstraintTracer {
     trace.tree = constant_tree<Expression>(seen_);
     take_inputs(program, trace);
     program.law = law_;
-    program.singular = describe(*law_);
+    if (law_) program.singular = describe(*law_);
     program.results = route.body(trace);
     return program;
   }
@@ -120,6 +152,7 @@ class ConstraintTracer {
   void take_inputs(Program& program, ConstraintTrace& trace) const {
     const TracedInputs inputs(mechanism_, function_, program);
     apply_inputs(seen_, inputs, trace.tree);
+    trace.q = inputs[Quantity::q];
     trace.qd = inputs[Quantity::qd];
     trace.qdd_0 = inputs[Quantity::qdd_0];
     trace.tau = inputs[Quantity::tau];

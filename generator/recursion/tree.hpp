@@ -55,10 +55,18 @@ struct TreeMatter {
   Vector3<Scalar> h;
 };
 
+/// Two frames of which rows are held relative to each other, see `MechanismLoop`.
+template <class Scalar>
+struct TreeLoop {
+  TreePoint<Scalar> first, second;
+};
+
 template <class Scalar>
 struct Tree {
   std::vector<TreeLink<Scalar>> links;
   std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
+  std::vector<TreeLoop<Scalar>> loops;
+  std::vector<MechanismCoupling> couplings;
   std::vector<TreeMatter<Scalar>> link_matter;  ///< of each of `link_frames`
   Vector3<Scalar> gravity;
   Vector3<Scalar> world_moment;  ///< first moment of matter fixed to the world
@@ -159,6 +167,10 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
   for (const MechanismPoint& point : mechanism.contacts) {
     tree.contacts.push_back(tree_point<Scalar>(point));
   }
+  for (const MechanismLoop& loop : mechanism.loops) {
+    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second)});
+  }
+  tree.couplings = mechanism.couplings;
   for (const MechanismPoint& point : mechanism.link_frames) {
     tree.link_frames.push_back(tree_point<Scalar>(point));
   }

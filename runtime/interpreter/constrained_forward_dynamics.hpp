@@ -5,21 +5,24 @@
 
 #include "interpreter/inverse_dynamics.hpp"
 #include "interpreter/jacobian.hpp"
+#include "interpreter/loops.hpp"
 #include "interpreter/mass_matrix.hpp"
 #include "interpreter/point_accelerations.hpp"
 #include "interpreter/task_law.hpp"
 
 namespace treeline::interpreter {
 
-/// State and drive of a robot whose constraints hold the rows of some points.
+/// State and drive of a robot whose constraints hold the rows of some points, and then those of
+/// loops.
 template <class Scalar>
 struct ConstrainedState {
   Vector<Scalar> q, qd, tau;
-  Vector<Scalar> drift;                 ///< by held row; empty: none
+  Vector<Scalar> drift;                 ///< by held row of the points; empty: none
   Scalar damping = Scalar(0);           ///< 1/s
   Scalar stiffness = Scalar(0);         ///< 1/s^2
   Points<Scalar> external_points = {};  ///< where external forces act
   Vector<Scalar> f_ext = {};
+  Loops<Scalar> loops = {};
 };
 
 template <class Scalar>
@@ -41,13 +44,44 @@ Vector<Scalar> solve_consistent(const Matrix<Scalar>& A, const Vector<Scalar>& b
   return decomposition.solve(b);
 }
 
+template <class Scalar>
+Vector<Scalar> joined(const Vector<Scalar>& head, const Vector<Scalar>& tail) {
+  Vector<Scalar> both(head.size() + tail.size());
+  both << head, tail;
+  return both;
+}
+
+/// J of the rows of points, then of loops.
+template <class Scalar>
+Matrix<Scalar> held_jacobian(const Model<Scalar>& model, const Points<Scalar>& constraints,
+                             const Loops<Scalar>& loops, const Vector<Scalar>& q) {
+  const Matrix<Scalar> of_points = jacobian<Scalar>(model, constraints, q);
+  if (loops.empty()) return of_points;
+  Matrix<Scalar> J(of_points.rows() + row_count(loops), model.nv);
+  J << of_points, loop_jacobian<Scalar>(model, loops, q);
+  return J;
+}
+
+/// Jd qd of the same rows.
+template <class Scalar>
+Vector<Scalar> held_bias(const Model<Scalar>& model, const Points<Scalar>& constraints,
+                         const Loops<Scalar>& loops, const Vector<Scalar>& q,
+                         const Vector<Scalar>& qd) {
+  const Vector<Scalar> of_points = bias_acceleration<Scalar>(model, constraints, q, qd);
+  if (loops.empty()) return of_points;
+  return joined<Scalar>(of_points, loop_bias<Scalar>(model, loops, q, qd));
+}
+
 /// Accelerations of the held rows that are asked for, less Jd qd.
 template <class Scalar>
 Vector<Scalar> held_accelerations(const Model<Scalar>& model, const Points<Scalar>& constraints,
                                   const Matrix<Scalar>& J, const ConstrainedState<Scalar>& at) {
-  Vector<Scalar> asked = -bias_acceleration<Scalar>(model, constraints, at.q, at.qd);
+  Vector<Scalar> asked = -held_bias<Scalar>(model, constraints, at.loops, at.q, at.qd);
   asked -= at.damping * (J * at.qd);
-  if (at.drift.size() > 0) asked -= at.stiffness * at.drift;
+  if (at.drift.size() > 0) asked.head(at.drift.size()) -= at.stiffness * at.drift;
+  if (!at.loops.empty()) {
+    asked.tail(row_count(at.loops)) -= at.stiffness * loop_errors<Scalar>(model, at.loops, at.q);
+  }
   return asked;
 }
 
@@ -69,7 +103,7 @@ template <class Scalar>
 ConstrainedMotion<Scalar> constrained_forward_dynamics(
     const Model<Scalar>& model, PointsArg<Scalar> constraints,
     const ConstrainedState<std::type_identity_t<Scalar>>& at) {
-  const Matrix<Scalar> J = jacobian<Scalar>(model, constraints, at.q);
+  const Matrix<Scalar> J = detail::held_jacobian<Scalar>(model, constraints, at.loops, at.q);
   const auto rows = J.rows();
   const auto nv = static_cast<Eigen::Index>(model.nv);
   Matrix<Scalar> A = Matrix<Scalar>::Zero(nv + rows, nv + rows);
@@ -88,7 +122,7 @@ template <class Scalar>
 ConstrainedMotion<Scalar> constrained_forward_dynamics(
     const Model<Scalar>& model, PointsArg<Scalar> constraints,
     const ConstrainedState<std::type_identity_t<Scalar>>& at, const TaskLaw<Scalar>& law) {
-  const Matrix<Scalar> J = jacobian<Scalar>(model, constraints, at.q);
+  const Matrix<Scalar> J = detail::held_jacobian<Scalar>(model, constraints, at.loops, at.q);
   const Matrix<Scalar> M_inverse =
       inverse_of_positive_definite<Scalar>(mass_matrix<Scalar>(model, at.q));
   const Vector<Scalar> free = M_inverse * detail::net_forces(model, at);

@@ -16,6 +16,7 @@ struct SupportedTask {
   Vector<Scalar> f_wanted;  ///< by held row
   Points<Scalar> external_points = {};
   Vector<Scalar> f_ext = {};
+  Loops<Scalar> loops = {};  ///< held too: their rows follow those of the constraints
 };
 
 template <class Scalar>
@@ -42,14 +43,28 @@ Vector<Scalar> force_weights(const Points<Scalar>& constraints) {
                                           static_cast<Eigen::Index>(weights.size()));
 }
 
+/// Likewise of all held rows of a task. A coupling's row counts like a force.
+template <class Scalar>
+Vector<Scalar> held_weights(const SupportedTask<Scalar>& task) {
+  Points<Scalar> points = task.constraints;
+  for (const auto& loop : task.loops.frames) points.push_back(loop.second);
+  const auto couplings = static_cast<Eigen::Index>(task.loops.couplings.size());
+  return joined<Scalar>(force_weights<Scalar>(points), Vector<Scalar>::Ones(couplings));
+}
+
+template <class Scalar>
+Eigen::Index held_count(const SupportedTask<Scalar>& task) {
+  return row_count<Scalar>(task.constraints) + row_count<Scalar>(task.loops);
+}
+
 /// A supported task at a state as matrices. Rows are those of the constraints, then those of the
 /// tasks in order of priority.
 template <class Scalar>
 struct SupportedRows {
   SupportedRows(const Model<Scalar>& model, const SupportedTask<Scalar>& task, VectorArg<Scalar> q,
                 VectorArg<Scalar> qd)
-      : held(row_count<Scalar>(task.constraints)) {
-    const Matrix<Scalar> J_s = jacobian<Scalar>(model, task.constraints, q);
+      : held(held_count(task)) {
+    const Matrix<Scalar> J_s = held_jacobian<Scalar>(model, task.constraints, task.loops, q);
     const Matrix<Scalar> J_t = jacobian<Scalar>(model, task.points, q);
     const Vector<Scalar> of_tasks =
         task.xdd_cmd - bias_acceleration<Scalar>(model, task.points, q, qd);
@@ -57,7 +72,9 @@ struct SupportedRows {
     J.resize(held + J_t.rows(), model.nv);
     asked.resize(J.rows());
     J.topRows(held) = J_s;
-    if (held > 0) asked.head(held) = -bias_acceleration<Scalar>(model, task.constraints, q, qd);
+    if (held > 0) {
+      asked.head(held) = -held_bias<Scalar>(model, task.constraints, task.loops, q, qd);
+    }
     J.bottomRows(J_t.rows()) = J_t(order, Eigen::all);
     asked.tail(J_t.rows()) = of_tasks(order);
     M = mass_matrix<Scalar>(model, q);
@@ -85,7 +102,7 @@ SupportedTorque<Scalar> torque_for(const SupportedRows<Scalar>& rows,
   if (rows.held > 0 && !task.passive.empty()) {
     const Vector<Scalar> left = Vector<Scalar>(gamma(task.passive)) - J_sp.transpose() * result.f;
     const Vector<Scalar> change = J_sp * (inverse * left);
-    result.f += force_weights<Scalar>(task.constraints).cwiseProduct(change);
+    result.f += held_weights<Scalar>(task).cwiseProduct(change);
   }
   result.tau = gamma;
   if (rows.held > 0) result.tau -= rows.J.topRows(rows.held).transpose() * result.f;
@@ -124,7 +141,7 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
   b << rows.M * task.qdd_0, Vector<Scalar>::Zero(rows.held), rows.asked,
       -Vector<Scalar>(rows.bias(task.passive));
   const Vector<Scalar> qdd = detail::solve_consistent<Scalar>(A, b).head(nv);
-  const Vector<Scalar> weights = detail::force_weights<Scalar>(task.constraints);
+  const Vector<Scalar> weights = detail::held_weights<Scalar>(task);
   const Matrix<Scalar> D = J_sp.transpose() * weights.asDiagonal() * J_sp;
   Matrix<Scalar> inverse(passive, passive);
   if (rows.held > 0 && passive > 0) {
@@ -153,7 +170,7 @@ struct SupportLaw {
 /// passive joints can move then, and of the passive joints if anything is held.
 template <class Scalar>
 SupportLaw<Scalar> split_law(const TaskLaw<Scalar>& law, const SupportedTask<Scalar>& task) {
-  const auto held = static_cast<std::ptrdiff_t>(row_count<Scalar>(task.constraints));
+  const auto held = static_cast<std::ptrdiff_t>(detail::held_count(task));
   const auto rows = held + static_cast<std::ptrdiff_t>(row_count<Scalar>(task.points));
   const auto passive = static_cast<std::ptrdiff_t>(task.passive.size());
   const auto size = static_cast<std::ptrdiff_t>(law.borders.size());
@@ -213,7 +230,7 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
   Matrix<Scalar> inverse;
   if (rows.held > 0 && passive > 0) {
     const Matrix<Scalar> J_sp = rows.J_passive.topRows(rows.held);
-    const Vector<Scalar> weights = detail::force_weights<Scalar>(task.constraints);
+    const Vector<Scalar> weights = detail::held_weights<Scalar>(task);
     inverse = bordered_inverse<Scalar>(
         Matrix<Scalar>(J_sp.transpose() * weights.asDiagonal() * J_sp), law.forces);
   }

@@ -85,5 +85,42 @@ TEST(ConstraintsCheck, FloatingArmThatHoldsNothing) {
   expect_right(arm("base: floating\npassive: [wrist_3]\nfunctions: [supported_control_torque]"), 1);
 }
 
+const std::string kLoops =
+    "functions: [constrained_forward_dynamics, supported_control_torque, constraint_jacobian, "
+    "constraint_errors]\n";
+
+// With a motor at the crank alone, and no task: torque for the motion nearest to a wanted one. All
+// five rows of a planar loop's hinge, of which two are independent.
+TEST(LoopsCheck, FourBar) {
+  expect_right(
+      in_scene(data_file("written/four_bar.urdf"),
+               "constraints: [{name: closing, between: [rocker, coupler], origin: {xyz: "
+               "[0, 0, 0.25]}, other_origin: {xyz: [0.3, 0, 0]}, rows: [x, y, z, rx, rz]}]\n"
+               "passive: [coupler_joint, rocker_joint]\n" +
+                   kLoops),
+      4);
+}
+
+TEST(LoopsCheck, CoupledJaw) {
+  expect_right(in_scene(data_file("written/parallel_jaw.urdf"),
+                        "couplings: [{name: belt, joints: {left: 1, right: -1}, offset: 0.01}]\n"
+                        "operational_points: [{name: pad, link: left_finger, rows: [x, z]}]\n"
+                        "passive: [right]\nlanguage: c\n" +
+                            kLoops),
+               4);
+}
+
+// The file closes five loops of ball joints; six slides have motors.
+TEST(LoopsCheck, StewartPlatform) {
+  std::string passive;
+  for (const char* k : {"0", "1", "2", "3", "4", "5"}) {
+    passive += std::string(passive.empty() ? "" : ", ") + "yaw_" + k + ", pitch_" + k;
+  }
+  expect_right(in_scene(data_file("written/stewart.urdf"),
+                        "operational_points: [{name: plate, link: plate}]\npassive: [" + passive +
+                            ", rim]\n" + kLoops),
+               4, 6);
+}
+
 }  // namespace
 }  // namespace treeline::tests

@@ -41,6 +41,32 @@ TEST(ReadConstraints, ReadsEverySetting) {
   EXPECT_TRUE(has(*scene, Function::supported_control_torque));
 }
 
+TEST(ReadConstraints, ReadsLoopsAndCouplings) {
+  Diagnostics diagnostics;
+  const auto scene = read(
+      "constraints: [{name: gap, between: [tool, rail], origin: {xyz: [0, 0, 0.1]}, "
+      "other_origin: {xyz: [0.2, 0, 0], rpy: [0, 0, 1]}, rows: [x, y]}]\n"
+      "couplings: [{name: belt, joints: {elbow: 1, slide: -2}, offset: 0.3}]\n",
+      diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_TRUE(scene->constraints.empty());
+  ASSERT_EQ(scene->loops.size(), 1U);
+  const auto& [first, second] = scene->loops[0];
+  EXPECT_EQ(first.link, "tool");
+  EXPECT_EQ(first.origin.xyz, (std::array{0.0, 0.0, 0.1}));
+  EXPECT_EQ(second.link, "rail");
+  EXPECT_EQ(second.origin.xyz, (std::array{0.2, 0.0, 0.0}));
+  EXPECT_EQ(second.origin.rpy, (std::array{0.0, 0.0, 1.0}));
+  EXPECT_EQ(second.rows, (std::array{true, true, false, false, false, false}));
+  ASSERT_EQ(scene->couplings.size(), 1U);
+  const SceneCoupling& belt = scene->couplings[0];
+  EXPECT_EQ(belt.offset, 0.3);
+  ASSERT_EQ(belt.parts.size(), 2U);
+  EXPECT_EQ(belt.parts[1].joint, "slide");
+  EXPECT_EQ(belt.parts[1].factor, -2);
+  EXPECT_TRUE(has(*scene, Function::constrained_forward_dynamics));
+}
+
 TEST(ReadConstraints, FunctionsFollowWhatIsListed) {
   Diagnostics diagnostics;
   const auto neither = read(kHand, diagnostics);
@@ -87,10 +113,24 @@ INSTANTIATE_TEST_SUITE_P(
     All, ConstraintFaults,
     testing::Values(
         Fault{"constraints: [{name: a}]", "\"between\" is missing", "between: [link, world]"},
-        Fault{"constraints: [{name: a, between: [tool, rail]}]", "between a link and the world",
-              "[link, world]"},
-        Fault{"constraints: [{name: a, between: [world, tool]}]", "between a link and the world",
+        Fault{"constraints: [{name: a, between: [tool]}]", "two things are held", "other link]"},
+        Fault{"constraints: [{name: a, between: [world, tool]}]", "world comes second",
               "the link first"},
+        Fault{"constraints: [{name: a, between: [tool, ral]}]", "no link \"ral\"", "rail"},
+        Fault{"constraints: [{name: a, between: [tool, tool]}]",
+              "no joint moves against each other", "joints that move between"},
+        Fault{"constraints: [{name: a, between: [tool, rail], axes: world}]", "axes of the second",
+              "turn other_origin"},
+        Fault{"constraints: [{name: a, between: [tool, world], other_origin: {xyz: [0, 0, 1]}}]",
+              "the world's frame", "leave out other_origin"},
+        Fault{"couplings: [{name: a}]", "\"joints\" is missing", "factor"},
+        Fault{"couplings: [{name: a, joints: {elbw: 1}}]", "no joint \"elbw\"", "elbow"},
+        Fault{"couplings: [{name: a, joints: {follow: 1}}]", "no velocity of its own", "slide"},
+        Fault{"couplings: [{name: a, joints: {flange: 1}}]", "one degree of freedom", "remove"},
+        Fault{"couplings: [{name: a, joints: {elbow: 0}}]", "factor is 0", "remove"},
+        Fault{"constraints: [{name: a, between: [tool, world]}]\n"
+              "couplings: [{name: a, joints: {elbow: 1}}]",
+              "already taken", "name of its own"},
         Fault{"constraints: [{name: a, between: [tol, world]}]", "no link \"tol\"", "tool"},
         Fault{"constraints: [{name: a, between: [tool, world], link: tool}]", "link", "keys"},
         Fault{"constraints: [{name: a, between: [base, world]}]", "cannot move", "floating"},

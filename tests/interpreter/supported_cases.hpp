@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "description/count_freedoms.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
@@ -22,6 +23,7 @@ using Matrix50 = interpreter::Matrix<Digits50>;
 using Rows = std::array<bool, 6>;
 inline constexpr Rows kAllRows{true, true, true, true, true, true};
 inline constexpr Rows kPointFoot{true, true, true, false, false, false};
+inline constexpr Rows kHinge{true, true, true, true, true, false};
 
 struct Standing {
   const char* name;
@@ -31,6 +33,8 @@ struct Standing {
   int passive = 0;  ///< joints without a motor
   double mimic = 0;
   int external_forces = 0;
+  std::vector<Rows> loops = {};  ///< constraints between two links
+  int couplings = 0;             ///< constraints between two joints
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Standing& standing) {
@@ -56,6 +60,59 @@ inline const std::vector<Standing>& standings() {
   return kStandings;
 }
 
+/// Robots with loops of their own, on the ground too.
+inline const std::vector<Standing>& looped() {
+  static const std::vector<Standing> kLooped{
+      {"hinged_loop", {}, 2, false, 2, 0, 0, {kHinge}},
+      {"two_loops", {}, 2, false, 3, 0, 1, {kHinge, kPointFoot}},
+      {"loop_in_space", {}, 2, true, 1, 0, 0, {kHinge}},
+      {"loop_on_a_foot",
+       {kPointFoot},
+       2,
+       false,
+       2,
+       0,
+       0,
+       {{true, false, true, true, false, false}}},
+      {"loop_with_mimics", {}, 2, false, 1, 0.15, 0, {kPointFoot}},
+      {"welded_loop", {}, 2, false, 2, 0, 0, {kAllRows}},
+      {"coupled", {}, 2, false, 1, 0, 0, {}, 2},
+      {"coupled_loop", {kPointFoot}, 2, true, 0, 0, 0, {kHinge}, 1}};
+  return kLooped;
+}
+
+inline std::vector<Standing> standings_and_loops() {
+  std::vector<Standing> all = standings();
+  all.insert(all.end(), looped().begin(), looped().end());
+  return all;
+}
+
+/// A constraint between two links that move against each other.
+inline SceneLoop draw_loop(Dice& dice, const RandomOptions& options, const RandomMechanism& made,
+                           const std::string& name) {
+  SceneLoop loop;
+  do {
+    loop = {detail::random_point(dice, options, made.robot, name),
+            detail::random_point(dice, options, made.robot, name)};
+  } while (!moves_against(made.robot, made.scene, loop.first.link, loop.second.link));
+  return loop;
+}
+
+/// Constraints between joints: each of two, or of one alone.
+inline void draw_couplings(Dice& dice, int count, RandomMechanism& made) {
+  std::vector<std::string> joints;
+  for (const Joint& joint : made.robot.joints) {
+    if (detail::has_one_degree(joint) && !joint.mimic) joints.push_back(joint.name);
+  }
+  for (int i = 0; i < count; ++i) {
+    SceneCoupling coupling{"coupling_" + std::to_string(i), {}, dice.rounded(-1, 1)};
+    for (int part = 0; part < 2; ++part) {
+      coupling.parts.push_back({joints[detail::at(2 * i + part)], dice.rounded(0.5, 3)});
+    }
+    made.scene.couplings.push_back(coupling);
+  }
+}
+
 struct StandingCase {
   RandomMechanism made;
   interpreter::Model<Digits50> model;
@@ -67,7 +124,7 @@ struct StandingCase {
 inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) {
   RandomOptions options;
   const int feet = static_cast<int>(standing.feet.size());
-  options.joints = 10 + 5 * feet;
+  options.joints = 10 + 5 * (feet + static_cast<int>(standing.loops.size()));
   options.branching = 0.2;
   options.mix = {5, 1, 1, 0.3, 0, 0.3, 0.3};
   options.floating_base = standing.floating_base;
@@ -83,6 +140,12 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
         detail::random_point(dice, options, c.made.robot, "foot_" + std::to_string(i)));
     scene.constraints.back().rows = standing.feet[static_cast<std::size_t>(i)];
   }
+  for (const Rows& rows : standing.loops) {
+    scene.loops.push_back(
+        draw_loop(dice, options, c.made, "loop_" + std::to_string(scene.loops.size())));
+    scene.loops.back().second.rows = rows;
+  }
+  draw_couplings(dice, standing.couplings, c.made);
   int left = standing.task_rows;
   for (ScenePoint& point : scene.operational_points) {
     for (bool& row : point.rows) row = left > 0 && dice.chance(0.6) && left-- > 0;
@@ -97,17 +160,19 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
   c.model = model_from_robot<Digits50>(c.made.robot, scene);
   auto& task = c.task;
   task.constraints = points_from_scene(c.model, scene.constraints);
+  task.loops = loops_from_scene(c.model, c.made.robot, scene);
   task.points = points_from_scene(c.model, scene.operational_points);
   task.passive = passive_velocities(c.model, c.made.robot, scene);
   task.external_points = points_from_scene(c.model, scene.external_forces);
   const auto drawn = [&](int count, double size) {
     return random_entries<Digits50>(dice, count, size);
   };
-  const int held = interpreter::row_count(task.constraints);
+  const int anchored = interpreter::row_count(task.constraints);
+  const int held = anchored + interpreter::row_count(task.loops);
   c.q = random_position(dice, c.model, 2.0);
   c.qd = drawn(c.model.nv, 2);
   c.tau = drawn(c.model.nv, 20);
-  c.drift = drawn(held, 0.01);
+  c.drift = drawn(anchored, 0.01);
   task.qdd_0 = drawn(c.model.nv, 5);
   task.xdd_cmd = drawn(interpreter::row_count(task.points), 5);
   task.f_wanted = drawn(held, 50);

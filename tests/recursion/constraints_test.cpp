@@ -30,7 +30,7 @@ std::vector<Digits50> applied_at(const StandingCase& c) {
 }
 
 interpreter::ConstrainedState<Digits50> stabilised(const StandingCase& c) {
-  return {c.q, c.qd, c.tau, c.drift, 20, 100, c.task.external_points, c.task.f_ext};
+  return {c.q, c.qd, c.tau, c.drift, 20, 100, c.task.external_points, c.task.f_ext, c.task.loops};
 }
 
 Results<Digits50> expected_motion(const StandingCase& c) {
@@ -51,13 +51,16 @@ class Constraints : public testing::TestWithParam<std::tuple<Standing, int>> {
   Constraints()
       : c_(draw_standing_regular(1 + 41 * static_cast<std::uint64_t>(std::get<1>(GetParam())),
                                  std::get<0>(GetParam()))) {}
-  [[nodiscard]] bool holds() const { return !c_.task.constraints.empty(); }
+  [[nodiscard]] bool holds() const {
+    return !c_.task.constraints.empty() || !c_.task.loops.empty();
+  }
 
   StandingCase c_;
 };
 
 INSTANTIATE_TEST_SUITE_P(Random, Constraints,
-                         testing::Combine(testing::ValuesIn(standings()), testing::Range(0, 2)),
+                         testing::Combine(testing::ValuesIn(standings_and_loops()),
+                                          testing::Range(0, 2)),
                          [](const auto& tested) {
                            return std::string(std::get<0>(tested.param).name) + "_" +
                                   std::to_string(std::get<1>(tested.param));
@@ -75,10 +78,15 @@ TEST_P(Constraints, MotionsAgreeInFiftyDigits) {
   const auto applied = applied_wrenches<Digits50>(tree, X, f_ext);
   const auto factor = factor_ltdl(mass_matrix(tree, X));
   const auto expected = expected_motion(c_);
-  for (const LambdaChoice& choice : lambda_choices(tree)) {
-    const auto motion = constrained_forward_dynamics<Digits50>(
-        tree, X, {qd, tau, gains, drift, applied}, choice,
-        [&](const std::vector<Digits50>& forces) { return solve(factor, forces); });
+  const ConstrainedInputs<Digits50> inputs{q, qd, tau, gains, drift, applied};
+  const auto choices = has_loops(tree) ? std::vector<LambdaChoice>(1) : lambda_choices(tree);
+  for (const LambdaChoice& choice : choices) {
+    const auto motion =
+        has_loops(tree) ? looped_forward_dynamics<Digits50>(tree, X, inputs, {})
+                        : constrained_forward_dynamics<Digits50>(
+                              tree, X, inputs, choice, [&](const std::vector<Digits50>& forces) {
+                                return solve(factor, forces);
+                              });
     EXPECT_LE(relative_error<Digits50>({motion.qdd, motion.f}, expected, 1) / c_.growth, 1e-38);
   }
 }
@@ -100,7 +108,8 @@ TEST_P(Constraints, TorquesAgreeBeyondTheLaws) {
   const auto f_ext = applied_at(c_);
   const auto applied = applied_wrenches<Digits50>(tree, X, f_ext);
   const auto expected = expected_torque(c_);
-  for (const LambdaChoice& choice : lambda_choices(tree)) {
+  const auto choices = has_loops(tree) ? std::vector<LambdaChoice>(1) : lambda_choices(tree);
+  for (const LambdaChoice& choice : choices) {
     const auto torque = supported_control_torque<Digits50>(
         tree, X, {{qd, qdd_0}, xdd, wanted, applied}, mechanism.passive, choice, rules);
     Results<Digits50> results{torque.tau};

@@ -1,0 +1,85 @@
+#include "oracle/loop_sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "interpreter/instances.hpp"
+#include "oracle/entries.hpp"
+#include "oracle/term_sizes.hpp"
+
+namespace treeline {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::set<int> bodies_to(const interpreter::Model<double>& model, int body) {
+  std::set<int> bodies;
+  for (; body != interpreter::kWorld; body = model.body(body).parent) bodies.insert(body);
+  return bodies;
+}
+
+/// 1 for velocities of the joints between two bodies, 0 for all others.
+VectorXd velocities_between(const interpreter::Model<double>& model, int first, int second) {
+  const auto a = bodies_to(model, first);
+  const auto b = bodies_to(model, second);
+  VectorXd between = VectorXd::Zero(model.nv);
+  for (int i = 0; i < model.size(); ++i) {
+    if (a.contains(i) == b.contains(i)) continue;
+    const int count = interpreter::velocity_count(model.body(i).kind);
+    between.segment(model.body(i).v, count).setOnes();
+  }
+  return between;
+}
+
+/// Sizes of the six rows of one loop.
+LoopSizes sizes_of(const Subject<double>& subject, const State& state,
+                   const interpreter::Loop<double>& loop) {
+  Subject<double> seen = subject;
+  seen.points = interpreter::detail::in_world(loop);
+  const VectorXd between = velocities_between(subject.model, loop.first.body, loop.second.body);
+  const MatrixXd both = TermSizes(seen, state.q).jacobian() * between.asDiagonal();
+  const VectorXd speeds = magnitudes(state.qd);
+  const MatrixXd turns = both.middleRows(3, 3).cwiseMax(both.middleRows(9, 3));
+  // The first frame is seen from the second along the links between them.
+  const double way = both.middleRows(0, 3).maxCoeff() + both.middleRows(6, 3).maxCoeff() +
+                     loop.first.p.norm() + loop.second.p.norm();
+  LoopSizes sizes{MatrixXd(6, both.cols()), VectorXd(6), VectorXd(6)};
+  sizes.J << both.middleRows(0, 3) + both.middleRows(6, 3) + way * both.middleRows(9, 3), turns;
+  const double turning = (turns * speeds).maxCoeff();
+  const double moving = (sizes.J.topRows(3) * speeds).maxCoeff();
+  sizes.bias << VectorXd::Constant(3, 4 * turning * moving),
+      VectorXd::Constant(3, 2 * turning * turning);
+  sizes.errors << VectorXd::Constant(3, way), VectorXd::Ones(3);
+  return sizes;
+}
+
+}  // namespace
+
+LoopSizes loop_sizes(const Subject<double>& subject, const State& state) {
+  const Eigen::Index rows = interpreter::row_count(subject.loops);
+  LoopSizes sizes{MatrixXd::Zero(rows, subject.model.nv), VectorXd::Zero(rows),
+                  VectorXd::Zero(rows)};
+  Eigen::Index row = 0;
+  for (const auto& loop : subject.loops.frames) {
+    const LoopSizes all = sizes_of(subject, state, loop);
+    for (const int held : interpreter::controlled_rows<double>({loop.second})) {
+      sizes.J.row(row) = all.J.row(held);
+      sizes.bias(row) = all.bias(held);
+      sizes.errors(row++) = all.errors(held);
+    }
+  }
+  for (const auto& coupling : subject.loops.couplings) {
+    sizes.errors(row) = std::abs(coupling.offset);
+    for (const auto& part : coupling.parts) {
+      sizes.J(row, part.v) += std::abs(part.factor);
+      sizes.errors(row) += std::abs(part.factor * state.q[static_cast<std::size_t>(part.q)]);
+    }
+    ++row;
+  }
+  return sizes;
+}
+
+}  // namespace treeline

@@ -1,0 +1,258 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "recursion/jacobian.hpp"
+
+// Constraints between two links, and between joints, as rows of velocities that are zero. A loop
+// depends on the joints between its links alone: those that carry both are as good as at rest.
+
+namespace treeline {
+
+/// Rows at a state.
+template <class Scalar>
+struct LoopRows {
+  DenseMatrix<Scalar> J;       ///< rows x nv
+  std::vector<Scalar> bias;    ///< Jd qd
+  std::vector<Scalar> errors;  ///< how far they are from closed: m, sines of turns, or a coupling's
+};
+
+/// Three axes.
+template <class Scalar>
+using Triple = std::array<Vector3<Scalar>, 3>;
+
+template <class Scalar>
+Triple<Scalar> axes_of(const Matrix3<Scalar>& R) {
+  const Matrix3<Scalar> columns = transposed(R);
+  return {columns.row_x, columns.row_y, columns.row_z};
+}
+
+/// Links from `link` inward that do not carry `other` as well.
+template <class Scalar>
+std::vector<std::size_t> links_apart(const Tree<Scalar>& tree, int link, int other) {
+  std::vector<bool> carries_other(tree.links.size());
+  for (int i = other; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) {
+    carries_other[static_cast<std::size_t>(i)] = true;
+  }
+  std::vector<std::size_t> links;
+  while (link >= 0 && !carries_other[static_cast<std::size_t>(link)]) {
+    links.push_back(static_cast<std::size_t>(link));
+    link = tree.links[static_cast<std::size_t>(link)].parent;
+  }
+  return links;
+}
+
+/// One loop: what its rows measure, seen from the links on both sides.
+template <class Scalar>
+class LoopSides {
+ public:
+  LoopSides(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+            const TreeLoop<Scalar>& loop)
+      : tree_(tree),
+        X_(X),
+        loop_(loop),
+        near_(links_apart(tree, loop.first.link, loop.second.link)),
+        far_(links_apart(tree, loop.second.link, loop.first.link)),
+        seen_(tree.links.size()) {
+    Seen at{loop.first.p, {}};
+    for (const std::size_t i : near_) {
+      seen_[i].p = at.p;
+      at.p = X[i].to_parent(at.p) + X[i].p;
+    }
+    at.e = axes_of(loop.second.R);
+    for (const std::size_t i : far_) {
+      seen_[i].e = at.e;
+      for (Vector3<Scalar>& e : at.e) e = X[i].to_parent(e);
+    }
+    between_ = at;
+    for (auto i = near_.rbegin(); i != near_.rend(); ++i) {
+      for (Vector3<Scalar>& e : at.e) e = X[*i].to_child(e);
+      seen_[*i].e = at.e;
+    }
+    at.p = between_.p;
+    for (auto i = far_.rbegin(); i != far_.rend(); ++i) {
+      at.p = X[*i].to_child(at.p - X[*i].p);
+      seen_[*i].p = at.p;
+    }
+  }
+
+  /// Adds the six rows x y z rx ry rz to `J`.
+  void add_jacobian(DenseMatrix<Scalar>& J) const {
+    for (const std::size_t i : near_) add_columns(i, Scalar(1.0), J);
+    for (const std::size_t i : far_) add_columns(i, Scalar(-1.0), J);
+  }
+
+  /// Jd qd of the six rows, which have the velocities `u`. With the second frame as origin, points
+  /// of the first one have Coriolis accelerations.
+  [[nodiscard]] std::array<Scalar, 6> bias(std::span<const Scalar> qd,
+                                           const std::array<Scalar, 6>& u) const {
+    const LinkMotion<Scalar> first = motion(near_, qd);
+    const LinkMotion<Scalar> second = motion(far_, qd);
+    const Seen& at_first = near_.empty() ? between_ : seen_[near_.front()];
+    const Seen& at_second = far_.empty() ? between_ : seen_[far_.front()];
+    const Vector3<Scalar> w = along(at_second.e, second.w);
+    const Vector3<Scalar> linear = along(at_first.e, acceleration_at(first, at_first.p)) -
+                                   along(at_second.e, acceleration_at(second, at_second.p)) -
+                                   cross(w, {u[0], u[1], u[2]}) * Scalar(2.0);
+    const Vector3<Scalar> angular =
+        along(at_first.e, first.wd) - along(at_second.e, second.wd) - cross(w, {u[3], u[4], u[5]});
+    return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
+  }
+
+  /// How far the first frame is from the second.
+  [[nodiscard]] std::array<Scalar, 6> errors() const {
+    const Seen& at_first = near_.empty() ? between_ : seen_[near_.front()];
+    const Seen& at_second = far_.empty() ? between_ : seen_[far_.front()];
+    const Vector3<Scalar> d = along(at_second.e, at_second.p - loop_.second.p);
+    const Triple<Scalar> f = axes_of(loop_.first.R);
+    const Triple<Scalar>& e = at_first.e;
+    const auto sine = [&](std::size_t i, std::size_t j) {
+      return Scalar(0.5) * (dot(e[j], f[i]) - dot(e[i], f[j]));
+    };
+    return {d.x, d.y, d.z, sine(1, 2), sine(2, 0), sine(0, 1)};
+  }
+
+ private:
+  /// The origin of the first frame and the axes of the second, in some link's frame.
+  struct Seen {
+    Vector3<Scalar> p;
+    Triple<Scalar> e;
+  };
+
+  static Vector3<Scalar> along(const Triple<Scalar>& e, const Vector3<Scalar>& v) {
+    return {dot(e[0], v), dot(e[1], v), dot(e[2], v)};
+  }
+
+  void add_columns(std::size_t i, const Scalar& sign, DenseMatrix<Scalar>& J) const {
+    const TreeLink<Scalar>& link = tree_.links[i];
+    section(link, i, "Jacobian of a loop");
+    TaskPoint<Scalar> task{static_cast<int>(i), seen_[i].p, {}};
+    for (std::size_t row = 0; row < 6; ++row) {
+      task.rows.push_back({row >= 3, seen_[i].e[row % 3] * sign, static_cast<int>(row % 3)});
+    }
+    add_joint_columns(link, task, 0, J);
+  }
+
+  /// Motion of the outermost of these links with what carries both sides at rest, at qdd = 0.
+  LinkMotion<Scalar> motion(const std::vector<std::size_t>& inward,
+                            std::span<const Scalar> qd) const {
+    LinkMotion<Scalar> motion;
+    for (auto i = inward.rbegin(); i != inward.rend(); ++i) {
+      section(tree_.links[*i], *i, "motion in a loop");
+      motion = motion_behind_joint(tree_.links[*i], X_[*i], motion, JointRates<Scalar>{qd, {}});
+      motion.U = angular_matrix(motion.w, motion.wd);
+    }
+    return motion;
+  }
+
+  const Tree<Scalar>& tree_;
+  const std::vector<JointTransform<Scalar>>& X_;
+  const TreeLoop<Scalar>& loop_;
+  std::vector<std::size_t> near_, far_;  ///< links on the first and on the second side, inward
+  Seen between_;                         ///< from the link, or the world, that carries both sides
+  std::vector<Seen> seen_;               ///< from each link on either side
+};
+
+template <class Scalar>
+std::size_t count_loop_rows(const Tree<Scalar>& tree) {
+  std::size_t rows = tree.couplings.size();
+  for (const TreeLoop<Scalar>& loop : tree.loops) {
+    const auto& on = loop.second.rows;
+    rows += static_cast<std::size_t>(std::count(on.begin(), on.end(), true));
+  }
+  return rows;
+}
+
+template <class Scalar>
+bool has_loops(const Tree<Scalar>& tree) {
+  return !tree.loops.empty() || !tree.couplings.empty();
+}
+
+/// J of the rows alone.
+template <class Scalar>
+DenseMatrix<Scalar> loop_jacobian(const Tree<Scalar>& tree,
+                                  const std::vector<JointTransform<Scalar>>& X) {
+  const auto nv = static_cast<std::size_t>(tree.nv);
+  DenseMatrix<Scalar> J(count_loop_rows(tree), nv);
+  std::size_t at = 0;
+  for (const TreeLoop<Scalar>& loop : tree.loops) {
+    DenseMatrix<Scalar> all(6, nv);
+    LoopSides<Scalar>(tree, X, loop).add_jacobian(all);
+    for (std::size_t row = 0; row < 6; ++row) {
+      if (!loop.second.rows[row]) continue;
+      for (std::size_t v = 0; v < nv; ++v) J(at, v) = all(row, v);
+      ++at;
+    }
+  }
+  for (const MechanismCoupling& coupling : tree.couplings) {
+    for (const auto& part : coupling.parts) {
+      Scalar& entry = J(at, static_cast<std::size_t>(part.v_index));
+      entry = entry + Scalar(part.factor);
+    }
+    ++at;
+  }
+  return J;
+}
+
+/// All rows at a state. `q` is read for the errors of couplings alone; empty: these are left out.
+template <class Scalar>
+LoopRows<Scalar> loop_rows(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+                           std::span<const Scalar> q, std::span<const Scalar> qd) {
+  const auto nv = static_cast<std::size_t>(tree.nv);
+  LoopRows<Scalar> rows;
+  rows.J = loop_jacobian(tree, X);
+  for (const TreeLoop<Scalar>& loop : tree.loops) {
+    const LoopSides<Scalar> sides(tree, X, loop);
+    DenseMatrix<Scalar> all(6, nv);
+    sides.add_jacobian(all);
+    std::array<Scalar, 6> u;
+    for (std::size_t row = 0; row < 6; ++row) {
+      u[row] = Scalar(0.0);
+      for (std::size_t v = 0; v < nv; ++v) u[row] = u[row] + all(row, v) * qd[v];
+    }
+    const auto bias = sides.bias(qd, u);
+    const auto errors = sides.errors();
+    for (std::size_t row = 0; row < 6; ++row) {
+      if (!loop.second.rows[row]) continue;
+      rows.bias.push_back(bias[row]);
+      rows.errors.push_back(errors[row]);
+    }
+  }
+  for (const MechanismCoupling& coupling : tree.couplings) {
+    Scalar error(coupling.offset);
+    for (std::size_t i = 0; i < coupling.parts.size() && !q.empty(); ++i) {
+      const auto& part = coupling.parts[i];
+      error = error + Scalar(part.factor) * q[static_cast<std::size_t>(part.q_index)];
+    }
+    rows.bias.emplace_back(0.0);
+    rows.errors.push_back(error);
+  }
+  return rows;
+}
+
+/// J of the rows of all points and loops: the first `anchored` rows of the points, which are held
+/// to the world, then those of the loops, then the other points'.
+template <class Scalar>
+DenseMatrix<Scalar> jacobian_with_loops(const Tree<Scalar>& tree,
+                                        const std::vector<JointTransform<Scalar>>& X,
+                                        const std::vector<TaskPoint<Scalar>>& tasks,
+                                        std::size_t anchored) {
+  std::size_t rows = 0;
+  for (const TaskPoint<Scalar>& task : tasks) rows += task.rows.size();
+  const auto points = jacobian_inward(tree, X, tasks, rows, world_poses(tree, X));
+  const auto loops = loop_jacobian(tree, X);
+  DenseMatrix<Scalar> J(rows + loops.rows(), static_cast<std::size_t>(tree.nv));
+  for (std::size_t i = 0; i < J.rows(); ++i) {
+    for (std::size_t v = 0; v < J.cols(); ++v) {
+      J(i, v) = i < anchored                  ? points(i, v)
+                : i < anchored + loops.rows() ? loops(i - anchored, v)
+                                              : points(i - loops.rows(), v);
+    }
+  }
+  return J;
+}
+
+}  // namespace treeline
