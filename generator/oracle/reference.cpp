@@ -29,6 +29,7 @@ bool is_member(Quantity quantity) {
     case IndexSpace::parameters:
     case IndexSpace::tools:
     case IndexSpace::held_rows:
+    case IndexSpace::step:
       break;
   }
   return false;

@@ -31,6 +31,7 @@ struct Standing {
   int passive = 0;  ///< joints without a motor
   double mimic = 0;
   int external_forces = 0;
+  double drives = 0;  ///< chance of a rotor, of friction, and of a spring
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Standing& standing) {
@@ -52,7 +53,8 @@ inline const std::vector<Standing>& standings() {
       {"passive_joints_at_a_wall", {kPointFoot}, 2, false, 2},
       {"hand_at_a_wall", {kAllRows}, 2, false},
       {"mimics", {kAllRows, kAllRows}, 3, true, 0, 0.15},
-      {"pushed", {kPointFoot, kPointFoot, kPointFoot}, 3, true, 1, 0, 2}};
+      {"pushed", {kPointFoot, kPointFoot, kPointFoot}, 3, true, 1, 0, 2},
+      {"drives", {kAllRows}, 4, true, 1, 0, 1, 0.5}};
   return kStandings;
 }
 
@@ -72,6 +74,7 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
   options.mix = {5, 1, 1, 0.3, 0, 0.3, 0.3};
   options.floating_base = standing.floating_base;
   options.mimic = standing.mimic;
+  options.rotors = options.drives = standing.drives;
   options.operational_points = 2;
   options.external_forces = standing.external_forces;
   StandingCase c;
