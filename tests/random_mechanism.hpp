@@ -32,6 +32,7 @@ struct RandomOptions {
   double aligned = 0.5;  ///< chance of axis-aligned axes, quarter turns, zero offsets
   double massless = 0;   ///< chance that a link behind a fixed joint has no inertia
   double rotors = 0;     ///< chance that a joint of one degree has a motor's rotor
+  double drives = 0;     ///< chance that it has friction, and that it has a spring
   int operational_points = 1;
   bool all_rows = true;  ///< false: a random subset of at least one row
   int external_forces = 0;
@@ -225,6 +226,25 @@ inline void drop_rows(Dice& dice, ScenePoint& point) {
 
 }  // namespace detail
 
+namespace detail {
+
+inline void add_friction_and_springs(Dice& dice, const RandomOptions& options, const Robot& robot,
+                                     Scene& scene) {
+  if (options.drives <= 0) return;
+  for (const Joint& joint : robot.joints) {
+    if (!has_one_degree(joint) || scene.locked.contains(joint.name)) continue;
+    if (dice.chance(options.drives)) {
+      const double friction = dice.chance(0.5) ? dice.rounded(0.1, 5) : 0;
+      scene.joint_friction[joint.name] = {dice.rounded(0, 5), friction, dice.rounded(0.05, 0.5)};
+    }
+    if (dice.chance(options.drives)) {
+      scene.joint_springs[joint.name] = {dice.rounded(1, 50), dice.rounded(-1, 1)};
+    }
+  }
+}
+
+}  // namespace detail
+
 /// Draws a robot and a scene from `seed`. The scene asks for all functions. With fewer degrees of
 /// freedom than controlled rows, or with points on links that do not move, Lambda does not exist
 /// but its inverse does.
@@ -261,6 +281,7 @@ inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions&
       scene.armature[joint.name] = dice.rounded(0.01, 2);
     }
   }
+  detail::add_friction_and_springs(dice, options, made.robot, scene);
   return made;
 }
 

@@ -125,6 +125,9 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
       case IndexSpace::anchored_rows:
         domain.each[row.symbol] = row.range;
         break;
+      case IndexSpace::step:
+        domain.sizes[row.symbol] = same(scene.implicit_friction ? 1 : 0, row.range);
+        break;
       case IndexSpace::gravity:
         domain.sizes[row.symbol] = same(scene.inputs.gravity ? 3 : 0, row.range);
         break;

@@ -53,15 +53,15 @@ std::size_t InputSpace::entry_of(const std::string& name, const Domain& domain) 
                                   [&name](const Entry& entry) { return entry.name == name; });
   const auto at = static_cast<std::size_t>(found - entries_.begin());
   if (found == entries_.end()) {
-    entries_.push_back(
-        {name, domain.find(name).value_or(0), quantity_of_input(name) == Quantity::q});
+    entries_.push_back({name, domain.find(name).value_or(0), quantity_of_input(name) == Quantity::q,
+                        quantity_of_input(name) == Quantity::step});
   }
   return at;
 }
 
 double InputSpace::draw_entry(const Entry& entry, Dice& dice) const {
   if (entry.coordinate) return dice.within(entry.size);
-  return dice.chance(0.5) ? entry.size : -entry.size;
+  return entry.positive || dice.chance(0.5) ? entry.size : -entry.size;
 }
 
 InputSpace::Point InputSpace::draw(Dice& dice) const {
@@ -77,8 +77,9 @@ InputSpace::Point InputSpace::change(Point point, Dice& dice) const {
     const std::size_t i = dice.below(point.size());
     const double size = entries_[i].size;
     const double step = dice.within(size) * std::pow(10, -static_cast<double>(dice.below(6)));
+    const double least = entries_[i].positive ? 0 : -size;
     point[i] =
-        dice.chance(0.4) ? draw_entry(entries_[i], dice) : std::clamp(point[i] + step, -size, size);
+        dice.chance(0.4) ? draw_entry(entries_[i], dice) : std::clamp(point[i] + step, least, size);
   }
   return point;
 }

@@ -43,6 +43,7 @@ class InputSpace {
     std::string name;
     double size = 0;
     bool coordinate = false;
+    bool positive = false;  ///< a step of time
   };
   /// Entries of ten inertial parameters that are inputs.
   struct Body {

@@ -23,7 +23,9 @@ std::string find_singular(const Robot& robot, const Scene& scene) {
   std::vector<std::string> names;
   for (const int j : find_massless_joints(robot)) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
-    if (!scene.locked.contains(joint.name)) names.push_back(fmt::format("\"{}\"", joint.name));
+    const bool moves_itself =
+        scene.locked.contains(joint.name) || scene.armature.contains(joint.name);
+    if (!moves_itself) names.push_back(fmt::format("\"{}\"", joint.name));
   }
   if (names.empty()) return {};
   return fmt::format("joint{} {}", names.size() > 1 ? "s" : "", fmt::join(names, ", "));
@@ -66,6 +68,15 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
           "give it mass in the URDF, lock the joint, or remove the function");
     }
   }
+}
+
+void check_implicit_friction(const SceneElement& top, const Scene& scene) {
+  const auto& functions = scene.functions;
+  if (!scene.implicit_friction ||
+      std::count(functions.begin(), functions.end(), Function::forward_dynamics) > 0) {
+    return;
+  }
+  top.error("friction is implicit, but no function takes a step", "add forward_dynamics");
 }
 
 /// What `damped_control_torque` calls.
@@ -259,6 +270,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   check_damped(top, singular, scene);
   check_forces_used(top, scene);
   check_inputs_used(top, scene);
+  check_implicit_friction(top, scene);
   check_contacts(top, robot, scene);
   check_constraints(top, robot, scene);
   check_rows(top, robot, scene);

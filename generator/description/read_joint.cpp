@@ -162,10 +162,6 @@ void read_dynamics(const UrdfElement& joint, Joint& result) {
       element->warn(fmt::format("{}={} is negative", name, value), "give a positive one",
                     Minor::form);
   }
-  if (result.damping == 0 && result.friction == 0) return;
-  element->reading().pass_over(
-      Severity::note, "joint/dynamics", element->line(), element->path(),
-      "damping and friction are no part of the generated equations of motion", "");
 }
 
 void read_mimic(const UrdfElement& joint, NamedJoint& result) {

@@ -12,6 +12,8 @@
 #include "description/parse_yaml.hpp"
 #include "description/read_armature.hpp"
 #include "description/read_constraints.hpp"
+#include "description/read_joint_friction.hpp"
+#include "description/read_joint_springs.hpp"
 #include "description/read_scene_inputs.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
@@ -183,6 +185,8 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "functions",
                                   "inputs",
                                   "armature",
+                                  "joint_friction",
+                                  "joint_springs",
                                   "language",
                                   "locked",
                                   "objects",
@@ -226,6 +230,14 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
     read_armature(armature->second, robot, scene);
   } else {
     note_unused_rotors(top, robot);
+  }
+  if (const auto friction = fields.find("joint_friction"); friction != fields.end()) {
+    read_joint_friction(friction->second, robot, scene);
+  } else {
+    note_unused_friction(top, robot);
+  }
+  if (const auto springs = fields.find("joint_springs"); springs != fields.end()) {
+    read_joint_springs(springs->second, robot, scene);
   }
   return scene;
 }

@@ -108,6 +108,19 @@ struct SceneInputs {
   }
 };
 
+/// Friction of a joint: damping qd + friction s(qd / width), where s is a smooth sign.
+struct SceneFriction {
+  double damping = 0;   ///< N m s/rad, or N s/m
+  double friction = 0;  ///< Coulomb friction, N m or N
+  double width = 0;     ///< speed within which it builds up, rad/s or m/s; positive with friction
+};
+
+/// Spring of a joint: the joint force that holds it at q is stiffness (q - rest).
+struct SceneSpring {
+  double stiffness = 0;  ///< N m/rad, or N/m
+  double rest = 0;       ///< rad or m
+};
+
 /// The effective masses beyond which a direction of the task yields near singularities: kg in rows
 /// of translation, kg m^2 in rows of rotation. See `core::damped_solve`.
 struct HeaviestMotion {
@@ -157,7 +170,10 @@ struct Scene {
   /// Joint name -> inertia that its motor's rotor adds to the joint, kg m^2 (kg for sliding
   /// joints).
   std::map<std::string, double> armature;
-  std::map<std::string, double> locked;  ///< joint name -> value it is held at
+  std::map<std::string, SceneFriction> joint_friction;  ///< by joint, where there is any
+  bool implicit_friction = false;  ///< forward dynamics takes friction at the end of a step
+  std::map<std::string, SceneSpring> joint_springs;  ///< by joint
+  std::map<std::string, double> locked;              ///< joint name -> value it is held at
 
   [[nodiscard]] bool holds_rows() const {
     return !constraints.empty() || !loops.empty() || !couplings.empty();

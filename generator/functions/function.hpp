@@ -175,7 +175,7 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      "tau = M qdd + b + g: the matrix M"},
     {Function::forward_dynamics, "forward_dynamics", FunctionGroup::robot, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::carried,
-     weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext),
+     weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::f_ext, Quantity::step),
      "qdd = M^-1 (tau - b - g + J_ext^T f_ext)"},
     {Function::lambda_inverse, "lambda_inverse", FunctionGroup::points, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,

@@ -26,6 +26,7 @@ enum class Quantity {
   xdd_object,
   drift,
   f_wanted,
+  step,
   gravity,
   payload,
   parameters,
@@ -44,6 +45,7 @@ enum class IndexSpace {
   grasp_gains,      ///< 2: damping, stiffness
   held_rows,        ///< the rows that constraints hold
   anchored_rows,    ///< those of them that are held relative to the world
+  step,             ///< 1, if the scene makes friction implicit
   gravity,          ///< 3, if the scene makes gravity an input
   payloads,         ///< 10 a payload that the scene makes an input
   parameters,       ///< 10 a link whose inertial parameters the scene makes an input
@@ -108,6 +110,8 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
      "forces that the constraints shall have, in their rows; the nearest ones that carry the "
      "motion are taken",
      "N, N m", IndexSpace::held_rows, 1000},
+    {Quantity::step, "step", "time step at whose end friction is taken, positive", "s",
+     IndexSpace::step, 0.01},
     {Quantity::gravity, "gravity", "acceleration of gravity, world axes", "m/s^2",
      IndexSpace::gravity, 20},
     {Quantity::payload, "payload",

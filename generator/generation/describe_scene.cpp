@@ -10,6 +10,7 @@
 #include "description/find_joint.hpp"
 #include "description/heaviest_rows.hpp"
 #include "description/list_rows.hpp"
+#include "generation/describe_drives.hpp"
 #include "generation/describe_inputs.hpp"
 #include "mechanism/home_of.hpp"
 
@@ -253,11 +254,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   for (const auto& [joint, value] : scene.locked) {
     context.notes.push_back(fmt::format("joint {} is locked at {}", joint, value));
   }
-  for (const auto& [joint, inertia] : scene.armature) {
-    context.notes.push_back(
-        fmt::format("a rotor adds {:.6g} {} to joint {}", inertia,
-                    info_of(find_joint(robot, joint)->type).slides() ? "kg" : "kg m^2", joint));
-  }
+  append_drive_notes(robot, scene, context.notes);
   for (const Joint& joint : robot.joints) {
     if (joint.mimic) {
       context.notes.push_back(

@@ -129,6 +129,7 @@ class Walk {
       result.effort = joint.limits->effort;
       result.velocity = joint.limits->velocity;
     }
+    result.drive = drive_of(joint.name);
     result.nv = info_of(joint.type).freedoms();
     result.nq = info_of(joint.type).positions();
     if (joint.mimic) {
@@ -139,6 +140,24 @@ class Walk {
     }
     place_[static_cast<int>(index)] = report_.joints.size();
     report_.joints.push_back(result);
+  }
+
+  [[nodiscard]] std::optional<DriveReport> drive_of(const std::string& joint) const {
+    DriveReport drive;
+    if (const auto own = scene_.armature.find(joint); own != scene_.armature.end()) {
+      drive.rotor = own->second;
+    }
+    if (const auto own = scene_.joint_friction.find(joint); own != scene_.joint_friction.end()) {
+      drive.damping = own->second.damping;
+      drive.friction = own->second.friction;
+      drive.width = drive.friction > 0 ? own->second.width : 0;
+    }
+    if (const auto own = scene_.joint_springs.find(joint); own != scene_.joint_springs.end()) {
+      drive.stiffness = own->second.stiffness;
+      drive.rest = own->second.rest;
+    }
+    const bool any = drive.rotor + drive.damping + drive.friction + drive.stiffness > 0;
+    return any ? std::optional(drive) : std::nullopt;
   }
 
   void append(JointReport& joint) {

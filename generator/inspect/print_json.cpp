@@ -39,18 +39,24 @@ Json to_json(const LinkReport& link) {
 }
 
 Json to_json(const JointReport& joint) {
-  return {{"name", joint.name},
-          {"type", joint.type},
-          {"q", joint.q},
-          {"nq", joint.nq},
-          {"v", joint.v},
-          {"nv", joint.nv},
-          {"unit", joint.unit},
-          {"lower", finite(joint.lower)},
-          {"upper", finite(joint.upper)},
-          {"effort", finite(joint.effort)},
-          {"velocity", finite(joint.velocity)},
-          {"mimics", joint.follows.empty() ? Json(nullptr) : Json(joint.follows)}};
+  Json json{{"name", joint.name},
+            {"type", joint.type},
+            {"q", joint.q},
+            {"nq", joint.nq},
+            {"v", joint.v},
+            {"nv", joint.nv},
+            {"unit", joint.unit},
+            {"lower", finite(joint.lower)},
+            {"upper", finite(joint.upper)},
+            {"effort", finite(joint.effort)},
+            {"velocity", finite(joint.velocity)},
+            {"mimics", joint.follows.empty() ? Json(nullptr) : Json(joint.follows)}};
+  if (joint.drive) {
+    json["drive"] = {{"rotor", joint.drive->rotor},         {"damping", joint.drive->damping},
+                     {"friction", joint.drive->friction},   {"width", joint.drive->width},
+                     {"stiffness", joint.drive->stiffness}, {"rest", joint.drive->rest}};
+  }
+  return json;
 }
 
 Json to_json(const PointReport& point) {

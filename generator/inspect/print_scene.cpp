@@ -148,6 +148,15 @@ std::string print_rotors(const Robot& robot) {
          "# armature: file\n";
 }
 
+std::string print_friction(const Robot& robot) {
+  const bool has_friction =
+      std::any_of(robot.joints.begin(), robot.joints.end(),
+                  [](const Joint& joint) { return joint.damping > 0 || joint.friction > 0; });
+  if (!has_friction) return {};
+  return "\n" + remark("The file states damping or friction of joints. To count it:") +
+         "# joint_friction: viscous\n";
+}
+
 std::string print_functions(const std::vector<Function>& functions) {
   std::string text = "\n";
   text += remark(
@@ -165,7 +174,7 @@ std::string print_scene(const Robot& robot, const SceneProposal& proposal, const
                         const std::vector<Function>& functions) {
   return print_head(robot, file) + print_base(proposal) + print_points(robot, proposal) +
          print_left_out(proposal) + print_locked(robot, proposal) + print_rotors(robot) +
-         print_functions(functions);
+         print_friction(robot) + print_functions(functions);
 }
 
 }  // namespace treeline

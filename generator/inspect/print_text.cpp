@@ -140,6 +140,28 @@ std::string print_joints(const Report& report) {
                  rows);
 }
 
+std::string print_drives(const Report& report) {
+  const auto shown = [](double value) { return value > 0 ? number(value) : ""; };
+  Rows rows;
+  for (const JointReport& joint : report.joints) {
+    if (!joint.drive) continue;
+    const DriveReport& own = *joint.drive;
+    rows.push_back({joint.name, shown(own.rotor), shown(own.damping), shown(own.friction),
+                    shown(own.width), shown(own.stiffness),
+                    own.stiffness > 0 ? number(own.rest) : ""});
+  }
+  if (rows.empty()) return {};
+  return section("rotors, friction and springs (SI units)",
+                 {{"joint"},
+                  {"rotor", true},
+                  {"damping", true},
+                  {"friction", true},
+                  {"within", true},
+                  {"stiffness", true},
+                  {"rest", true}},
+                 rows);
+}
+
 std::string print_points(const std::string& title, const std::vector<PointReport>& points) {
   Rows rows;
   for (const PointReport& point : points) {
@@ -215,6 +237,7 @@ std::string print_text(const Report& report) {
   std::string text = print_summary(report);
   text += print_tree(report);
   text += print_joints(report);
+  text += print_drives(report);
   text += print_inertials(report);
   text += print_points("operational points", report.operational_points);
   text += print_points("external forces", report.external_forces);

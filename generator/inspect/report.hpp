@@ -31,6 +31,12 @@ struct LinkReport {
 };
 
 /// A moving joint, in the order of q. Limits are infinite if the file sets none.
+/// What the scene puts into a joint: kg m^2, N m s/rad, N m, rad/s, N m/rad and rad, or the same of
+/// translation. What is 0 is not there.
+struct DriveReport {
+  double rotor = 0, damping = 0, friction = 0, width = 0, stiffness = 0, rest = 0;
+};
+
 struct JointReport {
   std::string name;
   std::string type;
@@ -42,6 +48,7 @@ struct JointReport {
   double effort = std::numeric_limits<double>::infinity();    ///< N m or N
   double velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
   std::string follows;                                        ///< "2 * j + 0.1" for a mimic
+  std::optional<DriveReport> drive;
 };
 
 /// An operational point, or the place of an external force.

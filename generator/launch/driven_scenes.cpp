@@ -28,6 +28,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(scene.batch > 0, "batch");
   add(scene.real == Real::float32, "real: float");
   add(scene.sin_cos == Sines::given, "sin_cos: given");
+  add(scene.implicit_friction, "implicit friction");
   add(scene.language == Language::c, "language: c");
   add(scene.target != "generic", "target");
   if (left.empty()) return;
@@ -76,6 +77,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.couplings.clear();
   control.external_forces.clear();
   control.inputs = {};
+  control.implicit_friction = false;
   control.batch = 0;
   control.real = Real::float64;
   control.sin_cos = Sines::computed;

@@ -11,7 +11,7 @@
 #include "description/noise.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
-#include "mechanism/add_rotors.hpp"
+#include "mechanism/add_drives.hpp"
 #include "mechanism/exact_from_file.hpp"
 #include "mechanism/place_inputs.hpp"
 
@@ -45,6 +45,7 @@ class Builder {
 
   Mechanism build() {
     mechanism_.gravity = scene_.gravity;
+    mechanism_.implicit_friction = scene_.implicit_friction;
     mechanism_.singular = scene_.singular;
     mechanism_.real = scene_.real;
     Place base;
@@ -72,7 +73,7 @@ class Builder {
       const Inertia& matter = mechanism_.links[static_cast<std::size_t>(frame.link)].inertia;
       mechanism_.link_matter.push_back(transformed(matter, inverse(frame.pose)));
     }
-    add_rotors(scene_.armature, mechanism_);
+    add_drives(scene_, mechanism_);
     return std::move(mechanism_);
   }
 

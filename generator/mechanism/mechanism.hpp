@@ -30,6 +30,17 @@ Inertia operator+(const Inertia& a, const Inertia& b);
 /// Rotational inertia J = tr(Sigma) 1 - Sigma about the frame's origin.
 ExactMatrix3 rotational_inertia(const Inertia& inertia);
 
+/// What sits in a joint and belongs to no link: the rotor of its motor, friction, a spring. The
+/// numbers are those that the joint's coordinate feels, see `add_drives`.
+struct JointDrive {
+  Exact inertia = 0;    ///< of the rotor, kg m^2 or kg
+  Exact damping = 0;    ///< N m s/rad or N s/m
+  Exact friction = 0;   ///< the most that Coulomb friction is, N m or N
+  Exact sharpness = 0;  ///< reciprocal of the speed within which it builds up, s/rad or s/m
+  Exact stiffness = 0;  ///< N m/rad or N/m
+  Exact rest = 0;       ///< coordinate at which the spring is slack
+};
+
 /// One degree of freedom (six for `floating`) and the link behind it. The pose of the link's frame
 /// in its parent is `seat` (the placement, RBDA's X_tree) followed by the joint's motion:
 /// Rz(angle), Tz(displacement), or (position, quaternion). angle = multiplier * q[q_index] +
@@ -44,8 +55,8 @@ struct MovingLink : JointStep {
   int v_index = 0;  ///< first velocity
   double multiplier = 1;
   Exact offset = 0;
-  bool mimics = false;    ///< shares the coordinate of the joint that it mimics
-  bool is_rotor = false;  ///< no link but the rotor of a motor, see `add_rotors`
+  bool mimics = false;  ///< shares the coordinate of the joint that it mimics
+  JointDrive drive;
   Inertia inertia;
   /// Radius of gyration about the frame's origin as in the file, of everything that the link
   /// carries; m.
@@ -155,6 +166,7 @@ struct Mechanism {
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
   MechanismInputs inputs;
+  bool implicit_friction = false;                  ///< see `Scene`
   SingularTasks singular = SingularTasks::smooth;  ///< see `Scene`
   Real real = Real::float64;                       ///< see `Scene`
   std::vector<Coordinate> coordinates;             ///< nq of them

@@ -192,6 +192,7 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::tool:
     case Quantity::drift:
     case Quantity::f_wanted:
+    case Quantity::step:
       break;
   }
   const auto found = state.others.find(quantity);
@@ -230,6 +231,10 @@ State draw_state(const StateSpace& space, int index) {
   for (const auto& [quantity, count] : space.others) {
     if (is_of_model(quantity)) {
       state.others[quantity] = draw_model(dice, space.subject.inputs, quantity, index);
+      continue;
+    }
+    if (quantity == Quantity::step) {
+      state.others[quantity] = {info_of(quantity).range * dice.unit()};
       continue;
     }
     // At rest too: a direction is none without a length.

@@ -60,10 +60,21 @@ struct Numbers {
         qdd(vector_of<Scalar>(state.qdd)),
         tau(vector_of<Scalar>(state.tau)),
         xdd_cmd(vector_of<Scalar>(state.xdd_cmd)),
-        f_ext(vector_of<Scalar>(state.f_ext)) {}
+        f_ext(vector_of<Scalar>(state.f_ext)),
+        step(vector_of<Scalar>(values_of(state, Quantity::step))) {}
 
-  Vector<Scalar> q, qd, qdd, tau, xdd_cmd, f_ext;
+  Vector<Scalar> q, qd, qdd, tau, xdd_cmd, f_ext, step;
 };
+
+template <class Scalar>
+Vector<Scalar> forward_dynamics(const Subject<Scalar>& subject, const Numbers<Scalar>& at) {
+  if (at.step.size() == 0) {
+    return interpreter::forward_dynamics<Scalar>(subject.model, at.q, at.qd, at.tau,
+                                                 subject.external, at.f_ext);
+  }
+  return interpreter::forward_dynamics_with_implicit_friction<Scalar>(
+      subject.model, at.q, at.qd, at.tau, subject.external, at.f_ext, at.step(0));
+}
 
 /// Results of functions of joints and of the whole robot.
 template <class Scalar>
@@ -82,8 +93,7 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
     case Function::mass_matrix:
       return entries_of(interpreter::mass_matrix<Scalar>(model, at.q));
     case Function::forward_dynamics:
-      return entries_of(
-          interpreter::forward_dynamics<Scalar>(model, at.q, at.qd, at.tau, external, at.f_ext));
+      return entries_of(forward_dynamics(subject, at));
     case Function::coriolis_matrix:
       return entries_of(interpreter::coriolis_matrix<Scalar>(model, at.q, at.qd));
     case Function::kinetic_energy:

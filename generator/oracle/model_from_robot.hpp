@@ -112,9 +112,22 @@ class ModelBuilder {
     if (const auto own = scene_.armature.find(joint.name); own != scene_.armature.end()) {
       body.armature = Scalar(own->second);
     }
+    add_friction_and_spring(joint.name, body);
     follow_mimics(j, body);
     body_of_joint_[j] = model_.size();
     return body;
+  }
+
+  void add_friction_and_spring(const std::string& joint, interpreter::Body<Scalar>& body) const {
+    if (const auto own = scene_.joint_friction.find(joint); own != scene_.joint_friction.end()) {
+      body.damping = Scalar(own->second.damping);
+      body.friction = Scalar(own->second.friction);
+      if (own->second.friction > 0) body.slip_speed = Scalar(own->second.width);
+    }
+    if (const auto own = scene_.joint_springs.find(joint); own != scene_.joint_springs.end()) {
+      body.stiffness = Scalar(own->second.stiffness);
+      body.rest = Scalar(own->second.rest);
+    }
   }
 
   /// Composes the chain of mimic tags from joint `j` to the joint at its end, which is no mimic or

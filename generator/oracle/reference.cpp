@@ -30,6 +30,7 @@ bool is_member(Quantity quantity) {
     case IndexSpace::tools:
     case IndexSpace::held_rows:
     case IndexSpace::anchored_rows:
+    case IndexSpace::step:
       break;
   }
   return false;

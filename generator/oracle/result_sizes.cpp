@@ -208,10 +208,26 @@ const ConstraintSizes& ResultSizes::of_constraints(Function function) const {
   return function == Function::supported_control_torque ? *supported_ : *constrained_;
 }
 
-/// M^-1| (|tau| + sizes of inverse dynamics at the resulting qdd).
+/// M^-1| (|tau| + sizes of inverse dynamics at the resulting qdd). Where friction is implicit, with
+/// M + step D in place of M.
 Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) const {
-  return M_inverse_ *
-         (vector_of<double>(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext));
+  Eigen::VectorXd forces =
+      vector_of<double>(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext);
+  const std::vector<double>& step = values_of(state_, Quantity::step);
+  if (step.empty()) return M_inverse_ * forces;
+  const Eigen::VectorXd q = vector_of<double>(state_.q);
+  const Eigen::MatrixXd added = step.front() * interpreter::friction_slopes<double>(
+                                                   subject_.model, q, vector_of<double>(state_.qd));
+  forces += added * vector_of<double>(qdd).cwiseAbs();
+  const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject_.model, q) + added;
+  return inverse(M).cwiseAbs() * forces;
+}
+
+/// Those of velocities and of friction.
+Eigen::MatrixXd ResultSizes::forces_by_velocity() const {
+  Eigen::MatrixXd sizes = terms_.forces_by_velocity(state_.qd);
+  sizes.diagonal() += terms_.friction_slopes();
+  return sizes;
 }
 
 /// J| |M^-1| |J|^T.
@@ -256,7 +272,7 @@ Eigen::MatrixXd ResultSizes::null_space_projector(const Eigen::MatrixXd& Lambda)
 
 Eigen::VectorXd ResultSizes::operational_bias_force(const Eigen::MatrixXd& Lambda) const {
   Subject<double> weightless = subject_;
-  weightless.model.gravity.setZero();
+  weightless.model = interpreter::without_gravity<double>(weightless.model);
   const std::vector<double> none(state_.qd.size(), 0);
   const Eigen::VectorXd b = TermSizes(weightless, state_.q).forces(state_.qd, none, {});
   return lambda(Lambda) * (terms_.jacobian() * (M_inverse_ * b) + terms_.bias(state_.qd));
@@ -269,7 +285,7 @@ Eigen::VectorXd ResultSizes::operational_gravity(const Eigen::MatrixXd& Lambda) 
 
 std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {
   return joined({terms_.forces_by_displacement(state_.qd, state_.qdd, state_.f_ext),
-                 terms_.forces_by_velocity(state_.qd), terms_.mass_matrix()});
+                 forces_by_velocity(), terms_.mass_matrix()});
 }
 
 /// W times the sizes of inverse dynamics at a qdd of the size of its terms. W_ij = sqrt(|M^-1|_ii
@@ -283,7 +299,7 @@ std::vector<double> ResultSizes::forward_dynamics_derivatives() const {
   const Eigen::VectorXd d = M_inverse_.diagonal().cwiseSqrt();
   const Eigen::MatrixXd W = d * d.transpose();
   return joined({W * terms_.forces_by_displacement(state_.qd, qdd, state_.f_ext),
-                 W * terms_.forces_by_velocity(state_.qd), W});
+                 W * forces_by_velocity(), W});
 }
 
 }  // namespace treeline

@@ -35,6 +35,7 @@ class ResultSizes {
  private:
   [[nodiscard]] const ConstraintSizes& of_constraints(Function function) const;
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
+  [[nodiscard]] Eigen::MatrixXd forces_by_velocity() const;
   [[nodiscard]] Eigen::MatrixXd lambda_inverse() const;
   [[nodiscard]] static Eigen::MatrixXd lambda(const Eigen::MatrixXd& Lambda);
   /// Scales of `control_torque`. `Lambda` has the magnitudes of the matrix that turns the task's

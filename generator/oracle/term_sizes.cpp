@@ -26,6 +26,10 @@ double displacement(const interpreter::Body<double>& body, const std::vector<dou
   return sum;
 }
 
+double displacement_of_spring(const interpreter::Body<double>& body, const std::vector<double>& q) {
+  return std::abs(body.multiplier * q[at(body.q)]) + std::abs(body.offset) + std::abs(body.rest);
+}
+
 /// Norm of the rotational inertia about the centre of mass.
 double central_inertia(const interpreter::Body<double>& body) {
   const auto C = interpreter::cross_matrix(body.com);
@@ -43,10 +47,26 @@ std::vector<RotorSize> rotor(const interpreter::Body<double>& body) {
   return {{body.v, body.multiplier * body.multiplier * body.armature}};
 }
 
+/// Of friction and a spring, as the coordinate feels them: the joint forces, and their derivatives.
+struct JointSizes {
+  double friction = 0, spring = 0, friction_slope = 0, energy = 0;
+};
+
+JointSizes joint_sizes(const interpreter::Body<double>& body, const std::vector<double>& q,
+                       const std::vector<double>& qd) {
+  if (interpreter::velocity_count(body.kind) != 1) return {};
+  const double m = std::abs(body.multiplier);
+  const double rate = m * std::abs(qd[at(body.v)]);
+  const double stretch = displacement_of_spring(body, q);
+  return {m * (body.damping * rate + body.friction * std::min(1.0, rate / body.slip_speed)),
+          m * body.stiffness * stretch, m * m * (body.damping + body.friction / body.slip_speed),
+          body.stiffness * stretch * stretch / 2};
+}
+
 }  // namespace
 
 TermSizes::TermSizes(const Subject<double>& subject, const std::vector<double>& q)
-    : subject_(subject) {
+    : subject_(subject), q_(q) {
   for (const auto& body : subject.model.bodies) {
     lengths_.push_back(body.p_parent_joint.norm() + displacement(body, q));
     longest_ = std::max({longest_, body.p_parent_joint.norm(), body.com.norm()});
@@ -129,6 +149,8 @@ Eigen::VectorXd TermSizes::forces(const std::vector<double>& qd, const std::vect
     add(own, body.mass * (of.a + model.gravity.norm()),
         central_inertia(body) * (of.alpha + of.w * of.w));
     for (const auto& [v, armature] : rotor(body)) tau(v) += armature * std::abs(qdd[at(v)]);
+    const JointSizes joint = joint_sizes(body, q_, qd);
+    if (joint.friction + joint.spring > 0) tau(body.v) += joint.friction + joint.spring;
   }
   for (std::size_t e = 0; 6 * e < f_ext.size(); ++e) {
     const auto& point = subject_.external[e];
@@ -159,6 +181,9 @@ Eigen::MatrixXd TermSizes::forces_by_displacement(const std::vector<double>& qd,
     const double turning = of.alpha + of.w * of.w;
     add(own, body.mass * (of.a + model.gravity.norm()), central_inertia(body) * turning,
         body.mass * turning);
+    if (body.stiffness > 0) {
+      sizes(body.v, body.v) += body.multiplier * body.multiplier * body.stiffness;
+    }
   }
   for (std::size_t e = 0; 6 * e < f_ext.size(); ++e) {
     const auto& point = subject_.external[e];
@@ -188,6 +213,17 @@ Eigen::MatrixXd TermSizes::forces_by_velocity(const std::vector<double>& qd) con
   return sizes;
 }
 
+Eigen::VectorXd TermSizes::friction_slopes() const {
+  const auto& model = subject_.model;
+  const std::vector<double> none(at(model.nv), 0);
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(model.nv);
+  for (const auto& body : model.bodies) {
+    const double slope = joint_sizes(body, q_, none).friction_slope;
+    if (slope > 0) sizes(body.v) += slope;
+  }
+  return sizes;
+}
+
 double TermSizes::kinetic_energy(const std::vector<double>& qd) const {
   const auto& model = subject_.model;
   const std::vector<double> none(qd.size(), 0);
@@ -202,7 +238,10 @@ double TermSizes::kinetic_energy(const std::vector<double>& qd) const {
 }
 
 double TermSizes::potential_energy() const {
-  return subject_.model.gravity.norm() * first_moment();
+  const std::vector<double> none(at(subject_.model.nv), 0);
+  double energy = subject_.model.gravity.norm() * first_moment();
+  for (const auto& body : subject_.model.bodies) energy += joint_sizes(body, q_, none).energy;
+  return energy;
 }
 
 Eigen::MatrixXd TermSizes::jacobian() const {

@@ -21,7 +21,7 @@ class TermSizes {
   /// Sizes of M: sum over bodies of m l_i l_j + |I|. nv x nv.
   [[nodiscard]] Eigen::MatrixXd mass_matrix() const;
   /// Sizes of M qdd + b + g - J_ext^T f_ext: sum over bodies of l m |a| + |I| |alpha|, plus those
-  /// of the external forces if `f_ext` is not empty. nv.
+  /// of friction and springs, and of the external forces if `f_ext` is not empty. nv.
   [[nodiscard]] Eigen::VectorXd forces(const std::vector<double>& qd,
                                        const std::vector<double>& qdd,
                                        const std::vector<double>& f_ext) const;
@@ -33,9 +33,12 @@ class TermSizes {
   /// Sizes of the derivatives of `forces` with respect to velocities: l m 2 (|w| l' + |v|) + |I| 2
   /// |w|. nv x nv.
   [[nodiscard]] Eigen::MatrixXd forces_by_velocity(const std::vector<double>& qd) const;
+  /// Largest slopes of friction over the velocities of joints. nv.
+  [[nodiscard]] Eigen::VectorXd friction_slopes() const;
   /// Size of the kinetic energy: sum over bodies of (m |v|^2 + |I| |w|^2) / 2.
   [[nodiscard]] double kinetic_energy(const std::vector<double>& qd) const;
-  /// Size of the potential energy: gravity times the masses and the lengths of the paths to them.
+  /// Size of the potential energy: gravity times the masses and the lengths of the paths to them,
+  /// and that of springs.
   [[nodiscard]] double potential_energy() const;
   /// Sizes of J, controlled rows x nv: l in translational rows, 1 in rotational ones.
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
@@ -83,6 +86,7 @@ class TermSizes {
                               const std::vector<double>& qdd) const;
 
   const Subject<double>& subject_;
+  std::vector<double> q_;
   std::vector<double> lengths_;  ///< by body: path from its parent's origin to its own, m
   double longest_ = 0;           ///< largest offset of a joint or a centre of mass, m
 };

@@ -34,36 +34,41 @@ ArticulatedInertia<Scalar> operator+(const ArticulatedInertia<Scalar>& a,
       a.A + b.A, {a.B.row_x + b.B.row_x, a.B.row_y + b.B.row_y, a.B.row_z + b.B.row_z}, a.C + b.C};
 }
 
-/// U = IA S, D = S^T U and u = U / D of a joint of one degree of freedom.
+/// U = IA S, D = S^T U + rotor and u = U / D of a joint of one degree of freedom, whose rotor has
+/// this inertia. `held` = rotor / D is the share of a force along the joint that the rotor's
+/// inertia resists, so that the joint passes it on: 0 without a rotor, and then u is 1 along the
+/// joint.
 template <class Scalar>
 struct JointProjection {
   Wrench<Scalar> U;
   Wrench<Scalar> u;
   Scalar inverse_D{};
+  Scalar held{};
 };
 
 template <class Scalar>
-JointProjection<Scalar> joint_projection(JointKind kind, const ArticulatedInertia<Scalar>& I) {
+JointProjection<Scalar> joint_projection(JointKind kind, const ArticulatedInertia<Scalar>& I,
+                                         const Scalar& rotor) {
   JointProjection<Scalar> joint;
   switch (kind) {
     case JointKind::revolute:
       joint.U = {{I.B.row_x.z, I.B.row_y.z, I.B.row_z.z}, {I.C.xz, I.C.yz, I.C.zz}};
-      joint.inverse_D = Scalar(1.0) / I.C.zz;
       break;
     case JointKind::prismatic:
       joint.U = {{I.A.xz, I.A.yz, I.A.zz}, I.B.row_z};
-      joint.inverse_D = Scalar(1.0) / I.A.zz;
       break;
     case JointKind::floating:
       return joint;
   }
+  joint.inverse_D = Scalar(1.0) / (along_axis(kind, joint.U.f, joint.U.n) + rotor);
   joint.u = {joint.U.f * joint.inverse_D, joint.U.n * joint.inverse_D};
-  along_axis(kind, joint.u.f, joint.u.n) = Scalar(1.0);
+  joint.held = rotor * joint.inverse_D;
+  if (rotor == Scalar(0.0)) along_axis(kind, joint.u.f, joint.u.n) = Scalar(1.0);
   return joint;
 }
 
-/// IA - U D^-1 U^T, the inertia that the joint passes on. The joint's own row and column cancel;
-/// they are left out as exact zeros.
+/// IA - U D^-1 U^T, the inertia that the joint passes on. Of the joint's own row and column the
+/// share is left that the rotor holds; without a rotor they are exact zeros.
 template <class Scalar>
 ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInertia<Scalar>& I,
                                          const JointProjection<Scalar>& joint) {
@@ -74,13 +79,19 @@ ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInerti
   switch (kind) {
     case JointKind::revolute:
       U.n.z = u.n.z = zero;
-      left.B.row_x.z = left.B.row_y.z = left.B.row_z.z = zero;
-      left.C.xz = left.C.yz = left.C.zz = zero;
+      left.B.row_x.z = left.B.row_x.z * joint.held;
+      left.B.row_y.z = left.B.row_y.z * joint.held;
+      left.B.row_z.z = left.B.row_z.z * joint.held;
+      left.C.xz = left.C.xz * joint.held;
+      left.C.yz = left.C.yz * joint.held;
+      left.C.zz = left.C.zz * joint.held;
       break;
     case JointKind::prismatic:
       U.f.z = u.f.z = zero;
-      left.A.xz = left.A.yz = left.A.zz = zero;
-      left.B.row_z = {zero, zero, zero};
+      left.A.xz = left.A.xz * joint.held;
+      left.A.yz = left.A.yz * joint.held;
+      left.A.zz = left.A.zz * joint.held;
+      left.B.row_z = left.B.row_z * joint.held;
       break;
     case JointKind::floating:  // passes no inertia
       return {};
@@ -177,7 +188,7 @@ ArticulatedTree<Scalar> articulate(const Tree<Scalar>& tree,
       result.floating[i] = factor_ldlt(dense(IA[i]));
       continue;
     }
-    result.joints[i] = joint_projection(link.kind, IA[i]);
+    result.joints[i] = joint_projection(link.kind, IA[i], link.drive.inertia);
     label(result.joints[i].inverse_D, "inverse_D", i);
     if (link.parent >= 0) {
       auto& parent = IA[static_cast<std::size_t>(link.parent)];

@@ -33,7 +33,7 @@ int link_with_all_matter(const Tree<Scalar>& tree) {
   while (true) {
     int next = -1;
     for (std::size_t i = 0; i < tree.links.size(); ++i) {
-      if (tree.links[i].parent != all || tree.links[i].is_rotor) continue;
+      if (tree.links[i].parent != all) continue;
       if (next >= 0) return all;
       next = static_cast<int>(i);
     }
@@ -77,7 +77,7 @@ std::vector<Vector3<Scalar>> centers_seen_from_links(const Tree<Scalar>& tree,
   }
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink<Scalar>& link = tree.links[i];
-    if (seen[i] || link.is_rotor) continue;
+    if (seen[i]) continue;
     section(link, i, "centre of mass");
     const Vector3<Scalar>& parent =
         link.parent < 0 ? world : centers[static_cast<std::size_t>(link.parent)];
@@ -111,7 +111,6 @@ DenseMatrix<Scalar> centroidal_momentum_matrix(const Tree<Scalar>& tree,
   DenseMatrix<Scalar> A(6, static_cast<std::size_t>(tree.nv));
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink<Scalar>& link = tree.links[i];
-    if (link.is_rotor) continue;
     section(link, i, "momentum");
     for (int k = 0; k < link.velocities(); ++k) {
       const Wrench<Scalar> own = unit_acceleration_wrench(link, composites[i], k);
@@ -140,7 +139,7 @@ Wrench<Scalar> sum_about_center(const Tree<Scalar>& tree,
   Wrench<Scalar> sum;
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
-    if (link.is_rotor || static_cast<int>(i) == from) continue;
+    if (static_cast<int>(i) == from) continue;
     section(link, i, "inward");
     Wrench<Scalar>& parent =
         link.parent < 0 ? sum : wrenches[static_cast<std::size_t>(link.parent)];

@@ -207,7 +207,9 @@ std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
       wrench = wrench + wrench_at(at_point.f, at_point.n, task.r);
     }
   }
-  return inward_forces(tree, X, std::move(wrenches));
+  auto tau = inward_forces(tree, X, std::move(wrenches));
+  add_drive_forces(tree, X, inputs.rates, tau);
+  return tau;
 }
 
 }  // namespace treeline

@@ -73,6 +73,8 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
       return mechanism.anchored_rows();
     case IndexSpace::grasp_gains:
       return 2;
+    case IndexSpace::step:
+      return mechanism.implicit_friction ? 1 : 0;
     case IndexSpace::gravity:
       return mechanism.inputs.gravity ? 3 : 0;
     case IndexSpace::payloads:

@@ -45,28 +45,37 @@ Mobility<Scalar> to_child(const JointTransform<Scalar>& X, const Mobility<Scalar
 }
 
 /// Omega = L^T N L + S D^-1 S^T of the link beyond a joint, with N = X^T Omega_h X. Only the
-/// joint's own row and column change. With u = U D^-1 without its own entry, which is one, they
-/// become -N u and D^-1 + u^T N u; the entries that N had there drop out.
+/// joint's own row and column n change. With u = U D^-1 without its own entry, which is 1 - held,
+/// they become held n - N u and D^-1 + u^T N u + held (held n - 2 N u); without a rotor the entries
+/// that N had there drop out.
 template <class Scalar>
 Mobility<Scalar> through_joint(JointKind kind, const JointProjection<Scalar>& joint,
                                Mobility<Scalar> N) {
   Wrench<Scalar> u = joint.u;
   along_axis(kind, u.f, u.n) = Scalar(0.0);
   const Twist<Scalar> Nu = N * u;
+  const auto change = [&held = joint.held](Scalar& entry, const Scalar& moved) {
+    entry = held * entry - moved;
+  };
+  const auto change_own = [&](Scalar& entry, const Scalar& moved) {
+    entry = joint.inverse_D + dot(u, Nu) + joint.held * (joint.held * entry - Scalar(2.0) * moved);
+  };
   switch (kind) {
     case JointKind::revolute:
-      N.B.row_x.z = -Nu.v.x;
-      N.B.row_y.z = -Nu.v.y;
-      N.B.row_z.z = -Nu.v.z;
-      N.C.xz = -Nu.w.x;
-      N.C.yz = -Nu.w.y;
-      N.C.zz = joint.inverse_D + dot(u, Nu);
+      change(N.B.row_x.z, Nu.v.x);
+      change(N.B.row_y.z, Nu.v.y);
+      change(N.B.row_z.z, Nu.v.z);
+      change(N.C.xz, Nu.w.x);
+      change(N.C.yz, Nu.w.y);
+      change_own(N.C.zz, Nu.w.z);
       break;
     case JointKind::prismatic:
-      N.A.xz = -Nu.v.x;
-      N.A.yz = -Nu.v.y;
-      N.A.zz = joint.inverse_D + dot(u, Nu);
-      N.B.row_z = -Nu.w;
+      change(N.A.xz, Nu.v.x);
+      change(N.A.yz, Nu.v.y);
+      change_own(N.A.zz, Nu.v.z);
+      change(N.B.row_z.x, Nu.w.x);
+      change(N.B.row_z.y, Nu.w.y);
+      change(N.B.row_z.z, Nu.w.z);
       break;
     case JointKind::floating:  // has an Omega of its own, see `propagate_mobilities`
       break;

@@ -88,7 +88,8 @@ std::vector<Scalar> solve_articulated(const Tree<Scalar>& tree,
       force[at] = force[at] - own;
       const JointProjection<Scalar>& joint = bodies.joints[i];
       felt = pA[i] + Wrench<Scalar>{joint.u.f * force[at], joint.u.n * force[at]};
-      along_axis(link.kind, felt.f, felt.n) = forces[at];  // own + (force - own)
+      // own + (1 - held) (force - own)
+      along_axis(link.kind, felt.f, felt.n) = forces[at] - joint.held * force[at];
     }
     if (link.parent >= 0) {
       auto& parent = pA[static_cast<std::size_t>(link.parent)];

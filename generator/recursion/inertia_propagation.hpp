@@ -50,8 +50,8 @@ ArticulatedInertia<Scalar> propagated_inertia(const Tree<Scalar>& tree,
     if (!on_path[i] && link.parent >= 0 && !link.is_floating()) {
       section(link, i, "articulated inertia");
       auto& parent = I[static_cast<std::size_t>(link.parent)];
-      parent = parent +
-               to_parent(X[i], without_joint(link.kind, I[i], joint_projection(link.kind, I[i])));
+      const auto joint = joint_projection(link.kind, I[i], link.drive.inertia);
+      parent = parent + to_parent(X[i], without_joint(link.kind, I[i], joint));
     }
   }
   ArticulatedInertia<Scalar> Lambda;
@@ -67,7 +67,8 @@ ArticulatedInertia<Scalar> propagated_inertia(const Tree<Scalar>& tree,
       felt = true;
     } else if (felt) {
       const ArticulatedInertia<Scalar> N = to_child(X[i], Lambda);
-      Lambda = I[i] + without_joint(link.kind, N, joint_projection(link.kind, N));
+      const auto joint = joint_projection(link.kind, N, link.drive.inertia);
+      Lambda = I[i] + without_joint(link.kind, N, joint);
     }
   }
   return Lambda;

@@ -112,7 +112,8 @@ std::vector<Wrench<Scalar>> inertial_wrenches(const Tree<Scalar>& tree,
 }
 
 /// tau = M qdd + b + g - J_ext^T f_ext by the recursive Newton-Euler algorithm (Chang table 4.1).
-/// `applied` are the external wrenches on each link; empty: none.
+/// Friction is part of b, springs are part of g. `applied` are the external wrenches on each link;
+/// empty: none.
 template <class Scalar>
 std::vector<Scalar> inverse_dynamics(const Tree<Scalar>& tree,
                                      const std::vector<JointTransform<Scalar>>& X,
@@ -123,7 +124,9 @@ std::vector<Scalar> inverse_dynamics(const Tree<Scalar>& tree,
   for (std::size_t i = 0; i < applied.size(); ++i) {
     wrenches[i] = wrenches[i] - applied[i];
   }
-  return inward_forces(tree, X, std::move(wrenches));
+  auto tau = inward_forces(tree, X, std::move(wrenches));
+  add_drive_forces(tree, X, rates, tau);
+  return tau;
 }
 
 }  // namespace treeline

@@ -260,6 +260,16 @@ class DerivativeEntries {
     add(results_.dqdd, j, i, inertia);
   }
 
+  /// Adds what the joint's own rotor, friction and spring contribute to the diagonals.
+  void add_drive(const TreeLink<Scalar>& link, const JointRates<Scalar>& rates) {
+    const auto at = static_cast<std::size_t>(link.v_index);
+    add(results_.dq, at, at, link.drive.stiffness);
+    add(results_.dqdd, at, at, link.drive.inertia);
+    if (has_friction(link.drive)) {
+      add(results_.dqd, at, at, friction_slope<Scalar>(link.drive, rates.velocity(at)));
+    }
+  }
+
   [[nodiscard]] const ForceDerivatives<Scalar>& results() const { return results_; }
 
  private:
@@ -360,6 +370,7 @@ ForceDerivatives<Scalar> inverse_dynamics_derivatives(const Tree<Scalar>& tree,
       own.back().way = joints_before(tree, i);
     }
     entries.add_own(freedoms, own);
+    entries.add_drive(link, rates);
     if (link.parent < 0) {
       continue;
     }

@@ -17,6 +17,7 @@ struct JointTransform {
   bool general = false;  ///< `Q` is used instead of `turn`
   Matrix3<Scalar> Q;
   Vector3<Scalar> p;  ///< in the parent's axes
+  Scalar q{};         ///< the joint's coordinate, if it has one
 
   [[nodiscard]] Vector3<Scalar> to_parent(const Vector3<Scalar>& v) const {
     return rotate(R, general ? Q * v : rotate_z(turn, v));
@@ -109,6 +110,7 @@ JointTransform<Scalar> joint_transform(const TreeLink<Scalar>& link, std::span<c
     X.p = X.p + rotate(X.R, Vector3<Scalar>{q[at], q[at + 1], q[at + 2]});
     return X;
   }
+  X.q = q[at];
   const Scalar displacement = link.multiplier * q[at] + link.offset;
   if (link.turns_by_angle()) {
     const Scalar s = sin(displacement);

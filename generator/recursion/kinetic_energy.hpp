@@ -23,6 +23,8 @@ Scalar kinetic_energy(const Tree<Scalar>& tree, const std::vector<JointTransform
     const Vector3<Scalar>& w = velocities[i].w;
     const Vector3<Scalar> momentum = v * inertia.mass + cross(w, inertia.h * Scalar(2.0));
     twice = twice + (dot(v, momentum) + dot(w, inertia.J * w));
+    const Scalar& rate = qd[static_cast<std::size_t>(link.v_index)];
+    twice = twice + link.drive.inertia * rate * rate;
   }
   return Scalar(0.5) * twice;
 }

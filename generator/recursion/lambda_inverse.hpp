@@ -76,13 +76,13 @@ void absorb_in_floating_joint(const LdltFactor<Scalar>& IA,
 }
 
 /// The part K - U D^-1 (S^T K) of a force that the joint passes on. Its component along the joint
-/// is an exact zero.
+/// is what the rotor holds, without a rotor an exact zero.
 template <class Scalar>
 Wrench<Scalar> without_work(JointKind kind, const JointProjection<Scalar>& joint,
                             const Wrench<Scalar>& K) {
   const Scalar work = along_axis(kind, K.f, K.n);
   Wrench<Scalar> left = K - Wrench<Scalar>{joint.u.f * work, joint.u.n * work};
-  along_axis(kind, left.f, left.n) = Scalar(0.0);
+  along_axis(kind, left.f, left.n) = joint.held * work;
   return left;
 }
 

@@ -27,11 +27,25 @@ TreeInertia<Expression> lift(const TreeInertia<double>& inertia) {
   return {inertia.mass, lift(inertia.h), lift(inertia.Sigma), lift(inertia.J)};
 }
 
+TreeDrive<Expression> lift(const TreeDrive<double>& drive) {
+  return {drive.inertia,   drive.damping,   drive.friction,
+          drive.sharpness, drive.stiffness, drive.rest};
+}
+
 TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choices) {
-  return {link,         link.name,          link.parent,        link.q_index,
-          link.v_index, link.multiplier,    link.offset,        lift(link.R),
-          lift(link.p), lift(link.inertia), choices.turns_late, choices.carries_column,
-          link.is_rotor};
+  return {link,
+          link.name,
+          link.parent,
+          link.q_index,
+          link.v_index,
+          link.multiplier,
+          link.offset,
+          lift(link.R),
+          lift(link.p),
+          lift(link.inertia),
+          choices.turns_late,
+          choices.carries_column,
+          lift(link.drive)};
 }
 
 std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<double>>& points) {

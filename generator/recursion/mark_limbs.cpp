@@ -33,6 +33,11 @@ Constants constants_of(TreeLink<Expression>& link) {
   append(link.inertia.h, constants);
   append(link.inertia.Sigma, constants);
   append(link.inertia.J, constants);
+  TreeDrive<Expression>& drive = link.drive;
+  for (Expression* constant : {&drive.inertia, &drive.damping, &drive.friction, &drive.sharpness,
+                               &drive.stiffness, &drive.rest}) {
+    constants.push_back(constant);
+  }
   return constants;
 }
 

@@ -90,7 +90,7 @@ void add_mass_entries(const TreeLink<Scalar>& ancestor, const Wrench<Scalar>& wr
 }
 
 /// M by the composite-rigid-body algorithm (RBDA table 6.2): nv x nv, symmetric. A coordinate that
-/// several joints share collects the terms of all of them.
+/// several joints share collects the terms of all of them. Rotors add to the diagonal.
 template <class Scalar>
 DenseMatrix<Scalar> mass_matrix(const Tree<Scalar>& tree,
                                 const std::vector<JointTransform<Scalar>>& X) {
@@ -119,6 +119,10 @@ DenseMatrix<Scalar> mass_matrix(const Tree<Scalar>& tree,
         j = static_cast<std::size_t>(ancestor.parent);
       }
     }
+  }
+  for (const TreeLink<Scalar>& link : tree.links) {
+    const auto at = static_cast<std::size_t>(link.v_index);
+    M(at, at) = M(at, at) + link.drive.inertia;
   }
   return M;
 }

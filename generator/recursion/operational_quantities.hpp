@@ -100,8 +100,9 @@ std::vector<Scalar> operational_bias_force(const Tree<Scalar>& tree,
                                            const LambdaChoice& choice, std::size_t rows,
                                            const PivotRule& rule, std::span<const Scalar> qd) {
   const auto motions = outward_motion<Scalar>(tree, X, {qd, {}}, Vector3<Scalar>{});
-  return force_against_motion<Scalar>(tree, X, choice, rows, rule, qd,
-                                      inward_forces(tree, X, inertial_wrenches(tree, motions)));
+  auto b = inward_forces(tree, X, inertial_wrenches(tree, motions));
+  add_rotor_and_friction_forces<Scalar>(tree, {qd, {}}, b);
+  return force_against_motion<Scalar>(tree, X, choice, rows, rule, qd, std::move(b));
 }
 
 /// p = Jbar^T g: the task forces that hold the task against gravity.

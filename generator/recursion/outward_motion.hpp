@@ -1,9 +1,8 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "recursion/joint_transform.hpp"
+#include "recursion/joint_drive.hpp"
 
 namespace treeline {
 
@@ -40,16 +39,6 @@ struct LinkMotion {
   AngularMatrix<Scalar> U;
   /// Angular velocity of the link that carries the joint, as a whole, by which this link moves.
   Vector3<Scalar> w_carrier;
-};
-
-/// Rates for a pass: qd and qdd with nv entries each. An empty span means zero.
-template <class Scalar>
-struct JointRates {
-  std::span<const Scalar> qd, qdd;
-  [[nodiscard]] Scalar velocity(std::size_t i) const { return qd.empty() ? Scalar(0.0) : qd[i]; }
-  [[nodiscard]] Scalar acceleration(std::size_t i) const {
-    return qdd.empty() ? Scalar(0.0) : qdd[i];
-  }
 };
 
 template <class Scalar>

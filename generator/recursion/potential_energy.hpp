@@ -7,8 +7,8 @@
 namespace treeline {
 
 /// -sum of m g.c over all links, J, zero where all mass is at the world's origin: the first moments
-/// carried inward, and gravity along that of the whole robot. As with the centre of mass, regrouped
-/// inertias give what those of the file do.
+/// carried inward, and gravity along that of the whole robot, and that of springs. As with the
+/// centre of mass, regrouped inertias give what those of the file do.
 template <class Scalar>
 Scalar potential_energy(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X) {
   std::vector<Scalar> masses;
@@ -30,7 +30,14 @@ Scalar potential_energy(const Tree<Scalar>& tree, const std::vector<JointTransfo
     masses[parent] = masses[parent] + masses[i];
     moments[parent] = moments[parent] + moved;
   }
-  return -dot(tree.gravity, whole);
+  Scalar energy = -dot(tree.gravity, whole);
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeDrive<Scalar>& drive = tree.links[i].drive;
+    if (drive.stiffness == Scalar(0.0)) continue;
+    const Scalar stretch = X[i].q - drive.rest;
+    energy = energy + Scalar(0.5) * drive.stiffness * stretch * stretch;
+  }
+  return energy;
 }
 
 }  // namespace treeline

@@ -143,6 +143,7 @@ SupportedRows<Scalar> supported_rows(const Tree<Scalar>& tree,
     wrenches[i] = wrenches[i] - inputs.applied[i];
   }
   rows.gamma = inward_forces(tree, X, std::move(wrenches));
+  add_drive_forces(tree, X, inputs.rates, rows.gamma);
   for (const int v : passive) rows.balance.push_back(rows.gamma[static_cast<std::size_t>(v)]);
   return rows;
 }

@@ -23,6 +23,12 @@ struct TreeInertia {
   Symmetric3<Scalar> J;      ///< rotational inertia about the frame's origin
 };
 
+/// What sits in a joint, see `JointDrive`.
+template <class Scalar>
+struct TreeDrive {
+  Scalar inertia{}, damping{}, friction{}, sharpness{}, stiffness{}, rest{};
+};
+
 template <class Scalar>
 struct TreeLink : JointStep {
   std::string name;
@@ -33,7 +39,7 @@ struct TreeLink : JointStep {
   Vector3<Scalar> p;   ///< origin of the placement, in the parent's axes
   TreeInertia<Scalar> inertia;
   bool turns_late = false, carries_column = false;  ///< see `MovingLink`
-  bool is_rotor = false;                            ///< see `MovingLink`
+  TreeDrive<Scalar> drive;
 };
 
 template <class Scalar>
@@ -125,6 +131,13 @@ Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
 }
 
 template <class Scalar>
+TreeDrive<Scalar> tree_drive(const JointDrive& drive) {
+  return {rounded<Scalar>(drive.inertia),   rounded<Scalar>(drive.damping),
+          rounded<Scalar>(drive.friction),  rounded<Scalar>(drive.sharpness),
+          rounded<Scalar>(drive.stiffness), rounded<Scalar>(drive.rest)};
+}
+
+template <class Scalar>
 TreePoint<Scalar> tree_point(const MechanismPoint& point) {
   return {point.name,
           point.link,
@@ -156,7 +169,7 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
           rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
          link.turns_late,
          link.carries_column,
-         link.is_rotor});
+         tree_drive<Scalar>(link.drive)});
   }
   for (const MechanismPoint& point : mechanism.operational_points) {
     tree.operational_points.push_back(tree_point<Scalar>(point));

@@ -27,12 +27,6 @@ Vector<Scalar> felt_at_points(const Model<Scalar>& weightless, const Points<Scal
                    forward_dynamics<Scalar>(weightless, q, rest, tau));
 }
 
-template <class Scalar>
-Model<Scalar> without_gravity(Model<Scalar> model) {
-  model.gravity.setZero();
-  return model;
-}
-
 }  // namespace detail
 
 /// Sums the objects' own terms and C^T (...) C over the robots (Chang eq. 7.2, 7.6, 7.7; for
@@ -56,7 +50,7 @@ AugmentedObject<Scalar> augmented_object(const ClosedChain<Scalar>& chain, PerRo
   for (std::size_t r = 0; r < chain.robots.size(); ++r) {
     const auto points = object_points(chain, static_cast<int>(r));
     if (points.empty()) continue;
-    const Model<Scalar> weightless = detail::without_gravity(chain.robots[r]);
+    const Model<Scalar> weightless = without_gravity<Scalar>(chain.robots[r]);
     const Matrix<Scalar> C = connectivity(chain, static_cast<int>(r));
     const Matrix<Scalar> Lambda = lambda<Scalar>(weightless, points, q[r]);
     const Vector<Scalar> b = nonlinear_effects<Scalar>(weightless, q[r], qd[r]);

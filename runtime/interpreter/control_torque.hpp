@@ -47,7 +47,8 @@ Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> poin
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
   add_point_forces<Scalar>(external_points, k, f_ext, external);
   add_point_forces<Scalar>(points, k, -F, external);
-  return detail::newton_euler<Scalar>(model, k, qdd_0, external);
+  return detail::newton_euler<Scalar>(model, k, qdd_0, external) +
+         joint_forces<Scalar>(model, q, qd);
 }
 
 /// Control torque with the task law `law`. If the law has pivots, tau = M qdd + b + g - J_ext^T
@@ -73,7 +74,8 @@ Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> poin
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
   add_point_forces<Scalar>(external_points, k, f_ext, external);
   add_point_forces<Scalar>(points, k, -F, external);
-  return detail::newton_euler<Scalar>(model, k, qdd_0, external);
+  return detail::newton_euler<Scalar>(model, k, qdd_0, external) +
+         joint_forces<Scalar>(model, q, qd);
 }
 
 /// Control torque without external forces.

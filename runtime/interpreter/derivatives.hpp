@@ -70,6 +70,20 @@ DynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Model<Scalar>& mo
   return result;
 }
 
+/// Derivative of friction with respect to qd, nv x nv and diagonal, in dual numbers.
+template <class Scalar>
+Matrix<Scalar> friction_slopes(const Model<Scalar>& model, VectorArg<Scalar> q,
+                               VectorArg<Scalar> qd) {
+  using Number = Dual<Scalar>;
+  Vector<Number> moving = detail::constant<Scalar>(qd);
+  for (Number& rate : moving) rate.slope = Scalar(1);
+  const Vector<Number> forces =
+      joint_forces<Number>(cast<Number>(model), detail::constant<Scalar>(q), moving);
+  Matrix<Scalar> slopes = Matrix<Scalar>::Zero(model.nv, model.nv);
+  for (Eigen::Index i = 0; i < model.nv; ++i) slopes(i, i) = forces(i).slope;
+  return slopes;
+}
+
 /// Derivatives of qdd = M^-1 (tau - b - g + J_ext^T f_ext) with constant f_ext. by_drive is M^-1;
 /// the others are -M^-1 times the derivatives of inverse dynamics at that qdd.
 template <class Scalar>
@@ -84,6 +98,19 @@ DynamicsDerivatives<Scalar> forward_dynamics_derivatives(const Model<Scalar>& mo
   const auto factor = forces.by_drive.ldlt();
   return {-factor.solve(forces.by_displacement), -factor.solve(forces.by_velocity),
           factor.solve(Matrix<Scalar>::Identity(model.nv, model.nv))};
+}
+
+/// qdd with (M + step D) qdd + b + g = tau + J_ext^T f_ext: friction at the end of a step of
+/// velocities, to first order. D, diagonal, is the derivative of friction with respect to qd.
+template <class Scalar>
+Vector<Scalar> forward_dynamics_with_implicit_friction(
+    const Model<Scalar>& model, VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> tau,
+    PointsArg<Scalar> external_points, VectorArg<Scalar> f_ext, const Scalar& step) {
+  const Vector<Scalar> h = inverse_dynamics<Scalar>(model, q, qd, Vector<Scalar>::Zero(model.nv),
+                                                    external_points, f_ext);
+  const Matrix<Scalar> M =
+      mass_matrix<Scalar>(model, q) + step * friction_slopes<Scalar>(model, q, qd);
+  return M.ldlt().solve(Vector<Scalar>(tau - h));
 }
 
 }  // namespace treeline::interpreter

@@ -18,7 +18,7 @@ PerBody<Vector6<Scalar>> bias_forces(const Model<Scalar>& model, const Kinematic
   return p;
 }
 
-/// qdd by the articulated-body algorithm, Chang table 4.2.
+/// qdd by the articulated-body algorithm, Chang table 4.2, without friction and springs.
 template <class Scalar>
 Vector<Scalar> articulated_body(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                                 VectorArg<Scalar> tau, const PerBody<Vector6<Scalar>>& external) {
@@ -77,7 +77,8 @@ Vector<Scalar> forward_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
   add_point_forces<Scalar>(external_points, k, f_ext, external);
-  return detail::articulated_body<Scalar>(model, k, tau, external);
+  const Vector<Scalar> net = tau - joint_forces<Scalar>(model, q, qd);
+  return detail::articulated_body<Scalar>(model, k, net, external);
 }
 
 /// qdd with M qdd + b + g = tau.

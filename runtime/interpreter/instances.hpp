@@ -32,6 +32,10 @@ namespace treeline::interpreter {
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
   EXTERN template DynamicsDerivatives<T> forward_dynamics_derivatives<T>(                          \
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
+  EXTERN template Matrix<T> friction_slopes<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);       \
+  EXTERN template Vector<T> forward_dynamics_with_implicit_friction<T>(                            \
+      const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>,       \
+      const T&);                                                                                   \
   EXTERN template Matrix<T> coriolis_matrix<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);       \
   EXTERN template T kinetic_energy<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);                \
   EXTERN template T potential_energy<T>(const Model<T>&, VectorArg<T>);                            \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "interpreter/joint_forces.hpp"
 #include "interpreter/points.hpp"
 
 namespace treeline::interpreter {
@@ -32,8 +33,8 @@ Vector<Scalar> project_forces_inward(const Model<Scalar>& model, const Kinematic
   return tau;
 }
 
-/// Joint forces by recursive Newton-Euler (Chang table 4.1), with `external` forces on the bodies
-/// in their frames. Gravity enters as an acceleration of the world.
+/// Joint forces by recursive Newton-Euler (Chang table 4.1) without friction and springs, with
+/// `external` forces on the bodies in their frames. Gravity enters as an acceleration of the world.
 template <class Scalar>
 Vector<Scalar> newton_euler(const Model<Scalar>& model, const Kinematics<Scalar>& k,
                             VectorArg<Scalar> qdd, const PerBody<Vector6<Scalar>>& external) {
@@ -53,7 +54,8 @@ Vector<Scalar> newton_euler(const Model<Scalar>& model, const Kinematics<Scalar>
 
 }  // namespace detail
 
-/// tau = M qdd + b + g - J_ext^T f_ext by recursive Newton-Euler (Chang table 4.1). `f_ext` has for
+/// tau = M qdd + b + g - J_ext^T f_ext by recursive Newton-Euler (Chang table 4.1). Friction is
+/// part of b, springs are part of g. `f_ext` has for
 /// each external point [force; moment] on the robot at its origin, in its axes.
 template <class Scalar>
 Vector<Scalar> inverse_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
@@ -62,7 +64,7 @@ Vector<Scalar> inverse_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
   add_point_forces<Scalar>(external_points, k, f_ext, external);
-  return detail::newton_euler<Scalar>(model, k, qdd, external);
+  return detail::newton_euler<Scalar>(model, k, qdd, external) + joint_forces<Scalar>(model, q, qd);
 }
 
 /// tau = M qdd + b + g.

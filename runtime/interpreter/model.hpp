@@ -50,6 +50,13 @@ struct Body {
   Scalar offset = Scalar(0);
   /// Inertia of the motor's rotor, felt at each of the joint's own velocities; kg m^2 or kg.
   Scalar armature = Scalar(0);
+  /// Of a joint of one degree of freedom, see `joint_forces`: N m s/rad, N m, rad/s; N m/rad, rad,
+  /// or the same of translation.
+  Scalar damping = Scalar(0);
+  Scalar friction = Scalar(0);
+  Scalar slip_speed = Scalar(1);
+  Scalar stiffness = Scalar(0);
+  Scalar rest = Scalar(0);
 };
 
 /// Any tree of bodies, parents before children.
@@ -119,10 +126,26 @@ Model<To> cast(const Model<From>& model) {
   result.nv = model.nv;
   result.gravity = model.gravity.unaryExpr(to);
   for (const auto& b : model.bodies) {
-    result.bodies.push_back({b.name, b.parent, b.kind, b.axis.unaryExpr(to),
-                             b.R_parent_joint.unaryExpr(to), b.p_parent_joint.unaryExpr(to),
-                             to(b.mass), b.com.unaryExpr(to), b.inertia.unaryExpr(to), b.q, b.v,
-                             b.mimics, to(b.multiplier), to(b.offset), to(b.armature)});
+    result.bodies.push_back({b.name,
+                             b.parent,
+                             b.kind,
+                             b.axis.unaryExpr(to),
+                             b.R_parent_joint.unaryExpr(to),
+                             b.p_parent_joint.unaryExpr(to),
+                             to(b.mass),
+                             b.com.unaryExpr(to),
+                             b.inertia.unaryExpr(to),
+                             b.q,
+                             b.v,
+                             b.mimics,
+                             to(b.multiplier),
+                             to(b.offset),
+                             to(b.armature),
+                             to(b.damping),
+                             to(b.friction),
+                             to(b.slip_speed),
+                             to(b.stiffness),
+                             to(b.rest)});
   }
   return result;
 }

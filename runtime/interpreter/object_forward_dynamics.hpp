@@ -112,7 +112,7 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
   motion.xdd_object = Lambda_sum.ldlt().solve(F);
   for (std::size_t r = 0; r < chain.robots.size(); ++r) {
     const auto points = object_points(chain, static_cast<int>(r));
-    const Model<Scalar> weightless = detail::without_gravity(chain.robots[r]);
+    const Model<Scalar> weightless = without_gravity<Scalar>(chain.robots[r]);
     const Vector<Scalar> rest = Vector<Scalar>::Zero(weightless.nv);
     of_robots.push_back(Lambda[r] * (xdd_o[r] - C[r] * motion.xdd_object));
     motion.qdd[r] -= forward_dynamics<Scalar>(weightless, q[r], rest, rest, points, of_robots[r]);
@@ -154,7 +154,7 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
       lambda_inverse<Scalar>(robot, points, q[0]) + C * mobility * C.transpose();
   const Vector<Scalar> f = bordered_inverse<Scalar>(A, law) * (xdd_o - C * free);
   motion.xdd_object = free + mobility * (C.transpose() * f);
-  const Model<Scalar> weightless = detail::without_gravity(robot);
+  const Model<Scalar> weightless = without_gravity<Scalar>(robot);
   const Vector<Scalar> rest = Vector<Scalar>::Zero(robot.nv);
   motion.qdd[0] -= forward_dynamics<Scalar>(weightless, q[0], rest, rest, points, f);
   detail::report_grasp_forces(chain, poses, {f}, motion);

@@ -66,9 +66,7 @@ template <class Scalar>
 Vector<Scalar> operational_bias_force(const Model<Scalar>& model, PointsArg<Scalar> points,
                                       VectorArg<Scalar> q, VectorArg<Scalar> qd,
                                       const TaskLaw<Scalar>& law = {}) {
-  Model<Scalar> weightless = model;
-  weightless.gravity.setZero();
-  const Vector<Scalar> b = nonlinear_effects<Scalar>(weightless, q, qd);
+  const Vector<Scalar> b = nonlinear_effects<Scalar>(without_gravity<Scalar>(model), q, qd);
   return dynamically_consistent_inverse<Scalar>(model, points, q, law).transpose() * b -
          lambda_as_ruled<Scalar>(model, points, q, law) *
              bias_acceleration<Scalar>(model, points, q, qd);

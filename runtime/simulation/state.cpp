@@ -113,7 +113,7 @@ double mechanical_energy(const Model& model, const State& state) {
     const Vector3 com = k.p_world[i] + k.R_world[i] * model.body(i).com;
     energy -= model.body(i).mass * model.gravity.dot(com);
   }
-  return energy;
+  return energy + interpreter::spring_energy<double>(model, state.q);
 }
 
 interpreter::Vector6<double> momentum(const Model& model, const State& state) {

@@ -107,5 +107,28 @@ TEST(PrintDot, EscapesNamesAndMarksEdges) {
   }
 }
 
+// Would catch: a rotor, friction or spring of the scene that is not shown, or shown of a joint that
+// has none.
+TEST(Print, ShowsWhatTheScenePutsIntoJoints) {
+  const std::string scene =
+      "armature: {arm: 0.25}\n"
+      "joint_friction: {model: coulomb, joints: {arm: {damping: 3}, slide: {friction: 7, width: "
+      "0.5}}}\n"
+      "joint_springs: {slide: {stiffness: 40, rest: 0.125}}\n";
+  const Report report = inspect_sample(scene);
+  EXPECT_NE(
+      print_text(report).find("rotors, friction and springs (SI units)\n"
+                              "  joint  rotor  damping  friction  within  stiffness   rest\n"
+                              "  arm     0.25        3\n"
+                              "  slide                         7     0.5         40  0.125\n"),
+      std::string::npos)
+      << print_text(report);
+  const auto joints = nlohmann::json::parse(print_json(report))["joints"];
+  EXPECT_EQ(joints[0]["drive"]["rotor"], 0.25);
+  EXPECT_EQ(joints[1]["drive"]["width"], 0.5);
+  EXPECT_FALSE(joints[2].contains("drive"));
+  EXPECT_EQ(print_text(inspect_sample()).find("springs"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace treeline

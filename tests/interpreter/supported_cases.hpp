@@ -33,6 +33,7 @@ struct Standing {
   int passive = 0;  ///< joints without a motor
   double mimic = 0;
   int external_forces = 0;
+  double drives = 0;             ///< chance of a rotor, of friction, and of a spring
   std::vector<Rows> loops = {};  ///< constraints between two links
   int couplings = 0;             ///< constraints between two joints
 };
@@ -56,16 +57,17 @@ inline const std::vector<Standing>& standings() {
       {"passive_joints_at_a_wall", {kPointFoot}, 2, false, 2},
       {"hand_at_a_wall", {kAllRows}, 2, false},
       {"mimics", {kAllRows, kAllRows}, 3, true, 0, 0.15},
-      {"pushed", {kPointFoot, kPointFoot, kPointFoot}, 3, true, 1, 0, 2}};
+      {"pushed", {kPointFoot, kPointFoot, kPointFoot}, 3, true, 1, 0, 2},
+      {"drives", {kAllRows}, 4, true, 1, 0, 1, 0.5}};
   return kStandings;
 }
 
 /// Robots with loops of their own, on the ground too.
 inline const std::vector<Standing>& looped() {
   static const std::vector<Standing> kLooped{
-      {"hinged_loop", {}, 2, false, 2, 0, 0, {kHinge}},
-      {"two_loops", {}, 2, false, 3, 0, 1, {kHinge, kPointFoot}},
-      {"loop_in_space", {}, 2, true, 1, 0, 0, {kHinge}},
+      {"hinged_loop", {}, 2, false, 2, 0, 0, 0, {kHinge}},
+      {"two_loops", {}, 2, false, 3, 0, 1, 0.5, {kHinge, kPointFoot}},
+      {"loop_in_space", {}, 2, true, 1, 0, 0, 0, {kHinge}},
       {"loop_on_a_foot",
        {kPointFoot},
        2,
@@ -73,11 +75,12 @@ inline const std::vector<Standing>& looped() {
        2,
        0,
        0,
+       0,
        {{true, false, true, true, false, false}}},
-      {"loop_with_mimics", {}, 2, false, 1, 0.15, 0, {kPointFoot}},
-      {"welded_loop", {}, 2, false, 2, 0, 0, {kAllRows}},
-      {"coupled", {}, 2, false, 1, 0, 0, {}, 2},
-      {"coupled_loop", {kPointFoot}, 2, true, 0, 0, 0, {kHinge}, 1}};
+      {"loop_with_mimics", {}, 2, false, 1, 0.15, 0, 0, {kPointFoot}},
+      {"welded_loop", {}, 2, false, 2, 0, 0, 0, {kAllRows}},
+      {"coupled", {}, 2, false, 1, 0, 0, 0, {}, 2},
+      {"coupled_loop", {kPointFoot}, 2, true, 0, 0, 0, 0, {kHinge}, 1}};
   return kLooped;
 }
 
@@ -129,6 +132,7 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
   options.mix = {5, 1, 1, 0.3, 0, 0.3, 0.3};
   options.floating_base = standing.floating_base;
   options.mimic = standing.mimic;
+  options.rotors = options.drives = standing.drives;
   options.operational_points = 2;
   options.external_forces = standing.external_forces;
   StandingCase c;

@@ -60,6 +60,8 @@ std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
   add({.joints = 8, .branching = 0.4, .floating_base = true}, 5);
   add({.joints = 8, .branching = 0.4, .mimic = 0.4, .locked = 0.1}, 4);
   add({.joints = 6, .branching = 0.3, .mimic = 0.2, .rotors = 0.7}, 3);
+  add({.joints = 7, .branching = 0.3, .rotors = 0.7}, 3);
+  add({.joints = 6, .branching = 0.3, .floating_base = true, .rotors = 0.7}, 3);
   add({.joints = 6, .branching = 0.2, .mix = {5, 1, 2, 1, 2, 2}}, 5);
   add({.joints = 6, .branching = 0.3, .mix = {3, 1, 2, 1, 1, 1, 5}}, 5);
   add({.joints = 5, .branching = 0.3, .mix = {3, 1, 2, 1, 0, 0, 5}, .floating_base = true}, 3);

@@ -31,7 +31,7 @@ std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
   add({.joints = 8, .branching = 0.4, .locked = 0.2}, 4);
   add({.joints = 6, .branching = 0.4, .floating_base = true}, 3);
   add({.joints = 8, .branching = 0.4, .mimic = 0.4, .locked = 0.1}, 5);
-  add({.joints = 6, .branching = 0.3, .mimic = 0.2, .rotors = 0.7}, 3);
+  add({.joints = 6, .branching = 0.3, .mimic = 0.2, .rotors = 0.7, .drives = 0.6}, 3);
   add({.joints = 5, .branching = 0.2, .mix = {5, 1, 2, 1, 2, 2}}, 5);
   add({.joints = 5, .branching = 0.2, .mix = {2, 1, 2, 1, 1, 1, 5}}, 5);
   add({.joints = 4, .branching = 0.3, .mix = {2, 1, 1, 1, 0, 0, 5}, .floating_base = true}, 3);

@@ -33,7 +33,8 @@ struct Held {
   std::vector<int> grasps;  ///< number of grasps of each object
   bool floating_base = false;
   double mimic = 0;
-  double ball = 0;  ///< see `JointMix`
+  double ball = 0;    ///< see `JointMix`
+  double drives = 0;  ///< chance of a rotor, of friction, and of a spring
 };
 
 std::ostream& operator<<(std::ostream& out, const Held& held) {
@@ -65,6 +66,7 @@ ObjectCase draw(std::uint64_t seed, const Held& held) {
   options.floating_base = held.floating_base;
   options.mimic = held.mimic;
   options.operational_points = points;
+  options.rotors = options.drives = held.drives;
   c.made = random_mechanism(seed, options);
   Dice dice(seed + 5);
   int point = 0;
@@ -174,10 +176,10 @@ class Objects : public testing::TestWithParam<std::tuple<Held, int>> {
   ObjectCase c_;
 };
 
-const Held kHeld[] = {{"one_hand", {1}},          {"two_hands", {2}},
-                      {"floating", {2}, true},    {"mimics", {2}, false, 0.15},
-                      {"three_hands", {3}},       {"two_objects", {2, 1}},
-                      {"balls", {2}, false, 0, 4}};
+const Held kHeld[] = {{"one_hand", {1}},           {"two_hands", {2}},
+                      {"floating", {2}, true},     {"mimics", {2}, false, 0.15},
+                      {"three_hands", {3}},        {"two_objects", {2, 1}},
+                      {"balls", {2}, false, 0, 4}, {"drives", {2}, true, 0, 0, 0.5}};
 
 INSTANTIATE_TEST_SUITE_P(Random, Objects,
                          testing::Combine(testing::ValuesIn(kHeld), testing::Range(0, 2)),

@@ -27,7 +27,12 @@ std::vector<Seeded> robots() {
   add({.joints = 9, .branching = 0.3, .operational_points = 2, .all_rows = false}, 4);
   add({.joints = 7, .branching = 0.3, .floating_base = true, .operational_points = 2}, 4);
   add({.joints = 9, .branching = 0.1, .mimic = 0.3, .operational_points = 1, .all_rows = false}, 4);
-  add({.joints = 8, .branching = 0.1, .rotors = 0.7, .operational_points = 1, .all_rows = false},
+  add({.joints = 8,
+       .branching = 0.1,
+       .rotors = 0.7,
+       .drives = 0.5,
+       .operational_points = 1,
+       .all_rows = false},
       3);
   add({.joints = 6, .branching = 0.1, .mix = {3, 1, 2, 1, 1, 2}, .all_rows = false}, 4);
   add({.joints = 5, .branching = 0.1, .mix = {3, 1, 1, 1, 0, 1, 5}, .all_rows = false}, 4);

@@ -62,8 +62,10 @@ std::vector<Sweep> sweeps() {
   all[8].options.mix = {2, 1, 1, 0, 0, 1, 5};
   all[8].options.mimic = 0.4;
   all[9].options.rotors = 0.7;
+  all[9].options.drives = 0.5;
   all[9].options.mimic = 0.3;
   all[10].options.rotors = 0.7;
+  all[10].options.drives = 0.5;
   all[10].options.floating_base = true;
   return all;
 }
