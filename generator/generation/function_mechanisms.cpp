@@ -23,9 +23,12 @@ struct ModelNeed {
   Quantity quantity;
   unsigned bit;
 };
-constexpr std::array kModelNeeds = {
-    ModelNeed{Quantity::gravity, 8}, ModelNeed{Quantity::payload, 16},
-    ModelNeed{Quantity::parameters, 32}, ModelNeed{Quantity::tool, 64}};
+constexpr std::array kModelNeeds = {ModelNeed{Quantity::gravity, 8},
+                                    ModelNeed{Quantity::payload, 16},
+                                    ModelNeed{Quantity::parameters, 32},
+                                    ModelNeed{Quantity::tool, 64},
+                                    ModelNeed{Quantity::tool_orientation, 256},
+                                    ModelNeed{Quantity::contact, 512}};
 
 }  // namespace
 
@@ -46,7 +49,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (takes_external_forces(function)) needs |= kForces;
   if (needs_contacts(function)) needs |= kContacts;
   for (const ModelNeed& need : kModelNeeds) {
-    if (takes(function, need.quantity)) needs |= need.bit;
+    if (takes_input(scene_, function, need.quantity)) needs |= need.bit;
   }
   if (needs_constraints(function)) needs |= kConstraints;
   needs &= in_scene_;
