@@ -6,7 +6,7 @@
 
 #include "bounds/domain.hpp"
 #include "description/find_joint.hpp"
-#include "functions/quantity.hpp"
+#include "description/scene_inputs.hpp"
 
 namespace treeline {
 namespace {
@@ -63,6 +63,11 @@ std::vector<double> tool_sizes(const std::vector<SceneTool>& tools) {
   std::vector<double> sizes;
   for (const SceneTool& tool : tools) sizes.insert(sizes.end(), 3, tool.reach);
   return sizes;
+}
+
+std::size_t count_orientations(const Scene& scene) {
+  const auto& tools = scene.inputs.tools;
+  return static_cast<std::size_t>(std::count_if(tools.begin(), tools.end(), has_orientation));
 }
 
 /// Rounds down to four digits. A larger value would state a range in which the bound may not hold.
@@ -140,11 +145,21 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
       case IndexSpace::tools:
         domain.sizes[row.symbol] = tool_sizes(scene.inputs.tools);
         break;
+      case IndexSpace::orientations:
+        domain.sizes[row.symbol] = same(4 * count_orientations(scene), row.range);
+        break;
+      case IndexSpace::contact_places:
+        domain.sizes[row.symbol] = tool_sizes(scene.inputs.contacts);
+        break;
     }
   }
   for (const MovingLink& link : mechanism.links) {
     if (link.quaternion() < 0) continue;
-    domain.quaternions.push_back(static_cast<std::size_t>(link.q_index + link.quaternion()));
+    domain.quaternions.emplace_back(Quantity::q,
+                                    static_cast<std::size_t>(link.q_index + link.quaternion()));
+  }
+  for (std::size_t k = 0; k < count_orientations(scene); ++k) {
+    domain.quaternions.emplace_back(Quantity::tool_orientation, 4 * k);
   }
   return domain;
 }
@@ -169,6 +184,7 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     return std::count(arguments.begin(), arguments.end(), symbol_of(quantity)) > 0;
   };
   if (has(Quantity::payload)) text += ", payload that of a body";
+  if (has(Quantity::tool_orientation)) text += ", tool_orientation of length 1";
   if (has(Quantity::parameters)) {
     text +=
         ", parameters those of a body of at least a tenth of this mass, with radii of gyration "

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "functions/quantity.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace treeline {
@@ -20,8 +22,9 @@ struct Domain {
   /// Largest magnitude of every entry, by argument, for arguments whose length depends on the
   /// function.
   std::map<std::string, double, std::less<>> each;
-  /// Index in q of the first of the four entries of each quaternion. Quaternions have length 1.
-  std::vector<std::size_t> quaternions;
+  /// Of each quaternion the argument and the index of the first of its four entries. Quaternions
+  /// have length 1.
+  std::vector<std::pair<Quantity, std::size_t>> quaternions;
 
   /// Largest magnitude of an input, given by its name in the graph (`qd[3]`). Nothing if no range
   /// is stated.

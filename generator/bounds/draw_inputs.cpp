@@ -8,6 +8,21 @@
 #include "functions/quantity_of_input.hpp"
 
 namespace treeline::bounds {
+namespace {
+
+bool is_taken(Quantity quantity, const Graph& graph) {
+  return std::any_of(graph.inputs().begin(), graph.inputs().end(),
+                     [&](const std::string& name) { return quantity_of_input(name) == quantity; });
+}
+
+/// Whether an input is drawn anywhere in its range. Others are at their limits, where errors are
+/// largest.
+bool is_drawn_within(const std::string& name) {
+  const auto quantity = quantity_of_input(name);
+  return quantity == Quantity::q || quantity == Quantity::tool_orientation;
+}
+
+}  // namespace
 
 InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
   for (const std::string& name : graph.inputs()) {
@@ -22,10 +37,11 @@ InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
   }
   find_bodies(Quantity::payload, graph, domain);
   find_bodies(Quantity::parameters, graph, domain);
-  for (const std::size_t first : domain.quaternions) {
+  for (const auto& [quantity, first] : domain.quaternions) {
+    if (quantity != Quantity::q && !is_taken(quantity, graph)) continue;
     std::vector<std::size_t>& quaternion = quaternions_.emplace_back();
     for (std::size_t i = first; i < first + 4; ++i) {
-      quaternion.push_back(entry_of(fmt::format("q[{}]", i), domain));
+      quaternion.push_back(entry_of(fmt::format("{}[{}]", symbol_of(quantity), i), domain));
     }
   }
 }
@@ -33,10 +49,7 @@ InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
 void InputSpace::find_bodies(Quantity quantity, const Graph& graph, const Domain& domain) {
   const std::string symbol = symbol_of(quantity);
   const auto sizes = domain.sizes.find(symbol);
-  const bool taken =
-      std::any_of(graph.inputs().begin(), graph.inputs().end(),
-                  [&](const std::string& name) { return quantity_of_input(name) == quantity; });
-  if (!taken || sizes == domain.sizes.end()) return;
+  if (!is_taken(quantity, graph) || sizes == domain.sizes.end()) return;
   for (std::size_t first = 0; first < sizes->second.size(); first += kInertialParameters) {
     Body body;
     const double mass = sizes->second[first];
@@ -53,7 +66,7 @@ std::size_t InputSpace::entry_of(const std::string& name, const Domain& domain) 
                                   [&name](const Entry& entry) { return entry.name == name; });
   const auto at = static_cast<std::size_t>(found - entries_.begin());
   if (found == entries_.end()) {
-    entries_.push_back({name, domain.find(name).value_or(0), quantity_of_input(name) == Quantity::q,
+    entries_.push_back({name, domain.find(name).value_or(0), is_drawn_within(name),
                         quantity_of_input(name) == Quantity::step});
   }
   return at;

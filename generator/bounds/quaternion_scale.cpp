@@ -41,7 +41,8 @@ bool is_quaternion_scale(const Graph& graph, std::uint32_t node) {
     const bool square = term.op == Op::mul && term.a == term.b;
     if (!square || graph.nodes()[term.a].op != Op::input) return false;
     const std::string& name = graph.inputs()[graph.nodes()[term.a].a];
-    if (quantity_of_input(name) != Quantity::q) return false;
+    const auto quantity = quantity_of_input(name);
+    if (quantity != Quantity::q && quantity != Quantity::tool_orientation) return false;
     squared.insert(term.a);
   }
   return squared.size() == 4 && constants == 1 && terms.size() == 5;

@@ -100,42 +100,57 @@ bool holds_object(const Scene& scene, const std::string& point) {
   });
 }
 
-/// False, and an error, for a name that no tool can have.
-bool check_tool(const SceneElement& item, const std::string& name, const Scene& scene) {
+/// Points of one kind whose places may be arguments.
+struct Places {
+  const char* key;                        ///< in maps of `inputs`
+  const char* kind;                       ///< as messages say it
+  const char* list;                       ///< key of the scene's list
+  const std::vector<ScenePoint>& points;  ///< those of the scene
+  std::vector<std::string> keys;          ///< known in maps
+};
+
+/// False, and an error, for a name that no place of an argument can have.
+bool check_place(const SceneElement& item, const std::string& name, const Places& places,
+                 const std::vector<SceneTool>& before, const Scene& scene) {
   std::vector<std::string> names;
-  for (const ScenePoint& point : scene.operational_points) names.push_back(point.name);
-  const auto& tools = scene.inputs.tools;
+  for (const ScenePoint& point : places.points) names.push_back(point.name);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    item.error(fmt::format("there is no operational point \"{}\"", name),
-               names.empty() ? "add a list operational_points"
-                             : suggest_name(name, names, "the operational points are"));
-  } else if (holds_object(scene, name)) {
+    item.error(fmt::format("there is no {} \"{}\"", places.kind, name),
+               names.empty() ? fmt::format("add a list {}", places.list)
+                             : suggest_name(name, names, fmt::format("the {}s are", places.kind)));
+  } else if (&places.points == &scene.operational_points && holds_object(scene, name)) {
     item.error(fmt::format("the point \"{}\" holds an object", name),
                "name a point that holds none, or remove the object");
-  } else if (std::any_of(tools.begin(), tools.end(),
+  } else if (std::any_of(before.begin(), before.end(),
                          [&](const SceneTool& other) { return other.point == name; })) {
-    item.error(fmt::format("the point \"{}\" is listed twice", name), "list it once");
+    item.error(fmt::format("the {} \"{}\" is listed twice", places.key, name), "list it once");
   } else {
     return true;
   }
   return false;
 }
 
-void read_tools(const SceneElement& element, Scene& scene) {
+std::vector<SceneTool> read_places(const SceneElement& element, const Places& places,
+                                   const Scene& scene) {
+  std::vector<SceneTool> read;
   for (const SceneElement& item : one_or_more(element)) {
-    const Fields fields = item.is_map() ? item.fields({"point", "reach"}) : Fields{};
-    const auto name = read_name(item, fields, "point");
-    if (!name || !check_tool(item, *name, scene)) continue;
+    const Fields fields = item.is_map() ? item.fields(places.keys) : Fields{};
+    const auto name = read_name(item, fields, places.key);
+    if (!name || !check_place(item, *name, places, read, scene)) continue;
     SceneTool tool{*name};
     tool.reach = read_positive(fields, "reach", tool.reach);
-    scene.inputs.tools.push_back(tool);
+    if (const auto found = fields.find("orientation"); found != fields.end()) {
+      tool.orientation = found->second.choice({"false", "true"}) == 1;
+    }
+    read.push_back(tool);
   }
+  return read;
 }
 
 }  // namespace
 
 void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& scene) {
-  const Fields fields = element.fields({"gravity", "payload", "parameters", "tool"});
+  const Fields fields = element.fields({"gravity", "payload", "parameters", "tool", "contact"});
   if (const auto gravity = fields.find("gravity"); gravity != fields.end()) {
     scene.inputs.gravity = gravity->second.choice({"false", "true"}) == 1;
   }
@@ -145,14 +160,25 @@ void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& s
   if (const auto links = fields.find("parameters"); links != fields.end()) {
     scene.inputs.parameters = read_inertias(links->second, robot, scene, true);
   }
-  if (const auto tool = fields.find("tool"); tool != fields.end()) read_tools(tool->second, scene);
+  if (const auto tool = fields.find("tool"); tool != fields.end()) {
+    const Places places{"point",
+                        "operational point",
+                        "operational_points",
+                        scene.operational_points,
+                        {"point", "reach", "orientation"}};
+    scene.inputs.tools = read_places(tool->second, places, scene);
+  }
+  if (const auto contact = fields.find("contact"); contact != fields.end()) {
+    const Places places{"contact", "contact", "contacts", scene.contacts, {"contact", "reach"}};
+    scene.inputs.contacts = read_places(contact->second, places, scene);
+  }
 }
 
 void check_inputs_used(const SceneElement& top, const Scene& scene) {
   for (const QuantityInfo& row : kQuantities) {
     if (!is_of_model(row.quantity) || !has_input(scene, row.quantity)) continue;
     const bool used = std::any_of(scene.functions.begin(), scene.functions.end(),
-                                  [&](Function f) { return takes(f, row.quantity); });
+                                  [&](Function f) { return takes_input(scene, f, row.quantity); });
     if (used) continue;
     top.warn(fmt::format("{} is listed under inputs, but no function depends on it", row.symbol),
              "remove it, or add a function that does");

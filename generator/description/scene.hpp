@@ -88,11 +88,12 @@ struct SceneInertia {
   double reach = kPayloadReach;
 };
 
-/// An operational point whose origin in its link's frame is an argument. Rounding bounds hold for
-/// components of up to `reach` (m).
+/// An operational point or a contact whose origin in its link's frame is an argument. Rounding
+/// bounds hold for components of up to `reach` (m).
 struct SceneTool {
   std::string point;
   double reach = info_of(Quantity::tool).range;
+  bool orientation = false;  ///< of an operational point: its axes are an argument, too
 };
 
 /// What of the robot and its surroundings functions take as arguments, because it changes while the
@@ -101,10 +102,11 @@ struct SceneInputs {
   bool gravity = false;
   std::vector<SceneInertia> payloads;    ///< bodies that are added to links
   std::vector<SceneInertia> parameters;  ///< in place of those of the URDF
-  std::vector<SceneTool> tools;          ///< in place of the origins in the scene
+  std::vector<SceneTool> tools;     ///< operational points, in place of the origins in the scene
+  std::vector<SceneTool> contacts;  ///< contacts, in place of the origins in the scene
 
   [[nodiscard]] bool empty() const {
-    return !gravity && payloads.empty() && parameters.empty() && tools.empty();
+    return !gravity && payloads.empty() && parameters.empty() && tools.empty() && contacts.empty();
   }
 };
 

@@ -1,12 +1,19 @@
 #pragma once
 
+#include <algorithm>
+
 #include "description/scene.hpp"
 #include "functions/quantity.hpp"
 
 namespace treeline {
 
+inline bool has_orientation(const SceneTool& tool) {
+  return tool.orientation;
+}
+
 /// Whether the scene makes this quantity of the robot an argument.
 inline bool has_input(const Scene& scene, Quantity quantity) {
+  const auto& tools = scene.inputs.tools;
   switch (quantity) {
     case Quantity::gravity:
       return scene.inputs.gravity;
@@ -15,10 +22,34 @@ inline bool has_input(const Scene& scene, Quantity quantity) {
     case Quantity::parameters:
       return !scene.inputs.parameters.empty();
     case Quantity::tool:
-      return !scene.inputs.tools.empty();
+      return !tools.empty();
+    case Quantity::tool_orientation:
+      return std::any_of(tools.begin(), tools.end(), has_orientation);
+    case Quantity::contact:
+      return !scene.inputs.contacts.empty();
     default:
       return false;
   }
+}
+
+/// Whether rows of an operational point are in axes that are an argument.
+inline bool has_rows_in_given_axes(const Scene& scene) {
+  const auto& points = scene.operational_points;
+  return std::any_of(points.begin(), points.end(), [&scene](const ScenePoint& point) {
+    const auto& tools = scene.inputs.tools;
+    return point.axes == Axes::local &&
+           std::any_of(tools.begin(), tools.end(), [&point](const SceneTool& tool) {
+             return tool.orientation && tool.point == point.name;
+           });
+  });
+}
+
+/// Whether the function of this scene takes this quantity of the robot as an argument. The axes of
+/// a point count for its pose, and else only where its rows are in them.
+inline bool takes_input(const Scene& scene, Function function, Quantity quantity) {
+  if (!takes(function, quantity) || !has_input(scene, quantity)) return false;
+  return quantity != Quantity::tool_orientation || function == Function::forward_kinematics ||
+         has_rows_in_given_axes(scene);
 }
 
 /// Leaves this quantity of the robot as the files have it.
@@ -27,6 +58,10 @@ inline void remove_input(Quantity quantity, Scene& scene) {
   if (quantity == Quantity::payload) scene.inputs.payloads.clear();
   if (quantity == Quantity::parameters) scene.inputs.parameters.clear();
   if (quantity == Quantity::tool) scene.inputs.tools.clear();
+  if (quantity == Quantity::tool_orientation) {
+    for (SceneTool& tool : scene.inputs.tools) tool.orientation = false;
+  }
+  if (quantity == Quantity::contact) scene.inputs.contacts.clear();
 }
 
 }  // namespace treeline

@@ -41,14 +41,19 @@ enum class Function {
   forward_dynamics_derivatives,
   coriolis_matrix,
   kinetic_energy,
+  kinetic_energy_derivatives,
   potential_energy,
   centroidal_momentum_matrix,
   centroidal_momentum,
   centroidal_bias,
   center_of_mass_bias_acceleration,
+  centroidal_momentum_derivatives,
+  centroidal_momentum_rate_derivatives,
   subtree_masses_and_centers,
   point_velocity,
   point_acceleration,
+  point_velocity_derivatives,
+  point_acceleration_derivatives,
   dynamically_consistent_inverse,
   null_space_projector,
   operational_bias_force,
@@ -107,7 +112,7 @@ enum class Columns { computed, carried };
 /// Arguments in the order of the contract. Those of no size, as f_ext in a scene without external
 /// forces, are left out of it.
 struct FunctionInputs {
-  std::array<Quantity, 10> quantities{};
+  std::array<Quantity, 16> quantities{};
   std::size_t count = 0;
 
   [[nodiscard]] constexpr const Quantity* begin() const { return quantities.data(); }
@@ -130,10 +135,21 @@ template <class... Listed>
 constexpr FunctionInputs weighed_inputs(Listed... listed) {
   return inputs(listed..., Quantity::gravity, Quantity::payload, Quantity::parameters);
 }
-/// The same of a function that depends on where operational points are.
-constexpr FunctionInputs with_tool(FunctionInputs listed) {
-  listed.quantities[listed.count++] = Quantity::tool;
+constexpr FunctionInputs with(Quantity quantity, FunctionInputs listed) {
+  listed.quantities[listed.count++] = quantity;
   return listed;
+}
+/// The same of a function that depends on where the origins of operational points are.
+constexpr FunctionInputs with_tool_origin(const FunctionInputs& listed) {
+  return with(Quantity::tool, listed);
+}
+/// The same of a function that depends on their axes, too.
+constexpr FunctionInputs with_tool(const FunctionInputs& listed) {
+  return with(Quantity::tool_orientation, with_tool_origin(listed));
+}
+/// The same of a function that depends on where contacts are.
+constexpr FunctionInputs with_contact(const FunctionInputs& listed) {
+  return with(Quantity::contact, listed);
 }
 
 /// All that is known of a function before any algorithm.
@@ -208,18 +224,19 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      "J qdd + Jd qd = C xdd - stabilisation[0] drift_rate - stabilisation[1] drift"},
     {Function::contact_motion, "contact_motion", FunctionGroup::contacts, Emitted::by_default,
      Solve::none, frames_by(Function::contact_motion), Columns::carried,
-     inputs(Quantity::q, Quantity::qd), "positions of the contacts and their derivatives"},
+     with_contact(inputs(Quantity::q, Quantity::qd)),
+     "positions of the contacts and their derivatives"},
     {Function::contact_inverse_inertia, "contact_inverse_inertia", FunctionGroup::contacts,
      Emitted::by_default, Solve::mass_matrix, frames_by(Function::forward_dynamics),
-     Columns::computed, inertial_inputs(Quantity::q),
+     Columns::computed, with_contact(inertial_inputs(Quantity::q)),
      "dv = Lambda_c^-1 y: velocities of the contacts by impulses there"},
     {Function::effective_mass, "effective_mass", FunctionGroup::contacts, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
-     inertial_inputs(Quantity::q, Quantity::normals),
+     with_contact(inertial_inputs(Quantity::q, Quantity::normals)),
      "m = 1 / (n^T Lambda_c^-1 n), for every contact by itself"},
     {Function::impulse_response, "impulse_response", FunctionGroup::contacts, Emitted::by_default,
      Solve::mass_matrix, frames_by(Function::forward_dynamics), Columns::computed,
-     inertial_inputs(Quantity::q, Quantity::impulse), "dqd = M^-1 J_c^T y"},
+     with_contact(inertial_inputs(Quantity::q, Quantity::impulse)), "dqd = M^-1 J_c^T y"},
     {Function::constrained_forward_dynamics, "constrained_forward_dynamics",
      FunctionGroup::constraints, Emitted::by_default, Solve::lambda_inverse,
      frames_by(Function::forward_dynamics), Columns::computed,
@@ -268,6 +285,9 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::kinetic_energy, "kinetic_energy", FunctionGroup::robot, Emitted::on_request,
      Solve::none, frames_by(Function::kinetic_energy), Columns::computed,
      inertial_inputs(Quantity::q, Quantity::qd), "T = qd^T M qd / 2"},
+    {Function::kinetic_energy_derivatives, "kinetic_energy_derivatives", FunctionGroup::robot,
+     Emitted::on_request, Solve::none, frames_by(Function::kinetic_energy), Columns::computed,
+     inertial_inputs(Quantity::q, Quantity::qd), "derivatives of T = qd^T M qd / 2"},
     {Function::potential_energy, "potential_energy", FunctionGroup::robot, Emitted::on_request,
      Solve::none, frames_by(Function::potential_energy), Columns::computed,
      weighed_inputs(Quantity::q), "U = -sum of m_i gravity . c_i, zero at the world's origin"},
@@ -290,18 +310,35 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      frames_by(Function::center_of_mass_bias_acceleration), Columns::carried,
      inertial_inputs(Quantity::q, Quantity::qd),
      "acceleration of the centre of mass = J_com qdd + dJ_com/dt qd: the term dJ_com/dt qd"},
+    {Function::centroidal_momentum_derivatives, "centroidal_momentum_derivatives",
+     FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
+     frames_by(Function::centroidal_momentum_matrix), Columns::computed,
+     inertial_inputs(Quantity::q, Quantity::qd), "derivatives of h_G = A_G qd"},
+    {Function::centroidal_momentum_rate_derivatives, "centroidal_momentum_rate_derivatives",
+     FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
+     frames_by(Function::centroidal_momentum_matrix), Columns::computed,
+     inertial_inputs(Quantity::q, Quantity::qd, Quantity::qdd),
+     "derivatives of dh_G/dt = A_G qdd + dA_G/dt qd"},
     {Function::subtree_masses_and_centers, "subtree_masses_and_centers",
      FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
      frames_by(Function::subtree_masses_and_centers), Columns::computed,
      inertial_inputs(Quantity::q), "mass and centre of mass of everything that each joint carries"},
     {Function::point_velocity, "point_velocity", FunctionGroup::points, Emitted::on_request,
      Solve::none, frames_by(Function::point_velocity), Columns::computed,
-     with_tool(inputs(Quantity::q, Quantity::qd)),
+     with_tool_origin(inputs(Quantity::q, Quantity::qd)),
      "[v; w] of every operational point, all six rows"},
     {Function::point_acceleration, "point_acceleration", FunctionGroup::points, Emitted::on_request,
      Solve::none, frames_by(Function::point_acceleration), Columns::carried,
-     with_tool(inputs(Quantity::q, Quantity::qd, Quantity::qdd)),
+     with_tool_origin(inputs(Quantity::q, Quantity::qd, Quantity::qdd)),
      "[dv/dt; dw/dt] of every operational point, all six rows, without gravity"},
+    {Function::point_velocity_derivatives, "point_velocity_derivatives", FunctionGroup::points,
+     Emitted::on_request, Solve::none, frames_by(Function::point_velocity), Columns::computed,
+     with_tool_origin(inputs(Quantity::q, Quantity::qd)),
+     "derivatives of [v; w] of every operational point, all six rows"},
+    {Function::point_acceleration_derivatives, "point_acceleration_derivatives",
+     FunctionGroup::points, Emitted::on_request, Solve::none, frames_by(Function::point_velocity),
+     Columns::computed, with_tool_origin(inputs(Quantity::q, Quantity::qd, Quantity::qdd)),
+     "derivatives of [dv/dt; dw/dt] of every operational point, all six rows"},
     {Function::dynamically_consistent_inverse, "dynamically_consistent_inverse",
      FunctionGroup::points, Emitted::on_request, Solve::lambda_inverse,
      frames_by(Function::forward_dynamics), Columns::computed,

@@ -31,6 +31,8 @@ enum class Quantity {
   payload,
   parameters,
   tool,
+  tool_orientation,
+  contact,
 };
 
 /// What the entries of an argument belong to.
@@ -50,6 +52,8 @@ enum class IndexSpace {
   payloads,         ///< 10 a payload that the scene makes an input
   parameters,       ///< 10 a link whose inertial parameters the scene makes an input
   tools,            ///< 3 an operational point whose origin the scene makes an input
+  orientations,     ///< 4 an operational point whose orientation the scene makes an input
+  contact_places,   ///< 3 a contact whose origin the scene makes an input
 };
 
 /// All that is known of a quantity. Units are those of rotation and translation where joints or
@@ -125,9 +129,17 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::tool, "tool",
      "origin of each point named, in the frame of its link in the URDF, in place of the scene's, m",
      "m", IndexSpace::tools, 1},
+    {Quantity::tool_orientation, "tool_orientation",
+     "quaternion x, y, z, w of each point named, its axes to those of its link in the URDF, in "
+     "place of the scene's; of any length",
+     "1", IndexSpace::orientations, 1},
+    {Quantity::contact, "contact",
+     "origin of each contact named, in the frame of its link in the URDF, in place of the "
+     "scene's, m",
+     "m", IndexSpace::contact_places, 1},
 });
 
-static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::tool) + 1,
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::contact) + 1,
               "every quantity has a row");
 static_assert(
     [] {

@@ -16,7 +16,7 @@ std::map<std::string, std::vector<EmissionContext::InputCost>> count_inputs(
     FunctionMechanisms mechanisms(robot, without);
     for (const GeneratedFunction& generated : functions) {
       const Function function = generated.function;
-      if (!takes(function, row.quantity)) continue;
+      if (!takes_input(scene, function, row.quantity)) continue;
       const GeneratedFunction other =
           generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos);
       costs[generated.program.name].push_back(

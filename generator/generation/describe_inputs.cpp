@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 
+#include "description/noise.hpp"
 #include "program/format_literal.hpp"
 
 namespace treeline {
@@ -25,6 +27,48 @@ std::string list_parameters(const Inertia& inertia) {
   return fmt::format("{}", fmt::join(listed, ", "));
 }
 
+void append_origins(const char* argument, const char* kind, const std::vector<SceneTool>& named,
+                    const std::vector<MechanismTool>& placed, std::vector<std::string>& notes) {
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    const auto& xyz = placed[k].nominal;
+    notes.push_back(fmt::format(
+        "{} {}: origin of {} {}, in the scene {{{}, {}, {}}}", argument, entries(k, 3), kind,
+        named[k].point, format_literal(static_cast<double>(xyz(0))),
+        format_literal(static_cast<double>(xyz(1))), format_literal(static_cast<double>(xyz(2)))));
+  }
+}
+
+/// x, y, z, w of the rotations by roll, pitch and yaw about fixed axes, in this order.
+std::string list_quaternion(const std::array<double, 3>& rpy) {
+  std::array<Exact, 3> s, c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    s[i] = sin(Exact(rpy[i]) / 2);
+    c[i] = cos(Exact(rpy[i]) / 2);
+  }
+  const std::array<Exact, 4> entries{Exact(s[0] * c[1] * c[2] - c[0] * s[1] * s[2]),
+                                     Exact(c[0] * s[1] * c[2] + s[0] * c[1] * s[2]),
+                                     Exact(c[0] * c[1] * s[2] - s[0] * s[1] * c[2]),
+                                     Exact(c[0] * c[1] * c[2] + s[0] * s[1] * s[2])};
+  std::vector<std::string> listed;
+  for (const Exact& entry : entries) {
+    const bool noise = abs(entry) < kResolution;
+    listed.push_back(format_literal(noise ? 0.0 : static_cast<double>(entry)));
+  }
+  return fmt::format("{}", fmt::join(listed, ", "));
+}
+
+void append_orientations(const Scene& scene, std::vector<std::string>& notes) {
+  std::size_t k = 0;
+  for (const SceneTool& tool : scene.inputs.tools) {
+    if (!tool.orientation) continue;
+    const auto point =
+        std::find_if(scene.operational_points.begin(), scene.operational_points.end(),
+                     [&](const ScenePoint& each) { return each.name == tool.point; });
+    notes.push_back(fmt::format("tool_orientation {}: of point {}, in the scene {{{}}}",
+                                entries(k++, 4), tool.point, list_quaternion(point->origin.rpy)));
+  }
+}
+
 }  // namespace
 
 void append_input_notes(const Scene& scene, const Mechanism& mechanism,
@@ -39,13 +83,9 @@ void append_input_notes(const Scene& scene, const Mechanism& mechanism,
                                 entries(k, kInertialParameters), inputs.parameters[k].link,
                                 list_parameters(mechanism.inputs.parameters[k].nominal)));
   }
-  for (std::size_t k = 0; k < inputs.tools.size(); ++k) {
-    const auto& xyz = mechanism.inputs.tools[k].nominal;
-    notes.push_back(fmt::format(
-        "tool {}: origin of point {}, in the scene {{{}, {}, {}}}", entries(k, 3),
-        inputs.tools[k].point, format_literal(static_cast<double>(xyz(0))),
-        format_literal(static_cast<double>(xyz(1))), format_literal(static_cast<double>(xyz(2)))));
-  }
+  append_origins("tool", "point", inputs.tools, mechanism.inputs.tools, notes);
+  append_orientations(scene, notes);
+  append_origins("contact", "contact", inputs.contacts, mechanism.inputs.contacts, notes);
 }
 
 }  // namespace treeline

@@ -51,7 +51,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (takes_external_forces(function)) needs |= kForces;
   if (needs_contacts(function)) needs |= kContacts;
   for_each_of_model([&](Quantity quantity) {
-    if (takes(function, quantity)) needs |= bit_of(quantity);
+    if (takes_input(scene_, function, quantity)) needs |= bit_of(quantity);
   });
   if (needs_constraints(function)) needs |= kConstraints;
   needs &= in_scene_;

@@ -99,11 +99,13 @@ struct MechanismInertia {
   Inertia nominal;       ///< what the files say: nothing of a payload
 };
 
-/// An operational point whose origin is an argument, in the frame of its link in the URDF.
+/// An operational point or a contact whose origin is an argument, in the frame of its link in the
+/// URDF.
 struct MechanismTool {
   std::size_t point = 0;
-  MechanismPoint frame;    ///< where that frame is now
-  ExactVector3 nominal{};  ///< what the scene says
+  MechanismPoint frame;      ///< where that frame is now
+  ExactVector3 nominal{};    ///< what the scene says
+  bool orientation = false;  ///< of an operational point: its axes are an argument, too
 };
 
 /// What functions take as arguments of what changes the robot, see `SceneInputs`.
@@ -111,7 +113,7 @@ struct MechanismInputs {
   bool gravity = false;
   /// Added to the links' inertias, which contain neither.
   std::vector<MechanismInertia> payloads, parameters;
-  std::vector<MechanismTool> tools;
+  std::vector<MechanismTool> tools, contacts;
 };
 
 /// Two frames on links, or on the world, of which rows are held relative to each other: see

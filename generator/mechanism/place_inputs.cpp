@@ -14,11 +14,23 @@ std::size_t index_of_link(const Robot& robot, const std::string& name) {
   return static_cast<std::size_t>(found - robot.links.begin());
 }
 
-std::size_t index_of_point(const Scene& scene, const std::string& name) {
-  const auto& points = scene.operational_points;
+std::size_t index_of_point(const std::vector<ScenePoint>& points, const std::string& name) {
   const auto found = std::find_if(points.begin(), points.end(),
                                   [&](const ScenePoint& point) { return point.name == name; });
   return static_cast<std::size_t>(found - points.begin());
+}
+
+/// `points`: those of the scene that the tools are among.
+std::vector<MechanismTool> place_tools(const std::vector<SceneTool>& tools,
+                                       const std::vector<ScenePoint>& points, const Robot& robot,
+                                       const std::vector<MechanismPoint>& frames) {
+  std::vector<MechanismTool> placed;
+  for (const SceneTool& tool : tools) {
+    const std::size_t k = index_of_point(points, tool.point);
+    placed.push_back({k, frames[index_of_link(robot, points[k].link)],
+                      exact_pose(points[k].origin).p, tool.orientation});
+  }
+  return placed;
 }
 
 }  // namespace
@@ -41,12 +53,8 @@ MechanismInputs place_inputs(const Robot& robot, const Scene& scene,
     const auto& own = robot.links[i].inertial;
     inputs.parameters.push_back({frames[i], own ? exact_inertia(*own) : Inertia{}});
   }
-  for (const SceneTool& tool : scene.inputs.tools) {
-    const std::size_t k = index_of_point(scene, tool.point);
-    const ScenePoint& point = scene.operational_points[k];
-    inputs.tools.push_back(
-        {k, frames[index_of_link(robot, point.link)], exact_pose(point.origin).p});
-  }
+  inputs.tools = place_tools(scene.inputs.tools, scene.operational_points, robot, frames);
+  inputs.contacts = place_tools(scene.inputs.contacts, scene.contacts, robot, frames);
   return inputs;
 }
 

@@ -291,6 +291,7 @@ void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint 
   for (MechanismInertia& payload : mechanism.inputs.payloads) visit(payload.frame);
   for (MechanismInertia& own : mechanism.inputs.parameters) visit(own.frame);
   for (MechanismTool& tool : mechanism.inputs.tools) visit(tool.frame);
+  for (MechanismTool& contact : mechanism.inputs.contacts) visit(contact.frame);
 }
 
 Neighbourhood neighbourhood(Mechanism& mechanism, int index) {

@@ -119,23 +119,37 @@ void draw_body(Dice& dice, const SubjectInertia& within, bool whole, std::vector
   entries.insert(entries.end(), body.begin(), body.end());
 }
 
+std::vector<double> draw_origins(Dice& dice, const std::vector<SubjectTool>& tools) {
+  std::vector<double> entries;
+  for (const SubjectTool& tool : tools) {
+    for (int i = 0; i < 3; ++i) entries.push_back(dice.within(tool.reach));
+  }
+  return entries;
+}
+
 /// Draws what the robot is at a state, within the ranges of the scene. The first state carries
 /// nothing.
 std::vector<double> draw_model(Dice& dice, const SubjectInputs& inputs, Quantity quantity,
-                               int index) {
+                               const State& state) {
   std::vector<double> entries;
   switch (info_of(quantity).space) {
     case IndexSpace::payloads:
       for (const SubjectInertia& box : inputs.payloads) {
-        draw_body(dice, index == 0 ? SubjectInertia{} : box, false, entries);
+        draw_body(dice, state.index == 0 ? SubjectInertia{} : box, false, entries);
       }
       return entries;
     case IndexSpace::parameters:
       for (const SubjectInertia& box : inputs.parameters) draw_body(dice, box, true, entries);
       return entries;
     case IndexSpace::tools:
+      return draw_origins(dice, inputs.tools);
+    case IndexSpace::contact_places:
+      return draw_origins(dice, inputs.contacts);
+    case IndexSpace::orientations:
       for (const SubjectTool& tool : inputs.tools) {
-        for (int i = 0; i < 3; ++i) entries.push_back(dice.within(tool.reach));
+        if (!tool.orientation) continue;
+        const auto quaternion = draw_quaternion(dice, state.kind, state.index % 2 == 1);
+        entries.insert(entries.end(), quaternion.begin(), quaternion.end());
       }
       return entries;
     default:
@@ -190,6 +204,8 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::payload:
     case Quantity::parameters:
     case Quantity::tool:
+    case Quantity::tool_orientation:
+    case Quantity::contact:
     case Quantity::drift:
     case Quantity::f_wanted:
     case Quantity::step:
@@ -230,7 +246,7 @@ State draw_state(const StateSpace& space, int index) {
   }
   for (const auto& [quantity, count] : space.others) {
     if (is_of_model(quantity)) {
-      state.others[quantity] = draw_model(dice, space.subject.inputs, quantity, index);
+      state.others[quantity] = draw_model(dice, space.subject.inputs, quantity, state);
       continue;
     }
     if (quantity == Quantity::step) {

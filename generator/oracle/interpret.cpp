@@ -98,6 +98,8 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
       return entries_of(interpreter::coriolis_matrix<Scalar>(model, at.q, at.qd));
     case Function::kinetic_energy:
       return {interpreter::kinetic_energy<Scalar>(model, at.q, at.qd)};
+    case Function::kinetic_energy_derivatives:
+      return derivatives(interpreter::kinetic_energy_derivatives<Scalar>(model, at.q, at.qd));
     case Function::potential_energy:
       return {interpreter::potential_energy<Scalar>(model, at.q)};
     case Function::center_of_mass:
@@ -112,6 +114,11 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
       return entries_of(interpreter::centroidal_bias<Scalar>(model, at.q, at.qd));
     case Function::center_of_mass_bias_acceleration:
       return entries_of(interpreter::center_of_mass_bias_acceleration<Scalar>(model, at.q, at.qd));
+    case Function::centroidal_momentum_derivatives:
+      return derivatives(interpreter::centroidal_momentum_derivatives<Scalar>(model, at.q, at.qd));
+    case Function::centroidal_momentum_rate_derivatives:
+      return derivatives(
+          interpreter::centroidal_momentum_rate_derivatives<Scalar>(model, at.q, at.qd, at.qdd));
     case Function::subtree_masses_and_centers:
       return subtrees(model, at.q);
     case Function::inverse_dynamics_derivatives:
@@ -128,6 +135,8 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
     case Function::control_torque:
     case Function::point_velocity:
     case Function::point_acceleration:
+    case Function::point_velocity_derivatives:
+    case Function::point_acceleration_derivatives:
     case Function::dynamically_consistent_inverse:
     case Function::null_space_projector:
     case Function::operational_bias_force:
@@ -196,6 +205,12 @@ std::vector<Scalar> of_points(Function function, const Subject<Scalar>& subject,
     case Function::point_acceleration:
       return entries_of(
           interpreter::point_acceleration<Scalar>(model, points, at.q, at.qd, at.qdd));
+    case Function::point_velocity_derivatives:
+      return derivatives(
+          interpreter::point_velocity_derivatives<Scalar>(model, points, at.q, at.qd));
+    case Function::point_acceleration_derivatives:
+      return derivatives(
+          interpreter::point_acceleration_derivatives<Scalar>(model, points, at.q, at.qd, at.qdd));
     case Function::dynamically_consistent_inverse:
       return entries_of(
           interpreter::dynamically_consistent_inverse<Scalar>(model, points, at.q, law));

@@ -18,12 +18,12 @@ interpreter::Matrix3<Digits50> matrix_of(const ExactRows& rows) {
 }  // namespace
 
 interpreter::TaskLaw<Digits50> law_at(const TaskLaw* law, const std::vector<double>& q,
-                                      const std::vector<double>& tool) {
+                                      const GivenTools& tools) {
   interpreter::TaskLaw<Digits50> result;
   if (law == nullptr) return result;
   result.power = law->rule.power;
   result.borders.assign(law->rule.borders.begin(), law->rule.borders.end());
-  for (const LawFrame& frame : law_frames(*law, q, tool)) {
+  for (const LawFrame& frame : law_frames(*law, q, tools)) {
     result.frames.push_back({matrix_of(frame.linear),
                              matrix_of(frame.angular),
                              {frame.shift[0], frame.shift[1], frame.shift[2]}});

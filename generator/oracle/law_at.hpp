@@ -10,10 +10,9 @@
 namespace treeline {
 
 /// Task law of a generated function in the interpreter's types, with the axes that it has at `q`
-/// and with the points' origins `tool`, if these are arguments. If `law` is null, no row is
-/// relaxed.
+/// and with the operational points where arguments have them. If `law` is null, no row is relaxed.
 interpreter::TaskLaw<interpreter::Digits50> law_at(const TaskLaw* law, const std::vector<double>& q,
-                                                   const std::vector<double>& tool = {});
+                                                   const GivenTools& tools = {});
 
 /// Task law for finding the sizes of a function's results. Scales of forces follow from Lambda, so
 /// a law on the Jacobian is replaced by the one on Lambda^-1. Null if `law` is.

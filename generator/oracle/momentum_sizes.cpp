@@ -5,7 +5,8 @@
 #include "interpreter/joint_parts.hpp"
 #include "oracle/term_sizes.hpp"
 
-// Sizes of what is about momentum and the centre of mass, and of the motion of points.
+// Sizes of what is about momentum and the centre of mass, of the motion of points, and of the
+// derivatives of both.
 
 namespace treeline {
 namespace {
@@ -139,6 +140,120 @@ Eigen::VectorXd TermSizes::point_accelerations(const std::vector<double>& qd,
     sizes.segment<3>(row).setConstant(of.a);
     sizes.segment<3>(row + 3).setConstant(of.alpha);
     row += 6;
+  }
+  return sizes;
+}
+
+/// A displacement turns a velocity, and moves what has it to where others prevail.
+TermSizes::Pair TermSizes::velocity_change(const Motion& of, const Column& by) {
+  return {of.w * by.lever + of.v * by.turn, of.w * by.turn};
+}
+
+TermSizes::Pair TermSizes::acceleration_change(const Motion& of, const Column& by) {
+  return {(of.alpha + of.w * of.w) * by.lever + of.a * by.turn, of.alpha * by.turn};
+}
+
+template <class Change>
+Eigen::MatrixXd TermSizes::point_columns(const std::vector<double>& qd,
+                                         const std::vector<double>& qdd, Change change) const {
+  Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(
+      6 * static_cast<Eigen::Index>(subject_.points.size()), subject_.model.nv);
+  Eigen::Index row = 0;
+  for (const auto& point : subject_.points) {
+    const Columns own = columns(point.body, point.p.norm());
+    const Motion of = motion(own, qd, qdd);
+    for (const Column& column : own) {
+      const Pair size = change(of, column);
+      sizes.col(column.v).segment<3>(row).array() += size.linear;
+      sizes.col(column.v).segment<3>(row + 3).array() += size.angular;
+    }
+    row += 6;
+  }
+  return sizes;
+}
+
+Eigen::MatrixXd TermSizes::point_jacobian() const {
+  const std::vector<double> none(static_cast<std::size_t>(subject_.model.nv), 0);
+  return point_columns(none, none, [](const Motion&, const Column& by) {
+    return Pair{by.lever, by.turn};
+  });
+}
+
+Eigen::MatrixXd TermSizes::point_velocities_by_displacement(const std::vector<double>& qd) const {
+  const std::vector<double> none(qd.size(), 0);
+  return point_columns(qd, none, velocity_change);
+}
+
+Eigen::MatrixXd TermSizes::point_accelerations_by_displacement(
+    const std::vector<double>& qd, const std::vector<double>& qdd) const {
+  return point_columns(qd, qdd, acceleration_change);
+}
+
+Eigen::MatrixXd TermSizes::point_accelerations_by_velocity(const std::vector<double>& qd) const {
+  return 2 * point_velocities_by_displacement(qd);
+}
+
+template <class Change>
+Eigen::MatrixXd TermSizes::centroidal_columns(const std::vector<double>& qd,
+                                              const std::vector<double>& qdd, Change change) const {
+  const auto& model = subject_.model;
+  const std::vector<double> arm = arms();
+  Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(6, model.nv);
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    const Columns own = columns(i, body.com.norm());
+    const Motion of = motion(own, qd, qdd);
+    for (const Column& column : own) {
+      const Pair size = change(of, column);
+      const double f = body.mass * size.linear;
+      sizes.col(column.v).head<3>().array() += f;
+      sizes.col(column.v).tail<3>().array() +=
+          arm[static_cast<std::size_t>(i)] * f + 2 * turning_inertia(body) * size.angular;
+    }
+  }
+  return sizes;
+}
+
+Eigen::MatrixXd TermSizes::centroidal_momentum_by_displacement(
+    const std::vector<double>& qd) const {
+  const std::vector<double> none(qd.size(), 0);
+  Eigen::MatrixXd sizes = centroidal_columns(qd, none, velocity_change);
+  const double momentum = centroidal_momentum(qd)(0);
+  sizes.bottomRows<3>() += 2 * momentum * center_of_mass_jacobian();
+  return sizes;
+}
+
+Eigen::MatrixXd TermSizes::centroidal_rate_by_displacement(const std::vector<double>& qd,
+                                                           const std::vector<double>& qdd) const {
+  const auto& model = subject_.model;
+  Eigen::MatrixXd sizes = centroidal_columns(qd, qdd, acceleration_change);
+  double force = 0;
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    force += body.mass * motion(columns(i, body.com.norm()), qd, qdd).a;
+  }
+  sizes.bottomRows<3>() += 2 * force * center_of_mass_jacobian();
+  return sizes;
+}
+
+Eigen::MatrixXd TermSizes::centroidal_rate_by_velocity(const std::vector<double>& qd) const {
+  const std::vector<double> none(qd.size(), 0);
+  return 2 * centroidal_columns(qd, none, velocity_change);
+}
+
+Eigen::MatrixXd TermSizes::kinetic_energy_by_displacement(const std::vector<double>& qd) const {
+  const auto& model = subject_.model;
+  const std::vector<double> none(qd.size(), 0);
+  Eigen::MatrixXd sizes = Eigen::MatrixXd::Zero(1, model.nv);
+  for (int i = 0; i < model.size(); ++i) {
+    const auto& body = model.body(i);
+    const Columns own = columns(i, body.com.norm());
+    const Motion of = motion(own, qd, none);
+    for (const Column& column : own) {
+      const Pair size = velocity_change(of, column);
+      sizes(0, column.v) +=
+          body.mass * of.v * size.linear + turning_inertia(body) * of.w * size.angular;
+    }
   }
   return sizes;
 }

@@ -28,6 +28,8 @@ bool is_member(Quantity quantity) {
     case IndexSpace::payloads:
     case IndexSpace::parameters:
     case IndexSpace::tools:
+    case IndexSpace::orientations:
+    case IndexSpace::contact_places:
     case IndexSpace::held_rows:
     case IndexSpace::anchored_rows:
     case IndexSpace::step:

@@ -109,9 +109,10 @@ void ReferenceMaker::compose_graph(StateReference& made) const {
 FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state,
                                                const ResultSizes& sizes, Digits digits) const {
   const Function function = functions_[i].function;
-  const std::vector<double>& tool = values_of(state, Quantity::tool);
-  const auto law = law_at(functions_[i].program.law.get(), state.q, tool);
-  const auto size_law = interpreter::cast<double>(law_at(size_laws_[i].get(), state.q, tool));
+  const GivenTools tools{values_of(state, Quantity::tool),
+                         values_of(state, Quantity::tool_orientation)};
+  const auto law = law_at(functions_[i].program.law.get(), state.q, tools);
+  const auto size_law = interpreter::cast<double>(law_at(size_laws_[i].get(), state.q, tools));
   FunctionReference reference;
   const auto yielding = sizes.yielding(function, size_law);
   reference.condition = sizes.condition(function, yielding);

@@ -156,6 +156,9 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
       return entries_of(terms_.forces_by_velocity(state_.qd) / 2);
     case Function::kinetic_energy:
       return {terms_.kinetic_energy(state_.qd)};
+    case Function::kinetic_energy_derivatives:
+      return joined({terms_.kinetic_energy_by_displacement(state_.qd),
+                     terms_.mass_matrix() * magnitudes(state_.qd)});
     case Function::potential_energy:
       return {terms_.potential_energy()};
     case Function::centroidal_momentum_matrix:
@@ -167,12 +170,24 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
     case Function::center_of_mass_bias_acceleration:
       return entries_of(terms_.centroidal_bias(state_.qd).head(3) /
                         interpreter::total_mass(subject_.model));
+    case Function::centroidal_momentum_derivatives:
+      return joined({terms_.centroidal_momentum_by_displacement(state_.qd),
+                     terms_.centroidal_momentum_matrix()});
+    case Function::centroidal_momentum_rate_derivatives:
+      return joined({terms_.centroidal_rate_by_displacement(state_.qd, state_.qdd),
+                     terms_.centroidal_rate_by_velocity(state_.qd),
+                     terms_.centroidal_momentum_matrix()});
     case Function::subtree_masses_and_centers:
       return entries_of(terms_.subtrees());
     case Function::point_velocity:
       return entries_of(terms_.point_velocities(state_.qd));
     case Function::point_acceleration:
       return entries_of(terms_.point_accelerations(state_.qd, state_.qdd));
+    case Function::point_velocity_derivatives:
+      return joined({terms_.point_velocities_by_displacement(state_.qd), terms_.point_jacobian()});
+    case Function::point_acceleration_derivatives:
+      return joined({terms_.point_accelerations_by_displacement(state_.qd, state_.qdd),
+                     terms_.point_accelerations_by_velocity(state_.qd), terms_.point_jacobian()});
     case Function::dynamically_consistent_inverse:
       return entries_of(dynamically_consistent_inverse(Lambda));
     case Function::null_space_projector:

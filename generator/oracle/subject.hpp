@@ -19,16 +19,17 @@ struct SubjectInertia {
   double mass = 0, reach = 0;
 };
 
-/// An operational point whose origin is an argument, with components up to `reach`, m.
+/// An operational point or a contact whose origin is an argument, with components up to `reach`, m.
 struct SubjectTool {
   std::size_t point = 0;
   double reach = 0;
+  bool orientation = false;  ///< its axes are an argument, too
 };
 
 /// What of the subject arguments change, see `SceneInputs`.
 struct SubjectInputs {
   std::vector<SubjectInertia> payloads, parameters;
-  std::vector<SubjectTool> tools;
+  std::vector<SubjectTool> tools, contacts;
 };
 
 /// Robot and scene in the interpreter's types.
@@ -67,6 +68,17 @@ void add_payloads(const Scene& scene, interpreter::Model<Scalar>& model) {
   }
 }
 
+inline std::vector<SubjectTool> tools_of(const std::vector<SceneTool>& named,
+                                         const std::vector<ScenePoint>& points) {
+  std::vector<SubjectTool> tools;
+  for (const SceneTool& tool : named) {
+    std::size_t point = 0;
+    while (points[point].name != tool.point) ++point;
+    tools.push_back({point, tool.reach, tool.orientation});
+  }
+  return tools;
+}
+
 /// `model` without payloads.
 template <class Scalar>
 SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& model) {
@@ -78,11 +90,8 @@ SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& mo
   for (const SceneInertia& own : scene.inputs.parameters) {
     inputs.parameters.push_back({find_body(model, own.link), own.mass, own.reach});
   }
-  for (const SceneTool& tool : scene.inputs.tools) {
-    std::size_t point = 0;
-    while (scene.operational_points[point].name != tool.point) ++point;
-    inputs.tools.push_back({point, tool.reach});
-  }
+  inputs.tools = tools_of(scene.inputs.tools, scene.operational_points);
+  inputs.contacts = tools_of(scene.inputs.contacts, scene.contacts);
   return inputs;
 }
 

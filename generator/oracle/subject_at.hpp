@@ -44,6 +44,31 @@ void change_model(const SubjectInputs& inputs, const State& state,
   set_all_parameters(inputs.parameters, values_of(state, Quantity::parameters), model);
 }
 
+/// Puts points where a state has their origins; leaves them if it has none.
+template <class Scalar>
+void place_origins(const std::vector<SubjectTool>& tools, const std::vector<double>& entries,
+                   interpreter::Points<Scalar>& points) {
+  for (std::size_t i = 0; 3 * i < entries.size(); ++i) {
+    points[tools[i].point].p = {Scalar(entries[3 * i]), Scalar(entries[3 * i + 1]),
+                                Scalar(entries[3 * i + 2])};
+  }
+}
+
+/// Gives points the axes of a state's quaternions; leaves them if it has none.
+template <class Scalar>
+void place_axes(const std::vector<SubjectTool>& tools, const std::vector<double>& entries,
+                interpreter::Points<Scalar>& points) {
+  if (entries.empty()) return;
+  std::size_t first = 0;
+  for (const SubjectTool& tool : tools) {
+    if (!tool.orientation) continue;
+    const auto at = [&](std::size_t i) { return Scalar(entries[first + i]); };
+    points[tool.point].R =
+        interpreter::rotation_from_quaternion<Scalar>({at(0), at(1), at(2)}, at(3));
+    first += 4;
+  }
+}
+
 /// Whether a state says anything that the model, or a tool, is made of.
 inline bool has_model_inputs(const State& state) {
   return std::ranges::any_of(kQuantities, [&](const QuantityInfo& row) {
@@ -51,8 +76,9 @@ inline bool has_model_inputs(const State& state) {
   });
 }
 
-/// A subject with what a state says of gravity, payloads, inertial parameters and tools. If the
-/// state says nothing of them, it is the given subject, which must live as long; else a copy.
+/// A subject with what a state says of gravity, payloads, inertial parameters, tools and contacts.
+/// If the state says nothing of them, it is the given subject, which must live as long; else a
+/// copy.
 template <class Scalar>
 class SubjectAt {
  public:
@@ -67,11 +93,10 @@ class SubjectAt {
     Subject<Scalar>& subject = changed_.emplace(*given_);
     change_model(subject.inputs, state, subject.model);
     for (auto& robot : subject.chain.robots) change_model(subject.inputs, state, robot);
-    const std::vector<double>& tool = values_of(state, Quantity::tool);
-    for (std::size_t i = 0; 3 * i < tool.size(); ++i) {
-      subject.points[subject.inputs.tools[i].point].p = {
-          Scalar(tool[3 * i]), Scalar(tool[3 * i + 1]), Scalar(tool[3 * i + 2])};
-    }
+    const SubjectInputs& inputs = subject.inputs;
+    place_origins(inputs.tools, values_of(state, Quantity::tool), subject.points);
+    place_axes(inputs.tools, values_of(state, Quantity::tool_orientation), subject.points);
+    place_origins(inputs.contacts, values_of(state, Quantity::contact), subject.contacts);
   }
 
   const Subject<Scalar>* given_;

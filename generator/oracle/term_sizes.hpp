@@ -65,6 +65,27 @@ class TermSizes {
   /// Sizes of accelerations of all points, 6 each.
   [[nodiscard]] Eigen::VectorXd point_accelerations(const std::vector<double>& qd,
                                                     const std::vector<double>& qdd) const;
+  /// Sizes of the Jacobian of all points, 6 rows each: l over 1. 6 rows a point x nv.
+  [[nodiscard]] Eigen::MatrixXd point_jacobian() const;
+  /// Sizes of the derivatives of velocities of all points: l |w| + |v| over |w|.
+  [[nodiscard]] Eigen::MatrixXd point_velocities_by_displacement(
+      const std::vector<double>& qd) const;
+  /// Sizes of the derivatives of accelerations of all points, by displacements: l |alpha| + |a|
+  /// over |alpha|; by velocities: twice those of velocities by displacements.
+  [[nodiscard]] Eigen::MatrixXd point_accelerations_by_displacement(
+      const std::vector<double>& qd, const std::vector<double>& qdd) const;
+  [[nodiscard]] Eigen::MatrixXd point_accelerations_by_velocity(
+      const std::vector<double>& qd) const;
+  /// Sizes of the derivatives of h_G, 6 x nv: the momenta of bodies turn and change, their places
+  /// and the centre of mass move.
+  [[nodiscard]] Eigen::MatrixXd centroidal_momentum_by_displacement(
+      const std::vector<double>& qd) const;
+  /// The same of dh_G/dt.
+  [[nodiscard]] Eigen::MatrixXd centroidal_rate_by_displacement(
+      const std::vector<double>& qd, const std::vector<double>& qdd) const;
+  [[nodiscard]] Eigen::MatrixXd centroidal_rate_by_velocity(const std::vector<double>& qd) const;
+  /// Sizes of the derivatives of the kinetic energy: m |v| (l |w| + |v|) + |I| |w|^2. 1 x nv.
+  [[nodiscard]] Eigen::MatrixXd kinetic_energy_by_displacement(const std::vector<double>& qd) const;
 
  private:
   /// Motion of a point per unit of one velocity: `lever` in m, `turn` in rad per unit.
@@ -77,11 +98,26 @@ class TermSizes {
   struct Motion {
     double v = 0, w = 0, a = 0, alpha = 0;
   };
+  /// Of a velocity or an acceleration.
+  struct Pair {
+    double linear, angular;
+  };
+  static Pair velocity_change(const Motion& of, const Column& by);
+  static Pair acceleration_change(const Motion& of, const Column& by);
 
   [[nodiscard]] Columns columns(int body, double distance) const;
   [[nodiscard]] double path_to(int body) const;
   [[nodiscard]] double first_moment() const;
   [[nodiscard]] std::vector<double> arms() const;
+  /// Sizes of derivatives of a momentum or its rate where bodies stay in place. `change`: what a
+  /// column changes of a body's velocity or acceleration.
+  template <class Change>
+  [[nodiscard]] Eigen::MatrixXd centroidal_columns(const std::vector<double>& qd,
+                                                   const std::vector<double>& qdd,
+                                                   Change change) const;
+  template <class Change>
+  [[nodiscard]] Eigen::MatrixXd point_columns(const std::vector<double>& qd,
+                                              const std::vector<double>& qdd, Change change) const;
   [[nodiscard]] Motion motion(const Columns& columns, const std::vector<double>& qd,
                               const std::vector<double>& qdd) const;
 

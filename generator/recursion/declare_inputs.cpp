@@ -14,6 +14,12 @@ int internal_force_entries(const Mechanism& mechanism) {
   return entries;
 }
 
+int count_orientations(const MechanismInputs& inputs) {
+  return static_cast<int>(
+      std::count_if(inputs.tools.begin(), inputs.tools.end(),
+                    [](const MechanismTool& tool) { return tool.orientation; }));
+}
+
 /// Units of rotation and of translation, as rows of joint quantities name them.
 struct JointUnits {
   std::string angular, linear;
@@ -82,9 +88,13 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
     case IndexSpace::parameters:
       return kInertialParameters * static_cast<int>(mechanism.inputs.parameters.size());
     case IndexSpace::tools:
+      return 3 * static_cast<int>(mechanism.inputs.tools.size());
+    case IndexSpace::orientations:
+      return 4 * count_orientations(mechanism.inputs);
+    case IndexSpace::contact_places:
       break;
   }
-  return 3 * static_cast<int>(mechanism.inputs.tools.size());
+  return 3 * static_cast<int>(mechanism.inputs.contacts.size());
 }
 
 TracedInputs::TracedInputs(const Mechanism& mechanism, Function function, Program& program) {
@@ -108,8 +118,9 @@ void apply_inputs(const Mechanism& mechanism, const TracedInputs& inputs, Tree<E
   }
   model.payloads = inertial_parameters(inputs[Quantity::payload]);
   model.parameters = inertial_parameters(inputs[Quantity::parameters]);
-  const auto& tools = inputs[Quantity::tool];
-  for (std::size_t i = 0; i < tools.size(); i += 3) model.tools.push_back(triple_at(tools, i));
+  model.tools = triples(inputs[Quantity::tool]);
+  model.orientations = rotations(inputs[Quantity::tool_orientation]);
+  model.contacts = triples(inputs[Quantity::contact]);
   apply_inputs<Expression>(mechanism, model, tree);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "recursion/composite_momentum.hpp"
+#include "recursion/joint_axes.hpp"
 #include "recursion/steady_forces.hpp"
 
 namespace treeline {
@@ -27,10 +27,7 @@ struct MotionChange {
 /// One degree of freedom of a joint, and the changes of motion due to a change of its displacement
 /// or velocity.
 template <class Scalar>
-struct JointFreedom {
-  std::size_t column = 0;
-  Scalar multiplier{};
-  Vector3<Scalar> slide, turn;  ///< unit vector along or about which it moves; one of them is zero
+struct JointFreedom : JointAxis<Scalar> {
   MotionChange<Scalar> by_q, by_qd;
 };
 
@@ -74,31 +71,19 @@ void change_by_slide(const CarriedMotion<Scalar>& parent, const Vector3<Scalar>&
 }
 
 /// Degrees of freedom of a link's joint (Carpentier & Mansard 2018; Singh, Russell & Wensing 2022),
-/// with conventional accelerations, so that no velocity of an origin occurs. The last link of a
-/// ball joint has all three, the other links none: the joint's axes move with the last. `carried`
-/// is the motion of the link that carries the joint.
+/// with conventional accelerations, so that no velocity of an origin occurs. `carried` is the
+/// motion of the link that carries the joint.
 template <class Scalar>
 std::vector<JointFreedom<Scalar>> joint_freedoms(const TreeLink<Scalar>& link,
                                                  const CarriedMotion<Scalar>& carried,
                                                  const LinkMotion<Scalar>& own,
                                                  const JointRates<Scalar>& rates) {
-  if (link.is_continued()) return {};
-  const Scalar zero(0.0);
-  const Scalar one(1.0);
-  const std::array<Vector3<Scalar>, 3> axes{
-      {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
-  const int count = link.is_of_ball() ? 3 : link.velocities();
-  const auto at = static_cast<std::size_t>(link.v_index + link.velocities() - count);
+  const auto at = static_cast<std::size_t>(link.v_index);
   const Vector3<Scalar> v_rel = link.is_floating() ? velocity_triple(rates, at) : Vector3<Scalar>{};
   std::vector<JointFreedom<Scalar>> freedoms;
-  for (int k = 0; k < count; ++k) {
-    JointFreedom<Scalar> freedom;
-    freedom.column = at + static_cast<std::size_t>(k);
-    freedom.multiplier = link.is_floating() ? one : link.multiplier;
-    const bool turns = link.is_angular(k);
-    (turns ? freedom.turn : freedom.slide) =
-        axes[static_cast<std::size_t>(link.is_of_ball() ? k : link.axis(k))];
-    if (turns) {
+  for (const JointAxis<Scalar>& axis : joint_axes(link)) {
+    JointFreedom<Scalar> freedom{axis, {}, {}};
+    if (axis.turns) {
       change_by_turn(carried, own.w, v_rel, freedom);
     } else {
       change_by_slide(carried, own.w, freedom);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "functions/quantity.hpp"
+#include "recursion/rotation_from_quaternion.hpp"
 #include "recursion/tree.hpp"
 
 namespace treeline {
@@ -24,11 +25,31 @@ struct ModelInputs {
   std::optional<Vector3<Scalar>> gravity;
   std::vector<InertialParameters<Scalar>> payloads, parameters;
   std::vector<Vector3<Scalar>> tools;
+  std::vector<Matrix3<Scalar>> orientations;  ///< of those tools whose axes are an argument
+  std::vector<Vector3<Scalar>> contacts;
 };
 
 template <class Scalar>
 Vector3<Scalar> triple_at(const std::vector<Scalar>& entries, std::size_t first) {
   return {entries[first], entries[first + 1], entries[first + 2]};
+}
+
+template <class Scalar>
+std::vector<Vector3<Scalar>> triples(const std::vector<Scalar>& entries) {
+  std::vector<Vector3<Scalar>> vectors;
+  for (std::size_t i = 0; i < entries.size(); i += 3) vectors.push_back(triple_at(entries, i));
+  return vectors;
+}
+
+/// Of an argument with four entries a quaternion x, y, z, w.
+template <class Scalar>
+std::vector<Matrix3<Scalar>> rotations(const std::vector<Scalar>& entries) {
+  std::vector<Matrix3<Scalar>> turns;
+  for (std::size_t i = 0; i < entries.size(); i += 4) {
+    turns.push_back(
+        rotation_from_quaternion(entries[i], entries[i + 1], entries[i + 2], entries[i + 3]));
+  }
+  return turns;
 }
 
 /// Of an argument with ten entries a body: m, m c, Ixx, Ixy, Ixz, Iyy, Iyz, Izz.
@@ -110,17 +131,46 @@ void add_bodies(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs, T
   tree.inverse_total_mass = Scalar(1.0) / tree.total_mass;
 }
 
+/// Puts the origin of a point where an argument has it in the frame of its link.
+template <class Scalar>
+void place_origin(const MechanismTool& tool, const Vector3<Scalar>& origin,
+                  std::vector<TreePoint<Scalar>>& points) {
+  points[tool.point].p = rotate(planar_factors<Scalar>(tool.frame.pose.R), origin) +
+                         rounded<Scalar>(tool.frame.pose.p);
+}
+
+/// Gives a point the axes that an argument says in those of its link.
+template <class Scalar>
+void place_axes(const MechanismTool& tool, const Matrix3<Scalar>& turn,
+                std::vector<TreePoint<Scalar>>& points) {
+  const Rotation<Scalar> R = planar_factors<Scalar>(tool.frame.pose.R);
+  const Matrix3<Scalar> columns = transposed(turn);
+  points[tool.point].R = transposed(Matrix3<Scalar>{
+      rotate(R, columns.row_x), rotate(R, columns.row_y), rotate(R, columns.row_z)});
+}
+
+template <class Scalar>
+void place_points(const MechanismInputs& places, const ModelInputs<Scalar>& inputs,
+                  Tree<Scalar>& tree) {
+  for (std::size_t i = 0; i < inputs.tools.size(); ++i) {
+    place_origin(places.tools[i], inputs.tools[i], tree.operational_points);
+  }
+  for (std::size_t i = 0; i < inputs.contacts.size(); ++i) {
+    place_origin(places.contacts[i], inputs.contacts[i], tree.contacts);
+  }
+  if (inputs.orientations.empty()) return;
+  std::size_t next = 0;
+  for (const MechanismTool& tool : places.tools) {
+    if (tool.orientation) place_axes(tool, inputs.orientations[next++], tree.operational_points);
+  }
+}
+
 /// Makes the constant tree that of a robot with these inputs.
 template <class Scalar>
 void apply_inputs(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs,
                   Tree<Scalar>& tree) {
   if (inputs.gravity) tree.gravity = *inputs.gravity;
-  for (std::size_t i = 0; i < inputs.tools.size(); ++i) {
-    const MechanismTool& tool = mechanism.inputs.tools[i];
-    tree.operational_points[tool.point].p =
-        rotate(planar_factors<Scalar>(tool.frame.pose.R), inputs.tools[i]) +
-        rounded<Scalar>(tool.frame.pose.p);
-  }
+  place_points(mechanism.inputs, inputs, tree);
   add_bodies(mechanism, inputs, tree);
 }
 

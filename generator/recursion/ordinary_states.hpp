@@ -25,14 +25,14 @@ struct Posed {
   std::vector<JointTransform<Scalar>> X;
 };
 
-/// `tool`: origins of points that are arguments, empty for those of the scene.
 template <class Scalar>
 Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vector<double>& q,
-                   const std::vector<double>& tool = {}) {
+                   const GivenTools& tools = {}) {
   Posed<Scalar> posed;
   ModelInputs<Scalar> inputs;
-  const std::vector<Scalar> origins(tool.begin(), tool.end());
-  for (std::size_t i = 0; i < origins.size(); i += 3) inputs.tools.push_back(triple_at(origins, i));
+  inputs.tools = triples(std::vector<Scalar>(tools.origins.begin(), tools.origins.end()));
+  inputs.orientations =
+      rotations(std::vector<Scalar>(tools.orientations.begin(), tools.orientations.end()));
   posed.tree = tree_of<Scalar>(mechanism, inputs);
   if (points == LawPoints::contacts) posed.tree.operational_points = posed.tree.contacts;
   if (points == LawPoints::grasps) {

@@ -8,6 +8,7 @@
 #include "recursion/describe_choice.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/kinetic_energy.hpp"
+#include "recursion/motion_derivative_routes.hpp"
 #include "recursion/operational_quantities.hpp"
 #include "recursion/point_motion.hpp"
 #include "recursion/potential_energy.hpp"
@@ -324,6 +325,8 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
       return coriolis_routes();
     case Function::kinetic_energy:
       return kinetic_energy_routes();
+    case Function::kinetic_energy_derivatives:
+      return kinetic_energy_derivative_routes();
     case Function::potential_energy:
       return potential_energy_routes();
     case Function::lambda_inverse:
@@ -336,6 +339,10 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
       return point_velocity_routes();
     case Function::point_acceleration:
       return point_acceleration_routes();
+    case Function::point_velocity_derivatives:
+      return point_velocity_derivative_routes();
+    case Function::point_acceleration_derivatives:
+      return point_acceleration_derivative_routes();
     case Function::dynamically_consistent_inverse:
       return consistent_inverse_routes(tree, false, laws);
     case Function::null_space_projector:
@@ -362,6 +369,8 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
     case Function::centroidal_momentum:
     case Function::centroidal_bias:
     case Function::center_of_mass_bias_acceleration:
+    case Function::centroidal_momentum_derivatives:
+    case Function::centroidal_momentum_rate_derivatives:
     case Function::subtree_masses_and_centers:
     case Function::inverse_dynamics_derivatives:
     case Function::forward_dynamics_derivatives:

@@ -155,10 +155,10 @@ Matrix3<Exact> arm_rows(const Posed<Exact>& posed, const TaskLaw& law, const Mat
 }  // namespace
 
 std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& q,
-                                 const std::vector<double>& tool) {
+                                 const GivenTools& tools) {
   const TaskBasis& basis = law.basis;
   if (!basis.in_link_axes && !basis.at_link_origin && basis.axes_link < 0) return {};
-  const auto posed = pose<Exact>(*law.mechanism, law.points, q, tool);
+  const auto posed = pose<Exact>(*law.mechanism, law.points, q, tools);
   const auto poses = world_poses(posed.tree, posed.X);
   const auto axes_of = [&](int link, const TreePoint<Exact>& point) {
     if (link < 0 && !basis.in_link_axes && point.axes == Axes::world) return identity3<Exact>();

@@ -87,10 +87,15 @@ struct LawFrame {
   std::array<Exact, 3> shift;
 };
 
+/// What arguments say of operational points: entries of `tool` and `tool_orientation`. Those of the
+/// scene where empty.
+struct GivenTools {
+  std::vector<double> origins, orientations;
+};
+
 /// Frames of the law's rows at `q`, one per point; empty if all rows are those of the scene.
-/// `tool`: origins of points that are arguments, empty for those of the scene.
 std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& q,
-                                 const std::vector<double>& tool = {});
+                                 const GivenTools& tools = {});
 
 /// Makes the task laws of a mechanism's functions, each once.
 class TaskLaws {

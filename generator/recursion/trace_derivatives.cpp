@@ -11,19 +11,7 @@
 namespace treeline {
 namespace {
 
-using Matrix = DenseMatrix<Expression>;
-
 constexpr int kMostLanes = 4;  // three values go together
-
-/// A result by q; in which coordinates need be said only where a joint floats.
-Result by_displacements(const char* name, const Mechanism& mechanism, const Matrix& matrix) {
-  return matrix_result(name,
-                       mechanism.nq() == mechanism.nv()
-                           ? "by q"
-                           : "by displacements: floating joints' are twists in the child's axes, "
-                             "linear over angular; others' are of q",
-                       matrix);
-}
 
 /// Each column of the lower triangles with its row, from the last freedom to the first, all results
 /// together: what is carried inward is then in use from beginning to end and nothing else is.
@@ -51,7 +39,7 @@ Program trace_inverse(const Mechanism& mechanism, Program program) {
   turn_late(tree, X);
   const auto d = inverse_dynamics_derivatives<Expression>(
       tree, X, {in[Quantity::qd], in[Quantity::qdd]}, in[Quantity::f_ext]);
-  program.results = {by_displacements("dtau_dq", mechanism, d.dq),
+  program.results = {matrix_result("dtau_dq", by_displacements(mechanism), d.dq),
                      matrix_result("dtau_dqd", "by qd", d.dqd),
                      matrix_result("dtau_dqdd", "by qdd: M", d.dqdd)};
   program.order = order_inward(static_cast<std::size_t>(mechanism.nv()), program.results.size());
@@ -72,7 +60,7 @@ Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRou
   turn_late(tree, X);
   const auto d = forward_dynamics_derivatives<Expression>(
       tree, X, in[Quantity::qd], in[Quantity::tau], in[Quantity::f_ext], route);
-  program.results = {by_displacements("dqdd_dq", mechanism, d.dq),
+  program.results = {matrix_result("dqdd_dq", by_displacements(mechanism), d.dq),
                      matrix_result("dqdd_dqd", "by qd", d.dqd),
                      matrix_result("dqdd_dtau", "by tau: M^-1", d.dtau)};
   return program;

@@ -22,4 +22,12 @@ inline Result matrix_result(const char* name, const std::string& meaning,
           matrix.values()};
 }
 
+/// In which coordinates derivatives "by q" are need be said only where a joint has a quaternion.
+inline std::string by_displacements(const Mechanism& mechanism) {
+  return mechanism.nq() == mechanism.nv()
+             ? "by q"
+             : "by displacements: floating joints' are twists in the child's axes, linear over "
+               "angular; others' are of q";
+}
+
 }  // namespace treeline

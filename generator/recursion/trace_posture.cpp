@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "recursion/centroidal_momentum.hpp"
+#include "recursion/centroidal_derivatives.hpp"
 #include "recursion/late_turns.hpp"
 #include "recursion/trace_parts.hpp"
 
@@ -13,17 +13,21 @@ namespace {
 
 using Outputs = std::vector<Result>;
 
-/// The tree, its transforms for the inputs q, and qd.
+/// The tree, its transforms for the inputs q, and the other inputs.
 struct PostureTrace {
   Tree<Expression> tree;
   std::vector<JointTransform<Expression>> X;
-  std::vector<Expression> qd;
+  std::vector<Expression> qd, qdd;
+  std::string by_q;  ///< see `by_displacements`
 };
 
 RouteId posture_route(Function function) {
   switch (function) {
     case Function::centroidal_momentum_matrix:
       return {"composite-bodies", "composite bodies about the centre of mass"};
+    case Function::centroidal_momentum_derivatives:
+    case Function::centroidal_momentum_rate_derivatives:
+      return {"composite-changes", "changes of what each joint carries, about the centre of mass"};
     case Function::centroidal_momentum:
     case Function::centroidal_bias:
     case Function::center_of_mass_bias_acceleration:
@@ -55,8 +59,22 @@ Outputs subtrees(const PostureTrace& trace) {
                         std::move(centers))};
 }
 
+Outputs momentum_derivatives(const PostureTrace& trace) {
+  const auto& [tree, X, qd, qdd, by_q] = trace;
+  return {
+      matrix_result("dh_dq", by_q, centroidal_momentum_by_displacements<Expression>(tree, X, qd)),
+      matrix_result("dh_dqd", "by qd: A_G", centroidal_momentum_matrix(tree, X))};
+}
+
+Outputs momentum_rate_derivatives(const PostureTrace& trace) {
+  const auto& [tree, X, qd, qdd, by_q] = trace;
+  const auto d = centroidal_rate_derivatives<Expression>(tree, X, {qd, qdd});
+  return {matrix_result("dhd_dq", by_q, d.dq), matrix_result("dhd_dqd", "by qd", d.dqd),
+          matrix_result("dhd_dqdd", "by qdd: A_G", centroidal_momentum_matrix(tree, X))};
+}
+
 Outputs posture_results(Function function, const PostureTrace& trace) {
-  const auto& [tree, X, qd] = trace;
+  const auto& [tree, X, qd, qdd, by_q] = trace;
   switch (function) {
     case Function::center_of_mass:
       return vector_of("com", "centre of mass in the world, m", center_of_mass(tree, X));
@@ -75,6 +93,10 @@ Outputs posture_results(Function function, const PostureTrace& trace) {
     case Function::center_of_mass_bias_acceleration:
       return vector_of("bias", "acceleration of the centre of mass at qdd = 0, m/s^2, world axes",
                        center_of_mass_bias_acceleration<Expression>(tree, X, qd));
+    case Function::centroidal_momentum_derivatives:
+      return momentum_derivatives(trace);
+    case Function::centroidal_momentum_rate_derivatives:
+      return momentum_rate_derivatives(trace);
     case Function::subtree_masses_and_centers:
       return subtrees(trace);
     default:
@@ -101,6 +123,8 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   trace.X = joint_transforms<Expression>(trace.tree, inputs[Quantity::q]);
   turn_late(trace.tree, trace.X);
   trace.qd = inputs[Quantity::qd];
+  trace.qdd = inputs[Quantity::qdd];
+  trace.by_q = by_displacements(mechanism);
   program.results = posture_results(function, trace);
   return programs;
 }

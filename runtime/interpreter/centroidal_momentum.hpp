@@ -63,13 +63,12 @@ Vector6<Scalar> centroidal_momentum(const Model<Scalar>& model, VectorArg<Scalar
   return h;
 }
 
-/// dA_G/dt qd, 6: what the momenta of all bodies change by at qdd = 0 (Newton, Euler).
+/// dh_G/dt = A_G qdd + dA_G/dt qd, 6: what the momenta of all bodies change by (Newton, Euler).
 template <class Scalar>
-Vector6<Scalar> centroidal_bias(const Model<Scalar>& model, VectorArg<Scalar> q,
-                                VectorArg<Scalar> qd) {
+Vector6<Scalar> centroidal_momentum_rate(const Model<Scalar>& model, VectorArg<Scalar> q,
+                                         VectorArg<Scalar> qd, VectorArg<Scalar> qdd) {
   const auto k = kinematics<Scalar>(model, q, qd);
-  const auto a =
-      accelerations<Scalar>(model, k, Vector<Scalar>::Zero(model.nv), Vector3<Scalar>::Zero());
+  const auto a = accelerations<Scalar>(model, k, qdd, Vector3<Scalar>::Zero());
   const Vector3<Scalar> center = center_of_mass<Scalar>(model, q);
   Vector6<Scalar> rate = Vector6<Scalar>::Zero();
   for (int i = 0; i < model.size(); ++i) {
@@ -84,6 +83,13 @@ Vector6<Scalar> centroidal_bias(const Model<Scalar>& model, VectorArg<Scalar> q,
     rate += stack<Scalar>(f, cross(body.arm, f) + body.inertia * alpha + cross(w, L));
   }
   return rate;
+}
+
+/// dA_G/dt qd, 6: the rate of the momentum at qdd = 0.
+template <class Scalar>
+Vector6<Scalar> centroidal_bias(const Model<Scalar>& model, VectorArg<Scalar> q,
+                                VectorArg<Scalar> qd) {
+  return centroidal_momentum_rate<Scalar>(model, q, qd, Vector<Scalar>::Zero(model.nv));
 }
 
 /// dJ_com/dt qd, 3: the acceleration of the centre of mass at qdd = 0, m/s^2, world axes.

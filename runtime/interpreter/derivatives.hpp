@@ -39,10 +39,30 @@ void copy_slopes(const Vector<Dual<Scalar>>& from, Eigen::Index column, Matrix<S
   for (Eigen::Index i = 0; i < from.size(); ++i) to(i, column) = from(i).slope;
 }
 
+/// Derivatives of f(q, qd), in dual numbers, column by column.
+template <class Scalar, class Function>
+DynamicsDerivatives<Scalar> differentiate(const Model<Scalar>& model, const Vector<Scalar>& q,
+                                          const Vector<Scalar>& qd, const Function& f) {
+  using Number = Dual<Scalar>;
+  const Vector<Number> q_held = constant<Scalar>(q);
+  Vector<Number> qd_moving = constant<Scalar>(qd);
+  const Eigen::Index rows = f(q_held, qd_moving).size();
+  const Matrix<Scalar> none = Matrix<Scalar>::Zero(rows, model.nv);
+  DynamicsDerivatives<Scalar> result{none, none, {}};
+  for (Eigen::Index j = 0; j < model.nv; ++j) {
+    const Vector<Number> q_moving = displaced<Scalar>(model, q, j);
+    copy_slopes<Scalar>(f(q_moving, qd_moving), j, result.by_displacement);
+    qd_moving(j).slope = Scalar(1);
+    copy_slopes<Scalar>(f(q_held, qd_moving), j, result.by_velocity);
+    qd_moving(j).slope = Scalar(0);
+  }
+  return result;
+}
+
 }  // namespace detail
 
 /// Derivatives of tau = M qdd + b + g - J_ext^T f_ext with constant f_ext: inverse dynamics in dual
-/// numbers, column by column.
+/// numbers.
 template <class Scalar>
 DynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Model<Scalar>& model,
                                                          VectorArg<Scalar> q, VectorArg<Scalar> qd,
@@ -56,17 +76,8 @@ DynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Model<Scalar>& mo
     return inverse_dynamics<Number>(lifted, q_moving, qd_moving, detail::constant<Scalar>(qdd),
                                     points, detail::constant<Scalar>(f_ext));
   };
-  const Matrix<Scalar> none = Matrix<Scalar>::Zero(model.nv, model.nv);
-  DynamicsDerivatives<Scalar> result{none, none, mass_matrix<Scalar>(model, q)};
-  const Vector<Number> q_held = detail::constant<Scalar>(q);
-  Vector<Number> qd_moving = detail::constant<Scalar>(qd);
-  for (Eigen::Index j = 0; j < model.nv; ++j) {
-    const Vector<Number> q_moving = detail::displaced<Scalar>(model, q, j);
-    detail::copy_slopes<Scalar>(tau(q_moving, qd_moving), j, result.by_displacement);
-    qd_moving(j).slope = Scalar(1);
-    detail::copy_slopes<Scalar>(tau(q_held, qd_moving), j, result.by_velocity);
-    qd_moving(j).slope = Scalar(0);
-  }
+  auto result = detail::differentiate<Scalar>(model, q, qd, tau);
+  result.by_drive = mass_matrix<Scalar>(model, q);
   return result;
 }
 

@@ -44,7 +44,15 @@ namespace treeline::interpreter {
   EXTERN template Matrix<T> centroidal_momentum_matrix<T>(const Model<T>&, VectorArg<T>);          \
   EXTERN template Vector6<T> centroidal_momentum<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);  \
   EXTERN template Vector6<T> centroidal_bias<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);      \
+  EXTERN template Vector6<T> centroidal_momentum_rate<T>(                                          \
+      const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>);                                  \
   EXTERN template Vector3<T> center_of_mass_bias_acceleration<T>(                                  \
+      const Model<T>&, VectorArg<T>, VectorArg<T>);                                                \
+  EXTERN template DynamicsDerivatives<T> centroidal_momentum_derivatives<T>(                       \
+      const Model<T>&, VectorArg<T>, VectorArg<T>);                                                \
+  EXTERN template DynamicsDerivatives<T> centroidal_momentum_rate_derivatives<T>(                  \
+      const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template DynamicsDerivatives<T> kinetic_energy_derivatives<T>(                            \
       const Model<T>&, VectorArg<T>, VectorArg<T>);                                                \
   EXTERN template std::vector<Subtree<T>> subtrees<T>(const Model<T>&, VectorArg<T>)
 
@@ -59,6 +67,10 @@ namespace treeline::interpreter {
   EXTERN template Vector<T> point_velocity<T>(                                                     \
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
   EXTERN template Vector<T> point_acceleration<T>(                                                 \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>);                    \
+  EXTERN template DynamicsDerivatives<T> point_velocity_derivatives<T>(                            \
+      const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
+  EXTERN template DynamicsDerivatives<T> point_acceleration_derivatives<T>(                        \
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>, VectorArg<T>);                    \
   EXTERN template Matrix<T> dynamically_consistent_inverse<T>(                                     \
       const Model<T>&, PointsArg<T>, VectorArg<T>, const TaskLaw<T>&);                             \

@@ -27,6 +27,7 @@
 #include "interpreter/lambda_inverse.hpp"
 #include "interpreter/link_inertias.hpp"
 #include "interpreter/mass_matrix.hpp"
+#include "interpreter/motion_derivatives.hpp"
 #include "interpreter/object_control_torque.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
 #include "interpreter/operational_quantities.hpp"

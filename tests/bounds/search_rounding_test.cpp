@@ -48,7 +48,7 @@ TEST(DrawInputs, QuaternionsHaveLengthOneAndSinesAreOfOneAngle) {
   const auto s = sample.argument("sin_q", 5, 1);
   const auto c = sample.argument("cos_q", 5, 1);
   sample.domain.sizes["q"].push_back(3);
-  sample.domain.quaternions = {0};
+  sample.domain.quaternions = {{Quantity::q, 0}};
   sample.result({q[0] * q[1] * q[2] * q[3] * s[4] * c[4]});
   const bounds::InputSpace space(sample.program.graph, sample.domain);
   ASSERT_FALSE(space.missing());

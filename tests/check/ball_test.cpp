@@ -46,9 +46,11 @@ base: fixed
 functions: [center_of_mass, center_of_mass_jacobian, inverse_dynamics_derivatives,
             forward_dynamics_derivatives, coriolis_matrix, kinetic_energy, potential_energy,
             link_inverse_inertias, centroidal_momentum_matrix, centroidal_momentum, centroidal_bias,
-            center_of_mass_bias_acceleration, subtree_masses_and_centers]
+            center_of_mass_bias_acceleration, subtree_masses_and_centers,
+            kinetic_energy_derivatives, centroidal_momentum_derivatives,
+            centroidal_momentum_rate_derivatives]
 )"),
-               13, 24);
+               16, 24);
 }
 
 TEST(BallCheck, HandsThatHoldAnObject) {

@@ -89,11 +89,15 @@ TEST(Check, Momentum) {
       Subjects subjects = load(name);
       subjects.scene.real = real;
       subjects.scene.functions = {Function::centroidal_momentum_matrix,
-                                  Function::centroidal_momentum, Function::centroidal_bias,
+                                  Function::centroidal_momentum,
+                                  Function::centroidal_bias,
                                   Function::center_of_mass_bias_acceleration,
-                                  Function::subtree_masses_and_centers};
+                                  Function::subtree_masses_and_centers,
+                                  Function::kinetic_energy_derivatives,
+                                  Function::centroidal_momentum_derivatives,
+                                  Function::centroidal_momentum_rate_derivatives};
       subjects.generation = generate(subjects.robot, subjects.scene);
-      expect_passed(check_or_throw(subjects, quick_options(40)), 5);
+      expect_passed(check_or_throw(subjects, quick_options(40)), 8);
     }
   }
 }
@@ -105,12 +109,14 @@ TEST(Check, QuantitiesOfOperationalPoints) {
     Subjects subjects = load(name);
     subjects.scene.functions = {Function::point_velocity,
                                 Function::point_acceleration,
+                                Function::point_velocity_derivatives,
+                                Function::point_acceleration_derivatives,
                                 Function::dynamically_consistent_inverse,
                                 Function::null_space_projector,
                                 Function::operational_bias_force,
                                 Function::operational_gravity};
     subjects.generation = generate(subjects.robot, subjects.scene);
-    expect_passed(check_or_throw(subjects, quick_options(60)), 6);
+    expect_passed(check_or_throw(subjects, quick_options(60)), 8);
   }
 }
 

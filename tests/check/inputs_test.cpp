@@ -15,7 +15,7 @@ SceneInputs inputs_of_puma() {
   inputs.gravity = true;
   inputs.payloads = {{"link6", 3, 0.3}};
   inputs.parameters = {{"link3", 10, 0.5}};
-  inputs.tools = {{"tool", 0.5}};
+  inputs.tools = {{"tool", 0.5, true}};
   return inputs;
 }
 
@@ -34,11 +34,12 @@ void expect_right(const Subjects& subjects, int states) {
   EXPECT_TRUE(report.passed()) << print_text(report);
   for (const GeneratedFunction& generated : subjects.generation.functions) {
     for (const Quantity quantity : info_of(generated.function).inputs) {
-      if (!is_of_model(quantity) || !has_input(subjects.scene, quantity)) continue;
+      if (!is_of_model(quantity)) continue;
       const auto& arguments = generated.program.arguments;
-      EXPECT_TRUE(std::any_of(
-          arguments.begin(), arguments.end(),
-          [&](const Argument& argument) { return argument.name == symbol_of(quantity); }))
+      EXPECT_EQ(std::any_of(
+                    arguments.begin(), arguments.end(),
+                    [&](const Argument& argument) { return argument.name == symbol_of(quantity); }),
+                takes_input(subjects.scene, generated.function, quantity))
           << generated.program.name << " " << symbol_of(quantity);
     }
   }
@@ -46,6 +47,7 @@ void expect_right(const Subjects& subjects, int states) {
 
 TEST(CheckInputs, EveryFunctionOfPuma560) {
   Subjects subjects = load("puma560");
+  subjects.scene.operational_points.front().axes = Axes::local;
   subjects.scene.inputs = inputs_of_puma();
   subjects.scene.functions = all_of_a_robot();
   subjects.generation = generate(subjects.robot, subjects.scene);
@@ -80,6 +82,9 @@ TEST(CheckInputs, ContactsAndObjects) {
     Subjects subjects = load("humanoid24", scene);
     subjects.scene.inputs.gravity = true;
     subjects.scene.inputs.payloads = {{subjects.scene.operational_points.front().link, 2, 0.3}};
+    if (!subjects.scene.contacts.empty()) {
+      subjects.scene.inputs.contacts = {{subjects.scene.contacts.back().name, 0.3}};
+    }
     subjects.generation = generate(subjects.robot, subjects.scene);
     expect_right(subjects, 20);
   }
@@ -91,12 +96,13 @@ TEST(CheckInputs, ConstraintsAndTools) {
   ScenePoint head = subjects.scene.operational_points.front();
   head.name = "head";
   head.link = "head";
+  head.axes = Axes::local;
   subjects.scene.operational_points.front().priority = 2;
   subjects.scene.operational_points.push_back(head);
   subjects.scene.inputs.gravity = true;
   subjects.scene.inputs.payloads = {{"left_hand", 2, 0.3}};
   subjects.scene.inputs.parameters = {{"right_hand", 2, 0.3}};
-  subjects.scene.inputs.tools = {{"left_hand", 0.3}, {"head", 0.2}};
+  subjects.scene.inputs.tools = {{"left_hand", 0.3}, {"head", 0.2, true}};
   subjects.generation = generate(subjects.robot, subjects.scene);
   expect_right(subjects, 20);
 }
@@ -155,6 +161,31 @@ TEST(CheckInputs, ManifestStatesWhatTheyCost) {
                                    [&](const auto& other) { return other.name == file.name; });
     EXPECT_EQ(file.text, same->text);
   }
+}
+
+std::string text_of(const Generation& generation, const std::string& name) {
+  for (const GeneratedFile& file : generation.files) {
+    if (file.name == name) return file.text;
+  }
+  return {};
+}
+
+// Rows in the world's axes do not depend on those of the tool.
+TEST(CheckInputs, OrientationCountsWhereItMatters) {
+  Subjects subjects = load("puma560");
+  subjects.scene.functions = {Function::forward_kinematics, Function::jacobian};
+  subjects.scene.inputs.tools = {{"tool", 0.5}};
+  const Generation origin = generate(subjects.robot, subjects.scene);
+  subjects.scene.inputs.tools = {{"tool", 0.5, true}};
+  const Generation both = generate(subjects.robot, subjects.scene);
+  EXPECT_FALSE(text_of(origin, "jacobian.cpp").empty());
+  EXPECT_EQ(text_of(both, "jacobian.cpp"), text_of(origin, "jacobian.cpp"));
+  EXPECT_NE(text_of(both, "forward_kinematics.cpp"), text_of(origin, "forward_kinematics.cpp"));
+  const nlohmann::json costs = costs_in(both);
+  EXPECT_FALSE(costs["jacobian"].contains("tool_orientation"));
+  EXPECT_EQ(costs["forward_kinematics"]["tool_orientation"],
+            flops_of(both, Function::forward_kinematics) -
+                flops_of(origin, Function::forward_kinematics));
 }
 
 }  // namespace

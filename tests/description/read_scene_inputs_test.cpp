@@ -14,13 +14,16 @@ const std::string kPoints = "operational_points: [{name: a, link: tool}, {name: 
 
 TEST(ReadInputs, ReadsEverySetting) {
   Diagnostics diagnostics;
-  const auto scene = parse_scene(kPoints +
-                                     "inputs:\n"
-                                     "  gravity: true\n"
-                                     "  payload: [tool, {link: rail, mass: 3, reach: 0.2}]\n"
-                                     "  parameters: [fore, {link: upper, mass: 7}]\n"
-                                     "  tool: {point: b, reach: 0.4}\n",
-                                 "s.yaml", make_robot(), diagnostics);
+  const auto scene =
+      parse_scene(kPoints +
+                      "inputs:\n"
+                      "  gravity: true\n"
+                      "  payload: [tool, {link: rail, mass: 3, reach: 0.2}]\n"
+                      "  parameters: [fore, {link: upper, mass: 7}]\n"
+                      "  tool: [{point: b, reach: 0.4}, {point: a, orientation: true}]\n"
+                      "  contact: {contact: heel, reach: 0.2}\n"
+                      "contacts: [{name: toe, link: tool}, {name: heel, link: rail}]\n",
+                  "s.yaml", make_robot(), diagnostics);
   ASSERT_TRUE(scene) << to_string(diagnostics);
   const SceneInputs& inputs = scene->inputs;
   EXPECT_TRUE(inputs.gravity);
@@ -35,9 +38,14 @@ TEST(ReadInputs, ReadsEverySetting) {
   EXPECT_EQ(inputs.parameters[0].mass, 2);  // twice the file's 1 kg, with three moments of 1 kg m^2
   EXPECT_DOUBLE_EQ(inputs.parameters[0].reach, 2 * std::sqrt(1.5));
   EXPECT_EQ(inputs.parameters[1].mass, 7);
-  ASSERT_EQ(inputs.tools.size(), 1U);
+  ASSERT_EQ(inputs.tools.size(), 2U);
   EXPECT_EQ(inputs.tools[0].point, "b");
   EXPECT_EQ(inputs.tools[0].reach, 0.4);
+  EXPECT_FALSE(inputs.tools[0].orientation);
+  EXPECT_TRUE(inputs.tools[1].orientation);
+  ASSERT_EQ(inputs.contacts.size(), 1U);
+  EXPECT_EQ(inputs.contacts[0].point, "heel");
+  EXPECT_EQ(inputs.contacts[0].reach, 0.2);
 }
 
 TEST(ReadInputs, TakesOneForAList) {
@@ -77,6 +85,14 @@ TEST(ReadInputs, SaysWhatIsWrong) {
        {Severity::error, 1, "inputs/tool", "no operational point \"a\"", "operational_points"}},
       {kPoints + "inputs: {tool: [a, a]}",
        {Severity::error, 2, "inputs/tool[1]", "listed twice", "once"}},
+      {kPoints + "inputs: {tool: {point: a, orientation: 1}}",
+       {Severity::error, 2, "inputs/tool/orientation", "\"1\"", "true"}},
+      {"inputs: {contact: a}",
+       {Severity::error, 1, "inputs/contact", "no contact \"a\"", "contacts"}},
+      {"contacts: [{name: toe, link: tool}]\ninputs: {contact: [toe, toe]}",
+       {Severity::error, 2, "inputs/contact[1]", "contact \"toe\" is listed twice", "once"}},
+      {"contacts: [{name: toe, link: tool}]\ninputs: {contact: {contact: toe, orientation: true}}",
+       {Severity::error, 2, "inputs/contact/orientation", "unknown", "reach"}},
       {kPoints +
            "objects: [{name: box, mass: 1, inertia: {ixx: 1, iyy: 1, izz: 1}, grasps: [{point: "
            "a}]}]\ninputs: {tool: a}",

@@ -100,21 +100,60 @@ std::vector<interpreter::PointPose<double>> read_poses(const Json& state) {
   return poses;
 }
 
+/// Angular over linear of each link, as MuJoCo has them, to linear over angular.
+DoubleVector read_twists(const Json& json) {
+  DoubleVector twists = read_vector(json);
+  for (Eigen::Index at = 0; at < twists.size(); at += 6) {
+    const Eigen::Vector3d angular = twists.segment<3>(at);
+    twists.segment<3>(at) = twists.segment<3>(at + 3).eval();
+    twists.segment<3>(at + 3) = angular;
+  }
+  return twists;
+}
+
+DoubleMatrix read_matrix(const Json& json, int nv) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const DoubleVector entries = read_vector(json);
+  return Eigen::Map<const RowMajor>(entries.data(), nv == 0 ? 0 : entries.size() / nv, nv);
+}
+
+MujocoWhole read_whole(const Json& json, const Conversion& to) {
+  const auto nv = static_cast<int>(to.drift.size());
+  const auto mass = json.at("mass").get<double>();
+  MujocoWhole whole;
+  whole.center_of_mass = read_vector(json.at("com"));
+  whole.center_of_mass_jacobian = read_matrix(json.at("com_jacobian"), nv) * to.to_ours.transpose();
+  whole.momentum_matrix.resize(6, nv);
+  whole.momentum_matrix << mass * whole.center_of_mass_jacobian,
+      read_matrix(json.at("angular_momentum_matrix"), nv) * to.to_ours.transpose();
+  whole.momentum.resize(6);
+  whole.momentum << mass * read_vector(json.at("com_velocity")),
+      read_vector(json.at("angular_momentum"));
+  whole.potential_energy = json.at("potential_energy").get<double>();
+  return whole;
+}
+
 MujocoState read_state(const Json& json, const std::vector<Place>& places,
                        const interpreter::Model<double>& model) {
   const DoubleVector v = read_vector(json.at("v"));
   const Conversion to(places, model.nq, model.nv, read_vector(json.at("q")), v);
-  const DoubleVector entries = read_vector(json.at("M"));
-  const DoubleMatrix their_M = Eigen::Map<const DoubleMatrix>(entries.data(), model.nv, model.nv);
+  const auto read_M = [&](const char* key) {
+    return DoubleMatrix(to.to_ours * read_matrix(json.at(key), model.nv) * to.to_ours.transpose());
+  };
   MujocoState state;
   state.q = to.q;
   state.qd = to.to_ours * v;
   state.qdd = to.to_ours * read_vector(json.at("a")) + to.drift;
-  state.mass_matrix = to.to_ours * their_M * to.to_ours.transpose();
+  state.mass_matrix = read_M("M");
+  state.mass_matrix_with_rotors = read_M("M_with_rotors");
+  state.kinetic_energy_with_rotors = json.at("kinetic_energy").get<double>();
   state.inverse_dynamics = to.to_ours * read_vector(json.at("tau"));
   state.nonlinear_effects =
       to.to_ours * read_vector(json.at("bias")) - state.mass_matrix * to.drift;
   state.poses = read_poses(json);
+  state.velocities = read_twists(json.at("velocities"));
+  state.accelerations = read_twists(json.at("accelerations"));
+  state.whole = read_whole(json, to);
   return state;
 }
 
@@ -137,6 +176,10 @@ MujocoFigures read_mujoco_figures(const std::string& path, const Robot& robot,
     figures.links.push_back(name == kRenamedWorld ? "world" : name.get<std::string>());
   }
   const std::vector<Place> places = match_joints(json.at("joints"), robot, model);
+  for (const Json& joint : json.at("joints")) {
+    const auto armature = json.at("armature").at(joint.at("at_v").get<std::size_t>());
+    if (armature != 0) figures.armature[joint.at("name")] = armature.get<double>();
+  }
   for (const Json& state : json.at("states")) {
     figures.states.push_back(read_state(state, places, model));
   }

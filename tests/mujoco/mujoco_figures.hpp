@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,18 +13,33 @@ namespace treeline::tests {
 using DoubleVector = interpreter::Vector<double>;
 using DoubleMatrix = interpreter::Matrix<double>;
 
+/// Of everything, matter that is fixed to the world included.
+struct MujocoWhole {
+  DoubleVector center_of_mass;           ///< 3
+  DoubleMatrix center_of_mass_jacobian;  ///< 3 x nv
+  DoubleMatrix momentum_matrix;          ///< A_G, 6 x nv
+  DoubleVector momentum;                 ///< h_G, 6
+  double potential_energy = 0;
+};
+
 struct MujocoState {
   DoubleVector q, qd, qdd;
   DoubleMatrix mass_matrix;
+  DoubleMatrix mass_matrix_with_rotors;   ///< with `MujocoFigures::armature`
+  double kinetic_energy_with_rotors = 0;  ///< the same
   DoubleVector nonlinear_effects, inverse_dynamics;
   std::vector<interpreter::PointPose<double>> poses;  ///< of the links' frames in the world
+  /// Six of each link: of its frame, linear over angular, world axes.
+  DoubleVector velocities, accelerations;
+  MujocoWhole whole;
 };
 
 struct MujocoFigures {
   std::string refused;  ///< why MuJoCo refuses the robot; empty: it does not
   int nv = 0;
-  unsigned seed = 0;               ///< seed of the states
-  std::vector<std::string> links;  ///< links whose poses are listed
+  unsigned seed = 0;                       ///< seed of the states
+  std::vector<std::string> links;          ///< links whose poses are listed
+  std::map<std::string, double> armature;  ///< of motors, by joint, where a state has rotors
   std::vector<MujocoState> states;
 };
 
@@ -35,8 +51,8 @@ struct MujocoFigures {
 ///  - A link named world is renamed under a floating base, where it is not the world.
 ///  - Mimic joints are independent in MuJoCo: read the robot without mimics.
 ///  - Inertias that MuJoCo refuses are set after its compiler (set_inertias.mjs).
-/// Dampers, friction and armature are not in these figures: they are neither in M nor in the bias.
-/// Throws std::runtime_error if the file is missing or does not belong to the robot.
+/// Dampers, friction and armature of the file are not in these figures: they are neither in M nor
+/// in the bias. Throws std::runtime_error if the file is missing or does not belong to the robot.
 MujocoFigures read_mujoco_figures(const std::string& path, const Robot& robot,
                                   const interpreter::Model<double>& model);
 

@@ -1,7 +1,8 @@
 // The interpreter with Treeline's reader, compared with MuJoCo with its own reader: every robot of
 // tests/data, fixed and floating, at random states. Would catch: misunderstandings of URDF that the
-// reader and the interpreter share. disagreements.tsv lists the differences and their reasons; a
-// row whose figures agree is a failure.
+// reader and the interpreter share; momentum about another point or with the rotors' own, and
+// accelerations of frames that are those of twists. disagreements.tsv lists the differences and
+// their reasons; a row whose figures agree is a failure.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -96,13 +97,53 @@ interpreter::Points<double> points_at(const interpreter::Model<double>& model,
 
 using Errors = std::map<std::string, double>;
 
-void add_errors(const interpreter::Model<double>& model, const MujocoFigures& figures,
-                const MujocoState& s, Errors& errors) {
+/// Six entries of each link, relative to the largest of all links, but to 1 at least.
+double twist_error(const DoubleVector& ours, const DoubleVector& theirs,
+                   const std::vector<std::string>& links) {
+  double worst = 0;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const auto at = 6 * static_cast<Eigen::Index>(i);
+    if (links[i] == "world") continue;
+    worst = std::max(worst, (ours.segment<6>(at) - theirs.segment<6>(at)).norm());
+  }
+  return worst / std::max(1.0, theirs.cwiseAbs().maxCoeff());
+}
+
+double relative_error(const DoubleMatrix& ours, const DoubleMatrix& theirs) {
+  return (ours - theirs).cwiseAbs().maxCoeff() / std::max(1e-3, theirs.cwiseAbs().maxCoeff());
+}
+
+template <class Note>
+void note_whole(const interpreter::Model<double>& model, const MujocoState& s, Note note) {
+  const MujocoWhole& whole = s.whole;
+  note("center_of_mass",
+       relative_error(interpreter::center_of_mass<double>(model, s.q), whole.center_of_mass));
+  note("potential_energy",
+       relative_error(DoubleVector::Constant(1, interpreter::potential_energy<double>(model, s.q)),
+                      DoubleVector::Constant(1, whole.potential_energy)));
+  note("center_of_mass_jacobian",
+       relative_error(interpreter::center_of_mass_jacobian<double>(model, s.q),
+                      whole.center_of_mass_jacobian));
+  note("centroidal_momentum_matrix",
+       relative_error(interpreter::centroidal_momentum_matrix<double>(model, s.q),
+                      whole.momentum_matrix));
+  note("centroidal_momentum",
+       relative_error(interpreter::centroidal_momentum<double>(model, s.q, s.qd), whole.momentum));
+}
+
+/// The same robot with and without rotors of motors.
+struct Models {
+  interpreter::Model<double> plain, with_rotors;
+};
+
+void add_errors(const Models& models, const MujocoFigures& figures, const MujocoState& s,
+                Errors& errors) {
+  const auto& model = models.plain;
   const auto note = [&](const char* figure, double error) {
     if (!(error <= errors[figure])) errors[figure] = error;
   };
-  const auto poses =
-      interpreter::forward_kinematics<double>(model, points_at(model, figures.links), s.q);
+  const auto points = points_at(model, figures.links);
+  const auto poses = interpreter::forward_kinematics<double>(model, points, s.q);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (figures.links[i] != "world") note("poses", pose_error(poses[i], s.poses[i]));
   }
@@ -114,6 +155,19 @@ void add_errors(const interpreter::Model<double>& model, const MujocoFigures& fi
   note("inverse_dynamics",
        force_error(interpreter::inverse_dynamics<double>(model, s.q, s.qd, s.qdd),
                    s.inverse_dynamics, s));
+  note("point_velocity", twist_error(interpreter::point_velocity<double>(model, points, s.q, s.qd),
+                                     s.velocities, figures.links));
+  note("point_acceleration",
+       twist_error(interpreter::point_acceleration<double>(model, points, s.q, s.qd, s.qdd),
+                   s.accelerations, figures.links));
+  note("mass_matrix_with_rotors",
+       mass_matrix_error(interpreter::mass_matrix<double>(models.with_rotors, s.q),
+                         s.mass_matrix_with_rotors));
+  note("kinetic_energy_with_rotors",
+       relative_error(DoubleVector::Constant(
+                          1, interpreter::kinetic_energy<double>(models.with_rotors, s.q, s.qd)),
+                      DoubleVector::Constant(1, s.kinetic_energy_with_rotors)));
+  if (interpreter::total_mass(model) > 0) note_whole(models.with_rotors, s, note);
 }
 
 /// Largest error of each figure. Figures that cannot be compared are reported.
@@ -136,8 +190,10 @@ Errors compare(const Case& tested, std::string& text) {
   }
   if (figures.nv != model.nv) return {{"freedoms", 1}};
   text = "seed " + std::to_string(figures.seed);
+  scene.armature = figures.armature;
+  const Models models{model, model_from_robot<double>(*robot, scene)};
   Errors errors;
-  for (const MujocoState& state : figures.states) add_errors(model, figures, state, errors);
+  for (const MujocoState& state : figures.states) add_errors(models, figures, state, errors);
   return errors;
 }
 

@@ -35,6 +35,14 @@ function quaternion(m) {
   return products[largest].map((x, i) => (i === largest ? twice / 2 : x / (2 * twice)));
 }
 
+/** Masses of subtrees, which the compiler adds up, from those of bodies. Parents come first. */
+function add_up_masses(model) {
+  model.body_subtreemass.set(model.body_mass);
+  for (let i = model.nbody - 1; i > 0; --i) {
+    model.body_subtreemass[model.body_parentid[i]] += model.body_subtreemass[i];
+  }
+}
+
 export function set_inertias(model, replaced) {
   for (const [link, {mass, com, rpy, tensor}] of replaced) {
     const body = model.body(link).id;
@@ -45,4 +53,5 @@ export function set_inertias(model, replaced) {
     model.body_inertia.set(moments, 3 * body);
     model.body_iquat.set(quaternion(to_link), 4 * body);
   }
+  if (replaced.size > 0) add_up_masses(model);
 }

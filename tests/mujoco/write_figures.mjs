@@ -34,7 +34,74 @@ function draw_position(mujoco, model, joint, random) {
   return [(lower + upper) / 2 + (upper - lower) / 2 * random()];
 }
 
-function compute_state(mujoco, model, data, random) {
+/** What `fill` writes into a buffer of this size. */
+function read_buffer(mujoco, size, fill) {
+  const buffer = new mujoco.DoubleBuffer(size);
+  fill(buffer);
+  const entries = [...buffer.GetView()];
+  buffer.delete();
+  return entries;
+}
+
+/** Velocities and accelerations of the links' frames: angular over linear, world axes, of each. */
+function compute_motion(mujoco, model, data) {
+  mujoco.mj_rnePostConstraint(model, data);
+  const xbody = mujoco.mjtObj.mjOBJ_XBODY.value;
+  const velocities = [], accelerations = [];
+  for (let i = 0; i < model.nbody; ++i) {
+    velocities.push(...read_buffer(
+        mujoco, 6, (six) => mujoco.mj_objectVelocity(model, data, xbody, i, six, 0)));
+    const felt = read_buffer(
+        mujoco, 6, (six) => mujoco.mj_objectAcceleration(model, data, xbody, i, six, 0));
+    const moves = model.body_weldid[i] !== 0;  // else it feels nothing
+    for (let k = 0; moves && k < 3; ++k) felt[3 + k] += model.opt.gravity[k];
+    accelerations.push(...felt);
+  }
+  return {velocities, accelerations};
+}
+
+/** Centre of mass, momentum and potential energy of everything, the world's body included. */
+function compute_whole(mujoco, model, data) {
+  mujoco.mj_subtreeVel(model, data);
+  mujoco.mj_energyPos(model, data);
+  return {
+    mass: model.body_subtreemass[0],
+    com: [...data.subtree_com.subarray(0, 3)],
+    com_velocity: [...data.subtree_linvel.subarray(0, 3)],
+    angular_momentum: [...data.subtree_angmom.subarray(0, 3)],
+    com_jacobian: read_buffer(
+        mujoco, 3 * model.nv, (J) => mujoco.mj_jacSubtreeCom(model, data, J, 0)),
+    angular_momentum_matrix: read_buffer(
+        mujoco, 3 * model.nv, (A) => mujoco.mj_angmomMat(model, data, A, 0)),
+    potential_energy: data.energy[0],
+  };
+}
+
+/** M and the kinetic energy of motors with rotors. */
+function compute_with_rotors(mujoco, model, data, armature) {
+  model.dof_armature.set(armature);
+  mujoco.mj_fwdPosition(model, data);
+  mujoco.mj_energyVel(model, data);
+  const figures = {
+    M_with_rotors: read_buffer(
+        mujoco, model.nv * model.nv, (M) => mujoco.mj_fullM(model, data, M)),
+    kinetic_energy: data.energy[1],
+  };
+  model.dof_armature.fill(0);
+  return figures;
+}
+
+/** Of joints with one velocity: kg m^2 or kg, different from joint to joint. */
+function choose_armature(mujoco, model) {
+  const armature = new Array(model.nv).fill(0);
+  for (let joint = 0; joint < model.njnt; ++joint) {
+    if (model.jnt_type[joint] === mujoco.mjtJoint.mjJNT_FREE.value) continue;
+    armature[model.jnt_dofadr[joint]] = 0.01 * (1 + joint % 7);
+  }
+  return armature;
+}
+
+function compute_state(mujoco, model, data, armature, random) {
   for (let joint = 0; joint < model.njnt; ++joint) {
     data.qpos.set(draw_position(mujoco, model, joint, random), model.jnt_qposadr[joint]);
   }
@@ -47,20 +114,16 @@ function compute_state(mujoco, model, data, random) {
   mujoco.mj_fwdPosition(model, data);
   mujoco.mj_fwdVelocity(model, data);
   data.qacc.set(state.a);
-  const M = new mujoco.DoubleBuffer(model.nv * model.nv);
-  const tau = new mujoco.DoubleBuffer(model.nv);
-  mujoco.mj_fullM(model, data, M);
-  mujoco.mj_rne(model, data, 1, tau);
   Object.assign(state, {
-    M: [...M.GetView()],
+    M: read_buffer(mujoco, model.nv * model.nv, (M) => mujoco.mj_fullM(model, data, M)),
     bias: [...data.qfrc_bias],
-    tau: [...tau.GetView()],
+    tau: read_buffer(mujoco, model.nv, (tau) => mujoco.mj_rne(model, data, 1, tau)),
     positions: [...data.xpos],
     rotations: [...data.xmat],
+    ...compute_motion(mujoco, model, data),
+    ...compute_whole(mujoco, model, data),
   });
-  M.delete();
-  tau.delete();
-  return state;
+  return {...state, ...compute_with_rotors(mujoco, model, data, armature)};
 }
 
 function describe(model) {
@@ -90,8 +153,12 @@ function compute_figures(mujoco, urdf, floating) {
   const data = new mujoco.MjData(model);
   const random = make_random(kSeed);
   const states = [];
-  for (let i = 0; i < kStates; ++i) states.push(compute_state(mujoco, model, data, random));
-  const figures = {seed: kSeed, replaced: [...prepared.replaced.keys()], ...describe(model), states};
+  const armature = choose_armature(mujoco, model);
+  for (let i = 0; i < kStates; ++i) {
+    states.push(compute_state(mujoco, model, data, armature, random));
+  }
+  const figures =
+      {seed: kSeed, replaced: [...prepared.replaced.keys()], ...describe(model), armature, states};
   data.delete();
   model.delete();
   return figures;

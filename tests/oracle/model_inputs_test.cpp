@@ -20,7 +20,8 @@ SceneInputs everything(const Scene& scene) {
   inputs.gravity = true;
   inputs.payloads = {{scene.operational_points.front().link, 2, 0.3}};
   inputs.parameters = {{scene.operational_points.front().link, 5, 0.3}};
-  inputs.tools = {{scene.operational_points.front().name, 0.5}};
+  inputs.tools = {{scene.operational_points.front().name, 0.5, true}};
+  if (!scene.contacts.empty()) inputs.contacts = {{scene.contacts.front().name, 0.5}};
   return inputs;
 }
 
@@ -41,13 +42,20 @@ State draw(const StateSpace& space) {
 
 bool changes(Function function, Quantity quantity, const StateSpace& space, const State& state) {
   State other = state;
-  for (double& entry : other.others[quantity]) entry *= 1.25;
+  if (quantity == Quantity::tool_orientation) {  // its length does not count
+    other.others[quantity].front() *= 1.25;
+  } else {
+    for (double& entry : other.others[quantity]) entry *= 1.25;
+  }
   return interpret<double>(function, *SubjectAt(space.subject, state), state) !=
          interpret<double>(function, *SubjectAt(space.subject, other), other);
 }
 
-TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
+/// A PUMA whose task is in the axes of its tool, with a contact and a constraint, and what changes
+/// it as arguments.
+StateSpace puma_with_everything() {
   Subjects subjects = load("puma560");
+  subjects.scene.operational_points.front().axes = Axes::local;
   ScenePoint contact = subjects.scene.operational_points.front();
   contact.name = "contact";
   contact.rows = {true, true, true, false, false, false};
@@ -61,10 +69,14 @@ TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
   const Mechanism mechanism = reduced_mechanism(subjects.robot, subjects.scene);
   StateSpace space = make_state_space(subjects.robot, subjects.scene, mechanism, {}, 1);
   space.subject = make_subject<double>(subjects.robot, subjects.scene);
-  space.others = {{Quantity::gravity, 3},
-                  {Quantity::payload, 10},
-                  {Quantity::parameters, 10},
-                  {Quantity::tool, 3}};
+  space.others = {{Quantity::gravity, 3},          {Quantity::payload, 10},
+                  {Quantity::parameters, 10},      {Quantity::tool, 3},
+                  {Quantity::tool_orientation, 4}, {Quantity::contact, 3}};
+  return space;
+}
+
+TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
+  const StateSpace space = puma_with_everything();
   const State state = draw(space);
   for (const FunctionInfo& row : kFunctions) {
     if (needs_objects(row.function) || row.function == Function::damped_control_torque) continue;
@@ -72,6 +84,21 @@ TEST(ModelInputs, AreTakenByWhatDependsOnThem) {
       EXPECT_EQ(changes(row.function, quantity, space, state), takes(row.function, quantity))
           << row.name << " " << symbol_of(quantity);
     }
+  }
+}
+
+// What arguments say of a contact is what the scene would say.
+TEST(ModelInputs, PlaceContactsAsTheSceneWould) {
+  const StateSpace space = puma_with_everything();
+  const State state = draw(space);
+  const std::vector<double>& place = state.others.at(Quantity::contact);
+  const Subject<double> at = *SubjectAt(space.subject, state);
+  Subject<double> placed = *SubjectAt(space.subject, state);
+  placed.contacts.front().p = {place[0], place[1], place[2]};
+  EXPECT_NE(space.subject.contacts.front().p, placed.contacts.front().p);
+  for (const Function function : kContactFunctions) {
+    EXPECT_EQ(interpret<double>(function, at, state), interpret<double>(function, placed, state))
+        << function_name(function);
   }
 }
 

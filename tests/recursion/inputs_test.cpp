@@ -1,10 +1,12 @@
 // Would catch: a payload or inertial parameters that are taken about another origin, in other axes
 // or with the other sign of products; parameters that the file's are added to; a payload that
-// regrouping or a link's frame misplaces; gravity or a tool that some recursion does not see. The
+// regrouping or a link's frame misplaces; gravity or a tool that some recursion does not see; a
+// quaternion that is read in another order, the other way round or as if it had unit length. The
 // oracle is the interpreter on another file: with the payload as a link, the parameters in place,
-// and the scene's gravity and origin changed.
+// and the scene's gravity, origin and angles changed.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <array>
 
 #include "description/count_freedoms.hpp"
@@ -27,6 +29,7 @@ struct Changed {
   Scene scene, files_scene;
   std::vector<std::array<Digits50, 10>> payloads, parameters;
   std::vector<std::array<Digits50, 3>> tools;
+  std::vector<std::array<Digits50, 4>> orientations;
 };
 
 /// By the definitions: m, m c, and J about the frame's origin by parallel axes.
@@ -80,18 +83,36 @@ void change_parameters(Dice& dice, const std::string& link, Changed& changed) {
   robot.links[static_cast<std::size_t>(index_of(robot, link))].inertial = body;
 }
 
-void change_tool(Dice& dice, std::size_t k, Changed& changed) {
+/// x, y, z, w of a rotation by the product of those about z, y and x, times a length.
+std::array<Digits50, 4> quaternion(const std::array<double, 3>& rpy, const Digits50& length) {
+  const auto turn = [&](int i) {
+    ip::Vector3<Digits50> axis = ip::Vector3<Digits50>::Zero();
+    axis(i) = 1;
+    const Digits50 half = Digits50(rpy[static_cast<std::size_t>(i)]) / 2;
+    const ip::Vector3<Digits50> v = axis * Digits50(sin(half));
+    return Eigen::Quaternion<Digits50>(Digits50(cos(half)), v(0), v(1), v(2));
+  };
+  const Eigen::Quaternion<Digits50> turned = turn(2) * turn(1) * turn(0);
+  return {length * turned.x(), length * turned.y(), length * turned.z(), length * turned.w()};
+}
+
+void change_tool(Dice& dice, std::size_t k, bool orientation, Changed& changed) {
   const auto xyz = detail::random_vector(dice, 0.4);
-  changed.scene.inputs.tools.push_back({changed.scene.operational_points[k].name});
+  ScenePoint& files_point = changed.files_scene.operational_points[k];
+  changed.scene.inputs.tools.push_back({files_point.name, 1, orientation});
   changed.tools.push_back({Digits50(xyz[0]), Digits50(xyz[1]), Digits50(xyz[2])});
-  changed.files_scene.operational_points[k].origin.xyz = xyz;
+  files_point.origin.xyz = xyz;
+  if (!orientation) return;
+  files_point.origin.rpy = detail::random_vector(dice, 3);
+  changed.orientations.push_back(
+      quaternion(files_point.origin.rpy, Digits50(dice.uniform(0.25, 4))));
 }
 
 /// Two payloads, the parameters of up to two links (one of which may carry a payload), gravity, and
 /// the first point.
 Changed change(const Seeded& seeded) {
   const RandomMechanism made = random_mechanism(seeded.seed, seeded.options);
-  Changed changed{made.robot, made.robot, made.scene, made.scene, {}, {}, {}};
+  Changed changed{made.robot, made.robot, made.scene, made.scene, {}, {}, {}, {}};
   Dice dice(seeded.seed + 5);
   const std::vector<std::string> links = moving_links(made.robot, made.scene);
   const auto draw = [&] {
@@ -106,7 +127,7 @@ Changed change(const Seeded& seeded) {
   changed.scene.inputs.gravity = true;
   changed.files_scene.gravity = detail::random_vector(dice, 10);
   for (std::size_t k = 0; k < made.scene.operational_points.size(); k += 2) {
-    change_tool(dice, k, changed);
+    change_tool(dice, k, (k + seeded.seed) % 3 != 0, changed);
   }
   return changed;
 }
@@ -128,7 +149,8 @@ ModelInputs<Digits50> model_inputs(const Changed& changed) {
   inputs.gravity = triple_at(gravity_of(changed), 0);
   inputs.payloads = inertial_parameters(joined(changed.payloads));
   inputs.parameters = inertial_parameters(joined(changed.parameters));
-  for (const auto& tool : changed.tools) inputs.tools.push_back({tool[0], tool[1], tool[2]});
+  inputs.tools = triples(joined(changed.tools));
+  inputs.orientations = rotations(joined(changed.orientations));
   return inputs;
 }
 
@@ -225,6 +247,7 @@ TEST_P(ModelArguments, AreArgumentsOfTraces) {
                             : name == "payload"                ? joined(changed_.payloads)
                             : name == "parameters"             ? joined(changed_.parameters)
                             : name == "tool"                   ? joined(changed_.tools)
+                            : name == "tool_orientation"       ? joined(changed_.orientations)
                                                                : in_.f_ext);
         EXPECT_EQ(static_cast<int>(arguments.back().size()), argument.rows) << name;
         const auto quantity = find_quantity(name);
