@@ -170,6 +170,18 @@ std::string text_of(const Generation& generation, const std::string& name) {
   return {};
 }
 
+// What the scene says of a tool, for those who want it unchanged: half a turn about y.
+TEST(CheckInputs, ContractTellsTheScenesOrientation) {
+  Subjects subjects = load("puma560");
+  subjects.scene.functions = {Function::forward_kinematics};
+  subjects.scene.operational_points.front().origin.rpy = {0, 3.141592653589793, 0};
+  subjects.scene.inputs.tools = {{"tool", 0.5, true}};
+  const std::string header = text_of(generate(subjects.robot, subjects.scene), "puma560.hpp");
+  EXPECT_NE(header.find("tool_orientation 0..3: of point tool, in the scene {0.0, 1.0, 0.0, 0.0}"),
+            std::string::npos)
+      << header;
+}
+
 // Rows in the world's axes do not depend on those of the tool.
 TEST(CheckInputs, OrientationCountsWhereItMatters) {
   Subjects subjects = load("puma560");

@@ -97,6 +97,8 @@ TEST(ReadInputs, SaysWhatIsWrong) {
            "objects: [{name: box, mass: 1, inertia: {ixx: 1, iyy: 1, izz: 1}, grasps: [{point: "
            "a}]}]\ninputs: {tool: a}",
        {Severity::error, 3, "inputs/tool", "\"a\" holds an object", "name a point"}},
+      {kPoints + "functions: [jacobian]\ninputs: {tool: {point: a, orientation: true}}",
+       {Severity::warning, 1, "", "tool_orientation is listed under inputs", "add a function"}},
       {"functions: [mass_matrix]\ninputs: {gravity: true}",
        {Severity::warning, 1, "", "gravity is listed under inputs", "add a function"}},
   };
