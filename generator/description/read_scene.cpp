@@ -11,6 +11,7 @@
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_armature.hpp"
+#include "description/read_regressor.hpp"
 #include "description/read_scene_inputs.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
@@ -185,6 +186,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "locked",
                                   "objects",
                                   "passive",
+                                  "regressor",
                                   "singular",
                                   "snap_angles",
                                   "noise",
@@ -212,6 +214,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto inputs = fields.find("inputs"); inputs != fields.end()) {
     read_scene_inputs(inputs->second, robot, scene);
+  }
+  if (const auto regressor = fields.find("regressor"); regressor != fields.end()) {
+    read_regressor(regressor->second, robot, scene);
   }
   if (const auto passive = fields.find("passive"); passive != fields.end()) {
     read_passive(passive->second, robot, scene);

@@ -11,6 +11,7 @@
 #include "description/heaviest_rows.hpp"
 #include "description/list_rows.hpp"
 #include "generation/describe_inputs.hpp"
+#include "generation/describe_regressor.hpp"
 #include "mechanism/home_of.hpp"
 
 namespace treeline {
@@ -221,6 +222,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.operational_points = point_rows(scene.operational_points);
   context.external_forces = point_rows(scene.external_forces);
   append_input_notes(scene, mechanism, context.notes);
+  append_regressor_notes(scene, mechanism, context.notes);
   for (const SceneObject& object : scene.objects) {
     context.notes.push_back(object_text(object));
   }

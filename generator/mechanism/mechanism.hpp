@@ -136,6 +136,7 @@ struct Mechanism {
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
   MechanismInputs inputs;
+  SceneRegressor regressor;
   SingularTasks singular = SingularTasks::smooth;  ///< see `Scene`
   Real real = Real::float64;                       ///< see `Scene`
   std::vector<Coordinate> coordinates;             ///< nq of them
