@@ -49,8 +49,8 @@ std::array<double, kInertialParameters> body_of(
           m * c[2],
           Sigma[1][1] + Sigma[2][2],
           -Sigma[0][1],
-          -Sigma[0][2],
           Sigma[0][0] + Sigma[2][2],
+          -Sigma[0][2],
           -Sigma[1][2],
           Sigma[0][0] + Sigma[1][1]};
 }

@@ -19,6 +19,7 @@
 #include "generation/measure_savings.hpp"
 #include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_robot.hpp"
+#include "inspect/print_base_parameters.hpp"
 #include "inspect/print_noise.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
@@ -30,6 +31,7 @@ struct InspectOptions {
   std::string urdf, scene;
   std::string repair;  ///< file to write the repaired URDF to; empty: none
   bool json = false, dot = false, savings = false, summary = false, noise = false;
+  bool base_parameters = false;
   Warnings warnings = Warnings::summary;
 };
 
@@ -135,8 +137,8 @@ std::optional<std::string> repair(const InspectOptions& options, const Inspectio
   return print_patch(options.urdf, inspection.text, edits);
 }
 
-/// Which numbers are taken as exact.
-int run_noise(const InspectOptions& options) {
+/// What `print` says of the robot in the scene, if one is given.
+int run_print(const InspectOptions& options, std::string (*print)(const Robot&, const Scene&)) {
   Diagnostics diagnostics;
   const auto robot = read_urdf(options.urdf, diagnostics);
   std::optional<Scene> scene = Scene{};
@@ -145,7 +147,7 @@ int run_noise(const InspectOptions& options) {
   if (!robot || !scene) {
     return kBadInput;
   }
-  return write_output(print_noise(*robot, *scene), OutputForm::text, kOk);
+  return write_output(print(*robot, *scene), OutputForm::text, kOk);
 }
 
 int run(const InspectOptions& options) {
@@ -153,7 +155,10 @@ int run(const InspectOptions& options) {
     return run_savings(options);
   }
   if (options.noise) {
-    return run_noise(options);
+    return run_print(options, print_noise);
+  }
+  if (options.base_parameters) {
+    return run_print(options, print_base_parameters);
   }
   Diagnostics diagnostics;
   const auto inspection = inspect(options, diagnostics);
@@ -190,6 +195,10 @@ void add_inspect(CLI::App& app, int& exit_code) {
   command
       ->add_flag("--noise", options->noise,
                  "Each number that is taken as exact because it differs by less than rounding")
+      ->excludes(json);
+  command
+      ->add_flag("--base-parameters", options->base_parameters,
+                 "The combinations of inertial parameters on which the motion depends")
       ->excludes(json);
   command->add_option("--repair", options->repair,
                       "Write the URDF to this file with inertias that no body has, and that the "

@@ -10,6 +10,7 @@
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
 #include "description/list_rows.hpp"
+#include "description/read_regressor.hpp"
 #include "description/read_scene_inputs.hpp"
 
 namespace treeline {
@@ -271,6 +272,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   check_forces_used(top, scene);
   check_inputs_used(top, scene);
   check_implicit_friction(top, scene);
+  check_regressor_used(top, scene);
   check_contacts(top, robot, scene);
   check_constraints(top, robot, scene);
   check_rows(top, robot, scene);

@@ -14,6 +14,7 @@
 #include "description/read_constraints.hpp"
 #include "description/read_joint_friction.hpp"
 #include "description/read_joint_springs.hpp"
+#include "description/read_regressor.hpp"
 #include "description/read_scene_inputs.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
@@ -191,6 +192,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "locked",
                                   "objects",
                                   "passive",
+                                  "regressor",
                                   "singular",
                                   "snap_angles",
                                   "noise",
@@ -222,6 +224,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto couplings = fields.find("couplings"); couplings != fields.end()) {
     read_couplings(couplings->second, robot, scene);
+  }
+  if (const auto regressor = fields.find("regressor"); regressor != fields.end()) {
+    read_regressor(regressor->second, robot, scene);
   }
   if (const auto passive = fields.find("passive"); passive != fields.end()) {
     read_passive(passive->second, robot, scene);

@@ -123,6 +123,15 @@ struct SceneSpring {
   double rest = 0;       ///< rad or m
 };
 
+/// The parameters whose columns regressors have: of each link the ten inertial ones, or of all that
+/// there are the base parameters, on which the motion depends, see `find_base_parameters`.
+struct SceneRegressor {
+  bool base = false;
+  std::vector<std::string> links;  ///< whose columns there are; empty: all that move
+  bool rotors = false;             ///< and the rotor inertia of each joint of one freedom
+  bool friction = false;           ///< and the viscous friction of each such joint
+};
+
 /// The effective masses beyond which a direction of the task yields near singularities: kg in rows
 /// of translation, kg m^2 in rows of rotation. See `core::damped_solve`.
 struct HeaviestMotion {
@@ -141,6 +150,7 @@ struct Scene {
   std::vector<ScenePoint> contacts;         ///< rows x y z in world axes
   std::vector<SceneObject> objects;
   SceneInputs inputs;
+  SceneRegressor regressor;
   /// Frames whose `rows` are held relative to the world: feet on the ground, hands on a wall.
   std::vector<ScenePoint> constraints;
   std::vector<SceneLoop> loops;          ///< constraints between two links

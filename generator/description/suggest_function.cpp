@@ -28,10 +28,12 @@ constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, cons
     {"crba", "did you mean \"mass_matrix\"?"},
     {"energy", "\"kinetic_energy\" and \"potential_energy\" are computed apart"},
     {"inertia_matrix", "did you mean \"mass_matrix\"?"},
+    {"joint_torque_regressor", "did you mean \"inverse_dynamics_regressor\"?"},
     {"jbar", "did you mean \"dynamically_consistent_inverse\"?"},
     {"mu", "did you mean \"operational_bias_force\"?"},
     {"nullspace_projector", "did you mean \"null_space_projector\"?"},
     {"osim", "\"lambda_inverse\" is J M^-1 J^T, \"lambda\" its inverse"},
+    {"regressor", "did you mean \"inverse_dynamics_regressor\"?"},
     {"rnea", "did you mean \"inverse_dynamics\"?"},
     {"twist", "did you mean \"point_velocity\"?"},
 });

@@ -43,6 +43,8 @@ enum class Function {
   kinetic_energy,
   kinetic_energy_derivatives,
   potential_energy,
+  inverse_dynamics_regressor,
+  energy_regressor,
   centroidal_momentum_matrix,
   centroidal_momentum,
   centroidal_bias,
@@ -93,6 +95,7 @@ enum class Solve { none, mass_matrix, lambda_inverse, damped };
 struct FrameCost {
   std::array<Function, 2> functions{};
   std::size_t count = 0;
+  bool of_files = false;  ///< not even moved from where the URDF has them, but for z on the axis
 
   [[nodiscard]] constexpr const Function* begin() const { return functions.data(); }
   [[nodiscard]] constexpr const Function* end() const { return functions.data() + count; }
@@ -104,6 +107,8 @@ constexpr FrameCost frames_by(Function first, Function second) {
   return {{first, second}, 2};
 }
 inline constexpr FrameCost kFramesAsBuilt{};
+/// Of what is wanted in the frames of the URDF's links.
+inline constexpr FrameCost kFramesOfFiles{{}, 0, true};
 
 /// Whether columns of the matrix of accelerations may be handed from link to link where frames are
 /// chosen by the cost of this function, see `MovingLink::carries_column`.
@@ -291,6 +296,14 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::potential_energy, "potential_energy", FunctionGroup::robot, Emitted::on_request,
      Solve::none, frames_by(Function::potential_energy), Columns::computed,
      weighed_inputs(Quantity::q), "U = -sum of m_i gravity . c_i, zero at the world's origin"},
+    {Function::inverse_dynamics_regressor, "inverse_dynamics_regressor", FunctionGroup::robot,
+     Emitted::on_request, Solve::none, kFramesOfFiles, Columns::computed,
+     inputs(Quantity::q, Quantity::qd, Quantity::qdd, Quantity::gravity),
+     "M qdd + b + g = Y p: the matrix Y, for the parameters p listed above"},
+    {Function::energy_regressor, "energy_regressor", FunctionGroup::robot, Emitted::on_request,
+     Solve::none, kFramesOfFiles, Columns::computed,
+     inputs(Quantity::q, Quantity::qd, Quantity::gravity),
+     "[T; U] = E p: the matrix E, for the parameters p listed above"},
     {Function::centroidal_momentum_matrix, "centroidal_momentum_matrix",
      FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
      frames_by(Function::centroidal_momentum_matrix), Columns::computed,
@@ -416,6 +429,10 @@ constexpr bool takes_external_forces(Function function) {
 /// Whether the result has Lambda in it, of which rows of the task yield near singularities.
 constexpr bool has_lambda(Function function) {
   return needs_points(function) && solve_of(function) == Solve::lambda_inverse;
+}
+/// Whether its columns are those of inertial parameters, which the scene's key `regressor` lists.
+constexpr bool is_regressor(Function function) {
+  return function == Function::inverse_dynamics_regressor || function == Function::energy_regressor;
 }
 constexpr bool is_derivative(Function function) {
   return info_of(function).group == FunctionGroup::derivatives;

@@ -119,11 +119,11 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
     {Quantity::gravity, "gravity", "acceleration of gravity, world axes", "m/s^2",
      IndexSpace::gravity, 20},
     {Quantity::payload, "payload",
-     "m, m c_x, m c_y, m c_z, Ixx, Ixy, Ixz, Iyy, Iyz, Izz of each body added to a link, about the "
+     "m, m c_x, m c_y, m c_z, Ixx, Ixy, Iyy, Ixz, Iyz, Izz of each body added to a link, about the "
      "origin of the link's frame in the URDF and in its axes, kg, kg m, kg m^2",
      "kg, kg m, kg m^2", IndexSpace::payloads, kPayloadMass},
     {Quantity::parameters, "parameters",
-     "m, m c_x, m c_y, m c_z, Ixx, Ixy, Ixz, Iyy, Iyz, Izz of each link named, in place of the "
+     "m, m c_x, m c_y, m c_z, Ixx, Ixy, Iyy, Ixz, Iyz, Izz of each link named, in place of the "
      "URDF's, about the origin of the link's frame and in its axes, kg, kg m, kg m^2",
      "kg, kg m, kg m^2", IndexSpace::parameters, kPayloadMass},
     {Quantity::tool, "tool",

@@ -21,7 +21,7 @@ std::string list_parameters(const Inertia& inertia) {
   const ExactMatrix3 J = rotational_inertia(inertia);
   const std::array<Exact, kInertialParameters> values{
       inertia.mass, inertia.h(0), inertia.h(1), inertia.h(2), J(0, 0),
-      J(0, 1),      J(0, 2),      J(1, 1),      J(1, 2),      J(2, 2)};
+      J(0, 1),      J(1, 1),      J(0, 2),      J(1, 2),      J(2, 2)};
   std::vector<std::string> listed;
   for (const Exact& value : values) listed.push_back(format_literal(static_cast<double>(value)));
   return fmt::format("{}", fmt::join(listed, ", "));

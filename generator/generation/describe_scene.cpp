@@ -12,6 +12,7 @@
 #include "description/list_rows.hpp"
 #include "generation/describe_drives.hpp"
 #include "generation/describe_inputs.hpp"
+#include "generation/describe_regressor.hpp"
 #include "mechanism/home_of.hpp"
 
 namespace treeline {
@@ -153,8 +154,8 @@ void append_loop_notes(const Scene& scene, std::size_t row, std::vector<std::str
     notes.push_back(fmt::format(
         "constraint {}: {} of link {}, {}, held to link {}, {}, along the latter's axes; rows from "
         "{}",
-        loop.first.name, list_rows(loop.second, " "), loop.first.link, origin_text(loop.first.origin),
-        loop.second.link, origin_text(loop.second.origin), row));
+        loop.first.name, list_rows(loop.second, " "), loop.first.link,
+        origin_text(loop.first.origin), loop.second.link, origin_text(loop.second.origin), row));
     const auto& on = loop.second.rows;
     row += static_cast<std::size_t>(std::count(on.begin(), on.end(), true));
   }
@@ -163,8 +164,8 @@ void append_loop_notes(const Scene& scene, std::size_t row, std::vector<std::str
     for (const auto& [joint, factor] : coupling.parts) {
       sum += fmt::format("{}{} {}", sum.empty() ? "" : " + ", factor, joint);
     }
-    notes.push_back(
-        fmt::format("coupling {}: {} + {} = 0; row {}", coupling.name, sum, coupling.offset, row++));
+    notes.push_back(fmt::format("coupling {}: {} + {} = 0; row {}", coupling.name, sum,
+                                coupling.offset, row++));
   }
 }
 
@@ -248,6 +249,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.operational_points = point_rows(scene.operational_points);
   context.external_forces = point_rows(scene.external_forces);
   append_input_notes(scene, mechanism, context.notes);
+  append_regressor_notes(scene, mechanism, context.notes);
   for (const SceneObject& object : scene.objects) {
     context.notes.push_back(object_text(object));
   }

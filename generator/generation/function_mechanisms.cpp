@@ -56,6 +56,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (needs_constraints(function)) needs |= kConstraints;
   needs &= in_scene_;
   const FrameCost& frames = info_of(function).frames;
+  if (frames.of_files) return in_frames_of_files(needs);
   if (frames.count == 0) return reduced(needs);
   if (frames.count == 1) return decided(needs, *frames.begin());
   // What forward dynamics derives is for the most part what inverse dynamics does.
@@ -94,6 +95,19 @@ const Mechanism& FunctionMechanisms::whole() {
 const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   const auto found = by_needs_.find(needs);
   if (found != by_needs_.end()) return found->second;
+  return by_needs_.emplace(needs, reduced_mechanism(robot_, seen_by(needs), inertias_))
+      .first->second;
+}
+
+const Mechanism& FunctionMechanisms::in_frames_of_files(unsigned needs) {
+  const auto found = in_frames_of_files_.find(needs);
+  if (found != in_frames_of_files_.end()) return found->second;
+  return in_frames_of_files_.emplace(needs, mechanism_in_frames_of_files(robot_, seen_by(needs)))
+      .first->second;
+}
+
+/// The scene without what a function of these needs does not depend on.
+Scene FunctionMechanisms::seen_by(unsigned needs) const {
   Scene seen = scene_;
   if ((needs & kPoints) == 0) {
     seen.operational_points.clear();
@@ -109,7 +123,7 @@ const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
     seen.loops.clear();
     seen.couplings.clear();
   }
-  return by_needs_.emplace(needs, reduced_mechanism(robot_, seen, inertias_)).first->second;
+  return seen;
 }
 
 }  // namespace treeline

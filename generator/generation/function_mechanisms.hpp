@@ -24,7 +24,10 @@ class FunctionMechanisms {
   const Mechanism& whole();
 
  private:
+  [[nodiscard]] Scene seen_by(unsigned needs) const;
   const Mechanism& reduced(unsigned needs);
+  /// The mechanism with the links' frames of the URDF.
+  const Mechanism& in_frames_of_files(unsigned needs);
   /// The reduced mechanism with axes chosen by the frame cost function `decider`.
   const Mechanism& decided(unsigned needs, Function decider);
 
@@ -32,7 +35,7 @@ class FunctionMechanisms {
   const Scene& scene_;
   Inertias inertias_;
   unsigned in_scene_ = 0;
-  std::map<unsigned, Mechanism> by_needs_;
+  std::map<unsigned, Mechanism> by_needs_, in_frames_of_files_;
   std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
   std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // of several frame costs
 };

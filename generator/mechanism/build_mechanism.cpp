@@ -63,6 +63,7 @@ class Builder {
     mechanism_.couplings = couplings();
     mechanism_.passive = passive_velocities();
     mechanism_.link_frames = link_frames();
+    mechanism_.regressor = scene_.regressor;
     mechanism_.inputs = place_inputs(robot_, scene_, files_frames());
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
       MovingLink& link = mechanism_.links[i];
@@ -389,6 +390,12 @@ class Builder {
 
 Mechanism build_mechanism(const Robot& robot, const Scene& scene) {
   return Builder(robot, scene).build();
+}
+
+Mechanism mechanism_in_frames_of_files(const Robot& robot, const Scene& scene) {
+  Mechanism mechanism = build_mechanism(robot, scene);
+  keep_angles(mechanism, scene.accuracy);
+  return mechanism;
 }
 
 Mechanism reduced_mechanism(const Robot& robot, const Scene& scene, Inertias inertias) {

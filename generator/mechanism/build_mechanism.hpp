@@ -28,6 +28,10 @@ void seat_frames(Mechanism& mechanism);
 /// offset is removed, with `balanced` those of joints whose limits are wide, with `best` all.
 void keep_angles(Mechanism& mechanism, Accuracy accuracy);
 
+/// Builds the mechanism of `robot` and leaves the links' frames where the URDF has them, but for
+/// rotations that take z to the joint axes: `build_mechanism` and `keep_angles`.
+Mechanism mechanism_in_frames_of_files(const Robot& robot, const Scene& scene);
+
 /// Whether inertias are regrouped, which is the default, or left in full for comparison.
 enum class Inertias { regrouped, full };
 

@@ -168,7 +168,8 @@ struct Mechanism {
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
   MechanismInputs inputs;
-  bool implicit_friction = false;                  ///< see `Scene`
+  bool implicit_friction = false;  ///< see `Scene`
+  SceneRegressor regressor;
   SingularTasks singular = SingularTasks::smooth;  ///< see `Scene`
   Real real = Real::float64;                       ///< see `Scene`
   std::vector<Coordinate> coordinates;             ///< nq of them

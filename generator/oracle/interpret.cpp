@@ -102,6 +102,12 @@ std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
       return derivatives(interpreter::kinetic_energy_derivatives<Scalar>(model, at.q, at.qd));
     case Function::potential_energy:
       return {interpreter::potential_energy<Scalar>(model, at.q)};
+    case Function::inverse_dynamics_regressor:
+      return entries_of(interpreter::inverse_dynamics_regressor<Scalar>(model, subject.regressor,
+                                                                        at.q, at.qd, at.qdd));
+    case Function::energy_regressor:
+      return entries_of(
+          interpreter::energy_regressor<Scalar>(model, subject.regressor, at.q, at.qd));
     case Function::center_of_mass:
       return entries_of(interpreter::center_of_mass<Scalar>(model, at.q));
     case Function::center_of_mass_jacobian:

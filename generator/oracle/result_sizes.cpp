@@ -161,6 +161,10 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
                      terms_.mass_matrix() * magnitudes(state_.qd)});
     case Function::potential_energy:
       return {terms_.potential_energy()};
+    case Function::inverse_dynamics_regressor:
+      return entries_of(terms_.inverse_dynamics_regressor(state_.qd, state_.qdd));
+    case Function::energy_regressor:
+      return entries_of(terms_.energy_regressor(state_.qd));
     case Function::centroidal_momentum_matrix:
       return entries_of(terms_.centroidal_momentum_matrix());
     case Function::centroidal_momentum:

@@ -8,6 +8,7 @@
 #include "interpreter/points.hpp"
 #include "oracle/chain_from_scene.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/list_regressor_units.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {
@@ -45,6 +46,7 @@ struct Subject {
   interpreter::ClosedChain<Scalar> chain;   ///< with the objects that the robot holds
   interpreter::Damping<Scalar> damping;     ///< empty if the scene asks for no damping
   SubjectInputs inputs;                     ///< payloads are bodies of their own, without mass
+  std::vector<interpreter::UnitParameter> regressor;  ///< the columns that the scene asks for
 
   [[nodiscard]] bool holds_rows() const { return !constraints.empty() || !loops.empty(); }
 };
@@ -95,6 +97,17 @@ SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& mo
   return inputs;
 }
 
+/// The columns of regressors, if the scene asks for some.
+template <class Scalar>
+std::vector<interpreter::UnitParameter> regressor_from_scene(
+    const Robot& robot, const Scene& scene, const interpreter::Model<Scalar>& model) {
+  std::vector<interpreter::UnitParameter> units;
+  for (const UnitOfLink& unit : list_regressor_units(robot, scene)) {
+    units.push_back({unit.kind, find_body(model, unit.link), unit.entry});
+  }
+  return units;
+}
+
 template <class Scalar>
 Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   Subject<Scalar> subject;
@@ -110,6 +123,7 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   // The values of `core::add_damping_by_directions`.
   subject.damping.resolution = Scalar(scene.real == Real::float32 ? 0x1p-17 : 0x1p-46);
   subject.inputs = inputs_of(scene, subject.model);
+  subject.regressor = regressor_from_scene(robot, scene, subject.model);
   add_payloads(scene, subject.model);
   for (auto& robot_of_chain : subject.chain.robots) add_payloads(scene, robot_of_chain);
   return subject;
@@ -127,7 +141,8 @@ Subject<To> cast(const Subject<From>& subject) {
           subject.passive,
           interpreter::cast<To>(subject.chain),
           interpreter::cast<To>(subject.damping),
-          subject.inputs};
+          subject.inputs,
+          subject.regressor};
 }
 
 }  // namespace treeline

@@ -18,9 +18,9 @@ void set_parameters(const std::vector<double>& entries, std::size_t first,
   body.mass = at(0);
   body.com = {at(1), at(2), at(3)};
   if (body.mass != Scalar(0)) body.com /= body.mass;
-  body.inertia << at(4), at(5), at(6),  //
-      at(5), at(7), at(8),              //
-      at(6), at(8), at(9);
+  body.inertia << at(4), at(5), at(7),  //
+      at(5), at(6), at(8),              //
+      at(7), at(8), at(9);
 }
 
 /// Gives bodies the parameters of a state, in their order; none if the state has none.

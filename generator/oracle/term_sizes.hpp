@@ -40,6 +40,12 @@ class TermSizes {
   /// Size of the potential energy: gravity times the masses and the lengths of the paths to them,
   /// and that of springs.
   [[nodiscard]] double potential_energy() const;
+  /// Sizes of Y, nv x columns: those of `forces` for bodies whose mass, first moment or moment is
+  /// one. The columns are those of the subject's regressor.
+  [[nodiscard]] Eigen::MatrixXd inverse_dynamics_regressor(const std::vector<double>& qd,
+                                                           const std::vector<double>& qdd) const;
+  /// Sizes of E, 2 x columns: those of the energies of such bodies.
+  [[nodiscard]] Eigen::MatrixXd energy_regressor(const std::vector<double>& qd) const;
   /// Sizes of J, controlled rows x nv: l in translational rows, 1 in rotational ones.
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   /// Sizes of Jd qd, controlled rows: 2 |w| |v| and |w|^2.

@@ -52,14 +52,14 @@ std::vector<Matrix3<Scalar>> rotations(const std::vector<Scalar>& entries) {
   return turns;
 }
 
-/// Of an argument with ten entries a body: m, m c, Ixx, Ixy, Ixz, Iyy, Iyz, Izz.
+/// Of an argument with ten entries a body: m, m c, Ixx, Ixy, Iyy, Ixz, Iyz, Izz.
 template <class Scalar>
 std::vector<InertialParameters<Scalar>> inertial_parameters(const std::vector<Scalar>& entries) {
   std::vector<InertialParameters<Scalar>> bodies;
   for (std::size_t at = 0; at < entries.size(); at += kInertialParameters) {
     bodies.push_back({entries[at],
                       triple_at(entries, at + 1),
-                      {entries[at + 4], entries[at + 5], entries[at + 6], entries[at + 7],
+                      {entries[at + 4], entries[at + 5], entries[at + 7], entries[at + 6],
                        entries[at + 8], entries[at + 9]}});
   }
   return bodies;

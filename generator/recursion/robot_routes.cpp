@@ -6,6 +6,7 @@
 
 #include "recursion/coriolis_matrix.hpp"
 #include "recursion/describe_choice.hpp"
+#include "recursion/energy_regressor.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/kinetic_energy.hpp"
 #include "recursion/motion_derivative_routes.hpp"
@@ -210,6 +211,25 @@ std::vector<RobotRoute> potential_energy_routes() {
        }}};
 }
 
+std::vector<RobotRoute> inverse_dynamics_regressor_routes() {
+  return {{{"unit-motions", "forces of unit parameters along the unit motions of the joints"},
+           [](const RobotTrace& trace) {
+             return matrix_output(
+                 "Y", "regressor of the joint forces",
+                 inverse_dynamics_regressor<Expression>(trace.tree, trace.X, {trace.qd, trace.qdd},
+                                                        regressor_columns(*trace.mechanism)));
+           }}};
+}
+
+std::vector<RobotRoute> energy_regressor_routes() {
+  return {{{"outward", "energies of unit parameters"}, [](const RobotTrace& trace) {
+             return matrix_output(
+                 "E", "regressor of kinetic over potential energy",
+                 energy_regressor<Expression>(trace.tree, trace.X, trace.qd,
+                                              regressor_columns(*trace.mechanism)));
+           }}};
+}
+
 std::vector<RobotRoute> pose_routes() {
   return {{{"outward", "outward recursion"}, point_poses}};
 }
@@ -329,6 +349,10 @@ std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechani
       return kinetic_energy_derivative_routes();
     case Function::potential_energy:
       return potential_energy_routes();
+    case Function::inverse_dynamics_regressor:
+      return inverse_dynamics_regressor_routes();
+    case Function::energy_regressor:
+      return energy_regressor_routes();
     case Function::lambda_inverse:
       return lambda_routes(tree, false, laws);
     case Function::lambda:

@@ -16,11 +16,11 @@ using Parameters = std::array<double, kInertialParameters>;
 /// A distribution of matter has these parameters where its pseudo-inertia has no negative
 /// eigenvalue (Wensing, Kim & Slotine 2018).
 Eigen::Matrix4d pseudo_inertia(const Parameters& p) {
-  const double half = (p[4] + p[7] + p[9]) / 2;
+  const double half = (p[4] + p[6] + p[9]) / 2;
   Eigen::Matrix4d pseudo;
-  pseudo << half - p[4], -p[5], -p[6], p[1],  //
-      -p[5], half - p[7], -p[8], p[2],        //
-      -p[6], -p[8], half - p[9], p[3],        //
+  pseudo << half - p[4], -p[5], -p[7], p[1],  //
+      -p[5], half - p[6], -p[8], p[2],        //
+      -p[7], -p[8], half - p[9], p[3],        //
       p[1], p[2], p[3], p[0];
   return pseudo;
 }
@@ -43,7 +43,7 @@ TEST(BodyOf, IsABodyWithinTheRange) {
     EXPECT_LE(p[0], 3);
     for (std::size_t i = 1; i < 4; ++i) EXPECT_LE(std::abs(p[i]), p[0] * 0.2 * (1 + 1e-12));
     // The trace of the second moment is that of matter within reach.
-    EXPECT_LE((p[4] + p[7] + p[9]) / 2, p[0] * 0.04 * (1 + 1e-12));
+    EXPECT_LE((p[4] + p[6] + p[9]) / 2, p[0] * 0.04 * (1 + 1e-12));
   }
 }
 

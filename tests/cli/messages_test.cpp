@@ -116,7 +116,7 @@ TEST_F(MessagesTest, UnknownKeysAndFunctionsGetTheList) {
                  {"is unknown", "the keys here are name, base, gravity,", "operational_points"});
   }
   expect_parts(refused("friction: viscous\n"), {"did you mean \"joint_friction\"?"});
-  expect_parts(refused("functions: [regressor]\n"),
+  expect_parts(refused("functions: [hessian_tensor]\n"),
                {"the functions are forward_kinematics,", "mass_matrix"});
   expect_parts(refused("functions: [gravity_vector]\n"), {"did you mean \"gravity\"?"});
   expect_parts(refused("functions: all\n"), {"leave out functions for all that the scene permits"});

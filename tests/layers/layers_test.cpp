@@ -52,7 +52,7 @@ const std::vector<Layer> kLayers = {
     {"oracle",
      {"functions", "interpreter", "description", "mechanism", "program", "recursion", "bounds",
       "generation"}},
-    {"inspect", {"interpreter", "description", "mechanism", "bounds", "oracle"}},
+    {"inspect", {"interpreter", "description", "mechanism", "recursion", "bounds", "oracle"}},
     {"drawing", {"interpreter", "description", "mechanism", "oracle"}},
     {"comparison", {"interpreter", "description", "bounds", "oracle", "inspect"}},
     {"check",

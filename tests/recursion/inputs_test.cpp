@@ -44,7 +44,7 @@ std::array<Digits50, 10> ten_parameters(const Inertial& inertial) {
   const Digits50 m(inertial.mass);
   const ip::Matrix3<Digits50> unit = ip::Matrix3<Digits50>::Identity();
   J = (R * J * R.transpose() + m * (c.dot(c) * unit - c * c.transpose())).eval();
-  return {m, m * c(0), m * c(1), m * c(2), J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};
+  return {m, m * c(0), m * c(1), m * c(2), J(0, 0), J(0, 1), J(1, 1), J(0, 2), J(1, 2), J(2, 2)};
 }
 
 std::vector<std::string> moving_links(const Robot& robot, const Scene& scene) {

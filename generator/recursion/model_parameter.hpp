@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+
+namespace treeline {
+
+/// One of the numbers on which joint forces depend linearly.
+struct ModelParameter {
+  enum class Kind {
+    inertial,  ///< one of the ten inertial parameters of a link
+    rotor,     ///< inertia of the motor's rotor at a joint, kg m^2 or kg
+    viscous    ///< viscous friction of a joint, N m s or N s/m
+  };
+  Kind kind = Kind::inertial;
+  std::string owner;      ///< link or joint
+  std::size_t frame = 0;  ///< of an inertial parameter: index into `Mechanism::link_frames`
+  int entry = 0;          ///< of an inertial parameter: which of the ten, see `kInertialNames`
+  int v = 0;              ///< of the others: the joint's velocity
+  bool slides = false;    ///< of the others: whether the joint does
+};
+
+/// The ten inertial parameters of a link, in the order of arguments (`InertialParameters`).
+inline constexpr std::array<const char*, kInertialParameters> kInertialNames = {
+    "m", "mc_x", "mc_y", "mc_z", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz"};
+
+/// `forearm Ixx`, `elbow rotor`, `elbow viscous`.
+std::string name_of(const ModelParameter& parameter);
+
+/// The parameters of all links that move against their parents, or of those that are asked for, in
+/// the frames of the URDF: what is fixed to a link is part of it. Then those of joints of one
+/// freedom, in the order of qd.
+std::vector<ModelParameter> list_model_parameters(const Mechanism& mechanism,
+                                                  const SceneRegressor& asked);
+
+/// The parameters whose columns the regressors of the mechanism have, all or base ones as
+/// `Mechanism::regressor` says.
+std::vector<ModelParameter> regressor_columns(const Mechanism& mechanism);
+
+}  // namespace treeline

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "interpreter/inverse_dynamics.hpp"
+
+namespace treeline::interpreter {
+
+/// One number on which joint forces depend linearly.
+struct UnitParameter {
+  enum class Kind {
+    inertial,  ///< one of m, m c_x y z, Ixx Ixy Iyy Ixz Iyz Izz about the origin of a body's frame
+    rotor,     ///< armature of a body's joint
+    viscous    ///< viscous friction of a body's joint
+  };
+  Kind kind = Kind::inertial;
+  int body = 0;
+  int entry = 0;  ///< which of the ten
+};
+
+namespace detail {
+
+/// Bodies whose sum has one inertial parameter of one and all others zero, with their signs: the
+/// first moment is that of a unit mass off the origin, less one there.
+template <class Scalar>
+std::vector<std::pair<Body<Scalar>, Scalar>> unit_bodies(int entry) {
+  Body<Scalar> body;
+  if (entry < 4) body.mass = Scalar(1);
+  for (int j = 0, at = 4; j < 3; ++j) {
+    for (int i = 0; i <= j; ++i, ++at) {
+      if (at == entry) body.inertia(i, j) = body.inertia(j, i) = Scalar(1);
+    }
+  }
+  if (entry == 0 || entry > 3) return {{body, Scalar(1)}};
+  Body<Scalar> off = body;
+  off.com(entry - 1) = Scalar(1);
+  return {{off, Scalar(1)}, {body, Scalar(-1)}};
+}
+
+/// Adds S^T f of all joints between a force on a body and the world.
+template <class Scalar, class Column>
+void project_force_inward(const Model<Scalar>& model, const Kinematics<Scalar>& k, int body,
+                          Vector6<Scalar> f, Column tau) {
+  for (int i = body; i != kWorld; i = model.body(i).parent) {
+    tau.segment(model.body(i).v, k.S[i].cols()) +=
+        model.body(i).multiplier * (k.S[i].transpose() * f);
+    f = (k.X[i] * f).eval();
+  }
+}
+
+}  // namespace detail
+
+/// Y of M qdd + b + g = Y p, nv x parameters: of each column the joint forces that move a body with
+/// this unit parameter, carried along by the others, which have none.
+template <class Scalar>
+Matrix<Scalar> inverse_dynamics_regressor(const Model<Scalar>& model,
+                                          const std::vector<UnitParameter>& parameters,
+                                          VectorArg<Scalar> q, VectorArg<Scalar> qd,
+                                          VectorArg<Scalar> qdd) {
+  const auto k = kinematics<Scalar>(model, q, qd);
+  const auto a = accelerations<Scalar>(model, k, qdd, -model.gravity);
+  Matrix<Scalar> Y = Matrix<Scalar>::Zero(model.nv, static_cast<Eigen::Index>(parameters.size()));
+  for (Eigen::Index c = 0; c < Y.cols(); ++c) {
+    const UnitParameter& unit = parameters[static_cast<std::size_t>(c)];
+    const Body<Scalar>& owner = model.body(unit.body);
+    if (unit.kind != UnitParameter::Kind::inertial) {
+      const bool is_rotor = unit.kind == UnitParameter::Kind::rotor;
+      Y.col(c).segment(owner.v, velocity_count(owner.kind)) =
+          joint_velocity<Scalar>(owner, is_rotor ? qdd : qd);
+      continue;
+    }
+    for (const auto& [body, sign] : detail::unit_bodies<Scalar>(unit.entry)) {
+      const Vector6<Scalar> f = detail::body_inertia(body) * a[unit.body] +
+                                detail::gyroscopic_force(body, angular(k.v[unit.body]));
+      detail::project_force_inward<Scalar>(model, k, unit.body, sign * f, Y.col(c));
+    }
+  }
+  return Y;
+}
+
+/// E of [T; U] = E p, 2 x parameters: kinetic energy V^T I V / 2 over potential energy, which is
+/// zero with all mass at the world's origin. Nothing for friction.
+template <class Scalar>
+Matrix<Scalar> energy_regressor(const Model<Scalar>& model,
+                                const std::vector<UnitParameter>& parameters, VectorArg<Scalar> q,
+                                VectorArg<Scalar> qd) {
+  const auto k = kinematics<Scalar>(model, q, qd);
+  Matrix<Scalar> E = Matrix<Scalar>::Zero(2, static_cast<Eigen::Index>(parameters.size()));
+  for (Eigen::Index c = 0; c < E.cols(); ++c) {
+    const UnitParameter& unit = parameters[static_cast<std::size_t>(c)];
+    if (unit.kind == UnitParameter::Kind::viscous) continue;
+    if (unit.kind == UnitParameter::Kind::rotor) {
+      const Body<Scalar>& owner = model.body(unit.body);
+      E(0, c) = joint_velocity<Scalar>(owner, qd).squaredNorm() / Scalar(2);
+      continue;
+    }
+    const Vector6<Scalar>& V = k.v[unit.body];
+    for (const auto& [body, sign] : detail::unit_bodies<Scalar>(unit.entry)) {
+      const Vector3<Scalar> center = k.p_world[unit.body] + k.R_world[unit.body] * body.com;
+      E(0, c) += sign * V.dot(detail::body_inertia(body) * V) / Scalar(2);
+      E(1, c) -= sign * body.mass * model.gravity.dot(center);
+    }
+  }
+  return E;
+}
+
+}  // namespace treeline::interpreter
