@@ -99,7 +99,6 @@ DenseMatrix<Scalar> centroidal_momentum_by_displacements(
   const Vector3<Scalar> total = centroidal_momentum(tree, X, qd).f;
   CentroidalColumns<Scalar> columns(tree, parts);
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    if (tree.links[i].is_rotor) continue;
     section(tree.links[i], i, "derivatives");
     for (const JointAxis<Scalar>& axis : joint_axes(tree.links[i])) {
       columns.add_displaced(
@@ -130,7 +129,6 @@ CentroidalRateDerivatives<Scalar> centroidal_rate_derivatives(
   CentroidalColumns<Scalar> by_q(tree, parts);
   CentroidalColumns<Scalar> by_qd(tree, parts);
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    if (tree.links[i].is_rotor) continue;
     section(tree.links[i], i, "derivatives");
     const Composite<Scalar>& body = forces.composites[i];
     for (const JointFreedom<Scalar>& freedom : forces.freedoms[i]) {

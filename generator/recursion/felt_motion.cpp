@@ -188,10 +188,6 @@ class Outward {
     std::vector<FeltMotion> motions(mechanism_.link_frames.size());
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
       const MovingLink& link = mechanism_.links[i];
-      if (link.is_rotor) {
-        steps_.push_back({base_, -1, {}});
-        continue;
-      }
       steps_.push_back(step_to(link));
       if (frame_of_link_[i] < 0) continue;
       const Step& step = steps_.back();

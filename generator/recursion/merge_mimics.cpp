@@ -21,7 +21,7 @@ constexpr std::size_t kMoreStates = 8;
 std::vector<bool> links_about_mimics(const Mechanism& mechanism) {
   std::set<int> shared;
   for (const MovingLink& link : mechanism.links) {
-    if (link.mimics && !link.is_rotor) shared.insert(link.v_index);
+    if (link.mimics) shared.insert(link.v_index);
   }
   std::vector<bool> behind(mechanism.links.size(), false), before = behind;
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {

@@ -24,10 +24,10 @@ void append_inertial(const Mechanism& mechanism, const std::vector<std::string>&
 
 /// Whether a motor turns or slides it by a coordinate of its own, and nothing else does.
 bool has_own_motor(const Mechanism& mechanism, const MovingLink& link) {
-  if (!link.has_one_coordinate() || link.mimics || link.is_rotor) return false;
+  if (!link.has_one_coordinate() || link.mimics) return false;
   const auto& links = mechanism.links;
   return std::count_if(links.begin(), links.end(), [&](const MovingLink& other) {
-           return other.joint == link.joint && !other.is_rotor;
+           return other.joint == link.joint;
          }) == 1;
 }
 
