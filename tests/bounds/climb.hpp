@@ -93,8 +93,8 @@ class Climber {
       if (program_.arguments[i].name == "cos_q") put_on_circle(inputs[i - 1], inputs[i]);
     }
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      if (program_.arguments[i].name != "q") continue;
-      for (const std::size_t first : domain_.quaternions) {
+      for (const auto& [quantity, first] : domain_.quaternions) {
+        if (program_.arguments[i].name != symbol_of(quantity)) continue;
         double norm = 0;
         for (std::size_t k = first; k < first + 4; ++k) norm = std::hypot(norm, inputs[i][k]);
         for (std::size_t k = first; k < first + 4; ++k) inputs[i][k] /= norm;
