@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "interpreter/inverse_dynamics.hpp"
@@ -21,22 +20,27 @@ struct UnitParameter {
 
 namespace detail {
 
-/// Bodies whose sum has one inertial parameter of one and all others zero, with their signs: the
-/// first moment is that of a unit mass off the origin, less one there.
+/// An inertia of which one parameter is one and all others are zero, which no body has.
 template <class Scalar>
-std::vector<std::pair<Body<Scalar>, Scalar>> unit_bodies(int entry) {
-  Body<Scalar> body;
-  if (entry < 4) body.mass = Scalar(1);
-  for (int j = 0, at = 4; j < 3; ++j) {
-    for (int i = 0; i <= j; ++i, ++at) {
-      if (at == entry) body.inertia(i, j) = body.inertia(j, i) = Scalar(1);
+struct UnitInertia {
+  explicit UnitInertia(int entry) {
+    if (entry == 0) mass = Scalar(1);
+    if (entry > 0 && entry < 4) h(entry - 1) = Scalar(1);
+    for (int j = 0, at = 4; j < 3; ++j) {
+      for (int i = 0; i <= j; ++i, ++at) {
+        if (at == entry) J(i, j) = J(j, i) = Scalar(1);
+      }
     }
+    I = spatial_inertia<Scalar>(mass, Vector3<Scalar>::Zero(), J);
+    I.template topRightCorner<3, 3>() = -cross_matrix(h);
+    I.template bottomLeftCorner<3, 3>() = cross_matrix(h);
   }
-  if (entry == 0 || entry > 3) return {{body, Scalar(1)}};
-  Body<Scalar> off = body;
-  off.com(entry - 1) = Scalar(1);
-  return {{off, Scalar(1)}, {body, Scalar(-1)}};
-}
+
+  Scalar mass = Scalar(0);
+  Vector3<Scalar> h = Vector3<Scalar>::Zero();
+  Matrix3<Scalar> J = Matrix3<Scalar>::Zero();
+  Matrix6<Scalar> I;
+};
 
 /// Adds S^T f of all joints between a force on a body and the world.
 template <class Scalar, class Column>
@@ -70,11 +74,12 @@ Matrix<Scalar> inverse_dynamics_regressor(const Model<Scalar>& model,
           joint_velocity<Scalar>(owner, is_rotor ? qdd : qd);
       continue;
     }
-    for (const auto& [body, sign] : detail::unit_bodies<Scalar>(unit.entry)) {
-      const Vector6<Scalar> f = detail::body_inertia(body) * a[unit.body] +
-                                detail::gyroscopic_force(body, angular(k.v[unit.body]));
-      detail::project_force_inward<Scalar>(model, k, unit.body, sign * f, Y.col(c));
-    }
+    const detail::UnitInertia<Scalar> inertia(unit.entry);
+    const Vector3<Scalar> w = angular(k.v[unit.body]);
+    const Vector6<Scalar> f =
+        inertia.I * a[unit.body] +
+        stack<Scalar>(cross<Scalar>(w, cross(w, inertia.h)), cross<Scalar>(w, inertia.J * w));
+    detail::project_force_inward<Scalar>(model, k, unit.body, f, Y.col(c));
   }
   return Y;
 }
@@ -96,11 +101,11 @@ Matrix<Scalar> energy_regressor(const Model<Scalar>& model,
       continue;
     }
     const Vector6<Scalar>& V = k.v[unit.body];
-    for (const auto& [body, sign] : detail::unit_bodies<Scalar>(unit.entry)) {
-      const Vector3<Scalar> center = k.p_world[unit.body] + k.R_world[unit.body] * body.com;
-      E(0, c) += sign * V.dot(detail::body_inertia(body) * V) / Scalar(2);
-      E(1, c) -= sign * body.mass * model.gravity.dot(center);
-    }
+    const detail::UnitInertia<Scalar> inertia(unit.entry);
+    const Vector3<Scalar> moment =
+        inertia.mass * k.p_world[unit.body] + k.R_world[unit.body] * inertia.h;
+    E(0, c) = V.dot(inertia.I * V) / Scalar(2);
+    E(1, c) = -model.gravity.dot(moment);
   }
   return E;
 }

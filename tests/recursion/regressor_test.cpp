@@ -17,6 +17,7 @@
 #include "recursion/base_parameters.hpp"
 #include "recursion/energy_regressor.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/inverse_dynamics.hpp"
 #include "recursion/seeded.hpp"
 #include "recursion/trace_function.hpp"
 
@@ -206,6 +207,32 @@ TEST_P(Regressor, TracedFunctionsAgreeWithTheInterpreter) {
   for (const Program& program : trace_function(mechanism_, Function::energy_regressor, 4)) {
     EXPECT_LT(relative_error(evaluate<double>(program, {q, qd}), E, 1), 1e-13);
   }
+}
+
+// The same parameters in the same frames and order: inverse dynamics that takes them as an argument
+// gives Y p, for parameters that no body has.
+TEST_P(Regressor, AreTheParametersOfArguments) {
+  Scene scene = made_.scene;
+  scene.armature.clear();
+  Vector50 p = random_entries<Digits50>(dice_, static_cast<int>(columns_.size()), 1);
+  for (const Link& link : made_.robot.links) scene.inputs.parameters.push_back({link.name});
+  const Mechanism mechanism = reduced_mechanism(made_.robot, scene);
+  ModelInputs<Digits50> inputs;
+  for (const SceneInertia& link : scene.inputs.parameters) {
+    Digits entries(kInertialParameters, Digits50(0));  // of links without columns
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (columns_[k].kind != Kind::inertial) p(static_cast<Eigen::Index>(k)) = 0;
+      if (columns_[k].owner != link.link || columns_[k].kind != Kind::inertial) continue;
+      entries[static_cast<std::size_t>(columns_[k].entry)] = p(static_cast<Eigen::Index>(k));
+    }
+    inputs.parameters.push_back(inertial_parameters(entries).front());
+  }
+  const auto tree = tree_of<Digits50>(mechanism, inputs);
+  const Digits q = listed(q_), qd = listed(qd_), qdd = listed(qdd_);
+  const auto X = joint_transforms<Digits50>(tree, q);
+  const Results<Digits50> tau{inverse_dynamics<Digits50>(tree, X, {qd, qdd}, {})};
+  const Results<Digits50> Yp{listed(Vector50(interpreted(columns_) * p))};
+  EXPECT_LT(relative_error(Yp, tau, 1), 1e-38);
 }
 
 // No state has a column outside of the span of the base parameters' columns, and these are

@@ -1,0 +1,73 @@
+// Would catch: a column that the scene asks for and does not get, and links without columns that
+// are not reported with their place and a remedy.
+#include <gtest/gtest.h>
+
+#include "description/read_scene.hpp"
+#include "scene_robot.hpp"
+
+namespace treeline {
+namespace {
+
+const std::string kFunctions = "functions: [energy_regressor]\n";
+
+TEST(ReadRegressor, ReadsEverySetting) {
+  Diagnostics diagnostics;
+  const auto scene =
+      parse_scene(kFunctions + "regressor: {links: [fore, rail], rotors: true, friction: true}\n",
+                  "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_FALSE(scene->regressor.base);
+  EXPECT_EQ(scene->regressor.links, (std::vector<std::string>{"fore", "rail"}));
+  EXPECT_TRUE(scene->regressor.rotors);
+  EXPECT_TRUE(scene->regressor.friction);
+}
+
+TEST(ReadRegressor, TakesBaseParametersOfAllLinks) {
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(kFunctions + "regressor: {parameters: base}\n", "s.yaml",
+                                 make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_TRUE(scene->regressor.base);
+  EXPECT_TRUE(scene->regressor.links.empty());
+  EXPECT_FALSE(scene->regressor.rotors);
+}
+
+struct BadRegressor {
+  std::string text;
+  Expected expected;
+};
+
+TEST(ReadRegressor, SaysWhatIsWrong) {
+  const BadRegressor cases[] = {
+      {kFunctions + "regressor: {rotor: true}",
+       {Severity::error, 2, "regressor/rotor", "unknown", "did you mean \"rotors\"?"}},
+      {kFunctions + "regressor: {parameters: basic}",
+       {Severity::error, 2, "regressor/parameters", "\"basic\"", "base"}},
+      {kFunctions + "regressor: {links: [tol]}",
+       {Severity::error, 2, "regressor/links[0]", "no link \"tol\"", "did you mean \"tool\"?"}},
+      {kFunctions + "regressor: {links: base}",
+       {Severity::error, 2, "regressor/links", "\"base\" cannot move", "behind a joint"}},
+      {kFunctions + "regressor: {links: tool}",
+       {Severity::error, 2, "regressor/links", "\"tool\" is fixed to \"fore\"", "name \"fore\""}},
+      {kFunctions + "locked: {elbow: 0.1}\nregressor: {links: tool}",
+       {Severity::error, 3, "regressor/links", "\"tool\" is fixed to \"upper\"", "name \"upper\""}},
+      {kFunctions + "regressor: {links: [fore, fore]}",
+       {Severity::error, 2, "regressor/links[1]", "listed twice", "once"}},
+      {kFunctions + "regressor: {links: []}",
+       {Severity::error, 2, "regressor/links", "no link is listed", "leave out"}},
+      {kFunctions + "regressor: {links: fore, parameters: base}",
+       {Severity::error, 2, "regressor/links", "those of several links", "parameters: all"}},
+      {"functions: [gravity]\nregressor: {parameters: base}",
+       {Severity::warning, 1, "", "no function has them", "inverse_dynamics_regressor"}},
+  };
+  for (const BadRegressor& each : cases) {
+    SCOPED_TRACE(each.text);
+    Diagnostics diagnostics;
+    const auto scene = parse_scene(each.text, "bad.yaml", make_robot(), diagnostics);
+    EXPECT_EQ(scene.has_value(), each.expected.severity != Severity::error);
+    expect_diagnosed(diagnostics, "bad.yaml", each.expected);
+  }
+}
+
+}  // namespace
+}  // namespace treeline
