@@ -274,10 +274,12 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
              "write base: floating or base: fixed to choose");
   }
   if (!robot.loops.empty()) {
-    top.note(fmt::format("the robot's file closes {} loops: functions about constraints keep them "
-                         "closed, all others are those of the open tree",
-                         robot.loops.size()),
-             "use constrained_forward_dynamics and supported_control_torque");
+    diagnostics.add(
+        {Severity::note, robot.file, 0, "",
+         fmt::format("{} loops are closed by functions about constraints; to all others "
+                     "the robot is the open tree",
+                     robot.loops.size()),
+         "use constrained_forward_dynamics and supported_control_torque"});
   }
   snap_angles(robot, scene, diagnostics);
   if (scene.noise <= kResolution) return scene;

@@ -9,7 +9,7 @@
 #include "description/read_urdf.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "oracle/subject.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "recursion/constrained_forward_dynamics.hpp"
 #include "recursion/supported_mechanism.hpp"
 #include "recursion/task_law.hpp"
@@ -38,13 +38,14 @@ class Looped {
     if (!robot) throw std::runtime_error("the robot or its scene cannot be read");
     const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
     if (!scene) throw std::runtime_error("the robot or its scene cannot be read");
-    subject_ = make_subject<double>(*robot, *scene);
+    model_ = model_from_robot<double>(*robot, *scene);
+    loops_ = loops_from_scene(model_, *robot, *scene);
     const Mechanism seen = with_constraints_only(reduced_mechanism(*robot, *scene));
     tree_ = tree_of<double>(seen);
     rule_ = TaskLaws(seen).find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {})->rule;
   }
 
-  [[nodiscard]] const interpreter::Model<double>& model() const { return subject_.model; }
+  [[nodiscard]] const interpreter::Model<double>& model() const { return model_; }
 
   /// Newton's method from a guess.
   [[nodiscard]] Vector<double> closed(Vector<double> q) const {
@@ -56,10 +57,10 @@ class Looped {
     return q;
   }
   [[nodiscard]] Vector<double> errors(const Vector<double>& q) const {
-    return interpreter::loop_errors<double>(model(), subject_.loops, q);
+    return interpreter::loop_errors<double>(model(), loops_, q);
   }
   [[nodiscard]] Matrix<double> jacobian(const Vector<double>& q) const {
-    return interpreter::loop_jacobian<double>(model(), subject_.loops, q);
+    return interpreter::loop_jacobian<double>(model(), loops_, q);
   }
   /// The part of qd that the loops permit.
   [[nodiscard]] Vector<double> permitted(const Vector<double>& q, const Vector<double>& qd) const {
@@ -105,7 +106,8 @@ class Looped {
   }
 
  private:
-  Subject<double> subject_;
+  interpreter::Model<double> model_;
+  interpreter::Loops<double> loops_;
   Tree<double> tree_;
   PivotRule rule_;
 };
