@@ -25,9 +25,8 @@ TEST_F(Diff, ExitCodes) {
   const Outcome same = run("diff puma.urdf puma.urdf");
   EXPECT_EQ(same.exit_code, 0) << same.err;
   EXPECT_NE(same.out.find("the same"), std::string::npos) << same.out;
-  std::string heavier = puma_;
-  const std::size_t at = heavier.find("mass value=\"") + 12;
-  heavier.insert(at, "1");
+  const std::size_t at = puma_.find("mass value=\"") + 12;
+  const std::string heavier = puma_.substr(0, at) + '1' + puma_.substr(at);
   write("heavier.urdf", heavier);
   const Outcome different = run("diff puma.urdf heavier.urdf --json");
   EXPECT_EQ(different.exit_code, 3) << different.err;
