@@ -14,7 +14,7 @@ struct EnergyDerivatives {
 };
 
 /// By a displacement, the momentum beyond the joint times the change of velocity there; by a
-/// velocity, this momentum along the axis.
+/// velocity, this momentum along the axis, and that of the joint's rotor.
 template <class Scalar>
 EnergyDerivatives<Scalar> kinetic_energy_derivatives(const Tree<Scalar>& tree,
                                                      const std::vector<JointTransform<Scalar>>& X,
@@ -32,6 +32,8 @@ EnergyDerivatives<Scalar> kinetic_energy_derivatives(const Tree<Scalar>& tree,
       dq = dq + axis.multiplier * (dot(P, dv) + dot(L, dw));
       dqd = dqd + axis.multiplier * (dot(P, axis.slide) + dot(L, axis.turn));
     }
+    const auto v = static_cast<std::size_t>(tree.links[i].v_index);
+    energy.dqd[v] = energy.dqd[v] + tree.links[i].drive.inertia * rates.velocity(v);
   }
   return energy;
 }

@@ -26,9 +26,8 @@ void append_inertial(const Mechanism& mechanism, const std::vector<std::string>&
 bool has_own_motor(const Mechanism& mechanism, const MovingLink& link) {
   if (!link.has_one_coordinate() || link.mimics) return false;
   const auto& links = mechanism.links;
-  return std::count_if(links.begin(), links.end(), [&](const MovingLink& other) {
-           return other.joint == link.joint;
-         }) == 1;
+  return std::count_if(links.begin(), links.end(),
+                       [&](const MovingLink& other) { return other.joint == link.joint; }) == 1;
 }
 
 void append_of_joints(const Mechanism& mechanism, Kind kind,

@@ -98,6 +98,8 @@ std::vector<DigitsSubject> list_subjects(const std::string& robots) {
   std::vector<DigitsSubject> subjects;
   for (const fs::path& urdf : sorted_files(robots, ".urdf")) {
     for (const fs::path& scene : sorted_files(urdf.parent_path(), ".yaml")) {
+      // Scenes in folders beside the robot are those of experiments.
+      if (scene.parent_path() != urdf.parent_path()) continue;
       if (!scene.stem().string().starts_with("scene")) continue;
       subjects.push_back({urdf.stem().string() + "/" + scene.stem().string(), urdf, scene});
     }

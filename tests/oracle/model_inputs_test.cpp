@@ -65,6 +65,7 @@ StateSpace puma_with_everything() {
   held.link = "link3";
   held.rows = {true, false, false, false, false, false};
   subjects.scene.constraints = {held};
+  subjects.scene.functions = {Function::inverse_dynamics_regressor, Function::energy_regressor};
   subjects.scene.inputs = everything(subjects.scene);
   const Mechanism mechanism = reduced_mechanism(subjects.robot, subjects.scene);
   StateSpace space = make_state_space(subjects.robot, subjects.scene, mechanism, {}, 1);
@@ -115,11 +116,11 @@ TEST(ModelInputs, AreDrawnAsBodiesHaveThem) {
     ASSERT_EQ(p.size(), 10U);
     EXPECT_EQ(p[0] > 0, index > 0);
     EXPECT_LE(p[0], 2);
-    const double half = (p[4] + p[7] + p[9]) / 2;
+    const double half = (p[4] + p[6] + p[9]) / 2;
     Eigen::Matrix4d pseudo;  // second moments, first moments and mass (Wensing et al. 2018)
-    pseudo << half - p[4], -p[5], -p[6], p[1],  //
-        -p[5], half - p[7], -p[8], p[2],        //
-        -p[6], -p[8], half - p[9], p[3],        //
+    pseudo << half - p[4], -p[5], -p[7], p[1],  //
+        -p[5], half - p[6], -p[8], p[2],        //
+        -p[7], -p[8], half - p[9], p[3],        //
         p[1], p[2], p[3], p[0];
     const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(pseudo).eigenvalues()(0);
     EXPECT_GE(least, -1e-15) << index;
