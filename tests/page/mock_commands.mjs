@@ -38,7 +38,10 @@ function move_joint(robot, [, name, how, value, unit, seconds]) {
   const from = robot.goal[index];
   const to = in_radians(value, unit) + (how === 'by' ? from : 0);
   robot.control = 'joint';
-  robot.move(Number(seconds ?? 1), (share) => { robot.goal[index] = from + share * (to - from); });
+  robot.motions.delete('tip');
+  robot.move(index, Number(seconds ?? 1), (share) => {
+    robot.goal[index] = from + share * (to - from);
+  });
   return done(`${name} moves`);
 }
 
@@ -46,6 +49,7 @@ function drag_joint(robot, [, name, value, unit]) {
   const index = joint_index(robot, name);
   if (index < 0) return refused(`expected the name of a joint, found \`${name}\``);
   robot.control = 'joint';
+  robot.motions.delete(index);
   robot.goal[index] = in_radians(value, unit);
   return done('');
 }
@@ -55,7 +59,8 @@ function move_point(robot, [, name, how, x, y, z, seconds]) {
   const from = robot.goal_at;
   const to = [x, y, z].map((value, i) => Number(value) + (how === 'by' ? from[i] : 0));
   robot.control = 'task';
-  robot.move(Number(seconds ?? 1), (share) => {
+  robot.motions.clear();
+  robot.move('tip', Number(seconds ?? 1), (share) => {
     robot.goal_at = from.map((value, i) => value + share * (to[i] - value));
   });
   return done(`${name} moves`);
@@ -64,6 +69,7 @@ function move_point(robot, [, name, how, x, y, z, seconds]) {
 function drag_point(robot, [, name, x, y, z, turn]) {
   if (name !== robot.tip) return refused(`expected the name of a point, found \`${name}\``);
   robot.control = 'task';
+  robot.motions.clear();
   robot.goal_at = [x, y, z].map(Number);
   if (turn) robot.goal_turn = turn.trim().split(/\s+/).map(Number);
   return done('');

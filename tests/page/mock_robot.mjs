@@ -66,7 +66,7 @@ export class MockRobot {
     const {at, turn} = this.tip_at(this.q);
     this.goal_at = at;
     this.goal_turn = turn;
-    this.motion = null;
+    this.motions = new Map();
   }
 
   tip_at(q) {
@@ -82,9 +82,12 @@ export class MockRobot {
     return poses.get(this.tip);
   }
 
-  /** Lets a goal run to its end in `seconds`: `set(share)` with share from 0 to 1. */
-  move(seconds, set) {
-    this.motion = {begin: this.time, seconds, set};
+  /**
+   * Lets the goal of `what`, an index of `moving` or 'tip', run to its end in `seconds`:
+   * `set(share)` with share from 0 to 1. The motions of others go on.
+   */
+  move(what, seconds, set) {
+    this.motions.set(what, {begin: this.time, seconds, set});
   }
 
   step(dt) {
@@ -95,10 +98,10 @@ export class MockRobot {
   }
 
   #follow(dt) {
-    if (this.motion) {
-      const share = Math.min((this.time - this.motion.begin) / this.motion.seconds, 1);
-      this.motion.set(share * share * (3 - 2 * share));
-      if (share === 1) this.motion = null;
+    for (const [what, {begin, seconds, set}] of this.motions) {
+      const share = Math.min((this.time - begin) / seconds, 1);
+      set(share * share * (3 - 2 * share));
+      if (share === 1) this.motions.delete(what);
     }
     if (this.control === 'task') this.#lead_tip();
     const part = 1 - Math.exp(-dt / kLag);

@@ -33,7 +33,7 @@ function write_state(robot, client, clients) {
     Math.round(robot.time * 1000 * Math.exp(-((i - center) ** 2) / 4)));
   const times = {mean: 11 + Math.sin(robot.time), p99: 17, max: 24};
   return {type: 'state', seq: ++client.states, time: robot.time, mode: robot.mode,
-    control: robot.control, fault: robot.fault, moving: robot.motion !== null, q: robot.q,
+    control: robot.control, fault: robot.fault, moving: robot.motions.size > 0, q: robot.q,
     qd: robot.qd, tau: robot.q.map((q, i) => 30 * Math.sin(q) / (i + 1)), goal_q: robot.goal,
     points: [{at, turn, goal: robot.goal_at, goal_turn: robot.goal_turn, free: false}],
     center_of_mass: [0.1, 0.05, 0.7],
