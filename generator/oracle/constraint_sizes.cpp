@@ -66,8 +66,9 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
   condition_ = std::numeric_limits<double>::infinity();
   if (!M_inverse.allFinite()) return;
   const auto q = vector_of<double>(state.q);
-  Lambda_inverse_ = interpreter::lambda_inverse<double>(subject.model, seen_.points, q);
-  if (!subject.loops.empty()) {
+  if (subject.loops.empty()) {
+    Lambda_inverse_ = interpreter::lambda_inverse<double>(subject.model, seen_.points, q);
+  } else {
     const MatrixXd J = jacobian_of_rows();
     const MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
     Lambda_inverse_ = J * M.ldlt().solve(J.transpose());

@@ -247,6 +247,14 @@ interpreter::Points<Scalar> points_from_scene(const interpreter::Model<Scalar>& 
   return points;
 }
 
+/// Index of the body of a link.
+template <class Scalar>
+int find_body(const interpreter::Model<Scalar>& model, const std::string& link) {
+  int body = 0;
+  while (model.body(body).name != link) ++body;
+  return body;
+}
+
 /// Constraints between links, and between joints.
 template <class Scalar>
 interpreter::Loops<Scalar> loops_from_scene(const interpreter::Model<Scalar>& model,
@@ -259,11 +267,9 @@ interpreter::Loops<Scalar> loops_from_scene(const interpreter::Model<Scalar>& mo
   for (const SceneCoupling& from : scene.couplings) {
     interpreter::Coupling<Scalar> coupling{{}, Scalar(from.offset)};
     for (const auto& [name, factor] : from.parts) {
-      const std::string& child =
-          robot.links[static_cast<std::size_t>(find_joint(robot, name)->child)].name;
-      int body = 0;
-      while (model.body(body).name != child) ++body;
-      coupling.parts.push_back({model.body(body).q, model.body(body).v, Scalar(factor)});
+      const auto child = static_cast<std::size_t>(find_joint(robot, name)->child);
+      const auto& body = model.body(find_body(model, robot.links[child].name));
+      coupling.parts.push_back({body.q, body.v, Scalar(factor)});
     }
     loops.couplings.push_back(std::move(coupling));
   }

@@ -51,14 +51,6 @@ struct Subject {
   [[nodiscard]] bool holds_rows() const { return !constraints.empty() || !loops.empty(); }
 };
 
-/// Index of the body of a link.
-template <class Scalar>
-int find_body(const interpreter::Model<Scalar>& model, const std::string& link) {
-  int body = 0;
-  while (model.body(body).name != link) ++body;
-  return body;
-}
-
 /// Fixes a body without mass to each link that carries a payload.
 template <class Scalar>
 void add_payloads(const Scene& scene, interpreter::Model<Scalar>& model) {

@@ -107,16 +107,13 @@ ConstrainedMotion<Scalar> looped_forward_dynamics(const Tree<Scalar>& tree,
   std::vector<Scalar> missing = bias_acceleration(tree, X, tasks, inputs.qd);
   const std::size_t anchored = missing.size();
   missing.insert(missing.end(), loops.bias.begin(), loops.bias.end());
-  const auto J = jacobian_with_loops(tree, X, tasks, anchored);
+  const auto J = jacobian_with_loops(tree, X, tasks, anchored, loops.J);
+  const auto velocities = velocities_of(J, inputs.qd);
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    Scalar velocity(0.0);
-    for (std::size_t v = 0; v < J.cols(); ++v) {
-      velocity = velocity + J(i, v) * inputs.qd[v];
-      missing[i] = missing[i] + J(i, v) * motion.qdd[v];
-    }
+    for (std::size_t v = 0; v < J.cols(); ++v) missing[i] = missing[i] + J(i, v) * motion.qdd[v];
     const Scalar& error = i < anchored ? inputs.drift[i] : loops.errors[i - anchored];
     missing[i] =
-        -(missing[i] + velocity * inputs.stabilisation[0] + error * inputs.stabilisation[1]);
+        -(missing[i] + velocities[i] * inputs.stabilisation[0] + error * inputs.stabilisation[1]);
   }
   motion.f = solve(factor_ldlt(lambda_inverse_by_factors(tree, X, J), rule), missing);
   const auto change = solve(factor, transposed_times(J, motion.f));

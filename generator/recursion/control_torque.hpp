@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "recursion/forces_of_rows.hpp"
 #include "recursion/lambda_routes.hpp"
 #include "recursion/pivot_rule.hpp"
 
@@ -195,18 +196,7 @@ std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
   for (std::size_t i = 0; i < inputs.applied.size(); ++i) {
     wrenches[i] = wrenches[i] - inputs.applied[i];
   }
-  std::size_t row = 0;
-  for (const TaskPoint<Scalar>& task : tasks) {
-    Wrench<Scalar> at_point;
-    for (const TaskRow<Scalar>& direction : task.rows) {
-      Vector3<Scalar>& sum = direction.angular ? at_point.n : at_point.f;
-      sum = sum + direction.e * F[row++];
-    }
-    if (task.link >= 0) {
-      Wrench<Scalar>& wrench = wrenches[static_cast<std::size_t>(task.link)];
-      wrench = wrench + wrench_at(at_point.f, at_point.n, task.r);
-    }
-  }
+  add_row_forces(tasks, F, wrenches);
   auto tau = inward_forces(tree, X, std::move(wrenches));
   add_drive_forces(tree, X, inputs.rates, tau);
   return tau;

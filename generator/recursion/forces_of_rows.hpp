@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "recursion/inverse_dynamics.hpp"
@@ -8,13 +9,10 @@
 
 namespace treeline {
 
-/// Joint forces J^T f due to forces f in the rows of `tasks`.
+/// Adds forces f in the rows of `tasks` to the wrenches on the links.
 template <class Scalar>
-std::vector<Scalar> forces_of_rows(const Tree<Scalar>& tree,
-                                   const std::vector<JointTransform<Scalar>>& X,
-                                   const std::vector<TaskPoint<Scalar>>& tasks,
-                                   const std::vector<Scalar>& f) {
-  std::vector<Wrench<Scalar>> wrenches(tree.links.size());
+void add_row_forces(const std::vector<TaskPoint<Scalar>>& tasks, const std::vector<Scalar>& f,
+                    std::vector<Wrench<Scalar>>& wrenches) {
   std::size_t row = 0;
   for (const TaskPoint<Scalar>& task : tasks) {
     Wrench<Scalar> at_point;
@@ -26,6 +24,16 @@ std::vector<Scalar> forces_of_rows(const Tree<Scalar>& tree,
     Wrench<Scalar>& wrench = wrenches[static_cast<std::size_t>(task.link)];
     wrench = wrench + wrench_at(at_point.f, at_point.n, task.r);
   }
+}
+
+/// Joint forces J^T f due to forces f in the rows of `tasks`.
+template <class Scalar>
+std::vector<Scalar> forces_of_rows(const Tree<Scalar>& tree,
+                                   const std::vector<JointTransform<Scalar>>& X,
+                                   const std::vector<TaskPoint<Scalar>>& tasks,
+                                   const std::vector<Scalar>& f) {
+  std::vector<Wrench<Scalar>> wrenches(tree.links.size());
+  add_row_forces(tasks, f, wrenches);
   return inward_forces(tree, X, std::move(wrenches));
 }
 

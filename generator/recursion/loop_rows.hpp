@@ -79,20 +79,22 @@ class LoopSides {
     }
   }
 
-  /// Adds the six rows x y z rx ry rz to `J`.
-  void add_jacobian(DenseMatrix<Scalar>& J) const {
+  /// J of the six rows x y z rx ry rz.
+  [[nodiscard]] DenseMatrix<Scalar> jacobian() const {
+    DenseMatrix<Scalar> J(6, static_cast<std::size_t>(tree_.nv));
     for (const std::size_t i : near_) add_columns(i, Scalar(1.0), J);
     for (const std::size_t i : far_) add_columns(i, Scalar(-1.0), J);
+    return J;
   }
 
   /// Jd qd of the six rows, which have the velocities `u`. With the second frame as origin, points
   /// of the first one have Coriolis accelerations.
   [[nodiscard]] std::array<Scalar, 6> bias(std::span<const Scalar> qd,
-                                           const std::array<Scalar, 6>& u) const {
+                                           const std::vector<Scalar>& u) const {
     const LinkMotion<Scalar> first = motion(near_, qd);
     const LinkMotion<Scalar> second = motion(far_, qd);
-    const Seen& at_first = near_.empty() ? between_ : seen_[near_.front()];
-    const Seen& at_second = far_.empty() ? between_ : seen_[far_.front()];
+    const Seen& at_first = seen_at(near_);
+    const Seen& at_second = seen_at(far_);
     const Vector3<Scalar> w = along(at_second.e, second.w);
     const Vector3<Scalar> linear = along(at_first.e, acceleration_at(first, at_first.p)) -
                                    along(at_second.e, acceleration_at(second, at_second.p)) -
@@ -104,8 +106,8 @@ class LoopSides {
 
   /// How far the first frame is from the second.
   [[nodiscard]] std::array<Scalar, 6> errors() const {
-    const Seen& at_first = near_.empty() ? between_ : seen_[near_.front()];
-    const Seen& at_second = far_.empty() ? between_ : seen_[far_.front()];
+    const Seen& at_first = seen_at(near_);
+    const Seen& at_second = seen_at(far_);
     const Vector3<Scalar> d = along(at_second.e, at_second.p - loop_.second.p);
     const Triple<Scalar> f = axes_of(loop_.first.R);
     const Triple<Scalar>& e = at_first.e;
@@ -121,6 +123,11 @@ class LoopSides {
     Vector3<Scalar> p;
     Triple<Scalar> e;
   };
+
+  /// From the outermost of these links; from what carries both sides if there are none.
+  [[nodiscard]] const Seen& seen_at(const std::vector<std::size_t>& inward) const {
+    return inward.empty() ? between_ : seen_[inward.front()];
+  }
 
   static Vector3<Scalar> along(const Triple<Scalar>& e, const Vector3<Scalar>& v) {
     return {dot(e[0], v), dot(e[1], v), dot(e[2], v)};
@@ -171,20 +178,30 @@ bool has_loops(const Tree<Scalar>& tree) {
   return !tree.loops.empty() || !tree.couplings.empty();
 }
 
-/// J of the rows alone.
 template <class Scalar>
-DenseMatrix<Scalar> loop_jacobian(const Tree<Scalar>& tree,
-                                  const std::vector<JointTransform<Scalar>>& X) {
-  const auto nv = static_cast<std::size_t>(tree.nv);
-  DenseMatrix<Scalar> J(count_loop_rows(tree), nv);
+std::vector<LoopSides<Scalar>> loop_sides(const Tree<Scalar>& tree,
+                                          const std::vector<JointTransform<Scalar>>& X) {
+  std::vector<LoopSides<Scalar>> sides;
+  for (const TreeLoop<Scalar>& loop : tree.loops) sides.emplace_back(tree, X, loop);
+  return sides;
+}
+
+/// Copies row `i` of a matrix to row `j` of another of the same width.
+template <class Scalar>
+void copy_row(const DenseMatrix<Scalar>& from, std::size_t i, DenseMatrix<Scalar>& to,
+              std::size_t j) {
+  for (std::size_t v = 0; v < from.cols(); ++v) to(j, v) = from(i, v);
+}
+
+/// J of the rows, from the six rows of each loop.
+template <class Scalar>
+DenseMatrix<Scalar> held_rows_of(const Tree<Scalar>& tree,
+                                 const std::vector<DenseMatrix<Scalar>>& loops) {
+  DenseMatrix<Scalar> J(count_loop_rows(tree), static_cast<std::size_t>(tree.nv));
   std::size_t at = 0;
-  for (const TreeLoop<Scalar>& loop : tree.loops) {
-    DenseMatrix<Scalar> all(6, nv);
-    LoopSides<Scalar>(tree, X, loop).add_jacobian(all);
+  for (std::size_t k = 0; k < loops.size(); ++k) {
     for (std::size_t row = 0; row < 6; ++row) {
-      if (!loop.second.rows[row]) continue;
-      for (std::size_t v = 0; v < nv; ++v) J(at, v) = all(row, v);
-      ++at;
+      if (tree.loops[k].second.rows[row]) copy_row(loops[k], row, J, at++);
     }
   }
   for (const MechanismCoupling& coupling : tree.couplings) {
@@ -197,26 +214,39 @@ DenseMatrix<Scalar> loop_jacobian(const Tree<Scalar>& tree,
   return J;
 }
 
+/// J of the rows alone.
+template <class Scalar>
+DenseMatrix<Scalar> loop_jacobian(const Tree<Scalar>& tree,
+                                  const std::vector<JointTransform<Scalar>>& X) {
+  std::vector<DenseMatrix<Scalar>> loops;
+  for (const LoopSides<Scalar>& sides : loop_sides(tree, X)) loops.push_back(sides.jacobian());
+  return held_rows_of(tree, loops);
+}
+
+/// J qd.
+template <class Scalar>
+std::vector<Scalar> velocities_of(const DenseMatrix<Scalar>& J, std::span<const Scalar> qd) {
+  std::vector<Scalar> velocities(J.rows(), Scalar(0.0));
+  for (std::size_t i = 0; i < J.rows(); ++i) {
+    for (std::size_t v = 0; v < J.cols(); ++v) velocities[i] = velocities[i] + J(i, v) * qd[v];
+  }
+  return velocities;
+}
+
 /// All rows at a state. `q` is read for the errors of couplings alone; empty: these are left out.
 template <class Scalar>
 LoopRows<Scalar> loop_rows(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
                            std::span<const Scalar> q, std::span<const Scalar> qd) {
-  const auto nv = static_cast<std::size_t>(tree.nv);
+  const auto sides = loop_sides(tree, X);
+  std::vector<DenseMatrix<Scalar>> loops;
+  for (const LoopSides<Scalar>& each : sides) loops.push_back(each.jacobian());
   LoopRows<Scalar> rows;
-  rows.J = loop_jacobian(tree, X);
-  for (const TreeLoop<Scalar>& loop : tree.loops) {
-    const LoopSides<Scalar> sides(tree, X, loop);
-    DenseMatrix<Scalar> all(6, nv);
-    sides.add_jacobian(all);
-    std::array<Scalar, 6> u;
+  rows.J = held_rows_of(tree, loops);
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const auto bias = sides[k].bias(qd, velocities_of(loops[k], qd));
+    const auto errors = sides[k].errors();
     for (std::size_t row = 0; row < 6; ++row) {
-      u[row] = Scalar(0.0);
-      for (std::size_t v = 0; v < nv; ++v) u[row] = u[row] + all(row, v) * qd[v];
-    }
-    const auto bias = sides.bias(qd, u);
-    const auto errors = sides.errors();
-    for (std::size_t row = 0; row < 6; ++row) {
-      if (!loop.second.rows[row]) continue;
+      if (!tree.loops[k].second.rows[row]) continue;
       rows.bias.push_back(bias[row]);
       rows.errors.push_back(errors[row]);
     }
@@ -234,23 +264,19 @@ LoopRows<Scalar> loop_rows(const Tree<Scalar>& tree, const std::vector<JointTran
 }
 
 /// J of the rows of all points and loops: the first `anchored` rows of the points, which are held
-/// to the world, then those of the loops, then the other points'.
+/// to the world, then those of `loops`, then the other points'.
 template <class Scalar>
 DenseMatrix<Scalar> jacobian_with_loops(const Tree<Scalar>& tree,
                                         const std::vector<JointTransform<Scalar>>& X,
                                         const std::vector<TaskPoint<Scalar>>& tasks,
-                                        std::size_t anchored) {
+                                        std::size_t anchored, const DenseMatrix<Scalar>& loops) {
   std::size_t rows = 0;
   for (const TaskPoint<Scalar>& task : tasks) rows += task.rows.size();
   const auto points = jacobian_inward(tree, X, tasks, rows, world_poses(tree, X));
-  const auto loops = loop_jacobian(tree, X);
   DenseMatrix<Scalar> J(rows + loops.rows(), static_cast<std::size_t>(tree.nv));
-  for (std::size_t i = 0; i < J.rows(); ++i) {
-    for (std::size_t v = 0; v < J.cols(); ++v) {
-      J(i, v) = i < anchored                  ? points(i, v)
-                : i < anchored + loops.rows() ? loops(i - anchored, v)
-                                              : points(i - loops.rows(), v);
-    }
+  for (std::size_t i = 0; i < loops.rows(); ++i) copy_row(loops, i, J, anchored + i);
+  for (std::size_t i = 0; i < rows; ++i) {
+    copy_row(points, i, J, i < anchored ? i : i + loops.rows());
   }
   return J;
 }

@@ -60,7 +60,8 @@ class SupportedStates {
  private:
   [[nodiscard]] DenseMatrix<double> jacobian_of(const Posed<double>& posed) const {
     const auto tasks = task_points(posed.tree, {}, world_poses(posed.tree, posed.X));
-    return jacobian_with_loops(posed.tree, posed.X, tasks, anchored_);
+    return jacobian_with_loops(posed.tree, posed.X, tasks, anchored_,
+                               loop_jacobian(posed.tree, posed.X));
   }
   [[nodiscard]] DenseMatrix<double> locked_inertia(const Posed<double>& posed) const {
     return block_of_velocities(mass_matrix(posed.tree, posed.X), passive_);

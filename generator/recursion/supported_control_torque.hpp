@@ -114,7 +114,7 @@ void add_loops(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar
   }
   rows.errors.insert(rows.errors.begin() + static_cast<std::ptrdiff_t>(anchored), errors.begin(),
                      errors.end());
-  rows.all = jacobian_with_loops(tree, X, rows.tasks, anchored);
+  rows.all = jacobian_with_loops(tree, X, rows.tasks, anchored, loops.J);
 }
 
 template <class Scalar>

@@ -19,8 +19,9 @@ DenseMatrix<double> matrix_at(const Posed<double>& posed, TaskLaw::Kind kind, Ta
   const std::size_t rows = count_rows(posed.tree);
   if (has_loops(posed.tree)) {
     const auto tasks = task_points(posed.tree, {}, world_poses(posed.tree, posed.X));
-    return lambda_inverse_by_factors(posed.tree, posed.X,
-                                     jacobian_with_loops(posed.tree, posed.X, tasks, rows));
+    const auto J =
+        jacobian_with_loops(posed.tree, posed.X, tasks, rows, loop_jacobian(posed.tree, posed.X));
+    return lambda_inverse_by_factors(posed.tree, posed.X, J);
   }
   const auto poses = poses_seen_from(posed.tree, posed.X, basis.axes_link);
   auto A = lambda_inverse(posed.tree, posed.X, poses, {basis, LambdaRoute::factors_inward}, rows);

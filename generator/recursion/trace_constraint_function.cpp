@@ -68,7 +68,8 @@ std::vector<Result> trace_jacobian(const ConstraintTrace& trace) {
   std::size_t anchored = 0;
   for (const auto& task : tasks) anchored += task.rows.size();
   return {matrix_result("J_s", "Jacobian of the rows that are held",
-                        jacobian_with_loops(trace.tree, trace.X, tasks, anchored))};
+                        jacobian_with_loops(trace.tree, trace.X, tasks, anchored,
+                                            loop_jacobian(trace.tree, trace.X)))};
 }
 
 std::vector<Result> trace_errors(const ConstraintTrace& trace) {
