@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
-#include "bounds/dice.hpp"
 #include "inspect/condition.hpp"
+#include "inspect/draw_states.hpp"
 #include "inspect/find_mass_ratio.hpp"
 #include "interpreter/instances.hpp"
-#include "interpreter/joint_parts.hpp"
 #include "oracle/find_massless_directions.hpp"
 #include "oracle/model_from_robot.hpp"
 
@@ -24,7 +22,6 @@ using interpreter::Model;
 using interpreter::Points;
 using interpreter::Vector;
 
-constexpr std::uint64_t kRiskSeed = 1;
 constexpr int kInertiaStates = 32;
 constexpr int kSweptStates = 4;
 constexpr int kSteps = 48;  ///< samples along a joint's range
@@ -36,44 +33,6 @@ constexpr double kMostDigits = 15.7;
 double digits_lost(double condition) {
   return condition > 0 ? std::min(kMostDigits, std::max(0.0, std::log10(condition))) : kMostDigits;
 }
-
-/// Draws states within the limits. A joint without limits turns within one turn or slides within 1
-/// m to either side.
-class States {
- public:
-  States(const Model<double>& model, const Report& report)
-      : neutral_(Vector<double>::Zero(model.nq)) {
-    for (const auto& body : model.bodies) {
-      const int quaternion = interpreter::quaternion_of(body);
-      if (quaternion >= 0) neutral_[quaternion + 3] = 1;
-    }
-    for (const JointReport& joint : report.joints) {
-      if (joint.nq == 1 && joint.follows.empty()) joints_.push_back(&joint);
-    }
-  }
-
-  [[nodiscard]] const std::vector<const JointReport*>& joints() const { return joints_; }
-
-  static double lower(const JointReport& joint) { return std::max(joint.lower, -reach(joint)); }
-  static double upper(const JointReport& joint) { return std::min(joint.upper, reach(joint)); }
-
-  Vector<double> draw() {
-    Vector<double> q = neutral_;
-    for (const JointReport* joint : joints_) {
-      q[joint->q] = dice_.within(lower(*joint), upper(*joint));
-    }
-    return q;
-  }
-
- private:
-  static double reach(const JointReport& joint) {
-    return joint.unit == "rad" ? std::numbers::pi : 1;
-  }
-
-  Vector<double> neutral_;
-  std::vector<const JointReport*> joints_;
-  Dice dice_{kRiskSeed};
-};
 
 /// Reports what makes M singular in every pose. Returns false if nothing does.
 bool inspect_massless(const Robot& robot, const Scene& scene, Report& report) {
@@ -87,7 +46,7 @@ bool inspect_massless(const Robot& robot, const Scene& scene, Report& report) {
   return !report.risks.empty();
 }
 
-void inspect_inertia(const Model<double>& model, States& states, Report& report) {
+void inspect_inertia(const Model<double>& model, DrawnStates& states, Report& report) {
   std::vector<double> worst(states.joints().size(), 1);
   for (int k = 0; k < kInertiaStates; ++k) {
     const Eigen::MatrixXd M = interpreter::mass_matrix<double>(model, states.draw());
@@ -124,7 +83,7 @@ struct Peak {
 
 Peak climb(const Model<double>& model, const Points<double>& points, Vector<double> q,
            const JointReport& joint) {
-  const double low = States::lower(joint), high = States::upper(joint);
+  const double low = DrawnStates::lower(joint), high = DrawnStates::upper(joint);
   const auto at = [&](double value) {
     q[joint.q] = value;
     return unit_condition(interpreter::lambda_inverse<double>(model, points, q));
@@ -182,8 +141,8 @@ bool inspect_mass_ratio(const Model<double>& model, const Points<double>& points
   return true;
 }
 
-void inspect_singularities(const Model<double>& model, const Points<double>& points, States& states,
-                           Report& report) {
+void inspect_singularities(const Model<double>& model, const Points<double>& points,
+                           DrawnStates& states, Report& report) {
   std::vector<Vector<double>> drawn;
   for (int k = 0; k < kSweptStates; ++k) drawn.push_back(states.draw());
   if (inspect_mass_ratio(model, points, drawn, report)) return;
@@ -213,7 +172,7 @@ void inspect_singularities(const Model<double>& model, const Points<double>& poi
   }
 }
 
-void inspect_angles(const States& states, Report& report) {
+void inspect_angles(const DrawnStates& states, Report& report) {
   std::string unlimited;
   for (const JointReport* joint : states.joints()) {
     if (joint->unit != "rad" || std::max(-joint->lower, joint->upper) <= kFarAngle) continue;
@@ -230,7 +189,7 @@ void inspect_angles(const States& states, Report& report) {
 void inspect_risks(const Robot& robot, const Scene& scene, Report& report) {
   const auto model = model_from_robot<double>(robot, scene);
   if (model.nv == 0) return;
-  States states(model, report);
+  DrawnStates states(model, report);
   if (!inspect_massless(robot, scene, report)) inspect_inertia(model, states, report);
   const bool inertia_serves =
       std::none_of(report.risks.begin(), report.risks.end(),

@@ -11,6 +11,7 @@
 #include "description/joints_depth_first.hpp"
 #include "description/list_rows.hpp"
 #include "inspect/inspect_inertias.hpp"
+#include "inspect/inspect_loops.hpp"
 #include "inspect/inspect_masses.hpp"
 #include "inspect/inspect_risks.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -243,6 +244,7 @@ Report inspect_robot(const Robot& robot, const std::optional<Scene>& given) {
   inspect_inertias(robot, scene, report);
   inspect_masses(robot, scene, report);
   inspect_risks(robot, scene, report);
+  inspect_loops(robot, scene, report);
   if (report.nv > 0) inspect_reductions(robot, scene, report);
   return report;
 }

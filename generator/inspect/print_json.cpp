@@ -94,6 +94,14 @@ Json to_json(const std::optional<MassMatrixReport>& M) {
           {"scaled_condition", finite(M->scaled_condition)}};
 }
 
+Json to_json(const std::optional<LoopsReport>& loops) {
+  if (!loops) return nullptr;
+  return {{"rows", loops->rows},
+          {"dependent", loops->dependent},
+          {"freedoms", loops->freedoms},
+          {"unheld", loops->unheld}};
+}
+
 template <class Items>
 Json list(const Items& items) {
   Json json = Json::array();
@@ -121,6 +129,7 @@ std::string print_json(const Report& report) {
                   {"reductions", list(report.reductions)},
                   {"notes", list(report.notes)},
                   {"mass_matrix", to_json(report.mass_matrix)},
+                  {"loops", to_json(report.loops)},
                   {"risks", list(report.risks)}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -80,6 +80,15 @@ std::string summarise_risks(const Report& report) {
   return text.empty() ? "none found" : text + "; see the end";
 }
 
+std::string summarise_loops(const LoopsReport& loops) {
+  std::string text = fmt::format("{} {}", loops.rows, loops.rows == 1 ? "row" : "rows");
+  if (loops.dependent > 0) text += fmt::format(", {} implied by the others", loops.dependent);
+  text += fmt::format("; {} {} of the joints in them", loops.freedoms,
+                      loops.freedoms == 1 ? "freedom" : "freedoms");
+  if (loops.unheld > 0) text += fmt::format(", {} not held by motors", loops.unheld);
+  return text;
+}
+
 std::string print_tree(const Report& report) {
   int deepest = 0;
   for (const LinkReport& link : report.links) deepest = std::max(deepest, link.depth);
@@ -230,6 +239,7 @@ std::string print_summary(const Report& report) {
   text += line("centre", numbers(report.com) + " m in the root's frame, all coordinates at 0");
   text += line("inertias", summarise_inertias(report));
   text += line("M", summarise_mass_matrix(report));
+  if (report.loops) text += line("loops", summarise_loops(*report.loops));
   return text + line("risks", summarise_risks(report));
 }
 

@@ -30,13 +30,13 @@ struct LinkReport {
   std::optional<std::string> flat;        ///< "a point", "a rod", "a plate"
 };
 
-/// A moving joint, in the order of q. Limits are infinite if the file sets none.
 /// What the scene puts into a joint: kg m^2, N m s/rad, N m, rad/s, N m/rad and rad, or the same of
 /// translation. What is 0 is not there.
 struct DriveReport {
   double rotor = 0, damping = 0, friction = 0, width = 0, stiffness = 0, rest = 0;
 };
 
+/// A moving joint, in the order of q. Limits are infinite if the file sets none.
 struct JointReport {
   std::string name;
   std::string type;
@@ -78,12 +78,20 @@ struct MassMatrixReport {
   std::vector<double> diagonal;
 };
 
-/// A cause of lost digits, see `inspect_risks`.
+/// A cause of lost digits, see `inspect_risks` and `inspect_loops`.
 struct RiskReport {
   std::string joint;       ///< one or several joints; empty if the task as a whole is meant
-  std::string kind;        ///< "inertia", "mass", "singularity", "task", "angle"
+  std::string kind;        ///< "inertia", "mass", "singularity", "task", "angle", "loop"
   double digits_lost = 0;  ///< of double's 15.7: log10 of a condition number
   std::string finding, advice;
+};
+
+/// What constraints between links and couplings leave of the motion, in poses that close them.
+struct LoopsReport {
+  int rows = 0;
+  int dependent = 0;  ///< rows that the others imply
+  int freedoms = 0;   ///< of the joints that play a part
+  int unheld = 0;     ///< freedoms left while all motors are at rest
 };
 
 /// Everything that `treeline inspect` prints.
@@ -101,6 +109,7 @@ struct Report {
   std::vector<ReductionReport> reductions;
   std::vector<NoteReport> notes;
   std::optional<MassMatrixReport> mass_matrix;  ///< nothing if no joint moves
+  std::optional<LoopsReport> loops;             ///< nothing if there are none that close
   std::vector<RiskReport> risks;
 };
 

@@ -3,10 +3,12 @@
 #include <Eigen/QR>
 #include <cmath>
 #include <iostream>
+#include <numeric>
 
 #include "data/list_data.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "interpreter/close_loops.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
@@ -47,14 +49,11 @@ class Looped {
 
   [[nodiscard]] const interpreter::Model<double>& model() const { return model_; }
 
-  /// Newton's method from a guess.
-  [[nodiscard]] Vector<double> closed(Vector<double> q) const {
-    for (int step = 0; step < 20; ++step) {
-      const Matrix<double> J = jacobian(q);
-      const Vector<double> change = J.completeOrthogonalDecomposition().solve(errors(q));
-      q = moved(q, -change, 1);
-    }
-    return q;
+  /// The closed pose near a guess.
+  [[nodiscard]] Vector<double> closed(const Vector<double>& q) const {
+    std::vector<int> all(static_cast<std::size_t>(model_.nv));
+    std::iota(all.begin(), all.end(), 0);
+    return interpreter::close_loops<double>(model_, loops_, q, all, 1e-14).value();
   }
   [[nodiscard]] Vector<double> errors(const Vector<double>& q) const {
     return interpreter::loop_errors<double>(model(), loops_, q);
@@ -69,12 +68,7 @@ class Looped {
   }
   [[nodiscard]] Vector<double> moved(const Vector<double>& q, const Vector<double>& qd,
                                      double t) const {
-    Vector<double> next = q + t * interpreter::position_derivative<double>(model(), q, qd);
-    for (const auto& body : model().bodies) {
-      const int first = interpreter::quaternion_of(body);
-      if (first >= 0) next.segment<4>(first).normalize();
-    }
-    return next;
+    return interpreter::move_coordinates<double>(model(), q, qd, t);
   }
 
   [[nodiscard]] ConstrainedMotion<double> motion(const Vector<double>& q, const Vector<double>& qd,
