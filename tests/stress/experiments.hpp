@@ -26,5 +26,7 @@ std::vector<Experiment> sweep_experiments();
 std::vector<Experiment> table_experiments();
 /// Long motions: energy and momentum.
 std::vector<Experiment> motion_experiments();
+/// Long motions of a closed loop.
+std::vector<Experiment> loop_experiments();
 
 }  // namespace treeline::stress

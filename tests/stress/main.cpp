@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   std::vector<Experiment> all = sweep_experiments();
-  for (const auto& more : {table_experiments(), motion_experiments()}) {
+  for (const auto& more : {table_experiments(), motion_experiments(), loop_experiments()}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   bool holds = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drift.hpp"
 #include "experiments.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
@@ -16,30 +17,6 @@ using simulation::State;
 using simulation::Vector;
 
 constexpr double kStep = 1e-3;  ///< s
-
-/// Relative change of a conserved quantity, sampled at numbers of steps that grow by a quarter of a
-/// decade: the largest since the previous sample.
-struct Drift {
-  std::vector<double> at;  ///< log10 of steps
-  std::vector<double> y;   ///< log10 of the drift
-};
-
-template <class Step, class Off>
-Drift run(int steps, const Step& step, const Off& off) {
-  Drift drift;
-  double largest = 0;
-  double next = 2;
-  for (int i = 1; i <= steps; ++i) {
-    step(i);
-    largest = std::max(largest, off());
-    if (i < std::lround(std::pow(10.0, next))) continue;
-    drift.at.push_back(next);
-    drift.y.push_back(std::log10(std::max(largest, 1e-17)));
-    largest = 0;
-    next += 0.25;
-  }
-  return drift;
-}
 
 struct Motion {
   explicit Motion(const ArmOptions& arm, bool weightless) {

@@ -18,7 +18,7 @@ namespace {
 
 std::vector<Experiment> all_experiments() {
   std::vector<Experiment> all = sweep_experiments();
-  for (const auto& more : {table_experiments(), motion_experiments()}) {
+  for (const auto& more : {table_experiments(), motion_experiments(), loop_experiments()}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
