@@ -48,17 +48,6 @@ std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
   return sizes;
 }
 
-/// Mass, first moment and rotational inertia of matter within reach of the origin.
-std::vector<double> inertia_sizes(const std::vector<SceneInertia>& bodies) {
-  std::vector<double> sizes;
-  for (const SceneInertia& body : bodies) {
-    sizes.push_back(body.mass);
-    sizes.insert(sizes.end(), 3, body.mass * body.reach);
-    sizes.insert(sizes.end(), 6, body.mass * body.reach * body.reach);
-  }
-  return sizes;
-}
-
 std::vector<double> tool_sizes(const std::vector<SceneTool>& tools) {
   std::vector<double> sizes;
   for (const SceneTool& tool : tools) sizes.insert(sizes.end(), 3, tool.reach);
@@ -78,6 +67,16 @@ double rounded_down(double value) {
 }
 
 }  // namespace
+
+std::vector<double> inertia_sizes(const std::vector<SceneInertia>& bodies) {
+  std::vector<double> sizes;
+  for (const SceneInertia& body : bodies) {
+    sizes.push_back(body.mass);
+    sizes.insert(sizes.end(), 3, body.mass * body.reach);
+    sizes.insert(sizes.end(), 6, body.mass * body.reach * body.reach);
+  }
+  return sizes;
+}
 
 std::optional<double> Domain::find(std::string_view input) const {
   const std::size_t bracket = input.find('[');
@@ -142,6 +141,8 @@ Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mech
       case IndexSpace::parameters:
         domain.sizes[row.symbol] = inertia_sizes(scene.inputs.parameters);
         break;
+      case IndexSpace::base_parameters:  // see `add_base_parameters`
+        break;
       case IndexSpace::tools:
         domain.sizes[row.symbol] = tool_sizes(scene.inputs.tools);
         break;
@@ -189,6 +190,9 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     text +=
         ", parameters those of a body of at least a tenth of this mass, with radii of gyration "
         "of at least a tenth of |m c| / m";
+  }
+  if (has(Quantity::base_parameters)) {
+    text += ", base_parameters those of bodies of up to twice the URDF's mass and extent";
   }
   return text +
          (has(Quantity::sin_q) ? ", sin_q^2 + cos_q^2 = 1 of each angle but for rounding" : "");

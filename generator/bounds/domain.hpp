@@ -14,6 +14,14 @@
 
 namespace treeline {
 
+/// Base parameters are combinations of numbers that are drawn in their stead: ten of each body,
+/// then rotors and coefficients of friction, from 0 to these sizes.
+struct BaseDomain {
+  std::vector<SceneInertia> bodies;
+  std::vector<double> drives;
+  std::vector<std::vector<std::pair<std::size_t, double>>> rows;  ///< coefficients of those numbers
+};
+
 /// Domain of a rounding bound: the largest magnitude of each input of the emitted functions, by
 /// argument. Sines and cosines that are inputs themselves lie on the unit circle, see
 /// `lie_on_circle`.
@@ -26,6 +34,8 @@ struct Domain {
   /// have length 1.
   std::vector<std::pair<Quantity, std::size_t>> quaternions;
 
+  BaseDomain base;  ///< empty unless base parameters are an argument
+
   /// Largest magnitude of an input, given by its name in the graph (`qd[3]`). Nothing if no range
   /// is stated.
   [[nodiscard]] std::optional<double> find(std::string_view input) const;
@@ -36,6 +46,9 @@ struct Domain {
 /// Makes the domain from the position, velocity and effort limits of the URDF; where it states
 /// none, from the ranges of `kQuantities`. Entries of quaternions are at most 1.
 Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism);
+
+/// Mass, first moment and rotational inertia of matter within reach of the origin, of each body.
+std::vector<double> inertia_sizes(const std::vector<SceneInertia>& bodies);
 
 /// Describes the domain of these arguments: `|q| <= 2.8 3.1 ..., |qd| <= 10`, with a single number
 /// if all entries have the same limit. If sines and cosines are arguments, the text says that they

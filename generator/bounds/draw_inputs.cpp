@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "functions/quantity_of_input.hpp"
 
@@ -37,6 +38,7 @@ InputSpace::InputSpace(const Graph& graph, const Domain& domain) {
   }
   find_bodies(Quantity::payload, graph, domain);
   find_bodies(Quantity::parameters, graph, domain);
+  find_base(graph, domain);
   for (const auto& [quantity, first] : domain.quaternions) {
     if (quantity != Quantity::q && !is_taken(quantity, graph)) continue;
     std::vector<std::size_t>& quaternion = quaternions_.emplace_back();
@@ -58,6 +60,32 @@ void InputSpace::find_bodies(Quantity quantity, const Graph& graph, const Domain
       body.entries[i] = entry_of(fmt::format("{}[{}]", symbol, first + i), domain);
     }
     bodies_.push_back(body);
+  }
+}
+
+/// Numbers that are no input themselves are entries of the space too: the base parameters follow
+/// from them.
+void InputSpace::find_base(const Graph& graph, const Domain& domain) {
+  if (!is_taken(Quantity::base_parameters, graph)) return;
+  const std::size_t first = entries_.size();
+  for (const double size : inertia_sizes(domain.base.bodies)) {
+    entries_.push_back({"inertial", size, false, false});
+  }
+  for (std::size_t k = 0; k < domain.base.bodies.size(); ++k) {
+    const SceneInertia& within = domain.base.bodies[k];
+    Body body{{}, {within.mass, within.reach, true}};
+    for (std::size_t i = 0; i < body.entries.size(); ++i) {
+      body.entries[i] = first + kInertialParameters * k + i;
+    }
+    bodies_.push_back(body);
+  }
+  for (const double size : domain.base.drives) entries_.push_back({"drive", size, false, true});
+  for (std::size_t k = 0; k < domain.base.rows.size(); ++k) {
+    Base base{entry_of(fmt::format("{}[{}]", symbol_of(Quantity::base_parameters), k), domain), {}};
+    for (const auto& [number, coefficient] : domain.base.rows[k]) {
+      base.terms.emplace_back(first + number, coefficient);
+    }
+    bases_.push_back(std::move(base));
   }
 }
 
@@ -111,6 +139,12 @@ void InputSpace::put_bodies(Point& values) const {
 void InputSpace::put(const Point& point, std::size_t s, std::vector<States>& inputs) const {
   Point values = point;
   put_bodies(values);
+  for (const Base& base : bases_) {
+    values[base.entry] = 0;
+    for (const auto& [entry, coefficient] : base.terms) {
+      values[base.entry] += coefficient * values[entry];
+    }
+  }
   for (const std::vector<std::size_t>& quaternion : quaternions_) {
     double norm = 0;
     for (const std::size_t i : quaternion) norm = std::hypot(norm, values[i]);

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bounds/dice.hpp"
@@ -43,14 +44,20 @@ class InputSpace {
     std::string name;
     double size = 0;
     bool coordinate = false;
-    bool positive = false;  ///< a step of time
+    bool positive = false;  ///< a step of time, a rotor, a coefficient of friction
   };
   /// Entries of ten inertial parameters that are inputs.
   struct Body {
     std::array<std::size_t, kInertialParameters> entries{};
     BodyRange range;
   };
+  /// A base parameter, and the coefficients of the entries that it combines.
+  struct Base {
+    std::size_t entry = 0;
+    std::vector<std::pair<std::size_t, double>> terms;
+  };
   void find_bodies(Quantity quantity, const Graph& graph, const Domain& domain);
+  void find_base(const Graph& graph, const Domain& domain);
   void put_bodies(Point& values) const;
   std::size_t entry_of(const std::string& name, const Domain& domain);
   double draw_entry(const Entry& entry, Dice& dice) const;
@@ -59,6 +66,7 @@ class InputSpace {
   std::vector<Input> inputs_;
   std::vector<std::vector<std::size_t>> quaternions_;  ///< indices of their entries that are inputs
   std::vector<Body> bodies_;
+  std::vector<Base> bases_;
   std::optional<std::string> missing_;
 };
 

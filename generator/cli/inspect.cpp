@@ -138,7 +138,8 @@ std::optional<std::string> repair(const InspectOptions& options, const Inspectio
 }
 
 /// What `print` says of the robot in the scene, if one is given.
-int run_print(const InspectOptions& options, std::string (*print)(const Robot&, const Scene&)) {
+int run_print(const InspectOptions& options, std::string (*print)(const Robot&, const Scene&),
+              OutputForm form = OutputForm::text) {
   Diagnostics diagnostics;
   const auto robot = read_urdf(options.urdf, diagnostics);
   std::optional<Scene> scene = Scene{};
@@ -147,7 +148,7 @@ int run_print(const InspectOptions& options, std::string (*print)(const Robot&, 
   if (!robot || !scene) {
     return kBadInput;
   }
-  return write_output(print(*robot, *scene), OutputForm::text, kOk);
+  return write_output(print(*robot, *scene), form, kOk);
 }
 
 int run(const InspectOptions& options) {
@@ -158,7 +159,8 @@ int run(const InspectOptions& options) {
     return run_print(options, print_noise);
   }
   if (options.base_parameters) {
-    return run_print(options, print_base_parameters);
+    return options.json ? run_print(options, print_base_parameters_json, OutputForm::json)
+                        : run_print(options, print_base_parameters);
   }
   Diagnostics diagnostics;
   const auto inspection = inspect(options, diagnostics);
@@ -196,10 +198,9 @@ void add_inspect(CLI::App& app, int& exit_code) {
       ->add_flag("--noise", options->noise,
                  "Each number that is taken as exact because it differs by less than rounding")
       ->excludes(json);
-  command
-      ->add_flag("--base-parameters", options->base_parameters,
-                 "The combinations of inertial parameters on which the motion depends")
-      ->excludes(json);
+  command->add_flag("--base-parameters", options->base_parameters,
+                    "The combinations of inertial parameters on which the motion depends; with "
+                    "--json for programs");
   command->add_option("--repair", options->repair,
                       "Write the URDF to this file with inertias that no body has, and that the "
                       "motion feels, replaced by the nearest possible ones");
@@ -208,6 +209,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "  treeline inspect puma560.urdf\n"
       "  treeline inspect puma560.urdf scene.yaml --json\n"
       "  treeline inspect puma560.urdf scene.yaml --savings\n"
+      "  treeline inspect puma560.urdf scene.yaml --base-parameters --json\n"
       "  treeline inspect robot.urdf --repair repaired.urdf\n"
       "  treeline inspect puma560.urdf --dot | dot -Tsvg > tree.svg");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -12,6 +12,7 @@
 #include "description/list_rows.hpp"
 #include "description/read_regressor.hpp"
 #include "description/read_scene_inputs.hpp"
+#include "description/scene_inputs.hpp"
 
 namespace treeline {
 namespace {
@@ -24,8 +25,9 @@ std::string find_singular(const Robot& robot, const Scene& scene) {
   std::vector<std::string> names;
   for (const int j : find_massless_joints(robot)) {
     const Joint& joint = robot.joints[static_cast<std::size_t>(j)];
-    const bool moves_itself =
-        scene.locked.contains(joint.name) || scene.armature.contains(joint.name);
+    const bool moves_itself = scene.locked.contains(joint.name) ||
+                              scene.armature.contains(joint.name) ||
+                              scene.rotors.contains(joint.name);
     if (!moves_itself) names.push_back(fmt::format("\"{}\"", joint.name));
   }
   if (names.empty()) return {};
@@ -41,6 +43,12 @@ bool has_mass(const Robot& robot) {
 void choose_functions(const std::string& singular, Scene& scene) {
   scene.functions = default_functions(scene);
   if (!singular.empty()) std::erase_if(scene.functions, inverts_mass_matrix);
+}
+
+/// Whether the function depends on inertia, but not on base parameters alone.
+bool exceeds_base_parameters(const Scene& scene, Function function) {
+  return takes(function, Quantity::parameters) &&
+         !takes_input(scene, function, Quantity::base_parameters);
 }
 
 void check_functions(const SceneElement& top, const Robot& robot, const std::string& singular,
@@ -62,6 +70,17 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
     } else if (needs_mass(function) && !has_mass(robot)) {
       top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
                 "give some link mass in the URDF, or remove the function");
+    } else if (scene.inputs.base_parameters && exceeds_base_parameters(scene, function)) {
+      top.error(
+          fmt::format("{} is listed, but it depends on masses that base parameters do not contain",
+                      function_name(function)),
+          "remove the function, or make parameters of links an input");
+    } else if (!scene.rotors.empty() && (function == Function::subtree_masses_and_centers ||
+                                         function == Function::link_inverse_inertias)) {
+      top.error(
+          fmt::format("{} is listed, but rotors with gyroscopic moments are links without mass",
+                      function_name(function)),
+          "remove the function, or gyroscopic: true");
     } else if (inverts_mass_matrix(function) && !singular.empty()) {
       top.error(
           fmt::format("{} is listed, but nothing beyond {} has mass: the mass matrix is singular",
@@ -74,10 +93,12 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
 void check_implicit_friction(const SceneElement& top, const Scene& scene) {
   const auto& functions = scene.functions;
   if (!scene.implicit_friction ||
-      std::count(functions.begin(), functions.end(), Function::forward_dynamics) > 0) {
+      std::any_of(functions.begin(), functions.end(),
+                  [](Function each) { return takes(each, Quantity::step); })) {
     return;
   }
-  top.error("friction is implicit, but no function takes a step", "add forward_dynamics");
+  top.error("friction is implicit, but no function takes a step",
+            "add forward_dynamics or constrained_forward_dynamics");
 }
 
 /// What `damped_control_torque` calls.

@@ -11,6 +11,7 @@
 #include "description/for_each_pose.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
+#include "description/with_rotors.hpp"
 
 namespace treeline {
 namespace {
@@ -154,9 +155,9 @@ Scene without_noise(Scene scene, const NoiseLimits& limits, NoiseDecisions* deci
 
 Robot as_asked(Robot robot, const Scene& scene) {
   robot = with_snapped_angles(std::move(robot), scene.snap_angles);
-  if (scene.noise <= kResolution) return robot;
+  if (scene.noise <= kResolution) return with_rotors(std::move(robot), scene);
   const NoiseLimits limits = noise_limits(robot, scene);
-  return without_noise(std::move(robot), limits);
+  return with_rotors(without_noise(std::move(robot), limits), scene);
 }
 
 void note_noise(const NoiseDecisions& decisions, const Scene& scene, Diagnostics& diagnostics) {

@@ -3,7 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
 
+#include "description/list_links.hpp"
 #include "description/read_rotors.hpp"
 #include "description/read_scene_point.hpp"
 
@@ -28,21 +34,98 @@ void take_from_file(const SceneElement& element, const Robot& robot, Scene& scen
   }
 }
 
-/// A number is the inertia at the joint; a map has the rotor's own and the gear ratio.
-std::optional<double> read_inertia(const SceneElement& value, const Joint& joint) {
-  if (!value.is_map()) return value.number();
-  const auto fields = value.fields({"rotor_inertia", "gear_ratio"});
+using Fields = std::map<std::string, SceneElement>;
+
+/// The rotor's own inertia and the gear ratio.
+std::optional<SceneRotor> read_rotor(const SceneElement& value, const Fields& fields,
+                                     const Joint& joint) {
   const auto inertia = fields.find("rotor_inertia");
   if (inertia == fields.end()) {
     value.error("the key \"rotor_inertia\" is missing", "give it, kg m^2 about the motor's axis");
     return std::nullopt;
   }
-  double ratio = joint.rotor ? joint.rotor->ratio : 1;
+  SceneRotor rotor;
+  rotor.ratio = joint.rotor ? joint.rotor->ratio : 1;
   if (const auto gear = fields.find("gear_ratio"); gear != fields.end()) {
-    ratio = gear->second.number().value_or(1);
+    rotor.ratio = gear->second.number().value_or(1);
   }
   const auto own = inertia->second.number();
-  return own ? std::optional<double>(*own * ratio * ratio) : std::nullopt;
+  if (!own) return std::nullopt;
+  rotor.inertia = *own;
+  return rotor;
+}
+
+/// Where a rotor that is a body of its own sits: on the link before its joint, or as the scene
+/// says.
+bool place_rotor(const Fields& fields, const Robot& robot, SceneRotor& rotor) {
+  if (const auto link = fields.find("link"); link != fields.end()) {
+    const auto name = link->second.text();
+    if (!name) return false;
+    rotor.link = *name;
+    if (std::none_of(robot.links.begin(), robot.links.end(),
+                     [&](const Link& each) { return each.name == *name; })) {
+      link->second.error(fmt::format("the robot has no link \"{}\"", *name),
+                         suggest_link(*name, robot));
+      return false;
+    }
+    if (!fields.contains("axis")) {
+      link->second.error("the rotor's axis is missing", "give axis: [x, y, z] in the link's axes");
+      return false;
+    }
+  }
+  const auto axis = fields.find("axis");
+  if (axis == fields.end()) return true;
+  std::array<double, 3> direction{};
+  const auto items = axis->second.items();
+  for (std::size_t i = 0; i < direction.size() && i < items.size(); ++i) {
+    direction[i] = items[i].number().value_or(0);
+  }
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  if (items.size() != 3 || !(length > 0)) {
+    axis->second.error("the axis has no direction", "give three numbers, [0, 0, 1] for z");
+    return false;
+  }
+  for (double& each : direction) each /= length;
+  rotor.axis = direction;
+  return true;
+}
+
+/// What a line says of a joint.
+void read_line(const SceneElement& value, const Joint& joint, const Robot& robot, Scene& scene) {
+  SceneRotor rotor;
+  bool gyroscopic = false;
+  if (value.is_map()) {
+    const Fields fields =
+        value.fields({"rotor_inertia", "gear_ratio", "gyroscopic", "link", "axis"});
+    const auto read = read_rotor(value, fields, joint);
+    if (!read) return;
+    rotor = *read;
+    if (const auto asked = fields.find("gyroscopic"); asked != fields.end()) {
+      gyroscopic = asked->second.choice({"false", "true"}) == 1;
+    }
+    for (const char* key : {"link", "axis"}) {
+      const auto found = fields.find(key);
+      if (gyroscopic || found == fields.end()) continue;
+      found->second.error("where a rotor sits matters to its gyroscopic moments alone",
+                          "write gyroscopic: true, or remove this");
+      return;
+    }
+    if (!place_rotor(fields, robot, rotor)) return;
+  } else {
+    const auto number = value.number();
+    if (!number) return;
+    rotor.inertia = *number;
+  }
+  if (rotor.inertia < 0) {
+    value.error(fmt::format("{} is negative", rotor.inertia), "an inertia is not below 0");
+  } else if (!can_carry_rotor(joint, scene)) {
+    value.error(scene.locked.contains(joint.name) ? "the joint is locked"
+                                                  : "the joint has not one degree of freedom",
+                "remove this line");
+  } else if (const double reflected = rotor.inertia * rotor.ratio * rotor.ratio; reflected > 0) {
+    gyroscopic ? static_cast<void>(scene.rotors.emplace(joint.name, rotor))
+               : static_cast<void>(scene.armature.emplace(joint.name, reflected));
+  }
 }
 
 }  // namespace
@@ -52,18 +135,7 @@ void read_armature(const SceneElement& element, const Robot& robot, Scene& scene
   if (element.is("file")) return take_from_file(element, robot, scene);
   for (const auto& [name, value] : element.entries(kRemedy)) {
     const Joint* joint = find_joint(value, name, robot);
-    if (joint == nullptr) continue;
-    const auto inertia = read_inertia(value, *joint);
-    if (!inertia) continue;
-    if (*inertia < 0) {
-      value.error(fmt::format("{} is negative", *inertia), "an inertia is not below 0");
-    } else if (!can_carry_rotor(*joint, scene)) {
-      value.error(scene.locked.contains(name) ? "the joint is locked"
-                                              : "the joint has not one degree of freedom",
-                  "remove this line");
-    } else if (*inertia > 0) {
-      scene.armature.emplace(name, *inertia);
-    }
+    if (joint != nullptr) read_line(value, *joint, robot, scene);
   }
 }
 

@@ -152,9 +152,11 @@ void read_couplings(const SceneElement& element, const Robot& robot, Scene& scen
       item.error("the key \"joints\" is missing", "write joints: {joint: factor, joint: factor}");
       continue;
     }
-    for (const auto& [name, value] : joints->second.entries("write lines joint: factor")) {
-      read_part(name, value, robot, scene, coupling);
+    const auto parts = joints->second.entries("write lines joint: factor");
+    if (joints->second.is_map() && parts.empty()) {
+      joints->second.error("the coupling has no joint", "write joints: {joint: factor, ...}");
     }
+    for (const auto& [name, value] : parts) read_part(name, value, robot, scene, coupling);
     check_name(item, coupling.name, scene);
     scene.couplings.push_back(std::move(coupling));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "description/read_scene_point.hpp"
 
@@ -13,8 +14,6 @@ namespace treeline {
 namespace {
 
 using Fields = std::map<std::string, SceneElement>;
-
-constexpr double kWidth = 0.01;  // rad/s, m/s
 
 bool states_friction(const Joint& joint) {
   return joint.damping != 0 || joint.friction != 0;
@@ -48,8 +47,9 @@ class FrictionReader {
       fields = element_.fields({"model", "width", "implicit", "joints"});
       read_settings(fields);
     } else {
-      coulomb_ = element_.choice({"none", "viscous", "coulomb"}) == 2;
+      read_model(element_, {"none", "viscous", "coulomb"});
     }
+    if (!knows_model_) return;  // whatever else would be said is about another model
     take_from_file();
     if (const auto joints = fields.find("joints"); joints != fields.end()) {
       for (const auto& [name, value] : joints->second.entries()) read_joint(name, value);
@@ -61,15 +61,23 @@ class FrictionReader {
   }
 
  private:
+  void read_model(const SceneElement& element, const std::vector<std::string>& choices) {
+    const auto chosen = element.choice(choices);
+    knows_model_ = chosen.has_value();
+    coulomb_ = chosen && choices[*chosen] == "coulomb";
+  }
+
   void read_settings(const Fields& fields) {
     const auto model = fields.find("model");
     if (model == fields.end()) {
       element_.error("the key \"model\" is missing", "write model: viscous or model: coulomb");
+      knows_model_ = false;
     } else {
-      coulomb_ = model->second.choice({"viscous", "coulomb"}) == 1;
+      read_model(model->second, {"viscous", "coulomb"});
     }
+    if (!knows_model_) return;
     refuse_without_coulomb(fields);
-    width_ = read_size(fields, "width", true).value_or(kWidth);
+    width_ = read_size(fields, "width", true).value_or(kFrictionWidth);
     if (const auto implicit = fields.find("implicit"); implicit != fields.end()) {
       scene_.implicit_friction = implicit->second.choice({"false", "true"}) == 1;
     }
@@ -155,8 +163,9 @@ class FrictionReader {
   const SceneElement& element_;
   const Robot& robot_;
   Scene& scene_;
+  bool knows_model_ = true;
   bool coulomb_ = false;
-  double width_ = kWidth;
+  double width_ = kFrictionWidth;
 };
 
 }  // namespace

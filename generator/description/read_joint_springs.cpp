@@ -47,6 +47,10 @@ std::optional<SceneSpring> read_spring(const SceneElement& value, const Joint& j
 
 void read_joint_springs(const SceneElement& element, const Robot& robot, Scene& scene) {
   for (const auto& [name, value] : element.entries("write joint: {stiffness: N m/rad}")) {
+    if (name == "implicit" && !value.is_map()) {
+      scene.implicit_friction = value.choice({"false", "true"}) == 1 || scene.implicit_friction;
+      continue;
+    }
     const Joint* const joint = find_joint(value, name, robot);
     if (joint == nullptr || !can_have_spring(value, *joint, scene)) continue;
     if (const auto spring = read_spring(value, *joint)) scene.joint_springs[name] = *spring;

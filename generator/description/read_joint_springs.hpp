@@ -7,8 +7,9 @@
 namespace treeline {
 
 /// The scene's `joint_springs`: a map from joints to `{stiffness, rest}`, N m/rad and rad, or N/m
-/// and m; rest by default 0. An error for a joint that is unknown, fixed, locked or of several
-/// degrees of freedom, and for a stiffness that is missing or not positive.
+/// and m; rest by default 0. `implicit: true` beside them is that of `joint_friction`. An error for
+/// a joint that is unknown, fixed, locked or of several degrees of freedom, and for a stiffness
+/// that is missing or not positive.
 void read_joint_springs(const SceneElement& element, const Robot& robot, Scene& scene);
 
 }  // namespace treeline

@@ -129,7 +129,8 @@ std::vector<SceneTool> read_places(const SceneElement& element, const Places& pl
 }  // namespace
 
 void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& scene) {
-  const Fields fields = element.fields({"gravity", "payload", "parameters", "tool", "contact"});
+  const Fields fields =
+      element.fields({"gravity", "payload", "parameters", "base_parameters", "tool", "contact"});
   if (const auto gravity = fields.find("gravity"); gravity != fields.end()) {
     scene.inputs.gravity = gravity->second.choice({"false", "true"}) == 1;
   }
@@ -138,6 +139,13 @@ void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& s
   }
   if (const auto links = fields.find("parameters"); links != fields.end()) {
     scene.inputs.parameters = read_inertias(links->second, robot, scene, true);
+  }
+  if (const auto base = fields.find("base_parameters"); base != fields.end()) {
+    scene.inputs.base_parameters = base->second.choice({"false", "true"}) == 1;
+    if (scene.inputs.base_parameters && fields.contains("parameters")) {
+      base->second.error("base parameters stand in place of the parameters of all links",
+                         "leave out parameters, or write base_parameters: false");
+    }
   }
   if (const auto tool = fields.find("tool"); tool != fields.end()) {
     const Places places{"point",
@@ -156,8 +164,11 @@ void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& s
 void check_inputs_used(const SceneElement& top, const Scene& scene) {
   for (const QuantityInfo& row : kQuantities) {
     if (!is_of_model(row.quantity) || !has_input(scene, row.quantity)) continue;
-    const bool used = std::any_of(scene.functions.begin(), scene.functions.end(),
-                                  [&](Function f) { return takes_input(scene, f, row.quantity); });
+    const bool used = std::any_of(scene.functions.begin(), scene.functions.end(), [&](Function f) {
+      const bool refused =
+          row.quantity == Quantity::base_parameters && takes(f, Quantity::parameters);
+      return refused || takes_input(scene, f, row.quantity);
+    });
     if (used) continue;
     top.warn(fmt::format("{} is listed under inputs, but no function depends on it", row.symbol),
              "remove it, or add a function that does");

@@ -60,6 +60,8 @@ struct Joint {
   std::optional<Mimic> mimic;
   double damping = 0, friction = 0;
   std::optional<Rotor> rotor;
+  /// The child is a rotor, symmetric about the axis: how far it has turned does not matter.
+  bool spins = false;
   int line = 0;
 };
 

@@ -102,13 +102,29 @@ struct SceneInputs {
   bool gravity = false;
   std::vector<SceneInertia> payloads;    ///< bodies that are added to links
   std::vector<SceneInertia> parameters;  ///< in place of those of the URDF
+  bool base_parameters = false;          ///< in place of the parameters of all links
   std::vector<SceneTool> tools;     ///< operational points, in place of the origins in the scene
   std::vector<SceneTool> contacts;  ///< contacts, in place of the origins in the scene
 
   [[nodiscard]] bool empty() const {
-    return !gravity && payloads.empty() && parameters.empty() && tools.empty() && contacts.empty();
+    return !gravity && payloads.empty() && parameters.empty() && !base_parameters &&
+           tools.empty() && contacts.empty();
   }
 };
+
+/// A motor's rotor that is a body of its own: it turns `ratio` times as fast as its joint, on the
+/// link before the joint unless `link` names another. Its mass and its moments across the axis are
+/// part of that link.
+struct SceneRotor {
+  double inertia = 0;  ///< kg m^2 about its axis
+  double ratio = 1;    ///< turns of the rotor for one of the joint; rad/m of a sliding joint
+  std::string link;
+  /// Of unit length, in the axes of the link that carries it; absent: the joint's own.
+  std::optional<std::array<double, 3>> axis;
+};
+
+/// Speed within which Coulomb friction builds up unless a scene says another, rad/s or m/s.
+inline constexpr double kFrictionWidth = 0.01;
 
 /// Friction of a joint: damping qd + friction s(qd / width), where s is a smooth sign.
 struct SceneFriction {
@@ -127,9 +143,16 @@ struct SceneSpring {
 /// there are the base parameters, on which the motion depends, see `find_base_parameters`.
 struct SceneRegressor {
   bool base = false;
-  std::vector<std::string> links;  ///< whose columns there are; empty: all that move
-  bool rotors = false;             ///< and the rotor inertia of each joint of one freedom
-  bool friction = false;           ///< and the viscous friction of each such joint
+  bool none = false;                  ///< no inertial parameters of links
+  std::vector<std::string> links;     ///< whose columns there are; empty: all that move
+  std::vector<std::string> payloads;  ///< links, with the ten of a body added to each
+  bool rotors = false;                ///< and the rotor inertia of each joint of one freedom
+  bool friction = false;              ///< and the viscous friction of each such joint
+  bool coulomb = false;               ///< and the Coulomb friction of each such joint
+  /// Of Coulomb friction, rad/s or m/s, where `joint_friction` states none of a joint.
+  double width = kFrictionWidth;
+
+  bool operator==(const SceneRegressor&) const = default;
 };
 
 /// The effective masses beyond which a direction of the task yields near singularities: kg in rows
@@ -182,8 +205,9 @@ struct Scene {
   /// Joint name -> inertia that its motor's rotor adds to the joint, kg m^2 (kg for sliding
   /// joints).
   std::map<std::string, double> armature;
+  std::map<std::string, SceneRotor> rotors;             ///< by joint, in place of its armature
   std::map<std::string, SceneFriction> joint_friction;  ///< by joint, where there is any
-  bool implicit_friction = false;  ///< forward dynamics takes friction at the end of a step
+  bool implicit_friction = false;  ///< forward dynamics takes drives at the end of a step
   std::map<std::string, SceneSpring> joint_springs;  ///< by joint
   std::map<std::string, double> locked;              ///< joint name -> value it is held at
 

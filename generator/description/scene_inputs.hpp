@@ -21,6 +21,8 @@ inline bool has_input(const Scene& scene, Quantity quantity) {
       return !scene.inputs.payloads.empty();
     case Quantity::parameters:
       return !scene.inputs.parameters.empty();
+    case Quantity::base_parameters:
+      return scene.inputs.base_parameters;
     case Quantity::tool:
       return !tools.empty();
     case Quantity::tool_orientation:
@@ -48,6 +50,9 @@ inline bool has_rows_in_given_axes(const Scene& scene) {
 /// a point count for its pose, and else only where its rows are in them.
 inline bool takes_input(const Scene& scene, Function function, Quantity quantity) {
   if (!takes(function, quantity) || !has_input(scene, quantity)) return false;
+  if (quantity == Quantity::base_parameters && depends_on_mass(function)) {
+    return scene.base == Base::floating;  // M has the whole mass and its centre
+  }
   return quantity != Quantity::tool_orientation || function == Function::forward_kinematics ||
          has_rows_in_given_axes(scene);
 }
@@ -57,6 +62,7 @@ inline void remove_input(Quantity quantity, Scene& scene) {
   if (quantity == Quantity::gravity) scene.inputs.gravity = false;
   if (quantity == Quantity::payload) scene.inputs.payloads.clear();
   if (quantity == Quantity::parameters) scene.inputs.parameters.clear();
+  if (quantity == Quantity::base_parameters) scene.inputs.base_parameters = false;
   if (quantity == Quantity::tool) scene.inputs.tools.clear();
   if (quantity == Quantity::tool_orientation) {
     for (SceneTool& tool : scene.inputs.tools) tool.orientation = false;

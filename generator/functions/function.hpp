@@ -133,12 +133,18 @@ constexpr FunctionInputs inputs(Listed... listed) {
 /// runs is an argument only in scenes that list it under `inputs`.
 template <class... Listed>
 constexpr FunctionInputs inertial_inputs(Listed... listed) {
-  return inputs(listed..., Quantity::payload, Quantity::parameters);
+  return inputs(listed..., Quantity::payload, Quantity::parameters, Quantity::base_parameters);
 }
 /// The same of a function that depends on weight.
 template <class... Listed>
 constexpr FunctionInputs weighed_inputs(Listed... listed) {
-  return inputs(listed..., Quantity::gravity, Quantity::payload, Quantity::parameters);
+  return inputs(listed..., Quantity::gravity, Quantity::payload, Quantity::parameters,
+                Quantity::base_parameters);
+}
+/// The same of a function that depends on the masses of single links.
+template <class... Listed>
+constexpr FunctionInputs inputs_of_links(Listed... listed) {
+  return inputs(listed..., Quantity::payload, Quantity::parameters);
 }
 constexpr FunctionInputs with(Quantity quantity, FunctionInputs listed) {
   listed.quantities[listed.count++] = quantity;
@@ -246,7 +252,7 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      FunctionGroup::constraints, Emitted::by_default, Solve::lambda_inverse,
      frames_by(Function::forward_dynamics), Columns::computed,
      weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::stabilisation,
-                    Quantity::drift, Quantity::f_ext),
+                    Quantity::drift, Quantity::f_ext, Quantity::step),
      "M qdd + b + g = tau + J_s^T f + J_ext^T f_ext, "
      "J_s qdd + Jd_s qd = -stabilisation[0] J_s qd - stabilisation[1] drift"},
     {Function::supported_control_torque, "supported_control_torque", FunctionGroup::constraints,
@@ -335,7 +341,7 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::subtree_masses_and_centers, "subtree_masses_and_centers",
      FunctionGroup::center_of_mass, Emitted::on_request, Solve::none,
      frames_by(Function::subtree_masses_and_centers), Columns::computed,
-     inertial_inputs(Quantity::q), "mass and centre of mass of everything that each joint carries"},
+     inputs_of_links(Quantity::q), "mass and centre of mass of everything that each joint carries"},
     {Function::point_velocity, "point_velocity", FunctionGroup::points, Emitted::on_request,
      Solve::none, frames_by(Function::point_velocity), Columns::computed,
      with_tool_origin(inputs(Quantity::q, Quantity::qd)),
@@ -429,6 +435,11 @@ constexpr bool takes_external_forces(Function function) {
 /// Whether the result has Lambda in it, of which rows of the task yield near singularities.
 constexpr bool has_lambda(Function function) {
   return needs_points(function) && solve_of(function) == Solve::lambda_inverse;
+}
+/// Whether it depends on the robot's mass or on where its centre of mass is: on a fixed base, on
+/// more than the base parameters.
+constexpr bool depends_on_mass(Function function) {
+  return needs_mass(function) || function == Function::potential_energy;
 }
 /// Whether its columns are those of inertial parameters, which the scene's key `regressor` lists.
 constexpr bool is_regressor(Function function) {

@@ -30,6 +30,7 @@ enum class Quantity {
   gravity,
   payload,
   parameters,
+  base_parameters,
   tool,
   tool_orientation,
   contact,
@@ -51,6 +52,7 @@ enum class IndexSpace {
   gravity,          ///< 3, if the scene makes gravity an input
   payloads,         ///< 10 a payload that the scene makes an input
   parameters,       ///< 10 a link whose inertial parameters the scene makes an input
+  base_parameters,  ///< the base parameters, if the scene makes them an input
   tools,            ///< 3 an operational point whose origin the scene makes an input
   orientations,     ///< 4 an operational point whose orientation the scene makes an input
   contact_places,   ///< 3 a contact whose origin the scene makes an input
@@ -114,7 +116,7 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
      "forces that the constraints shall have, in their rows; the nearest ones that carry the "
      "motion are taken",
      "N, N m", IndexSpace::held_rows, 1000},
-    {Quantity::step, "step", "time step at whose end friction is taken, positive", "s",
+    {Quantity::step, "step", "time step at whose end friction and springs are taken, positive", "s",
      IndexSpace::step, 0.01},
     {Quantity::gravity, "gravity", "acceleration of gravity, world axes", "m/s^2",
      IndexSpace::gravity, 20},
@@ -126,6 +128,9 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
      "m, m c_x, m c_y, m c_z, Ixx, Ixy, Iyy, Ixz, Iyz, Izz of each link named, in place of the "
      "URDF's, about the origin of the link's frame and in its axes, kg, kg m, kg m^2",
      "kg, kg m, kg m^2", IndexSpace::parameters, kPayloadMass},
+    {Quantity::base_parameters, "base_parameters",
+     "base parameters as listed above, in place of the inertial parameters of all links",
+     "kg, kg m, kg m^2", IndexSpace::base_parameters, kPayloadMass},
     {Quantity::tool, "tool",
      "origin of each point named, in the frame of its link in the URDF, in place of the scene's, m",
      "m", IndexSpace::tools, 1},

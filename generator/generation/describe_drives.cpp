@@ -38,6 +38,13 @@ void append_drive_notes(const Robot& robot, const Scene& scene, std::vector<std:
     notes.push_back(fmt::format("a rotor adds {:.6g} {} to joint {}", inertia,
                                 slides(robot, joint) ? "kg" : "kg m^2", joint));
   }
+  for (const auto& [joint, rotor] : scene.rotors) {
+    notes.push_back(fmt::format(
+        "the rotor of joint {} is a body of {:.6g} kg m^2 about its axis, which turns {:.6g} times "
+        "as fast as the joint{}",
+        joint, rotor.inertia, rotor.ratio,
+        rotor.link.empty() ? "" : fmt::format(", on link {}", rotor.link)));
+  }
   if (!scene.joint_friction.empty()) notes.emplace_back(kFrictionNote);
   for (const auto& [joint, own] : scene.joint_friction) {
     notes.push_back(

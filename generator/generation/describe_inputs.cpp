@@ -8,6 +8,7 @@
 
 #include "description/noise.hpp"
 #include "program/format_literal.hpp"
+#include "recursion/base_parameters.hpp"
 
 namespace treeline {
 namespace {
@@ -69,6 +70,24 @@ void append_orientations(const Scene& scene, std::vector<std::string>& notes) {
   }
 }
 
+void append_base_parameters(const Mechanism& mechanism, std::vector<std::string>& notes) {
+  if (mechanism.inputs.base.empty()) return;
+  notes.emplace_back(
+      "base_parameters: combinations of m, m c_x, m c_y, m c_z, Ixx, Ixy, Iyy, Ixz, Iyz, Izz of "
+      "links, in their frames in the URDF, each with what is fixed to it: kg, kg m, kg m^2");
+  const auto found = base_parameters_of(mechanism);
+  for (std::size_t k = 0; k < found->base.size(); ++k) {
+    const auto value = static_cast<double>(value_in_files(found->base[k], *found, mechanism));
+    const ModelParameter& named = found->parameters[found->base[k].parameter];
+    std::string text = describe(found->base[k], *found);
+    if (named.kind == ModelParameter::Kind::coulomb) {
+      text += fmt::format(" of s(qd / {:.6g})", static_cast<double>(Exact(1 / named.sharpness)));
+    }
+    notes.push_back(fmt::format("base_parameters {}: {}, {}, in the files {}", k, text,
+                                unit_of(named), format_literal(value)));
+  }
+}
+
 }  // namespace
 
 void append_input_notes(const Scene& scene, const Mechanism& mechanism,
@@ -83,6 +102,7 @@ void append_input_notes(const Scene& scene, const Mechanism& mechanism,
                                 entries(k, kInertialParameters), inputs.parameters[k].link,
                                 list_parameters(mechanism.inputs.parameters[k].nominal)));
   }
+  append_base_parameters(mechanism, notes);
   append_origins("tool", "point", inputs.tools, mechanism.inputs.tools, notes);
   append_orientations(scene, notes);
   append_origins("contact", "contact", inputs.contacts, mechanism.inputs.contacts, notes);

@@ -11,25 +11,37 @@ namespace {
 
 using Kind = ModelParameter::Kind;
 
+/// `elbow rotor`; of Coulomb friction with the width that its column has.
+std::string describe_drive(const ModelParameter& parameter) {
+  if (parameter.kind != Kind::coulomb) return name_of(parameter);
+  return fmt::format("{}, whose column is s(qd / {:.6g})", name_of(parameter),
+                     static_cast<double>(Exact(1 / parameter.sharpness)));
+}
+
 void append_all(const Mechanism& mechanism, std::vector<std::string>& notes) {
   const auto parameters = list_model_parameters(mechanism, mechanism.regressor);
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const ModelParameter& parameter = parameters[k];
-    if (parameter.kind != Kind::inertial) {
-      notes.push_back(fmt::format("p {}: {}", k, name_of(parameter)));
+    if (!parameter.is_of_body()) {
+      notes.push_back(fmt::format("p {}: {}", k, describe_drive(parameter)));
     } else if (parameter.entry == 0) {
+      const bool added = parameter.kind == Kind::payload;
       notes.push_back(
           fmt::format("p {}..{}: m, m c_x, m c_y, m c_z, Ixx, Ixy, Iyy, Ixz, Iyz, Izz "
-                      "of link {} and what is fixed to it",
-                      k, k + kInertialParameters - 1, parameter.owner));
+                      "of {} {}{}",
+                      k, k + kInertialParameters - 1, added ? "a body added to link" : "link",
+                      parameter.owner, added ? "" : " and what is fixed to it"));
     }
   }
 }
 
 void append_base(const Mechanism& mechanism, std::vector<std::string>& notes) {
-  const BaseParameters found = find_base_parameters(mechanism, mechanism.regressor);
-  for (std::size_t k = 0; k < found.base.size(); ++k) {
-    notes.push_back(fmt::format("p {}: {}", k, describe(found.base[k], found)));
+  const auto found = base_parameters_of(mechanism);
+  for (std::size_t k = 0; k < found->base.size(); ++k) {
+    const ModelParameter& named = found->parameters[found->base[k].parameter];
+    notes.push_back(fmt::format(
+        "p {}: {}", k,
+        named.kind == Kind::coulomb ? describe_drive(named) : describe(found->base[k], *found)));
   }
   notes.emplace_back("E p has the potential energy of base parameters up to a constant");
 }
@@ -42,6 +54,11 @@ void append_regressor_notes(const Scene& scene, const Mechanism& mechanism,
   notes.emplace_back(
       "parameters p of regressors, in the frames of the links in the URDF: kg, kg m, kg m^2; of "
       "rotors kg m^2 (kg for sliding joints), of viscous friction N m s (N s/m)");
+  if (scene.regressor.coulomb) {
+    notes.emplace_back(
+        "of Coulomb friction N m (N); s(x) = tanh(128 artanh(x / 128)), within 1.3e-5 of tanh x up "
+        "to x = 2600 and above 0.995 up to 5461");
+  }
   if (scene.regressor.base) {
     append_base(mechanism, notes);
   } else {

@@ -63,6 +63,7 @@ std::vector<EmissionContext::JointRow> joint_rows(const Robot& robot, const Mech
 std::vector<std::string> joint_conventions(const Robot& robot, const Mechanism& mechanism) {
   std::set<JointType> types;
   for (const MovingLink& link : mechanism.links) {
+    if (link.spins) continue;  // not in the file
     const Joint* joint = find_joint(robot, link.joint);
     types.insert(joint != nullptr ? joint->type : JointType::floating);
   }

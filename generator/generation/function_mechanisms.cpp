@@ -1,5 +1,6 @@
 #include "generation/function_mechanisms.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "description/scene_inputs.hpp"
 #include "generation/choose_axes.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "recursion/base_parameters.hpp"
 
 namespace treeline {
 namespace {
@@ -43,6 +45,20 @@ FunctionMechanisms::FunctionMechanisms(const Robot& robot, const Scene& scene, I
     if (has_input(scene, quantity)) in_scene_ |= bit_of(quantity);
   });
   if (scene.holds_rows()) in_scene_ |= kConstraints;
+  const auto& functions = scene.functions;
+  if (scene.inputs.base_parameters ||
+      (scene.regressor.base && std::any_of(functions.begin(), functions.end(), is_regressor))) {
+    const Mechanism whole = build_mechanism(robot, scene);
+    base_parameters_of(whole);
+    base_parameters_ = whole.base_parameters;
+  }
+}
+
+/// Makes its base parameters those of the whole scene: a function that does not depend on gravity
+/// has them in the order of those that do.
+Mechanism FunctionMechanisms::with_base_parameters(Mechanism mechanism) const {
+  if (base_parameters_) mechanism.base_parameters = base_parameters_;
+  return mechanism;
 }
 
 const Mechanism& FunctionMechanisms::of(Function function) {
@@ -95,14 +111,16 @@ const Mechanism& FunctionMechanisms::whole() {
 const Mechanism& FunctionMechanisms::reduced(unsigned needs) {
   const auto found = by_needs_.find(needs);
   if (found != by_needs_.end()) return found->second;
-  return by_needs_.emplace(needs, reduced_mechanism(robot_, seen_by(needs), inertias_))
+  return by_needs_
+      .emplace(needs, with_base_parameters(reduced_mechanism(robot_, seen_by(needs), inertias_)))
       .first->second;
 }
 
 const Mechanism& FunctionMechanisms::in_frames_of_files(unsigned needs) {
   const auto found = in_frames_of_files_.find(needs);
   if (found != in_frames_of_files_.end()) return found->second;
-  return in_frames_of_files_.emplace(needs, mechanism_in_frames_of_files(robot_, seen_by(needs)))
+  return in_frames_of_files_
+      .emplace(needs, with_base_parameters(mechanism_in_frames_of_files(robot_, seen_by(needs))))
       .first->second;
 }
 

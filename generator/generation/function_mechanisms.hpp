@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "description/robot.hpp"
@@ -24,6 +25,7 @@ class FunctionMechanisms {
   const Mechanism& whole();
 
  private:
+  [[nodiscard]] Mechanism with_base_parameters(Mechanism mechanism) const;
   [[nodiscard]] Scene seen_by(unsigned needs) const;
   const Mechanism& reduced(unsigned needs);
   /// The mechanism with the links' frames of the URDF.
@@ -35,6 +37,7 @@ class FunctionMechanisms {
   const Scene& scene_;
   Inertias inertias_;
   unsigned in_scene_ = 0;
+  std::shared_ptr<BaseParameterMemo> base_parameters_;  ///< of the whole scene, if it needs them
   std::map<unsigned, Mechanism> by_needs_, in_frames_of_files_;
   std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
   std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // of several frame costs

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "emission/backend/backend.hpp"
+#include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/count_inputs.hpp"
@@ -259,6 +260,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
       .refuse(describe_scene(robot, scene, generation.mechanism), diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   generation.domain = make_domain(robot, scene, generation.mechanism);
+  add_base_parameters(generation.mechanism, generation.domain);
   if (!generate_functions(mechanisms, scene, choices, tell, generation, diagnostics)) {
     return std::nullopt;
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "inspect/align_columns.hpp"
@@ -12,29 +13,7 @@
 namespace treeline {
 namespace {
 
-/// What the files say of a parameter; rotors and friction of the scene.
-double value_of(const ModelParameter& parameter, const Mechanism& mechanism, const Scene& scene) {
-  if (parameter.kind == ModelParameter::Kind::rotor) {
-    const auto found = scene.armature.find(parameter.owner);
-    return found == scene.armature.end() ? 0 : found->second;
-  }
-  if (parameter.kind == ModelParameter::Kind::viscous) return 0;
-  const Inertia& body = mechanism.link_matter[parameter.frame];
-  const ExactMatrix3 J = rotational_inertia(body);
-  const Exact values[] = {body.mass, body.h(0), body.h(1), body.h(2), J(0, 0),
-                          J(0, 1),   J(1, 1),   J(0, 2),   J(1, 2),   J(2, 2)};
-  return static_cast<double>(values[parameter.entry]);
-}
-
-double value_of(const BaseParameter& base, const BaseParameters& found, const Mechanism& mechanism,
-                const Scene& scene) {
-  double value = 0;
-  for (const auto& [parameter, coefficient] : base.combination) {
-    value +=
-        static_cast<double>(coefficient) * value_of(found.parameters[parameter], mechanism, scene);
-  }
-  return value;
-}
+using Json = nlohmann::ordered_json;
 
 std::string print_without_effect(const BaseParameters& found) {
   if (found.without_effect.empty()) return {};
@@ -45,22 +24,57 @@ std::string print_without_effect(const BaseParameters& found) {
   return "\n" + wrap_labelled("without effect on any motion: ", names, kPageColumns) + "\n";
 }
 
+Json to_json(const BaseParameter& base, const BaseParameters& found, const Mechanism& mechanism) {
+  const ModelParameter& named = found.parameters[base.parameter];
+  Json combination = Json::array();
+  const auto add = [&](std::size_t parameter, const Exact& coefficient) {
+    const ModelParameter& part = found.parameters[parameter];
+    combination.push_back({{"parameter", name_of(part)},
+                           {"unit", unit_of(part)},
+                           {"coefficient", static_cast<double>(coefficient)}});
+  };
+  add(base.parameter, base.combination.at(base.parameter));
+  for (const auto& [parameter, coefficient] : base.combination) {
+    if (parameter != base.parameter) add(parameter, coefficient);
+  }
+  return {{"name", name_of(named)},
+          {"unit", unit_of(named)},
+          {"value", static_cast<double>(value_in_files(base, found, mechanism))},
+          {"combination", combination}};
+}
+
 }  // namespace
 
 std::string print_base_parameters(const Robot& robot, const Scene& scene) {
   const Mechanism mechanism = build_mechanism(robot, scene);
-  const BaseParameters found = find_base_parameters(mechanism, scene.regressor);
+  const auto found = base_parameters_of(mechanism);
   std::vector<std::vector<std::string>> rows;
-  for (const BaseParameter& base : found.base) {
-    rows.push_back(
-        {fmt::format("{:.6g}", value_of(base, found, mechanism, scene)), describe(base, found)});
+  for (const BaseParameter& base : found->base) {
+    const auto value = static_cast<double>(value_in_files(base, *found, mechanism));
+    rows.push_back({fmt::format("{:.6g}", value), describe(base, *found)});
   }
   return fmt::format(
              "{}: {} base parameters of {}, in the frames of the URDF's links (Gautier & Khalil "
              "1990)\n\n",
-             robot.name, found.base.size(), found.parameters.size()) +
+             robot.name, found->base.size(), found->parameters.size()) +
          align_columns({{"value", true}, {"combination"}}, rows, kPageColumns) +
-         print_without_effect(found);
+         print_without_effect(*found);
+}
+
+std::string print_base_parameters_json(const Robot& robot, const Scene& scene) {
+  const Mechanism mechanism = build_mechanism(robot, scene);
+  const auto found = base_parameters_of(mechanism);
+  Json base = Json::array(), without_effect = Json::array();
+  for (const BaseParameter& each : found->base) base.push_back(to_json(each, *found, mechanism));
+  for (const std::size_t k : found->without_effect) {
+    without_effect.push_back(name_of(found->parameters[k]));
+  }
+  return Json{{"robot", robot.name},
+              {"parameters", found->parameters.size()},
+              {"base_parameters", base},
+              {"without_effect", without_effect}}
+             .dump(2) +
+         "\n";
 }
 
 }  // namespace treeline

@@ -11,6 +11,7 @@
 #include "description/noise.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
+#include "description/with_rotors.hpp"
 #include "mechanism/add_drives.hpp"
 #include "mechanism/exact_from_file.hpp"
 #include "mechanism/place_inputs.hpp"
@@ -36,11 +37,12 @@ class Builder {
     mechanism_.resolution = resolution_of(limits);
     robot_ =
         without_noise(with_snapped_angles(robot, scene.snap_angles), limits, &mechanism_.noise);
+    robot_ = with_rotors(std::move(robot_), scene);
     scene_ = without_noise(scene, limits, &mechanism_.noise);
     mechanism_.noise.insert(mechanism_.noise.end(), scene.taken_exact.begin(),
                             scene.taken_exact.end());
-    first_coordinate_.assign(robot.joints.size(), {-1, -1});
-    places_.resize(robot.links.size());
+    first_coordinate_.assign(robot_.joints.size(), {-1, -1});
+    places_.resize(robot_.links.size());
   }
 
   Mechanism build() {
@@ -64,6 +66,7 @@ class Builder {
     mechanism_.passive = passive_velocities();
     mechanism_.link_frames = link_frames();
     mechanism_.regressor = scene_.regressor;
+    mechanism_.payload_frames = payload_frames();
     mechanism_.inputs = place_inputs(robot_, scene_, files_frames());
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
       MovingLink& link = mechanism_.links[i];
@@ -74,6 +77,7 @@ class Builder {
       const Inertia& matter = mechanism_.links[static_cast<std::size_t>(frame.link)].inertia;
       mechanism_.link_matter.push_back(transformed(matter, inverse(frame.pose)));
     }
+    if (scene_.inputs.base_parameters) take_base_parameters(mechanism_);
     add_drives(scene_, mechanism_);
     return std::move(mechanism_);
   }
@@ -179,6 +183,7 @@ class Builder {
       add_coordinates(type, joint.name, limited ? *joint.limits : unlimited());
     }
     const Place behind = add_steps(type, {joint.name, link}, first, before, to_axis);
+    mechanism_.links.back().spins = joint.spins;
     if (joint.mimic) {
       mechanism_.links.back().mimics = true;
       mimics_.push_back({last_link(), &joint});
@@ -338,6 +343,7 @@ class Builder {
   [[nodiscard]] std::vector<MechanismPoint> link_frames() const {
     std::vector<MechanismPoint> frames;
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
+      if (mechanism_.links[i].spins) continue;  // no frame of the URDF
       for (std::size_t k = 0; k < robot_.links.size(); ++k) {
         const bool own = places_[k].link == static_cast<int>(i);
         if (own && robot_.links[k].name == mechanism_.links[i].name) {
@@ -348,6 +354,17 @@ class Builder {
                             {true, true, true, true, true, true}});
         }
       }
+    }
+    return frames;
+  }
+
+  /// Those of the links to which regressors add a body.
+  [[nodiscard]] std::vector<MechanismPoint> payload_frames() const {
+    std::vector<MechanismPoint> frames;
+    for (const std::string& link : scene_.regressor.payloads) {
+      std::size_t i = 0;
+      while (robot_.links[i].name != link) ++i;
+      frames.push_back({link, places_[i].link, places_[i].pose, Axes::local});
     }
     return frames;
   }

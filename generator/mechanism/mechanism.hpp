@@ -2,6 +2,8 @@
 
 #include <array>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,9 @@ struct MovingLink : JointStep {
   double multiplier = 1;
   Exact offset = 0;
   bool mimics = false;  ///< shares the coordinate of the joint that it mimics
+  /// A rotor of `Scene::rotors`, a leaf without points: its inertia is symmetric about the axis, so
+  /// that its frame need not turn.
+  bool spins = false;
   JointDrive drive;
   Inertia inertia;
   /// Radius of gyration about the frame's origin as in the file, of everything that the link
@@ -113,6 +118,9 @@ struct MechanismInputs {
   bool gravity = false;
   /// Added to the links' inertias, which contain neither.
   std::vector<MechanismInertia> payloads, parameters;
+  /// Of each link of `Mechanism::link_frames`, with what is fixed to it, if base parameters are an
+  /// argument. The links' inertias contain none of it.
+  std::vector<MechanismInertia> base;
   std::vector<MechanismTool> tools, contacts;
 };
 
@@ -145,6 +153,15 @@ struct ReductionNote {
   std::string text;
 };
 
+struct BaseParameters;
+
+/// The base parameters, once `base_parameters_of` has found them; copies of a mechanism share it.
+struct BaseParameterMemo {
+  std::mutex mutex;
+  SceneRegressor asked;
+  std::shared_ptr<const BaseParameters> found;
+};
+
 /// The numbered tree on which recursions run: parents before children, in the order of q. Built by
 /// `build_mechanism`; reduced by `seat_frames` and `regroup_inertias`, which leave the equations of
 /// motion unchanged.
@@ -165,11 +182,14 @@ struct Mechanism {
   std::vector<MechanismPoint> link_frames;
   /// Matter of each link of `link_frames` and of what is fixed to it, as in the file, in its frame.
   std::vector<Inertia> link_matter;
+  /// Frames of the URDF's links to which regressors add a body, see `SceneRegressor::payloads`.
+  std::vector<MechanismPoint> payload_frames;
   std::vector<MechanismObject> objects;
   std::array<double, 3> gravity{0, 0, -9.81};
   MechanismInputs inputs;
   bool implicit_friction = false;  ///< see `Scene`
   SceneRegressor regressor;
+  std::shared_ptr<BaseParameterMemo> base_parameters = std::make_shared<BaseParameterMemo>();
   SingularTasks singular = SingularTasks::smooth;  ///< see `Scene`
   Real real = Real::float64;                       ///< see `Scene`
   std::vector<Coordinate> coordinates;             ///< nq of them

@@ -63,7 +63,20 @@ Inertia nominal_inertia(const Mechanism& mechanism, int link) {
   for (const MechanismInertia& own : mechanism.inputs.parameters) {
     if (own.frame.link == link) inertia = inertia + transformed(own.nominal, own.frame.pose);
   }
+  for (const MechanismInertia& own : mechanism.inputs.base) {
+    if (own.frame.link == link) inertia = inertia + transformed(own.nominal, own.frame.pose);
+  }
   return inertia;
+}
+
+void take_base_parameters(Mechanism& mechanism) {
+  for (std::size_t f = 0; f < mechanism.link_frames.size(); ++f) {
+    mechanism.inputs.base.push_back({mechanism.link_frames[f], mechanism.link_matter[f]});
+    mechanism.link_matter[f] = {};
+  }
+  for (MovingLink& link : mechanism.links) {
+    if (!link.spins) link.inertia = {};
+  }
 }
 
 }  // namespace treeline

@@ -18,6 +18,9 @@ bool has_parameters_as_input(const Scene& scene, const std::string& link);
 MechanismInputs place_inputs(const Robot& robot, const Scene& scene,
                              const std::vector<MechanismPoint>& frames);
 
+/// Takes all that moves out of the mechanism's links: base parameters stand in its place.
+void take_base_parameters(Mechanism& mechanism);
+
 /// Inertia of a moving link together with those parameters of the file that are arguments.
 Inertia nominal_inertia(const Mechanism& mechanism, int link);
 

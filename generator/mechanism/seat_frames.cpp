@@ -290,6 +290,7 @@ void for_each_around(Mechanism& mechanism, int index, OnChild on_child, OnPoint 
   }
   for (MechanismInertia& payload : mechanism.inputs.payloads) visit(payload.frame);
   for (MechanismInertia& own : mechanism.inputs.parameters) visit(own.frame);
+  for (MechanismInertia& own : mechanism.inputs.base) visit(own.frame);
   for (MechanismTool& tool : mechanism.inputs.tools) visit(tool.frame);
   for (MechanismTool& contact : mechanism.inputs.contacts) visit(contact.frame);
 }
@@ -347,8 +348,9 @@ class Seating {
     for_each_around(
         mechanism_, index, [&](MovingLink& moved) { moved = best.children[child++]; },
         [&](MechanismPoint& moved) { moved.pose = best.points[point++]; });
-    for (MechanismPoint& frame : mechanism_.link_frames) {  // for inspection, at no cost
-      if (frame.link == index) {
+    for (auto* frames : {&mechanism_.link_frames, &mechanism_.payload_frames}) {  // at no cost
+      for (MechanismPoint& frame : *frames) {
+        if (frame.link != index) continue;
         frame.pose = resolved(inverse(seat) * frame.pose, mechanism_.resolution);
       }
     }

@@ -64,16 +64,26 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
   J_ = with_loops<MatrixXd>(terms_.jacobian(), loops_.J, anchored_);
   bias_ = with_loops<VectorXd>(terms_.bias(state.qd), loops_.bias, anchored_);
   condition_ = std::numeric_limits<double>::infinity();
+  step_forces_ = VectorXd::Zero(M_inverse.rows());
   if (!M_inverse.allFinite()) return;
   const auto q = vector_of<double>(state.q);
-  if (subject.loops.empty()) {
+  const std::vector<double>& step = values_of(state, Quantity::step);
+  const bool is_stepped = tasks == Tasks::none && !step.empty();
+  if (subject.loops.empty() && !is_stepped) {
     Lambda_inverse_ = interpreter::lambda_inverse<double>(subject.model, seen_.points, q);
   } else {
     const MatrixXd J = jacobian_of_rows();
-    const MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
+    MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
+    if (is_stepped) {
+      const auto drives = interpreter::implicit_drives<double>(
+          subject.model, q, vector_of<double>(state.qd), step.front());
+      M += drives.inertia;
+      step_forces_ = drives.force.cwiseAbs();
+      M_inverse_ = inverse_of(M).cwiseAbs();
+    }
     Lambda_inverse_ = J * M.ldlt().solve(J.transpose());
   }
-  condition_ = scaled_condition(Lambda_inverse_, (J_ * M_inverse * J_.transpose()).diagonal());
+  condition_ = scaled_condition(Lambda_inverse_, (J_ * M_inverse_ * J_.transpose()).diagonal());
 }
 
 std::optional<LawSizes> ConstraintSizes::yielding(const interpreter::TaskLaw<double>& law) const {
@@ -116,8 +126,8 @@ std::vector<double> ConstraintSizes::sizes(const interpreter::TaskLaw<double>& l
 std::vector<double> ConstraintSizes::constrained(const MatrixXd& Lambda) const {
   const std::vector<double> none(state_.qd.size(), 0);
   const VectorXd gains = magnitudes(values_of(state_, Quantity::stabilisation));
-  const VectorXd free =
-      M_inverse_ * (magnitudes(state_.tau) + terms_.forces(state_.qd, none, state_.f_ext));
+  const VectorXd free = M_inverse_ * (magnitudes(state_.tau) +
+                                      terms_.forces(state_.qd, none, state_.f_ext) + step_forces_);
   VectorXd drift(held_);
   drift << magnitudes(values_of(state_, Quantity::drift)), loops_.errors;
   const VectorXd missing =

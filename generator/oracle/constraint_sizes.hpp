@@ -55,7 +55,9 @@ class ConstraintSizes {
 
   const Subject<double>& subject_;
   const State& state_;
-  const Eigen::MatrixXd& M_inverse_;
+  Eigen::MatrixXd
+      M_inverse_;  ///< with friction and springs at the end of the step, if there is one
+  Eigen::VectorXd step_forces_;  ///< of springs, by the motion in that step
   Tasks tasks_;
   Subject<double> seen_;  ///< its points are the constraints, then the tasks by priority
   TermSizes terms_;

@@ -119,6 +119,19 @@ void draw_body(Dice& dice, const SubjectInertia& within, bool whole, std::vector
   entries.insert(entries.end(), body.begin(), body.end());
 }
 
+/// Base parameters that bodies, rotors and friction have.
+std::vector<double> draw_base(Dice& dice, const SubjectInputs& inputs) {
+  std::vector<double> numbers, entries;
+  for (const SubjectInertia& box : inputs.base_bodies) draw_body(dice, box, true, numbers);
+  for (const double size : inputs.base_drives) numbers.push_back(size * dice.unit());
+  for (const SubjectBase& base : inputs.base) {
+    double value = 0;
+    for (const auto& [number, coefficient] : base.numbers) value += coefficient * numbers[number];
+    entries.push_back(value);
+  }
+  return entries;
+}
+
 std::vector<double> draw_origins(Dice& dice, const std::vector<SubjectTool>& tools) {
   std::vector<double> entries;
   for (const SubjectTool& tool : tools) {
@@ -141,6 +154,8 @@ std::vector<double> draw_model(Dice& dice, const SubjectInputs& inputs, Quantity
     case IndexSpace::parameters:
       for (const SubjectInertia& box : inputs.parameters) draw_body(dice, box, true, entries);
       return entries;
+    case IndexSpace::base_parameters:
+      return draw_base(dice, inputs);
     case IndexSpace::tools:
       return draw_origins(dice, inputs.tools);
     case IndexSpace::contact_places:
@@ -203,6 +218,7 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::gravity:
     case Quantity::payload:
     case Quantity::parameters:
+    case Quantity::base_parameters:
     case Quantity::tool:
     case Quantity::tool_orientation:
     case Quantity::contact:

@@ -72,7 +72,7 @@ Vector<Scalar> forward_dynamics(const Subject<Scalar>& subject, const Numbers<Sc
     return interpreter::forward_dynamics<Scalar>(subject.model, at.q, at.qd, at.tau,
                                                  subject.external, at.f_ext);
   }
-  return interpreter::forward_dynamics_with_implicit_friction<Scalar>(
+  return interpreter::forward_dynamics_with_implicit_drives<Scalar>(
       subject.model, at.q, at.qd, at.tau, subject.external, at.f_ext, at.step(0));
 }
 

@@ -11,6 +11,7 @@ interpreter::ConstrainedMotion<Scalar> constrained_motion(const Subject<Scalar>&
                                                           const State& state,
                                                           const interpreter::TaskLaw<Scalar>& law) {
   const auto gains = vector_of<Scalar>(values_of(state, Quantity::stabilisation));
+  const std::vector<double>& step = values_of(state, Quantity::step);
   const interpreter::ConstrainedState<Scalar> at{
       vector_of<Scalar>(state.q),
       vector_of<Scalar>(state.qd),
@@ -20,7 +21,8 @@ interpreter::ConstrainedMotion<Scalar> constrained_motion(const Subject<Scalar>&
       gains(1),
       subject.external,
       vector_of<Scalar>(state.f_ext),
-      subject.loops};
+      subject.loops,
+      Scalar(step.empty() ? 0.0 : step.front())};
   return law.borders.empty() ? interpreter::constrained_forward_dynamics<Scalar>(
                                    subject.model, subject.constraints, at)
                              : interpreter::constrained_forward_dynamics<Scalar>(

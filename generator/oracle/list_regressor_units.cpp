@@ -8,20 +8,26 @@
 
 namespace treeline {
 
-std::vector<UnitOfLink> list_regressor_units(const Robot& robot, const Scene& scene) {
+UnitOfLink unit_of_link(const ModelParameter& column, const Robot& robot) {
   using Kind = interpreter::UnitParameter::Kind;
+  if (column.is_of_body()) return {Kind::inertial, column.owner, column.entry};
+  const Joint& joint = *find_joint(robot, column.owner);
+  UnitOfLink unit{Kind::rotor, robot.links[static_cast<std::size_t>(joint.child)].name};
+  if (column.kind == ModelParameter::Kind::viscous) unit.kind = Kind::viscous;
+  if (column.kind == ModelParameter::Kind::coulomb) {
+    unit.kind = Kind::coulomb;
+    unit.slip_speed = static_cast<double>(Exact(1 / column.sharpness));
+  }
+  return unit;
+}
+
+std::vector<UnitOfLink> list_regressor_units(const Robot& robot, const Scene& scene,
+                                             const Mechanism* mechanism) {
   std::vector<UnitOfLink> units;
   if (std::none_of(scene.functions.begin(), scene.functions.end(), is_regressor)) return units;
-  for (const ModelParameter& column : regressor_columns(build_mechanism(robot, scene))) {
-    if (column.kind == ModelParameter::Kind::inertial) {
-      units.push_back({Kind::inertial, column.owner, column.entry});
-      continue;
-    }
-    const bool is_rotor = column.kind == ModelParameter::Kind::rotor;
-    const Joint& joint = *find_joint(robot, column.owner);
-    units.push_back({is_rotor ? Kind::rotor : Kind::viscous,
-                     robot.links[static_cast<std::size_t>(joint.child)].name, 0});
-  }
+  const auto columns = mechanism != nullptr ? regressor_columns(*mechanism)
+                                            : regressor_columns(build_mechanism(robot, scene));
+  for (const ModelParameter& column : columns) units.push_back(unit_of_link(column, robot));
   return units;
 }
 

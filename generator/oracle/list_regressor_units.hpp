@@ -6,6 +6,8 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "interpreter/regressor.hpp"
+#include "mechanism/mechanism.hpp"
+#include "recursion/model_parameter.hpp"
 
 namespace treeline {
 
@@ -13,10 +15,15 @@ namespace treeline {
 struct UnitOfLink {
   interpreter::UnitParameter::Kind kind = interpreter::UnitParameter::Kind::inertial;
   std::string link;
-  int entry = 0;  ///< which of the ten inertial ones
+  int entry = 0;          ///< which of the ten inertial ones
+  double slip_speed = 0;  ///< of Coulomb friction
 };
 
-/// The columns of regressors, in their order; none if the scene asks for no regressor.
-std::vector<UnitOfLink> list_regressor_units(const Robot& robot, const Scene& scene);
+UnitOfLink unit_of_link(const ModelParameter& column, const Robot& robot);
+
+/// The columns of regressors, in their order; none if the scene asks for no regressor. `mechanism`,
+/// if it is there already, is that of the robot in the scene.
+std::vector<UnitOfLink> list_regressor_units(const Robot& robot, const Scene& scene,
+                                             const Mechanism* mechanism = nullptr);
 
 }  // namespace treeline

@@ -27,6 +27,7 @@ bool is_member(Quantity quantity) {
     case IndexSpace::gravity:
     case IndexSpace::payloads:
     case IndexSpace::parameters:
+    case IndexSpace::base_parameters:
     case IndexSpace::tools:
     case IndexSpace::orientations:
     case IndexSpace::contact_places:
@@ -64,7 +65,7 @@ std::vector<int> state_indices(const ReferenceOptions& options) {
 
 StateSpace make_state_space(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
                             const std::vector<GeneratedFunction>& functions, std::uint64_t seed) {
-  return {make_subject<double>(robot, scene), mechanism.coordinates, seed,
+  return {make_subject<double>(robot, scene, &mechanism), mechanism.coordinates, seed,
           scene.real == Real::float32, other_arguments(functions)};
 }
 

@@ -37,7 +37,7 @@ ReferenceMaker::ReferenceMaker(const Robot& robot, const Scene& scene, const Gen
     : functions_(all_callable(generation)),
       plain_(generation.functions.size()),
       real_(scene.real),
-      exact_(make_subject<Digits50>(robot, scene)),
+      exact_(make_subject<Digits50>(robot, scene, &generation.mechanism)),
       single_(cast<float>(exact_)),
       space_(make_state_space(robot, scene, generation.mechanism, functions_, seed)) {
   space_.subject = cast<double>(exact_);

@@ -20,8 +20,9 @@ Eigen::MatrixXd TermSizes::inverse_dynamics_regressor(const std::vector<double>&
     const auto& unit = units[static_cast<std::size_t>(k)];
     if (unit.kind != Kind::inertial) {
       const int v = subject_.model.body(unit.body).v;
-      Y(v, k) = std::abs(unit.kind == Kind::rotor ? qdd[static_cast<std::size_t>(v)]
-                                                  : qd[static_cast<std::size_t>(v)]);
+      const auto at = static_cast<std::size_t>(v);
+      Y(v, k) =
+          unit.kind == Kind::coulomb ? 1 : std::abs(unit.kind == Kind::rotor ? qdd[at] : qd[at]);
       continue;
     }
     const Columns own = columns(unit.body, 0);
@@ -43,7 +44,7 @@ Eigen::MatrixXd TermSizes::energy_regressor(const std::vector<double>& qd) const
   Eigen::MatrixXd E = Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(units.size()));
   for (Eigen::Index k = 0; k < E.cols(); ++k) {
     const auto& unit = units[static_cast<std::size_t>(k)];
-    if (unit.kind == Kind::viscous) continue;
+    if (unit.kind == Kind::viscous || unit.kind == Kind::coulomb) continue;
     if (unit.kind == Kind::rotor) {
       const double rate = qd[static_cast<std::size_t>(subject_.model.body(unit.body).v)];
       E(0, k) = rate * rate / 2;

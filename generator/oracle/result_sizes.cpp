@@ -227,18 +227,18 @@ const ConstraintSizes& ResultSizes::of_constraints(Function function) const {
   return function == Function::supported_control_torque ? *supported_ : *constrained_;
 }
 
-/// M^-1| (|tau| + sizes of inverse dynamics at the resulting qdd). Where friction is implicit, with
-/// M + step D in place of M.
+/// M^-1| (|tau| + sizes of inverse dynamics at the resulting qdd). Where drives are
+/// implicit, with M + step D + step^2 K in place of M.
 Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) const {
   Eigen::VectorXd forces =
       vector_of<double>(state_.tau).cwiseAbs() + terms_.forces(state_.qd, qdd, state_.f_ext);
   const std::vector<double>& step = values_of(state_, Quantity::step);
   if (step.empty()) return M_inverse_ * forces;
   const Eigen::VectorXd q = vector_of<double>(state_.q);
-  const Eigen::MatrixXd added = step.front() * interpreter::friction_slopes<double>(
-                                                   subject_.model, q, vector_of<double>(state_.qd));
-  forces += added * vector_of<double>(qdd).cwiseAbs();
-  const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject_.model, q) + added;
+  const auto drives = interpreter::implicit_drives<double>(
+      subject_.model, q, vector_of<double>(state_.qd), step.front());
+  forces += drives.inertia * vector_of<double>(qdd).cwiseAbs() + drives.force.cwiseAbs();
+  const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject_.model, q) + drives.inertia;
   return inverse(M).cwiseAbs() * forces;
 }
 

@@ -1,15 +1,20 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "description/heaviest_rows.hpp"
+#include "generation/base_parameter_domain.hpp"
 #include "interpreter/damped_torque.hpp"
 #include "interpreter/points.hpp"
+#include "mechanism/build_mechanism.hpp"
 #include "oracle/chain_from_scene.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/list_regressor_units.hpp"
 #include "oracle/model_from_robot.hpp"
+#include "recursion/base_parameters.hpp"
 
 namespace treeline {
 
@@ -27,10 +32,20 @@ struct SubjectTool {
   bool orientation = false;  ///< its axes are an argument, too
 };
 
+/// A base parameter: the parameter that it is named after and what it combines.
+struct SubjectBase {
+  interpreter::UnitParameter named;
+  std::vector<std::pair<interpreter::UnitParameter, Exact>> terms;
+  std::vector<std::pair<std::size_t, double>> numbers;  ///< the same of the numbers of `BaseDomain`
+};
+
 /// What of the subject arguments change, see `SceneInputs`.
 struct SubjectInputs {
   std::vector<SubjectInertia> payloads, parameters;
   std::vector<SubjectTool> tools, contacts;
+  std::vector<SubjectInertia> base_bodies;  ///< each with what is fixed to it
+  std::vector<double> base_drives;          ///< sizes of rotors and coefficients of friction
+  std::vector<SubjectBase> base;
 };
 
 /// Robot and scene in the interpreter's types.
@@ -89,19 +104,64 @@ SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& mo
   return inputs;
 }
 
+template <class Scalar>
+interpreter::UnitParameter unit_on(const interpreter::Model<Scalar>& model,
+                                   const UnitOfLink& unit) {
+  return {unit.kind, find_body(model, unit.link), unit.entry, unit.slip_speed};
+}
+
 /// The columns of regressors, if the scene asks for some.
 template <class Scalar>
 std::vector<interpreter::UnitParameter> regressor_from_scene(
-    const Robot& robot, const Scene& scene, const interpreter::Model<Scalar>& model) {
+    const Robot& robot, const Scene& scene, const interpreter::Model<Scalar>& model,
+    const Mechanism* mechanism) {
   std::vector<interpreter::UnitParameter> units;
-  for (const UnitOfLink& unit : list_regressor_units(robot, scene)) {
-    units.push_back({unit.kind, find_body(model, unit.link), unit.entry});
+  for (const UnitOfLink& unit : list_regressor_units(robot, scene, mechanism)) {
+    units.push_back(unit_on(model, unit));
   }
   return units;
 }
 
+/// Makes base parameters of the model an argument: bodies that are fixed to others are part of
+/// these.
 template <class Scalar>
-Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
+void add_base_parameters(const Robot& robot, const Mechanism& mechanism,
+                         interpreter::Model<Scalar>& model, SubjectInputs& inputs) {
+  const auto found = base_parameters_of(mechanism);
+  const BaseDomain domain = base_parameter_domain(mechanism);
+  inputs.base_drives = domain.drives;
+  for (auto& body : model.bodies) {
+    const bool of_file = std::any_of(robot.links.begin(), robot.links.end(),
+                                     [&](const Link& link) { return link.name == body.name; });
+    if (!of_file) continue;  // a rotor of the scene
+    body.mass = Scalar(0);
+    body.inertia.setZero();
+  }
+  for (std::size_t k = 0; k < domain.bodies.size(); ++k) {
+    const SceneInertia& within = domain.bodies[k];
+    inputs.base_bodies.push_back({find_body(model, within.link), within.mass, within.reach});
+    auto& body = model.bodies[static_cast<std::size_t>(inputs.base_bodies.back().body)];
+    body.mass = Scalar(1);  // first moments are no matter of a massless body here
+    body.com.setZero();
+  }
+  for (std::size_t k = 0; k < found->base.size(); ++k) {
+    const BaseParameter& base = found->base[k];
+    const auto unit = [&](std::size_t parameter) {
+      return unit_on(model, unit_of_link(found->parameters[parameter], robot));
+    };
+    SubjectBase& own = inputs.base.emplace_back();
+    own.named = unit(base.parameter);
+    own.numbers = domain.rows[k];
+    for (const auto& [parameter, coefficient] : base.combination) {
+      own.terms.emplace_back(unit(parameter), coefficient);
+    }
+  }
+}
+
+/// `mechanism`, if it is there already, is that of the robot in the scene.
+template <class Scalar>
+Subject<Scalar> make_subject(const Robot& robot, const Scene& scene,
+                             const Mechanism* mechanism = nullptr) {
   Subject<Scalar> subject;
   subject.model = model_from_robot<Scalar>(robot, scene);
   subject.points = points_from_scene(subject.model, scene.operational_points);
@@ -115,7 +175,17 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene) {
   // The values of `core::add_damping_by_directions`.
   subject.damping.resolution = Scalar(scene.real == Real::float32 ? 0x1p-17 : 0x1p-46);
   subject.inputs = inputs_of(scene, subject.model);
-  subject.regressor = regressor_from_scene(robot, scene, subject.model);
+  subject.regressor = regressor_from_scene(robot, scene, subject.model, mechanism);
+  if (scene.inputs.base_parameters) {
+    const auto add = [&](const Mechanism& built) {
+      add_base_parameters(robot, built, subject.model, subject.inputs);
+      for (auto& of_chain : subject.chain.robots) {
+        SubjectInputs same;
+        add_base_parameters(robot, built, of_chain, same);
+      }
+    };
+    mechanism != nullptr ? add(*mechanism) : add(build_mechanism(robot, scene));
+  }
   add_payloads(scene, subject.model);
   for (auto& robot_of_chain : subject.chain.robots) add_payloads(scene, robot_of_chain);
   return subject;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,17 +11,75 @@
 
 namespace treeline {
 
+/// The ten inertial parameters of a body.
+template <class Scalar>
+std::array<Scalar, kInertialParameters> parameters_of(const interpreter::Body<Scalar>& body) {
+  const auto h = (body.mass * body.com).eval();
+  const auto& J = body.inertia;
+  return {body.mass, h(0), h(1), h(2), J(0, 0), J(0, 1), J(1, 1), J(0, 2), J(1, 2), J(2, 2)};
+}
+
+template <class Scalar>
+void set_parameters(const std::array<Scalar, kInertialParameters>& ten,
+                    interpreter::Body<Scalar>& body) {
+  body.mass = ten[0];
+  body.com = {ten[1], ten[2], ten[3]};
+  if (body.mass != Scalar(0)) body.com /= body.mass;
+  body.inertia << ten[4], ten[5], ten[7],  //
+      ten[5], ten[6], ten[8],              //
+      ten[7], ten[8], ten[9];
+}
+
 /// Gives a body the ten inertial parameters that begin at `first`.
 template <class Scalar>
 void set_parameters(const std::vector<double>& entries, std::size_t first,
                     interpreter::Body<Scalar>& body) {
-  const auto at = [&](std::size_t i) { return Scalar(entries[first + i]); };
-  body.mass = at(0);
-  body.com = {at(1), at(2), at(3)};
-  if (body.mass != Scalar(0)) body.com /= body.mass;
-  body.inertia << at(4), at(5), at(7),  //
-      at(5), at(6), at(8),              //
-      at(7), at(8), at(9);
+  std::array<Scalar, kInertialParameters> ten;
+  for (std::size_t i = 0; i < ten.size(); ++i) ten[i] = Scalar(entries[first + i]);
+  set_parameters<Scalar>(ten, body);
+}
+
+template <class Scalar>
+Scalar value_of(const interpreter::Model<Scalar>& model, const interpreter::UnitParameter& unit) {
+  using Kind = interpreter::UnitParameter::Kind;
+  const interpreter::Body<Scalar>& body = model.body(unit.body);
+  if (unit.kind == Kind::rotor) return body.armature;
+  if (unit.kind == Kind::viscous) return body.damping;
+  if (unit.kind == Kind::coulomb) return body.friction;
+  return parameters_of(body)[static_cast<std::size_t>(unit.entry)];
+}
+
+template <class Scalar>
+void add_to(const interpreter::UnitParameter& unit, const Scalar& value,
+            interpreter::Model<Scalar>& model) {
+  using Kind = interpreter::UnitParameter::Kind;
+  interpreter::Body<Scalar>& body = model.bodies[static_cast<std::size_t>(unit.body)];
+  if (unit.kind == Kind::rotor) {
+    body.armature += value;
+  } else if (unit.kind == Kind::viscous) {
+    body.damping += value;
+  } else if (unit.kind == Kind::coulomb) {
+    body.friction += value;
+    body.slip_speed = Scalar(unit.slip_speed);
+  } else {
+    auto ten = parameters_of(body);
+    ten[static_cast<std::size_t>(unit.entry)] += value;
+    set_parameters<Scalar>(ten, body);
+  }
+}
+
+/// Gives the model base parameters: what is missing is added to those parameters that they are
+/// named after, which no other base parameter combines.
+template <class Scalar>
+void set_base_parameters(const std::vector<SubjectBase>& base, const std::vector<double>& entries,
+                         interpreter::Model<Scalar>& model) {
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    auto missing = static_cast<Scalar>(entries[k]);
+    for (const auto& [unit, coefficient] : base[k].terms) {
+      missing -= static_cast<Scalar>(coefficient) * value_of(model, unit);
+    }
+    add_to(base[k].named, missing, model);
+  }
 }
 
 /// Gives bodies the parameters of a state, in their order; none if the state has none.
@@ -42,6 +101,7 @@ void change_model(const SubjectInputs& inputs, const State& state,
   }
   set_all_parameters(inputs.payloads, values_of(state, Quantity::payload), model);
   set_all_parameters(inputs.parameters, values_of(state, Quantity::parameters), model);
+  set_base_parameters(inputs.base, values_of(state, Quantity::base_parameters), model);
 }
 
 /// Puts points where a state has their origins; leaves them if it has none.

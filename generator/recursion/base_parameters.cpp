@@ -65,13 +65,16 @@ class Inward {
   Inward(const Mechanism& mechanism, const SceneRegressor& asked) : mechanism_(mechanism) {
     SceneRegressor of_all = asked;
     of_all.links.clear();
+    of_all.none = false;
+    of_all.payloads.clear();
     found_.parameters = list_model_parameters(mechanism, of_all);
     sums_.resize(mechanism.link_frames.size());
     for (std::size_t k = 0; k < found_.parameters.size(); ++k) {
       const ModelParameter& parameter = found_.parameters[k];
       if (parameter.kind == Kind::inertial) sums_[parameter.frame][at(parameter.entry)][k] = 1;
       if (parameter.kind == Kind::rotor) rotors_[parameter.v] = k;
-      if (parameter.kind == Kind::viscous) found_.base.push_back({k, {{k, Exact(1)}}});
+      if (parameter.kind == Kind::viscous || parameter.kind == Kind::coulomb)
+        found_.base.push_back({k, {{k, Exact(1)}}});
     }
   }
 
@@ -193,6 +196,47 @@ class Inward {
 
 BaseParameters find_base_parameters(const Mechanism& mechanism, const SceneRegressor& asked) {
   return Inward(mechanism, asked).run();
+}
+
+std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechanism) {
+  BaseParameterMemo& memo = *mechanism.base_parameters;
+  const std::lock_guard lock(memo.mutex);
+  if (!memo.found || !(memo.asked == mechanism.regressor)) {
+    memo.asked = mechanism.regressor;
+    memo.found = std::make_shared<const BaseParameters>(
+        find_base_parameters(mechanism, mechanism.regressor));
+  }
+  return memo.found;
+}
+
+Exact value_in_files(const ModelParameter& parameter, const Mechanism& mechanism) {
+  if (!parameter.is_of_body()) {
+    const auto link = std::find_if(
+        mechanism.links.begin(), mechanism.links.end(),
+        [&](const MovingLink& each) { return !each.mimics && each.v_index == parameter.v; });
+    const JointDrive& drive = link->drive;
+    return parameter.kind == Kind::rotor     ? drive.inertia
+           : parameter.kind == Kind::viscous ? drive.damping
+                                             : drive.friction;
+  }
+  Inertia matter = mechanism.link_matter[parameter.frame];
+  const MechanismPoint& frame = mechanism.link_frames[parameter.frame];
+  for (const auto* inertias : {&mechanism.inputs.parameters, &mechanism.inputs.base}) {
+    for (const MechanismInertia& own : *inertias) {
+      if (own.frame.link != frame.link) continue;
+      matter = matter + transformed(own.nominal, inverse(frame.pose) * own.frame.pose);
+    }
+  }
+  return parameters_of(matter)[static_cast<std::size_t>(parameter.entry)];
+}
+
+Exact value_in_files(const BaseParameter& base, const BaseParameters& found,
+                     const Mechanism& mechanism) {
+  Exact value = 0;
+  for (const auto& [parameter, coefficient] : base.combination) {
+    value += coefficient * value_in_files(found.parameters[parameter], mechanism);
+  }
+  return value;
 }
 
 std::string describe(const BaseParameter& base, const BaseParameters& found) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "recursion/model_parameter.hpp"
@@ -37,6 +38,16 @@ struct BaseParameters {
 /// analytic, so what vanishes at all of them vanishes everywhere but for a set of states of measure
 /// zero.
 BaseParameters find_base_parameters(const Mechanism& mechanism, const SceneRegressor& asked);
+
+/// The same for what `Mechanism::regressor` asks, found once for a mechanism and all its copies:
+/// reductions do not change them.
+std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechanism);
+
+/// What the files say of a parameter. Not for payloads, which no file has.
+Exact value_in_files(const ModelParameter& parameter, const Mechanism& mechanism);
+/// What they say of a base parameter: the sum of its combination.
+Exact value_in_files(const BaseParameter& base, const BaseParameters& found,
+                     const Mechanism& mechanism);
 
 /// `link2 Izz + 0.0225 link3 m - link3 Ixx`: of the parameter that it is named after first.
 std::string describe(const BaseParameter& base, const BaseParameters& found);

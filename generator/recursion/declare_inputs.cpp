@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "recursion/base_parameters.hpp"
+
 namespace treeline {
 namespace {
 
@@ -87,6 +89,10 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
       return kInertialParameters * static_cast<int>(mechanism.inputs.payloads.size());
     case IndexSpace::parameters:
       return kInertialParameters * static_cast<int>(mechanism.inputs.parameters.size());
+    case IndexSpace::base_parameters:
+      return mechanism.inputs.base.empty()
+                 ? 0
+                 : static_cast<int>(base_parameters_of(mechanism)->base.size());
     case IndexSpace::tools:
       return 3 * static_cast<int>(mechanism.inputs.tools.size());
     case IndexSpace::orientations:
@@ -118,6 +124,9 @@ void apply_inputs(const Mechanism& mechanism, const TracedInputs& inputs, Tree<E
   }
   model.payloads = inertial_parameters(inputs[Quantity::payload]);
   model.parameters = inertial_parameters(inputs[Quantity::parameters]);
+  if (const auto& base = inputs[Quantity::base_parameters]; !base.empty()) {
+    realize_base_parameters(*base_parameters_of(mechanism), base, model);
+  }
   model.tools = triples(inputs[Quantity::tool]);
   model.orientations = rotations(inputs[Quantity::tool_orientation]);
   model.contacts = triples(inputs[Quantity::contact]);

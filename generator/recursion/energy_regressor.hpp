@@ -78,12 +78,12 @@ DenseMatrix<Scalar> energy_regressor(const Tree<Scalar>& tree,
     const Scalar rate = rates.velocity(static_cast<std::size_t>(columns[k].v));
     E(0, k) = Scalar(0.5) * (rate * rate);
   }
-  for (std::size_t f = 0; f < tree.link_frames.size(); ++f) {
-    const TreePoint<Scalar>& frame = tree.link_frames[f];
-    const auto link = static_cast<std::size_t>(frame.link);
+  for (const ColumnFrame<Scalar>& frame : column_frames(tree)) {
+    const auto link = static_cast<std::size_t>(frame.place.link);
     section(tree.links[link], link, "columns");
-    add_to_columns(f, kinetic_row(velocity_of_frame(velocities[link], frame)), columns, 0, E);
-    add_to_columns(f, potential_row(weights[link], frame), columns, 1, E);
+    add_to_columns(frame, kinetic_row(velocity_of_frame(velocities[link], frame.place)), columns, 0,
+                   E);
+    add_to_columns(frame, potential_row(weights[link], frame.place), columns, 1, E);
   }
   return E;
 }

@@ -100,14 +100,21 @@ void add_drive_forces(const Tree<Scalar>& tree, const std::vector<JointTransform
   add_spring_forces(tree, X, tau);
 }
 
-/// Makes friction implicit: at the end of a step it is friction(qd) + D step qdd to first order,
-/// with D = d friction / d qd, so that M + step D stands in for M, as if rotors were heavier.
+/// Takes friction and springs at the end of a step: to first order they are friction(qd) + step D
+/// qdd and K (q + step qd + step^2 qdd - rest) there, with D = d friction / d qd, so that M + step
+/// D
+/// + step^2 K stands in for M, as if rotors were heavier, and rest - step qd for rest.
 template <class Scalar>
-void add_implicit_friction(std::span<const Scalar> qd, const Scalar& step, Tree<Scalar>& tree) {
+void make_drives_implicit(std::span<const Scalar> qd, const Scalar& step, Tree<Scalar>& tree) {
   for (TreeLink<Scalar>& link : tree.links) {
-    if (!has_friction(link.drive)) continue;
+    TreeDrive<Scalar>& drive = link.drive;
     const Scalar& own = qd[static_cast<std::size_t>(link.v_index)];
-    link.drive.inertia = link.drive.inertia + step * friction_slope<Scalar>(link.drive, own);
+    if (has_friction(drive)) {
+      drive.inertia = drive.inertia + step * friction_slope<Scalar>(drive, own);
+    }
+    if (drive.stiffness == Scalar(0.0)) continue;
+    drive.inertia = drive.inertia + step * step * drive.stiffness;
+    drive.rest = drive.rest - step * own;
   }
 }
 

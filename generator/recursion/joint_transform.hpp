@@ -78,6 +78,10 @@ JointTransform<Scalar> joint_transform(const TreeLink<Scalar>& link, std::span<c
     return X;
   }
   X.q = q[at];
+  if (link.spins) {
+    X.R.b = {};
+    return X;
+  }
   const Scalar displacement = link.multiplier * q[at] + link.offset;
   if (link.turns_by_angle()) {
     const Scalar s = sin(displacement);

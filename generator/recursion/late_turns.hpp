@@ -51,8 +51,8 @@ void turn_point(const PlanarRotation<Scalar>& turn, int link, TreePoint<Scalar>&
 
 template <class Scalar>
 void turn_points(const PlanarRotation<Scalar>& turn, int link, Tree<Scalar>& tree) {
-  for (auto* points :
-       {&tree.operational_points, &tree.external_forces, &tree.contacts, &tree.link_frames}) {
+  for (auto* points : {&tree.operational_points, &tree.external_forces, &tree.contacts,
+                       &tree.link_frames, &tree.payload_frames}) {
     for (TreePoint<Scalar>& point : *points) turn_point(turn, link, point);
   }
   for (TreeLoop<Scalar>& loop : tree.loops) {

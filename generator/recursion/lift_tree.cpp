@@ -33,19 +33,10 @@ TreeDrive<Expression> lift(const TreeDrive<double>& drive) {
 }
 
 TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choices) {
-  return {link,
-          link.name,
-          link.parent,
-          link.q_index,
-          link.v_index,
-          link.multiplier,
-          link.offset,
-          lift(link.R),
-          lift(link.p),
-          lift(link.inertia),
-          choices.turns_late,
-          choices.carries_column,
-          lift(link.drive)};
+  return {link,          link.name,          link.parent,        link.q_index,
+          link.v_index,  link.multiplier,    link.offset,        lift(link.R),
+          lift(link.p),  lift(link.inertia), choices.turns_late, choices.carries_column,
+          choices.spins, lift(link.drive)};
 }
 
 std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<double>>& points) {
@@ -68,6 +59,7 @@ Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mecha
   tree.external_forces = lift(constants.external_forces);
   tree.contacts = lift(constants.contacts);
   tree.link_frames = lift(constants.link_frames);
+  tree.payload_frames = lift(constants.payload_frames);
   for (const TreeMatter<double>& matter : constants.link_matter) {
     tree.link_matter.push_back({matter.link, matter.mass, lift(matter.h)});
   }

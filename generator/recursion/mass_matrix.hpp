@@ -4,6 +4,7 @@
 
 #include "recursion/dense_matrix.hpp"
 #include "recursion/inverse_dynamics.hpp"
+#include "recursion/parallel_axes.hpp"
 
 namespace treeline {
 
@@ -15,21 +16,13 @@ struct CompositeInertia {
   Symmetric3<Scalar> J;
 };
 
-/// Composite inertia at the parent's origin, in the parent's axes: J' = R J R^T + 2 (p.k) 1 - (p
-/// k^T + k p^T) with k = R h + m p / 2 (parallel axes).
+/// Composite inertia at the parent's origin, in the parent's axes (parallel axes).
 template <class Scalar>
 CompositeInertia<Scalar> to_parent(const JointTransform<Scalar>& X,
                                    const CompositeInertia<Scalar>& inertia) {
   const Vector3<Scalar> h = X.to_parent(inertia.h);
   const Vector3<Scalar>& p = X.p;
-  const Vector3<Scalar> k = h + p * (Scalar(0.5) * inertia.mass);
-  const Scalar xx = p.x * k.x;
-  const Scalar yy = p.y * k.y;
-  const Scalar zz = p.z * k.z;
-  const Scalar two(2.0);
-  const Symmetric3<Scalar> shift{two * (yy + zz),          -(p.x * k.y + p.y * k.x),
-                                 -(p.x * k.z + p.z * k.x), two * (xx + zz),
-                                 -(p.y * k.z + p.z * k.y), two * (xx + yy)};
+  const Symmetric3<Scalar> shift = parallel_axes_shift(inertia.mass, h, p);
   return {inertia.mass, h + p * inertia.mass, X.matrix_to_parent(inertia.J) + shift};
 }
 

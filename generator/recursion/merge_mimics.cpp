@@ -95,7 +95,10 @@ void merge_mimics(const Mechanism& mechanism, const Exact& tolerance, BaseParame
   const auto about_mimics = links_about_mimics(mechanism);
   const auto concerns = [&](const BaseParameter& base) {
     const ModelParameter& parameter = found.parameters[base.parameter];
-    if (parameter.kind == ModelParameter::Kind::viscous) return false;
+    if (parameter.kind != ModelParameter::Kind::inertial &&
+        parameter.kind != ModelParameter::Kind::rotor) {
+      return false;
+    }
     if (parameter.kind == ModelParameter::Kind::inertial) {
       const auto link = mechanism.link_frames[parameter.frame].link;
       return static_cast<bool>(about_mimics[static_cast<std::size_t>(link)]);

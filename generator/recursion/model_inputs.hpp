@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "functions/quantity.hpp"
+#include "recursion/base_parameters.hpp"
+#include "recursion/parallel_axes.hpp"
 #include "recursion/rotation_from_quaternion.hpp"
 #include "recursion/tree.hpp"
 
@@ -19,11 +21,20 @@ struct InertialParameters {
   Symmetric3<Scalar> J;  ///< rotational inertia about the frame's origin
 };
 
+/// A rotor's inertia, or a coefficient of friction, in place of that of a joint.
+template <class Scalar>
+struct DriveParameter {
+  ModelParameter parameter;
+  Scalar value{};
+};
+
 /// What arguments say of the robot, see `MechanismInputs`. What is empty is as in the files.
 template <class Scalar>
 struct ModelInputs {
   std::optional<Vector3<Scalar>> gravity;
   std::vector<InertialParameters<Scalar>> payloads, parameters;
+  std::vector<InertialParameters<Scalar>> base;  ///< of each link, see `realize_base_parameters`
+  std::vector<DriveParameter<Scalar>> drives;
   std::vector<Vector3<Scalar>> tools;
   std::vector<Matrix3<Scalar>> orientations;  ///< of those tools whose axes are an argument
   std::vector<Vector3<Scalar>> contacts;
@@ -71,22 +82,33 @@ InertialParameters<Scalar> inertial_parameters(const Inertia& inertia) {
           rounded_symmetric<Scalar>(rotational_inertia(inertia))};
 }
 
-/// The same body in another frame, in which its own frame has `pose` (parallel axes): J' = R J R^T
-/// + 2 (p.k) 1 - (p k^T + k p^T) with k = R h + m p / 2.
+/// Gives links and joints parameters that have these base parameters: each is that of the parameter
+/// which it is named after, and all others are 0. No body need have them, but M, b and g depend on
+/// the base parameters alone.
+template <class Scalar>
+void realize_base_parameters(const BaseParameters& found, const std::vector<Scalar>& values,
+                             ModelInputs<Scalar>& model) {
+  std::vector<Scalar> all(found.parameters.size(), Scalar(0.0));
+  for (std::size_t k = 0; k < values.size(); ++k) all[found.base[k].parameter] = values[k];
+  std::vector<Scalar> bodies;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (found.parameters[k].is_of_body()) {
+      bodies.push_back(all[k]);
+    } else {
+      model.drives.push_back({found.parameters[k], all[k]});
+    }
+  }
+  model.base = inertial_parameters(bodies);
+}
+
+/// The same body in another frame, in which its own frame has `pose` (parallel axes).
 template <class Scalar>
 InertialParameters<Scalar> transformed(const InertialParameters<Scalar>& body,
                                        const ExactPose& pose) {
   const Rotation<Scalar> R = planar_factors<Scalar>(pose.R);
   const Vector3<Scalar> p = rounded<Scalar>(pose.p);
   const Vector3<Scalar> h = rotate(R, body.h);
-  const Vector3<Scalar> k = h + p * (Scalar(0.5) * body.mass);
-  const Scalar xx = p.x * k.x;
-  const Scalar yy = p.y * k.y;
-  const Scalar zz = p.z * k.z;
-  const Scalar two(2.0);
-  const Symmetric3<Scalar> shift{two * (yy + zz),          -(p.x * k.y + p.y * k.x),
-                                 -(p.x * k.z + p.z * k.x), two * (xx + zz),
-                                 -(p.y * k.z + p.z * k.y), two * (xx + yy)};
+  const Symmetric3<Scalar> shift = parallel_axes_shift(body.mass, h, p);
   return {body.mass, h + p * body.mass, rotate(R, body.J) + shift};
 }
 
@@ -126,7 +148,14 @@ void add_bodies(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs, T
                                        : inputs.parameters[i],
              tree);
   }
-  const bool changed = !inputs.payloads.empty() || !places.parameters.empty();
+  for (std::size_t i = 0; i < places.base.size(); ++i) {
+    const MechanismInertia& place = places.base[i];
+    add_body(place.frame,
+             inputs.base.empty() ? inertial_parameters<Scalar>(place.nominal) : inputs.base[i],
+             tree);
+  }
+  const bool changed =
+      !inputs.payloads.empty() || !places.parameters.empty() || !places.base.empty();
   if (!changed || tree.total_mass == Scalar(0.0)) return;
   tree.inverse_total_mass = Scalar(1.0) / tree.total_mass;
 }
@@ -165,6 +194,24 @@ void place_points(const MechanismInputs& places, const ModelInputs<Scalar>& inpu
   }
 }
 
+/// Puts rotors and friction in place of those of their joints.
+template <class Scalar>
+void replace_drives(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs,
+                    Tree<Scalar>& tree) {
+  using Kind = ModelParameter::Kind;
+  for (const auto& [parameter, value] : inputs.drives) {
+    for (std::size_t i = 0; i < tree.links.size(); ++i) {
+      if (mechanism.links[i].mimics || tree.links[i].v_index != parameter.v) continue;
+      TreeDrive<Scalar>& drive = tree.links[i].drive;
+      if (parameter.kind == Kind::rotor) drive.inertia = value;
+      if (parameter.kind == Kind::viscous) drive.damping = value;
+      if (parameter.kind != Kind::coulomb) continue;
+      drive.friction = value;
+      drive.sharpness = rounded<Scalar>(parameter.sharpness);
+    }
+  }
+}
+
 /// Makes the constant tree that of a robot with these inputs.
 template <class Scalar>
 void apply_inputs(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs,
@@ -172,6 +219,7 @@ void apply_inputs(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs,
   if (inputs.gravity) tree.gravity = *inputs.gravity;
   place_points(mechanism.inputs, inputs, tree);
   add_bodies(mechanism, inputs, tree);
+  replace_drives(mechanism, inputs, tree);
 }
 
 /// The tree with these inputs; by default that of the files.

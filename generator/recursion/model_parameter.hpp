@@ -13,27 +13,35 @@ namespace treeline {
 struct ModelParameter {
   enum class Kind {
     inertial,  ///< one of the ten inertial parameters of a link
+    payload,   ///< one of the ten inertial parameters of a body added to a link
     rotor,     ///< inertia of the motor's rotor at a joint, kg m^2 or kg
-    viscous    ///< viscous friction of a joint, N m s or N s/m
+    viscous,   ///< viscous friction of a joint, N m s or N s/m
+    coulomb  ///< Coulomb friction of a joint, N m or N, which a smooth sign of its speed multiplies
   };
   Kind kind = Kind::inertial;
   std::string owner;      ///< link or joint
-  std::size_t frame = 0;  ///< of an inertial parameter: index into `Mechanism::link_frames`
-  int entry = 0;          ///< of an inertial parameter: which of the ten, see `kInertialNames`
-  int v = 0;              ///< of the others: the joint's velocity
-  bool slides = false;    ///< of the others: whether the joint does
+  std::size_t frame = 0;  ///< of a body's: index into `Mechanism::link_frames`, `payload_frames`
+  int entry = 0;          ///< of a body's: which of the ten, see `kInertialNames`
+  int v = 0;              ///< of a joint's: its velocity
+  bool slides = false;    ///< of a joint's: whether it does
+  Exact sharpness = 0;    ///< of Coulomb friction: reciprocal of its width, see `JointDrive`
+
+  [[nodiscard]] bool is_of_body() const { return kind == Kind::inertial || kind == Kind::payload; }
 };
 
 /// The ten inertial parameters of a link, in the order of arguments (`InertialParameters`).
 inline constexpr std::array<const char*, kInertialParameters> kInertialNames = {
     "m", "mc_x", "mc_y", "mc_z", "Ixx", "Ixy", "Iyy", "Ixz", "Iyz", "Izz"};
 
-/// `forearm Ixx`, `elbow rotor`, `elbow viscous`.
+/// `forearm Ixx`, `payload of hand m`, `elbow rotor`, `elbow viscous`, `elbow coulomb`.
 std::string name_of(const ModelParameter& parameter);
 
+/// `kg m^2`.
+const char* unit_of(const ModelParameter& parameter);
+
 /// The parameters of all links that move against their parents, or of those that are asked for, in
-/// the frames of the URDF: what is fixed to a link is part of it. Then those of joints of one
-/// freedom, in the order of qd.
+/// the frames of the URDF: what is fixed to a link is part of it. Then those of payloads, and of
+/// joints of one freedom, in the order of qd.
 std::vector<ModelParameter> list_model_parameters(const Mechanism& mechanism,
                                                   const SceneRegressor& asked);
 

@@ -160,6 +160,13 @@ class ConstraintTracer {
     trace.f_wanted = inputs[Quantity::f_wanted];
     trace.stabilisation = inputs[Quantity::stabilisation];
     trace.drift = inputs[Quantity::drift];
+    if (const auto& step = inputs[Quantity::step]; !step.empty()) {
+      make_drives_implicit<Expression>(trace.qd, step.front(), trace.tree);
+      program.equation =
+          "(M + step D + step^2 K) qdd + b + g + step K qd = tau + J_s^T f + J_ext^T f_ext, "
+          "J_s qdd + Jd_s qd = -stabilisation[0] J_s qd - stabilisation[1] drift" +
+          kImplicitTerms;
+    }
     if (supports_) {
       const auto& asked = inputs[Quantity::xdd_cmd];
       for (const std::size_t row : task_row_order(mechanism_)) trace.xdd_cmd.push_back(asked[row]);

@@ -22,10 +22,6 @@ namespace {
 
 using TracedTree = Tree<Expression>;
 
-constexpr const char* kImplicitEquation =
-    "(M + step D) qdd = tau - b - g + J_ext^T f_ext, D = d friction / d qd: friction at the end of "
-    "the step, to first order";
-
 /// `, in strict priority: left_hand (1), right_hand (2)`, the most important first.
 std::string priorities_of(const TracedTree& tree) {
   std::vector<TreePoint<Expression>> points = tree.operational_points;
@@ -84,8 +80,9 @@ class Tracer {
     trace.xdd_cmd = inputs[Quantity::xdd_cmd];
     trace.f_ext = inputs[Quantity::f_ext];
     if (const auto& step = inputs[Quantity::step]; !step.empty()) {
-      add_implicit_friction<Expression>(trace.qd, step.front(), trace.tree);
-      program.equation = kImplicitEquation;
+      make_drives_implicit<Expression>(trace.qd, step.front(), trace.tree);
+      program.equation =
+          "(M + step D + step^2 K) qdd = tau - b - g - step K qd + J_ext^T f_ext" + kImplicitTerms;
     }
   }
 

@@ -22,6 +22,10 @@ inline Result matrix_result(const char* name, const std::string& meaning,
           matrix.values()};
 }
 
+/// What equations with an argument `step` end with.
+inline const std::string kImplicitTerms =
+    ", D = d friction / d qd, K: stiffness of springs: both at the end of the step, to first order";
+
 /// In which coordinates derivatives "by q" are need be said only where a joint has a quaternion.
 inline std::string by_displacements(const Mechanism& mechanism) {
   return mechanism.nq() == mechanism.nv()

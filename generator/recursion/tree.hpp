@@ -38,7 +38,7 @@ struct TreeLink : JointStep {
   Rotation<Scalar> R;  ///< rotation of the placement
   Vector3<Scalar> p;   ///< origin of the placement, in the parent's axes
   TreeInertia<Scalar> inertia;
-  bool turns_late = false, carries_column = false;  ///< see `MovingLink`
+  bool turns_late = false, carries_column = false, spins = false;  ///< see `MovingLink`
   TreeDrive<Scalar> drive;
 };
 
@@ -71,6 +71,7 @@ template <class Scalar>
 struct Tree {
   std::vector<TreeLink<Scalar>> links;
   std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
+  std::vector<TreePoint<Scalar>> payload_frames;  ///< see `Mechanism`
   std::vector<TreeLoop<Scalar>> loops;
   std::vector<MechanismCoupling> couplings;
   std::vector<TreeMatter<Scalar>> link_matter;  ///< of each of `link_frames`
@@ -169,6 +170,7 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
           rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
          link.turns_late,
          link.carries_column,
+         link.spins,
          tree_drive<Scalar>(link.drive)});
   }
   for (const MechanismPoint& point : mechanism.operational_points) {
@@ -186,6 +188,9 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
   tree.couplings = mechanism.couplings;
   for (const MechanismPoint& point : mechanism.link_frames) {
     tree.link_frames.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismPoint& point : mechanism.payload_frames) {
+    tree.payload_frames.push_back(tree_point<Scalar>(point));
   }
   for (std::size_t i = 0; i < mechanism.link_matter.size(); ++i) {
     const MechanismPoint& frame = mechanism.link_frames[i];

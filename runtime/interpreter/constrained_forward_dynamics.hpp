@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <limits>
 
+#include "interpreter/derivatives.hpp"
 #include "interpreter/inverse_dynamics.hpp"
 #include "interpreter/jacobian.hpp"
 #include "interpreter/loops.hpp"
@@ -23,6 +24,7 @@ struct ConstrainedState {
   Points<Scalar> external_points = {};  ///< where external forces act
   Vector<Scalar> f_ext = {};
   Loops<Scalar> loops = {};
+  Scalar step = Scalar(0);  ///< s, at whose end friction and springs are taken
 };
 
 template <class Scalar>
@@ -85,11 +87,22 @@ Vector<Scalar> held_accelerations(const Model<Scalar>& model, const Points<Scala
   return asked;
 }
 
-/// tau - b - g + J_ext^T f_ext.
+/// tau - b - g + J_ext^T f_ext, with springs at the end of the step.
 template <class Scalar>
 Vector<Scalar> net_forces(const Model<Scalar>& model, const ConstrainedState<Scalar>& at) {
   const Vector<Scalar> rest = Vector<Scalar>::Zero(model.nv);
-  return at.tau - inverse_dynamics<Scalar>(model, at.q, at.qd, rest, at.external_points, at.f_ext);
+  const Vector<Scalar> net =
+      at.tau - inverse_dynamics<Scalar>(model, at.q, at.qd, rest, at.external_points, at.f_ext);
+  if (at.step == Scalar(0)) return net;
+  return net - implicit_drives<Scalar>(model, at.q, at.qd, at.step).force;
+}
+
+/// M, with friction and springs at the end of the step.
+template <class Scalar>
+Matrix<Scalar> stepped_mass_matrix(const Model<Scalar>& model, const ConstrainedState<Scalar>& at) {
+  const Matrix<Scalar> M = mass_matrix<Scalar>(model, at.q);
+  if (at.step == Scalar(0)) return M;
+  return M + implicit_drives<Scalar>(model, at.q, at.qd, at.step).inertia;
 }
 
 }  // namespace detail
@@ -97,8 +110,9 @@ Vector<Scalar> net_forces(const Model<Scalar>& model, const ConstrainedState<Sca
 /// Motion with the rows of the constraints held, by the KKT system of Gauss' principle as a whole:
 ///     [M  -J^T] [qdd]   [tau - b - g + J_ext^T f_ext        ]
 ///     [J    0 ] [ f ] = [-Jd qd - damping J qd - stiffness drift].
-/// If rows depend on each other, the acceleration is still unique, and of all forces the least are
-/// taken.
+/// With a step, M + step D + step^2 K stands in for M and step K qd is
+/// added to g. If rows depend on each other, the acceleration is still unique, and of all forces
+/// the least are taken.
 template <class Scalar>
 ConstrainedMotion<Scalar> constrained_forward_dynamics(
     const Model<Scalar>& model, PointsArg<Scalar> constraints,
@@ -107,7 +121,7 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(
   const auto rows = J.rows();
   const auto nv = static_cast<Eigen::Index>(model.nv);
   Matrix<Scalar> A = Matrix<Scalar>::Zero(nv + rows, nv + rows);
-  A.topLeftCorner(nv, nv) = mass_matrix<Scalar>(model, at.q);
+  A.topLeftCorner(nv, nv) = detail::stepped_mass_matrix(model, at);
   A.topRightCorner(nv, rows) = -J.transpose();
   A.bottomLeftCorner(rows, nv) = J;
   Vector<Scalar> b(nv + rows);
@@ -124,7 +138,7 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(
     const ConstrainedState<std::type_identity_t<Scalar>>& at, const TaskLaw<Scalar>& law) {
   const Matrix<Scalar> J = detail::held_jacobian<Scalar>(model, constraints, at.loops, at.q);
   const Matrix<Scalar> M_inverse =
-      inverse_of_positive_definite<Scalar>(mass_matrix<Scalar>(model, at.q));
+      inverse_of_positive_definite<Scalar>(detail::stepped_mass_matrix(model, at));
   const Vector<Scalar> free = M_inverse * detail::net_forces(model, at);
   const Vector<Scalar> missing =
       detail::held_accelerations<Scalar>(model, constraints, J, at) - J * free;

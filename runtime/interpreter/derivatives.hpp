@@ -111,17 +111,41 @@ DynamicsDerivatives<Scalar> forward_dynamics_derivatives(const Model<Scalar>& mo
           factor.solve(Matrix<Scalar>::Identity(model.nv, model.nv))};
 }
 
-/// qdd with (M + step D) qdd + b + g = tau + J_ext^T f_ext: friction at the end of a step of
-/// velocities, to first order. D, diagonal, is the derivative of friction with respect to qd.
+/// What takes friction and springs at the end of a step of velocities, to first order.
 template <class Scalar>
-Vector<Scalar> forward_dynamics_with_implicit_friction(
-    const Model<Scalar>& model, VectorArg<Scalar> q, VectorArg<Scalar> qd, VectorArg<Scalar> tau,
-    PointsArg<Scalar> external_points, VectorArg<Scalar> f_ext, const Scalar& step) {
+struct ImplicitDrives {
+  Matrix<Scalar> inertia;  ///< step D + step^2 K, which adds to M
+  Vector<Scalar> force;    ///< step K qd, which adds to g
+};
+
+/// D is the derivative of friction with respect to qd, K that of springs with respect to q; both
+/// are diagonal.
+template <class Scalar>
+ImplicitDrives<Scalar> implicit_drives(const Model<Scalar>& model, VectorArg<Scalar> q,
+                                       VectorArg<Scalar> qd, const Scalar& step) {
+  Vector<Scalar> K = Vector<Scalar>::Zero(model.nv);
+  for (const Body<Scalar>& body : model.bodies) {
+    if (velocity_count(body.kind) != 1) continue;
+    K(body.v) += body.multiplier * body.multiplier * body.stiffness;
+  }
+  const Matrix<Scalar> inertia =
+      step * friction_slopes<Scalar>(model, q, qd) + Matrix<Scalar>((step * step * K).asDiagonal());
+  return {inertia, step * K.cwiseProduct(qd)};
+}
+
+/// qdd with (M + step D + step^2 K) qdd + b + g + step K qd = tau + J_ext^T f_ext: friction and
+/// springs at the end of a step.
+template <class Scalar>
+Vector<Scalar> forward_dynamics_with_implicit_drives(const Model<Scalar>& model,
+                                                     VectorArg<Scalar> q, VectorArg<Scalar> qd,
+                                                     VectorArg<Scalar> tau,
+                                                     PointsArg<Scalar> external_points,
+                                                     VectorArg<Scalar> f_ext, const Scalar& step) {
   const Vector<Scalar> h = inverse_dynamics<Scalar>(model, q, qd, Vector<Scalar>::Zero(model.nv),
                                                     external_points, f_ext);
-  const Matrix<Scalar> M =
-      mass_matrix<Scalar>(model, q) + step * friction_slopes<Scalar>(model, q, qd);
-  return M.ldlt().solve(Vector<Scalar>(tau - h));
+  const auto drives = implicit_drives<Scalar>(model, q, qd, step);
+  const Matrix<Scalar> M = mass_matrix<Scalar>(model, q) + drives.inertia;
+  return M.ldlt().solve(Vector<Scalar>(tau - h - drives.force));
 }
 
 }  // namespace treeline::interpreter

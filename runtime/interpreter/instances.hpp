@@ -33,7 +33,9 @@ namespace treeline::interpreter {
   EXTERN template DynamicsDerivatives<T> forward_dynamics_derivatives<T>(                          \
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>);      \
   EXTERN template Matrix<T> friction_slopes<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);       \
-  EXTERN template Vector<T> forward_dynamics_with_implicit_friction<T>(                            \
+  EXTERN template ImplicitDrives<T> implicit_drives<T>(const Model<T>&, VectorArg<T>,              \
+                                                       VectorArg<T>, const T&);                    \
+  EXTERN template Vector<T> forward_dynamics_with_implicit_drives<T>(                              \
       const Model<T>&, VectorArg<T>, VectorArg<T>, VectorArg<T>, PointsArg<T>, VectorArg<T>,       \
       const T&);                                                                                   \
   EXTERN template Matrix<T> coriolis_matrix<T>(const Model<T>&, VectorArg<T>, VectorArg<T>);       \

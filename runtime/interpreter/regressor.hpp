@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "interpreter/inverse_dynamics.hpp"
+#include "interpreter/joint_forces.hpp"
 
 namespace treeline::interpreter {
 
@@ -11,11 +12,13 @@ struct UnitParameter {
   enum class Kind {
     inertial,  ///< one of m, m c_x y z, Ixx Ixy Iyy Ixz Iyz Izz about the origin of a body's frame
     rotor,     ///< armature of a body's joint
-    viscous    ///< viscous friction of a body's joint
+    viscous,   ///< viscous friction of a body's joint
+    coulomb    ///< Coulomb friction of a body's joint
   };
   Kind kind = Kind::inertial;
   int body = 0;
-  int entry = 0;  ///< which of the ten
+  int entry = 0;          ///< which of the ten
+  double slip_speed = 0;  ///< of Coulomb friction: the width of its smooth sign
 };
 
 namespace detail {
@@ -70,8 +73,11 @@ Matrix<Scalar> inverse_dynamics_regressor(const Model<Scalar>& model,
     const Body<Scalar>& owner = model.body(unit.body);
     if (unit.kind != UnitParameter::Kind::inertial) {
       const bool is_rotor = unit.kind == UnitParameter::Kind::rotor;
-      Y.col(c).segment(owner.v, velocity_count(owner.kind)) =
-          joint_velocity<Scalar>(owner, is_rotor ? qdd : qd);
+      auto own = Y.col(c).segment(owner.v, velocity_count(owner.kind));
+      own = joint_velocity<Scalar>(owner, is_rotor ? qdd : qd);
+      if (unit.kind == UnitParameter::Kind::coulomb) {
+        own(0) = interpreter::smooth_sign<Scalar>(own(0) / Scalar(unit.slip_speed));
+      }
       continue;
     }
     const detail::UnitInertia<Scalar> inertia(unit.entry);
@@ -94,7 +100,9 @@ Matrix<Scalar> energy_regressor(const Model<Scalar>& model,
   Matrix<Scalar> E = Matrix<Scalar>::Zero(2, static_cast<Eigen::Index>(parameters.size()));
   for (Eigen::Index c = 0; c < E.cols(); ++c) {
     const UnitParameter& unit = parameters[static_cast<std::size_t>(c)];
-    if (unit.kind == UnitParameter::Kind::viscous) continue;
+    if (unit.kind == UnitParameter::Kind::viscous || unit.kind == UnitParameter::Kind::coulomb) {
+      continue;
+    }
     if (unit.kind == UnitParameter::Kind::rotor) {
       const Body<Scalar>& owner = model.body(unit.body);
       E(0, c) = joint_velocity<Scalar>(owner, qd).squaredNorm() / Scalar(2);

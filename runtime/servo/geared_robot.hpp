@@ -21,11 +21,20 @@ struct Drive {
 template <int nv>
 using Drives = std::array<Drive, static_cast<std::size_t>(nv)>;
 
+/// Functions of the links alone: no joint of theirs has a rotor (`armature` of the scene) or
+/// friction
+/// (`joint_friction`), which a `Drive` would count a second time. F must say so:
+/// `static constexpr bool kDrivesInJoints = false`.
+template <class F>
+concept DrivenFunctions = SimulatedFunctions<F> && requires {
+  requires !F::kDrivesInJoints;
+};
+
 /// A simulated robot whose motors drive the links of F through gears. Torques act on the rotors,
 /// against friction, and on the links where teeth touch. It is read through encoders at the motors,
 /// as on a real robot; `links` returns the state of the links. Only for robots whose joints have
 /// one degree of freedom.
-template <SimulatedFunctions F>
+template <DrivenFunctions F>
 class GearedRobot {
  public:
   static constexpr int nv = F::kVelocities;

@@ -84,6 +84,25 @@ TEST(DrivesCheck, Batches) {
   expect_right(subjects);
 }
 
+TEST(DrivesCheck, RotorsOfTheirOwn) {
+  Subjects subjects = load("puma560");
+  subjects.scene.functions = kOfArm;
+  double ratio = 3;
+  for (const Joint& joint : subjects.robot.joints) {
+    if (!info_of(joint.type).has_one_freedom()) continue;
+    subjects.scene.rotors[joint.name] = {0.001, ratio *= -1.5, "", std::nullopt};
+  }
+  expect_right(subjects);
+}
+
+TEST(DrivesCheck, ConstraintsAtTheEndOfAStep) {
+  Subjects subjects = load("humanoid24", "scene_stand.yaml");
+  subjects.scene.functions = {Function::constrained_forward_dynamics};
+  add_drives(subjects.robot, subjects.scene, true);
+  subjects.scene.implicit_friction = true;
+  expect_right(subjects, 20);
+}
+
 TEST(DrivesCheck, HandsAndFeet) {
   for (const char* scene : {"scene_box.yaml", "scene_stand.yaml"}) {
     SCOPED_TRACE(scene);

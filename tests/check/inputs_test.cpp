@@ -120,6 +120,28 @@ TEST(CheckInputs, FloatingBase) {
   expect_right(subjects, 40);
 }
 
+// Without and with rotors and friction among them.
+TEST(CheckInputs, BaseParameters) {
+  for (const bool drives : {false, true}) {
+    Subjects subjects = load("puma560");
+    subjects.scene.inputs.base_parameters = true;
+    subjects.scene.inputs.gravity = drives;
+    SceneRegressor& asked = subjects.scene.regressor;
+    asked.rotors = asked.friction = asked.coulomb = drives;
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    expect_right(subjects, 40);
+  }
+}
+
+TEST(CheckInputs, BaseParametersOfAFloatingBase) {
+  Subjects subjects = load("tumbler");
+  subjects.scene.inputs.base_parameters = true;
+  subjects.scene.functions = {Function::inverse_dynamics, Function::forward_dynamics,
+                              Function::center_of_mass};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  expect_right(subjects, 40);
+}
+
 /// Costs by function and argument, as the manifest has them.
 nlohmann::json costs_in(const Generation& generation) {
   nlohmann::json costs;

@@ -124,6 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"constraints: [{name: a, between: [tool, world], other_origin: {xyz: [0, 0, 1]}}]",
               "the world's frame", "leave out other_origin"},
         Fault{"couplings: [{name: a}]", "\"joints\" is missing", "factor"},
+        Fault{"couplings: [{name: a, joints: {}}]", "has no joint", "joint: factor"},
         Fault{"couplings: [{name: a, joints: {elbw: 1}}]", "no joint \"elbw\"", "elbow"},
         Fault{"couplings: [{name: a, joints: {follow: 1}}]", "no velocity of its own", "slide"},
         Fault{"couplings: [{name: a, joints: {flange: 1}}]", "one degree of freedom", "remove"},

@@ -92,6 +92,23 @@ TEST(ReadJointFriction, TellsWhatIsLeftOut) {
   EXPECT_EQ(notes("joint_friction: none").find("friction"), std::string::npos);
 }
 
+// Whatever else could be said is about another model.
+TEST(ReadJointFriction, SaysOneThingOfAModelThatIsMisspelt) {
+  for (const char* text : {"joint_friction: viscos", "joint_friction: {model: viscos}"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_scene(text, "s.yaml", robot_with_friction(), diagnostics));
+    EXPECT_EQ(diagnostics.list().size(), 1U) << to_string(diagnostics);
+    EXPECT_NE(to_string(diagnostics).find("did you mean \"viscous\"?"), std::string::npos);
+  }
+}
+
+TEST(ReadJointSprings, MayBeImplicit) {
+  const Scene scene = scene_from("joint_springs: {implicit: true, a: {stiffness: 6}}");
+  EXPECT_EQ(scene.joint_springs.size(), 1U);
+  EXPECT_TRUE(scene.implicit_friction);
+  EXPECT_FALSE(scene_from("joint_springs: {a: {stiffness: 6}}").implicit_friction);
+}
+
 TEST(ReadJointSprings, ReadsStiffnessAndRest) {
   const Scene scene =
       scene_from("joint_springs: {a: {stiffness: 6, rest: 0.25}, b: {stiffness: 2}}");

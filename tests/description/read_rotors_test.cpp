@@ -100,5 +100,36 @@ TEST(ReadRotors, SceneSaysWhichCount) {
   EXPECT_TRUE(asked.list().empty()) << to_string(asked);
 }
 
+TEST(ReadRotors, MayBeBodiesOfTheirOwn) {
+  const Robot robot = read_with(motor("a", "<drake:gear_ratio value='10'/>"));
+  Diagnostics diagnostics;
+  const Scene scene = scene_of(
+      "armature: {a: {rotor_inertia: 0.5, gyroscopic: true}, b: {rotor_inertia: 2, gear_ratio: -3, "
+      "gyroscopic: true, link: " +
+          robot.links[0].name + ", axis: [0, 0, 2]}}",
+      robot, diagnostics);
+  EXPECT_TRUE(scene.armature.empty());
+  ASSERT_EQ(scene.rotors.size(), 2U) << to_string(diagnostics);
+  EXPECT_EQ(scene.rotors.at("a").inertia, 0.5);
+  EXPECT_EQ(scene.rotors.at("a").ratio, 10);
+  EXPECT_FALSE(scene.rotors.at("a").axis);
+  EXPECT_EQ(scene.rotors.at("b").ratio, -3);
+  EXPECT_EQ(scene.rotors.at("b").link, robot.links[0].name);
+  EXPECT_EQ(scene.rotors.at("b").axis, (std::array<double, 3>{0, 0, 1}));
+  const auto refused = [&](const std::string& rotor) {
+    Diagnostics found;
+    EXPECT_FALSE(
+        parse_scene("armature: {a: {rotor_inertia: 1, " + rotor + "}}", "s.yaml", robot, found))
+        << rotor;
+    return to_string(found);
+  };
+  EXPECT_NE(refused("gyroscopic: true, link: nowhere, axis: [1, 0, 0]").find("no link \"nowhere\""),
+            std::string::npos);
+  EXPECT_NE(refused("gyroscopic: true, link: " + robot.links[0].name).find("axis is missing"),
+            std::string::npos);
+  EXPECT_NE(refused("gyroscopic: true, axis: [0, 0, 0]").find("no direction"), std::string::npos);
+  EXPECT_NE(refused("axis: [0, 0, 1]").find("gyroscopic: true"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace treeline

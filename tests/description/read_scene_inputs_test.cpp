@@ -48,6 +48,34 @@ TEST(ReadInputs, ReadsEverySetting) {
   EXPECT_EQ(inputs.contacts[0].reach, 0.2);
 }
 
+TEST(ReadInputs, TakesBaseParameters) {
+  Diagnostics diagnostics;
+  const auto scene = parse_scene("inputs: {base_parameters: true}\nfunctions: [gravity]\n",
+                                 "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_TRUE(scene->inputs.base_parameters);
+  const auto refused = [](const std::string& text) {
+    Diagnostics found;
+    EXPECT_FALSE(parse_scene(text, "s.yaml", make_robot(), found)) << text;
+    return to_string(found);
+  };
+  EXPECT_NE(refused("inputs: {base_parameters: true, parameters: fore}").find("in place of"),
+            std::string::npos);
+  for (const char* function : {"center_of_mass", "potential_energy", "centroidal_momentum"}) {
+    const std::string text = refused("inputs: {base_parameters: true}\nfunctions: [" +
+                                     std::string(function) + "]\nbase: fixed");
+    EXPECT_NE(text.find("masses that base parameters do not contain"), std::string::npos) << text;
+  }
+  const auto floating =
+      parse_scene("inputs: {base_parameters: true}\nfunctions: [center_of_mass]\nbase: floating",
+                  "s.yaml", make_robot(), diagnostics);
+  EXPECT_TRUE(floating) << to_string(diagnostics);
+  EXPECT_NE(refused("inputs: {base_parameters: true}\nbase: floating\n"
+                    "functions: [subtree_masses_and_centers]")
+                .find("masses that base parameters do not contain"),
+            std::string::npos);
+}
+
 TEST(ReadInputs, TakesOneForAList) {
   Diagnostics diagnostics;
   const auto scene =

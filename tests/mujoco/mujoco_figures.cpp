@@ -150,6 +150,10 @@ MujocoState read_state(const Json& json, const std::vector<Place>& places,
   state.inverse_dynamics = to.to_ours * read_vector(json.at("tau"));
   state.nonlinear_effects =
       to.to_ours * read_vector(json.at("bias")) - state.mass_matrix * to.drift;
+  state.inverse_dynamics_with_drives = to.to_ours * read_vector(json.at("tau_with_drives"));
+  state.applied = to.to_ours * read_vector(json.at("applied"));
+  state.forward_dynamics_with_drives =
+      to.to_ours * read_vector(json.at("forward_acceleration")) + to.drift;
   state.poses = read_poses(json);
   state.velocities = read_twists(json.at("velocities"));
   state.accelerations = read_twists(json.at("accelerations"));
@@ -177,8 +181,14 @@ MujocoFigures read_mujoco_figures(const std::string& path, const Robot& robot,
   }
   const std::vector<Place> places = match_joints(json.at("joints"), robot, model);
   for (const Json& joint : json.at("joints")) {
-    const auto armature = json.at("armature").at(joint.at("at_v").get<std::size_t>());
-    if (armature != 0) figures.armature[joint.at("name")] = armature.get<double>();
+    const auto at_v = joint.at("at_v").get<std::size_t>();
+    const auto note = [&](const Json& value, std::map<std::string, double>& values) {
+      if (value != 0) values[joint.at("name")] = value.get<double>();
+    };
+    note(json.at("armature").at(at_v), figures.armature);
+    note(json.at("damping").at(at_v), figures.damping);
+    const auto index = static_cast<std::size_t>(&joint - &json.at("joints").front());
+    note(json.at("stiffness").at(index), figures.stiffness);
   }
   for (const Json& state : json.at("states")) {
     figures.states.push_back(read_state(state, places, model));

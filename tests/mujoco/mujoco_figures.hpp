@@ -28,6 +28,9 @@ struct MujocoState {
   DoubleMatrix mass_matrix_with_rotors;   ///< with `MujocoFigures::armature`
   double kinetic_energy_with_rotors = 0;  ///< the same
   DoubleVector nonlinear_effects, inverse_dynamics;
+  /// With rotors, viscous friction and springs of `MujocoFigures`: inverse dynamics, and the
+  /// acceleration by the forces `applied`.
+  DoubleVector inverse_dynamics_with_drives, applied, forward_dynamics_with_drives;
   std::vector<interpreter::PointPose<double>> poses;  ///< of the links' frames in the world
   /// Six of each link: of its frame, linear over angular, world axes.
   DoubleVector velocities, accelerations;
@@ -40,6 +43,7 @@ struct MujocoFigures {
   unsigned seed = 0;                       ///< seed of the states
   std::vector<std::string> links;          ///< links whose poses are listed
   std::map<std::string, double> armature;  ///< of motors, by joint, where a state has rotors
+  std::map<std::string, double> damping, stiffness;  ///< the same; springs are slack at 0
   std::vector<MujocoState> states;
 };
 
@@ -52,7 +56,8 @@ struct MujocoFigures {
 ///  - Mimic joints are independent in MuJoCo: read the robot without mimics.
 ///  - Inertias that MuJoCo refuses are set after its compiler (set_inertias.mjs).
 /// Dampers, friction and armature of the file are not in these figures: they are neither in M nor
-/// in the bias. Throws std::runtime_error if the file is missing or does not belong to the robot.
+/// in the bias. Dry friction is none that can be compared: it is a constraint in MuJoCo. Throws
+/// std::runtime_error if the file is missing or does not belong to the robot.
 MujocoFigures read_mujoco_figures(const std::string& path, const Robot& robot,
                                   const interpreter::Model<double>& model);
 

@@ -5,6 +5,7 @@
 // their reasons; a row whose figures agree is a failure.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <fstream>
 #include <map>
 #include <set>
@@ -74,11 +75,17 @@ double mass_matrix_error(const DoubleMatrix& ours, const DoubleMatrix& theirs) {
   return (ours - theirs).cwiseAbs().cwiseQuotient(scale).maxCoeff();
 }
 
-double force_error(const DoubleVector& ours, const DoubleVector& theirs, const MujocoState& s) {
-  const DoubleVector terms = s.mass_matrix.cwiseAbs() * s.qdd.cwiseAbs() +
-                             s.nonlinear_effects.cwiseAbs() + s.inverse_dynamics.cwiseAbs();
+/// Relative to the terms that forces are sums of.
+double error_of_sum(const DoubleVector& ours, const DoubleVector& theirs,
+                    const DoubleVector& terms) {
   const DoubleVector scale = terms.array() + kFloor * terms.maxCoeff();
   return (ours - theirs).cwiseAbs().cwiseQuotient(scale).maxCoeff();
+}
+
+double force_error(const DoubleVector& ours, const DoubleVector& theirs, const MujocoState& s) {
+  return error_of_sum(ours, theirs,
+                      s.mass_matrix.cwiseAbs() * s.qdd.cwiseAbs() + s.nonlinear_effects.cwiseAbs() +
+                          s.inverse_dynamics.cwiseAbs());
 }
 
 double pose_error(const interpreter::PointPose<double>& ours,
@@ -131,10 +138,29 @@ void note_whole(const interpreter::Model<double>& model, const MujocoState& s, N
        relative_error(interpreter::centroidal_momentum<double>(model, s.q, s.qd), whole.momentum));
 }
 
-/// The same robot with and without rotors of motors.
+/// The same robot without anything in its joints, with rotors of motors, and with friction and
+/// springs besides.
 struct Models {
-  interpreter::Model<double> plain, with_rotors;
+  interpreter::Model<double> plain, with_rotors, with_drives;
 };
+
+/// Differences of accelerations count as the forces that they take.
+template <class Note>
+void note_drives(const interpreter::Model<double>& model, const MujocoState& s, Note note) {
+  const DoubleVector tau = interpreter::inverse_dynamics<double>(model, s.q, s.qd, s.qdd);
+  note("inverse_dynamics_with_drives", force_error(tau, s.inverse_dynamics_with_drives, s));
+  const DoubleMatrix M = interpreter::mass_matrix<double>(model, s.q);
+  const DoubleVector moments = Eigen::SelfAdjointEigenSolver<DoubleMatrix>(M).eigenvalues();
+  if (moments(0) < 1e-13 * moments(moments.size() - 1)) return;  // a base without mass
+  const DoubleVector& theirs = s.forward_dynamics_with_drives;
+  const DoubleVector terms =
+      M.cwiseAbs() * theirs.cwiseAbs() + s.nonlinear_effects.cwiseAbs() + s.applied.cwiseAbs();
+  const DoubleVector ours = interpreter::forward_dynamics<double>(model, s.q, s.qd, s.applied);
+  note("forward_dynamics_with_drives", error_of_sum(M * ours, M * theirs, terms));
+  note("forward_dynamics_with_drives_backward",
+       error_of_sum(interpreter::inverse_dynamics<double>(model, s.q, s.qd, theirs), s.applied,
+                    terms));
+}
 
 void add_errors(const Models& models, const MujocoFigures& figures, const MujocoState& s,
                 Errors& errors) {
@@ -167,6 +193,7 @@ void add_errors(const Models& models, const MujocoFigures& figures, const Mujoco
        relative_error(DoubleVector::Constant(
                           1, interpreter::kinetic_energy<double>(models.with_rotors, s.q, s.qd)),
                       DoubleVector::Constant(1, s.kinetic_energy_with_rotors)));
+  note_drives(models.with_drives, s, note);
   if (interpreter::total_mass(model) > 0) note_whole(models.with_rotors, s, note);
 }
 
@@ -191,7 +218,14 @@ Errors compare(const Case& tested, std::string& text) {
   if (figures.nv != model.nv) return {{"freedoms", 1}};
   text = "seed " + std::to_string(figures.seed);
   scene.armature = figures.armature;
-  const Models models{model, model_from_robot<double>(*robot, scene)};
+  const auto with_rotors = model_from_robot<double>(*robot, scene);
+  for (const auto& [joint, damping] : figures.damping) {
+    scene.joint_friction[joint] = {damping, 0, 0};
+  }
+  for (const auto& [joint, stiffness] : figures.stiffness) {
+    scene.joint_springs[joint] = {stiffness, 0};
+  }
+  const Models models{model, with_rotors, model_from_robot<double>(*robot, scene)};
   Errors errors;
   for (const MujocoState& state : figures.states) add_errors(models, figures, state, errors);
   return errors;

@@ -91,17 +91,49 @@ function compute_with_rotors(mujoco, model, data, armature) {
   return figures;
 }
 
-/** Of joints with one velocity: kg m^2 or kg, different from joint to joint. */
-function choose_armature(mujoco, model) {
-  const armature = new Array(model.nv).fill(0);
+/**
+ * Inverse dynamics at the state's acceleration, and the acceleration by other forces, of joints with
+ * rotors, viscous friction and springs. Dry friction (frictionloss) is a constraint in MuJoCo and
+ * not compared; constraints, which limits of joints are too, are off.
+ */
+function compute_with_drives(mujoco, model, data, drives, state, random) {
+  model.dof_armature.set(drives.armature);
+  model.dof_damping.set(drives.damping);
+  model.jnt_stiffness.set(drives.stiffness);
+  const flags = model.opt.disableflags;
+  model.opt.disableflags = flags | mujoco.mjtDisableBit.mjDSBL_CONSTRAINT.value;
+  data.qacc.set(state.a);
+  mujoco.mj_inverse(model, data);
+  const tau_with_drives = [...data.qfrc_inverse];
+  const applied = tau_with_drives.map((force) => force * (1 + 0.5 * random()));
+  data.qfrc_applied.set(applied);
+  mujoco.mj_forward(model, data);
+  const figures = {tau_with_drives, applied, forward_acceleration: [...data.qacc]};
+  data.qfrc_applied.fill(0);
+  model.opt.disableflags = flags;
+  model.dof_armature.fill(0);
+  model.dof_damping.fill(0);
+  model.jnt_stiffness.fill(0);
+  return figures;
+}
+
+/**
+ * Of joints with one velocity, different from joint to joint: kg m^2 or kg; N m s/rad or N s/m;
+ * N m/rad or N/m, by joint.
+ */
+function choose_drives(mujoco, model) {
+  const armature = new Array(model.nv).fill(0), damping = new Array(model.nv).fill(0);
+  const stiffness = new Array(model.njnt).fill(0);
   for (let joint = 0; joint < model.njnt; ++joint) {
     if (model.jnt_type[joint] === mujoco.mjtJoint.mjJNT_FREE.value) continue;
     armature[model.jnt_dofadr[joint]] = 0.01 * (1 + joint % 7);
+    damping[model.jnt_dofadr[joint]] = 0.3 * (1 + joint % 5);
+    stiffness[joint] = 2 * (1 + joint % 3);
   }
-  return armature;
+  return {armature, damping, stiffness};
 }
 
-function compute_state(mujoco, model, data, armature, random) {
+function compute_state(mujoco, model, data, drives, random) {
   for (let joint = 0; joint < model.njnt; ++joint) {
     data.qpos.set(draw_position(mujoco, model, joint, random), model.jnt_qposadr[joint]);
   }
@@ -123,7 +155,8 @@ function compute_state(mujoco, model, data, armature, random) {
     ...compute_motion(mujoco, model, data),
     ...compute_whole(mujoco, model, data),
   });
-  return {...state, ...compute_with_rotors(mujoco, model, data, armature)};
+  Object.assign(state, compute_with_rotors(mujoco, model, data, drives.armature));
+  return {...state, ...compute_with_drives(mujoco, model, data, drives, state, random)};
 }
 
 function describe(model) {
@@ -153,12 +186,12 @@ function compute_figures(mujoco, urdf, floating) {
   const data = new mujoco.MjData(model);
   const random = make_random(kSeed);
   const states = [];
-  const armature = choose_armature(mujoco, model);
+  const drives = choose_drives(mujoco, model);
   for (let i = 0; i < kStates; ++i) {
-    states.push(compute_state(mujoco, model, data, armature, random));
+    states.push(compute_state(mujoco, model, data, drives, random));
   }
   const figures =
-      {seed: kSeed, replaced: [...prepared.replaced.keys()], ...describe(model), armature, states};
+      {seed: kSeed, replaced: [...prepared.replaced.keys()], ...describe(model), ...drives, states};
   data.delete();
   model.delete();
   return figures;

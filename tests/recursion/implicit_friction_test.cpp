@@ -54,7 +54,7 @@ TEST(ImplicitFriction, EveryRouteSolvesWithMPlusStepD) {
     };
     const auto& model = oracle.model();
     const auto forces = points_from_scene(model, made.scene.external_forces);
-    const auto expected = interpreter::forward_dynamics_with_implicit_friction<Digits50>(
+    const auto expected = interpreter::forward_dynamics_with_implicit_drives<Digits50>(
         model, vector(in.q), vector(in.qd), vector(in.tau), forces, vector(in.f_ext),
         Digits50(step));
     const double growth = yardstick(oracle, in).condition_M;

@@ -1,6 +1,7 @@
 // Regressors and base parameters on random robots of every joint type. Would catch: columns in
 // other frames, of other moments or in another order than the parameters of arguments; the gyration
-// of a moment or the rate of a ball joint's axis that is missing; a dependency between parameters
+// of a moment or the rate of a ball joint's axis that is missing; Coulomb friction of another width
+// than the scene's, a payload about another origin; a dependency between parameters
 // that is not found, or one that does not hold. The oracle is the interpreter on the robot as it is
 // in the files: its inverse dynamics and energies for Y p and E p, and the rank of its columns at
 // random states in 50 digits for the number of base parameters.
@@ -10,9 +11,10 @@
 
 #include <Eigen/LU>
 
-#include "description/read_urdf.hpp"
+#include "description/count_freedoms.hpp"
 #include "interpreter/physics.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "mechanism/exact_from_file.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/base_parameters.hpp"
 #include "recursion/energy_regressor.hpp"
@@ -58,12 +60,29 @@ class Regressor : public testing::TestWithParam<Seeded> {
   explicit Regressor(bool rotors = true)
       : made_(random_mechanism(GetParam().seed, GetParam().options)) {
     made_.scene.regressor.rotors = rotors;
-    made_.scene.regressor.friction = true;
+    made_.scene.regressor.friction = made_.scene.regressor.coulomb = true;
+    made_.scene.regressor.width = 0.3;
+    add_friction();
     made_.scene.functions = {Function::inverse_dynamics_regressor, Function::energy_regressor};
     mechanism_ = mechanism_in_frames_of_files(made_.robot, made_.scene);
     columns_ = regressor_columns(mechanism_);
     model_ = model_from_robot<Digits50>(made_.robot, made_.scene);
     draw();
+  }
+
+  /// Of every second joint that has a column.
+  void add_friction() {
+    bool every_second = false;
+    for (const Joint& joint : made_.robot.joints) {
+      if (!info_of(joint.type).has_one_freedom() || joint.mimic ||
+          made_.scene.locked.contains(joint.name)) {
+        continue;
+      }
+      every_second = !every_second;
+      if (!every_second) continue;
+      made_.scene.joint_friction[joint.name] = {dice_.rounded(0.1, 2), dice_.rounded(0.1, 2),
+                                                dice_.rounded(0.1, 0.5)};
+    }
   }
 
   void draw() {
@@ -75,7 +94,7 @@ class Regressor : public testing::TestWithParam<Seeded> {
   [[nodiscard]] int body_of(const ModelParameter& column) const {
     std::string link = column.owner;
     for (const Joint& joint : made_.robot.joints) {
-      if (column.kind == Kind::inertial || joint.name != column.owner) continue;
+      if (column.is_of_body() || joint.name != column.owner) continue;
       link = made_.robot.links[static_cast<std::size_t>(joint.child)].name;
     }
     int body = 0;
@@ -86,10 +105,13 @@ class Regressor : public testing::TestWithParam<Seeded> {
       const std::vector<ModelParameter>& columns) const {
     std::vector<ip::UnitParameter> units;
     for (const ModelParameter& column : columns) {
-      const auto kind = column.kind == Kind::inertial ? ip::UnitParameter::Kind::inertial
-                        : column.kind == Kind::rotor  ? ip::UnitParameter::Kind::rotor
-                                                      : ip::UnitParameter::Kind::viscous;
-      units.push_back({kind, body_of(column), column.entry});
+      const auto kind = column.is_of_body()            ? ip::UnitParameter::Kind::inertial
+                        : column.kind == Kind::rotor   ? ip::UnitParameter::Kind::rotor
+                        : column.kind == Kind::viscous ? ip::UnitParameter::Kind::viscous
+                                                       : ip::UnitParameter::Kind::coulomb;
+      const auto own = made_.scene.joint_friction.find(column.owner);
+      units.push_back({kind, body_of(column), column.entry,
+                       own == made_.scene.joint_friction.end() ? 0.3 : own->second.width});
     }
     return units;
   }
@@ -113,6 +135,8 @@ class Regressor : public testing::TestWithParam<Seeded> {
     for (Eigen::Index k = 0; k < p.size(); ++k) {
       const ModelParameter& column = columns_[static_cast<std::size_t>(k)];
       if (column.kind == Kind::rotor) p(k) = model_.body(body_of(column)).armature;
+      if (column.kind == Kind::viscous) p(k) = model_.body(body_of(column)).damping;
+      if (column.kind == Kind::coulomb) p(k) = model_.body(body_of(column)).friction;
       if (column.kind != Kind::inertial) continue;
       const Inertia& body = mechanism_.link_matter[column.frame];
       const ExactMatrix3 J = rotational_inertia(body);
@@ -164,7 +188,8 @@ TEST_P(Regressor, RateOfEnergyIsPower) {
   });
   Vector50 power = interpreted(columns_).transpose() * qd_;
   for (Eigen::Index k = 0; k < power.size(); ++k) {
-    if (columns_[static_cast<std::size_t>(k)].kind == Kind::viscous) power(k) = 0;
+    const Kind kind = columns_[static_cast<std::size_t>(k)].kind;
+    if (kind == Kind::viscous || kind == Kind::coulomb) power(k) = 0;
   }
   EXPECT_LT(relative_error(rate, power), kDifference);
 }
@@ -214,6 +239,7 @@ TEST_P(Regressor, TracedFunctionsAgreeWithTheInterpreter) {
 TEST_P(Regressor, AreTheParametersOfArguments) {
   Scene scene = made_.scene;
   scene.armature.clear();
+  scene.joint_friction.clear();
   Vector50 p = random_entries<Digits50>(dice_, static_cast<int>(columns_.size()), 1);
   for (const Link& link : made_.robot.links) scene.inputs.parameters.push_back({link.name});
   const Mechanism mechanism = reduced_mechanism(made_.robot, scene);
@@ -233,6 +259,53 @@ TEST_P(Regressor, AreTheParametersOfArguments) {
   const Results<Digits50> tau{inverse_dynamics<Digits50>(tree, X, {qd, qdd}, {})};
   const Results<Digits50> Yp{listed(Vector50(interpreted(columns_) * p))};
   EXPECT_LT(relative_error(Yp, tau, 1), 1e-38);
+}
+
+/// The ten parameters of a body whose moments are about its centre.
+Vector50 ten_parameters(const Inertial& body) {
+  const Inertia inertia = exact_inertia(body);
+  const ExactMatrix3 J = rotational_inertia(inertia);
+  Vector50 ten(kInertialParameters);
+  ten << inertia.mass, inertia.h, J(0, 0), J(0, 1), J(1, 1), J(0, 2), J(1, 2), J(2, 2);
+  return ten;
+}
+
+// What a body fixed to any link, also to one that is fixed to another, adds to the joint forces.
+// Other columns can be left out.
+TEST_P(Regressor, OfAPayloadIsWhatItAdds) {
+  Scene scene = made_.scene;
+  scene.regressor = {};
+  scene.regressor.none = true;
+  Robot with_payload = made_.robot;
+  const Inertial body = detail::random_inertial(dice_, 0.3);
+  for (int link = static_cast<int>(made_.robot.links.size()); link-- > 0;) {
+    const std::string& name = made_.robot.links[static_cast<std::size_t>(link)].name;
+    if (find_freedoms_of_link(made_.robot, scene, name).empty()) continue;
+    scene.regressor.payloads = {name};
+    Joint joint;
+    joint.name = "to_payload";
+    joint.type = JointType::fixed;
+    joint.parent = link;
+    joint.child = static_cast<int>(with_payload.links.size());
+    with_payload.links.push_back({"payload", body, 0});
+    with_payload.joints.push_back(joint);
+    break;
+  }
+  const auto tau = [&](const Robot& robot) {
+    return ip::inverse_dynamics<Digits50>(model_from_robot<Digits50>(robot, scene), q_, qd_, qdd_);
+  };
+  const Vector50 added = tau(with_payload) - tau(made_.robot);
+  const Mechanism mechanism = mechanism_in_frames_of_files(made_.robot, scene);
+  const auto columns = regressor_columns(mechanism);
+  ASSERT_EQ(columns.size(), 10U);
+  EXPECT_EQ(name_of(columns[1]), "payload of " + scene.regressor.payloads[0] + " mc_x");
+  EXPECT_LT(relative_error(Vector50(interpreted(columns) * ten_parameters(body)), added), kAlgebra);
+  const auto tree = tree_of<Digits50>(mechanism);
+  const Digits q = listed(q_), qd = listed(qd_), qdd = listed(qdd_);
+  const auto X = joint_transforms<Digits50>(tree, q);
+  const Results<Digits50> Y{
+      inverse_dynamics_regressor<Digits50>(tree, X, {qd, qdd}, columns).values()};
+  EXPECT_LT(relative_error(Y, Results<Digits50>{listed(interpreted(columns))}, 1), 1e-40);
 }
 
 // No state has a column outside of the span of the base parameters' columns, and these are
@@ -277,101 +350,6 @@ TEST_P(Regressor, HasNoColumnOfParametersWithoutEffect) {
     EXPECT_LT(Y.col(static_cast<Eigen::Index>(k)).norm(), Digits50("1e-35"))
         << name_of(columns_[k]);
   }
-}
-
-/// A serial arm of hinges, one metre apart along x, with these axes.
-RandomMechanism arm(const std::vector<std::array<double, 3>>& axes) {
-  RandomMechanism made;
-  made.robot.links.push_back({"base", {}, 0});
-  made.robot.root = 0;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    Joint joint;
-    joint.name = "joint" + std::to_string(i + 1);
-    joint.type = JointType::revolute;
-    joint.parent = static_cast<int>(i);
-    joint.child = static_cast<int>(i) + 1;
-    if (i > 0) joint.origin.xyz = {1, 0, 0};
-    joint.axis = axes[i];
-    made.robot.joints.push_back(joint);
-    made.robot.links.push_back({"link" + std::to_string(i + 1), {}, 0});
-  }
-  return made;
-}
-
-std::vector<std::string> described(const RandomMechanism& made, const SceneRegressor& asked = {}) {
-  const BaseParameters found = find_base_parameters(build_mechanism(made.robot, made.scene), asked);
-  std::vector<std::string> texts;
-  for (const BaseParameter& base : found.base) texts.push_back(describe(base, found));
-  return texts;
-}
-
-// By hand: the elbow's mass hangs on the upper arm, and gravity acts on both.
-TEST(BaseParameters, OfTwoHingesInAVerticalPlane) {
-  const auto texts = described(arm({{0, 1, 0}, {0, 1, 0}}));
-  EXPECT_EQ(texts,
-            (std::vector<std::string>{"link1 mc_x + link2 m", "link1 mc_z", "link1 Iyy + link2 m",
-                                      "link2 mc_x", "link2 mc_z", "link2 Iyy"}));
-}
-
-// By hand: with vertical axes no weight is felt. A rotor at the base turns with the link.
-TEST(BaseParameters, OfTwoHingesInAHorizontalPlane) {
-  SceneRegressor asked;
-  asked.rotors = true;
-  const auto texts = described(arm({{0, 0, 1}, {0, 0, 1}}), asked);
-  EXPECT_EQ(texts, (std::vector<std::string>{"link1 Izz + link2 m + joint1 rotor", "link2 mc_x",
-                                             "link2 mc_y", "link2 Izz", "joint2 rotor"}));
-}
-
-// With gravity as an argument, which may have any direction, weight is felt there too.
-TEST(BaseParameters, FeelGravityThatIsAnArgument) {
-  RandomMechanism made = arm({{0, 0, 1}});
-  EXPECT_EQ(described(made), std::vector<std::string>{"link1 Izz"});
-  made.scene.inputs.gravity = true;
-  EXPECT_EQ(described(made), (std::vector<std::string>{"link1 mc_x", "link1 mc_y", "link1 Izz"}));
-}
-
-// By hand: of what the second link turns about the first axis, Ixx s^2 + Izz c^2 = Izz + (Ixx -
-// Izz) s^2, where the mass of the third adds one to Izz, and another one from where the second axis
-// is.
-TEST(BaseParameters, OfAHingeAcrossAnother) {
-  const auto texts = described(arm({{0, 0, 1}, {0, 1, 0}, {0, 0, 1}}));
-  ASSERT_EQ(texts.size(), 15U);
-  EXPECT_EQ(texts[0], "link1 Izz + link2 m + link2 Izz + 2 link3 m");
-}
-
-// Two fingers that always open alike: only the sum of their masses is felt in the motion.
-TEST(BaseParameters, OfFingersThatMoveAlike) {
-  RandomMechanism made;
-  made.robot.links = {{"palm", {}, 0}, {"left", {}, 0}, {"right", {}, 0}};
-  made.robot.root = 0;
-  for (int i = 0; i < 2; ++i) {
-    Joint joint;
-    joint.name = i == 0 ? "left_joint" : "right_joint";
-    joint.type = JointType::prismatic;
-    joint.parent = 0;
-    joint.child = i + 1;
-    joint.axis = {i == 0 ? 1.0 : -1.0, 0, 0};
-    if (i == 1) joint.mimic = Mimic{0, 1, 0};
-    made.robot.joints.push_back(joint);
-  }
-  EXPECT_EQ(described(made), std::vector<std::string>{"left m + right m"});
-  made.scene.gravity = {-9.81, 0, 0};  // lifts one and lowers the other
-  EXPECT_EQ(described(made), (std::vector<std::string>{"left m", "right m"}));
-}
-
-// Counts of the literature: 36 for the PUMA 560 (Armstrong, Khatib & Burdick 1986 count them;
-// Mayeda, Yoshida & Osuka 1990: 7 n - 4 for hinges, less 2 of the first axis along gravity).
-TEST(BaseParameters, CountsOfTheLiterature) {
-  Diagnostics diagnostics;
-  const auto robot = read_urdf(TREELINE_ROBOTS_DIR "/puma560/puma560.urdf", diagnostics);
-  ASSERT_TRUE(robot);
-  const Mechanism mechanism = build_mechanism(*robot, {});
-  EXPECT_EQ(find_base_parameters(mechanism, {}).base.size(), 36U);
-  SceneRegressor with_rotors;
-  with_rotors.rotors = true;
-  // Those of the first two joints cannot be told from Izz of links that turn about one axis only
-  // (Khalil & Dombre, Modeling, Identification and Control of Robots, section 9.4).
-  EXPECT_EQ(find_base_parameters(mechanism, with_rotors).base.size(), 40U);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Friction and backlash, compared with results that are known without the code. Would catch: teeth
-// that pull, a play of the wrong width, friction that drives or dissipates the wrong energy, and a
-// motor without its rotor.
+// that pull, a play of the wrong width, friction that drives or dissipates the wrong energy, a
+// motor without its rotor, and rotors or friction that count twice.
 #include "servo/geared_robot.hpp"
 
 #include <gtest/gtest.h>
@@ -15,12 +15,30 @@ using namespace treeline::servo;  // NOLINT: all of it is under test
 struct Wheel {
   static constexpr int kCoordinates = 1;
   static constexpr int kVelocities = 1;
+  static constexpr bool kDrivesInJoints = false;
   static constexpr double kInertia = 2.0;
   static void forward_dynamics(const double (&)[1], const double (&)[1], const double (&tau)[1],
                                double (&qdd)[1]) noexcept {
     qdd[0] = tau[0] / kInertia;
   }
 };
+
+/// Its forward dynamics has rotors and friction of its own.
+struct DrivenWheel : Wheel {
+  static constexpr bool kDrivesInJoints = true;
+};
+/// Nothing is said of them.
+struct SilentWheel {
+  static constexpr int kCoordinates = 1;
+  static constexpr int kVelocities = 1;
+  static void forward_dynamics(const double (&)[1], const double (&)[1], const double (&)[1],
+                               double (&)[1]) noexcept {}
+};
+
+// Rotors and friction cannot count twice.
+static_assert(DrivenFunctions<Wheel>);
+static_assert(!DrivenFunctions<DrivenWheel> && SimulatedFunctions<DrivenWheel>);
+static_assert(!DrivenFunctions<SilentWheel> && SimulatedFunctions<SilentWheel>);
 
 StateOf<Wheel> state(double q, double qd) {
   StateOf<Wheel> result;

@@ -12,6 +12,7 @@ namespace treeline::experiments {
 struct Samm {
   static constexpr int kCoordinates = samm::kCoordinates;
   static constexpr int kVelocities = samm::kVelocities;
+  static constexpr bool kDrivesInJoints = false;  // the scene has no armature and no friction
   static constexpr int kTaskRows = samm::kTaskRows;
   static constexpr auto& inverse_dynamics = samm::inverse_dynamics;
   static constexpr auto& forward_dynamics = samm::forward_dynamics;
