@@ -11,11 +11,15 @@
 
 #include "cli/driver.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/loop_handle.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
+#include "cli/reference.hpp"
 #include "cli/robot_elsewhere.hpp"
+#include "cli/simulation_options.hpp"
 #include "cli/write_output.hpp"
+#include "description/read_surroundings.hpp"
 #include "description/read_text_file.hpp"
 #include "drive/find_meshes.hpp"
 #include "launch/launch.hpp"
@@ -26,7 +30,8 @@ namespace {
 struct DriveOptions {
   InputOptions inputs;
   DriveSettings drive;
-  std::string script;
+  SimulationTexts simulation;
+  std::string script, reference;
   std::vector<std::string> packages;
   bool headless = false;
   std::string robot = "simulated";
@@ -39,9 +44,11 @@ std::optional<LaunchedRobot> launch_from(const InputOptions& options, Diagnostic
   const auto tell = [](const std::string& what) {
     if (is_watched()) show_progress("  " + what);
   };
-  auto robot = launch({std::move(inputs->robot), std::move(inputs->scene),
-                       std::move(inputs->urdf_text), std::move(inputs->scene_text)},
-                      tell, diagnostics);
+  auto surroundings = surroundings_of(inputs->scene_text, inputs->robot);
+  auto robot =
+      launch({std::move(inputs->robot), std::move(inputs->scene), std::move(inputs->urdf_text),
+              std::move(inputs->scene_text), std::move(surroundings)},
+             tell, diagnostics);
   if (is_watched()) show_progress("");
   return robot;
 }
@@ -81,6 +88,14 @@ bool read_script(const std::string& path, DriveSettings& drive, Diagnostics& dia
   return text.has_value();
 }
 
+/// A robot elsewhere has the friction that it has.
+void refuse_imperfect_hardware(const DriveOptions& options, Diagnostics& diagnostics) {
+  const std::string given = options.simulation.first_given();
+  if (given.empty() || options.drive.udp_robot.empty()) return;
+  diagnostics.add({Severity::error, "", 0, given, "this is of a simulated robot, --robot is not",
+                   "Give it to the process that has --act-as-robot."});
+}
+
 int run(DriveOptions options) {
   Diagnostics diagnostics;
   DriveSettings& drive = options.drive;
@@ -93,8 +108,28 @@ int run(DriveOptions options) {
   warn_of_listeners(drive, diagnostics);
   std::optional<LaunchedRobot> robot;
   const auto packages = read_packages(options.packages, diagnostics);
-  if (packages && read_script(options.script, drive, diagnostics)) {
+  refuse_imperfect_hardware(options, diagnostics);
+  if (packages && !diagnostics.has_errors() && read_script(options.script, drive, diagnostics)) {
     robot = launch_from(options.inputs, diagnostics);
+  }
+  if (robot) {
+    auto simulation =
+        read_simulation(options.simulation, robot->description, drive.rate, diagnostics);
+    if (simulation) {
+      drive.simulation = std::move(*simulation);
+    } else {
+      robot.reset();
+    }
+  }
+  if (robot && !options.reference.empty()) {
+    auto reference = read_reference(options.reference, robot->description,
+                                    default_start(robot->description), diagnostics);
+    if (reference) {
+      drive.reference = std::move(*reference);
+      robot->description.has_reference = true;
+    } else {
+      robot.reset();
+    }
   }
   if (robot) {
     drive.meshes =
@@ -105,8 +140,8 @@ int run(DriveOptions options) {
   if (!robot) return kBadInput;
   Diagnostics of_drive;
   if (!options.act_as_robot.empty()) {
-    const bool acted =
-        act_as_robot(*robot, drive.start, drive.rate, options.act_as_robot, of_drive);
+    const bool acted = act_as_robot(*robot, drive.start, drive.rate, drive.simulation,
+                                    options.act_as_robot, of_drive);
     print_diagnostics(of_drive, options.inputs.warnings);
     return acted ? kOk : kBadInput;
   }
@@ -128,6 +163,8 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--script", options.script,
                      "File of commands, one a line; - is standard input");
   command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states");
+  command.add_option("--reference", options.reference,
+                     "Motion for the command `follow`: a record, or a table of simulate --csv");
   command.add_flag("--real-time", drive.real_time,
                    "Keep to the machine's clock; always so with the page, a terminal or --robot");
   command.add_option("--rate", drive.rate, "Cycles of the control loop a second")
@@ -153,6 +190,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--q", drive.start, "Where it starts, separated by commas; else at 0")
       ->delimiter(',')
       ->check(any_number());
+  add_simulation_options(command, options.simulation);
 }
 
 }  // namespace

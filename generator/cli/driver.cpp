@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "cli/loop_handle.hpp"
+#include "cli/rehearsals.hpp"
 #include "cli/robot_elsewhere.hpp"
 #include "description/printable.hpp"
 #include "drive/page.hpp"
@@ -57,16 +58,32 @@ class Driver {
   Driver(const LaunchedRobot& robot, const DriveSettings& settings,
          const std::vector<double>& start, const drive::ExternalRobot& external)
       : settings_(settings),
-        loop_(robot.library.functions(), robot.description, settings.rate, settings.real_time,
-              start, external),
+        loop_(robot.library.functions(), robot.description,
+              {settings.rate,
+               settings.real_time,
+               start,
+               {},
+               settings.simulation.options(),
+               external,
+               settings.reference.motion()}),
         session_(robot.description, settings.rate, robot.library.functions().has_center_of_mass,
-                 [this](const servo::Message& message) { return loop_.send(message); }),
+                 [this](const servo::Message& message) {
+                   rehearsals_.note_sent(message);
+                   return loop_.send(message);
+                 }),
+        rehearsals_(robot.library.functions(), session_, loop_, settings.rate, settings.real_time,
+                    start),
         numbers_(static_cast<std::size_t>(session_.layout().size)),
         local_(session_.join()) {
     if (settings.script) script_.append(*settings.script);
     if (!settings.reads_input) script_.close();
+    session_.set_rehearsing({[this](Verb verb) { return rehearsals_.obey(verb); },
+                             [this](Verb verb, const servo::Message& message) {
+                               return rehearsals_.divert(verb, message);
+                             }});
   }
 
+  bool has_loop(Diagnostics& diagnostics) const;
   bool open_record(Diagnostics& diagnostics);
   bool open_server(Diagnostics& diagnostics);
   DriveOutcome run();
@@ -89,11 +106,12 @@ class Driver {
   void watch_end();
   double now() const { return settings_.real_time ? machine_time() : time(); }
   double time() const { return session_.report().head.time; }
-  bool moving() const { return session_.report().head.moving; }
+  bool moving() const { return session_.report().head.moving || rehearsals_.moving(); }
 
   const DriveSettings& settings_;
   LoopHandle loop_;
   drive::Session session_;
+  Rehearsals rehearsals_;
   std::vector<double> numbers_;
   int local_;
   drive::Script script_;
@@ -111,6 +129,14 @@ class Driver {
   std::unique_ptr<drive::Server> server_;
 };
 
+bool Driver::has_loop(Diagnostics& diagnostics) const {
+  if (loop_) return true;
+  diagnostics.add({Severity::error, "", 0, "--gear-stiffness",
+                   "the gears swing too fast to be simulated at this rate",
+                   "Give softer teeth, heavier rotors, or a higher --rate."});
+  return false;
+}
+
 bool Driver::open_record(Diagnostics& diagnostics) {
   if (settings_.record.empty()) return true;
   record_.open(settings_.record, std::ios::binary);
@@ -126,7 +152,9 @@ void Driver::record_state() {
   constexpr double kInterval = 0.01;  // s
   if (settings_.record.empty() || time() < recorded_ + kInterval - 1e-9) return;
   recorded_ = time();
-  record_ << drive::print_state(session_, state_number_++, 0, drive::Detail::plain) << '\n';
+  record_ << drive::print_state(session_, state_number_++, 0, drive::Detail::plain,
+                                rehearsals_.twin())
+          << '\n';
 }
 
 void Driver::record_line(const std::string& line, const drive::Answer& answer) {
@@ -154,6 +182,10 @@ void Driver::receive() {
     if (head.cycle == 0) warn_of_weight();
     record_state();
   }
+  rehearsals_.attend([this](const std::string& text) {
+    say(text);
+    session_.tell_holder(text);
+  });
   const std::string fault = session_.fault();
   if (fault != fault_seen_ && !fault.empty()) say("fault: " + fault);
   fault_seen_ = fault;
@@ -220,6 +252,7 @@ void Driver::watch_end() {
 
 void Driver::run_as_fast_as_possible() {
   while (loop_.step()) {
+    rehearsals_.step();
     receive();
     if (ending_) continue;
     read_input();
@@ -255,7 +288,8 @@ void Driver::tell_front_ends() {
   told_ = now();
   sent_[++state_number_] = told_;
   while (sent_.begin()->second < told_ - kKept) sent_.erase(sent_.begin());
-  const std::string state = drive::print_state(session_, state_number_, server_->connections());
+  const std::string state = drive::print_state(session_, state_number_, server_->connections(),
+                                               drive::Detail::histograms, rehearsals_.twin());
   const std::optional<int> holder = session_.authority().holder();
   server_->send_states(
       [state, holder](int front_end) { return drive::finish_state(state, holder == front_end); });
@@ -370,7 +404,8 @@ std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSet
   answer_signals([] { asked_to_end = true; });
   Driver driver(robot, settings, start, external ? external->functions() : drive::ExternalRobot{});
   std::optional<DriveOutcome> outcome;
-  if (driver.open_record(diagnostics) && driver.open_server(diagnostics)) {
+  if (driver.has_loop(diagnostics) && driver.open_record(diagnostics) &&
+      driver.open_server(diagnostics)) {
     outcome = driver.run();
   }
   answer_signals(nullptr);

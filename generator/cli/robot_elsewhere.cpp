@@ -43,12 +43,15 @@ std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const st
 }
 
 bool act_as_robot(const LaunchedRobot& robot, const std::vector<double>& given, double rate,
-                  const std::string& address, Diagnostics& diagnostics) {
+                  const SimulationNumbers& simulation, const std::string& address,
+                  Diagnostics& diagnostics) {
   const std::vector<double> start = start_of(robot, given, diagnostics);
   if (start.empty()) return false;
   const drive::RobotLibrary& library = robot.library.functions();
   const LoopNumbers numbers(robot.description);
-  const drive::LoopOptions options = options_for(robot.description, numbers, start);
+  drive::LoopOptions options = options_for(robot.description, numbers, start);
+  options.rate = rate;
+  options.simulation = simulation.options();
   const std::unique_ptr<void, void (*)(void*)> simulated(library.create_robot(&options),
                                                          library.destroy_robot);
   drive::RobotSide side;

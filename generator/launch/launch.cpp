@@ -11,6 +11,7 @@
 #include "generation/generate_code.hpp"
 #include "launch/compile_robot.hpp"
 #include "launch/describe_robot.hpp"
+#include "launch/describe_surroundings.hpp"
 #include "launch/driven_scenes.hpp"
 #include "launch/print_robot.hpp"
 
@@ -85,6 +86,9 @@ std::optional<LaunchedRobot> launch(const LaunchInput& input, const Tell& tell,
   if (!library) return std::nullopt;
   drive::RobotDescription description =
       describe_robot(input.robot, parts->control, parts->links, parts->control_code.mechanism);
+  if (!describe_surroundings(input.surroundings, parts->control, description, diagnostics)) {
+    return std::nullopt;
+  }
   description.checksum = digest(input.urdf_text + '\0' + input.scene_text).substr(0, 16);
   description.urdf = input.urdf_text;
   return LaunchedRobot{std::move(description), std::move(folder), std::move(*library)};

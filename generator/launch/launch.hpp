@@ -9,6 +9,7 @@
 #include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "description/surroundings.hpp"
 #include "drive/robot_description.hpp"
 #include "launch/driven_library.hpp"
 
@@ -19,6 +20,7 @@ struct LaunchInput {
   Robot robot;
   Scene scene;
   std::string urdf_text, scene_text;
+  SceneSurroundings surroundings;
 };
 
 /// A robot that is ready to be driven.

@@ -5,6 +5,32 @@
 namespace treeline::drive {
 
 template <class F>
+void DriveController<F>::find_led_points() noexcept {
+  if constexpr (kPoints > 0) {
+    int rows[kPoints] = {};
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      rows[F::kRows[row].point] += F::kRows[row].axis < 3 ? 1 : 0;
+    }
+    for (int k = 0; k < kPoints; ++k) {
+      led_[at(k)] = rows[k] == 3;
+    }
+  }
+}
+
+/// Adds the accelerations away from obstacles that the joints take. Those of points that the task
+/// moves are part of its rows.
+template <class F>
+void DriveController<F>::avoid_obstacles(const State& state, double (&qdd)[nv]) noexcept {
+  if (!avoidance_.exists()) {
+    return;
+  }
+  avoidance_.look(state, control_ == Control::task ? led_ : std::array<bool, room(kPoints)>{});
+  for (int i = 0; i < nv; ++i) {
+    qdd[i] += avoidance_.joint_push()[i];
+  }
+}
+
+template <class F>
 void DriveController<F>::begin_joints(double time, const State& state) noexcept {
   for_each_joint([&](int iq, int iv) { joints_[at(iq)].begin(time, state.q[iq], state.qd[iv]); },
                  [&](int k, int iq, int iv) {
@@ -86,12 +112,13 @@ void DriveController<F>::advance(double time) noexcept {
   for (int k = 0; k < kPoints; ++k) {
     points_[at(k)].advance(time, settings_.period);
   }
+  follow_reference(time);
 }
 
 template <class F>
 bool DriveController<F>::moving(double time, double margin) const noexcept {
   const double then = time - margin;
-  bool any = false;
+  bool any = reference_.playing();
   for_each_joint([&](int iq, int) { any = any || joints_[at(iq)].moving(then); },
                  [&](int k, int, int) { any = any || floating_[at(k)].moving(then); });
   for (int k = 0; k < kPoints && control_ == Control::task; ++k) {
@@ -201,6 +228,7 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
     add_pull(state, tau);
     F::forward_dynamics(state.q, state.qd, tau, qdd);
   }
+  avoid_obstacles(state, qdd);
   stay_within_limits(state, qdd);
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
 }
@@ -239,10 +267,6 @@ template <class F>
 double DriveController<F>::command_row(int row, const double* rotations, const double* errors,
                                        double velocity) const noexcept {
   const TaskRow& place = F::kRows[row];
-  if (free_[at(place.point)]) {
-    return -task_gains_.kv * velocity;
-  }
-  const SmoothPose& goal = points_[at(place.point)];
   const double* R = rotations + 9 * place.point;
   // In the point's own axes a row is the component along a column of its rotation.
   const auto component = [&](auto&& of) {
@@ -252,9 +276,29 @@ double DriveController<F>::command_row(int row, const double* rotations, const d
                ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
                : of(part + i);
   };
-  return component([&](int i) { return goal.acceleration(i); }) +
+  const double(&push)[3] = avoidance_.point_push(place.point);
+  const double aside = place.axis < 3 ? component([&](int i) { return push[i]; }) : 0.0;
+  if (free_[at(place.point)]) {
+    return aside - task_gains_.kv * velocity;
+  }
+  const SmoothPose& goal = points_[at(place.point)];
+  return aside + component([&](int i) { return goal.acceleration(i); }) +
          task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
          task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
+}
+
+/// Adds M qdd, from inverse dynamics with and without the acceleration.
+template <class F>
+void DriveController<F>::add_acceleration(const State& state, const double (&qdd)[nv],
+                                          double (&tau)[nv]) noexcept {
+  const double rest[nv] = {};
+  double with[nv];
+  double without[nv];
+  F::inverse_dynamics(state.q, rest, qdd, with);
+  F::inverse_dynamics(state.q, rest, rest, without);
+  for (int i = 0; i < nv; ++i) {
+    tau[i] += with[i] - without[i];
+  }
 }
 
 template <class F>
@@ -265,6 +309,8 @@ void DriveController<F>::command_task(double time, const State& state, double (&
     measure_points(time, state, rotations, errors);
     double J[F::kTaskRows * nv];
     F::jacobian(state.q, J);
+    double aside[nv] = {};
+    avoid_obstacles(state, aside);
     double xdd[F::kTaskRows];
     for (int row = 0; row < F::kTaskRows; ++row) {
       double velocity = 0.0;
@@ -277,54 +323,30 @@ void DriveController<F>::command_task(double time, const State& state, double (&
     accelerate_joints(posture_gains_, state, posture);
     push_from_limits(state, posture);
     F::control_torque(state.q, state.qd, posture, xdd, tau);
+    if (avoidance_.pushes()) {
+      add_acceleration(state, aside, tau);
+    }
   }
 }
 
-/// The force of the hand's spring on the link and the lever from the link's origin to it.
+/// A spring from the link to the hand: J^T f.
 template <class F>
-void DriveController<F>::stretch_spring(const double* position, const double* R,
-                                        double (&lever)[3]) noexcept {
+void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcept {
+  hand_.place(state.q);
+  hand_.place_of(pull_link_, pull_on_link_, pull_at_);
   double squared = 0.0;
   for (int i = 0; i < 3; ++i) {
-    lever[i] = R[3 * i] * pull_on_link_[0] + R[3 * i + 1] * pull_on_link_[1] +
-               R[3 * i + 2] * pull_on_link_[2];
-    pull_at_[i] = position[i] + lever[i];
     pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
     squared += pull_force_[i] * pull_force_[i];
   }
   const double size = std::sqrt(squared);
-  const double scale = size > settings_.pull_force ? settings_.pull_force / size : 1.0;
   for (double& f : pull_force_) {
-    f *= scale;
+    f *= size > settings_.pull_force ? settings_.pull_force / size : 1.0;
   }
-}
-
-/// A spring from the link to the hand: J^T f, from inverse dynamics with and without the force.
-template <class F>
-void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcept {
-  if constexpr (F::kLinks > 0) {
-    double positions[3 * F::kLinks];
-    double rotations[9 * F::kLinks];
-    F::link_frames(state.q, positions, rotations);
-    double lever[3];
-    stretch_spring(positions + 3 * pull_link_, rotations + 9 * pull_link_, lever);
-    const double(&f)[3] = pull_force_;
-    double forces[6 * F::kLinks] = {};
-    const double moment[3] = {lever[1] * f[2] - lever[2] * f[1], lever[2] * f[0] - lever[0] * f[2],
-                              lever[0] * f[1] - lever[1] * f[0]};
-    for (int i = 0; i < 3; ++i) {
-      forces[6 * pull_link_ + i] = -f[i];
-      forces[6 * pull_link_ + 3 + i] = -moment[i];
-    }
-    const double rest[nv] = {};
-    const double nothing[6 * F::kLinks] = {};
-    double with[nv];
-    double without[nv];
-    F::link_inverse_dynamics(state.q, rest, rest, forces, with);
-    F::link_inverse_dynamics(state.q, rest, rest, nothing, without);
-    for (int i = 0; i < nv; ++i) {
-      tau[i] += with[i] - without[i];
-    }
+  double added[nv] = {};
+  hand_.joint_forces(state.q, pull_link_, pull_at_, pull_force_, added);
+  for (int i = 0; i < nv; ++i) {
+    tau[i] += added[i];
   }
 }
 
@@ -369,6 +391,7 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
   } else {
     double qdd[nv];
     accelerate_joints(joint_gains_, state, qdd);
+    avoid_obstacles(state, qdd);
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }
   if (pulled_ && control_ != Control::gravity) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "drive/obstacle.hpp"
+
 namespace treeline::drive {
 
 /// What an entry of q measures. A floating joint has x y z qx qy qz qw in this order, a planar one
@@ -34,6 +36,13 @@ struct DrivenPoint {
   bool local_axes = false;
 };
 
+/// An obstacle and what front ends draw.
+struct DrivenObstacle {
+  std::string name;
+  std::array<double, 4> rotation{0, 0, 0, 1};  ///< of the box in the world, quaternion x y z w
+  Obstacle shape;
+};
+
 /// What front ends and the command language have to know of a robot.
 struct RobotDescription {
   std::string name;
@@ -45,7 +54,11 @@ struct RobotDescription {
   std::vector<std::string> links;  ///< that can be pulled, in the library's order
   std::vector<std::pair<std::string, double>> locked;
   double mass = 1.0;  ///< kg, of all links
-  std::string urdf;   ///< text of the file
+  std::vector<DrivenObstacle> obstacles;
+  std::vector<GuardedPoint> guarded;  ///< that keep away from them; the operational points first
+  Repulsion repulsion;
+  bool has_reference = false;  ///< a recorded motion that it can follow
+  std::string urdf;            ///< text of the file
 };
 
 /// Whether the coordinate can be the goal of a joint command: it is no part of a floating joint.

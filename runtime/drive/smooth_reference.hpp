@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/orientation.hpp"
+#include "drive/reference_motion.hpp"
 
 namespace treeline::drive {
 
@@ -47,6 +48,21 @@ class SmoothNumber {
     }
     target_ = target;
     speed_ = speed;
+  }
+
+  /// Is where somebody else leads it, at `time`.
+  void lead(double time, const ReferencePoint& to) noexcept {
+    x_ = to.position;
+    v_ = to.velocity;
+    a_ = to.acceleration;
+    target_ = to.position;
+    start_ = time;
+    duration_ = kShortest;
+    following_ = false;
+    coefficients_[0] = x_;
+    for (int i = 1; i < 6; ++i) {
+      coefficients_[i] = 0.0;
+    }
   }
 
   /// Advances to `time`, which is `dt` seconds after the last call.

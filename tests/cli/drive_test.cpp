@@ -272,5 +272,83 @@ TEST_F(DriveTest, SaysThatNoRobotAnswers) {
   EXPECT_NE(outcome.err.find("no robot answers"), std::string::npos) << outcome.err;
 }
 
+// The tool of a PUMA 560 is sent through a ball to the other side of it. By the interpreter it goes
+// round, and never comes nearer than the clearance.
+TEST_F(DriveTest, TheToolGoesRoundAnObstacle) {
+  const std::string urdf = kRobots + "/puma560/puma560.urdf";
+  write("scene.yaml",
+        "operational_points: [{name: tool, link: link6}]\n"
+        "obstacles: [{name: ball, sphere: {radius: 0.08}, origin: {xyz: [0.45, -0.02, 0.2]}}]\n");
+  const Outcome outcome =
+      drive(urdf + " scene.yaml",
+            "start\nmove tool to 0.45 -0.3 0.2 in 2 s\nwait\nmove tool to 0.45 0.3 0.21 in 3 s\n"
+            "wait\nwait 3 s\n",
+            "--q 0,-0.8,0.9,0.2,0.9,0 --record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(urdf, diagnostics);
+  const auto scene =
+      parse_scene("operational_points: [{name: tool, link: link6}]", "tool", *robot, diagnostics);
+  const auto model = model_from_robot<double>(*robot, *scene);
+  const auto points = points_from_scene(model, scene->operational_points);
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  double nearest = 1;
+  Eigen::Vector3d last;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] == "hello") {
+      EXPECT_EQ(entry["obstacles"][0]["name"], "ball");
+    }
+    if (entry["type"] != "state") continue;
+    const auto q = entry["q"].get<std::vector<double>>();
+    last = interpreter::forward_kinematics<double>(model, points,
+                                                   interpreter::Vector<double>::Map(q.data(), 6))
+               .at(0)
+               .position;
+    const double distance = (last - Eigen::Vector3d(0.45, -0.02, 0.2)).norm() - 0.08;
+    nearest = std::min(nearest, distance);
+    if (entry["mode"] == "running" && entry["time"].get<double>() > 0.5) {
+      EXPECT_NEAR(entry["points"][0]["nearest"].get<double>(), distance, 1e-9);
+    }
+  }
+  EXPECT_GT(nearest, 0.02);
+  EXPECT_LT(nearest, 0.15);
+  EXPECT_LT((last - Eigen::Vector3d(0.45, 0.3, 0.21)).norm(), 5e-3);
+}
+
+// Friction leaves an error, a delay and coarse encoders leave the robot where it was sent.
+TEST_F(DriveTest, ARobotThatIsNotIdealArrivesLessExactly) {
+  const std::string script = "start\njoint joint1 to 0.5 in 1 s\nwait\nwait 1 s\n";
+  const auto error_with = [&](const std::string& options) {
+    write("script.txt", script);
+    const Outcome outcome = run_drive("--headless --script script.txt " + options);
+    EXPECT_EQ(outcome.exit_code, 0) << options << outcome.err;
+    return std::fabs(json::parse(outcome.out)["q"][0].get<double>() - 0.5);
+  };
+  const double ideal = error_with("");
+  EXPECT_LT(ideal, 1e-6);
+  const double rubbed = error_with("--friction 2");
+  EXPECT_GT(rubbed, 10 * ideal);
+  EXPECT_LT(rubbed, 0.05);
+  EXPECT_LT(error_with("--delay 0.003 --quantisation 1e-4 --sensor-noise 1e-5"), 1e-3);
+  EXPECT_LT(error_with("--backlash 0.002 --rotor joint1=0.5,joint2=0.3,joint3=0.1"), 1e-2);
+}
+
+TEST_F(DriveTest, RefusesWhatIsNoFaultOfARobot) {
+  write("script.txt", "start\n");
+  const std::string run = "--headless --script script.txt ";
+  EXPECT_NE(run_drive(run + "--friction joint9=1").err.find("no joint \"joint9\""),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--backlash 0.01").err.find("--rotor joint1=INERTIA"),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--delay 0.5").err.find("0.063 s"), std::string::npos);
+  EXPECT_NE(run_drive(run + "--sensor-noise -1").err.find("no number from 0 on"),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--backlash 1 --rotor 1e-9 --gear-stiffness 1e9").err.find("too fast"),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--robot udp:127.0.0.1:9 --friction 1").err.find("--act-as-robot"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace treeline

@@ -13,11 +13,12 @@
 #include "../servo/allocation_counter.hpp"
 #include "../servo/test_robots.hpp"
 #include "drive/drive_loop.hpp"
+#include "rig.hpp"
 
 namespace treeline::drive {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
+using test::kNone;
 
 /// The arm of two links with its tip as a point that moves in x and z.
 struct Arm : test::TwoLink {
@@ -74,66 +75,22 @@ struct Body : test::FreeBody {
 };
 
 template <class F>
-class Rig {
- public:
-  static constexpr ReportLayout kLayout = DriveLoop<F>::kLayout;
+using Rig = test::Rig<F>;
 
-  Rig(std::vector<double> start, double torque_limit = kNone) : start_(std::move(start)) {
-    lower_.fill(-3.0);
-    upper_.fill(3.0);
-    velocity_.fill(kNone);
-    torque_.fill(torque_limit);
-    LoopOptions options;
-    options.real_time = false;
-    options.start = start_.data();
-    options.lower = lower_.data();
-    options.upper = upper_.data();
-    options.velocity = velocity_.data();
-    options.torque = torque_.data();
-    loop_ = std::make_unique<DriveLoop<F>>(options);
-    run(0.01);
-    servo::Message begin;
-    begin.kind = servo::MessageKind::start;
-    loop_->send(begin);
-    run(0.01);
-  }
-
-  void send(Instruction instruction, std::initializer_list<double> values, double duration = 0) {
-    servo::Message message = make_message(instruction);
-    message.duration = duration;
-    std::copy(values.begin(), values.end(), message.values.begin());
-    ASSERT_TRUE(loop_->send(message));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(1000 * seconds)); ++i) {
-      loop_->step();
-      const std::array<double, kLayout.size> before = numbers_;
-      loop_->receive(head_, numbers_.data());
-      for (int k = 0; k < F::kVelocities; ++k) {
-        step_ = std::max(step_, std::fabs(at(kLayout.tau + k) -
-                                          before[static_cast<std::size_t>(kLayout.tau + k)]));
-      }
-    }
-  }
-  double at(int i) const { return numbers_[static_cast<std::size_t>(i)]; }
-  double q(int i) const { return at(kLayout.q + i); }
-  const ReportHead& head() const { return head_; }
-  /// The largest change of a torque from cycle to cycle since the last call.
-  double take_step() { return std::exchange(step_, 0.0); }
-  DriveLoop<F>& loop() { return *loop_; }
-
- private:
-  std::vector<double> start_;
-  std::array<double, F::kCoordinates> lower_{}, upper_{};
-  std::array<double, F::kVelocities> velocity_{}, torque_{};
-  std::unique_ptr<DriveLoop<F>> loop_;
-  ReportHead head_;
-  std::array<double, kLayout.size> numbers_{};
-  double step_ = 0.0;
-};
+/// Joints go from -3 to 3, as the arm's and the body's do in these tests.
+template <class F>
+Rig<F> make_rig(std::vector<double> start, double torque_limit = kNone) {
+  const std::array<double, F::kVelocities> torque = [&] {
+    std::array<double, F::kVelocities> limits{};
+    limits.fill(torque_limit);
+    return limits;
+  }();
+  return Rig<F>(
+      std::move(start), [&](LoopOptions& options) { options.torque = torque.data(); }, 3.0);
+}
 
 TEST(DriveController, JointsArriveWhenTheyShould) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   rig.send(Instruction::move_joint, {1, 0, 1.5}, 1.0);
   rig.run(0.5);
   EXPECT_NEAR(rig.q(1), 1.15, 2e-3);  // halfway by symmetry of the polynomial
@@ -150,7 +107,7 @@ TEST(DriveController, JointsArriveWhenTheyShould) {
 }
 
 TEST(DriveController, PointsArrive) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   rig.send(Instruction::move_point, {0, 0, 0.9, 0, 1.1}, 1.0);
   rig.run(1.5);
   EXPECT_NEAR(std::cos(rig.q(0)) + std::cos(rig.q(0) + rig.q(1)), 0.9, 1e-5);
@@ -158,7 +115,7 @@ TEST(DriveController, PointsArrive) {
 }
 
 TEST(DriveController, AFloatingBaseMovesAndTurns) {
-  Rig<Body> rig({0, 0, 0, 0, 0, 0, 1});
+  auto rig = make_rig<Body>({0, 0, 0, 0, 0, 0, 1});
   rig.send(Instruction::move_point, {-1, 1, 0.5, -0.2, 0.3}, 1.0);
   rig.send(Instruction::turn_point, {-1, 1, 0, 0, std::numbers::pi / 2}, 1.0);
   rig.run(1.5);
@@ -172,7 +129,7 @@ TEST(DriveController, AFloatingBaseMovesAndTurns) {
 // The torque is about 30 N m. Motions that begin, are interrupted or change the control in full
 // swing change it by little from one cycle to the next.
 TEST(DriveController, TorquesHaveNoStep) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   rig.take_step();
   const auto expect_smooth = [&](const char* when) {
     const double step = rig.take_step();
@@ -201,7 +158,7 @@ TEST(DriveController, TorquesHaveNoStep) {
 
 // Led for half a second towards a far goal, then silence: obeyed for 125 ms, then a glide to rest.
 TEST(DriveController, ADragEndsWithItsLease) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   for (int i = 0; i < 15; ++i) {
     rig.send(Instruction::drag_joint, {0, 2.9});
     rig.run(0.033);
@@ -222,7 +179,7 @@ TEST(DriveController, ADragEndsWithItsLease) {
 // 19.6 N m hold the arm's weight where it is stretched; limits of 25 N m cut what a fast motion
 // takes, and the robot still arrives.
 TEST(DriveController, CutsTorquesToTheirLimits) {
-  Rig<Arm> rig({1.2, 1.0}, 25.0);
+  auto rig = make_rig<Arm>({1.2, 1.0}, 25.0);
   rig.send(Instruction::move_joint, {0, 0, 1.6}, 0.3);
   double largest = 0.0;
   bool cut = false;
@@ -239,7 +196,7 @@ TEST(DriveController, CutsTorquesToTheirLimits) {
 
 // Messages for what does not exist change nothing.
 TEST(DriveController, IgnoresWhatDoesNotExist) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   for (const double index : {-7.0, -1.0, 1.0, 2.0, 1e6}) {
     rig.send(Instruction::move_point, {index, 0, 5, 5, 5}, 1.0);
     rig.send(Instruction::drag_point, {index, 0, 5, 5, 5});
@@ -255,7 +212,7 @@ TEST(DriveController, IgnoresWhatDoesNotExist) {
 }
 
 TEST(DriveController, AllocatesNothing) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   const long before = test::allocation_count();
   for (int i = 0; i < 50; ++i) {
     rig.send(Instruction::drag_point, {0, 0, 0.9, 0, 1.1});
