@@ -16,6 +16,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
 #include "cli/reference.hpp"
+#include "cli/replay.hpp"
 #include "cli/robot_elsewhere.hpp"
 #include "cli/simulation_options.hpp"
 #include "cli/write_output.hpp"
@@ -31,7 +32,7 @@ struct DriveOptions {
   InputOptions inputs;
   DriveSettings drive;
   SimulationTexts simulation;
-  std::string script, reference;
+  std::string script, reference, replay;
   std::vector<std::string> packages;
   bool headless = false;
   std::string robot = "simulated";
@@ -96,7 +97,27 @@ void refuse_imperfect_hardware(const DriveOptions& options, Diagnostics& diagnos
                    "Give it to the process that has --act-as-robot."});
 }
 
+/// A record needs no loop, and so no code: only the files that it was made with.
+int run_replay(const DriveOptions& options) {
+  Diagnostics diagnostics;
+  const auto packages = read_packages(options.packages, diagnostics);
+  const auto inputs = packages ? read_inputs(options.inputs, diagnostics) : std::nullopt;
+  bool shown = false;
+  if (inputs) {
+    PageSettings page{
+        options.drive.listen, options.drive.port, inputs->urdf_text,
+        drive::find_meshes(inputs->urdf_text,
+                           std::filesystem::path(options.inputs.urdf).parent_path(), *packages)};
+    warn_of_listeners(options.drive, diagnostics);
+    shown = replay(options.replay, checksum_of(inputs->urdf_text, inputs->scene_text), page,
+                   diagnostics);
+  }
+  print_diagnostics(diagnostics, options.inputs.warnings);
+  return shown ? kOk : kBadInput;
+}
+
 int run(DriveOptions options) {
+  if (!options.replay.empty()) return run_replay(options);
   Diagnostics diagnostics;
   DriveSettings& drive = options.drive;
   drive.serves = !options.headless;
@@ -165,6 +186,10 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states");
   command.add_option("--reference", options.reference,
                      "Motion for the command `follow`: a record, or a table of simulate --csv");
+  command
+      .add_option("--replay", options.replay,
+                  "Show this record in the page instead; nothing is simulated")
+      ->excludes("--headless", "--script", "--record", "--reference");
   command.add_flag("--real-time", drive.real_time,
                    "Keep to the machine's clock; always so with the page, a terminal or --robot");
   command.add_option("--rate", drive.rate, "Cycles of the control loop a second")

@@ -15,10 +15,10 @@
 #include <thread>
 
 #include "cli/loop_handle.hpp"
+#include "cli/page_server.hpp"
 #include "cli/rehearsals.hpp"
 #include "cli/robot_elsewhere.hpp"
 #include "description/printable.hpp"
-#include "drive/page.hpp"
 #include "drive/rate_limit.hpp"
 #include "drive/script.hpp"
 #include "drive/server.hpp"
@@ -327,33 +327,9 @@ drive::ServerHandlers Driver::handlers() {
 
 bool Driver::open_server(Diagnostics& diagnostics) {
   if (!settings_.serves) return true;
-  const drive::Page page = drive::carried_page();
-  drive::ServerSettings server;
-  server.address = settings_.listen;
-  server.port = settings_.port;
-  server.token = drive::make_token();
-  server.html = page.html;
-  server.script = page.script;
-  server.style = page.style;
-  server.urdf = session_.robot().urdf;
-  server.meshes = settings_.meshes;
-  const std::string token = server.token;
-  std::string error;
-  server_ = drive::Server::open(std::move(server), handlers(), error);
-  if (!server_) {
-    diagnostics.add({Severity::error, "", 0, "--listen",
-                     fmt::format("{} port {} cannot be listened on: {}", settings_.listen,
-                                 settings_.port, error),
-                     "Choose another --port, or an address of this machine."});
-    return false;
-  }
-  if (page.html.empty())
-    say("This program was built without the page: Node.js or npm was missing.");
-  const bool is_ipv6 = settings_.listen.find(':') != std::string::npos;
-  fmt::print("http://{}:{}/?token={}\n", is_ipv6 ? "[" + settings_.listen + "]" : settings_.listen,
-             server_->port(), token);
-  std::fflush(stdout);
-  return true;
+  server_ = serve_page({settings_.listen, settings_.port, session_.robot().urdf, settings_.meshes},
+                       handlers(), diagnostics);
+  return server_ != nullptr;
 }
 
 void Driver::run_in_real_time() {

@@ -23,6 +23,9 @@ struct LaunchInput {
   SceneSurroundings surroundings;
 };
 
+/// By which front ends and records know a robot: 16 hexadecimal digits of its files.
+std::string checksum_of(const std::string& urdf_text, const std::string& scene_text);
+
 /// A robot that is ready to be driven.
 struct LaunchedRobot {
   drive::RobotDescription description;

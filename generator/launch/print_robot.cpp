@@ -125,6 +125,7 @@ std::vector<GeneratedFile> runtime_headers() {
           file("drive/driven_robot.hpp", t::kDriveRobot),
           file("drive/instruction.hpp", t::kDriveInstruction),
           file("drive/robot_library.hpp", t::kDriveLibrary),
+          file("drive/reference_motion.hpp", t::kDriveRecordedMotion),
           file("drive/smooth_reference.hpp", t::kDriveReference)};
 }
 

@@ -33,6 +33,7 @@ extern const std::string_view kDriveObstacle;
 extern const std::string_view kDriveRobot;
 extern const std::string_view kDriveInstruction;
 extern const std::string_view kDriveLibrary;
+extern const std::string_view kDriveRecordedMotion;
 extern const std::string_view kDriveReference;
 
 }  // namespace treeline::launch_templates

@@ -70,6 +70,7 @@ class DriveController {
     blend_asked_ = true;
     pull_until_ = time;
     pulled_ = false;
+    pull_share_ = 0.0;
     reference_.end();
   }
 
@@ -78,7 +79,7 @@ class DriveController {
 
   Control control_kind() const noexcept { return control_; }
   bool saturated() const noexcept { return saturated_; }
-  bool pulled() const noexcept { return pulled_; }
+  bool pulled() const noexcept { return pull_share_ > 0.0; }
   int pulled_link() const noexcept { return pull_link_; }
   const double (&pull_at() const noexcept)[3] { return pull_at_; }
   const double (&pull_force() const noexcept)[3] { return pull_force_; }
@@ -102,6 +103,8 @@ class DriveController {
   static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
   static constexpr double kBlend = 0.25;         ///< s
   static constexpr double kHandDamping = 2.0;    ///< 1/s, in gravity control
+  static constexpr double kGrip = 0.05;          ///< s in which a hand takes hold and lets go
+  static constexpr double kHandFilter = 25.0;    ///< 1/s, of where the hand is
 
   /// Calls single(coordinate, velocity) or floating(which, coordinate, velocity) for each joint.
   template <class Single, class Floating>
@@ -131,6 +134,8 @@ class DriveController {
   void avoid_obstacles(const State& state, double (&qdd)[nv]) noexcept;
   void begin_joints(double time, const State& state) noexcept;
   void begin_points(double time, const State& state) noexcept;
+  void find_velocities(const State& state, const double* rotations,
+                       double* velocities) const noexcept;
   void set_control(double time, const State& state, Control wanted) noexcept;
   void move_joint(double time, const servo::Message& message) noexcept;
   void go_home(double time, double duration) noexcept;
@@ -138,6 +143,7 @@ class DriveController {
   void turn_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;
   void drag_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;
   void drag_joint(double time, const servo::Message& message) noexcept;
+  void advance_pull(double time) noexcept;
   void begin_pull(double time, const servo::Message& message) noexcept;
   void set_gains(const servo::Message& message) noexcept;
   SmoothPose* pose_of(int point) noexcept;
@@ -190,7 +196,9 @@ class DriveController {
   int pull_link_ = 0;
   LinkForces<F> hand_;
   double pull_on_link_[3] = {};
-  double pull_to_[3] = {};
+  double pull_to_[3] = {};    ///< where the hand was last told to be
+  double pull_hand_[3] = {};  ///< where it is
+  double pull_share_ = 0.0;   ///< of the spring that acts, 0 to 1
   double pull_at_[3] = {};
   double pull_force_[3] = {};
 };

@@ -53,22 +53,55 @@ void DriveController<F>::begin_joints(double time, const State& state) noexcept 
                  });
 }
 
+/// Velocities of the points in world axes, of the rows that the task has; the others are 0.
+template <class F>
+void DriveController<F>::find_velocities(const State& state, const double* rotations,
+                                         double* velocities) const noexcept {
+  if constexpr (kPoints > 0) {
+    for (int i = 0; i < 6 * kPoints; ++i) {
+      velocities[i] = 0.0;
+    }
+    double J[F::kTaskRows * nv];
+    F::jacobian(state.q, J);
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      const TaskRow& place = F::kRows[row];
+      double speed = 0.0;
+      for (int i = 0; i < nv; ++i) {
+        speed += J[row * nv + i] * state.qd[i];
+      }
+      double* const velocity = velocities + 6 * place.point + (place.axis < 3 ? 0 : 3);
+      const double* const R = rotations + 9 * place.point;
+      for (int i = 0; i < 3; ++i) {
+        const double along = F::kLocalAxes[place.point] ? R[3 * i + place.axis % 3]
+                                                        : (place.axis % 3 == i ? 1.0 : 0.0);
+        velocity[i] += along * speed;
+      }
+    }
+  }
+}
+
 template <class F>
 void DriveController<F>::begin_points(double time, const State& state) noexcept {
   if constexpr (kPoints > 0) {
     double positions[3 * kPoints];
     double rotations[9 * kPoints];
     F::forward_kinematics(state.q, positions, rotations);
+    double velocities[6 * kPoints];
+    find_velocities(state, rotations, velocities);
     for (int k = 0; k < kPoints; ++k) {
       double position[3];
       double rotation[9];
+      double velocity[6];
+      for (int i = 0; i < 6; ++i) {
+        velocity[i] = velocities[6 * k + i];
+      }
       for (int i = 0; i < 3; ++i) {
         position[i] = positions[3 * k + i];
       }
       for (int i = 0; i < 9; ++i) {
         rotation[i] = rotations[9 * k + i];
       }
-      points_[at(k)].begin(time, position, rotation, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+      points_[at(k)].begin(time, position, rotation, velocity);
       free_[at(k)] = false;
     }
   }
@@ -101,12 +134,25 @@ void DriveController<F>::end_leases(double time) noexcept {
       points_[at(k)].hold(time);
     }
   }
+}
+
+/// A hand takes hold, follows and lets go smoothly.
+template <class F>
+void DriveController<F>::advance_pull(double time) noexcept {
   pulled_ = pulled_ && time <= pull_until_;
+  const double change = settings_.period / kGrip;
+  pull_share_ =
+      pulled_ ? std::fmin(1.0, pull_share_ + change) : std::fmax(0.0, pull_share_ - change);
+  const double share = std::fmin(1.0, kHandFilter * settings_.period);
+  for (int i = 0; i < 3; ++i) {
+    pull_hand_[i] += share * (pull_to_[i] - pull_hand_[i]);
+  }
 }
 
 template <class F>
 void DriveController<F>::advance(double time) noexcept {
   end_leases(time);
+  advance_pull(time);
   for_each_joint([&](int iq, int) { joints_[at(iq)].advance(time, settings_.period); },
                  [&](int k, int, int) { floating_[at(k)].advance(time, settings_.period); });
   for (int k = 0; k < kPoints; ++k) {
@@ -224,7 +270,7 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
   for_each_joint([&](int, int iv) { qdd[iv] = -kHandDamping * state.qd[iv]; },
                  [](int, int, int) {});
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
-  if (pulled_) {
+  if (pulled()) {
     add_pull(state, tau);
     F::forward_dynamics(state.q, state.qd, tau, qdd);
   }
@@ -336,11 +382,13 @@ void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcep
   hand_.place_of(pull_link_, pull_on_link_, pull_at_);
   double squared = 0.0;
   for (int i = 0; i < 3; ++i) {
-    pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
+    pull_force_[i] = settings_.pull_stiffness * (pull_hand_[i] - pull_at_[i]);
     squared += pull_force_[i] * pull_force_[i];
   }
   const double size = std::sqrt(squared);
+  const double grip = pull_share_ * pull_share_ * (3.0 - 2.0 * pull_share_);
   for (double& f : pull_force_) {
+    f *= grip;
     f *= size > settings_.pull_force ? settings_.pull_force / size : 1.0;
   }
   double added[nv] = {};
@@ -363,8 +411,9 @@ void DriveController<F>::blend(double time, double (&tau)[nv]) noexcept {
   if (left <= 0.0) {
     return;
   }
+  const double share = left * left * left * (10.0 - 15.0 * left + 6.0 * left * left);
   for (int i = 0; i < nv; ++i) {
-    tau[i] += left * left * left * blend_from_[i];
+    tau[i] += share * blend_from_[i];
   }
 }
 
@@ -394,7 +443,7 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
     avoid_obstacles(state, qdd);
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }
-  if (pulled_ && control_ != Control::gravity) {
+  if (pulled() && control_ != Control::gravity) {
     add_pull(state, tau);
   }
   blend(time, tau);

@@ -62,7 +62,10 @@ void DriveController<F>::apply(double time, const servo::Message& message) noexc
       if (index >= 0 && index < kPoints) free_[at(index)] = false;
       break;
     case Instruction::release_point:
-      if (index >= 0 && index < kPoints) free_[at(index)] = true;
+      if (index >= 0 && index < kPoints) {
+        free_[at(index)] = true;
+        blend_asked_ = true;
+      }
       break;
     case Instruction::set_gains:
       set_gains(message);
@@ -257,7 +260,7 @@ void DriveController<F>::drag_pose(double time, const servo::Message& message,
                                   message.values[8]};
     double to[9];
     core::rotation_from_quaternion(quaternion, to);
-    pose.follow_rotation(time, to, 2.0 * kTurnSpeed);
+    pose.follow_rotation(to, 2.0 * kTurnSpeed);
   }
 }
 
@@ -281,13 +284,19 @@ void DriveController<F>::begin_pull(double time, const servo::Message& message) 
   if (link < 0 || link >= F::kLinks) {
     return;
   }
-  pull_link_ = link;
-  pull_until_ = time + kLease;
-  pulled_ = true;
+  bool elsewhere = link != pull_link_;
   for (int i = 0; i < 3; ++i) {
+    elsewhere = elsewhere || pull_on_link_[i] != message.values[at(1 + i)];
     pull_on_link_[i] = message.values[at(1 + i)];
     pull_to_[i] = message.values[at(4 + i)];
   }
+  if (elsewhere || !pulled()) {
+    for (int i = 0; i < 3; ++i) pull_hand_[i] = pull_to_[i];
+    blend_asked_ = blend_asked_ || pulled();
+  }
+  pull_link_ = link;
+  pull_until_ = time + kLease;
+  pulled_ = true;
 }
 
 template <class F>
