@@ -11,6 +11,7 @@
 
 #include "cli/driver.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/latency.hpp"
 #include "cli/loop_handle.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
@@ -32,6 +33,8 @@ struct DriveOptions {
   InputOptions inputs;
   DriveSettings drive;
   SimulationTexts simulation;
+  LatencySettings latency;
+  bool measures_latency = false;
   std::string script, reference, replay;
   std::vector<std::string> packages;
   bool headless = false;
@@ -166,6 +169,11 @@ int run(DriveOptions options) {
     print_diagnostics(of_drive, options.inputs.warnings);
     return acted ? kOk : kBadInput;
   }
+  if (options.measures_latency) {
+    const bool measured = measure_latency(*robot, drive, options.latency, of_drive);
+    print_diagnostics(of_drive, options.inputs.warnings);
+    return measured ? kOk : kBadInput;
+  }
   const auto outcome = run_drive(*robot, drive, of_drive);
   print_diagnostics(of_drive, options.inputs.warnings);
   if (!outcome) return kBadInput;
@@ -216,6 +224,24 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
       ->delimiter(',')
       ->check(any_number());
   add_simulation_options(command, options.simulation);
+  auto* latency = command.add_flag("--latency", options.measures_latency,
+                                   "Measure period, jitter and control time in real time instead");
+  latency->excludes("--script", "--record", "--reference", "--replay", "--act-as-robot");
+  const char* const kGroup = "With --latency";
+  command.add_option("--seconds", options.latency.seconds, "For so long")
+      ->check(between(1, 86400))
+      ->capture_default_str()
+      ->needs(latency)
+      ->group(kGroup);
+  command
+      .add_option("--load", options.latency.load, "Threads that keep the machine busy meanwhile")
+      ->check(whole_between(0, 256))
+      ->capture_default_str()
+      ->needs(latency)
+      ->group(kGroup);
+  command.add_option("--report", options.latency.report, "Write PREFIX.json and PREFIX.svg")
+      ->needs(latency)
+      ->group(kGroup);
 }
 
 }  // namespace

@@ -40,6 +40,11 @@ double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+double unix_milliseconds() {
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+  return Milliseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 void say(const std::string& line) {
   fmt::print(stderr, "{}\n", printable(line));
 }
@@ -184,7 +189,7 @@ void Driver::receive() {
   }
   rehearsals_.attend([this](const std::string& text) {
     say(text);
-    session_.tell_holder(text);
+    if (session_.authority().holder() != local_) session_.tell_holder(text);
   });
   const std::string fault = session_.fault();
   if (fault != fault_seen_ && !fault.empty()) say("fault: " + fault);
@@ -315,7 +320,7 @@ drive::ServerHandlers Driver::handlers() {
       ++session_.refused().excess;
       return {};
     }
-    return inbox.receive(message, now(), sent_, session_);
+    return drive::stamp_reply(inbox.receive(message, now(), sent_, session_), unix_milliseconds());
   };
   handlers.leave = [this](int front_end) {
     const std::lock_guard lock(mutex_);
@@ -343,6 +348,7 @@ void Driver::run_in_real_time() {
     }
     ended = true;
   });
+  servo::request_attention();  // it shares the lock of the session with the server's thread
   while (!ready) std::this_thread::sleep_for(1ms);
   if (!refused.empty()) say("real time: " + refused);
   while (!ended) {

@@ -30,6 +30,7 @@ Rehearsal::Rehearsal(const drive::RobotLibrary& library, const drive::RobotDescr
                [this](const servo::Message& message) { return loop_.send(message); }),
       numbers_(static_cast<std::size_t>(session_.layout().size)),
       origin_(std::ceil(kOrigin / period_) * period_) {
+  loop_.step();  // control goes on from the torque that holds the twin
   loop_.send(plain_message(servo::MessageKind::start));
   for (const servo::Message& message : begin.settings) schedule(message, origin_);
   schedule(drive::make_message(drive::Instruction::begin_here), origin_);

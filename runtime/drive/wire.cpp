@@ -304,6 +304,11 @@ std::string finish_state(std::string state, bool commanding) {
   return state + (commanding ? ",\"commanding\":true}" : ",\"commanding\":false}");
 }
 
+std::string stamp_reply(std::string reply, double milliseconds) {
+  reply.pop_back();
+  return reply + ",\"clock\":" + Json(milliseconds).dump() + "}";
+}
+
 std::string print_reply(std::optional<std::int64_t> seq, const Answer& answer) {
   Json json = {{"type", "reply"},
                {"seq", seq ? Json(*seq) : Json(nullptr)},

@@ -272,28 +272,26 @@ TEST_F(DriveTest, SaysThatNoRobotAnswers) {
   EXPECT_NE(outcome.err.find("no robot answers"), std::string::npos) << outcome.err;
 }
 
-// The tool of a PUMA 560 is sent through a ball to the other side of it. By the interpreter it goes
-// round, and never comes nearer than the clearance.
-TEST_F(DriveTest, TheToolGoesRoundAnObstacle) {
+// The wrist of a PUMA 560 is sent past a ball that is in its way. By the interpreter it goes round,
+// and never comes nearer than the clearance.
+TEST_F(DriveTest, ThePointGoesRoundAnObstacle) {
   const std::string urdf = kRobots + "/puma560/puma560.urdf";
+  const std::string point = "operational_points: [{name: wrist, link: link6, rows: [x, y, z]}]\n";
   write("scene.yaml",
-        "operational_points: [{name: tool, link: link6}]\n"
-        "obstacles: [{name: ball, sphere: {radius: 0.08}, origin: {xyz: [0.45, -0.02, 0.2]}}]\n");
-  const Outcome outcome =
-      drive(urdf + " scene.yaml",
-            "start\nmove tool to 0.45 -0.3 0.2 in 2 s\nwait\nmove tool to 0.45 0.3 0.21 in 3 s\n"
-            "wait\nwait 3 s\n",
-            "--q 0,-0.8,0.9,0.2,0.9,0 --record record.jsonl");
+        point +
+            "obstacles: [{name: ball, sphere: {radius: 0.06}, origin: {xyz: [0.18, 0.24, "
+            "1.35]}}]\n");
+  const Outcome outcome = drive(urdf + " scene.yaml", "start\nmove wrist by 0 0.3 0 in 3 s\nwait\n",
+                                "--q -0.4,-0.785,0.4,0,0.8,0 --record record.jsonl");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   Diagnostics diagnostics;
   const auto robot = read_urdf(urdf, diagnostics);
-  const auto scene =
-      parse_scene("operational_points: [{name: tool, link: link6}]", "tool", *robot, diagnostics);
+  const auto scene = parse_scene(point, "wrist", *robot, diagnostics);
   const auto model = model_from_robot<double>(*robot, *scene);
   const auto points = points_from_scene(model, scene->operational_points);
   std::istringstream lines(test::read_file(root_ / "record.jsonl"));
   double nearest = 1;
-  Eigen::Vector3d last;
+  std::vector<Eigen::Vector3d> path;
   for (std::string line; std::getline(lines, line);) {
     const json entry = json::parse(line);
     if (entry["type"] == "hello") {
@@ -301,19 +299,83 @@ TEST_F(DriveTest, TheToolGoesRoundAnObstacle) {
     }
     if (entry["type"] != "state") continue;
     const auto q = entry["q"].get<std::vector<double>>();
-    last = interpreter::forward_kinematics<double>(model, points,
-                                                   interpreter::Vector<double>::Map(q.data(), 6))
-               .at(0)
-               .position;
-    const double distance = (last - Eigen::Vector3d(0.45, -0.02, 0.2)).norm() - 0.08;
+    path.push_back(interpreter::forward_kinematics<double>(
+                       model, points, interpreter::Vector<double>::Map(q.data(), 6))
+                       .at(0)
+                       .position);
+    const double distance = (path.back() - Eigen::Vector3d(0.18, 0.24, 1.35)).norm() - 0.06;
     nearest = std::min(nearest, distance);
-    if (entry["mode"] == "running" && entry["time"].get<double>() > 0.5) {
+    if (entry["mode"] == "running") {
       EXPECT_NEAR(entry["points"][0]["nearest"].get<double>(), distance, 1e-9);
     }
   }
   EXPECT_GT(nearest, 0.02);
-  EXPECT_LT(nearest, 0.15);
-  EXPECT_LT((last - Eigen::Vector3d(0.45, 0.3, 0.21)).norm(), 5e-3);
+  EXPECT_LT(nearest, 0.1);  // its straight way led through the ball
+  EXPECT_LT((path.back() - path.front() - Eigen::Vector3d(0, 0.3, 0)).norm(), 5e-3);
+}
+
+// A rehearsal moves the twin and not the robot; then the robot does the same, to the last digits.
+TEST_F(DriveTest, RehearsesThenGoes) {
+  write("script.txt",
+        "start\nwait\nrehearse\njoint joint1 to 0.5 in 1 s\njoint joint3 by -0.4 in 0.7 s\nwait\n"
+        "go\nwait\n");
+  const Outcome outcome =
+      test::run_program(root_, "drive " + kRobots +
+                                   "/puma560/puma560.urdf --headless --script script.txt --record "
+                                   "record.jsonl --q 0,-0.8,0.8,0,0.6,0");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("the robot has done what was rehearsed"), std::string::npos);
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  std::vector<std::vector<double>> twin, robot;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] != "state" || entry["twin"].is_null()) continue;
+    if (entry["twin"]["moving"]) {
+      EXPECT_NEAR(entry["q"][0].get<double>(), 0.0, 1e-6);
+      twin.push_back(entry["twin"]["q"].get<std::vector<double>>());
+    } else {
+      robot.push_back(entry["q"].get<std::vector<double>>());
+    }
+  }
+  ASSERT_GT(twin.size(), 100U);
+  ASSERT_GT(robot.size(), 100U);
+  EXPECT_NEAR(twin.back()[0], 0.5, 1e-4);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(robot.back()[i], twin.back()[i], 1e-6);
+}
+
+TEST_F(DriveTest, RefusesARehearsalThatCannotBe) {
+  const auto refused = [&](const std::string& script, const std::string& why) {
+    write("script.txt", script);
+    const Outcome outcome = run_drive("--headless --script script.txt");
+    EXPECT_EQ(outcome.exit_code, 1) << script;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+  };
+  refused("start\nwait\ngo\n", "`rehearse` first");
+  refused("start\nwait\ndiscard\n", "there is no rehearsal");
+  refused("start\njoint joint1 to 1\nrehearse\n", "the robot moves");
+  refused("start\nwait\nrehearse\njoint joint1 to 1\ngo\n", "the twin has not ended");
+  refused("start\nfollow\n", "--reference FILE");
+}
+
+// A record is a reference: the robot goes to where it begins and then the same way.
+TEST_F(DriveTest, FollowsARecord) {
+  write("script.txt", "start\njoint joint1 to 0.7 in 1 s\njoint joint3 to -0.5 in 1 s\nwait\n");
+  ASSERT_EQ(run_drive("--headless --script script.txt --record record.jsonl").exit_code, 0);
+  write("script.txt", "start\njoint joint2 to 0.3 in 0.5 s\nwait\nfollow in 0.5 s\nwait\n");
+  const Outcome outcome = run_drive("--headless --script script.txt --reference record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto q = json::parse(outcome.out)["q"].get<std::vector<double>>();
+  EXPECT_NEAR(q[0], 0.7, 1e-3);
+  EXPECT_NEAR(q[1], 0.0, 1e-3);
+  EXPECT_NEAR(q[2], -0.5, 1e-3);
+  write("bad.csv", "time,q0,q1,q2\n0,0,0,0\n1,9,0,0\n");
+  EXPECT_NE(
+      run_drive("--headless --script script.txt --reference bad.csv").err.find("beyond its limits"),
+      std::string::npos);
+  const Outcome other =
+      test::run_program(root_, "drive " + kRobots + "/puma560/puma560.urdf --replay record.jsonl");
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.err.find("another URDF or scene"), std::string::npos) << other.err;
 }
 
 // Friction leaves an error, a delay and coarse encoders leave the robot where it was sent.
@@ -331,7 +393,7 @@ TEST_F(DriveTest, ARobotThatIsNotIdealArrivesLessExactly) {
   EXPECT_GT(rubbed, 10 * ideal);
   EXPECT_LT(rubbed, 0.05);
   EXPECT_LT(error_with("--delay 0.003 --quantisation 1e-4 --sensor-noise 1e-5"), 1e-3);
-  EXPECT_LT(error_with("--backlash 0.002 --rotor joint1=0.5,joint2=0.3,joint3=0.1"), 1e-2);
+  EXPECT_LT(error_with("--backlash 0.002 --rotor joint1=0.5,joint2=0.3,joint3=0.1"), 2e-2);
 }
 
 TEST_F(DriveTest, RefusesWhatIsNoFaultOfARobot) {
