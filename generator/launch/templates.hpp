@@ -7,6 +7,7 @@ namespace treeline::launch_templates {
 // A file of templates/ and headers of runtime/, embedded when the generator is built.
 extern const std::string_view kRobot;
 extern const std::string_view kCoreCommandLaws;
+extern const std::string_view kCoreLdlt;
 extern const std::string_view kCoreOrientation;
 extern const std::string_view kCoreSinCos;
 extern const std::string_view kCoreSquareRoot;
@@ -22,6 +23,7 @@ extern const std::string_view kServoSafety;
 extern const std::string_view kServoStateMachine;
 extern const std::string_view kServoStatistics;
 extern const std::string_view kDriveAvoidance;
+extern const std::string_view kDriveClosedLoops;
 extern const std::string_view kDriveController;
 extern const std::string_view kDriveControllerBody;
 extern const std::string_view kDriveGoals;

@@ -151,6 +151,7 @@ class DriveController {
   void begin_following(double time, double duration) noexcept;
   void stop_following(double time, Instruction next) noexcept;
   void follow_reference(double time) noexcept;
+  void let_passive_follow(double time) noexcept;
   void end_leases(double time) noexcept;
   void advance(double time) noexcept;
   double guess_duration(double distance, double limit, double asked) const noexcept;

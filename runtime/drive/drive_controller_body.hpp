@@ -159,6 +159,19 @@ void DriveController<F>::advance(double time) noexcept {
     points_[at(k)].advance(time, settings_.period);
   }
   follow_reference(time);
+  let_passive_follow(time);
+}
+
+/// Joints without motors go where the loops lead them: their goal is where they are.
+template <class F>
+void DriveController<F>::let_passive_follow(double time) noexcept {
+  if constexpr (requires { F::kPassive; }) {
+    for (int i = 0; i < nv; ++i) {
+      if (F::kPassive[i]) {
+        joints_[at(i)].begin(time, state_.q[i], 0.0);
+      }
+    }
+  }
 }
 
 template <class F>

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/orientation.hpp"
+#include "drive/closed_loops.hpp"
 #include "drive/drive_controller.hpp"
 #include "drive/driven_robot.hpp"
 #include "drive/robot_library.hpp"
@@ -328,7 +329,19 @@ const RobotLibrary* library_of() noexcept {
       [](void* robot, const double* tau, double seconds) {
         static_cast<LoneRobot<F>*>(robot)->advance(tau, seconds);
       },
-      [](void* robot, double* state) { static_cast<LoneRobot<F>*>(robot)->read(state); }};
+      [](void* robot, double* state) { static_cast<LoneRobot<F>*>(robot)->read(state); },
+      [](double* q) {
+        if constexpr (requires { F::kHeldRows; }) {
+          double closed[F::kCoordinates];
+          std::copy_n(q, F::kCoordinates, closed);
+          const double error = ClosedLoops<F>::close(closed);
+          std::copy_n(closed, F::kCoordinates, q);
+          return error;
+        } else {
+          (void)q;
+          return 0.0;
+        }
+      }};
   return &kLibrary;
 }
 

@@ -20,6 +20,7 @@ struct DrivenCoordinate {
   std::string joint;  ///< of the URDF; `base` for a floating base
   Measure measure = Measure::angle;
   int velocity_index = -1;  ///< of its velocity and force; -1 for a floating joint
+  bool passive = false;     ///< without a motor: loops lead it
   double lower = -std::numeric_limits<double>::infinity();  ///< rad or m
   double upper = std::numeric_limits<double>::infinity();
   double velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
@@ -61,9 +62,10 @@ struct RobotDescription {
   std::string urdf;            ///< text of the file
 };
 
-/// Whether the coordinate can be the goal of a joint command: it is no part of a floating joint.
+/// Whether the coordinate can be the goal of a joint command: it is no part of a floating joint,
+/// and has a motor.
 inline bool is_single(const DrivenCoordinate& coordinate) {
-  return coordinate.velocity_index >= 0;
+  return coordinate.velocity_index >= 0 && !coordinate.passive;
 }
 
 /// Whether it is measured in rad; else in m.

@@ -146,6 +146,9 @@ struct RobotLibrary {
   void (*destroy_robot)(void* robot) = nullptr;
   void (*advance_robot)(void* robot, const double* tau, double seconds) = nullptr;
   void (*read_robot)(void* robot, double* state) = nullptr;
+  /// Closes the loops of the robot's own near `q`; returns the largest error that is left, m or
+  /// rad. 0, and nothing changes, where there are none.
+  double (*close_loops)(double* q) = nullptr;
 };
 
 /// The library's only symbol, of type `const RobotLibrary* (*)()`.

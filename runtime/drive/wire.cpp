@@ -75,7 +75,8 @@ Json describe_coordinates(const RobotDescription& robot) {
                     {"lower", limit(coordinate.lower)},
                     {"upper", limit(coordinate.upper)},
                     {"velocity", limit(coordinate.velocity)},
-                    {"effort", limit(coordinate.effort)}});
+                    {"effort", limit(coordinate.effort)},
+                    {"passive", coordinate.passive}});
   }
   return list;
 }

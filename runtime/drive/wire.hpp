@@ -54,7 +54,8 @@ std::string print_state(const Session& session, std::int64_t seq, int watchers,
                         Detail detail = Detail::histograms, const Session* twin = nullptr);
 std::string finish_state(std::string state, bool commanding);
 
-/// Adds the machine's time (ms since 1970) to a reply: in a cycle after it the command takes effect.
+/// Adds the machine's time (ms since 1970) to a reply: in a cycle after it the command takes
+/// effect.
 std::string stamp_reply(std::string reply, double milliseconds);
 std::string print_reply(std::optional<std::int64_t> seq, const Answer& answer);
 /// A command as a record keeps it.

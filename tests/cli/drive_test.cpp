@@ -412,5 +412,70 @@ TEST_F(DriveTest, RefusesWhatIsNoFaultOfARobot) {
             std::string::npos);
 }
 
+/// A four-bar: crank of 0.2 m with the motor, coupler of 0.4 m on it, rocker of 0.3 m, 0.4 m apart.
+std::string four_bar() {
+  const auto link = [](const std::string& name, double length) {
+    return "<link name='" + name + "'><inertial><origin xyz='" + std::to_string(length / 2) +
+           " 0 0'/><mass value='1'/><inertia ixx='0.001' ixy='0' ixz='0' iyy='0.01' iyz='0' "
+           "izz='0.01'/></inertial></link>";
+  };
+  const auto joint = [](const std::string& name, const std::string& parent,
+                        const std::string& child, double x) {
+    return "<joint name='" + name + "' type='revolute'><parent link='" + parent +
+           "'/><child link='" + child + "'/><origin xyz='" + std::to_string(x) +
+           " 0 0'/><axis xyz='0 0 1'/><limit lower='-3' upper='3' effort='50' "
+           "velocity='10'/></joint>";
+  };
+  return "<robot name='fourbar'><link name='base'/>" + link("crank", 0.2) + link("coupler", 0.4) +
+         link("rocker", 0.3) + joint("motor", "base", "crank", 0) +
+         joint("knee", "crank", "coupler", 0.2) + joint("pivot", "base", "rocker", 0.4) +
+         "</robot>";
+}
+const std::string kFourBarScene =
+    "gravity: [0, -9.81, 0]\npassive: [knee, pivot]\n"
+    "constraints:\n  - {name: closing, between: [rocker, coupler], origin: {xyz: [0.3, 0, 0]},\n"
+    "     other_origin: {xyz: [0.4, 0, 0]}, rows: [x, y]}\n";
+
+// The motor leads the crank to 1.2 rad under gravity; the loop stays closed by plane trigonometry,
+// and joints without motors get no force. Would catch: a loop that opens, a motor that does not
+// carry the coupler and the rocker.
+TEST_F(DriveTest, AFourBarIsDrivenByItsMotor) {
+  write("fourbar.urdf", four_bar());
+  write("scene.yaml", kFourBarScene);
+  const Outcome outcome =
+      drive("fourbar.urdf scene.yaml", "start\njoint motor to 1.2 in 1 s\nwait\nwait 1 s\n",
+            "--q 0.5,0.5,1 --record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  double widest = 0;
+  std::vector<double> q;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] != "state") continue;
+    q = entry["q"].get<std::vector<double>>();
+    const double x = 0.2 * std::cos(q[0]) + 0.4 * std::cos(q[0] + q[1]) - 0.3 * std::cos(q[2]);
+    const double y = 0.2 * std::sin(q[0]) + 0.4 * std::sin(q[0] + q[1]) - 0.3 * std::sin(q[2]);
+    widest = std::max(widest, std::hypot(x - 0.4, y));
+    EXPECT_EQ(entry["tau"][1], 0.0);
+    EXPECT_EQ(entry["tau"][2], 0.0);
+  }
+  EXPECT_LT(widest, 1e-5);  // of Runge-Kutta steps, led back
+  ASSERT_EQ(q.size(), 3U);
+  EXPECT_NEAR(q[0], 1.2, 1e-4);
+}
+
+TEST_F(DriveTest, SaysWhichLoopsItDoesNotDrive) {
+  write("fourbar.urdf", four_bar());
+  write("scene.yaml", kFourBarScene);
+  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\njoint knee to 0\n", "--q 0.5,0.5,1")
+                .err.find("no joint `knee`"),
+            std::string::npos);
+  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n", "--q 0,3,0").err.find("cannot be closed"),
+            std::string::npos);
+  write("scene.yaml", "base: floating\nconstraints: [{name: held, between: [base, world]}]\n");
+  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n").err.find("held to the world"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace treeline
