@@ -470,11 +470,33 @@ TEST_F(DriveTest, SaysWhichLoopsItDoesNotDrive) {
   EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\njoint knee to 0\n", "--q 0.5,0.5,1")
                 .err.find("no joint `knee`"),
             std::string::npos);
-  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n", "--q 0,3,0").err.find("cannot be closed"),
+  std::string too_far = kFourBarScene;
+  write("scene.yaml", too_far.replace(too_far.find("0.3"), 3, "9.0"));
+  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n").err.find("cannot be closed"),
             std::string::npos);
   write("scene.yaml", "base: floating\nconstraints: [{name: held, between: [base, world]}]\n");
   EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n").err.find("held to the world"),
             std::string::npos);
+}
+
+// How long cycles take is not asked; that all are counted is.
+TEST_F(DriveTest, MeasuresItsTiming) {
+  const Outcome outcome = run_drive("--latency --seconds 1 --load 1 --report timing");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("jitter"), std::string::npos);
+  const json report = json::parse(test::read_file(root_ / "timing.json"));
+  const auto cycles = report["cycles"].get<long>();
+  EXPECT_GT(cycles, 0);
+  for (const char* series : {"period_us", "jitter_us", "control_us"}) {
+    long sum = 0;
+    for (const json& count : report[series]["bins"]) sum += count.get<long>();
+    EXPECT_EQ(sum, cycles) << series;
+    EXPECT_LE(report[series]["median"], report[series]["largest"]) << series;
+  }
+  const std::string svg = test::read_file(root_ / "timing.svg");
+  EXPECT_EQ(svg.rfind("<svg", 0), 0U);
+  EXPECT_NE(svg.find("and more"), std::string::npos);
+  EXPECT_NE(run_drive("--seconds 5").err.find("--latency"), std::string::npos);
 }
 
 }  // namespace
