@@ -165,6 +165,7 @@ std::vector<GeneratedFile> runtime_headers() {
           file("drive/link_forces.hpp", t::kDriveLinkForces),
           file("drive/drive_loop.hpp", t::kDriveLoop),
           file("drive/obstacle.hpp", t::kDriveObstacle),
+          file("drive/drive_task_law.hpp", t::kDriveTaskLaw),
           file("drive/driven_robot.hpp", t::kDriveRobot),
           file("drive/instruction.hpp", t::kDriveInstruction),
           file("drive/robot_library.hpp", t::kDriveLibrary),

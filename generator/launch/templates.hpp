@@ -37,5 +37,6 @@ extern const std::string_view kDriveInstruction;
 extern const std::string_view kDriveLibrary;
 extern const std::string_view kDriveRecordedMotion;
 extern const std::string_view kDriveReference;
+extern const std::string_view kDriveTaskLaw;
 
 }  // namespace treeline::launch_templates

@@ -71,7 +71,6 @@ class ClosedLoops {
   /// largest error that is left, m or rad.
   static double close(double (&q)[nv]) noexcept {
     constexpr int kSteps = 60;
-    constexpr double kLongest = 0.3;  // rad or m in a step
     double weights[nv];
     for (double& weight : weights) {
       weight = 1.0;
@@ -80,30 +79,9 @@ class ClosedLoops {
       weights[motor] = 1e-3;
     }
     for (int step = 0; step < kSteps; ++step) {
-      double e[F::kHeldRows];
-      double J[F::kHeldRows * nv];
-      F::constraint_errors(q, e);
-      F::constraint_jacobian(q, J);
-      double A[F::kHeldRows * F::kHeldRows];
-      for (int i = 0; i < F::kHeldRows; ++i) {
-        for (int j = 0; j < F::kHeldRows; ++j) {
-          double& entry = A[i * F::kHeldRows + j];
-          entry = 0.0;
-          for (int k = 0; k < nv; ++k) {
-            entry += J[i * nv + k] * weights[k] * J[j * nv + k];
-          }
-        }
-      }
-      solve_semidefinite<F::kHeldRows>(A, e);
-      for (int k = 0; k < nv; ++k) {
-        double change = 0.0;
-        for (int i = 0; i < F::kHeldRows; ++i) {
-          change -= weights[k] * J[i * nv + k] * e[i];
-        }
-        q[k] += std::fmax(-kLongest, std::fmin(kLongest, change));
-      }
+      take_step(weights, q);
     }
-    double e[F::kHeldRows];
+    double e[kRows];
     F::constraint_errors(q, e);
     double largest = 0.0;
     for (const double error : e) {
@@ -114,6 +92,32 @@ class ClosedLoops {
 
  private:
   static constexpr int kMotors = F::kMotorCount;
+  static constexpr int kRows = F::kHeldRows;
+
+  /// q -= W J^T (J W J^T)^-1 e, each joint by a bounded way.
+  static void take_step(const double (&weights)[nv], double (&q)[nv]) noexcept {
+    constexpr double kLongest = 0.3;  // rad or m
+    double e[kRows];
+    double J[kRows * nv];
+    F::constraint_errors(q, e);
+    F::constraint_jacobian(q, J);
+    double A[kRows * kRows] = {};
+    for (int i = 0; i < kRows; ++i) {
+      for (int j = 0; j < kRows; ++j) {
+        for (int k = 0; k < nv; ++k) {
+          A[i * kRows + j] += J[i * nv + k] * weights[k] * J[j * nv + k];
+        }
+      }
+    }
+    solve_semidefinite<kRows>(A, e);
+    for (int k = 0; k < nv; ++k) {
+      double change = 0.0;
+      for (int i = 0; i < kRows; ++i) {
+        change -= weights[k] * J[i * nv + k] * e[i];
+      }
+      q[k] += std::fmax(-kLongest, std::fmin(kLongest, change));
+    }
+  }
 };
 
 }  // namespace treeline::drive

@@ -208,3 +208,4 @@ class DriveController {
 
 #include "drive/drive_controller_body.hpp"
 #include "drive/drive_goals.hpp"
+#include "drive/drive_task_law.hpp"
