@@ -12,10 +12,12 @@
 #include "cli/print_diagnostics.hpp"
 #include "cli/write_output.hpp"
 #include "description/read_scene.hpp"
+#include "description/read_surroundings.hpp"
 #include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
 #include "description/suggest_name.hpp"
 #include "drawing/draw_robot.hpp"
+#include "drawing/obstacle_solids.hpp"
 #include "drawing/recorded_motion.hpp"
 
 namespace treeline {
@@ -34,6 +36,7 @@ struct Drawn {
   Robot robot;
   Scene scene;
   std::vector<Visual> visuals;
+  SceneSurroundings surroundings;
 };
 
 /// Reads robot and scene. What is worth a warning about their dynamics is not about a picture.
@@ -68,7 +71,12 @@ std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnos
                                  meshes),
                      "`treeline drive` shows meshes in a browser."});
   }
-  return Drawn{std::move(read->first), std::move(read->second), std::move(visuals)};
+  const auto scene_text = options.scene.empty() ? std::optional<std::string>("")
+                                                : read_text_file(options.scene, diagnostics);
+  if (!scene_text) return std::nullopt;
+  auto surroundings = surroundings_of(*scene_text, read->first);
+  return Drawn{std::move(read->first), std::move(read->second), std::move(visuals),
+               std::move(surroundings)};
 }
 
 /// Index of the point whose path is drawn; nothing, with an error, if the scene has none such.
@@ -149,7 +157,8 @@ int draw(const DrawOptions& options, Diagnostics& diagnostics) {
   const LinkPlacer placer(drawn->robot, drawn->scene);
   const auto moments = choose_moments(options, *drawn, placer, diagnostics);
   if (!moments) return kBadInput;
-  const std::string svg = draw_robot(drawn->robot, placer, drawn->visuals, *moments, options.view);
+  const std::string svg = draw_robot(drawn->robot, placer, drawn->visuals, *moments, options.view,
+                                     obstacle_solids(drawn->surroundings.obstacles));
   if (options.svg.empty() || options.svg == "-") return write_output(svg, OutputForm::text, kOk);
   return write_output_file(options.svg, svg, diagnostics) ? kOk : kBadInput;
 }

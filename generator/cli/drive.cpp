@@ -11,11 +11,17 @@
 
 #include "cli/driver.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/latency.hpp"
+#include "cli/loop_handle.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
+#include "cli/reference.hpp"
+#include "cli/replay.hpp"
 #include "cli/robot_elsewhere.hpp"
+#include "cli/simulation_options.hpp"
 #include "cli/write_output.hpp"
+#include "description/read_surroundings.hpp"
 #include "description/read_text_file.hpp"
 #include "drive/find_meshes.hpp"
 #include "launch/launch.hpp"
@@ -26,7 +32,10 @@ namespace {
 struct DriveOptions {
   InputOptions inputs;
   DriveSettings drive;
-  std::string script;
+  SimulationTexts simulation;
+  LatencySettings latency;
+  bool measures_latency = false;
+  std::string script, reference, replay;
   std::vector<std::string> packages;
   bool headless = false;
   std::string robot = "simulated";
@@ -39,9 +48,11 @@ std::optional<LaunchedRobot> launch_from(const InputOptions& options, Diagnostic
   const auto tell = [](const std::string& what) {
     if (is_watched()) show_progress("  " + what);
   };
-  auto robot = launch({std::move(inputs->robot), std::move(inputs->scene),
-                       std::move(inputs->urdf_text), std::move(inputs->scene_text)},
-                      tell, diagnostics);
+  auto surroundings = surroundings_of(inputs->scene_text, inputs->robot);
+  auto robot =
+      launch({std::move(inputs->robot), std::move(inputs->scene), std::move(inputs->urdf_text),
+              std::move(inputs->scene_text), std::move(surroundings)},
+             tell, diagnostics);
   if (is_watched()) show_progress("");
   return robot;
 }
@@ -81,7 +92,35 @@ bool read_script(const std::string& path, DriveSettings& drive, Diagnostics& dia
   return text.has_value();
 }
 
+/// A robot elsewhere has the friction that it has.
+void refuse_imperfect_hardware(const DriveOptions& options, Diagnostics& diagnostics) {
+  const std::string given = options.simulation.first_given();
+  if (given.empty() || options.drive.udp_robot.empty()) return;
+  diagnostics.add({Severity::error, "", 0, given, "this is of a simulated robot, --robot is not",
+                   "Give it to the process that has --act-as-robot."});
+}
+
+/// A record needs no loop, and so no code: only the files that it was made with.
+int run_replay(const DriveOptions& options) {
+  Diagnostics diagnostics;
+  const auto packages = read_packages(options.packages, diagnostics);
+  const auto inputs = packages ? read_inputs(options.inputs, diagnostics) : std::nullopt;
+  bool shown = false;
+  if (inputs) {
+    PageSettings page{
+        options.drive.listen, options.drive.port, inputs->urdf_text,
+        drive::find_meshes(inputs->urdf_text,
+                           std::filesystem::path(options.inputs.urdf).parent_path(), *packages)};
+    warn_of_listeners(options.drive, diagnostics);
+    shown = replay(options.replay, checksum_of(inputs->urdf_text, inputs->scene_text), page,
+                   diagnostics);
+  }
+  print_diagnostics(diagnostics, options.inputs.warnings);
+  return shown ? kOk : kBadInput;
+}
+
 int run(DriveOptions options) {
+  if (!options.replay.empty()) return run_replay(options);
   Diagnostics diagnostics;
   DriveSettings& drive = options.drive;
   drive.serves = !options.headless;
@@ -93,8 +132,28 @@ int run(DriveOptions options) {
   warn_of_listeners(drive, diagnostics);
   std::optional<LaunchedRobot> robot;
   const auto packages = read_packages(options.packages, diagnostics);
-  if (packages && read_script(options.script, drive, diagnostics)) {
+  refuse_imperfect_hardware(options, diagnostics);
+  if (packages && !diagnostics.has_errors() && read_script(options.script, drive, diagnostics)) {
     robot = launch_from(options.inputs, diagnostics);
+  }
+  if (robot) {
+    auto simulation =
+        read_simulation(options.simulation, robot->description, drive.rate, diagnostics);
+    if (simulation) {
+      drive.simulation = std::move(*simulation);
+    } else {
+      robot.reset();
+    }
+  }
+  if (robot && !options.reference.empty()) {
+    auto reference = read_reference(options.reference, robot->description,
+                                    default_start(robot->description), diagnostics);
+    if (reference) {
+      drive.reference = std::move(*reference);
+      robot->description.has_reference = true;
+    } else {
+      robot.reset();
+    }
   }
   if (robot) {
     drive.meshes =
@@ -105,10 +164,15 @@ int run(DriveOptions options) {
   if (!robot) return kBadInput;
   Diagnostics of_drive;
   if (!options.act_as_robot.empty()) {
-    const bool acted =
-        act_as_robot(*robot, drive.start, drive.rate, options.act_as_robot, of_drive);
+    const bool acted = act_as_robot(*robot, drive.start, drive.rate, drive.simulation,
+                                    options.act_as_robot, of_drive);
     print_diagnostics(of_drive, options.inputs.warnings);
     return acted ? kOk : kBadInput;
+  }
+  if (options.measures_latency) {
+    const bool measured = measure_latency(*robot, drive, options.latency, of_drive);
+    print_diagnostics(of_drive, options.inputs.warnings);
+    return measured ? kOk : kBadInput;
   }
   const auto outcome = run_drive(*robot, drive, of_drive);
   print_diagnostics(of_drive, options.inputs.warnings);
@@ -128,6 +192,12 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--script", options.script,
                      "File of commands, one a line; - is standard input");
   command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states");
+  command.add_option("--reference", options.reference,
+                     "Motion for the command `follow`: a record, or a table of simulate --csv");
+  command
+      .add_option("--replay", options.replay,
+                  "Show this record in the page instead; nothing is simulated")
+      ->excludes("--headless", "--script", "--record", "--reference");
   command.add_flag("--real-time", drive.real_time,
                    "Keep to the machine's clock; always so with the page, a terminal or --robot");
   command.add_option("--rate", drive.rate, "Cycles of the control loop a second")
@@ -153,6 +223,25 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--q", drive.start, "Where it starts, separated by commas; else at 0")
       ->delimiter(',')
       ->check(any_number());
+  add_simulation_options(command, options.simulation);
+  auto* latency = command.add_flag("--latency", options.measures_latency,
+                                   "Measure period, jitter and control time in real time instead");
+  latency->excludes("--script", "--record", "--reference", "--replay", "--act-as-robot");
+  const char* const kGroup = "With --latency";
+  command.add_option("--seconds", options.latency.seconds, "For so long")
+      ->check(between(1, 86400))
+      ->capture_default_str()
+      ->needs(latency)
+      ->group(kGroup);
+  command
+      .add_option("--load", options.latency.load, "Threads that keep the machine busy meanwhile")
+      ->check(whole_between(0, 256))
+      ->capture_default_str()
+      ->needs(latency)
+      ->group(kGroup);
+  command.add_option("--report", options.latency.report, "Write PREFIX.json and PREFIX.svg")
+      ->needs(latency)
+      ->group(kGroup);
 }
 
 }  // namespace

@@ -15,9 +15,10 @@
 #include <thread>
 
 #include "cli/loop_handle.hpp"
+#include "cli/page_server.hpp"
+#include "cli/rehearsals.hpp"
 #include "cli/robot_elsewhere.hpp"
 #include "description/printable.hpp"
-#include "drive/page.hpp"
 #include "drive/rate_limit.hpp"
 #include "drive/script.hpp"
 #include "drive/server.hpp"
@@ -39,6 +40,11 @@ double machine_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+double unix_milliseconds() {
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+  return Milliseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 void say(const std::string& line) {
   fmt::print(stderr, "{}\n", printable(line));
 }
@@ -57,16 +63,32 @@ class Driver {
   Driver(const LaunchedRobot& robot, const DriveSettings& settings,
          const std::vector<double>& start, const drive::ExternalRobot& external)
       : settings_(settings),
-        loop_(robot.library.functions(), robot.description, settings.rate, settings.real_time,
-              start, external),
+        loop_(robot.library.functions(), robot.description,
+              {settings.rate,
+               settings.real_time,
+               start,
+               {},
+               settings.simulation.options(),
+               external,
+               settings.reference.motion()}),
         session_(robot.description, settings.rate, robot.library.functions().has_center_of_mass,
-                 [this](const servo::Message& message) { return loop_.send(message); }),
+                 [this](const servo::Message& message) {
+                   rehearsals_.note_sent(message);
+                   return loop_.send(message);
+                 }),
+        rehearsals_(robot.library.functions(), session_, loop_, settings.rate, settings.real_time,
+                    start),
         numbers_(static_cast<std::size_t>(session_.layout().size)),
         local_(session_.join()) {
     if (settings.script) script_.append(*settings.script);
     if (!settings.reads_input) script_.close();
+    session_.set_rehearsing({[this](Verb verb) { return rehearsals_.obey(verb); },
+                             [this](Verb verb, const servo::Message& message) {
+                               return rehearsals_.divert(verb, message);
+                             }});
   }
 
+  bool has_loop(Diagnostics& diagnostics) const;
   bool open_record(Diagnostics& diagnostics);
   bool open_server(Diagnostics& diagnostics);
   DriveOutcome run();
@@ -89,11 +111,12 @@ class Driver {
   void watch_end();
   double now() const { return settings_.real_time ? machine_time() : time(); }
   double time() const { return session_.report().head.time; }
-  bool moving() const { return session_.report().head.moving; }
+  bool moving() const { return session_.report().head.moving || rehearsals_.moving(); }
 
   const DriveSettings& settings_;
   LoopHandle loop_;
   drive::Session session_;
+  Rehearsals rehearsals_;
   std::vector<double> numbers_;
   int local_;
   drive::Script script_;
@@ -111,6 +134,14 @@ class Driver {
   std::unique_ptr<drive::Server> server_;
 };
 
+bool Driver::has_loop(Diagnostics& diagnostics) const {
+  if (loop_) return true;
+  diagnostics.add({Severity::error, "", 0, "--gear-stiffness",
+                   "the gears swing too fast to be simulated at this rate",
+                   "Give softer teeth, heavier rotors, or a higher --rate."});
+  return false;
+}
+
 bool Driver::open_record(Diagnostics& diagnostics) {
   if (settings_.record.empty()) return true;
   record_.open(settings_.record, std::ios::binary);
@@ -126,7 +157,9 @@ void Driver::record_state() {
   constexpr double kInterval = 0.01;  // s
   if (settings_.record.empty() || time() < recorded_ + kInterval - 1e-9) return;
   recorded_ = time();
-  record_ << drive::print_state(session_, state_number_++, 0, drive::Detail::plain) << '\n';
+  record_ << drive::print_state(session_, state_number_++, 0, drive::Detail::plain,
+                                rehearsals_.twin())
+          << '\n';
 }
 
 void Driver::record_line(const std::string& line, const drive::Answer& answer) {
@@ -154,6 +187,10 @@ void Driver::receive() {
     if (head.cycle == 0) warn_of_weight();
     record_state();
   }
+  rehearsals_.attend([this](const std::string& text) {
+    say(text);
+    if (session_.authority().holder() != local_) session_.tell_holder(text);
+  });
   const std::string fault = session_.fault();
   if (fault != fault_seen_ && !fault.empty()) say("fault: " + fault);
   fault_seen_ = fault;
@@ -220,6 +257,7 @@ void Driver::watch_end() {
 
 void Driver::run_as_fast_as_possible() {
   while (loop_.step()) {
+    rehearsals_.step();
     receive();
     if (ending_) continue;
     read_input();
@@ -255,7 +293,8 @@ void Driver::tell_front_ends() {
   told_ = now();
   sent_[++state_number_] = told_;
   while (sent_.begin()->second < told_ - kKept) sent_.erase(sent_.begin());
-  const std::string state = drive::print_state(session_, state_number_, server_->connections());
+  const std::string state = drive::print_state(session_, state_number_, server_->connections(),
+                                               drive::Detail::histograms, rehearsals_.twin());
   const std::optional<int> holder = session_.authority().holder();
   server_->send_states(
       [state, holder](int front_end) { return drive::finish_state(state, holder == front_end); });
@@ -281,7 +320,7 @@ drive::ServerHandlers Driver::handlers() {
       ++session_.refused().excess;
       return {};
     }
-    return inbox.receive(message, now(), sent_, session_);
+    return drive::stamp_reply(inbox.receive(message, now(), sent_, session_), unix_milliseconds());
   };
   handlers.leave = [this](int front_end) {
     const std::lock_guard lock(mutex_);
@@ -293,33 +332,9 @@ drive::ServerHandlers Driver::handlers() {
 
 bool Driver::open_server(Diagnostics& diagnostics) {
   if (!settings_.serves) return true;
-  const drive::Page page = drive::carried_page();
-  drive::ServerSettings server;
-  server.address = settings_.listen;
-  server.port = settings_.port;
-  server.token = drive::make_token();
-  server.html = page.html;
-  server.script = page.script;
-  server.style = page.style;
-  server.urdf = session_.robot().urdf;
-  server.meshes = settings_.meshes;
-  const std::string token = server.token;
-  std::string error;
-  server_ = drive::Server::open(std::move(server), handlers(), error);
-  if (!server_) {
-    diagnostics.add({Severity::error, "", 0, "--listen",
-                     fmt::format("{} port {} cannot be listened on: {}", settings_.listen,
-                                 settings_.port, error),
-                     "Choose another --port, or an address of this machine."});
-    return false;
-  }
-  if (page.html.empty())
-    say("This program was built without the page: Node.js or npm was missing.");
-  const bool is_ipv6 = settings_.listen.find(':') != std::string::npos;
-  fmt::print("http://{}:{}/?token={}\n", is_ipv6 ? "[" + settings_.listen + "]" : settings_.listen,
-             server_->port(), token);
-  std::fflush(stdout);
-  return true;
+  server_ = serve_page({settings_.listen, settings_.port, session_.robot().urdf, settings_.meshes},
+                       handlers(), diagnostics);
+  return server_ != nullptr;
 }
 
 void Driver::run_in_real_time() {
@@ -333,6 +348,7 @@ void Driver::run_in_real_time() {
     }
     ended = true;
   });
+  servo::request_attention();  // it shares the lock of the session with the server's thread
   while (!ready) std::this_thread::sleep_for(1ms);
   if (!refused.empty()) say("real time: " + refused);
   while (!ended) {
@@ -370,7 +386,8 @@ std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSet
   answer_signals([] { asked_to_end = true; });
   Driver driver(robot, settings, start, external ? external->functions() : drive::ExternalRobot{});
   std::optional<DriveOutcome> outcome;
-  if (driver.open_record(diagnostics) && driver.open_server(diagnostics)) {
+  if (driver.has_loop(diagnostics) && driver.open_record(diagnostics) &&
+      driver.open_server(diagnostics)) {
     outcome = driver.run();
   }
   answer_signals(nullptr);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/reference.hpp"
+#include "cli/simulation_options.hpp"
 #include "description/diagnostic.hpp"
 #include "drive/wire.hpp"
 #include "launch/launch.hpp"
@@ -23,7 +25,9 @@ struct DriveSettings {
   std::string listen = "127.0.0.1";
   int port = 0;  ///< 0: any
   std::vector<drive::ServedMesh> meshes;
-  std::string udp_robot;  ///< HOST:PORT; empty: the robot is simulated
+  Reference reference;           ///< a motion to follow; empty: none
+  SimulationNumbers simulation;  ///< of the simulated robot
+  std::string udp_robot;         ///< HOST:PORT; empty: the robot is simulated
 };
 
 /// How a drive ended.

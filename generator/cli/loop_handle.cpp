@@ -19,6 +19,9 @@ LoopNumbers::LoopNumbers(const drive::RobotDescription& robot)
     velocity[v] = coordinate.velocity;
     torque[v] = coordinate.effort;
   }
+  for (const drive::DrivenObstacle& obstacle : robot.obstacles) {
+    obstacles.push_back(obstacle.shape);
+  }
 }
 
 drive::LoopOptions options_for(const drive::RobotDescription& robot, const LoopNumbers& numbers,
@@ -35,18 +38,25 @@ drive::LoopOptions options_for(const drive::RobotDescription& robot, const LoopN
   options.torque = numbers.torque.data();
   options.pull_stiffness = kPullPerMass * robot.mass;
   options.pull_force = kHardestPull * robot.mass;
+  options.surroundings.obstacles = numbers.obstacles.data();
+  options.surroundings.obstacle_count = static_cast<int>(numbers.obstacles.size());
+  options.surroundings.guarded = robot.guarded.data();
+  options.surroundings.guarded_count = static_cast<int>(robot.guarded.size());
+  options.surroundings.repulsion = robot.repulsion;
   return options;
 }
 
 LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
-                       double rate, bool real_time, const std::vector<double>& start,
-                       const drive::ExternalRobot& external)
+                       const LoopSetup& setup)
     : library_(library), loop_(nullptr, Destroyer{library.destroy}) {
   const LoopNumbers numbers(robot);
-  drive::LoopOptions options = options_for(robot, numbers, start);
-  options.rate = rate;
-  options.real_time = real_time;
-  options.robot = external;
+  drive::LoopOptions options = options_for(robot, numbers, setup.start);
+  options.home = setup.home.empty() ? nullptr : setup.home.data();
+  options.rate = setup.rate;
+  options.real_time = setup.real_time;
+  options.robot = setup.external;
+  options.simulation = setup.simulation;
+  options.reference = setup.reference;
   loop_.reset(library.create(&options));
 }
 

@@ -8,16 +8,32 @@
 
 namespace treeline {
 
+/// How a control loop begins.
+struct LoopSetup {
+  double rate = 1000;  ///< Hz
+  bool real_time = true;
+  std::vector<double> start;  ///< q
+  std::vector<double> home;   ///< q; empty: the start
+  drive::SimulationOptions simulation;
+  drive::ExternalRobot external;
+  drive::RecordedMotion reference;  ///< outlives the loop
+};
+
 /// A control loop of a launched robot, simulated or outside.
 class LoopHandle {
  public:
-  /// `start` are the coordinates at the beginning, of the right number.
-  LoopHandle(const drive::RobotLibrary& library, const drive::RobotDescription& robot, double rate,
-             bool real_time, const std::vector<double>& start,
-             const drive::ExternalRobot& external = {});
+  LoopHandle(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+             const LoopSetup& setup);
+
+  /// False: the gears of `simulation` are too stiff to be simulated.
+  explicit operator bool() const { return loop_ != nullptr; }
 
   bool step() { return library_.step(loop_.get()); }
   bool send(const servo::Message& message) { return library_.send(loop_.get(), &message); }
+  /// See `drive::RobotLibrary::send_at`.
+  bool send_at(const servo::Message& message, double time) {
+    return library_.send_at(loop_.get(), &message, time);
+  }
   bool receive(drive::ReportHead& head, double* numbers) {
     return library_.receive(loop_.get(), &head, numbers);
   }
@@ -35,6 +51,7 @@ class LoopHandle {
 struct LoopNumbers {
   explicit LoopNumbers(const drive::RobotDescription& robot);
   std::vector<double> lower, upper, velocity, torque;
+  std::vector<drive::Obstacle> obstacles;
 };
 drive::LoopOptions options_for(const drive::RobotDescription& robot, const LoopNumbers& numbers,
                                const std::vector<double>& start);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
 #include "description/printable.hpp"
 #include "interruption/clean_up.hpp"
@@ -15,11 +16,36 @@ std::atomic<bool> asked_to_rest{false};
 
 }  // namespace
 
+namespace {
+
+/// Closes the loops near `start`; empty, with an error, where that is not possible.
+std::vector<double> closed(const LaunchedRobot& robot, std::vector<double> start,
+                           Diagnostics& diagnostics) {
+  constexpr double kClosed = 1e-6;  // m or rad
+  const double error = robot.library.functions().close_loops(start.data());
+  if (error <= kClosed) return start;
+  diagnostics.add(
+      {Severity::error, "", 0, "--q",
+       fmt::format("the loops cannot be closed near this place: {:.2g} m or rad are left", error),
+       "Give --q with coordinates at which they nearly are."});
+  return {};
+}
+
+}  // namespace
+
 std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
                              Diagnostics& diagnostics) {
   const std::size_t size = robot.description.coordinates.size();
-  if (given.empty()) return default_start(robot.description);
-  if (given.size() == size) return given;
+  if (given.empty()) {
+    const std::vector<double> start = default_start(robot.description);
+    const auto better = find_holdable_start(robot.library.functions(), robot.description, start);
+    if (!better) return closed(robot, start, diagnostics);
+    fmt::print(stderr,
+               "where all joints are at rest the robot cannot hold its weight: it starts "
+               "elsewhere; --q chooses the place\n");
+    return closed(robot, *better, diagnostics);
+  }
+  if (given.size() == size) return closed(robot, given, diagnostics);
   diagnostics.add({Severity::error, "", 0, "--q",
                    fmt::format("{} numbers are given, the robot has {}", given.size(), size),
                    "`treeline inspect` lists the joints in their order."});
@@ -43,12 +69,15 @@ std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const st
 }
 
 bool act_as_robot(const LaunchedRobot& robot, const std::vector<double>& given, double rate,
-                  const std::string& address, Diagnostics& diagnostics) {
+                  const SimulationNumbers& simulation, const std::string& address,
+                  Diagnostics& diagnostics) {
   const std::vector<double> start = start_of(robot, given, diagnostics);
   if (start.empty()) return false;
   const drive::RobotLibrary& library = robot.library.functions();
   const LoopNumbers numbers(robot.description);
-  const drive::LoopOptions options = options_for(robot.description, numbers, start);
+  drive::LoopOptions options = options_for(robot.description, numbers, start);
+  options.rate = rate;
+  options.simulation = simulation.options();
   const std::unique_ptr<void, void (*)(void*)> simulated(library.create_robot(&options),
                                                          library.destroy_robot);
   drive::RobotSide side;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/simulation_options.hpp"
 #include "description/diagnostic.hpp"
 #include "drive/udp_robot.hpp"
 #include "launch/launch.hpp"
@@ -21,6 +22,7 @@ std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const st
 /// Simulates the robot for a loop in another process that talks to it over UDP at `address`, with
 /// `rate` Hz, until a signal comes. Returns whether that was possible.
 bool act_as_robot(const LaunchedRobot& robot, const std::vector<double>& given, double rate,
-                  const std::string& address, Diagnostics& diagnostics);
+                  const SimulationNumbers& simulation, const std::string& address,
+                  Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -18,6 +18,7 @@
 #include "description/read_scene_inputs.hpp"
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
+#include "description/read_surroundings.hpp"
 #include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
 #include "description/snap_angles.hpp"
@@ -191,6 +192,8 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "language",
                                   "locked",
                                   "objects",
+                                  "obstacles",
+                                  "avoidance",
                                   "passive",
                                   "regressor",
                                   "singular",
@@ -244,6 +247,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   if (const auto springs = fields.find("joint_springs"); springs != fields.end()) {
     read_joint_springs(springs->second, robot, scene);
   }
+  (void)read_surroundings(fields, robot);  // for faults: what is generated does not depend on it
   return scene;
 }
 

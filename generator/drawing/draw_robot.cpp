@@ -176,13 +176,16 @@ std::string print_caption(const std::string& caption) {
 
 std::string draw_robot(const Robot& robot, const LinkPlacer& placer,
                        const std::vector<Visual>& visuals, const std::vector<Moment>& moments,
-                       const View& view) {
+                       const View& view, const Solids& standing) {
   std::vector<Solids> all;
   double size = 0;
   for (const Moment& moment : moments) {
     const auto links = placer.place(moment.q);
     if (size == 0) size = size_of(links);
     all.push_back(robot_solids(robot, visuals, links, size));
+    Solids& solids = all.back();
+    solids.faces.insert(solids.faces.end(), standing.faces.begin(), standing.faces.end());
+    solids.balls.insert(solids.balls.end(), standing.balls.begin(), standing.balls.end());
   }
   const std::vector<Eigen::Vector3d> floor = find_floor(all);
   const Camera camera = fit_camera(view, all, moments);

@@ -7,6 +7,7 @@
 #include "description/robot.hpp"
 #include "drawing/place_links.hpp"
 #include "drawing/read_visuals.hpp"
+#include "drawing/solids.hpp"
 
 namespace treeline {
 
@@ -25,9 +26,9 @@ struct View {
 
 /// Draws a robot at several moments, side by side and at one scale, as a stand-alone SVG 1.1 file:
 /// the boxes, cylinders and spheres of its URDF. A link without such a shape is drawn as rods from
-/// its origin to those of the links it carries.
+/// its origin to those of the links it carries. `standing` is drawn beside the robot.
 std::string draw_robot(const Robot& robot, const LinkPlacer& placer,
                        const std::vector<Visual>& visuals, const std::vector<Moment>& moments,
-                       const View& view);
+                       const View& view, const Solids& standing = {});
 
 }  // namespace treeline

@@ -1,6 +1,7 @@
 #include "launch/describe_robot.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "description/find_joint.hpp"
@@ -33,7 +34,7 @@ void take_limits(const Joint& joint, const Coordinate& coordinate, DrivenCoordin
 
 /// The coordinates of one link's joint; `axis` counts the axes of a planar joint.
 void describe_link(const Robot& robot, const Mechanism& mechanism, const MovingLink& link, int axis,
-                   drive::RobotDescription& description) {
+                   bool is_passive, drive::RobotDescription& description) {
   const Joint* joint = find_joint(robot, link.joint);
   const std::string name = joint != nullptr ? link.joint : "base";
   const bool floats = link.kind == JointKind::floating;
@@ -53,6 +54,7 @@ void describe_link(const Robot& robot, const Mechanism& mechanism, const MovingL
     if (!floats) driven.velocity_index = link.v_index;
     const std::size_t q = static_cast<std::size_t>(link.q_index) + i;
     if (joint != nullptr && !floats) take_limits(*joint, mechanism.coordinates[q], driven);
+    driven.passive = is_passive;
     description.coordinates[q] = driven;
   }
 }
@@ -94,7 +96,9 @@ drive::RobotDescription describe_robot(const Robot& robot, const Scene& control,
     if (link.mimics) continue;
     axis = link.joint == last ? axis + 1 : 0;
     last = link.joint;
-    describe_link(robot, mechanism, link, axis, description);
+    const bool is_passive = std::find(control.passive.begin(), control.passive.end(), link.joint) !=
+                            control.passive.end();
+    describe_link(robot, mechanism, link, axis, is_passive, description);
   }
   for (const ScenePoint& point : control.operational_points) {
     description.points.push_back(describe_point(point));

@@ -22,7 +22,6 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   };
   add(!scene.objects.empty(), "objects");
   add(!scene.contacts.empty(), "contacts");
-  add(scene.holds_rows(), "constraints");
   add(!scene.external_forces.empty(), "external_forces");
   add(!scene.inputs.empty(), "inputs");
   add(scene.batch > 0, "batch");
@@ -46,8 +45,49 @@ void refuse_ball_joints(const Robot& robot, Diagnostics& diagnostics) {
   }
 }
 
+bool has_loops(const Scene& scene) {
+  return !scene.loops.empty() || !scene.couplings.empty();
+}
+
+/// Loops of the robot's own can be driven by the motors of their joints. What holds the robot to
+/// the world, or leads a task across a loop, cannot yet.
+void check_constraints(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* element, const char* fault, const char* remedy) {
+    diagnostics.add({Severity::error, scene.file, 0, element, fault, remedy});
+  };
+  if (!scene.constraints.empty()) {
+    refuse(
+        "constraints", "a robot that is held to the world cannot be driven yet",
+        "remove the constraints to the world: `base: fixed` holds it, and a floating base is held "
+        "by ideal forces");
+  }
+  if (!has_loops(scene)) return;
+  const Mechanism mechanism = build_mechanism(robot, scene);
+  if (mechanism.nq() != mechanism.nv()) {
+    refuse("constraints", "closed loops of a robot with a quaternion cannot be driven yet",
+           "write `base: fixed`, or remove the loops");
+  }
+  if (static_cast<int>(scene.passive.size()) == mechanism.nv()) {
+    refuse("passive", "no joint has a motor", "leave out the joints that motors move");
+  }
+}
+
+/// Task control knows the tree alone.
+void leave_out_points(Scene& control, Diagnostics& diagnostics) {
+  if (!has_loops(control) || control.operational_points.empty()) return;
+  control.operational_points.clear();
+  control.damped.reset();
+  diagnostics.add({Severity::warning, control.file, 0, "operational_points",
+                   "the points are not driven: their task does not know the closed loops",
+                   "move the motors by `joint`, or remove the loops"});
+}
+
 std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
   std::vector<Function> functions = {Function::inverse_dynamics, Function::forward_dynamics};
+  if (has_loops(scene)) {
+    functions = {Function::constrained_forward_dynamics, Function::constraint_errors,
+                 Function::constraint_jacobian};
+  }
   if (!scene.operational_points.empty()) {
     functions.insert(functions.end(),
                      {Function::forward_kinematics, Function::jacobian, Function::control_torque});
@@ -66,6 +106,7 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
   refuse_ball_joints(robot, diagnostics);
   note_left_out(scene, diagnostics);
+  check_constraints(robot, scene, diagnostics);
   Scene control = scene;
   control.language = Language::cpp;
   control.target = "generic";
@@ -73,8 +114,8 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.objects.clear();
   control.contacts.clear();
   control.constraints.clear();
-  control.loops.clear();
-  control.couplings.clear();
+  if (!has_loops(scene)) control.passive.clear();  // of a tree every joint is moved
+  leave_out_points(control, diagnostics);
   control.external_forces.clear();
   control.inputs = {};
   control.implicit_friction = false;
@@ -95,6 +136,9 @@ Scene link_scene(const Robot& robot, const Scene& control) {
   Scene scene = control;
   scene.name = control.name + "_links";
   scene.damped.reset();
+  scene.loops.clear();
+  scene.couplings.clear();
+  scene.passive.clear();
   scene.operational_points.clear();
   scene.functions = {Function::forward_kinematics, Function::inverse_dynamics};
   if (robot.links.size() > kMostLinks) return scene;

@@ -9,7 +9,8 @@ namespace treeline {
 /// The scene that the control loop's code is generated for: points, base, gravity and locked joints
 /// as in `scene`, but in double, with the functions that the loop calls, and without what it does
 /// not: objects, contacts, external forces, batches, given sines. A note tells what is left out.
-/// Errors: nothing moves; the robot cannot be simulated.
+/// Loops that close between links, and couplings, stay. Errors: nothing moves; the robot cannot be
+/// simulated; it is held to the world.
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
 
 /// The scene for pulling at links: each is a point where a force acts and where its frame is

@@ -11,6 +11,7 @@
 #include "generation/generate_code.hpp"
 #include "launch/compile_robot.hpp"
 #include "launch/describe_robot.hpp"
+#include "launch/describe_surroundings.hpp"
 #include "launch/driven_scenes.hpp"
 #include "launch/print_robot.hpp"
 
@@ -73,6 +74,10 @@ fs::path compile_parts(const Parts& parts, const fs::path& work, const Tell& tel
 
 }  // namespace
 
+std::string checksum_of(const std::string& urdf_text, const std::string& scene_text) {
+  return digest(urdf_text + '\0' + scene_text).substr(0, 16);
+}
+
 std::optional<LaunchedRobot> launch(const LaunchInput& input, const Tell& tell,
                                     Diagnostics& diagnostics) {
   const auto parts = generate_parts(input, tell, diagnostics);
@@ -85,7 +90,10 @@ std::optional<LaunchedRobot> launch(const LaunchInput& input, const Tell& tell,
   if (!library) return std::nullopt;
   drive::RobotDescription description =
       describe_robot(input.robot, parts->control, parts->links, parts->control_code.mechanism);
-  description.checksum = digest(input.urdf_text + '\0' + input.scene_text).substr(0, 16);
+  if (!describe_surroundings(input.surroundings, parts->control, description, diagnostics)) {
+    return std::nullopt;
+  }
+  description.checksum = checksum_of(input.urdf_text, input.scene_text);
   description.urdf = input.urdf_text;
   return LaunchedRobot{std::move(description), std::move(folder), std::move(*library)};
 }

@@ -9,6 +9,7 @@
 #include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "description/surroundings.hpp"
 #include "drive/robot_description.hpp"
 #include "launch/driven_library.hpp"
 
@@ -19,7 +20,11 @@ struct LaunchInput {
   Robot robot;
   Scene scene;
   std::string urdf_text, scene_text;
+  SceneSurroundings surroundings;
 };
+
+/// By which front ends and records know a robot: 16 hexadecimal digits of its files.
+std::string checksum_of(const std::string& urdf_text, const std::string& scene_text);
 
 /// A robot that is ready to be driven.
 struct LaunchedRobot {

@@ -49,10 +49,51 @@ bool has(const Generation& generation, Function function) {
                      [function](const GeneratedFunction& f) { return f.function == function; });
 }
 
+/// The robot's dynamics with its loops closed, under the names that a tree's have.
+std::string print_closed_loops(const Scene& scene, const Mechanism& mechanism) {
+  std::size_t rows = scene.couplings.size();
+  for (const SceneLoop& loop : scene.loops) {
+    rows += static_cast<std::size_t>(
+        std::count(loop.second.rows.begin(), loop.second.rows.end(), true));
+  }
+  std::vector<int> motors;
+  std::vector<std::string> passive(static_cast<std::size_t>(mechanism.nv()), "false");
+  for (const MovingLink& link : mechanism.links) {
+    if (link.mimics) continue;
+    const bool has_motor =
+        std::find(scene.passive.begin(), scene.passive.end(), link.joint) == scene.passive.end();
+    if (has_motor) {
+      motors.push_back(link.v_index);
+    } else {
+      passive[static_cast<std::size_t>(link.v_index)] = "true";
+    }
+  }
+  std::string text = fmt::format(
+      "  static constexpr int kHeldRows = {};\n  static constexpr int kMotorCount = {};\n"
+      "  static constexpr int kMotors[] = {{{}}};\n  static constexpr bool kPassive[] = {{{}}};\n",
+      rows, motors.size(), fmt::join(motors, ", "), fmt::join(passive, ", "));
+  for (const char* function :
+       {"constrained_forward_dynamics", "constraint_errors", "constraint_jacobian"}) {
+    text += print_alias(function, scene.name, function);
+  }
+  for (const char* function : {"inverse_dynamics", "forward_dynamics"}) {
+    text += fmt::format(
+        "  static void {0}(const double (&q)[kVelocities], const double (&qd)[kVelocities],\n"
+        "                  const double (&input)[kVelocities], double (&output)[kVelocities]) "
+        "noexcept {{\n"
+        "    treeline::drive::ClosedLoops<Robot>::{0}(q, qd, input, output);\n  }}\n",
+        function);
+  }
+  return text;
+}
+
 std::string print_functions(const Scene& control, const Generation& generation,
                             const Scene& links) {
-  std::string text = print_alias("inverse_dynamics", control.name, "inverse_dynamics") +
-                     print_alias("forward_dynamics", control.name, "forward_dynamics");
+  const bool is_closed = !control.loops.empty() || !control.couplings.empty();
+  std::string text = is_closed
+                         ? print_closed_loops(control, generation.mechanism)
+                         : print_alias("inverse_dynamics", control.name, "inverse_dynamics") +
+                               print_alias("forward_dynamics", control.name, "forward_dynamics");
   if (!control.operational_points.empty()) {
     text += print_rows(control) +
             print_alias("forward_kinematics", control.name, "forward_kinematics") +
@@ -99,26 +140,36 @@ std::vector<GeneratedFile> runtime_headers() {
     return GeneratedFile{name, std::string(text)};
   };
   return {file("core/command_laws.hpp", t::kCoreCommandLaws),
+          file("core/ldlt.hpp", t::kCoreLdlt),
           file("core/orientation.hpp", t::kCoreOrientation),
           file("core/sin_cos.hpp", t::kCoreSinCos),
           file("core/square_root.hpp", t::kCoreSquareRoot),
           file("servo/clock.hpp", t::kServoClock),
           file("servo/cycle.hpp", t::kServoCycle),
           file("servo/integrate.hpp", t::kServoIntegrate),
+          file("servo/gear_backlash.hpp", t::kServoGearBacklash),
+          file("servo/joint_friction.hpp", t::kServoJointFriction),
           file("servo/loop.hpp", t::kServoLoop),
           file("servo/message.hpp", t::kServoMessage),
           file("servo/robot_proxy.hpp", t::kServoRobotProxy),
           file("servo/safety.hpp", t::kServoSafety),
-          file("servo/simulated_robot.hpp", t::kServoSimulatedRobot),
           file("servo/state_machine.hpp", t::kServoStateMachine),
           file("servo/statistics.hpp", t::kServoStatistics),
+          file("drive/avoidance.hpp", t::kDriveAvoidance),
+          file("drive/closed_loops.hpp", t::kDriveClosedLoops),
           file("drive/drive_controller.hpp", t::kDriveController),
           file("drive/drive_controller_body.hpp", t::kDriveControllerBody),
           file("drive/drive_goals.hpp", t::kDriveGoals),
+          file("drive/imperfect_robot.hpp", t::kDriveImperfectRobot),
+          file("drive/imperfect_robot_body.hpp", t::kDriveImperfectRobotBody),
+          file("drive/link_forces.hpp", t::kDriveLinkForces),
           file("drive/drive_loop.hpp", t::kDriveLoop),
+          file("drive/obstacle.hpp", t::kDriveObstacle),
+          file("drive/drive_task_law.hpp", t::kDriveTaskLaw),
           file("drive/driven_robot.hpp", t::kDriveRobot),
           file("drive/instruction.hpp", t::kDriveInstruction),
           file("drive/robot_library.hpp", t::kDriveLibrary),
+          file("drive/reference_motion.hpp", t::kDriveRecordedMotion),
           file("drive/smooth_reference.hpp", t::kDriveReference)};
 }
 

@@ -7,26 +7,36 @@ namespace treeline::launch_templates {
 // A file of templates/ and headers of runtime/, embedded when the generator is built.
 extern const std::string_view kRobot;
 extern const std::string_view kCoreCommandLaws;
+extern const std::string_view kCoreLdlt;
 extern const std::string_view kCoreOrientation;
 extern const std::string_view kCoreSinCos;
 extern const std::string_view kCoreSquareRoot;
 extern const std::string_view kServoClock;
 extern const std::string_view kServoCycle;
 extern const std::string_view kServoIntegrate;
+extern const std::string_view kServoGearBacklash;
+extern const std::string_view kServoJointFriction;
 extern const std::string_view kServoLoop;
 extern const std::string_view kServoMessage;
 extern const std::string_view kServoRobotProxy;
 extern const std::string_view kServoSafety;
-extern const std::string_view kServoSimulatedRobot;
 extern const std::string_view kServoStateMachine;
 extern const std::string_view kServoStatistics;
+extern const std::string_view kDriveAvoidance;
+extern const std::string_view kDriveClosedLoops;
 extern const std::string_view kDriveController;
 extern const std::string_view kDriveControllerBody;
 extern const std::string_view kDriveGoals;
+extern const std::string_view kDriveImperfectRobot;
+extern const std::string_view kDriveImperfectRobotBody;
+extern const std::string_view kDriveLinkForces;
 extern const std::string_view kDriveLoop;
+extern const std::string_view kDriveObstacle;
 extern const std::string_view kDriveRobot;
 extern const std::string_view kDriveInstruction;
 extern const std::string_view kDriveLibrary;
+extern const std::string_view kDriveRecordedMotion;
 extern const std::string_view kDriveReference;
+extern const std::string_view kDriveTaskLaw;
 
 }  // namespace treeline::launch_templates

@@ -88,6 +88,10 @@ const std::vector<CommandUsage>& command_usages() {
       {"drag joint NAME to X [deg|rad|m]", "lead a joint, for 125 ms"},
       {"pull LINK at X Y Z to X Y Z", "a spring from a place on a link, for 125 ms"},
       {"gains [joint|task] stiffness K damping D", "1/s^2 and 1/s"},
+      {"follow [in T s]", "the motion of --reference; first to where it begins"},
+      {"rehearse", "motions are for a twin, which is shown as a ghost"},
+      {"go", "the robot does what its twin has done"},
+      {"discard", "forget the rehearsal"},
       {"take", "ask for the command over the robot"},
       {"give", "give it up"},
       {"wait [T s]", "scripts: until all motions have ended, or T seconds"},
@@ -118,6 +122,12 @@ std::string describe(const Command& command, const RobotDescription& robot) {
     case Verb::gains:
       return fmt::format("stiffness {:.4g} 1/s^2, damping {:.4g} 1/s", command.numbers[0],
                          command.numbers[1]);
+    case Verb::follow:
+      return "the joints follow the recorded motion" + print_duration(command);
+    case Verb::rehearse:
+    case Verb::go:
+    case Verb::discard:
+      return {};
     case Verb::take:
       return "this front end commands";
     case Verb::give:
@@ -147,10 +157,22 @@ bool needs_running(Verb verb) {
     case Verb::drag_point:
     case Verb::drag_joint:
     case Verb::pull:
+    case Verb::follow:
+    case Verb::rehearse:
+    case Verb::go:
       return true;
     default:
       return false;
   }
+}
+
+bool is_of_rehearsal(Verb verb) {
+  return verb == Verb::rehearse || verb == Verb::go || verb == Verb::discard;
+}
+
+bool is_rehearsed(Verb verb) {
+  return (needs_running(verb) && !is_of_rehearsal(verb)) || verb == Verb::mode ||
+         verb == Verb::gains;
 }
 
 bool is_lease(Verb verb) {
@@ -230,6 +252,8 @@ servo::Message message_for(const Command& command) {
       return numbered_message(Instruction::release_point, command);
     case Verb::gains:
       return numbered_message(Instruction::set_gains, command);
+    case Verb::follow:
+      return numbered_message(Instruction::follow, command);
     default:  // and everything that is not meant for the loop stops it
       return plain_message(servo::MessageKind::emergency_stop);
   }

@@ -29,6 +29,10 @@ enum class Verb {
   drag_joint,
   pull,
   gains,
+  follow,
+  rehearse,
+  go,
+  discard,
   take,
   give,
   wait,
@@ -81,11 +85,15 @@ bool needs_authority(Verb verb);
 bool needs_running(Verb verb);
 /// Whether it is obeyed only for a short while.
 bool is_lease(Verb verb);
+/// Whether a twin does it in a rehearsal: motions, controls and gains.
+bool is_rehearsed(Verb verb);
+/// Whether it is `rehearse`, `go` or `discard`.
+bool is_of_rehearsal(Verb verb);
 /// Whether it is for scripts and standard input only.
 bool is_local(Verb verb);
 
-/// The message to the loop for a command that has one; all but `take`, `give`, `wait`, `help` and
-/// `quit` do.
+/// The message to the loop for a command that has one; all but those of rehearsals, `take`,
+/// `give`, `wait`, `help` and `quit` do.
 servo::Message message_for(const Command& command);
 
 }  // namespace treeline::drive

@@ -6,7 +6,9 @@
 
 #include "core/command_laws.hpp"
 #include "core/orientation.hpp"
+#include "drive/avoidance.hpp"
 #include "drive/instruction.hpp"
+#include "drive/reference_motion.hpp"
 #include "drive/smooth_reference.hpp"
 #include "servo/message.hpp"
 #include "servo/robot_proxy.hpp"
@@ -28,12 +30,15 @@ struct ControlSettings {
   double period = 1e-3;                                               ///< s
   double pull_stiffness = 100.0;                                      ///< N/m
   double pull_force = 50.0;                                           ///< N
+  Surroundings surroundings;                                          ///< copied
+  RecordedMotion reference;                                           ///< not copied
 };
 
 /// Moves joints or operational points to goals, or lets the robot be led by hand:
 ///   joint    tau = ID(q, qd, qdd_ref + kv (qd_ref - qd) + kp (q_ref - q))
 ///   task     tau = control_torque(q, qd, posture law, xdd_ref + kv (xd_ref - xd) + kp (x_ref - x))
 ///   gravity  tau = ID(q, qd, -damping qd) plus a pull, within limits of position and speed
+/// In each, guarded points keep away from obstacles: see `Avoidance`.
 /// Goals are led smoothly. Where the control changes, the torque's step is taken away and fades. A
 /// floating joint has a pose as its goal in every control. Nothing is allocated.
 ///
@@ -50,7 +55,11 @@ class DriveController {
 
   /// `last_torque` is what the robot was given last, in every mode of the loop.
   DriveController(const Settings& settings, const double (&last_torque)[nv]) noexcept
-      : settings_(settings), last_torque_(last_torque) {
+      : settings_(settings),
+        last_torque_(last_torque),
+        avoidance_(settings.surroundings, settings.period),
+        reference_(settings.reference, nq) {
+    find_led_points();
     control_ = kPoints > 0 ? Control::task : Control::joint;
   }
 
@@ -61,6 +70,8 @@ class DriveController {
     blend_asked_ = true;
     pull_until_ = time;
     pulled_ = false;
+    pull_share_ = 0.0;
+    reference_.end();
   }
 
   void apply(double time, const servo::Message& message) noexcept;
@@ -68,7 +79,7 @@ class DriveController {
 
   Control control_kind() const noexcept { return control_; }
   bool saturated() const noexcept { return saturated_; }
-  bool pulled() const noexcept { return pulled_; }
+  bool pulled() const noexcept { return pull_share_ > 0.0; }
   int pulled_link() const noexcept { return pull_link_; }
   const double (&pull_at() const noexcept)[3] { return pull_at_; }
   const double (&pull_force() const noexcept)[3] { return pull_force_; }
@@ -76,6 +87,8 @@ class DriveController {
   const SmoothPose& floating(int joint) const noexcept { return floating_[at(joint)]; }
   const SmoothPose& point(int k) const noexcept { return points_[at(k)]; }
   bool free(int k) const noexcept { return free_[at(k)]; }
+  /// Distance of a point from the nearest avoided obstacle, m.
+  double nearest(int k) const noexcept { return avoidance_.nearest(k); }
   /// Whether a motion has not ended or ended within the last `margin` seconds.
   bool moving(double time, double margin) const noexcept;
 
@@ -90,6 +103,8 @@ class DriveController {
   static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
   static constexpr double kBlend = 0.25;         ///< s
   static constexpr double kHandDamping = 2.0;    ///< 1/s, in gravity control
+  static constexpr double kGrip = 0.05;          ///< s in which a hand takes hold and lets go
+  static constexpr double kHandFilter = 25.0;    ///< 1/s, of where the hand is
 
   /// Calls single(coordinate, velocity) or floating(which, coordinate, velocity) for each joint.
   template <class Single, class Floating>
@@ -115,8 +130,12 @@ class DriveController {
     return found;
   }
 
+  void find_led_points() noexcept;
+  void avoid_obstacles(const State& state, double (&qdd)[nv]) noexcept;
   void begin_joints(double time, const State& state) noexcept;
   void begin_points(double time, const State& state) noexcept;
+  void find_velocities(const State& state, const double* rotations,
+                       double* velocities) const noexcept;
   void set_control(double time, const State& state, Control wanted) noexcept;
   void move_joint(double time, const servo::Message& message) noexcept;
   void go_home(double time, double duration) noexcept;
@@ -124,10 +143,15 @@ class DriveController {
   void turn_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;
   void drag_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;
   void drag_joint(double time, const servo::Message& message) noexcept;
+  void advance_pull(double time) noexcept;
   void begin_pull(double time, const servo::Message& message) noexcept;
   void set_gains(const servo::Message& message) noexcept;
   SmoothPose* pose_of(int point) noexcept;
   void hold_all(double time) noexcept;
+  void begin_following(double time, double duration) noexcept;
+  void stop_following(double time, Instruction next) noexcept;
+  void follow_reference(double time) noexcept;
+  void let_passive_follow(double time) noexcept;
   void end_leases(double time) noexcept;
   void advance(double time) noexcept;
   double guess_duration(double distance, double limit, double asked) const noexcept;
@@ -141,7 +165,7 @@ class DriveController {
   void measure_points(double time, const State& state, double* rotations, double* errors) noexcept;
   double command_row(int row, const double* rotations, const double* errors,
                      double velocity) const noexcept;
-  void stretch_spring(const double* position, const double* R, double (&lever)[3]) noexcept;
+  void add_acceleration(const State& state, const double (&qdd)[nv], double (&tau)[nv]) noexcept;
   void command_task(double time, const State& state, double (&tau)[nv]) noexcept;
   void add_pull(const State& state, double (&tau)[nv]) noexcept;
   void blend(double time, double (&tau)[nv]) noexcept;
@@ -149,6 +173,9 @@ class DriveController {
 
   Settings settings_;
   const double (&last_torque_)[nv];
+  Avoidance<F> avoidance_;
+  ReferenceMotion reference_;
+  std::array<bool, room(kPoints)> led_{};  ///< whose x, y and z are all rows of the task
   Control control_ = Control::joint;
   core::Gains<double> joint_gains_{225.0, 30.0};
   core::Gains<double> task_gains_{225.0, 30.0};
@@ -168,8 +195,11 @@ class DriveController {
   bool pulled_ = false;
   double pull_until_ = 0.0;
   int pull_link_ = 0;
+  LinkForces<F> hand_;
   double pull_on_link_[3] = {};
-  double pull_to_[3] = {};
+  double pull_to_[3] = {};    ///< where the hand was last told to be
+  double pull_hand_[3] = {};  ///< where it is
+  double pull_share_ = 0.0;   ///< of the spring that acts, 0 to 1
   double pull_at_[3] = {};
   double pull_force_[3] = {};
 };
@@ -178,3 +208,4 @@ class DriveController {
 
 #include "drive/drive_controller_body.hpp"
 #include "drive/drive_goals.hpp"
+#include "drive/drive_task_law.hpp"

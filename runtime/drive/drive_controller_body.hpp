@@ -5,6 +5,32 @@
 namespace treeline::drive {
 
 template <class F>
+void DriveController<F>::find_led_points() noexcept {
+  if constexpr (kPoints > 0) {
+    int rows[kPoints] = {};
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      rows[F::kRows[row].point] += F::kRows[row].axis < 3 ? 1 : 0;
+    }
+    for (int k = 0; k < kPoints; ++k) {
+      led_[at(k)] = rows[k] == 3;
+    }
+  }
+}
+
+/// Adds the accelerations away from obstacles that the joints take. Those of points that the task
+/// moves are part of its rows.
+template <class F>
+void DriveController<F>::avoid_obstacles(const State& state, double (&qdd)[nv]) noexcept {
+  if (!avoidance_.exists()) {
+    return;
+  }
+  avoidance_.look(state, control_ == Control::task ? led_ : std::array<bool, room(kPoints)>{});
+  for (int i = 0; i < nv; ++i) {
+    qdd[i] += avoidance_.joint_push()[i];
+  }
+}
+
+template <class F>
 void DriveController<F>::begin_joints(double time, const State& state) noexcept {
   for_each_joint([&](int iq, int iv) { joints_[at(iq)].begin(time, state.q[iq], state.qd[iv]); },
                  [&](int k, int iq, int iv) {
@@ -27,22 +53,55 @@ void DriveController<F>::begin_joints(double time, const State& state) noexcept 
                  });
 }
 
+/// Velocities of the points in world axes, of the rows that the task has; the others are 0.
+template <class F>
+void DriveController<F>::find_velocities(const State& state, const double* rotations,
+                                         double* velocities) const noexcept {
+  if constexpr (kPoints > 0) {
+    for (int i = 0; i < 6 * kPoints; ++i) {
+      velocities[i] = 0.0;
+    }
+    double J[F::kTaskRows * nv];
+    F::jacobian(state.q, J);
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      const TaskRow& place = F::kRows[row];
+      double speed = 0.0;
+      for (int i = 0; i < nv; ++i) {
+        speed += J[row * nv + i] * state.qd[i];
+      }
+      double* const velocity = velocities + 6 * place.point + (place.axis < 3 ? 0 : 3);
+      const double* const R = rotations + 9 * place.point;
+      for (int i = 0; i < 3; ++i) {
+        const double along = F::kLocalAxes[place.point] ? R[3 * i + place.axis % 3]
+                                                        : (place.axis % 3 == i ? 1.0 : 0.0);
+        velocity[i] += along * speed;
+      }
+    }
+  }
+}
+
 template <class F>
 void DriveController<F>::begin_points(double time, const State& state) noexcept {
   if constexpr (kPoints > 0) {
     double positions[3 * kPoints];
     double rotations[9 * kPoints];
     F::forward_kinematics(state.q, positions, rotations);
+    double velocities[6 * kPoints];
+    find_velocities(state, rotations, velocities);
     for (int k = 0; k < kPoints; ++k) {
       double position[3];
       double rotation[9];
+      double velocity[6];
+      for (int i = 0; i < 6; ++i) {
+        velocity[i] = velocities[6 * k + i];
+      }
       for (int i = 0; i < 3; ++i) {
         position[i] = positions[3 * k + i];
       }
       for (int i = 0; i < 9; ++i) {
         rotation[i] = rotations[9 * k + i];
       }
-      points_[at(k)].begin(time, position, rotation, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+      points_[at(k)].begin(time, position, rotation, velocity);
       free_[at(k)] = false;
     }
   }
@@ -75,23 +134,50 @@ void DriveController<F>::end_leases(double time) noexcept {
       points_[at(k)].hold(time);
     }
   }
+}
+
+/// A hand takes hold, follows and lets go smoothly.
+template <class F>
+void DriveController<F>::advance_pull(double time) noexcept {
   pulled_ = pulled_ && time <= pull_until_;
+  const double change = settings_.period / kGrip;
+  pull_share_ =
+      pulled_ ? std::fmin(1.0, pull_share_ + change) : std::fmax(0.0, pull_share_ - change);
+  const double share = std::fmin(1.0, kHandFilter * settings_.period);
+  for (int i = 0; i < 3; ++i) {
+    pull_hand_[i] += share * (pull_to_[i] - pull_hand_[i]);
+  }
 }
 
 template <class F>
 void DriveController<F>::advance(double time) noexcept {
   end_leases(time);
+  advance_pull(time);
   for_each_joint([&](int iq, int) { joints_[at(iq)].advance(time, settings_.period); },
                  [&](int k, int, int) { floating_[at(k)].advance(time, settings_.period); });
   for (int k = 0; k < kPoints; ++k) {
     points_[at(k)].advance(time, settings_.period);
+  }
+  follow_reference(time);
+  let_passive_follow(time);
+}
+
+/// Joints without motors go where the loops lead them: their goal is where they are.
+template <class F>
+void DriveController<F>::let_passive_follow(double time) noexcept {
+  if constexpr (requires { F::kPassive; }) {
+    for (int i = 0; i < nv; ++i) {
+      if (F::kPassive[i]) {
+        joints_[at(i)].begin(time, state_.q[i], 0.0);
+      }
+    }
   }
 }
 
 template <class F>
 bool DriveController<F>::moving(double time, double margin) const noexcept {
   const double then = time - margin;
-  bool any = false;
+  bool any = reference_.playing();
   for_each_joint([&](int iq, int) { any = any || joints_[at(iq)].moving(then); },
                  [&](int k, int, int) { any = any || floating_[at(k)].moving(then); });
   for (int k = 0; k < kPoints && control_ == Control::task; ++k) {
@@ -197,135 +283,13 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
   for_each_joint([&](int, int iv) { qdd[iv] = -kHandDamping * state.qd[iv]; },
                  [](int, int, int) {});
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
-  if (pulled_) {
+  if (pulled()) {
     add_pull(state, tau);
     F::forward_dynamics(state.q, state.qd, tau, qdd);
   }
+  avoid_obstacles(state, qdd);
   stay_within_limits(state, qdd);
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
-}
-
-/// Where the points are, and how far from their goals: position over rotation vector, world axes.
-template <class F>
-void DriveController<F>::measure_points(double time, const State& state, double* rotations,
-                                        double* errors) noexcept {
-  if constexpr (kPoints > 0) {
-    double positions[3 * kPoints];
-    double turns[9 * kPoints];
-    F::forward_kinematics(state.q, positions, turns);
-    for (int k = 0; k < kPoints; ++k) {
-      const double position[3] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
-      double R[9];
-      for (int i = 0; i < 9; ++i) {
-        R[i] = turns[9 * k + i];
-        rotations[9 * k + i] = R[i];
-      }
-      if (free_[at(k)]) {
-        points_[at(k)].begin(time, position, R, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
-      }
-      double wanted[3];
-      points_[at(k)].position(wanted);
-      double error[6];
-      core::pose_error(position, R, wanted, points_[at(k)].rotation(), error);
-      for (int i = 0; i < 6; ++i) {
-        errors[6 * k + i] = error[i];
-      }
-    }
-  }
-}
-
-/// The acceleration of one row of the task, which moves at `velocity`.
-template <class F>
-double DriveController<F>::command_row(int row, const double* rotations, const double* errors,
-                                       double velocity) const noexcept {
-  const TaskRow& place = F::kRows[row];
-  if (free_[at(place.point)]) {
-    return -task_gains_.kv * velocity;
-  }
-  const SmoothPose& goal = points_[at(place.point)];
-  const double* R = rotations + 9 * place.point;
-  // In the point's own axes a row is the component along a column of its rotation.
-  const auto component = [&](auto&& of) {
-    const int part = place.axis < 3 ? 0 : 3;
-    const int i = place.axis % 3;
-    return F::kLocalAxes[place.point]
-               ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
-               : of(part + i);
-  };
-  return component([&](int i) { return goal.acceleration(i); }) +
-         task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
-         task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
-}
-
-template <class F>
-void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
-  if constexpr (kPoints > 0) {
-    double rotations[9 * kPoints];
-    double errors[6 * kPoints];
-    measure_points(time, state, rotations, errors);
-    double J[F::kTaskRows * nv];
-    F::jacobian(state.q, J);
-    double xdd[F::kTaskRows];
-    for (int row = 0; row < F::kTaskRows; ++row) {
-      double velocity = 0.0;
-      for (int i = 0; i < nv; ++i) {
-        velocity += J[row * nv + i] * state.qd[i];
-      }
-      xdd[row] = command_row(row, rotations, errors, velocity);
-    }
-    double posture[nv];
-    accelerate_joints(posture_gains_, state, posture);
-    push_from_limits(state, posture);
-    F::control_torque(state.q, state.qd, posture, xdd, tau);
-  }
-}
-
-/// The force of the hand's spring on the link and the lever from the link's origin to it.
-template <class F>
-void DriveController<F>::stretch_spring(const double* position, const double* R,
-                                        double (&lever)[3]) noexcept {
-  double squared = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    lever[i] = R[3 * i] * pull_on_link_[0] + R[3 * i + 1] * pull_on_link_[1] +
-               R[3 * i + 2] * pull_on_link_[2];
-    pull_at_[i] = position[i] + lever[i];
-    pull_force_[i] = settings_.pull_stiffness * (pull_to_[i] - pull_at_[i]);
-    squared += pull_force_[i] * pull_force_[i];
-  }
-  const double size = std::sqrt(squared);
-  const double scale = size > settings_.pull_force ? settings_.pull_force / size : 1.0;
-  for (double& f : pull_force_) {
-    f *= scale;
-  }
-}
-
-/// A spring from the link to the hand: J^T f, from inverse dynamics with and without the force.
-template <class F>
-void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcept {
-  if constexpr (F::kLinks > 0) {
-    double positions[3 * F::kLinks];
-    double rotations[9 * F::kLinks];
-    F::link_frames(state.q, positions, rotations);
-    double lever[3];
-    stretch_spring(positions + 3 * pull_link_, rotations + 9 * pull_link_, lever);
-    const double(&f)[3] = pull_force_;
-    double forces[6 * F::kLinks] = {};
-    const double moment[3] = {lever[1] * f[2] - lever[2] * f[1], lever[2] * f[0] - lever[0] * f[2],
-                              lever[0] * f[1] - lever[1] * f[0]};
-    for (int i = 0; i < 3; ++i) {
-      forces[6 * pull_link_ + i] = -f[i];
-      forces[6 * pull_link_ + 3 + i] = -moment[i];
-    }
-    const double rest[nv] = {};
-    const double nothing[6 * F::kLinks] = {};
-    double with[nv];
-    double without[nv];
-    F::link_inverse_dynamics(state.q, rest, rest, forces, with);
-    F::link_inverse_dynamics(state.q, rest, rest, nothing, without);
-    for (int i = 0; i < nv; ++i) {
-      tau[i] += with[i] - without[i];
-    }
-  }
 }
 
 template <class F>
@@ -341,8 +305,9 @@ void DriveController<F>::blend(double time, double (&tau)[nv]) noexcept {
   if (left <= 0.0) {
     return;
   }
+  const double share = left * left * left * (10.0 - 15.0 * left + 6.0 * left * left);
   for (int i = 0; i < nv; ++i) {
-    tau[i] += left * left * left * blend_from_[i];
+    tau[i] += share * blend_from_[i];
   }
 }
 
@@ -369,9 +334,10 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
   } else {
     double qdd[nv];
     accelerate_joints(joint_gains_, state, qdd);
+    avoid_obstacles(state, qdd);
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }
-  if (pulled_ && control_ != Control::gravity) {
+  if (pulled() && control_ != Control::gravity) {
     add_pull(state, tau);
   }
   blend(time, tau);

@@ -22,6 +22,7 @@ void DriveController<F>::apply(double time, const servo::Message& message) noexc
   }
   const int index = static_cast<int>(message.values[0]);
   SmoothPose* const pose = pose_of(index);
+  stop_following(time, static_cast<Instruction>(message.index));
   switch (static_cast<Instruction>(message.index)) {
     case Instruction::set_control:
       set_control(time, state_, static_cast<Control>(index));
@@ -61,12 +62,67 @@ void DriveController<F>::apply(double time, const servo::Message& message) noexc
       if (index >= 0 && index < kPoints) free_[at(index)] = false;
       break;
     case Instruction::release_point:
-      if (index >= 0 && index < kPoints) free_[at(index)] = true;
+      if (index >= 0 && index < kPoints) {
+        free_[at(index)] = true;
+        blend_asked_ = true;
+      }
       break;
     case Instruction::set_gains:
       set_gains(message);
       break;
+    case Instruction::begin_here:
+      start(time, state_);
+      break;
+    case Instruction::follow:
+      begin_following(time, message.duration);
+      break;
   }
+}
+
+/// Joints move to where the reference begins, then along it. Floating joints stay.
+template <class F>
+void DriveController<F>::begin_following(double time, double duration) noexcept {
+  if (!reference_.exists()) {
+    return;
+  }
+  set_control(time, state_, Control::joint);
+  double longest = 0.0;
+  for_each_joint(
+      [&](int iq, int iv) {
+        const double distance = std::fabs(reference_.first(iq) - joints_[at(iq)].position());
+        longest =
+            std::fmax(longest, guess_duration(distance, settings_.velocity[at(iv)], duration));
+      },
+      [](int, int, int) {});
+  longest = longest > 0.0 ? longest : kShortestGuess;
+  for_each_joint([&](int iq, int) { joints_[at(iq)].move(time, reference_.first(iq), longest); },
+                 [&](int k, int, int) { floating_[at(k)].hold(time); });
+  reference_.begin(time + longest);
+}
+
+/// Every other instruction but that of gains ends it: the joints glide to rest.
+template <class F>
+void DriveController<F>::stop_following(double time, Instruction next) noexcept {
+  if (!reference_.playing() || next == Instruction::set_gains) {
+    return;
+  }
+  reference_.end();
+  hold_all(time);
+}
+
+template <class F>
+void DriveController<F>::follow_reference(double time) noexcept {
+  if (!reference_.begun(time)) {
+    return;
+  }
+  if (reference_.ended(time)) {
+    reference_.end();
+    hold_all(time);
+    return;
+  }
+  reference_.seek(time);
+  for_each_joint([&](int iq, int) { joints_[at(iq)].lead(time, reference_.sample(iq)); },
+                 [](int, int, int) {});
 }
 
 template <class F>
@@ -204,7 +260,7 @@ void DriveController<F>::drag_pose(double time, const servo::Message& message,
                                   message.values[8]};
     double to[9];
     core::rotation_from_quaternion(quaternion, to);
-    pose.follow_rotation(time, to, 2.0 * kTurnSpeed);
+    pose.follow_rotation(to, 2.0 * kTurnSpeed);
   }
 }
 
@@ -228,13 +284,19 @@ void DriveController<F>::begin_pull(double time, const servo::Message& message) 
   if (link < 0 || link >= F::kLinks) {
     return;
   }
-  pull_link_ = link;
-  pull_until_ = time + kLease;
-  pulled_ = true;
+  bool elsewhere = link != pull_link_;
   for (int i = 0; i < 3; ++i) {
+    elsewhere = elsewhere || pull_on_link_[i] != message.values[at(1 + i)];
     pull_on_link_[i] = message.values[at(1 + i)];
     pull_to_[i] = message.values[at(4 + i)];
   }
+  if (elsewhere || !pulled()) {
+    for (int i = 0; i < 3; ++i) pull_hand_[i] = pull_to_[i];
+    blend_asked_ = blend_asked_ || pulled();
+  }
+  pull_link_ = link;
+  pull_until_ = time + kLease;
+  pulled_ = true;
 }
 
 template <class F>

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <memory>
 
 #include "core/orientation.hpp"
+#include "drive/closed_loops.hpp"
 #include "drive/drive_controller.hpp"
 #include "drive/driven_robot.hpp"
 #include "drive/robot_library.hpp"
@@ -42,15 +44,26 @@ class DriveLoop {
   static constexpr ReportLayout kLayout = report_layout(nq, nv, F::kPoints);
 
   explicit DriveLoop(const LoopOptions& options)
-      : robot_(start_of(options), options.substeps, F::kFloating, options.robot),
+      : robot_(start_of(options), F::kFloating, options),
         controller_(settings_of(options), robot_.torque()),
         clock_(options.real_time),
         loop_(loop_settings(options), limits_of(options), robot_, controller_, clock_, mailbox_) {}
 
+  /// Whether the simulated robot's steps can follow its gears.
+  bool can_follow_gears(double rate) noexcept {
+    return !robot_.is_simulated() || robot_.simulated().can_follow_gears(1.0 / rate);
+  }
   bool step() {
+    apply_timed();
     return loop_.step([this](const servo::Report<F>& report) { observe(report); });
   }
-  bool send(const servo::Message& message) noexcept { return mailbox_.push(message); }
+  bool send(const servo::Message& message) noexcept {
+    generation_.fetch_add(1, std::memory_order_release);
+    return mailbox_.push(message);
+  }
+  bool send_at(const servo::Message& message, double time) noexcept {
+    return timed_.push({message, time, generation_.load(std::memory_order_relaxed)});
+  }
   bool receive(ReportHead& head, double* numbers) noexcept {
     if (!reports_.pop(received_)) {
       return false;
@@ -65,6 +78,27 @@ class DriveLoop {
     ReportHead head;
     double numbers[static_cast<std::size_t>(kLayout.size)] = {};
   };
+  /// A message with its time; whatever was sent after it ends it.
+  struct Timed {
+    servo::Message message;
+    double time = 0.0;
+    std::uint64_t generation = 0;
+  };
+
+  /// Gives the controller what was meant for this cycle.
+  void apply_timed() noexcept {
+    constexpr double kSlack = 1e-7;  // s, of times that are sums
+    for (;;) {
+      if (!has_next_) has_next_ = timed_.pop(next_);
+      if (!has_next_) return;
+      const bool forgotten = next_.generation != generation_.load(std::memory_order_acquire);
+      if (!forgotten && next_.time > loop_.time() + kSlack) return;
+      has_next_ = false;
+      if (!forgotten && loop_.mode() == servo::Mode::running) {
+        controller_.apply(loop_.time(), next_.message);
+      }
+    }
+  }
 
   static servo::StateOf<F> start_of(const LoopOptions& options) noexcept {
     servo::StateOf<F> state;
@@ -81,12 +115,14 @@ class DriveLoop {
     ControlSettings<nq, nv> settings;
     std::copy_n(options.lower, nq, settings.lower.begin());
     std::copy_n(options.upper, nq, settings.upper.begin());
-    std::copy_n(options.start, nq, settings.home.begin());
+    std::copy_n(options.home != nullptr ? options.home : options.start, nq, settings.home.begin());
     std::copy_n(options.velocity, nv, settings.velocity.begin());
     std::copy_n(options.torque, nv, settings.torque.begin());
     settings.period = 1.0 / options.rate;
     settings.pull_stiffness = options.pull_stiffness;
     settings.pull_force = options.pull_force;
+    settings.surroundings = options.surroundings;
+    settings.reference = options.reference;
     return settings;
   }
   static servo::SafetyLimits<nq, nv> limits_of(const LoopOptions& options) noexcept {
@@ -178,7 +214,18 @@ class DriveLoop {
           std::copy_n(pose, 7, target);
         }
         filled_.numbers[kLayout.free + k] = controller_.free(k) ? 1.0 : 0.0;
+        filled_.numbers[kLayout.nearest + k] = controller_.nearest(k);
       }
+      fill_contacts();
+    }
+  }
+  /// What sensors at the points of a simulated robot feel.
+  void fill_contacts() noexcept {
+    for (int i = 0; robot_.is_simulated() && i < robot_.simulated().guarded_count(); ++i) {
+      const int point = robot_.simulated().guarded(i).point;
+      if (point < 0) continue;
+      std::copy_n(robot_.simulated().contact_force(i), 3,
+                  filled_.numbers + kLayout.contact_forces + 3 * point);
     }
   }
   static void write_pose(const double* position, const double (&rotation)[9],
@@ -198,6 +245,10 @@ class DriveLoop {
 
   servo::Mailbox mailbox_;
   servo::Ring<Item, 512> reports_;
+  servo::Ring<Timed, 128> timed_;
+  Timed next_;
+  bool has_next_ = false;
+  std::atomic<std::uint64_t> generation_{0};
   Item filled_;
   Item received_;
   std::uint64_t dropped_reports_ = 0;
@@ -212,7 +263,9 @@ template <class F>
 class LoneRobot {
  public:
   explicit LoneRobot(const LoopOptions& options) noexcept
-      : robot_(start_of(options), options.substeps, F::kFloating) {
+      : robot_(start_of(options), options.substeps, F::kFloating, options.simulation,
+               options.surroundings) {
+    robot_.can_follow_gears(1.0 / options.rate);
     std::copy_n(options.torque, F::kVelocities, limits_.torque.begin());
   }
   void advance(const double* tau, double seconds) noexcept {
@@ -242,7 +295,7 @@ class LoneRobot {
     return state;
   }
   servo::SafetyLimits<F::kCoordinates, F::kVelocities> limits_;
-  servo::SimulatedRobot<F> robot_;
+  ImperfectRobot<F> robot_;
 };
 
 /// The functions of a library for a robot F.
@@ -256,11 +309,17 @@ const RobotLibrary* library_of() noexcept {
       F::kPoints,
       F::kLinks,
       F::kHasCenterOfMass,
-      [](const LoopOptions* options) -> void* { return new Loop(*options); },
+      [](const LoopOptions* options) -> void* {
+        auto loop = std::make_unique<Loop>(*options);
+        return loop->can_follow_gears(options->rate) ? loop.release() : nullptr;
+      },
       [](void* loop) { delete static_cast<Loop*>(loop); },
       [](void* loop) { return static_cast<Loop*>(loop)->step(); },
       [](void* loop, const servo::Message* message) {
         return static_cast<Loop*>(loop)->send(*message);
+      },
+      [](void* loop, const servo::Message* message, double time) {
+        return static_cast<Loop*>(loop)->send_at(*message, time);
       },
       [](void* loop, ReportHead* head, double* numbers) {
         return static_cast<Loop*>(loop)->receive(*head, numbers);
@@ -270,7 +329,19 @@ const RobotLibrary* library_of() noexcept {
       [](void* robot, const double* tau, double seconds) {
         static_cast<LoneRobot<F>*>(robot)->advance(tau, seconds);
       },
-      [](void* robot, double* state) { static_cast<LoneRobot<F>*>(robot)->read(state); }};
+      [](void* robot, double* state) { static_cast<LoneRobot<F>*>(robot)->read(state); },
+      [](double* q) {
+        if constexpr (requires { F::kHeldRows; }) {
+          double closed[F::kCoordinates];
+          std::copy_n(q, F::kCoordinates, closed);
+          const double error = ClosedLoops<F>::close(closed);
+          std::copy_n(closed, F::kCoordinates, q);
+          return error;
+        } else {
+          (void)q;
+          return 0.0;
+        }
+      }};
   return &kLibrary;
 }
 

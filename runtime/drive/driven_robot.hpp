@@ -1,7 +1,7 @@
 #pragma once
 
+#include "drive/imperfect_robot.hpp"
 #include "drive/robot_library.hpp"
-#include "servo/simulated_robot.hpp"
 
 namespace treeline::drive {
 
@@ -9,11 +9,12 @@ namespace treeline::drive {
 template <class F>
 class DrivenRobot {
  public:
-  using Floating = typename servo::SimulatedRobot<F>::Floating;
+  using Floating = typename ImperfectRobot<F>::Floating;
 
-  DrivenRobot(const servo::StateOf<F>& start, int substeps, const Floating& floating,
-              const ExternalRobot& external) noexcept
-      : simulated_(start, substeps, floating), external_(external) {}
+  DrivenRobot(const servo::StateOf<F>& start, const Floating& floating,
+              const LoopOptions& options) noexcept
+      : simulated_(start, options.substeps, floating, options.simulation, options.surroundings),
+        external_(options.robot) {}
 
   bool connected() const noexcept {
     return external_.connected == nullptr || external_.connected(external_.self);
@@ -40,11 +41,14 @@ class DrivenRobot {
       simulated_.pass_time(seconds);
     }
   }
+  const ImperfectRobot<F>& simulated() const noexcept { return simulated_; }
+  ImperfectRobot<F>& simulated() noexcept { return simulated_; }
+  bool is_simulated() const noexcept { return external_.connected == nullptr; }
   /// What was written last.
   const double (&torque() const noexcept)[F::kVelocities] { return torque_; }
 
  private:
-  servo::SimulatedRobot<F> simulated_;
+  ImperfectRobot<F> simulated_;
   ExternalRobot external_;
   double torque_[F::kVelocities] = {};
 };

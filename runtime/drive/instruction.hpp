@@ -24,6 +24,8 @@ enum class Instruction : int {
   hold_point,     ///< [point]
   release_point,  ///< [point]
   set_gains,      ///< [0: joint, 1: task, 2: both; stiffness 1/s^2; damping 1/s]
+  begin_here,     ///< []: the present state becomes the goal
+  follow,         ///< []: the reference; in `duration` to its beginning
 };
 
 /// Time for which a drag or a pull is obeyed, s.

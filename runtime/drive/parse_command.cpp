@@ -347,8 +347,10 @@ void Parser::parse_verb() {
     Verb verb;
   };
   constexpr Simple kSimple[] = {
-      {"start", Verb::start}, {"stop", Verb::stop}, {"brake", Verb::brake}, {"reset", Verb::reset},
-      {"take", Verb::take},   {"give", Verb::give}, {"help", Verb::help},   {"quit", Verb::quit}};
+      {"start", Verb::start}, {"stop", Verb::stop},      {"brake", Verb::brake},
+      {"reset", Verb::reset}, {"take", Verb::take},      {"give", Verb::give},
+      {"help", Verb::help},   {"quit", Verb::quit},      {"rehearse", Verb::rehearse},
+      {"go", Verb::go},       {"discard", Verb::discard}};
   for (const Simple& simple : kSimple) {
     if (takes(simple.word)) {
       command_.verb = simple.verb;
@@ -365,13 +367,22 @@ void Parser::parse_verb() {
   if (takes("mode")) return parse_mode();
   if (takes("gains")) return parse_gains();
   if (takes("wait")) return parse_wait();
+  if (takes("follow")) {
+    command_.verb = Verb::follow;
+    if (!robot_.has_reference) {
+      --next_;
+      return fail("there is no motion to follow: start with --reference FILE");
+    }
+    return take_duration();
+  }
   if (takes("release")) {
     command_.verb = Verb::release;
     return take_point(false);
   }
   const std::vector<std::string> words = {
-      "start", "stop",    "brake", "reset", "mode", "joint", "move", "turn", "posture", "hold",
-      "drag",  "release", "pull",  "gains", "take", "give",  "wait", "help", "quit"};
+      "start",   "stop", "brake", "reset",   "mode",     "joint", "move",   "turn",
+      "posture", "hold", "drag",  "release", "pull",     "gains", "take",   "give",
+      "wait",    "help", "quit",  "follow",  "rehearse", "go",    "discard"};
   fail(fmt::format("there is no command `{}`: {}", shown_word(words_[0].text),
                    suggest_word(words_[0].text, words)));
 }

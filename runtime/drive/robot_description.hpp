@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "drive/obstacle.hpp"
+
 namespace treeline::drive {
 
 /// What an entry of q measures. A floating joint has x y z qx qy qz qw in this order, a planar one
@@ -18,6 +20,7 @@ struct DrivenCoordinate {
   std::string joint;  ///< of the URDF; `base` for a floating base
   Measure measure = Measure::angle;
   int velocity_index = -1;  ///< of its velocity and force; -1 for a floating joint
+  bool passive = false;     ///< without a motor: loops lead it
   double lower = -std::numeric_limits<double>::infinity();  ///< rad or m
   double upper = std::numeric_limits<double>::infinity();
   double velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s
@@ -34,6 +37,13 @@ struct DrivenPoint {
   bool local_axes = false;
 };
 
+/// An obstacle and what front ends draw.
+struct DrivenObstacle {
+  std::string name;
+  std::array<double, 4> rotation{0, 0, 0, 1};  ///< of the box in the world, quaternion x y z w
+  Obstacle shape;
+};
+
 /// What front ends and the command language have to know of a robot.
 struct RobotDescription {
   std::string name;
@@ -45,12 +55,17 @@ struct RobotDescription {
   std::vector<std::string> links;  ///< that can be pulled, in the library's order
   std::vector<std::pair<std::string, double>> locked;
   double mass = 1.0;  ///< kg, of all links
-  std::string urdf;   ///< text of the file
+  std::vector<DrivenObstacle> obstacles;
+  std::vector<GuardedPoint> guarded;  ///< that keep away from them; the operational points first
+  Repulsion repulsion;
+  bool has_reference = false;  ///< a recorded motion that it can follow
+  std::string urdf;            ///< text of the file
 };
 
-/// Whether the coordinate can be the goal of a joint command: it is no part of a floating joint.
+/// Whether the coordinate can be the goal of a joint command: it is no part of a floating joint,
+/// and has a motor.
 inline bool is_single(const DrivenCoordinate& coordinate) {
-  return coordinate.velocity_index >= 0;
+  return coordinate.velocity_index >= 0 && !coordinate.passive;
 }
 
 /// Whether it is measured in rad; else in m.

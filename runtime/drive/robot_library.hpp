@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "drive/obstacle.hpp"
+#include "drive/reference_motion.hpp"
 #include "servo/message.hpp"
 
 namespace treeline::drive {
 
 /// Grows whenever a struct below changes: the program refuses a library of another version.
-inline constexpr int kLibraryVersion = 1;
+inline constexpr int kLibraryVersion = 2;
 
 /// A robot outside the library, instead of the simulated one. None of the functions may wait.
 struct ExternalRobot {
@@ -16,6 +18,31 @@ struct ExternalRobot {
   bool (*connected)(void* self) = nullptr;  ///< null: the robot is simulated
   void (*read)(void* self, double* q, double* qd) = nullptr;
   void (*write)(void* self, const double* tau) = nullptr;
+};
+
+/// What makes a simulated robot like a real one. The arrays have an entry for each velocity, in N m
+/// and rad or in N and m; null: 0 for all. Nothing of it concerns floating joints.
+struct SimulationOptions {
+  const double* coulomb = nullptr;  ///< friction of the drive
+  const double* viscous = nullptr;  ///< the same, times the speed
+  const double* play = nullptr;     ///< backlash of the gear, from flank to flank
+  const double* rotor = nullptr;  ///< inertia of the rotor seen from the joint; positive with play
+  double gear_stiffness = 1e4;    ///< of touching teeth, N m/rad or N/m
+  const double* noise = nullptr;  ///< standard deviation of measured positions
+  const double* quantum = nullptr;  ///< step of measured positions
+  int delay = 0;  ///< cycles from a command to its effect, at most `kLongestDelay`
+};
+
+/// Delay that a simulated robot can have, cycles.
+inline constexpr int kLongestDelay = 63;
+
+/// What the robot stays away from, and which points of it do.
+struct Surroundings {
+  const Obstacle* obstacles = nullptr;
+  int obstacle_count = 0;  ///< at most `kMostObstacles`
+  const GuardedPoint* guarded = nullptr;
+  int guarded_count = 0;  ///< at most `kMostGuardedPoints`
+  Repulsion repulsion;
 };
 
 /// What a loop begins with. Arrays are in the order of q (nq entries) or of qd and tau (nv); they
@@ -26,6 +53,7 @@ struct LoopOptions {
   int substeps = 2;                  ///< integration steps of the simulated robot in a cycle
   int overruns_in_a_row = 3;         ///< late cycles that are no fault
   const double* start = nullptr;     ///< nq
+  const double* home = nullptr;      ///< nq: where `go_home` leads; null: to the start
   const double* lower = nullptr;     ///< nq: goals stay within, rad or m
   const double* upper = nullptr;     ///< nq
   double beyond = 0.02;              ///< how far beyond these limits is a fault, rad or m
@@ -34,6 +62,9 @@ struct LoopOptions {
   double pull_stiffness = 100.0;     ///< N/m
   double pull_force = 50.0;          ///< N, the most that a pull exerts
   ExternalRobot robot;
+  SimulationOptions simulation;
+  Surroundings surroundings;
+  RecordedMotion reference;  ///< not copied
 };
 
 /// The part of a report that has the same size for every robot. Times are in ns.
@@ -57,10 +88,12 @@ struct ReportHead {
 
 /// Where in the numbers of a report which begins. `goal` is the desired state now, `target` where
 /// its motion ends; both are in the order of q. Poses of points are position (3) and quaternion
-/// (4), `free` is 1 for a released point.
+/// (4), `free` is 1 for a released point. `contact_forces` are those (3, world axes) that obstacles
+/// exert on the points of a simulated robot, `nearest` is the distance of each from the nearest
+/// obstacle.
 struct ReportLayout {
   int q, qd, tau, goal, target, point_poses, point_goals, point_targets, free, center_of_mass,
-      pull_at, pull_force, size;
+      pull_at, pull_force, contact_forces, nearest, size;
 };
 
 constexpr ReportLayout report_layout(int nq, int nv, int points) noexcept {
@@ -83,6 +116,8 @@ constexpr ReportLayout report_layout(int nq, int nv, int points) noexcept {
   at.center_of_mass = take(3);
   at.pull_at = take(3);
   at.pull_force = take(3);
+  at.contact_forces = take(3 * points);
+  at.nearest = take(points);
   at.size = next;
   return at;
 }
@@ -93,18 +128,27 @@ struct RobotLibrary {
   int version = kLibraryVersion;
   int coordinates = 0, velocities = 0, points = 0, links = 0;
   bool has_center_of_mass = false;
+  /// Null: the gears are too stiff to be simulated, see `SimulationOptions::gear_stiffness`.
   void* (*create)(const LoopOptions* options) = nullptr;
   void (*destroy)(void* loop) = nullptr;
   bool (*step)(void* loop) = nullptr;  ///< one cycle; false: the loop has ended
-  bool (*send)(void* loop, const servo::Message* message) = nullptr;  ///< false: full
+  /// False: full. What `send_at` has scheduled before is forgotten.
+  bool (*send)(void* loop, const servo::Message* message) = nullptr;
+  /// An instruction for the first cycle of the loop's time `time` (s) or later; in the order of
+  /// their times. False: full.
+  bool (*send_at)(void* loop, const servo::Message* message, double time) = nullptr;
   /// The oldest report that was not received, `ReportLayout::size` numbers; false: there is none.
   bool (*receive)(void* loop, ReportHead* head, double* numbers) = nullptr;
   /// The simulated robot without a loop, for a process of its own. Of the options only `start`,
-  /// `substeps` and `torque` count. `tau` null: it brakes. `state` receives q and qd.
+  /// `substeps`, `torque`, `simulation` and `surroundings` count. `tau` null: it brakes. `state`
+  /// receives q and qd.
   void* (*create_robot)(const LoopOptions* options) = nullptr;
   void (*destroy_robot)(void* robot) = nullptr;
   void (*advance_robot)(void* robot, const double* tau, double seconds) = nullptr;
   void (*read_robot)(void* robot, double* state) = nullptr;
+  /// Closes the loops of the robot's own near `q`; returns the largest error that is left, m or
+  /// rad. 0, and nothing changes, where there are none.
+  double (*close_loops)(double* q) = nullptr;
 };
 
 /// The library's only symbol, of type `const RobotLibrary* (*)()`.

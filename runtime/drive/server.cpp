@@ -18,6 +18,8 @@
 #include <thread>
 #include <utility>
 
+#include "servo/realtime.hpp"
+
 namespace treeline::drive {
 namespace {
 
@@ -306,7 +308,10 @@ void Server::Inside::accept() {
 
 Server::Server(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {
   inside_->accept();
-  inside_->thread = std::thread([this] { inside_->context.run(); });
+  inside_->thread = std::thread([this] {
+    servo::request_attention();
+    inside_->context.run();
+  });
 }
 
 Server::~Server() {

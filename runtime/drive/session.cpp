@@ -69,7 +69,17 @@ Answer Session::hand_over(int front_end, Verb verb, double now) {
   return refuse("another front end commands and has been asked to `give`");
 }
 
+void Session::tell_holder(const std::string& text) {
+  if (const auto holder = authority_.holder()) notes_.push_back({*holder, text});
+}
+
 Answer Session::send(const Command& command, double now) {
+  if (rehearsing_.divert) {
+    if (const auto taken = rehearsing_.divert(command.verb, message_for(command))) {
+      if (!*taken) return refuse("the rehearsal is full: `go` or `discard`");
+      return {true, "rehearsed: " + describe(command, robot_), -1};
+    }
+  }
   if (!send_(message_for(command))) {
     return refuse("too many commands at once: the loop's mailbox is full");
   }
@@ -108,6 +118,12 @@ Answer Session::obey(int front_end, bool may_command, const Command& command, do
   }
   if (!runs(now) && needs_running(command.verb)) {
     return refuse(fmt::format("the robot is {}: `start` first", servo::mode_name(mode)));
+  }
+  if (is_of_rehearsal(command.verb)) {
+    if (!rehearsing_.obey) return refuse("there are no rehearsals here");
+    Answer answer = rehearsing_.obey(command.verb);
+    refused_.refused += answer.ok ? 0 : 1;
+    return answer;
   }
   return send(command, now);
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,16 @@ class Session {
   /// The same for a command that was understood.
   Answer obey(int front_end, bool may_command, const Command& command, double now);
 
+  /// Who obeys `rehearse`, `go` and `discard`, and who takes a motion in the robot's place: nothing
+  /// if it is the robot's, false if it cannot be taken.
+  struct Rehearsing {
+    std::function<Answer(Verb)> obey;
+    std::function<std::optional<bool>(Verb, const servo::Message&)> divert;
+  };
+  void set_rehearsing(Rehearsing rehearsing) { rehearsing_ = std::move(rehearsing); }
+  /// Leaves a note for whoever commands, and for nobody else.
+  void tell_holder(const std::string& text);
+
   int join() { return ++last_front_end_; }
   void leave(int front_end, double now) { authority_.leave(front_end, now); }
   /// Notes since the last call.
@@ -83,6 +94,7 @@ class Session {
   LoopTiming timing_;
   RefusedCounts refused_;
   std::vector<Note> notes_;
+  Rehearsing rehearsing_;
   int last_front_end_ = 0;
   double started_ = -1.0;  ///< when `start` was sent; the next reports do not show it yet
 };

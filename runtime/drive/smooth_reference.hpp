@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/orientation.hpp"
+#include "drive/reference_motion.hpp"
 
 namespace treeline::drive {
 
@@ -13,12 +14,15 @@ class SmoothNumber {
     x_ = x;
     v_ = v;
     a_ = 0.0;
+    now_ = time;
     hold(time);
   }
 
-  /// Moves to rest at `to` in `duration` > 0 seconds.
+  /// Moves to rest at `to` in `duration` > 0 seconds. It goes on from where it was when it advanced
+  /// last, so that no cycle is lost.
   void move(double time, double to, double duration) noexcept {
-    start_ = time;
+    start_ = now_;
+    duration = time + duration - now_;
     duration_ = duration;
     following_ = false;
     target_ = to;
@@ -49,8 +53,25 @@ class SmoothNumber {
     speed_ = speed;
   }
 
+  /// Is where somebody else leads it, at `time`.
+  void lead(double time, const ReferencePoint& to) noexcept {
+    x_ = to.position;
+    v_ = to.velocity;
+    a_ = to.acceleration;
+    target_ = to.position;
+    start_ = time;
+    now_ = time;
+    duration_ = kShortest;
+    following_ = false;
+    coefficients_[0] = x_;
+    for (int i = 1; i < 6; ++i) {
+      coefficients_[i] = 0.0;
+    }
+  }
+
   /// Advances to `time`, which is `dt` seconds after the last call.
   void advance(double time, double dt) noexcept {
+    now_ = time;
     if (following_) {
       advance_following(dt);
       return;
@@ -69,6 +90,8 @@ class SmoothNumber {
     a_ = rate * rate * (2.0 * c[2] + s * (6.0 * c[3] + s * (12.0 * c[4] + s * 20.0 * c[5])));
   }
 
+  /// When it was begun, advanced or led last, s.
+  double now() const noexcept { return now_; }
   double position() const noexcept { return x_; }
   double velocity() const noexcept { return v_; }
   double acceleration() const noexcept { return a_; }
@@ -95,6 +118,7 @@ class SmoothNumber {
   double x_ = 0.0;
   double v_ = 0.0;
   double a_ = 0.0;
+  double now_ = 0.0;
   double start_ = 0.0;
   double duration_ = kShortest;
   double coefficients_[6] = {};
@@ -135,7 +159,7 @@ class SmoothPose {
     aim(to, angles);
     for (int i = 0; i < 3; ++i) {
       const double v = turn_[i].velocity();
-      turn_[i].begin(time, 0.0, v);
+      turn_[i].begin(turn_[i].now(), 0.0, v);
       turn_[i].move(time, angles[i], duration);
     }
   }
@@ -146,12 +170,12 @@ class SmoothPose {
     }
   }
 
-  void follow_rotation(double time, const double (&to)[9], double speed) noexcept {
+  void follow_rotation(const double (&to)[9], double speed) noexcept {
     double angles[3];
     aim(to, angles);
     for (int i = 0; i < 3; ++i) {
       const double v = turn_[i].velocity();
-      turn_[i].begin(time, 0.0, v);
+      turn_[i].begin(turn_[i].now(), 0.0, v);
       turn_[i].follow(angles[i], speed);
     }
   }

@@ -1,5 +1,6 @@
 #include "drive/wire.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -74,7 +75,8 @@ Json describe_coordinates(const RobotDescription& robot) {
                     {"lower", limit(coordinate.lower)},
                     {"upper", limit(coordinate.upper)},
                     {"velocity", limit(coordinate.velocity)},
-                    {"effort", limit(coordinate.effort)}});
+                    {"effort", limit(coordinate.effort)},
+                    {"passive", coordinate.passive}});
   }
   return list;
 }
@@ -90,6 +92,24 @@ Json describe_points(const RobotDescription& robot) {
                     {"origin", origin},
                     {"rows", point.rows},
                     {"axes", point.local_axes ? "local" : "world"}});
+  }
+  return list;
+}
+
+Json describe_obstacles(const RobotDescription& robot) {
+  Json list = Json::array();
+  for (const DrivenObstacle& obstacle : robot.obstacles) {
+    const Obstacle& shape = obstacle.shape;
+    const bool is_sphere = shape.radius > 0.0;
+    list.push_back({{"name", obstacle.name},
+                    {"kind", is_sphere ? "sphere" : "box"},
+                    {"at", Json(shape.center)},
+                    {"turn", Json(obstacle.rotation)},
+                    {"radius", is_sphere ? Json(shape.radius) : Json(nullptr)},
+                    {"size", is_sphere ? Json(nullptr)
+                                       : Json({2.0 * shape.half[0], 2.0 * shape.half[1],
+                                               2.0 * shape.half[2]})},
+                    {"avoided", shape.avoided}});
   }
   return list;
 }
@@ -115,20 +135,39 @@ Json point_states(const Session& session) {
                     {"turn", slice(numbers, layout.point_poses + 7 * k + 3, 4)},
                     {"goal", slice(numbers, layout.point_goals + 7 * k, 3)},
                     {"goal_turn", slice(numbers, layout.point_goals + 7 * k + 3, 4)},
-                    {"free", numbers[static_cast<std::size_t>(layout.free + k)] != 0.0}});
+                    {"free", numbers[static_cast<std::size_t>(layout.free + k)] != 0.0},
+                    {"force", slice(numbers, layout.contact_forces + 3 * k, 3)},
+                    {"nearest", limit(numbers[static_cast<std::size_t>(layout.nearest + k)])}});
   }
   return list;
 }
 
-Json pulls(const Session& session) {
+/// Forces on the robot: of a hand that pulls, and of obstacles on its points.
+Json forces(const Session& session) {
   const ReportHead& head = session.report().head;
   const ReportLayout& layout = session.layout();
+  const std::vector<double>& numbers = session.report().numbers;
   Json list = Json::array();
+  for (int k = 0; k < static_cast<int>(session.robot().points.size()); ++k) {
+    const auto first = numbers.begin() + layout.contact_forces + 3 * k;
+    if (std::all_of(first, first + 3, [](double f) { return f == 0.0; })) continue;
+    list.push_back({{"link", session.robot().points[static_cast<std::size_t>(k)].link},
+                    {"at", slice(numbers, layout.point_poses + 7 * k, 3)},
+                    {"force", slice(numbers, layout.contact_forces + 3 * k, 3)}});
+  }
   if (!head.pulled) return list;
   list.push_back({{"link", session.robot().links[static_cast<std::size_t>(head.pulled_link)]},
-                  {"at", slice(session.report().numbers, layout.pull_at, 3)},
-                  {"force", slice(session.report().numbers, layout.pull_force, 3)}});
+                  {"at", slice(numbers, layout.pull_at, 3)},
+                  {"force", slice(numbers, layout.pull_force, 3)}});
   return list;
+}
+
+Json describe_twin(const Session* twin) {
+  if (twin == nullptr) return nullptr;
+  const int nq = static_cast<int>(twin->robot().coordinates.size());
+  return {{"q", slice(twin->report().numbers, twin->layout().q, nq)},
+          {"moving", twin->report().head.moving},
+          {"fault", twin->fault()}};
 }
 
 constexpr const char* kControlNames[] = {"joint", "task", "gravity"};
@@ -209,12 +248,14 @@ std::string print_hello(const Session& session, double rate, bool may_command,
                 {"links", robot.links},
                 {"locked", locked},
                 {"controls", controls},
+                {"obstacles", describe_obstacles(robot)},
                 {"meshes", served},
                 {"missing_meshes", missing},
                 {"commands", commands}});
 }
 
-std::string print_state(const Session& session, std::int64_t seq, int watchers, Detail detail) {
+std::string print_state(const Session& session, std::int64_t seq, int watchers, Detail detail,
+                        const Session* twin) {
   const RobotDescription& robot = session.robot();
   const ReportHead& head = session.report().head;
   const ReportLayout& layout = session.layout();
@@ -237,7 +278,8 @@ std::string print_state(const Session& session, std::int64_t seq, int watchers, 
        {"points", point_states(session)},
        {"center_of_mass",
         session.has_center_of_mass() ? slice(numbers, layout.center_of_mass, 3) : Json(nullptr)},
-       {"forces", pulls(session)},
+       {"forces", forces(session)},
+       {"twin", describe_twin(twin)},
        {"control_us", describe_durations(timing.control())},
        {"period_us", describe_durations(timing.period())},
        {"jitter_us", describe_durations(timing.jitter())},
@@ -261,6 +303,11 @@ std::string print_state(const Session& session, std::int64_t seq, int watchers, 
 std::string finish_state(std::string state, bool commanding) {
   state.pop_back();
   return state + (commanding ? ",\"commanding\":true}" : ",\"commanding\":false}");
+}
+
+std::string stamp_reply(std::string reply, double milliseconds) {
+  reply.pop_back();
+  return reply + ",\"clock\":" + Json(milliseconds).dump() + "}";
 }
 
 std::string print_reply(std::optional<std::int64_t> seq, const Answer& answer) {

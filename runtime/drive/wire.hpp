@@ -47,12 +47,16 @@ class Inbox {
 std::string print_hello(const Session& session, double rate, bool may_command,
                         const std::vector<ServedMesh>& meshes);
 
-/// A state without what differs between front ends; `finish_state` adds that.
+/// A state without what differs between front ends; `finish_state` adds that. `twin`: of the robot
+/// in a rehearsal.
 enum class Detail { plain, histograms };
 std::string print_state(const Session& session, std::int64_t seq, int watchers,
-                        Detail detail = Detail::histograms);
+                        Detail detail = Detail::histograms, const Session* twin = nullptr);
 std::string finish_state(std::string state, bool commanding);
 
+/// Adds the machine's time (ms since 1970) to a reply: in a cycle after it the command takes
+/// effect.
+std::string stamp_reply(std::string reply, double milliseconds);
 std::string print_reply(std::optional<std::int64_t> seq, const Answer& answer);
 /// A command as a record keeps it.
 std::string print_command(const std::string& line, double time, const Answer& answer);

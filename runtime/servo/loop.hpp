@@ -104,6 +104,10 @@ class ServoLoop {
     }
   }
 
+  /// Time of the next cycle, or of the one in progress, s since the loop began.
+  double time() const noexcept {
+    return 1e-9 * static_cast<double>(ticks_) * static_cast<double>(cycle_.period());
+  }
   Mode mode() const noexcept { return report_.mode; }
   const Fault& fault() const noexcept { return report_.fault; }
   const Cycle<ClockType>& cycle() const noexcept { return cycle_; }
@@ -113,10 +117,6 @@ class ServoLoop {
   std::uint64_t dropped_messages() const noexcept { return dropped_; }
 
  private:
-  double time() const noexcept {
-    return 1e-9 * static_cast<double>(ticks_) * static_cast<double>(cycle_.period());
-  }
-
   void raise(const Fault& fault) noexcept {
     if (report_.mode != Mode::faulted) {
       report_.fault = fault;

@@ -3,6 +3,9 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -22,6 +25,12 @@ std::string request_realtime() {
                "no real-time scheduling: " + std::strerror(error);
   }
   return refused;
+}
+
+bool request_attention() {
+  constexpr int kNice = -10;
+  const auto thread = static_cast<id_t>(syscall(SYS_gettid));  // of Linux's threads, not of all
+  return setpriority(PRIO_PROCESS, thread, kNice) == 0;
 }
 
 }  // namespace treeline::servo

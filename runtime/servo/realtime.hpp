@@ -9,4 +9,9 @@ namespace treeline::servo {
 /// granted.
 std::string request_realtime();
 
+/// Asks Linux to run the calling thread before others of its kind: nice -10. For threads that pass
+/// messages on, so that neither they nor a lock that they hold waits behind other work. Returns
+/// whether that was granted; without it they are only slower on a machine that is busy.
+bool request_attention();
+
 }  // namespace treeline::servo

@@ -8,54 +8,12 @@
 
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "drive_fixture.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"
-#include "program_test.hpp"
 
 namespace treeline {
 namespace {
-
-using nlohmann::json;
-using test::Outcome;
-
-const std::string kRobots = TREELINE_ROBOTS;
-
-/// The state at the end of a drive, and the interpreter's poses of the scene's points there.
-struct Arrival {
-  json state;
-  std::vector<interpreter::PointPose<double>> poses;
-};
-
-class DriveTest : public test::OwnFolder {
- protected:
-  [[nodiscard]] Outcome drive(const std::string& files, const std::string& script,
-                              const std::string& options = "") const {
-    write("script.txt", script);
-    return test::run_program(root_,
-                             "drive " + files + " --headless --script script.txt " + options);
-  }
-
-  [[nodiscard]] Outcome run_drive(const std::string& options) const {
-    return test::run_program(root_, "drive " + kRobots + "/planar3r/planar3r.urdf " + options);
-  }
-
-  /// Drives a robot and finds where its points are, by the interpreter and the final coordinates.
-  [[nodiscard]] Arrival arrive(const std::string& urdf, const std::string& scene,
-                               const std::string& script) const {
-    const Outcome outcome = drive(urdf + " " + scene, script);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    Arrival arrival{json::parse(outcome.out), {}};
-    Diagnostics diagnostics;
-    const auto robot = read_urdf(urdf, diagnostics);
-    const auto read = read_scene(scene, *robot, diagnostics);
-    const auto model = model_from_robot<double>(*robot, *read);
-    const auto q = arrival.state["q"].get<std::vector<double>>();
-    arrival.poses = interpreter::forward_kinematics<double>(
-        model, points_from_scene(model, read->operational_points),
-        interpreter::Vector<double>::Map(q.data(), static_cast<Eigen::Index>(q.size())));
-    return arrival;
-  }
-};
 
 /// How far the interpreter's point is from where it was commanded, m.
 double distance(const interpreter::PointPose<double>& pose, const Eigen::Vector3d& wanted) {

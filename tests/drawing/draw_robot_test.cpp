@@ -8,6 +8,7 @@
 
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "drawing/obstacle_solids.hpp"
 #include "drawing/robot_solids.hpp"
 
 // Would catch: a joint that does not move what it carries, a hidden face that is drawn, a robot
@@ -112,6 +113,26 @@ TEST(DrawRobot, CaptionsCannotBreakTheFile) {
   const std::string svg = arm.draw({{{0, 0}, "<script>&\x1b", {}}});
   EXPECT_EQ(svg.find("<script>"), std::string::npos);
   EXPECT_NE(svg.find("&lt;script>&amp;\\x1b"), std::string::npos) << svg;
+}
+
+// A ball and a box beside the arm. Would catch: obstacles that are not drawn, or cut off.
+TEST(DrawRobot, ObstaclesStandBesideIt) {
+  const Arm arm;
+  SceneObstacle ball;
+  ball.radius = 0.2;
+  ball.origin.xyz = {2, 0, 1};
+  SceneObstacle box;
+  box.size = {0.5, 0.5, 0.1};
+  box.avoided = false;
+  const Solids solids = obstacle_solids({ball, box});
+  ASSERT_EQ(solids.balls.size(), 1U);
+  EXPECT_EQ(solids.faces.size(), 6U);
+  EXPECT_NE(solids.balls[0].color, solids.faces[0].color);
+  const std::string without = arm.draw({{{0, 0}, "", {}}});
+  const std::string with =
+      draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}}}, {}, solids);
+  EXPECT_EQ(count(with, "<circle"), count(without, "<circle") + 1);
+  EXPECT_EQ(count(with, "<polygon"), count(without, "<polygon") + 3);
 }
 
 }  // namespace

@@ -144,5 +144,35 @@ TEST(Command, ExplainsWhatItKnows) {
   }
 }
 
+// Rehearsals are for motions; a stop is always the robot's. A motion is followed where there is
+// one.
+TEST(Command, KnowsWhatIsRehearsed) {
+  EXPECT_TRUE(is_of_rehearsal(parsed("rehearse").verb));
+  EXPECT_TRUE(is_of_rehearsal(parsed("go").verb));
+  EXPECT_TRUE(is_of_rehearsal(parsed("discard").verb));
+  for (const char* line : {"joint elbow to 0", "drag tool to 0 0 0", "mode gravity", "hold",
+                           "gains stiffness 100 damping 20"}) {
+    EXPECT_TRUE(is_rehearsed(parsed(line).verb)) << line;
+  }
+  for (const char* line : {"stop", "brake", "start", "reset", "take", "go", "rehearse"}) {
+    EXPECT_FALSE(is_rehearsed(parsed(line).verb)) << line;
+  }
+  EXPECT_NE(refused("follow").text.find("--reference"), std::string::npos);
+  RobotDescription robot = kRobot;
+  robot.has_reference = true;
+  const auto follow = parse_command("follow in 2 s", robot);
+  ASSERT_TRUE(std::holds_alternative<Command>(follow));
+  EXPECT_EQ(std::get<Command>(follow).duration, 2);
+}
+
+// A joint without a motor has no goal.
+TEST(Command, LeavesPassiveJointsAlone) {
+  RobotDescription robot = kRobot;
+  for (DrivenCoordinate& coordinate : robot.coordinates) {
+    coordinate.passive = coordinate.name == "wheel";
+  }
+  EXPECT_TRUE(std::holds_alternative<CommandFault>(parse_command("joint wheel to 1", robot)));
+}
+
 }  // namespace
 }  // namespace treeline::drive

@@ -8,16 +8,20 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "../servo/allocation_counter.hpp"
 #include "../servo/test_robots.hpp"
 #include "drive/drive_loop.hpp"
+#include "linked_robots.hpp"
+#include "rig.hpp"
 
 namespace treeline::drive {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
+using test::kNone;
 
 /// The arm of two links with its tip as a point that moves in x and z.
 struct Arm : test::TwoLink {
@@ -74,66 +78,22 @@ struct Body : test::FreeBody {
 };
 
 template <class F>
-class Rig {
- public:
-  static constexpr ReportLayout kLayout = DriveLoop<F>::kLayout;
+using Rig = test::Rig<F>;
 
-  Rig(std::vector<double> start, double torque_limit = kNone) : start_(std::move(start)) {
-    lower_.fill(-3.0);
-    upper_.fill(3.0);
-    velocity_.fill(kNone);
-    torque_.fill(torque_limit);
-    LoopOptions options;
-    options.real_time = false;
-    options.start = start_.data();
-    options.lower = lower_.data();
-    options.upper = upper_.data();
-    options.velocity = velocity_.data();
-    options.torque = torque_.data();
-    loop_ = std::make_unique<DriveLoop<F>>(options);
-    run(0.01);
-    servo::Message begin;
-    begin.kind = servo::MessageKind::start;
-    loop_->send(begin);
-    run(0.01);
-  }
-
-  void send(Instruction instruction, std::initializer_list<double> values, double duration = 0) {
-    servo::Message message = make_message(instruction);
-    message.duration = duration;
-    std::copy(values.begin(), values.end(), message.values.begin());
-    ASSERT_TRUE(loop_->send(message));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(1000 * seconds)); ++i) {
-      loop_->step();
-      const std::array<double, kLayout.size> before = numbers_;
-      loop_->receive(head_, numbers_.data());
-      for (int k = 0; k < F::kVelocities; ++k) {
-        step_ = std::max(step_, std::fabs(at(kLayout.tau + k) -
-                                          before[static_cast<std::size_t>(kLayout.tau + k)]));
-      }
-    }
-  }
-  double at(int i) const { return numbers_[static_cast<std::size_t>(i)]; }
-  double q(int i) const { return at(kLayout.q + i); }
-  const ReportHead& head() const { return head_; }
-  /// The largest change of a torque from cycle to cycle since the last call.
-  double take_step() { return std::exchange(step_, 0.0); }
-  DriveLoop<F>& loop() { return *loop_; }
-
- private:
-  std::vector<double> start_;
-  std::array<double, F::kCoordinates> lower_{}, upper_{};
-  std::array<double, F::kVelocities> velocity_{}, torque_{};
-  std::unique_ptr<DriveLoop<F>> loop_;
-  ReportHead head_;
-  std::array<double, kLayout.size> numbers_{};
-  double step_ = 0.0;
-};
+/// Joints go from -3 to 3, as the arm's and the body's do in these tests.
+template <class F>
+Rig<F> make_rig(std::vector<double> start, double torque_limit = kNone) {
+  const std::array<double, F::kVelocities> torque = [&] {
+    std::array<double, F::kVelocities> limits{};
+    limits.fill(torque_limit);
+    return limits;
+  }();
+  return Rig<F>(
+      std::move(start), [&](LoopOptions& options) { options.torque = torque.data(); }, 3.0);
+}
 
 TEST(DriveController, JointsArriveWhenTheyShould) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   rig.send(Instruction::move_joint, {1, 0, 1.5}, 1.0);
   rig.run(0.5);
   EXPECT_NEAR(rig.q(1), 1.15, 2e-3);  // halfway by symmetry of the polynomial
@@ -150,7 +110,7 @@ TEST(DriveController, JointsArriveWhenTheyShould) {
 }
 
 TEST(DriveController, PointsArrive) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   rig.send(Instruction::move_point, {0, 0, 0.9, 0, 1.1}, 1.0);
   rig.run(1.5);
   EXPECT_NEAR(std::cos(rig.q(0)) + std::cos(rig.q(0) + rig.q(1)), 0.9, 1e-5);
@@ -158,7 +118,7 @@ TEST(DriveController, PointsArrive) {
 }
 
 TEST(DriveController, AFloatingBaseMovesAndTurns) {
-  Rig<Body> rig({0, 0, 0, 0, 0, 0, 1});
+  auto rig = make_rig<Body>({0, 0, 0, 0, 0, 0, 1});
   rig.send(Instruction::move_point, {-1, 1, 0.5, -0.2, 0.3}, 1.0);
   rig.send(Instruction::turn_point, {-1, 1, 0, 0, std::numbers::pi / 2}, 1.0);
   rig.run(1.5);
@@ -172,7 +132,7 @@ TEST(DriveController, AFloatingBaseMovesAndTurns) {
 // The torque is about 30 N m. Motions that begin, are interrupted or change the control in full
 // swing change it by little from one cycle to the next.
 TEST(DriveController, TorquesHaveNoStep) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   rig.take_step();
   const auto expect_smooth = [&](const char* when) {
     const double step = rig.take_step();
@@ -201,7 +161,7 @@ TEST(DriveController, TorquesHaveNoStep) {
 
 // Led for half a second towards a far goal, then silence: obeyed for 125 ms, then a glide to rest.
 TEST(DriveController, ADragEndsWithItsLease) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   for (int i = 0; i < 15; ++i) {
     rig.send(Instruction::drag_joint, {0, 2.9});
     rig.run(0.033);
@@ -222,7 +182,7 @@ TEST(DriveController, ADragEndsWithItsLease) {
 // 19.6 N m hold the arm's weight where it is stretched; limits of 25 N m cut what a fast motion
 // takes, and the robot still arrives.
 TEST(DriveController, CutsTorquesToTheirLimits) {
-  Rig<Arm> rig({1.2, 1.0}, 25.0);
+  auto rig = make_rig<Arm>({1.2, 1.0}, 25.0);
   rig.send(Instruction::move_joint, {0, 0, 1.6}, 0.3);
   double largest = 0.0;
   bool cut = false;
@@ -239,7 +199,7 @@ TEST(DriveController, CutsTorquesToTheirLimits) {
 
 // Messages for what does not exist change nothing.
 TEST(DriveController, IgnoresWhatDoesNotExist) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   for (const double index : {-7.0, -1.0, 1.0, 2.0, 1e6}) {
     rig.send(Instruction::move_point, {index, 0, 5, 5, 5}, 1.0);
     rig.send(Instruction::drag_point, {index, 0, 5, 5, 5});
@@ -255,7 +215,7 @@ TEST(DriveController, IgnoresWhatDoesNotExist) {
 }
 
 TEST(DriveController, AllocatesNothing) {
-  Rig<Arm> rig({0.3, 0.8});
+  auto rig = make_rig<Arm>({0.3, 0.8});
   const long before = test::allocation_count();
   for (int i = 0; i < 50; ++i) {
     rig.send(Instruction::drag_point, {0, 0, 0.9, 0, 1.1});
@@ -263,6 +223,157 @@ TEST(DriveController, AllocatesNothing) {
     rig.run(0.02);
   }
   EXPECT_EQ(test::allocation_count(), before);
+}
+
+// Wherever it begins within its limits, the robot is held there, in every control.
+TEST(DriveController, StartsFromAnywhereWithinTheLimits) {
+  std::mt19937 dice(7);
+  std::uniform_real_distribution<double> anywhere(-3.0, 3.0);
+  for (int i = 0; i < 40; ++i) {
+    const double elbow = i % 5 == 0 ? 3.0 : anywhere(dice);  // at the limit at times
+    const double shoulder = i % 7 == 0 ? -3.0 : anywhere(dice);
+    auto rig = make_rig<test::LinkedArm>({shoulder, elbow});
+    rig.run(1.0);
+    EXPECT_EQ(rig.head().fault_kind, 0) << shoulder << ' ' << elbow;
+    EXPECT_NEAR(rig.q(0), shoulder, 1e-6);
+    EXPECT_NEAR(rig.q(1), elbow, 1e-6);
+  }
+}
+
+// A robot that is found beyond its limits is in a fault. After a reset it is led back by each of
+// the ways in which a joint moves, and then the limits hold again.
+TEST(DriveController, LeadsBackFromBeyondALimit) {
+  const auto begin = [] {
+    auto rig = std::make_unique<Rig<test::LinkedArm>>(make_rig<test::LinkedArm>({3.3, -3.4}));
+    EXPECT_EQ(rig->head().fault_kind, static_cast<int>(servo::FaultKind::position_limit));
+    rig->command(servo::MessageKind::reset);
+    rig->run(0.01);
+    rig->command(servo::MessageKind::start);
+    rig->run(0.5);
+    EXPECT_EQ(rig->head().fault_kind, 0);
+    return rig;
+  };
+  auto moved = begin();
+  EXPECT_NEAR(moved->q(0), 3.3, 1e-6);  // it stays until it is told to come
+  moved->send(Instruction::move_joint, {0, 0, 2.5}, 1.0);
+  moved->send(Instruction::move_joint, {1, 1, 0.6}, 1.0);
+  moved->run(1.5);
+  EXPECT_NEAR(moved->q(0), 2.5, 1e-4);
+  EXPECT_NEAR(moved->q(1), -2.8, 1e-4);
+  auto dragged = begin();
+  for (int i = 0; i < 90; ++i) {
+    dragged->send(Instruction::drag_joint, {0, 2.0});
+    dragged->run(0.033);
+  }
+  EXPECT_LT(dragged->q(0), 2.5);
+  EXPECT_EQ(dragged->head().fault_kind, 0);
+  auto yielding = begin();  // under a hand both joints come back by themselves
+  yielding->send(Instruction::set_control, {2});
+  yielding->run(3.0);
+  EXPECT_LT(yielding->q(0), 3.0);
+  EXPECT_GT(yielding->q(1), -3.0);
+  EXPECT_EQ(yielding->head().fault_kind, 0);
+  moved->run(0.1);
+  EXPECT_EQ(moved->head().fault_kind, 0);
+}
+
+/// What people do, in any order. Returns whether it is a drag.
+template <class F>
+bool do_something(Rig<F>& rig, std::mt19937& dice) {
+  const auto between = [&dice](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(dice);
+  };
+  const int what = std::uniform_int_distribution<int>(0, 10)(dice);
+  switch (what) {
+    case 0:
+    case 1:
+      rig.send(Instruction::set_control, {std::floor(between(0, 3))});
+      break;
+    case 2:
+      rig.send(Instruction::move_joint, {0, 0, between(-0.5, 1.2)}, between(0.6, 1.5));
+      break;
+    case 3:
+      rig.send(Instruction::drag_joint, {1, between(0.5, 1.5)});
+      break;
+    case 4:
+      rig.send(Instruction::move_point, {0, 1, between(-0.1, 0.1), 0, between(-0.1, 0.1)},
+               between(0.6, 1.0));
+      break;
+    case 5:
+      rig.send(Instruction::drag_point, {0, 0, between(1, 1.4), 0, between(0.8, 1.2)});
+      break;
+    case 6:
+      rig.send(Instruction::release_point, {0});
+      break;
+    case 7:
+      rig.send(Instruction::hold_point, {0});
+      break;
+    case 8:
+      rig.send(Instruction::set_gains, {2, between(100, 400), between(20, 40)});
+      break;
+    case 9:
+      rig.send(Instruction::pull_link, {1, 0.5, 0, 0, between(0.5, 1.5), 0, between(0.5, 1.5)});
+      break;
+    default:
+      rig.send(Instruction::hold_all, {});
+      break;
+  }
+  return what == 3 || what == 5;
+}
+
+/// `Arm` with links that can be pulled, and a solution for its task that stays finite where the arm
+/// is stretched: J^T (J J^T + 0.05)^-1, as a generated function would have its own.
+struct PulledArm : Arm {
+  static constexpr int kLinks = 2;
+  static constexpr auto& link_frames = test::LinkedArm::link_frames;
+  static constexpr auto& link_inverse_dynamics = test::LinkedArm::link_inverse_dynamics;
+
+  static void control_torque(const double (&q)[2], const double (&qd)[2], const double (&)[2],
+                             const double (&xdd)[2], double (&tau)[2]) noexcept {
+    double J[4];
+    jacobian(q, J);
+    const double w = qd[0] + qd[1];
+    const double a[2] = {xdd[0] + std::cos(q[0]) * qd[0] * qd[0] + std::cos(q[0] + q[1]) * w * w,
+                         xdd[1] + std::sin(q[0]) * qd[0] * qd[0] + std::sin(q[0] + q[1]) * w * w};
+    const double A = J[0] * J[0] + J[1] * J[1] + 0.05;
+    const double B = J[0] * J[2] + J[1] * J[3];
+    const double C = J[2] * J[2] + J[3] * J[3] + 0.05;
+    const double d = A * C - B * B;
+    const double f[2] = {(C * a[0] - B * a[1]) / d, (A * a[1] - B * a[0]) / d};
+    const double qdd[2] = {J[0] * f[0] + J[2] * f[1], J[1] * f[0] + J[3] * f[1]};
+    inverse_dynamics(q, qd, qdd, tau);
+  }
+};
+
+/// The largest change of a torque within one cycle that neither the cycle before nor the one after
+/// has: a step, and no slope. Of the changes of three cycles, the newest last.
+double isolated_step(const std::array<double, 3>& changes) {
+  return std::fabs(changes[1]) - std::max(std::fabs(changes[0]), std::fabs(changes[2]));
+}
+
+// 2000 commands in any order, every 20 to 150 ms, in full swing. Torques are up to 100 N m and may
+// change by some N m within a millisecond. A hand that drags far ahead begins with the largest
+// jerk, 1250 rad/s^3 at 2 rad/s; nothing else makes a step.
+TEST(DriveController, NoCommandMakesAStep) {
+  std::mt19937 dice(11);
+  auto rig = make_rig<PulledArm>({0.3, 0.8});
+  std::array<std::array<double, 3>, 2> changes{};
+  std::array<double, 2> last{rig.tau(0), rig.tau(1)};
+  for (int i = 0; i < 2000; ++i) {
+    const bool is_drag = do_something(rig, dice);
+    double largest = 0.0;
+    const int cycles = std::uniform_int_distribution<int>(20, 150)(dice);
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+      rig.step();
+      for (std::size_t k = 0; k < 2; ++k) {
+        const double now = rig.tau(static_cast<int>(k));
+        changes[k] = {changes[k][1], changes[k][2], now - std::exchange(last[k], now)};
+        largest = std::max(largest, isolated_step(changes[k]));
+      }
+    }
+    ASSERT_LT(largest, is_drag ? 3.0 : 0.8) << "after command " << i;
+    ASSERT_EQ(rig.head().fault_kind, 0) << i;
+  }
 }
 
 }  // namespace

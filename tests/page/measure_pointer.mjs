@@ -1,8 +1,10 @@
 // Measures how long a movement of the pointer takes to the torque of `treeline drive`, in a browser
-// without a screen: from the time stamp of the browser's event to the reply, which says that the
-// line is in the control loop's mailbox. The torque changes in the next cycle, so that the way back
-// of the reply stands for more than what is not measured, at most one period.
+// without a screen: from the time stamp of the browser's event to the time at which the line was in
+// the control loop's mailbox, which the reply states. Both are of this machine's clock. The torque
+// changes in the next cycle of the loop: add at most one period, 1 ms.
 //   TREELINE_PAGE=FOLDER TREELINE_DRIVE=PROGRAM node measure_pointer.mjs [MOVEMENTS]
+import os from 'node:os';
+
 import {launch_browser, open_page, type_line, where} from './browser.mjs';
 import {DriveServer} from './drive_server.mjs';
 
@@ -27,9 +29,10 @@ function watch_lines() {
     if (!this.is_watched) {
       this.is_watched = true;
       this.addEventListener('message', ({data}) => {
-        const {type, seq: answered} = JSON.parse(data);
+        const {type, seq: answered, clock} = JSON.parse(data);
         if (type !== 'reply' || !sent.has(answered)) return;
-        window.times.push([...sent.get(answered), performance.now()]);
+        window.times.push([...sent.get(answered), clock - performance.timeOrigin,
+          performance.now()]);
       });
     }
     send.call(this, text);
@@ -61,7 +64,10 @@ await page.mouse.up();
 const times = await page.evaluate(() => window.times);
 console.log(`${times.length} movements`);
 describe('event to line', times.map(([moved, sent]) => sent - moved));
-describe('line to reply', times.map(([, sent, replied]) => replied - sent));
-describe('event to reply', times.map(([moved, , replied]) => replied - moved));
+describe('line to mailbox', times.map(([, sent, taken]) => taken - sent));
+describe('mailbox to reply', times.map(([, , taken, replied]) => replied - taken));
+describe('event to mailbox', times.map(([moved, , taken]) => taken - moved));
+console.log(`load average ${os.loadavg().map((load) => load.toFixed(1)).join(' ')}, ` +
+  `${os.cpus().length} processors`);
 await browser.close();
 process.exit(await server.close());

@@ -11,6 +11,12 @@ const kControls = {
   gravity: 'The robot carries its weight and gives way: lead it by hand.',
 };
 
+const kRehearsal = [
+  ['rehearse', 'Rehearse', 'From now on motions are for a twin, which is shown as a ghost'],
+  ['go', 'Go', 'The robot does what its twin has done'],
+  ['discard', 'Discard', 'Forget the rehearsal'],
+];
+
 function make_gain(label, value, hint) {
   return element('input', {type: 'number', min: 0, step: 'any', value: String(value),
     'aria-label': label, title: hint});
@@ -21,7 +27,10 @@ export class ControlPanel {
     this.run = run;
     this.buttons = element('div', {className: 'choices'});
     this.counts = element('dl', {className: 'counts'});
+    this.rehearsal = kRehearsal.map(([line, label, hint]) => button(label, hint, () => run(line)));
     root.append(element('h3', {}, 'Control'), this.buttons,
+      element('h3', {}, 'Rehearse, then go'),
+      element('div', {className: 'row', role: 'group', ariaLabel: 'rehearsal'}, ...this.rehearsal),
       element('h3', {}, 'Gains, 1/s² and 1/s'), this.#make_gains('joint'),
       this.#make_gains('task'), element('h3', {}, 'The loop'), this.counts);
   }
@@ -41,6 +50,8 @@ export class ControlPanel {
     for (const choice of this.choices) {
       choice.setAttribute('aria-pressed', String(choice.dataset.control === state.control));
     }
+    const [, go, discard] = this.rehearsal;
+    go.disabled = discard.disabled = !state.twin;
     const rows = {'Rate': `${this.rate} Hz`, 'Time': `${state.time.toFixed(1)} s`,
       'Cycles': state.cycles ?? '–', 'Overruns': state.overruns ?? '–',
       ...Object.fromEntries(Object.entries(state.counts ?? {}).map(([name, count]) =>

@@ -147,7 +147,8 @@ export class Overlays {
   }
 
   #update_ghost(state, target) {
-    const q = [...(state.control === 'joint' && state.goal_q ? state.goal_q : state.q)];
+    const goal = state.control === 'joint' && state.goal_q ? state.goal_q : state.q;
+    const q = [...(state.twin?.q ?? goal)];
     if (target?.index !== undefined) q[target.index] = target.value;
     const away = q.some((value, i) => Math.abs(value - state.q[i]) > kGhostFrom);
     const visible = this.shown.ghost && state.mode === 'running' && away;

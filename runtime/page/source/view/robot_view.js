@@ -4,6 +4,7 @@ import * as three from 'three';
 import {Gestures} from './gestures.js';
 import {Handles} from './handles.js';
 import {load_robot} from './load_robot.js';
+import {make_obstacles} from './obstacles.js';
 import {Overlays} from './overlays.js';
 import {pose_robot} from './pose_robot.js';
 import {Stage} from './stage.js';
@@ -57,6 +58,8 @@ export class RobotView {
       this.stage.redraw();
     });
     this.stage.scene.add(this.model);
+    this.obstacles = make_obstacles(hello);
+    this.stage.scene.add(this.obstacles);
     this.model.updateMatrixWorld(true);
     this.handles = new Handles(this.stage, this.model, hello, this.points);
     this.overlays = new Overlays(this.stage, this.model, hello, this.points, this.handles.size);
@@ -91,6 +94,7 @@ export class RobotView {
       box.expandByPoint(new three.Vector3(...at).addScalar(2 * this.handles.size));
       box.expandByPoint(new three.Vector3(...at).addScalar(-2 * this.handles.size));
     }
+    for (const body of this.obstacles.children) box.expandByObject(body);
     const ball = box.getBoundingSphere(new three.Sphere());
     this.radius = Math.max(ball.radius, 0.05);
     this.stage.look_at(ball.center, this.radius);
@@ -120,6 +124,7 @@ export class RobotView {
   #clear() {
     this.gestures.end();
     this.model?.removeFromParent();
+    this.obstacles?.removeFromParent();
     this.handles?.remove();
     this.overlays?.remove();
     this.state = null;

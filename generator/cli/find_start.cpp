@@ -1,0 +1,95 @@
+#include "cli/find_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cli/loop_handle.hpp"
+
+namespace treeline {
+namespace {
+
+/// By how much the forces that hold the robot at rest exceed the `permitted` share of their limits:
+/// the sum of squares.
+class Overload {
+ public:
+  Overload(const drive::RobotLibrary& library, const drive::RobotDescription& robot)
+      : library_(library),
+        robot_(robot),
+        numbers_(robot),
+        layout_(drive::report_layout(library.coordinates, library.velocities, library.points)),
+        report_(static_cast<std::size_t>(layout_.size)) {
+    // Forces that are not cut say how much is missing.
+    std::fill(numbers_.torque.begin(), numbers_.torque.end(),
+              std::numeric_limits<double>::infinity());
+  }
+
+  double operator()(const std::vector<double>& q, double permitted = 0.7) {
+    drive::LoopOptions options = options_for(robot_, numbers_, q);
+    options.real_time = false;
+    void* const loop = library_.create(&options);
+    library_.step(loop);
+    drive::ReportHead head;
+    library_.receive(loop, &head, report_.data());
+    library_.destroy(loop);
+    double sum = 0;
+    for (const drive::DrivenCoordinate& coordinate : robot_.coordinates) {
+      if (!drive::is_single(coordinate) || !std::isfinite(coordinate.effort)) continue;
+      const int index = layout_.tau + coordinate.velocity_index;
+      const double share = std::fabs(report_[static_cast<std::size_t>(index)]) / coordinate.effort;
+      sum += share > permitted ? (share - permitted) * (share - permitted) : 0;
+    }
+    return sum;
+  }
+
+ private:
+  const drive::RobotLibrary& library_;
+  const drive::RobotDescription& robot_;
+  LoopNumbers numbers_;
+  drive::ReportLayout layout_;
+  std::vector<double> report_;
+};
+
+/// Places to try for a joint: its range, or a turn, in eight steps.
+std::vector<double> candidates(const drive::DrivenCoordinate& coordinate) {
+  constexpr int kSteps = 8;
+  const bool bounded = std::isfinite(coordinate.upper - coordinate.lower);
+  if (!bounded && !drive::is_angle(coordinate)) return {};
+  const double lower = bounded ? coordinate.lower : -std::numbers::pi;
+  const double upper = bounded ? coordinate.upper : std::numbers::pi;
+  const double margin = 0.05 * (upper - lower);
+  std::vector<double> places;
+  for (int i = 0; i <= kSteps; ++i) {
+    places.push_back(lower + margin + (upper - lower - 2 * margin) * i / kSteps);
+  }
+  return places;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary& library,
+                                                       const drive::RobotDescription& robot,
+                                                       const std::vector<double>& start) {
+  constexpr int kSweeps = 3;
+  Overload overload(library, robot);
+  if (!(overload(start, 1.0) > 0)) return std::nullopt;
+  std::vector<double> best = start;
+  double least = overload(best);
+  for (int sweep = 0; sweep < kSweeps && least > 0; ++sweep) {
+    for (std::size_t i = 0; i < best.size() && least > 0; ++i) {
+      if (!drive::is_single(robot.coordinates[i])) continue;
+      std::vector<double> q = best;
+      for (const double place : candidates(robot.coordinates[i])) {
+        q[i] = place;
+        const double now = overload(q);
+        if (!(now < least)) continue;
+        least = now;
+        best = q;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace treeline

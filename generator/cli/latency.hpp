@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "cli/driver.hpp"
+#include "description/diagnostic.hpp"
+#include "launch/launch.hpp"
+
+namespace treeline {
+
+/// How a measurement of the loop's timing goes.
+struct LatencySettings {
+  double seconds = 600;
+  int load = 1;        ///< threads of this program that compute and move memory meanwhile
+  std::string report;  ///< PREFIX.json and PREFIX.svg are written; empty: neither
+};
+
+/// Runs the control loop of a simulated robot in real time, as `drive` does, and prints period,
+/// jitter and control time. Errors: `start` of another length, files that cannot be written.
+bool measure_latency(const LaunchedRobot& robot, const DriveSettings& drive,
+                     const LatencySettings& settings, Diagnostics& diagnostics);
+
+}  // namespace treeline

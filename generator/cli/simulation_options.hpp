@@ -1,0 +1,43 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/diagnostic.hpp"
+#include "drive/robot_description.hpp"
+#include "drive/robot_library.hpp"
+
+namespace treeline {
+
+/// Options of `treeline drive` that make the simulated robot like a real one, as they are written:
+/// each a number for all joints or JOINT=NUMBER, several separated by commas.
+struct SimulationTexts {
+  std::vector<std::string> friction, viscous, backlash, rotor, noise, quantisation;
+  double gear_stiffness = 1e4;  ///< N m/rad or N/m
+  double delay = 0;             ///< s
+
+  /// The first option that asks for something; empty: none does.
+  [[nodiscard]] std::string first_given() const;
+};
+
+void add_simulation_options(CLI::App& command, SimulationTexts& texts);
+
+/// The same per velocity.
+struct SimulationNumbers {
+  std::vector<double> friction, viscous, backlash, rotor, noise, quantisation;
+  double gear_stiffness = 1e4;
+  int delay = 0;  ///< cycles
+
+  /// For a loop; points into this object.
+  [[nodiscard]] drive::SimulationOptions options() const;
+};
+
+/// Errors: no number, a negative one, a joint that the robot has not or that has no coordinate of
+/// its own, play without a rotor, a delay of too many cycles of a loop at `rate` (Hz).
+std::optional<SimulationNumbers> read_simulation(const SimulationTexts& texts,
+                                                 const drive::RobotDescription& robot, double rate,
+                                                 Diagnostics& diagnostics);
+
+}  // namespace treeline

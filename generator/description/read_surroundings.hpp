@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "description/diagnostic.hpp"
+#include "description/scene_element.hpp"
+#include "description/surroundings.hpp"
+
+namespace treeline {
+
+/// The scene's keys `obstacles` and `avoidance`, out of its `fields`. Errors: an obstacle that is
+/// not one sphere or one box; names that repeat; sizes that are not positive; a point that repeats
+/// or is on an unknown link; more than a loop can watch.
+SceneSurroundings read_surroundings(const std::map<std::string, SceneElement>& fields,
+                                    const Robot& robot);
+
+/// The same from the text of a scene that has been read without error.
+SceneSurroundings surroundings_of(const std::string& scene_text, const Robot& robot);
+
+}  // namespace treeline

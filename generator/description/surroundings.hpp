@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "description/robot.hpp"
+
+namespace treeline {
+
+/// A body that stands in the world beside the robot: a sphere or a box about the origin of its
+/// frame.
+struct SceneObstacle {
+  std::string name;
+  Pose origin;                   ///< in the world
+  std::array<double, 3> size{};  ///< edges of a box, m; 0 for a sphere
+  double radius = 0;             ///< of a sphere, m; 0 for a box
+  bool avoided = true;           ///< false: the robot may touch it
+};
+
+/// A point of a link that keeps away from obstacles.
+struct SceneGuard {
+  std::string link;
+  std::array<double, 3> xyz{};  ///< in the link's frame, m
+};
+
+/// How a robot keeps away from obstacles, see `drive::Repulsion`.
+struct SceneAvoidance {
+  double reach = 0.15;             ///< m
+  double clearance = 0.02;         ///< m
+  double strength = 5e-4;          ///< m^4/s^2
+  std::vector<SceneGuard> points;  ///< beside the operational points
+};
+
+/// What stands around a driven robot. No generated code depends on it.
+struct SceneSurroundings {
+  std::vector<SceneObstacle> obstacles;
+  SceneAvoidance avoidance;
+};
+
+}  // namespace treeline

@@ -1,0 +1,126 @@
+#pragma once
+
+// How `DriveController` leads points and lets a hand pull links; included by its header.
+
+namespace treeline::drive {
+
+/// Where the points are, and how far from their goals: position over rotation vector, world axes.
+template <class F>
+void DriveController<F>::measure_points(double time, const State& state, double* rotations,
+                                        double* errors) noexcept {
+  if constexpr (kPoints > 0) {
+    double positions[3 * kPoints];
+    double turns[9 * kPoints];
+    F::forward_kinematics(state.q, positions, turns);
+    for (int k = 0; k < kPoints; ++k) {
+      const double position[3] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
+      double R[9];
+      for (int i = 0; i < 9; ++i) {
+        R[i] = turns[9 * k + i];
+        rotations[9 * k + i] = R[i];
+      }
+      if (free_[at(k)]) {
+        points_[at(k)].begin(time, position, R, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+      }
+      double wanted[3];
+      points_[at(k)].position(wanted);
+      double error[6];
+      core::pose_error(position, R, wanted, points_[at(k)].rotation(), error);
+      for (int i = 0; i < 6; ++i) {
+        errors[6 * k + i] = error[i];
+      }
+    }
+  }
+}
+
+/// The acceleration of one row of the task, which moves at `velocity`.
+template <class F>
+double DriveController<F>::command_row(int row, const double* rotations, const double* errors,
+                                       double velocity) const noexcept {
+  const TaskRow& place = F::kRows[row];
+  const double* R = rotations + 9 * place.point;
+  // In the point's own axes a row is the component along a column of its rotation.
+  const auto component = [&](auto&& of) {
+    const int part = place.axis < 3 ? 0 : 3;
+    const int i = place.axis % 3;
+    return F::kLocalAxes[place.point]
+               ? R[i] * of(part) + R[3 + i] * of(part + 1) + R[6 + i] * of(part + 2)
+               : of(part + i);
+  };
+  const double(&push)[3] = avoidance_.point_push(place.point);
+  const double aside = place.axis < 3 ? component([&](int i) { return push[i]; }) : 0.0;
+  if (free_[at(place.point)]) {
+    return aside - task_gains_.kv * velocity;
+  }
+  const SmoothPose& goal = points_[at(place.point)];
+  return aside + component([&](int i) { return goal.acceleration(i); }) +
+         task_gains_.kv * (component([&](int i) { return goal.velocity(i); }) - velocity) +
+         task_gains_.kp * component([&](int i) { return errors[6 * place.point + i]; });
+}
+
+/// Adds M qdd, from inverse dynamics with and without the acceleration.
+template <class F>
+void DriveController<F>::add_acceleration(const State& state, const double (&qdd)[nv],
+                                          double (&tau)[nv]) noexcept {
+  const double rest[nv] = {};
+  double with[nv];
+  double without[nv];
+  F::inverse_dynamics(state.q, rest, qdd, with);
+  F::inverse_dynamics(state.q, rest, rest, without);
+  for (int i = 0; i < nv; ++i) {
+    tau[i] += with[i] - without[i];
+  }
+}
+
+template <class F>
+void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
+  if constexpr (kPoints > 0) {
+    double rotations[9 * kPoints];
+    double errors[6 * kPoints];
+    measure_points(time, state, rotations, errors);
+    double J[F::kTaskRows * nv];
+    F::jacobian(state.q, J);
+    double aside[nv] = {};
+    avoid_obstacles(state, aside);
+    double xdd[F::kTaskRows];
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      double velocity = 0.0;
+      for (int i = 0; i < nv; ++i) {
+        velocity += J[row * nv + i] * state.qd[i];
+      }
+      xdd[row] = command_row(row, rotations, errors, velocity);
+    }
+    double posture[nv];
+    accelerate_joints(posture_gains_, state, posture);
+    push_from_limits(state, posture);
+    F::control_torque(state.q, state.qd, posture, xdd, tau);
+    if (avoidance_.pushes()) {
+      add_acceleration(state, aside, tau);
+    }
+  }
+}
+
+/// A spring from the link to the hand: J^T f.
+template <class F>
+void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcept {
+  hand_.place(state.q);
+  hand_.place_of(pull_link_, pull_on_link_, pull_at_);
+  double squared = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    pull_force_[i] = settings_.pull_stiffness * (pull_hand_[i] - pull_at_[i]);
+    squared += pull_force_[i] * pull_force_[i];
+  }
+  const double size = std::sqrt(squared);
+  const double grip = pull_share_ * pull_share_ * (3.0 - 2.0 * pull_share_);
+  for (double& f : pull_force_) {
+    f *= grip;
+    f *= size > settings_.pull_force ? settings_.pull_force / size : 1.0;
+  }
+  double added[nv] = {};
+  hand_.joint_forces(state.q, pull_link_, pull_at_, pull_force_, added);
+  for (int i = 0; i < nv; ++i) {
+    tau[i] += added[i];
+  }
+}
+
+}  // namespace treeline::drive

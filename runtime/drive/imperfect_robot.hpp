@@ -1,0 +1,152 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "drive/link_forces.hpp"
+#include "drive/robot_library.hpp"
+#include "servo/gear_backlash.hpp"
+#include "servo/integrate.hpp"
+#include "servo/joint_friction.hpp"
+#include "servo/robot_proxy.hpp"
+
+namespace treeline::drive {
+
+/// Normally distributed numbers that are the same in every run.
+class Noise {
+ public:
+  /// The next one, with mean 0 and standard deviation 1: the method of Box and Muller (1958) on
+  /// numbers of the generator splitmix64 (Steele, Lea, Flood 2014).
+  double next() noexcept {
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    return radius * std::cos(6.283185307179586 * uniform());
+  }
+
+ private:
+  double uniform() noexcept {
+    state_ += 0x9e3779b97f4a7c15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    z ^= z >> 31U;
+    return (static_cast<double>(z >> 11U) + 0.5) * 0x1p-53;
+  }
+  std::uint64_t state_ = 0;
+};
+
+/// A robot that is simulated by its forward dynamics, with friction, gears, a delay, sensors and
+/// contacts, as `SimulationOptions` and `Surroundings` say. Without any it is the ideal one of
+/// `servo::SimulatedRobot`, to the bit.
+///
+/// Torques are constant between writes and take effect `delay` cycles later. Where a gear has play,
+/// the torque and the friction act on the rotor, and the encoder is at the motor, see
+/// `servo::gear_torque`. Where positions are measured with noise or in steps, speeds are their
+/// differences behind a low-pass filter with a time constant of 3 ms. Obstacles push guarded points
+/// out like springs with dampers, without friction.
+template <class F>
+class ImperfectRobot {
+ public:
+  static constexpr int nq = F::kCoordinates;
+  static constexpr int nv = F::kVelocities;
+  using Floating = servo::FloatingJoints<nq, nv>;
+  using State = servo::StateOf<F>;
+
+  ImperfectRobot(const State& start, int substeps, const Floating& floating,
+                 const SimulationOptions& simulation, const Surroundings& surroundings) noexcept
+      : links_(start), motors_(start), substeps_(substeps), floating_(floating) {
+    find_coordinates();
+    take_options(simulation);
+    take_surroundings(surroundings);
+    measured_ = start;
+  }
+
+  /// Whether steps of `seconds` can follow the gears; takes more of them where that is needed.
+  bool can_follow_gears(double seconds) noexcept;
+
+  void read(State& state) const noexcept { state = has_sensors_ ? measured_ : seen(); }
+  void write(const double (&tau)[nv]) noexcept {
+    if (!written_) {  // what was commanded before is as good as this
+      for (auto& entry : line_) copy(tau, entry);
+    }
+    written_ = true;
+    copy(tau, line_[static_cast<std::size_t>(next_)]);
+    next_ = (next_ + 1) % (delay_ + 1);
+    copy(line_[static_cast<std::size_t>(next_)], tau_);
+  }
+  void pass_time(double seconds) noexcept {
+    for (int step = 0; step < substeps_; ++step) {
+      integrate(seconds / substeps_);
+    }
+    feel(links_);
+    if (has_sensors_) measure(seconds);
+  }
+
+  /// Force (N, world axes) of the obstacles on a guarded point.
+  const double (&contact_force(int guarded) const noexcept)[3] {
+    return forces_[static_cast<std::size_t>(guarded)].f;
+  }
+  int guarded_count() const noexcept { return guarded_count_; }
+  const GuardedPoint& guarded(int i) const noexcept {
+    return guarded_[static_cast<std::size_t>(i)];
+  }
+  /// Where the links are, not what sensors say.
+  const State& links() const noexcept { return links_; }
+
+ private:
+  struct Force {
+    double f[3] = {};
+  };
+  struct Joint {
+    int coordinate = -1;  ///< -1: part of a floating joint
+    servo::JointFriction friction;
+    servo::GearBacklash gear;
+    double rotor = 0.0;  ///< 0: no gear
+    double noise = 0.0;
+    double quantum = 0.0;
+  };
+  static constexpr double kSlipSpeed = 0.01;     ///< rad/s or m/s
+  static constexpr double kFilter = 0.003;       ///< s, of measured speeds
+  static constexpr double kWallStiffness = 2e4;  ///< N/m
+  static constexpr double kWallDamping = 200.0;  ///< N s/m
+
+  static void copy(const double (&from)[nv], double (&to)[nv]) noexcept {
+    for (int i = 0; i < nv; ++i) to[i] = from[i];
+  }
+  void find_coordinates() noexcept;
+  void take_options(const SimulationOptions& options) noexcept;
+  void take_surroundings(const Surroundings& surroundings) noexcept;
+  State seen() const noexcept;
+  void measure(double seconds) noexcept;
+  void feel(const State& links) noexcept;
+  void add_contacts(const State& links, double (&tau)[nv]) noexcept;
+  void accelerations(const State& links, const State& motors, double (&of_links)[nv],
+                     double (&of_motors)[nv]) noexcept;
+  void integrate(double dt) noexcept;
+
+  State links_;
+  State motors_;  ///< only where there are gears
+  State measured_;
+  int substeps_;
+  Floating floating_;
+  std::array<Joint, static_cast<std::size_t>(nv)> joints_{};
+  bool has_sensors_ = false;
+  bool has_gears_ = false;
+  double tau_[nv] = {};
+  double line_[static_cast<std::size_t>(kLongestDelay + 1)][nv] = {};
+  int delay_ = 0;
+  int next_ = 0;
+  bool written_ = false;
+  Noise noise_;
+  std::array<Obstacle, kMostObstacles> obstacles_{};
+  std::array<GuardedPoint, kMostGuardedPoints> guarded_{};
+  std::array<Force, kMostGuardedPoints> forces_{};
+  int obstacle_count_ = 0;
+  int guarded_count_ = 0;
+  LinkForces<F> link_forces_;
+};
+
+}  // namespace treeline::drive
+
+#include "drive/imperfect_robot_body.hpp"

@@ -1,0 +1,241 @@
+// Obstacles, rehearsals, records, robots that are not ideal, closed loops, timing.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "drive_fixture.hpp"
+
+namespace treeline {
+namespace {
+
+using DriveWaysTest = DriveTest;
+
+// The wrist of a PUMA 560 is sent past a ball that is in its way. By the interpreter it goes round,
+// and never comes nearer than the clearance.
+TEST_F(DriveWaysTest, ThePointGoesRoundAnObstacle) {
+  const std::string urdf = kRobots + "/puma560/puma560.urdf";
+  const std::string point = "operational_points: [{name: wrist, link: link6, rows: [x, y, z]}]\n";
+  write("scene.yaml",
+        point +
+            "obstacles: [{name: ball, sphere: {radius: 0.06}, origin: {xyz: [0.18, 0.24, "
+            "1.35]}}]\n");
+  const Outcome outcome = drive(urdf + " scene.yaml", "start\nmove wrist by 0 0.3 0 in 3 s\nwait\n",
+                                "--q -0.4,-0.785,0.4,0,0.8,0 --record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(urdf, diagnostics);
+  const auto scene = parse_scene(point, "wrist", *robot, diagnostics);
+  const auto model = model_from_robot<double>(*robot, *scene);
+  const auto points = points_from_scene(model, scene->operational_points);
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  double nearest = 1;
+  std::vector<Eigen::Vector3d> path;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] == "hello") {
+      EXPECT_EQ(entry["obstacles"][0]["name"], "ball");
+    }
+    if (entry["type"] != "state") continue;
+    const auto q = entry["q"].get<std::vector<double>>();
+    path.push_back(interpreter::forward_kinematics<double>(
+                       model, points, interpreter::Vector<double>::Map(q.data(), 6))
+                       .at(0)
+                       .position);
+    const double distance = (path.back() - Eigen::Vector3d(0.18, 0.24, 1.35)).norm() - 0.06;
+    nearest = std::min(nearest, distance);
+    if (entry["mode"] == "running") {
+      EXPECT_NEAR(entry["points"][0]["nearest"].get<double>(), distance, 1e-9);
+    }
+  }
+  EXPECT_GT(nearest, 0.02);
+  EXPECT_LT(nearest, 0.1);  // its straight way led through the ball
+  EXPECT_LT((path.back() - path.front() - Eigen::Vector3d(0, 0.3, 0)).norm(), 5e-3);
+}
+
+// A rehearsal moves the twin and not the robot; then the robot does the same, to the last digits.
+TEST_F(DriveWaysTest, RehearsesThenGoes) {
+  write("script.txt",
+        "start\nwait\nrehearse\njoint joint1 to 0.5 in 1 s\njoint joint3 by -0.4 in 0.7 s\nwait\n"
+        "go\nwait\n");
+  const Outcome outcome =
+      test::run_program(root_, "drive " + kRobots +
+                                   "/puma560/puma560.urdf --headless --script script.txt --record "
+                                   "record.jsonl --q 0,-0.8,0.8,0,0.6,0");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("the robot has done what was rehearsed"), std::string::npos);
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  std::vector<std::vector<double>> twin, robot;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] != "state" || entry["twin"].is_null()) continue;
+    if (entry["twin"]["moving"]) {
+      EXPECT_NEAR(entry["q"][0].get<double>(), 0.0, 1e-6);
+      twin.push_back(entry["twin"]["q"].get<std::vector<double>>());
+    } else {
+      robot.push_back(entry["q"].get<std::vector<double>>());
+    }
+  }
+  ASSERT_GT(twin.size(), 100U);
+  ASSERT_GT(robot.size(), 100U);
+  EXPECT_NEAR(twin.back()[0], 0.5, 1e-4);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(robot.back()[i], twin.back()[i], 1e-6);
+}
+
+TEST_F(DriveWaysTest, RefusesARehearsalThatCannotBe) {
+  const auto refused = [&](const std::string& script, const std::string& why) {
+    write("script.txt", script);
+    const Outcome outcome = run_drive("--headless --script script.txt");
+    EXPECT_EQ(outcome.exit_code, 1) << script;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+  };
+  refused("start\nwait\ngo\n", "`rehearse` first");
+  refused("start\nwait\ndiscard\n", "there is no rehearsal");
+  refused("start\njoint joint1 to 1\nrehearse\n", "the robot moves");
+  refused("start\nwait\nrehearse\njoint joint1 to 1\ngo\n", "the twin has not ended");
+  refused("start\nfollow\n", "--reference FILE");
+}
+
+// A record is a reference: the robot goes to where it begins and then the same way.
+TEST_F(DriveWaysTest, FollowsARecord) {
+  write("script.txt", "start\njoint joint1 to 0.7 in 1 s\njoint joint3 to -0.5 in 1 s\nwait\n");
+  ASSERT_EQ(run_drive("--headless --script script.txt --record record.jsonl").exit_code, 0);
+  write("script.txt", "start\njoint joint2 to 0.3 in 0.5 s\nwait\nfollow in 0.5 s\nwait\n");
+  const Outcome outcome = run_drive("--headless --script script.txt --reference record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto q = json::parse(outcome.out)["q"].get<std::vector<double>>();
+  EXPECT_NEAR(q[0], 0.7, 1e-3);
+  EXPECT_NEAR(q[1], 0.0, 1e-3);
+  EXPECT_NEAR(q[2], -0.5, 1e-3);
+  write("bad.csv", "time,q0,q1,q2\n0,0,0,0\n1,9,0,0\n");
+  EXPECT_NE(
+      run_drive("--headless --script script.txt --reference bad.csv").err.find("beyond its limits"),
+      std::string::npos);
+  const Outcome other =
+      test::run_program(root_, "drive " + kRobots + "/puma560/puma560.urdf --replay record.jsonl");
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.err.find("another URDF or scene"), std::string::npos) << other.err;
+}
+
+// Friction leaves an error, a delay and coarse encoders leave the robot where it was sent.
+TEST_F(DriveWaysTest, ARobotThatIsNotIdealArrivesLessExactly) {
+  const std::string script = "start\njoint joint1 to 0.5 in 1 s\nwait\nwait 1 s\n";
+  const auto error_with = [&](const std::string& options) {
+    write("script.txt", script);
+    const Outcome outcome = run_drive("--headless --script script.txt " + options);
+    EXPECT_EQ(outcome.exit_code, 0) << options << outcome.err;
+    return std::fabs(json::parse(outcome.out)["q"][0].get<double>() - 0.5);
+  };
+  const double ideal = error_with("");
+  EXPECT_LT(ideal, 1e-6);
+  const double rubbed = error_with("--friction 2");
+  EXPECT_GT(rubbed, 10 * ideal);
+  EXPECT_LT(rubbed, 0.05);
+  EXPECT_LT(error_with("--delay 0.003 --quantisation 1e-4 --sensor-noise 1e-5"), 1e-3);
+  EXPECT_LT(error_with("--backlash 0.002 --rotor joint1=0.5,joint2=0.3,joint3=0.1"), 2e-2);
+}
+
+TEST_F(DriveWaysTest, RefusesWhatIsNoFaultOfARobot) {
+  write("script.txt", "start\n");
+  const std::string run = "--headless --script script.txt ";
+  EXPECT_NE(run_drive(run + "--friction joint9=1").err.find("no joint \"joint9\""),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--backlash 0.01").err.find("--rotor joint1=INERTIA"),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--delay 0.5").err.find("0.063 s"), std::string::npos);
+  EXPECT_NE(run_drive(run + "--sensor-noise -1").err.find("no number from 0 on"),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--backlash 1 --rotor 1e-9 --gear-stiffness 1e9").err.find("too fast"),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--robot udp:127.0.0.1:9 --friction 1").err.find("--act-as-robot"),
+            std::string::npos);
+}
+
+/// A four-bar: crank of 0.2 m with the motor, coupler of 0.4 m on it, rocker of 0.3 m, 0.4 m apart.
+std::string four_bar() {
+  const auto link = [](const std::string& name, double length) {
+    return "<link name='" + name + "'><inertial><origin xyz='" + std::to_string(length / 2) +
+           " 0 0'/><mass value='1'/><inertia ixx='0.001' ixy='0' ixz='0' iyy='0.01' iyz='0' "
+           "izz='0.01'/></inertial></link>";
+  };
+  const auto joint = [](const std::string& name, const std::string& parent,
+                        const std::string& child, double x) {
+    return "<joint name='" + name + "' type='revolute'><parent link='" + parent +
+           "'/><child link='" + child + "'/><origin xyz='" + std::to_string(x) +
+           " 0 0'/><axis xyz='0 0 1'/><limit lower='-3' upper='3' effort='50' "
+           "velocity='10'/></joint>";
+  };
+  return "<robot name='fourbar'><link name='base'/>" + link("crank", 0.2) + link("coupler", 0.4) +
+         link("rocker", 0.3) + joint("motor", "base", "crank", 0) +
+         joint("knee", "crank", "coupler", 0.2) + joint("pivot", "base", "rocker", 0.4) +
+         "</robot>";
+}
+const std::string kFourBarScene =
+    "gravity: [0, -9.81, 0]\npassive: [knee, pivot]\n"
+    "constraints:\n  - {name: closing, between: [rocker, coupler], origin: {xyz: [0.3, 0, 0]},\n"
+    "     other_origin: {xyz: [0.4, 0, 0]}, rows: [x, y]}\n";
+
+// The motor leads the crank to 1.2 rad under gravity; the loop stays closed by plane trigonometry,
+// and joints without motors get no force. Would catch: a loop that opens, a motor that does not
+// carry the coupler and the rocker.
+TEST_F(DriveWaysTest, AFourBarIsDrivenByItsMotor) {
+  write("fourbar.urdf", four_bar());
+  write("scene.yaml", kFourBarScene);
+  const Outcome outcome =
+      drive("fourbar.urdf scene.yaml", "start\njoint motor to 1.2 in 1 s\nwait\nwait 1 s\n",
+            "--q 0.5,0.5,1 --record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  double widest = 0;
+  std::vector<double> q;
+  for (std::string line; std::getline(lines, line);) {
+    const json entry = json::parse(line);
+    if (entry["type"] != "state") continue;
+    q = entry["q"].get<std::vector<double>>();
+    const double x = 0.2 * std::cos(q[0]) + 0.4 * std::cos(q[0] + q[1]) - 0.3 * std::cos(q[2]);
+    const double y = 0.2 * std::sin(q[0]) + 0.4 * std::sin(q[0] + q[1]) - 0.3 * std::sin(q[2]);
+    widest = std::max(widest, std::hypot(x - 0.4, y));
+    EXPECT_EQ(entry["tau"][1], 0.0);
+    EXPECT_EQ(entry["tau"][2], 0.0);
+  }
+  EXPECT_LT(widest, 1e-5);  // of Runge-Kutta steps, led back
+  ASSERT_EQ(q.size(), 3U);
+  EXPECT_NEAR(q[0], 1.2, 1e-4);
+}
+
+TEST_F(DriveWaysTest, SaysWhichLoopsItDoesNotDrive) {
+  write("fourbar.urdf", four_bar());
+  write("scene.yaml", kFourBarScene);
+  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\njoint knee to 0\n", "--q 0.5,0.5,1")
+                .err.find("no joint `knee`"),
+            std::string::npos);
+  std::string too_far = kFourBarScene;
+  write("scene.yaml", too_far.replace(too_far.find("0.3"), 3, "9.0"));
+  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n").err.find("cannot be closed"),
+            std::string::npos);
+  write("scene.yaml", "base: floating\nconstraints: [{name: held, between: [base, world]}]\n");
+  EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n").err.find("held to the world"),
+            std::string::npos);
+}
+
+// How long cycles take is not asked; that all are counted is.
+TEST_F(DriveWaysTest, MeasuresItsTiming) {
+  const Outcome outcome = run_drive("--latency --seconds 1 --load 1 --report timing");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("jitter"), std::string::npos);
+  const json report = json::parse(test::read_file(root_ / "timing.json"));
+  const auto cycles = report["cycles"].get<long>();
+  EXPECT_GT(cycles, 0);
+  for (const char* series : {"period_us", "jitter_us", "control_us"}) {
+    long sum = 0;
+    for (const json& count : report[series]["bins"]) sum += count.get<long>();
+    EXPECT_EQ(sum, cycles) << series;
+    EXPECT_LE(report[series]["median"], report[series]["largest"]) << series;
+  }
+  const std::string svg = test::read_file(root_ / "timing.svg");
+  EXPECT_EQ(svg.rfind("<svg", 0), 0U);
+  EXPECT_NE(svg.find("and more"), std::string::npos);
+  EXPECT_NE(run_drive("--seconds 5").err.find("--latency"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace treeline
