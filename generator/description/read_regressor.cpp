@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "description/read_scene_point.hpp"
+#include "description/count_freedoms.hpp"
+#include "description/list_links.hpp"
 
 namespace treeline {
 namespace {
@@ -39,8 +40,13 @@ std::string find_carrier(const Robot& robot, const Scene& scene, std::string lin
 bool check_link(const SceneElement& item, const std::string& name, const Robot& robot,
                 const Scene& scene) {
   const auto& listed = scene.regressor.links;
-  if (find_moving_link(item, name, robot, scene) == nullptr) return false;
-  if (const std::string carrier = find_carrier(robot, scene, name); carrier != name) {
+  if (std::none_of(robot.links.begin(), robot.links.end(),
+                   [&](const Link& link) { return link.name == name; })) {
+    item.error(fmt::format("the robot has no link \"{}\"", name), suggest_link(name, robot));
+  } else if (find_freedoms_of_link(robot, scene, name).empty()) {
+    item.error(fmt::format("the link \"{}\" cannot move", name),
+               "name a link behind a joint that moves");
+  } else if (const std::string carrier = find_carrier(robot, scene, name); carrier != name) {
     item.error(fmt::format("the link \"{}\" is fixed to \"{}\", whose parameters contain its own",
                            name, carrier),
                fmt::format("name \"{}\"", carrier));
@@ -53,7 +59,8 @@ bool check_link(const SceneElement& item, const std::string& name, const Robot& 
 }
 
 void read_links(const SceneElement& element, const Robot& robot, Scene& scene) {
-  const std::vector<SceneElement> items = one_or_more(element);
+  const std::vector<SceneElement> items =
+      element.is_list() ? element.items() : std::vector<SceneElement>{element};
   for (const SceneElement& item : items) {
     const auto name = item.text();
     if (name && check_link(item, *name, robot, scene)) scene.regressor.links.push_back(*name);
