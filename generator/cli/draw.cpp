@@ -10,11 +10,10 @@
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/print_diagnostics.hpp"
+#include "cli/read_robot_files.hpp"
 #include "cli/write_output.hpp"
-#include "description/read_scene.hpp"
 #include "description/read_surroundings.hpp"
 #include "description/read_text_file.hpp"
-#include "description/read_urdf.hpp"
 #include "description/suggest_name.hpp"
 #include "drawing/draw_robot.hpp"
 #include "drawing/obstacle_solids.hpp"
@@ -39,28 +38,37 @@ struct Drawn {
   SceneSurroundings surroundings;
 };
 
-/// Reads robot and scene. What is worth a warning about their dynamics is not about a picture.
-std::optional<std::pair<Robot, Scene>> read_robot(const std::string& text, const std::string& file,
-                                                  const std::string& scene_file,
-                                                  Diagnostics& diagnostics) {
+/// The shapes of all robots, those of several named as `join_robots` names their links.
+std::vector<Visual> read_all_visuals(const RobotFiles& files, Diagnostics& diagnostics) {
+  if (!files.urdf.empty()) {
+    return read_visuals(files.urdf_text, shown_path(files.urdf), diagnostics);
+  }
+  const SceneRobots& listed = files.scene_robots;
+  std::vector<std::vector<Visual>> of_files;
+  for (const InputFile& file : listed.files) {
+    of_files.push_back(read_visuals(file.text, file.path, diagnostics));
+  }
+  std::vector<Visual> visuals;
+  for (std::size_t i = 0; i < listed.robots.size(); ++i) {
+    for (Visual visual : of_files[listed.file_of_robot[i]]) {
+      visual.link.insert(0, listed.robots[i].name + "/");
+      visuals.push_back(std::move(visual));
+    }
+  }
+  return visuals;
+}
+
+std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnostics) {
   Diagnostics own;
-  auto robot = parse_urdf(text, file, own);
-  auto scene = robot ? read_scene(scene_file, *robot, own) : std::nullopt;
+  auto read = read_robot_files(options.urdf, options.scene, own);
+  auto scene = read ? parse_scene_of(*read, own) : std::nullopt;
+  // What is worth a warning about dynamics is not about a picture.
   for (const Diagnostic& diagnostic : own.list()) {
     if (diagnostic.severity == Severity::error) diagnostics.add(diagnostic);
   }
   if (!scene) return std::nullopt;
-  return std::pair{std::move(*robot), std::move(*scene)};
-}
-
-std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnostics) {
-  if (!can_read_both(options.urdf, options.scene, diagnostics)) return std::nullopt;
-  const auto text = read_text_file(options.urdf, diagnostics);
-  if (!text) return std::nullopt;
-  const std::string file = shown_path(options.urdf);
-  auto read = read_robot(*text, file, options.scene, diagnostics);
-  if (!read) return std::nullopt;
-  auto visuals = read_visuals(*text, file, diagnostics);
+  const std::string file = read->robot.file;
+  auto visuals = read_all_visuals(read->files, diagnostics);
   const auto meshes = std::count_if(visuals.begin(), visuals.end(), [](const Visual& visual) {
     return visual.kind == VisualKind::mesh;
   });
@@ -71,11 +79,8 @@ std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnos
                                  meshes),
                      "`treeline drive` shows meshes in a browser."});
   }
-  const auto scene_text = options.scene.empty() ? std::optional<std::string>("")
-                                                : read_text_file(options.scene, diagnostics);
-  if (!scene_text) return std::nullopt;
-  auto surroundings = surroundings_of(*scene_text, read->first);
-  return Drawn{std::move(read->first), std::move(read->second), std::move(visuals),
+  auto surroundings = surroundings_of(read->files.scene_text, read->robot);
+  return Drawn{std::move(read->robot), std::move(*scene), std::move(visuals),
                std::move(surroundings)};
 }
 
@@ -164,7 +169,7 @@ int draw(const DrawOptions& options, Diagnostics& diagnostics) {
 }
 
 void add_options(CLI::App& command, DrawOptions& options) {
-  command.add_option("urdf", options.urdf, "Robot, URDF")->required();
+  command.add_option("urdf", options.urdf, kRobotArgument)->required();
   command.add_option("scene", options.scene, "Base, locked joints, points; YAML");
   command.add_option("--q", options.q, "Where it stands, separated by commas; else at rest")
       ->delimiter(',')

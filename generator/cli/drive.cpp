@@ -42,25 +42,51 @@ struct DriveOptions {
   std::string act_as_robot;
 };
 
-std::optional<LaunchedRobot> launch_from(const InputOptions& options, Diagnostics& diagnostics) {
+using Packages = std::map<std::string, std::filesystem::path>;
+
+/// The meshes of all robots. Those of several are named as `print_joined_urdf` names them.
+std::vector<drive::ServedMesh> find_all_meshes(const RobotFiles& files, const Packages& packages) {
+  const auto folder = [](const std::string& path) {
+    return std::filesystem::path(path).parent_path();
+  };
+  if (!files.urdf.empty()) {
+    return drive::find_meshes(files.urdf_text, folder(files.urdf), packages);
+  }
+  const SceneRobots& listed = files.scene_robots;
+  std::vector<drive::ServedMesh> meshes;
+  for (std::size_t i = 0; i < listed.robots.size(); ++i) {
+    const InputFile& file = listed.files[listed.file_of_robot[i]];
+    for (auto& mesh : drive::find_meshes(file.text, folder(file.path), packages)) {
+      mesh.uri.insert(0, listed.robots[i].name + "/");
+      meshes.push_back(std::move(mesh));
+    }
+  }
+  return meshes;
+}
+
+/// The robot of these files, ready to be driven; `meshes` is set to those that pictures of it need.
+std::optional<LaunchedRobot> launch_from(const InputOptions& options, const Packages& packages,
+                                         std::vector<drive::ServedMesh>& meshes,
+                                         Diagnostics& diagnostics) {
   auto inputs = read_inputs(options, diagnostics);
   if (!inputs) return std::nullopt;
+  meshes = find_all_meshes(inputs->files, packages);
   const auto tell = [](const std::string& what) {
     if (is_watched()) show_progress("  " + what);
   };
-  auto surroundings = surroundings_of(inputs->scene_text, inputs->robot);
+  auto surroundings = surroundings_of(inputs->files.scene_text, inputs->robot);
   auto robot =
-      launch({std::move(inputs->robot), std::move(inputs->scene), std::move(inputs->urdf_text),
-              std::move(inputs->scene_text), std::move(surroundings)},
+      launch({std::move(inputs->robot), std::move(inputs->scene), shown_urdf(inputs->files),
+              inputs->files.scene_text, std::move(surroundings)},
              tell, diagnostics);
   if (is_watched()) show_progress("");
   return robot;
 }
 
 /// `--package NAME=DIR`, each.
-std::optional<std::map<std::string, std::filesystem::path>> read_packages(
-    const std::vector<std::string>& given, Diagnostics& diagnostics) {
-  std::map<std::string, std::filesystem::path> packages;
+std::optional<Packages> read_packages(const std::vector<std::string>& given,
+                                      Diagnostics& diagnostics) {
+  Packages packages;
   for (const std::string& package : given) {
     const std::size_t equals = package.find('=');
     if (equals != std::string::npos && std::filesystem::is_directory(package.substr(equals + 1))) {
@@ -107,13 +133,11 @@ int run_replay(const DriveOptions& options) {
   const auto inputs = packages ? read_inputs(options.inputs, diagnostics) : std::nullopt;
   bool shown = false;
   if (inputs) {
-    PageSettings page{
-        options.drive.listen, options.drive.port, inputs->urdf_text,
-        drive::find_meshes(inputs->urdf_text,
-                           std::filesystem::path(options.inputs.urdf).parent_path(), *packages)};
+    const std::string urdf = shown_urdf(inputs->files);
+    PageSettings page{options.drive.listen, options.drive.port, urdf,
+                      find_all_meshes(inputs->files, *packages)};
     warn_of_listeners(options.drive, diagnostics);
-    shown = replay(options.replay, checksum_of(inputs->urdf_text, inputs->scene_text), page,
-                   diagnostics);
+    shown = replay(options.replay, checksum_of(urdf, inputs->files.scene_text), page, diagnostics);
   }
   print_diagnostics(diagnostics, options.inputs.warnings);
   return shown ? kOk : kBadInput;
@@ -134,7 +158,7 @@ int run(DriveOptions options) {
   const auto packages = read_packages(options.packages, diagnostics);
   refuse_imperfect_hardware(options, diagnostics);
   if (packages && !diagnostics.has_errors() && read_script(options.script, drive, diagnostics)) {
-    robot = launch_from(options.inputs, diagnostics);
+    robot = launch_from(options.inputs, *packages, drive.meshes, diagnostics);
   }
   if (robot) {
     auto simulation =
@@ -154,11 +178,6 @@ int run(DriveOptions options) {
     } else {
       robot.reset();
     }
-  }
-  if (robot) {
-    drive.meshes =
-        drive::find_meshes(robot->description.urdf,
-                           std::filesystem::path(options.inputs.urdf).parent_path(), *packages);
   }
   print_diagnostics(diagnostics, options.inputs.warnings);
   if (!robot) return kBadInput;
@@ -249,7 +268,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
 void add_drive(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DriveOptions>();
   CLI::App* command = app.add_subcommand("drive", "Drive a simulated robot by its generated code");
-  command->add_option("urdf", options->inputs.urdf, "Robot, URDF")->required();
+  command->add_option("urdf", options->inputs.urdf, kRobotArgument)->required();
   command->add_option("scene", options->inputs.scene,
                       "Operational points, base, gravity; YAML; without: the joints alone");
   add_drive_options(*command, *options);

@@ -14,6 +14,7 @@
 #include "cli/generate_from_files.hpp"
 #include "cli/keep_tried.hpp"
 #include "cli/option_values.hpp"
+#include "cli/print_depfile.hpp"
 #include "cli/print_summary.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/write_output.hpp"
@@ -31,6 +32,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  treeline generate puma560.urdf\n"
     "  treeline generate puma560.urdf scene.yaml --output generated/puma560\n"
+    "  treeline generate two_arms.yaml\n"
     "  treeline generate puma560.urdf scene.yaml --output generated/puma560 --compare\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --tune\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --choices "
@@ -56,6 +58,7 @@ struct GenerateOptions {
   bool has_output = false;            ///< else it is the scene's name
   std::string dump;                   ///< `text`, `dot` or empty
   std::string safety;                 ///< file for safety notes, or empty
+  std::string depfile;                ///< file for the list of inputs, or empty
   std::vector<std::string> evidence;  ///< reports for them
   PackageKind package = PackageKind::none;
   bool compare = false, json = false, verbose = false, tune = false;
@@ -160,6 +163,20 @@ bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
       diagnostics);
 }
 
+/// Writes on which files the code depends, if that is asked for.
+bool write_dependencies(const GenerateOptions& options, const GeneratedInputs& made,
+                        Diagnostics& diagnostics) {
+  if (options.depfile.empty()) return true;
+  const RobotFiles& read = made.inputs.files;
+  std::vector<std::string> files;
+  for (const std::string& file : {read.urdf, read.scene, options.inputs.choices}) {
+    if (!file.empty() && file != "-") files.push_back(file);
+  }
+  for (const InputFile& file : read.scene_robots.files) files.push_back(file.path);
+  const fs::path target = fs::path(options.depfile).replace_extension();
+  return write_output_file(options.depfile, print_depfile(target.string(), files), diagnostics);
+}
+
 /// Whether this command leaves files behind.
 bool writes(const GenerateOptions& options) {
   return options.dump.empty() && !options.compare;
@@ -178,7 +195,10 @@ int run(const GenerateOptions& options) {
   if (made) {
     if (options.verbose) print_log(made->generation);
     ExitCode delivered = deliver(options, *made, tuning, diagnostics);
-    if (delivered == kOk && !write_safety(options, *made, diagnostics)) delivered = kBadInput;
+    if (delivered == kOk && !(write_safety(options, *made, diagnostics) &&
+                              write_dependencies(options, *made, diagnostics))) {
+      delivered = kBadInput;
+    }
     exit_code = failed && delivered == kOk ? kMismatch : delivered;
   }
   print_diagnostics(diagnostics, options.inputs.warnings);
@@ -227,6 +247,11 @@ void add_generate(CLI::App& app, int& exit_code) {
           "Report of check or certify, printed with --json, for the notes; may be repeated")
       ->needs(safety);
   safety->excludes(dump);
+  command
+      ->add_option("--depfile", options->depfile,
+                   "File FILE.d to write: a rule that FILE depends on the inputs, for make, Ninja "
+                   "and CMake")
+      ->excludes(dump);
   tune->excludes(compare)->excludes(dump);
   command->footer(kExamples);
   command->callback([options, output, &exit_code] {

@@ -36,9 +36,14 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
 
 Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs,
                          const Choices& choices) {
-  return {file_name(options.urdf), inputs.urdf_text,
-          options.scene.empty() ? "" : file_name(options.scene), inputs.scene_text,
-          describe_options(options, inputs.scene, !choices.empty())};
+  const RobotFiles& files = inputs.files;
+  Provenance provenance{files.urdf.empty() ? "" : file_name(files.urdf), files.urdf_text,
+                        files.scene.empty() ? "" : file_name(files.scene), files.scene_text,
+                        describe_options(options, inputs.scene, !choices.empty())};
+  for (const InputFile& file : files.scene_robots.files) {
+    provenance.robots.push_back({file.name, file.text});
+  }
+  return provenance;
 }
 
 std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,

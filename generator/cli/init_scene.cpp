@@ -91,7 +91,8 @@ void add_init_scene(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  treeline init-scene puma560.urdf\n"
       "  treeline init-scene puma560.urdf -o scene.yaml\n"
-      "  treeline init-scene anymal.urdf --base floating | tee anymal.yaml");
+      "  treeline init-scene anymal.urdf --base floating | tee anymal.yaml\n"
+      "A scene for several robots lists them under the key robots: generator/README.md.");
   command->callback([options, output, &exit_code] {
     options->to_file = !output->empty();
     exit_code = run(*options);

@@ -10,12 +10,11 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/print_diagnostics.hpp"
+#include "cli/read_robot_files.hpp"
 #include "cli/write_output.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
-#include "description/read_scene.hpp"
 #include "description/read_text_file.hpp"
-#include "description/read_urdf.hpp"
 #include "generation/measure_savings.hpp"
 #include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_robot.hpp"
@@ -36,23 +35,18 @@ struct InspectOptions {
 };
 
 struct Inspection {
-  std::string text;  ///< of the URDF
+  std::string text;  ///< of the URDF; empty for several robots
   Robot robot;
   Report report;
 };
 
 /// The scene that is named, or the default one, without what the robot's masses do not permit: what
 /// `generate` refuses is no more than a warning here.
-std::optional<Scene> read_scene_of(const InspectOptions& options, const Robot& robot,
-                                   Diagnostics& diagnostics) {
-  const bool has_scene = !options.scene.empty();
-  const auto text = has_scene ? read_text_file(options.scene, diagnostics) : std::string();
-  if (!text) return std::nullopt;
-  auto scene = has_scene ? parse_scene(*text, shown_path(options.scene), robot, diagnostics)
-                         : read_scene("", robot, diagnostics);
+std::optional<Scene> read_scene_of(const RobotWithFiles& read, Diagnostics& diagnostics) {
+  auto scene = parse_scene_of(read, diagnostics);
   if (!scene) return std::nullopt;
   Diagnostics left_out;
-  leave_out_singular(robot, *scene, lists_functions(*text), left_out);
+  leave_out_singular(read.robot, *scene, lists_functions(read.files.scene_text), left_out);
   for (Diagnostic each : left_out.list()) {
     each.severity = Severity::warning;
     diagnostics.add(std::move(each));
@@ -61,41 +55,30 @@ std::optional<Scene> read_scene_of(const InspectOptions& options, const Robot& r
 }
 
 std::optional<Inspection> inspect(const InspectOptions& options, Diagnostics& diagnostics) {
-  if (!can_read_both(options.urdf, options.scene, diagnostics)) {
-    return std::nullopt;
-  }
-  auto text = read_text_file(options.urdf, diagnostics);
-  if (!text) {
-    return std::nullopt;
-  }
-  auto robot = parse_urdf(*text, shown_path(options.urdf), diagnostics);
-  if (!robot) {
-    return std::nullopt;
-  }
+  auto read = read_robot_files(options.urdf, options.scene, diagnostics);
+  if (!read) return std::nullopt;
   std::optional<Scene> scene;
-  if (!options.scene.empty()) {
-    scene = read_scene_of(options, *robot, diagnostics);
-    if (!scene) {
-      return std::nullopt;
-    }
+  if (!read->files.scene.empty()) {
+    scene = read_scene_of(*read, diagnostics);
+    if (!scene) return std::nullopt;
     scene->inputs = {};  // the robot as it is in the files
   }
   const Scene seen = scene.value_or(Scene{});
-  note_noise(build_mechanism(*robot, seen).noise, seen, diagnostics);
-  Report report = inspect_robot(*robot, scene);
-  return Inspection{std::move(*text), std::move(*robot), std::move(report)};
+  note_noise(build_mechanism(read->robot, seen).noise, seen, diagnostics);
+  Report report = inspect_robot(read->robot, scene);
+  return Inspection{std::move(read->files.urdf_text), std::move(read->robot), std::move(report)};
 }
 
 /// What the scene leaves out of all that could be emitted for it.
 int run_savings(const InspectOptions& options) {
   Diagnostics diagnostics;
-  const auto robot = read_urdf(options.urdf, diagnostics);
-  const auto scene = robot ? read_scene_of(options, *robot, diagnostics) : std::nullopt;
+  const auto read = read_robot_files(options.urdf, options.scene, diagnostics);
+  const auto scene = read ? read_scene_of(*read, diagnostics) : std::nullopt;
   print_diagnostics(diagnostics, options.warnings);
   if (!scene) {
     return kBadInput;
   }
-  const Savings savings = measure_savings(*robot, *scene);
+  const Savings savings = measure_savings(read->robot, *scene);
   return write_output(fmt::format("{}\n{}", print_functions(savings), print_table({savings})),
                       OutputForm::text, kOk);
 }
@@ -119,9 +102,18 @@ bool write_repaired(const InspectOptions& options, const std::string& text, std:
   return true;
 }
 
+/// Several robots have no text of their own to repair: an error where that is asked for.
+std::optional<std::string> repair_none(const InspectOptions& options, Diagnostics& diagnostics) {
+  if (options.repair.empty()) return std::string();
+  diagnostics.add({Severity::error, shown_path(options.urdf), 0, "--repair",
+                   "the scene lists several robots", "repair each robot's URDF by itself"});
+  return std::nullopt;
+}
+
 /// The patch that repairs the inertias, written to the file as well where one is asked for.
 std::optional<std::string> repair(const InspectOptions& options, const Inspection& inspection,
                                   Diagnostics& diagnostics) {
+  if (!inspection.robot.parts.empty()) return repair_none(options, diagnostics);
   const auto repairs = list_repairs(inspection.robot, inspection.report);
   const auto edits = edit_inertias(inspection.robot, inspection.text, repairs);
   const std::string repaired = apply_edits(inspection.text, edits);
@@ -141,14 +133,14 @@ std::optional<std::string> repair(const InspectOptions& options, const Inspectio
 int run_print(const InspectOptions& options, std::string (*print)(const Robot&, const Scene&),
               OutputForm form = OutputForm::text) {
   Diagnostics diagnostics;
-  const auto robot = read_urdf(options.urdf, diagnostics);
+  const auto read = read_robot_files(options.urdf, options.scene, diagnostics);
   std::optional<Scene> scene = Scene{};
-  if (robot && !options.scene.empty()) scene = read_scene_of(options, *robot, diagnostics);
+  if (read && !read->files.scene.empty()) scene = read_scene_of(*read, diagnostics);
   print_diagnostics(diagnostics, options.warnings);
-  if (!robot || !scene) {
+  if (!read || !scene) {
     return kBadInput;
   }
-  return write_output(print(*robot, *scene), form, kOk);
+  return write_output(print(read->robot, *scene), form, kOk);
 }
 
 int run(const InspectOptions& options) {
@@ -184,7 +176,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand(
       "inspect", "Tell what a URDF holds: tree, joints, masses, reductions, conditioning");
-  command->add_option("urdf", options->urdf, "Robot, URDF")->required();
+  command->add_option("urdf", options->urdf, kRobotArgument)->required();
   command->add_option("scene", options->scene, "Base, locked joints, operational points; YAML");
   auto* json = command->add_flag("--json", options->json, "The report as JSON");
   command->add_flag("--dot", options->dot, "The tree for Graphviz")->excludes(json);

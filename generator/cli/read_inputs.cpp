@@ -11,9 +11,6 @@
 #include "description/identifier.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
-#include "description/read_scene.hpp"
-#include "description/read_text_file.hpp"
-#include "description/read_urdf.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -66,7 +63,7 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
 }  // namespace
 
 void add_input_options(CLI::App& command, InputOptions& options) {
-  command.add_option("urdf", options.urdf, "Robot, URDF")->required();
+  command.add_option("urdf", options.urdf, kRobotArgument)->required();
   command.add_option("scene", options.scene,
                      "What to generate for it, YAML; without: functions of the joints alone");
   command.add_option("--real", options.real, "Number type, instead of the scene's")
@@ -87,36 +84,17 @@ void add_language_option(CLI::App& command, InputOptions& options) {
 }
 
 std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {
-  if (!can_read_both(options.urdf, options.scene, diagnostics)) {
-    return std::nullopt;
-  }
-  auto urdf_text = read_text_file(options.urdf, diagnostics);
-  auto robot =
-      urdf_text ? parse_urdf(*urdf_text, shown_path(options.urdf), diagnostics) : std::nullopt;
-  if (!robot) {
-    return std::nullopt;
-  }
+  auto read = read_robot_files(options.urdf, options.scene, diagnostics);
+  if (!read) return std::nullopt;
   const std::vector<Function> functions = find_functions(options.functions, diagnostics);
-  const bool has_scene = !options.scene.empty();
-  auto scene_text = has_scene ? read_text_file(options.scene, diagnostics) : std::string();
-  if (!scene_text) {
-    return std::nullopt;
-  }
-  auto scene = has_scene ? parse_scene(*scene_text, shown_path(options.scene), *robot, diagnostics,
-                                       functions)
-                         : read_scene("", *robot, diagnostics, functions);
-  if (!scene) {
-    return std::nullopt;
-  }
+  auto scene = parse_scene_of(*read, diagnostics, functions);
+  if (!scene) return std::nullopt;
   apply(options, *scene, diagnostics);
-  const bool listed = !options.functions.empty() || lists_functions(*scene_text);
-  leave_out_singular(*robot, *scene, listed, diagnostics);
-  note_noise(build_mechanism(*robot, *scene).noise, *scene, diagnostics);
-  if (diagnostics.has_errors()) {
-    return std::nullopt;
-  }
-  return RobotAndScene{std::move(*robot), std::move(*scene), std::move(*urdf_text),
-                       std::move(*scene_text)};
+  const bool listed = !options.functions.empty() || lists_functions(read->files.scene_text);
+  leave_out_singular(read->robot, *scene, listed, diagnostics);
+  note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return RobotAndScene{std::move(read->robot), std::move(*scene), std::move(read->files)};
 }
 
 }  // namespace treeline

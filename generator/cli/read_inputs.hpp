@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/print_diagnostics.hpp"
+#include "cli/read_robot_files.hpp"
 #include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
@@ -17,7 +18,8 @@ namespace treeline {
 
 /// The files of a command line, and what it says instead of the scene.
 struct InputOptions {
-  std::string urdf, scene;
+  std::string urdf;  ///< or a scene that lists robots
+  std::string scene;
   std::string name;                    ///< empty: the scene's
   std::string real;                    ///< `float`, `double`; empty: the scene's
   std::string language;                ///< `c++`, `c`; empty: the scene's
@@ -30,7 +32,7 @@ struct InputOptions {
 struct RobotAndScene {
   Robot robot;
   Scene scene;
-  std::string urdf_text, scene_text;  ///< what the files hold
+  RobotFiles files;  ///< what they were read from
 };
 
 /// URDF, scene, --real, --functions and --warnings of a subcommand; `options` must outlive it.
@@ -39,7 +41,7 @@ void add_input_options(CLI::App& command, InputOptions& options);
 /// --language of a subcommand that emits code.
 void add_language_option(CLI::App& command, InputOptions& options);
 
-/// Reads both files and applies the options. Faults of either are in `diagnostics`.
+/// Reads all files and applies the options. Faults of any are in `diagnostics`.
 std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -9,12 +9,10 @@
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/print_diagnostics.hpp"
+#include "cli/read_robot_files.hpp"
 #include "cli/simulate_motion.hpp"
 #include "cli/write_output.hpp"
 #include "description/printable.hpp"
-#include "description/read_scene.hpp"
-#include "description/read_text_file.hpp"
-#include "description/read_urdf.hpp"
 
 namespace treeline {
 namespace {
@@ -101,17 +99,16 @@ ExitCode write_data(const SimulateOptions& options, const std::string& robot, co
 }
 
 int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {
-  if (!can_read_both(options.urdf, options.scene, diagnostics)) return kBadInput;
-  const auto robot = read_urdf(options.urdf, diagnostics);
-  if (!robot) return kBadInput;
-  const auto scene = read_scene(options.scene, *robot, diagnostics);
+  const auto read = read_robot_files(options.urdf, options.scene, diagnostics);
+  const auto scene = read ? parse_scene_of(*read, diagnostics) : std::nullopt;
   if (!scene) return kBadInput;
-  const auto motion = simulate_motion(*robot, *scene, options.motion, diagnostics);
+  const auto motion = simulate_motion(read->robot, *scene, options.motion, diagnostics);
   if (!motion) return kBadInput;
-  const ExitCode exit_code = !write_files(options, robot->name, *motion, diagnostics) ? kBadInput
-                             : gave_up(*motion)                                       ? kMismatch
-                                                                                      : kOk;
-  return write_data(options, robot->name, *motion, exit_code);
+  const ExitCode exit_code = !write_files(options, read->robot.name, *motion, diagnostics)
+                                 ? kBadInput
+                             : gave_up(*motion) ? kMismatch
+                                                : kOk;
+  return write_data(options, read->robot.name, *motion, exit_code);
 }
 
 void add_motion_options(CLI::App& command, MotionSettings& motion) {
@@ -143,7 +140,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command =
       app.add_subcommand("simulate", "Let a robot go, and tell what became of its energy");
-  command->add_option("urdf", options->urdf, "Robot, URDF")->required();
+  command->add_option("urdf", options->urdf, kRobotArgument)->required();
   command->add_option("scene", options->scene, "Base, gravity, locked joints; YAML");
   add_motion_options(*command, options->motion);
   command->add_option("--csv", options->csv, "Table of time, q, qd, energy; - is standard output");

@@ -10,20 +10,22 @@
 
 namespace treeline {
 
-/// Calls `visit(pose, line, element)` for every pose of a robot's masses and joints.
+/// Calls `visit(pose, owner, line, element)` for every pose of a robot's masses and joints; the
+/// owner is the link's or joint's name.
 template <class AnyRobot, class Visit>
 void for_each_pose(AnyRobot& robot, Visit visit) {
   for (auto& link : robot.links) {
     if (!link.inertial) continue;
-    visit(link.inertial->origin, link.line,
+    visit(link.inertial->origin, link.name, link.line,
           fmt::format("robot/link[{}]/inertial/origin", link.name));
   }
   for (auto& joint : robot.joints) {
-    visit(joint.origin, joint.line, fmt::format("robot/joint[{}]/origin", joint.name));
+    visit(joint.origin, joint.name, joint.line, fmt::format("robot/joint[{}]/origin", joint.name));
   }
 }
 
-/// Likewise for every pose that a scene gives: of points, constraints, objects and grasps.
+/// Calls `visit(pose, line, element)` for every pose that a scene gives: of points, constraints,
+/// objects and grasps.
 template <class Visit>
 void for_each_point_pose(Scene& scene, Visit visit) {
   for (auto& [key, points] : {std::pair{"operational_points", &scene.operational_points},

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "description/for_each_pose.hpp"
+#include "description/join_robots.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
 #include "description/with_rotors.hpp"
@@ -120,7 +121,7 @@ void make_exact(Joint& joint, double limit, const Place& at, NoiseDecisions* dec
 
 double longest_offset(const Robot& robot) {
   double longest = 0;
-  for_each_pose(robot, [&](const Pose& pose, int, const std::string&) {
+  for_each_pose(robot, [&](const Pose& pose, const std::string&, int, const std::string&) {
     for (const double offset : pose.xyz) longest = std::max(longest, std::abs(offset));
   });
   return longest;
@@ -134,12 +135,13 @@ NoiseLimits noise_limits(const Robot& robot, const Scene& scene) {
 
 Robot without_noise(Robot robot, const NoiseLimits& limits, NoiseDecisions* decisions) {
   PoseCleaner cleaner(limits, decisions);
-  for_each_pose(robot, [&](Pose& pose, int line, const std::string& element) {
-    cleaner.make_exact(pose, {robot.file, line, element});
-  });
+  for_each_pose(robot,
+                [&](Pose& pose, const std::string& owner, int line, const std::string& element) {
+                  cleaner.make_exact(pose, {file_of(robot, owner), line, element});
+                });
   for (Joint& joint : robot.joints) {
     const std::string element = fmt::format("robot/joint[{}]/axis", joint.name);
-    make_exact(joint, limits.angle, {robot.file, joint.line, element}, decisions);
+    make_exact(joint, limits.angle, {file_of(robot, joint.name), joint.line, element}, decisions);
   }
   return robot;
 }

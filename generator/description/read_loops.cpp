@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "description/list_links.hpp"
+#include "description/identifier.hpp"
+#include "description/suggest_name.hpp"
 
 namespace treeline {
 namespace {
@@ -25,9 +26,10 @@ RobotLoop::End read_end(const UrdfElement& element, const char* name, const Robo
   end.origin.rpy = found->three_numbers("rpy").value_or(end.origin.rpy);
   if (!link) return end;
   end.link = *link;
-  if (std::none_of(robot.links.begin(), robot.links.end(),
-                   [&](const Link& each) { return each.name == end.link; })) {
-    found->error(fmt::format("there is no link \"{}\"", end.link), suggest_link(end.link, robot));
+  std::vector<std::string> names;
+  for (const Link& each : robot.links) names.push_back(each.name);
+  if (std::find(names.begin(), names.end(), end.link) == names.end()) {
+    found->error(fmt::format("there is no link \"{}\"", end.link), suggest_name(end.link, names));
   }
   return end;
 }

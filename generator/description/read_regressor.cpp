@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "description/read_scene_point.hpp"
+#include "description/count_freedoms.hpp"
+#include "description/list_links.hpp"
 
 namespace treeline {
 namespace {

@@ -167,6 +167,18 @@ void read_settings(const std::map<std::string, SceneElement>& fields, Scene& sce
   }
 }
 
+/// Robots that the scene lists itself have been read before it, see `read_robots`.
+void check_robots(const std::map<std::string, SceneElement>& fields, const Robot& robot) {
+  const auto list = fields.find("robots");
+  if (list == fields.end()) return;
+  if (robot.parts.empty()) {
+    list->second.error("this scene lists its robots itself, but a URDF is given beside it",
+                       "name the scene alone: treeline generate scene.yaml");
+  } else if (const auto base = fields.find("base"); base != fields.end()) {
+    base->second.error("each robot has a base of its own", "write base into the list robots");
+  }
+}
+
 Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = package_name_from(robot.name);
@@ -196,11 +208,13 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "avoidance",
                                   "passive",
                                   "regressor",
+                                  "robots",
                                   "singular",
                                   "snap_angles",
                                   "noise",
                                   "target"});
-  if (!fields.contains("base")) scene.base = default_base(robot);
+  check_robots(fields, robot);
+  if (!fields.contains("base") && robot.parts.empty()) scene.base = default_base(robot);
   read_settings(fields, scene);
   follow_target(scene);
   if (const auto points = fields.find("operational_points"); points != fields.end()) {

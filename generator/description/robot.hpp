@@ -77,16 +77,23 @@ struct RobotLoop {
   bool holds_turns = false;
 };
 
+/// One of the robots that a scene joins at the world, see `join_robots`.
+struct RobotPart {
+  std::string name;  ///< an identifier; names of its links and joints begin with it and a slash
+  std::string file;  ///< path it was read from, for diagnostics
+};
+
 /// What a URDF says, checked: names are unique, the joints make the links one tree, axes have unit
 /// length, no mass is negative, mimic joints lead to a joint that is not one. Links and joints
-/// are in the file's order. `read_urdf` is the only maker outside tests.
+/// are in the file's order. `read_urdf` makes it, and `join_robots` of several.
 struct Robot {
   std::string name;
   std::string file;  ///< path it was read from, for diagnostics
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<RobotLoop> loops;
-  int root = -1;  ///< index of the root link
+  int root = -1;                 ///< index of the root link
+  std::vector<RobotPart> parts;  ///< of several robots in one scene; empty: one robot
 };
 
 }  // namespace treeline

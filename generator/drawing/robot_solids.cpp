@@ -75,7 +75,8 @@ Solids robot_solids(const Robot& robot, const std::vector<Visual>& visuals,
   }
   for (const Joint& joint : robot.joints) {
     const Eigen::Vector3d at = pose(joint.child).translation();
-    if (!shaped[static_cast<std::size_t>(joint.parent)]) {
+    const bool is_from_world = !robot.parts.empty() && joint.parent == robot.root;
+    if (!is_from_world && !shaped[static_cast<std::size_t>(joint.parent)]) {
       add_rod(pose(joint.parent).translation(), at, kRodShare * size, kRod, solids);
     }
     if (joint.type != JointType::fixed && !shaped[static_cast<std::size_t>(joint.child)]) {

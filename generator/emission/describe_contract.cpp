@@ -14,9 +14,11 @@ namespace {
 
 std::string describe_origin(const EmissionContext& context) {
   std::string text = "From";
-  for (std::size_t i = 0; i < context.inputs.size(); ++i) {
+  const std::size_t count = context.inputs.size();
+  for (std::size_t i = 0; i < count; ++i) {
     const std::string& file = context.inputs[i].file;
-    text += file.empty() ? ", without a scene," : (i == 0 ? " " : " and ") + printable(file);
+    const char* const link = i == 0 ? " " : i + 1 < count ? ", " : " and ";
+    text += file.empty() ? ", without a scene," : link + printable(file);
   }
   return text + " by\n  " + context.command + "\n";
 }

@@ -58,20 +58,20 @@ void add_rounding(const Scene& scene, const Generation& generation, EmissionCont
 
 /// What regenerates the folder, where the files and the folder lie side by side.
 std::string command_of(const Scene& scene, const Provenance& provenance) {
-  std::string scene_file;
-  if (!provenance.scene_name.empty()) {
-    scene_file = fmt::format(" {}", quote_for_shell(provenance.scene_name));
+  std::string files;
+  for (const std::string& name : {provenance.urdf_name, provenance.scene_name}) {
+    if (!name.empty()) files += " " + quote_for_shell(name);
   }
-  return fmt::format("treeline generate {}{} --output {}{}", quote_for_shell(provenance.urdf_name),
-                     scene_file, scene.name, provenance.options);
+  return fmt::format("treeline generate{} --output {}{}", files, scene.name, provenance.options);
 }
 
 EmissionContext context_of(const Robot& robot, const Scene& scene, const Provenance& provenance,
                            const Generation& generation) {
   EmissionContext context = describe_scene(robot, scene, generation.mechanism);
   context.command = command_of(scene, provenance);
-  context.inputs = {{provenance.urdf_name, provenance.urdf_text},
-                    {provenance.scene_name, provenance.scene_text}};
+  for (auto& [name, text] : list_inputs(provenance)) {
+    context.inputs.push_back({std::move(name), std::move(text)});
+  }
   for (const auto* functions : {&generation.functions, &generation.batch}) {
     for (const auto& generated : *functions) context.choices.push_back(choice_row(generated));
   }
@@ -219,6 +219,14 @@ std::string source_stem(Function function, int batch) {
 
 std::string source_stem(const GeneratedFunction& generated) {
   return source_stem(generated.function, generated.batch);
+}
+
+std::vector<Provenance::File> list_inputs(const Provenance& provenance) {
+  const Provenance::File scene{provenance.scene_name, provenance.scene_text};
+  if (provenance.robots.empty()) return {{provenance.urdf_name, provenance.urdf_text}, scene};
+  std::vector<Provenance::File> files{scene};
+  files.insert(files.end(), provenance.robots.begin(), provenance.robots.end());
+  return files;
 }
 
 bool is_composed(const GeneratedFunction& generated) {

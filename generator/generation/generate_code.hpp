@@ -18,13 +18,22 @@
 
 namespace treeline {
 
-/// Origin of the inputs, for contract and digests. Names have no directories; without a scene its
-/// name is empty.
+/// Origin of the inputs, for contract and digests. Names have no directories, but those of robots
+/// that the scene lists, which are relative to it. Without a scene its name is empty, and where the
+/// scene lists robots that of the URDF.
 struct Provenance {
   std::string urdf_name, urdf_text;
   std::string scene_name, scene_text;
   std::string options = {};  ///< command-line options that override the scene: " --real float"
+  struct File {
+    std::string name, text;
+  };
+  std::vector<File> robots = {};  ///< URDFs of the robots that the scene lists, each once
 };
+
+/// The files in the order in which the contract names them: URDF and scene, or the scene and the
+/// URDFs that it lists. A scene that is not there has no name.
+std::vector<Provenance::File> list_inputs(const Provenance& provenance);
 
 /// One emitted function: the chosen route, the cost of the others, and the effect of the passes.
 struct GeneratedFunction {

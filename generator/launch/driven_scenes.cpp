@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "description/follow_target.hpp"
+#include "description/join_robots.hpp"
 #include "description/total_mass.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
@@ -39,7 +40,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
 void refuse_ball_joints(const Robot& robot, Diagnostics& diagnostics) {
   for (const Joint& joint : robot.joints) {
     if (joint.type != JointType::ball) continue;
-    diagnostics.add({Severity::error, robot.file, joint.line,
+    diagnostics.add({Severity::error, file_of(robot, joint.name), joint.line,
                      fmt::format("robot/joint[{}]", joint.name), "ball joints cannot be driven yet",
                      "Write three revolute joints in its place, or hold it: type=\"fixed\"."});
   }

@@ -1,19 +1,23 @@
-# treeline_generate(LIBRARY URDF file [SCENE file] [NAME identifier] [REAL float|double]
+# treeline_generate(LIBRARY [URDF file] [SCENE file] [NAME identifier] [REAL float|double]
 #                   [LANGUAGE c|c++] [FUNCTIONS function...] [TARGET processor] [CHOICES file])
 #
 # Makes the static library LIBRARY from a robot and a scene (without one: functions of the joints
-# alone) while building: link it and include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp",
-# "NAME_joints.hpp", or "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the
-# namespace, is the library's name unless given; REAL, LANGUAGE, FUNCTIONS and TARGET go before what
+# alone), or from a scene that lists its robots and no URDF (CMake 3.20), while building: link it and
+# include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp", "NAME_joints.hpp", or "NAME_batch.hpp"
+# where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless given; REAL, LANGUAGE, FUNCTIONS and TARGET go before what
 # the scene says. In C the headers are "NAME.h" and "NAME_joints.h", and the project has to have the
 # language C. The processor's flags are used as in the emitted CMakeLists.txt: for another processor
 # than this machine's where CMake cross-compiles, or as TREELINE_TARGET_FLAGS says. CHOICES is
 # the manifest.json that `treeline generate --tune` has written. The code is generated again when the
-# URDF, the scene, the choices or the generator change, compiled again only where its text did.
+# URDFs, the scene, the choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
 
 # TREELINE_FUNCTIONS, every function that a scene may ask for, comes from treeline_functions.cmake;
 # which of them a scene does ask for is known only once it is read.
+
+if(POLICY CMP0116)
+  cmake_policy(SET CMP0116 NEW)  # DEPFILE of Ninja names absolute paths
+endif()
 
 option(TREELINE_FP_CONTRACT
   "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
@@ -24,10 +28,15 @@ function(treeline_generate target)
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
-  if(NOT arg_URDF)
-    message(FATAL_ERROR "treeline_generate(${target}): URDF is missing")
+  if(NOT arg_URDF AND NOT arg_SCENE)
+    message(FATAL_ERROR
+      "treeline_generate(${target}): URDF is missing, and no SCENE is there that lists robots")
   endif()
-  get_filename_component(arg_URDF ${arg_URDF} ABSOLUTE)
+  set(from ${arg_SCENE})
+  if(arg_URDF)
+    get_filename_component(arg_URDF ${arg_URDF} ABSOLUTE)
+    set(from ${arg_URDF})
+  endif()
   if(arg_SCENE)
     get_filename_component(arg_SCENE ${arg_SCENE} ABSOLUTE)
     # Only where the scene may ask for batches there are any; an edit that adds the key configures
@@ -95,6 +104,11 @@ function(treeline_generate target)
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")
   set(stamp ${folder}.stamp)
   set(flags ${folder}.sources/target.flags)
+  set(dependencies)
+  if(NOT arg_URDF)  # which URDFs the scene lists is known once it is read
+    list(APPEND options --depfile ${stamp}.d)
+    set(dependencies DEPFILE ${stamp}.d)
+  endif()
   add_custom_command(OUTPUT ${stamp}
     BYPRODUCTS ${sources} ${flags}
     COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
@@ -104,7 +118,8 @@ function(treeline_generate target)
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline
       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
-    COMMENT "Generating ${arg_NAME} from ${arg_URDF}"
+    ${dependencies}
+    COMMENT "Generating ${arg_NAME} from ${from}"
     VERBATIM)
   add_custom_target(${target}_generate DEPENDS ${stamp})
 

@@ -52,8 +52,9 @@ std::string print_files(const Generation& generation, const Provenance& provenan
   const auto row = [&text](const std::string& name, const char* role, const std::string& bytes) {
     text += fmt::format("| `{}` | {} | `{}` |\n", name, role, digest(bytes));
   };
-  row(provenance.urdf_name, "input", provenance.urdf_text);
-  if (!provenance.scene_name.empty()) row(provenance.scene_name, "input", provenance.scene_text);
+  for (const Provenance::File& file : list_inputs(provenance)) {
+    if (!file.name.empty()) row(file.name, "input", file.text);
+  }
   for (const GeneratedFile& file : generation.files) row(file.name, "output", file.text);
   return text;
 }

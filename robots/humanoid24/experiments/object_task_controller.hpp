@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,8 +12,8 @@
 
 namespace treeline::experiments {
 
-/// Operational-space control of one object in two hands (Chang table 7.1) with commanded internal
-/// forces and a desired posture in the null space:
+/// Operational-space control of one object in several hands (Chang table 7.1) with commanded
+/// internal forces and a desired posture in the null space:
 ///   xdd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
 ///   qdd_0 = M^-1 (K (q_start - q) - D qd), K and D springs and dampers of the joints.
 /// The posture consists of springs and not of accelerations. Springs have a potential in the null
@@ -29,18 +30,17 @@ class ObjectTaskController {
     servo::PoseMotion wanted;
     double position[3] = {};
     double rotation[9] = {};
-    double error[6] = {};  ///< desired minus actual, linear over angular
-    double drift[6] = {};  ///< of the second grasp relative to the first
+    double error[6] = {};          ///< desired minus actual, linear over angular
+    double drift[F::kDrift] = {};  ///< of each further grasp relative to the first
   };
 
   /// `springs` are in N m/rad or N/m. `damping_ratio` relates to each joint's spring with its own
   /// inertia.
   ObjectTaskController(const core::Gains<double>& task, const std::array<double, nv>& springs,
-                       double damping_ratio, const std::array<double, 6>& internal) noexcept
+                       double damping_ratio,
+                       const std::array<double, F::kInternal>& internal) noexcept
       : task_(task), springs_(springs), damping_ratio_(damping_ratio) {
-    for (std::size_t i = 0; i < 6; ++i) {
-      internal_[i] = internal[i];
-    }
+    std::copy(internal.begin(), internal.end(), internal_);
   }
 
   void start(double, const servo::StateOf<F>& state) noexcept {
@@ -86,7 +86,7 @@ class ObjectTaskController {
 
  private:
   void observe(const servo::StateOf<F>& state) noexcept {
-    double drift_rate[6];
+    double drift_rate[F::kDrift];
     F::object_state(state.q, state.qd, tracking_.position, tracking_.rotation, velocity_,
                     tracking_.drift, drift_rate);
   }
@@ -110,7 +110,7 @@ class ObjectTaskController {
   core::Gains<double> task_;
   std::array<double, nv> springs_;
   double damping_ratio_;
-  double internal_[6] = {};
+  double internal_[F::kInternal] = {};
   servo::PoseReference reference_;
   Tracking tracking_;
   double velocity_[6] = {};

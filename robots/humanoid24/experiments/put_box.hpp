@@ -7,48 +7,12 @@
 #include "box_outcome.hpp"
 #include "close_grasp.hpp"
 #include "object_task_controller.hpp"
+#include "robot_with_object.hpp"
 #include "servo/loop.hpp"
 #include "servo/simulated_robot.hpp"
 #include "touch_floor.hpp"
 
 namespace treeline::experiments {
-
-/// Gains of Baumgarte's stabilisation, which closes the drift of the grasps: critically damped,
-/// with rates of 50 /s.
-inline constexpr double kStabilisation[2] = {100.0, 2500.0};
-
-/// Generated functions about one object in two hands, in the form that the servo library expects of
-/// a robot. Its dynamics are those of the closed chain with stabilisation; the torque that holds it
-/// at rest also holds the object.
-template <class G>
-struct RobotWithObject : G {
-  using G::kCoordinates;
-  using G::kVelocities;
-  static constexpr int kDrift = 6;
-
-  static void inverse_dynamics(const double (&q)[kCoordinates], const double (&qd)[kVelocities],
-                               const double (&qdd)[kVelocities],
-                               double (&tau)[kVelocities]) noexcept {
-    const double none[6] = {};
-    G::object_control_torque(q, qd, qdd, none, none, tau);
-  }
-  static void forward_dynamics(const double (&q)[kCoordinates], const double (&qd)[kVelocities],
-                               const double (&tau)[kVelocities],
-                               double (&qdd)[kVelocities]) noexcept {
-    double xdd[6];
-    double f_grasp[12];
-    double internal[6];
-    G::object_forward_dynamics(q, qd, tau, kStabilisation, qdd, xdd, f_grasp, internal);
-  }
-  static void drift(const double (&q)[kCoordinates], double (&e)[kDrift]) noexcept {
-    const double qd[kVelocities] = {};
-    double position[3];
-    double rotation[9];
-    double velocity[6];
-    double rate[6];
-    G::object_state(q, qd, position, rotation, velocity, e, rate);
-  }
-};
 
 template <class F>
 ObjectTaskController<F> make_object_controller(const BoxPlan& plan) {

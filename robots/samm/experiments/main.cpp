@@ -1,6 +1,6 @@
-// Two PUMAs on SAMM bases carry one object with commanded internal forces (Chang 7.2.2). The code
-// of one robot is used twice. Exit status: 0 the bounds are kept, 1 a file cannot be written, 2
-// usage, 3 a bound is broken.
+// Two PUMAs on SAMM bases carry one object with commanded internal forces (Chang 7.2.2), by the
+// code of a scene with both robots. Exit status: 0 the bounds are kept, 1 a file cannot be written,
+// 2 usage, 3 a bound is broken.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/closed_chain.hpp"
-
 namespace treeline::experiments {
 
 inline constexpr int kJoints = 9;
@@ -31,13 +29,9 @@ struct ObjectSeen {
 struct PairMotion {
   double qdd[2][kJoints] = {};
   double xdd[6] = {};       ///< of the object
+  double forces[12] = {};   ///< force and moment of each hand on the object, world axes
   double internal[6] = {};  ///< internal forces of the virtual linkage
 };
-
-/// The object: a beam of 0.8 x 0.1 x 0.1 m and 8 kg along its x axis, held at its ends. Its centre
-/// of mass is 0.05 m off the middle.
-core::GraspedObject<double> beam();
-core::TwoGrasps<double> beam_grasps();
 
 ObjectSeen see_object(const PairState& state);
 
@@ -45,9 +39,9 @@ ObjectSeen see_object(const PairState& state);
 /// pose (Newton's method). For starts that are given by rounded figures.
 void grasp_object(const double (&position)[3], const double (&rotation)[9], PairState& state);
 
-/// Torques that give the object the acceleration `xdd` and the internal forces `internal`, each
-/// robot by its own generated control (Chang table 7.1 for two robots).
-PairTorques control_pair(const PairState& state, const ObjectSeen& seen, const double (&xdd)[6],
+/// Torques that give the object the acceleration `xdd` and the internal forces `internal` (Chang
+/// table 7.1 for the two robots of `pair.yaml`).
+PairTorques control_pair(const PairState& state, const double (&xdd)[6],
                          const double (&internal)[6], const double (&qdd_0)[2][kJoints]);
 
 /// Motion under constant torques (Chang table 7.2 for two robots). Baumgarte's stabilisation closes
