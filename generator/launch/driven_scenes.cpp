@@ -75,6 +75,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.constraints.clear();
   control.loops.clear();
   control.couplings.clear();
+  control.remove_limits();
   control.external_forces.clear();
   control.inputs = {};
   control.implicit_friction = false;

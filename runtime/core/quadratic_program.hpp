@@ -263,7 +263,8 @@ void DualActiveSet<Real, N, M>::add_start() noexcept {
     first[row] = is_equation(row) ? RowSide::lower : starts ? solution_.sides[row] : RowSide::none;
     solution_.sides[row] = RowSide::none;
   }
-  for (const bool equations : {true, false}) {
+  for (int pass = 0; pass < 2; ++pass) {
+    const bool equations = pass == 0;
     for (int row = 0; row < kRows && count_ < N; ++row) {
       const Real bound = first[row] == RowSide::upper ? upper(row) : lower(row);
       if (first[row] == RowSide::none || is_equation(row) != equations || !is_finite(bound)) {
@@ -421,7 +422,8 @@ void DualActiveSet<Real, N, M>::enter(const Violation& violation) noexcept {
 /// Reflects J_2 so that J_2^T n is along its first column.
 template <class Real, int N, int M>
 void DualActiveSet<Real, N, M>::add(int row, RowSide side, Real free, Real multiplier) noexcept {
-  const Real first = d_[count_];
+  const int at = count_ < N ? count_ : N - 1;
+  const Real first = d_[at];
   const Real to = first > Real(0) ? -free : free;
   Real v[N];
   Real sum[N];
@@ -429,19 +431,19 @@ void DualActiveSet<Real, N, M>::add(int row, RowSide side, Real free, Real multi
     v[k] = d_[k];
     sum[k] = Real(0);
   }
-  v[count_] -= to;
+  v[at] -= to;
   const Real scale = Real(1) / (free * (free + size_of(first)));
-  for (int k = count(); k < N; ++k) {
+  for (int k = at; k < N; ++k) {
     for (int i = 0; i < N; ++i) sum[i] += v[k] * Jt_[k * N + i];
   }
-  for (int k = count(); k < N; ++k) {
+  for (int k = at; k < N; ++k) {
     const Real along = scale * v[k];
     for (int i = 0; i < N; ++i) Jt_[k * N + i] -= along * sum[i];
   }
-  for (int k = 0; k < count(); ++k) R_[k * N + count_] = d_[k];
-  R_[count_ * N + count_] = to;
-  u_[count_] = multiplier;
-  active_[count_] = row;
+  for (int k = 0; k < at; ++k) R_[k * N + at] = d_[k];
+  R_[at * N + at] = to;
+  u_[at] = multiplier;
+  active_[at] = row;
   solution_.sides[row] = side;
   ++count_;
 }
@@ -453,12 +455,13 @@ void DualActiveSet<Real, N, M>::drop(int index) noexcept {
   for (bool& each : ignored_) each = false;
   --count_;
   const int left = count_ < N - 1 ? count_ : N - 1;
-  for (int j = index; j < left; ++j) {
+  const int first = index < 0 ? 0 : index;
+  for (int j = first; j < left; ++j) {
     active_[j] = active_[j + 1];
     u_[j] = u_[j + 1];
-    for (int i = 0; i <= j + 1; ++i) R_[i * N + j] = R_[i * N + j + 1];
+    for (int i = 0; i <= j + 1 && i < N; ++i) R_[i * N + j] = R_[i * N + j + 1];
   }
-  for (int k = index; k < left; ++k) {
+  for (int k = first; k < left; ++k) {
     Real* const upper_row = R_ + k * N;
     Real* const lower_row = upper_row + N;
     const Real length = square_root(upper_row[k] * upper_row[k] + lower_row[k] * lower_row[k]);

@@ -56,7 +56,7 @@ struct Data {
   core::ForceGains<Real> force_gains;
   core::SingularRegion<Real> region;
   core::NullMotionGains<Real> null_gains;
-  core::QuadraticRows<Real, 3, 2> rows;
+  core::QuadraticRows<Real, 3, 2> limits;
   core::QuadraticSolution<Real, 3, 2> minimum;
 };
 
@@ -117,8 +117,8 @@ void use_posture_laws(Data& data) noexcept {
 }
 
 bool use_quadratic_program(Data& data) noexcept {
-  core::solve_quadratic_program(data.a9, data.a3, data.rows, data.minimum);
-  core::solve_least_distance(data.a3, data.rows, data.minimum);
+  core::solve_quadratic_program(data.a9, data.a3, data.limits, data.minimum);
+  core::solve_least_distance(data.a3, data.limits, data.minimum);
   return data.minimum.status == core::QuadraticStatus::solved;
 }
 
