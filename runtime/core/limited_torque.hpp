@@ -50,6 +50,11 @@ struct ConeRow {
   Real bound;
 };
 
+/// Columns of matrices are padded to a multiple of eight, which compilers turn into SIMD.
+constexpr int in_eights(int count) noexcept {
+  return (count + 7) / 8 * 8;
+}
+
 /// Sizes of a robot's program: velocities, passive ones, held rows, task rows, rows of cones, and
 /// freedoms: nv less the rank of the held rows, plus the held rows less the rank of their passive
 /// columns.
@@ -57,7 +62,8 @@ template <int V, int P, int H, int T, int C, int F>
 struct LimitSizes {
   static constexpr int kVelocities = V, kPassive = P, kHeld = H, kTask = T, kCones = C;
   static constexpr int kFreedoms = F;
-  static constexpr int kUnknowns = F + 1;  ///< and the slack
+  static constexpr int kSlackAt = F;  ///< among the unknowns
+  static constexpr int kUnknowns = in_eights(F + 1);
   static constexpr int kMotors = V - P;
   static constexpr int kRows = V - P + C;  ///< motors, cones
 };
@@ -108,10 +114,11 @@ template <>
 inline constexpr float kRankTolerance<float> = 1e-3F;
 
 /// A reflection that maps column `column` of the row-major `W`, from row `at` on, to its first
-/// entry, applied to columns `from` and on. False, and no reflection, where the column's norm there
-/// is at most `least`.
+/// entry, applied to this column and those behind it. False, and no reflection, where the column's
+/// norm there is at most `least`.
 template <int rows, int cols, class Real>
-inline bool reflect(Real (&W)[rows * cols], int at, int column, int from, Real least) noexcept {
+inline bool reflect(Real (&W)[rows * cols], int at, int column, Real least) noexcept {
+  static_assert(cols % 8 == 0, "columns in eights");
   Real square = Real(0);
   for (int i = at; i < rows; ++i) square += W[i * cols + column] * W[i * cols + column];
   const Real norm = square_root(square);
@@ -122,14 +129,17 @@ inline bool reflect(Real (&W)[rows * cols], int at, int column, int from, Real l
   const Real to = first > Real(0) ? -norm : norm;
   v[at] = first - to;
   const Real scale = Real(1) / (norm * (norm + size_of(first)));
+  const int begin = column / 8 * 8;
   Real sums[cols];
-  for (int j = from; j < cols; ++j) sums[j] = Real(0);
+  for (int j = begin; j < cols; ++j) sums[j] = Real(0);
   for (int i = at; i < rows; ++i) {
-    for (int j = from; j < cols; ++j) sums[j] += v[i] * W[i * cols + j];
+    const Real* const row = W + i * cols;
+    for (int j = begin; j < cols; ++j) sums[j] += v[i] * row[j];
   }
   for (int i = at; i < rows; ++i) {
+    Real* const row = W + i * cols;
     const Real along = scale * v[i];
-    for (int j = from; j < cols; ++j) W[i * cols + j] -= along * sums[j];
+    for (int j = begin; j < cols; ++j) row[j] -= along * sums[j];
   }
   W[at * cols + column] = to;
   for (int i = at + 1; i < rows; ++i) W[i * cols + column] = Real(0);
@@ -152,9 +162,9 @@ struct ForceBasis {
 /// With [G, 1] = Q [R, Q^T], where G are the columns of J_sp that `W` begins with: carry is S Q_1
 /// R_11^-T, free S Q_2, relations R_11^-1 R_12, S the roots of weights.
 template <class Real, int H, int P>
-inline void read_force_basis(const Real (&W)[H * (P + H)], const Real (&weights)[H], int count,
-                             ForceBasis<Real, H, P>& basis) noexcept {
-  constexpr int cols = P + H;
+inline void read_force_basis(const Real (&W)[H * in_eights(P + H)], const Real (&weights)[H],
+                             int count, ForceBasis<Real, H, P>& basis) noexcept {
+  constexpr int cols = in_eights(P + H);
   const auto R = [&](int r, int s) noexcept { return W[r * cols + basis.carried[s]]; };
   for (int j = 0; j < count; ++j) {
     for (int r = basis.rank - 1; r >= 0 && basis.depends[j]; --r) {
@@ -180,7 +190,7 @@ inline void read_force_basis(const Real (&W)[H * (P + H)], const Real (&weights)
 template <int V, class Real, int H, int P>
 inline void find_force_basis(const Real (&J)[H * V], const int (&passive)[P], int count,
                              const Real (&weights)[H], ForceBasis<Real, H, P>& basis) noexcept {
-  constexpr int cols = P + H;
+  constexpr int cols = in_eights(P + H);
   Real W[H * cols];
   Real squares[P];
   for (Real& each : squares) each = Real(0);
@@ -190,12 +200,12 @@ inline void find_force_basis(const Real (&J)[H * V], const int (&passive)[P], in
       W[i * cols + j] = entry;
       squares[j] += entry * entry;
     }
-    for (int j = 0; j < H; ++j) W[i * cols + P + j] = i == j ? Real(1) : Real(0);
+    for (int j = P; j < cols; ++j) W[i * cols + j] = i == j - P ? Real(1) : Real(0);
   }
   basis.rank = 0;
   for (int j = 0; j < count; ++j) {
     const Real least = kRankTolerance<Real> * square_root(squares[j]);
-    basis.depends[j] = basis.rank >= H || !reflect<H, cols>(W, basis.rank, j, j, least);
+    basis.depends[j] = basis.rank >= H || !reflect<H, cols>(W, basis.rank, j, least);
     if (!basis.depends[j]) basis.carried[basis.rank++] = j;
   }
   read_force_basis(W, weights, count, basis);
@@ -233,7 +243,8 @@ class LimitProgram {
 
  private:
   // Columns of `W_`: rows by which passive joints depend on each other, held rows, task rows, M.
-  static constexpr int kHeldAt = P, kTaskAt = P + H, kMassAt = P + H + T, kCols = kMassAt + V;
+  static constexpr int kHeldAt = P, kTaskAt = P + H, kMassAt = P + H + T;
+  static constexpr int kCols = in_eights(kMassAt + V);
 
   void factor_mass(const Real (&M)[V * V]) noexcept;
   void whiten(const Real (&J_s)[H * V], const Real (&J_t)[T * V]) noexcept;
@@ -263,15 +274,18 @@ void LimitProgram<Real, Sizes>::factor_mass(const Real (&M)[V * V]) noexcept {
     for (int j = 0; j < V; ++j) {
       W_[k * kCols + kMassAt + j] = j < k ? Real(0) : M[k * V + j];
     }
+    for (int j = kMassAt + V; j < kCols; ++j) W_[k * kCols + j] = Real(0);
   }
   for (int k = 0; k < V; ++k) {
     Real* const row = W_ + k * kCols + kMassAt;
     const Real inverse = Real(1) / square_root(row[k]);
-    for (int j = k; j < V; ++j) row[j] *= inverse;
+    Real scaled[V];
+    for (int j = 0; j < V; ++j) scaled[j] = j < k ? Real(0) : row[j] * inverse;
+    for (int j = 0; j < V; ++j) row[j] = scaled[j];
     for (int i = k + 1; i < V; ++i) {
       Real* const other = W_ + i * kCols + kMassAt;
-      const Real factor = row[i];
-      for (int j = i; j < V; ++j) other[j] -= factor * row[j];
+      const Real factor = scaled[i];
+      for (int j = 0; j < V; ++j) other[j] -= factor * scaled[j];
     }
   }
 }
@@ -281,16 +295,16 @@ template <class Real, class Sizes>
 void LimitProgram<Real, Sizes>::whiten(const Real (&J_s)[H * V],
                                        const Real (&J_t)[T * V]) noexcept {
   for (int k = 0; k < V; ++k) {
-    Real* const row = W_ + k * kCols;
-    for (int h = 0; h < H; ++h) row[kHeldAt + h] = h < Sizes::kHeld ? J_s[h * V + k] : Real(0);
-    for (int t = 0; t < T; ++t) row[kTaskAt + t] = t < Sizes::kTask ? J_t[t * V + k] : Real(0);
+    Real row[H + T];
+    for (int h = 0; h < H; ++h) row[h] = h < Sizes::kHeld ? J_s[h * V + k] : Real(0);
+    for (int t = 0; t < T; ++t) row[H + t] = t < Sizes::kTask ? J_t[t * V + k] : Real(0);
     for (int m = 0; m < k; ++m) {
       const Real* const before = W_ + m * kCols;
       const Real factor = before[kMassAt + k];
-      for (int j = kHeldAt; j < kMassAt; ++j) row[j] -= factor * before[j];
+      for (int j = 0; j < H + T; ++j) row[j] -= factor * before[kHeldAt + j];
     }
-    const Real inverse = Real(1) / row[kMassAt + k];
-    for (int j = kHeldAt; j < kMassAt; ++j) row[j] *= inverse;
+    const Real inverse = Real(1) / W_[k * kCols + kMassAt + k];
+    for (int j = 0; j < H + T; ++j) W_[k * kCols + kHeldAt + j] = row[j] * inverse;
   }
 }
 
@@ -322,7 +336,7 @@ void LimitProgram<Real, Sizes>::reduce(const Real (&weights)[T]) noexcept {
   for (int j = 0; j < kMassAt; ++j) {
     const int at = held_ + task_;
     const Real least = kRankTolerance<Real> * square_root(squares_[j]);
-    if (at >= V || !reflect<V, kCols>(W_, at, j, j, least)) continue;
+    if (at >= V || !reflect<V, kCols>(W_, at, j, least)) continue;
     ++(j < kTaskAt ? held_ : task_);
   }
   weigh_task(weights);
@@ -356,13 +370,16 @@ void LimitProgram<Real, Sizes>::weigh_task(const Real (&weights)[T]) noexcept {
     }
   }
   for (int i = 0; i < task_; ++i) {
-    Real* const row = W_ + (held_ + i) * kCols;
+    Real* const place = W_ + (held_ + i) * kCols + kTaskAt;
+    Real row[T + V];
+    for (int j = 0; j < T + V; ++j) row[j] = place[j];
     for (int m = 0; m < i; ++m) {
-      const Real* const before = W_ + (held_ + m) * kCols;
-      for (int j = kTaskAt; j < kCols; ++j) row[j] -= K[i * T + m] * before[j];
+      const Real* const before = W_ + (held_ + m) * kCols + kTaskAt;
+      const Real factor = K[i * T + m];
+      for (int j = 0; j < T + V; ++j) row[j] -= factor * before[j];
     }
     const Real inverse = Real(1) / K[i * T + i];
-    for (int j = kTaskAt; j < kCols; ++j) row[j] *= inverse;
+    for (int j = 0; j < T + V; ++j) place[j] = row[j] * inverse;
   }
 }
 
@@ -413,15 +430,17 @@ void LimitProgram<Real, Sizes>::limit(const SupportLayout<Real, Sizes>& layout,
   int row = 0;
   for (int v = 0; v < V && row < Sizes::kMotors; ++v) {
     if (is_passive(layout, v)) continue;
-    Real* const a = rows_.A + row * N;
+    Real a[N];
     for (int n = 0; n < N; ++n) {
       const bool moves = n < V - held_ && n < Sizes::kFreedoms;
       a[n] = moves ? W_[(held_ + n) * kCols + kMassAt + v] : Real(0);
     }
     for (int h = 0; h < Sizes::kHeld; ++h) {
       const Real factor = J_s[h * V + v];
+      if (factor == Real(0)) continue;
       for (int n = 0; n < N; ++n) a[n] -= factor * forces_[h * N + n];
     }
+    for (int n = 0; n < N; ++n) rows_.A[row * N + n] = a[n];
     rows_.lower[row] = -limits.torque[v] - tau[v];
     rows_.upper[row] = limits.torque[v] - tau[v];
     ++row;
@@ -439,7 +458,7 @@ void LimitProgram<Real, Sizes>::add_cones(const TorqueLimits<Real, Sizes>& limit
   slack_ = square_root(weight / penalty);
   for (int c = 0; c < Sizes::kCones; ++c) {
     const ConeRow<Real>& cone = limits.cones[c];
-    Real* const a = rows_.A + (Sizes::kMotors + c) * N;
+    Real a[N];
     Real room = cone.bound;
     for (int n = 0; n < N; ++n) a[n] = Real(0);
     for (int k = 0; k < cone.count; ++k) {
@@ -447,7 +466,8 @@ void LimitProgram<Real, Sizes>::add_cones(const TorqueLimits<Real, Sizes>& limit
       room -= factor * f[cone.first + k];
       for (int n = 0; n < N; ++n) a[n] += factor * forces_[(cone.first + k) * N + n];
     }
-    a[N - 1] = -slack_;
+    a[Sizes::kSlackAt] = -slack_;
+    for (int n = 0; n < N; ++n) rows_.A[(Sizes::kMotors + c) * N + n] = a[n];
     rows_.lower[Sizes::kMotors + c] = -kNoLimit<Real>;
     rows_.upper[Sizes::kMotors + c] = room;
   }
@@ -456,8 +476,8 @@ void LimitProgram<Real, Sizes>::add_cones(const TorqueLimits<Real, Sizes>& limit
     rows_.highest[n] = kNoLimit<Real>;
     center_[n] = Real(0);
   }
-  rows_.lowest[N - 1] = Real(0);
-  center_[N - 1] = -weight / slack_;
+  rows_.lowest[Sizes::kSlackAt] = Real(0);
+  center_[Sizes::kSlackAt] = -weight / slack_;
 }
 
 /// tau and f with their changes, and torques within their limits to the last bit.
@@ -469,7 +489,7 @@ void LimitProgram<Real, Sizes>::solve(const SupportLayout<Real, Sizes>& layout,
   const Real(&x)[N] = result.program.x;
   result.status = result.program.status;
   result.iterations = result.program.iterations;
-  result.slack = larger_of(slack_ * x[N - 1], Real(0));
+  result.slack = larger_of(slack_ * x[Sizes::kSlackAt], Real(0));
   for (int t = 0; t < T; ++t) {
     result.lost[t] = Real(0);
     for (int i = 0; i < task_; ++i) result.lost[t] += W_[(held_ + i) * kCols + kTaskAt + t] * x[i];

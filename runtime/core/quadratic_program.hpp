@@ -91,16 +91,43 @@ constexpr bool is_finite(Real x) noexcept {
   return x - x == Real(0);
 }
 
-/// Sum of products, in four sums that run side by side.
+/// Sum of products, in eight sums that run side by side.
 template <int N, class Real>
 inline Real dot_of(const Real* a, const Real* b) noexcept {
-  Real sums[4] = {Real(0), Real(0), Real(0), Real(0)};
+  Real sums[8];
+  for (Real& each : sums) each = Real(0);
   int i = 0;
-  for (; i + 4 <= N; i += 4) {
-    for (int k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
+  for (; i + 8 <= N; i += 8) {
+    for (int k = 0; k < 8; ++k) sums[k] += a[i + k] * b[i + k];
   }
-  for (; i < N; ++i) sums[0] += a[i] * b[i];
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  for (int k = 0; i + k < N; ++k) sums[k] += a[i + k] * b[i + k];
+  return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
+/// The same of their sizes.
+template <int N, class Real>
+inline Real dot_of_sizes(const Real* a, const Real* b) noexcept {
+  Real sums[8];
+  for (Real& each : sums) each = Real(0);
+  int i = 0;
+  for (; i + 8 <= N; i += 8) {
+    for (int k = 0; k < 8; ++k) sums[k] += size_of(a[i + k] * b[i + k]);
+  }
+  for (int k = 0; i + k < N; ++k) sums[k] += size_of(a[i + k] * b[i + k]);
+  return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
+/// x + sum of factors[k] times row k of `rows`, k from `first` to before `last`.
+template <int N, class Real>
+inline void add_rows(const Real* factors, const Real* rows, int first, int last,
+                     Real (&x)[N]) noexcept {
+  Real sum[N];
+  for (int i = 0; i < N; ++i) sum[i] = x[i];
+  for (int k = first; k < last; ++k) {
+    const Real factor = factors[k];
+    for (int i = 0; i < N; ++i) sum[i] += factor * rows[k * N + i];
+  }
+  for (int i = 0; i < N; ++i) x[i] = sum[i];
 }
 
 /// Of numbers that are compared: a row holds within so many units of rounding of its terms.
@@ -159,8 +186,9 @@ class DualActiveSet {
   void begin() noexcept;
   void add_start() noexcept;
   [[nodiscard]] Violation most_violated() const noexcept;
-  void consider(int row, Real value, Real terms, Real inverse_square, Real lower, Real upper,
-                Violation& worst, Real& worst_square) const noexcept;
+  template <class Terms>
+  void consider(int row, Real value, Real inverse_square, const Terms& terms_of, Violation& worst,
+                Real& worst_square) const noexcept;
   void project_normal(int row, RowSide side) noexcept;
   [[nodiscard]] Real free_part() const noexcept;
   [[nodiscard]] bool depends(Real free) const noexcept;
@@ -279,21 +307,23 @@ void DualActiveSet<Real, N, M>::add_start() noexcept {
 }
 
 /// Keeps the row if it is missed by more than those before, measured along its normal.
+/// `terms_of()` is the sum of the sizes of its terms.
 template <class Real, int N, int M>
-void DualActiveSet<Real, N, M>::consider(int row, Real value, Real terms, Real inverse_square,
-                                         Real lower, Real upper, Violation& worst,
+template <class Terms>
+void DualActiveSet<Real, N, M>::consider(int row, Real value, Real inverse_square,
+                                         const Terms& terms_of, Violation& worst,
                                          Real& worst_square) const noexcept {
-  const Real below = lower - value;
-  const Real above = value - upper;
+  const Real below = lower(row) - value;
+  const Real above = value - upper(row);
   const bool is_below = below > above;
   const Real amount = is_below ? below : above;
-  const Real bound = size_of(is_below ? lower : upper);
-  if (!(amount > kRowTolerance<Real> * (terms + bound))) return;
+  if (!(amount > Real(0)) || ignored_[row]) return;
   const Real square = amount * amount * inverse_square;
   if (!(square > worst_square)) return;
+  const Real terms = terms_of() + size_of(is_below ? lower(row) : upper(row));
+  if (!(amount > kRowTolerance<Real> * terms)) return;
   worst_square = square;
-  worst = {row, is_below ? RowSide::lower : RowSide::upper, amount,
-           kContradiction<Real> * (terms + bound)};
+  worst = {row, is_below ? RowSide::lower : RowSide::upper, amount, kContradiction<Real> * terms};
 }
 
 template <class Real, int N, int M>
@@ -301,22 +331,18 @@ typename DualActiveSet<Real, N, M>::Violation DualActiveSet<Real, N, M>::most_vi
     const noexcept {
   Violation worst;
   Real worst_square = Real(0);
-  Real sizes[N];
-  for (int i = 0; i < N; ++i) sizes[i] = size_of(solution_.x[i]);
+  const Real(&x)[N] = solution_.x;
   for (int i = 0; i < N; ++i) {
-    if (solution_.sides[i] != RowSide::none || ignored_[i]) continue;
-    consider(i, solution_.x[i], sizes[i], Real(1), rows_.lowest[i], rows_.highest[i], worst,
-             worst_square);
+    if (solution_.sides[i] != RowSide::none) continue;
+    consider(
+        i, x[i], Real(1), [&]() noexcept { return size_of(x[i]); }, worst, worst_square);
   }
   for (int i = 0; i < M; ++i) {
-    if (solution_.sides[N + i] != RowSide::none || ignored_[N + i]) continue;
+    if (solution_.sides[N + i] != RowSide::none) continue;
     const Real* const a = rows_.A + i * N;
-    const Real value = dot_of<N>(a, solution_.x);
-    if (value >= rows_.lower[i] && value <= rows_.upper[i]) continue;
-    Real terms = Real(0);
-    for (int k = 0; k < N; ++k) terms += size_of(a[k]) * sizes[k];
-    consider(N + i, value, terms, inverse_squares_[i], rows_.lower[i], rows_.upper[i], worst,
-             worst_square);
+    consider(
+        N + i, dot_of<N>(a, x), inverse_squares_[i],
+        [&]() noexcept { return dot_of_sizes<N>(a, x); }, worst, worst_square);
   }
   return worst;
 }
@@ -389,9 +415,10 @@ bool DualActiveSet<Real, N, M>::take_step(const Violation& violation, Real& miss
   const Real full = dependent ? Real(0) : missing / (free * free);
   const bool partial = dependent || (leaving >= 0 && step < full);
   if (!partial) step = full;
-  for (int k = count(); k < N && !dependent; ++k) {
-    const Real along = step * d_[k];
-    for (int i = 0; i < N; ++i) solution_.x[i] += along * Jt_[k * N + i];
+  if (!dependent) {
+    Real along[N];
+    for (int k = 0; k < N; ++k) along[k] = step * d_[k];
+    add_rows(along, Jt_, count(), N, solution_.x);
   }
   for (int j = 0; j < count(); ++j) u_[j] -= step * r_[j];
   multiplier += step;
@@ -433,9 +460,7 @@ void DualActiveSet<Real, N, M>::add(int row, RowSide side, Real free, Real multi
   }
   v[at] -= to;
   const Real scale = Real(1) / (free * (free + size_of(first)));
-  for (int k = at; k < N; ++k) {
-    for (int i = 0; i < N; ++i) sum[i] += v[k] * Jt_[k * N + i];
-  }
+  add_rows(v, Jt_, at, N, sum);
   for (int k = at; k < N; ++k) {
     const Real along = scale * v[k];
     for (int i = 0; i < N; ++i) Jt_[k * N + i] -= along * sum[i];
@@ -490,9 +515,7 @@ void DualActiveSet<Real, N, M>::correct() noexcept {
     for (int i = 0; i < j; ++i) y -= R_[i * N + j] * r_[i];
     r_[j] = y / R_[j * N + j];
   }
-  for (int j = 0; j < count(); ++j) {
-    for (int i = 0; i < N; ++i) solution_.x[i] += r_[j] * Jt_[j * N + i];
-  }
+  add_rows(r_, Jt_, 0, count(), solution_.x);
   for (int j = count() - 1; j >= 0; --j) {
     r_[j] /= R_[j * N + j];
     for (int i = 0; i < j; ++i) r_[i] -= R_[i * N + j] * r_[j];

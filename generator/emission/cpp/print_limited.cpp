@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/quadratic_program.hpp"
+#include "core/limited_torque.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
@@ -94,7 +94,7 @@ int freedoms_of(const LimitFacts& facts) {
 
 std::string describe_cost(const EmissionContext& context, std::span<const Program> programs) {
   const LimitFacts& facts = *context.limits;
-  const int unknowns = freedoms_of(facts) + 1;
+  const int unknowns = core::in_eights(freedoms_of(facts) + 1);
   const int rows = context.velocities - static_cast<int>(facts.passive.size()) +
                    static_cast<int>(facts.cones.size());
   const int flops = count_operations(find_program(programs, "supported_control_torque")).flops();
