@@ -13,9 +13,11 @@
 // unit. Any active set whose multipliers have the right sign is a start: the one of the last cycle
 // saves what it has in common with this one's.
 //
-// Work: every iteration adds or drops one row and takes at most `flops_of_iteration(N, M)`
-// operations; there are at most `most_iterations`, 4 (N + M) unless told otherwise. (Arnstrom,
-// Bemporad & Axehill 2022 certify tighter bounds of one parametric program offline.)
+// Work: at most `most_iterations` steps, 4 (N + M) unless told otherwise, of which each adds or
+// drops a row, and at most as many again and N that drop a row when x is found anew from the
+// factors. Each takes at most `flops_of_iteration(N, M)` operations; what comes before, the factor
+// of H and the rows of a warm start, takes at most 8 N^3. (Arnstrom, Bemporad & Axehill 2022
+// certify tighter bounds of one parametric program offline.)
 //
 // Conflicts: when a violated row depends on active rows that cannot leave, no x obeys all of them,
 // and the violation is the least that the active rows permit. That row is set aside and the rest is
@@ -72,7 +74,7 @@ constexpr int most_iterations(int n, int m) noexcept {
 /// n, a step, the rotations that drop a row, which take more than the reflection that adds one, and
 /// x from the factors.
 constexpr long flops_of_iteration(int n, int m) noexcept {
-  return 4L * m * n + 16L * n * n + 16L * (n + m);
+  return 4L * m * n + 20L * n * n + 16L * (n + m);
 }
 
 namespace steps {

@@ -100,8 +100,8 @@ std::string describe_cost(const EmissionContext& context, std::span<const Progra
   const int flops = count_operations(find_program(programs, "supported_control_torque")).flops();
   return wrap_text(
       fmt::format("Cost: {} flops where no limit is reached. Else a quadratic program of {} "
-                  "unknowns and {} rows: at most {} iterations of at most {} flops.",
-                  flops, unknowns, rows, core::most_iterations(unknowns, rows),
+                  "unknowns and {} rows: at most {} steps of at most {} flops.",
+                  flops, unknowns, rows, 2 * core::most_iterations(unknowns, rows) + unknowns,
                   core::flops_of_iteration(unknowns, rows)),
       95);
 }
