@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "description/check_limits.hpp"
 #include "oracle/try_functions.hpp"
 
 namespace treeline {
@@ -34,6 +35,8 @@ void remove(Function function, Scene& scene) {
   if (is_damped || std::count(kDampedFunctions.begin(), kDampedFunctions.end(), function) > 0) {
     scene.damped.reset();
   }
+  const std::vector<Function> of_limits = functions_of_limits(scene);
+  if (std::count(of_limits.begin(), of_limits.end(), function) > 0) scene.remove_limits();
 }
 
 }  // namespace

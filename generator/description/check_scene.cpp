@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "description/check_limits.hpp"
 #include "description/check_motion.hpp"
 #include "description/check_objects.hpp"
 #include "description/count_freedoms.hpp"
@@ -42,6 +43,7 @@ bool has_mass(const Robot& robot) {
 /// All functions that the scene can have; where M is known to have no inverse, those without it.
 void choose_functions(const std::string& singular, Scene& scene) {
   scene.functions = default_functions(scene);
+  add_functions_of_limits(scene);
   if (!singular.empty()) std::erase_if(scene.functions, inverts_mass_matrix);
 }
 
@@ -290,6 +292,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
     check_functions(top, robot, singular, scene);
   }
   check_damped(top, singular, scene);
+  check_limits(top, scene);
   check_forces_used(top, scene);
   check_inputs_used(top, scene);
   check_implicit_friction(top, scene);

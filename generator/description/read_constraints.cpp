@@ -6,6 +6,7 @@
 
 #include "description/identifier.hpp"
 #include "description/read_scene_point.hpp"
+#include "description/read_support_cone.hpp"
 
 namespace treeline {
 namespace {
@@ -81,7 +82,9 @@ void check_name(const SceneElement& item, const std::string& name, const Scene& 
 }
 
 void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene) {
-  const Fields fields = item.fields({"name", "between", "origin", "other_origin", "rows", "axes"});
+  std::vector<std::string> known = {"name", "between", "origin", "other_origin", "rows", "axes"};
+  known.insert(known.end(), kConeKeys.begin(), kConeKeys.end());
+  const Fields fields = item.fields(known);
   ScenePoint point;
   point.name = read_point_name(item, fields);
   const Ends ends = read_ends(item, fields, robot);
@@ -92,6 +95,9 @@ void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene)
   }
   check_name(item, point.name, scene);
   if (!ends.to_world()) {
+    for (const char* key : kConeKeys) {
+      refuse(fields, key, "forces between two links have no cone", "remove the key");
+    }
     scene.loops.push_back(read_loop(fields, point, ends.other));
     return;
   }
@@ -99,6 +105,7 @@ void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene)
   if (const auto axes = fields.find("axes"); axes != fields.end()) {
     point.axes = read_axes(axes->second);
   }
+  read_support_cone(item, fields, point, scene);
   scene.constraints.push_back(std::move(point));
 }
 

@@ -20,6 +20,7 @@
 #include "description/read_scene_point.hpp"
 #include "description/read_surroundings.hpp"
 #include "description/read_text_file.hpp"
+#include "description/read_torque_limits.hpp"
 #include "description/scene_element.hpp"
 #include "description/snap_angles.hpp"
 #include "description/suggest_function.hpp"
@@ -212,7 +213,8 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "singular",
                                   "snap_angles",
                                   "noise",
-                                  "target"});
+                                  "target",
+                                  "torque_limits"});
   check_robots(fields, robot);
   if (!fields.contains("base") && robot.parts.empty()) scene.base = default_base(robot);
   read_settings(fields, scene);
@@ -247,6 +249,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto passive = fields.find("passive"); passive != fields.end()) {
     read_passive(passive->second, robot, scene);
+  }
+  if (const auto limits = fields.find("torque_limits"); limits != fields.end()) {
+    read_torque_limits(limits->second, robot, scene);
   }
   if (const auto armature = fields.find("armature"); armature != fields.end()) {
     read_armature(armature->second, robot, scene);

@@ -8,6 +8,7 @@
 
 #include "description/noise_decision.hpp"
 #include "description/robot.hpp"
+#include "description/support_limits.hpp"
 #include "functions/function.hpp"
 
 namespace treeline {
@@ -176,6 +177,7 @@ struct Scene {
   SceneRegressor regressor;
   /// Frames whose `rows` are held relative to the world: feet on the ground, hands on a wall.
   std::vector<ScenePoint> constraints;
+  std::vector<SceneCone> cones;          ///< of constraints whose forces are limited
   std::vector<SceneLoop> loops;          ///< constraints between two links
   std::vector<SceneCoupling> couplings;  ///< constraints between joints
   /// Names of joints without a motor. The floating base and floating joints never have one.
@@ -209,7 +211,16 @@ struct Scene {
   std::map<std::string, SceneFriction> joint_friction;  ///< by joint, where there is any
   bool implicit_friction = false;  ///< forward dynamics takes drives at the end of a step
   std::map<std::string, SceneSpring> joint_springs;  ///< by joint
-  std::map<std::string, double> locked;              ///< joint name -> value it is held at
+  /// By joint, largest torque of its motor, N m or N.
+  std::map<std::string, double> torque_limits;
+  std::map<std::string, double> locked;  ///< joint name -> value it is held at
+
+  /// Whether NAME_limited.hpp is asked for: limited_control_torque.
+  [[nodiscard]] bool has_limits() const { return !cones.empty() || !torque_limits.empty(); }
+  void remove_limits() {
+    cones.clear();
+    torque_limits.clear();
+  }
 
   [[nodiscard]] bool holds_rows() const {
     return !constraints.empty() || !loops.empty() || !couplings.empty();

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "description/scene.hpp"
+#include "emission/limit_facts.hpp"
 
 namespace treeline {
 
@@ -18,15 +20,17 @@ struct EmissionContext {
   std::string command;  ///< that regenerates the folder, file names without directories
   Language language = Language::cpp;
   bool single_precision = false;
-  std::string target = "generic";   ///< processor, see `find_target`
-  int batch = 0;                    ///< states a call of the functions in NAME_batch.hpp; 0: none
-  std::vector<double> heaviest;     ///< of each task row, for NAME_damped.hpp; empty: none
-  int coordinates = 0;              ///< nq
-  int velocities = 0;               ///< nv
-  int task_rows = 0;                ///< stacked over the operational points
-  std::string base;                 ///< "fixed" or "floating"
-  bool gravity_given = false;       ///< as an argument
-  std::array<double, 3> gravity{};  ///< m/s^2, world axes
+  std::string target = "generic";    ///< processor, see `find_target`
+  int batch = 0;                     ///< states a call of the functions in NAME_batch.hpp; 0: none
+  std::vector<double> heaviest;      ///< of each task row, for NAME_damped.hpp; empty: none
+  bool limited = false;              ///< whether the scene asks for NAME_limited.hpp
+  std::optional<LimitFacts> limits;  ///< for it, where it is printed
+  int coordinates = 0;               ///< nq
+  int velocities = 0;                ///< nv
+  int task_rows = 0;                 ///< stacked over the operational points
+  std::string base;                  ///< "fixed" or "floating"
+  bool gravity_given = false;        ///< as an argument
+  std::array<double, 3> gravity{};   ///< m/s^2, world axes
 
   struct Input {
     std::string file;  ///< without directory; empty where no scene was given

@@ -237,6 +237,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.target = scene.target;
   context.batch = scene.batch;
   context.heaviest = heaviest_rows(scene);
+  context.limited = scene.has_limits();
   context.coordinates = mechanism.nq();
   context.velocities = mechanism.nv();
   context.task_rows = mechanism.task_rows();

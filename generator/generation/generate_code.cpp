@@ -11,6 +11,7 @@
 #include "generation/bound_damped.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/count_inputs.hpp"
+#include "generation/describe_limits.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/quote_for_shell.hpp"
@@ -76,6 +77,9 @@ EmissionContext context_of(const Robot& robot, const Scene& scene, const Provena
     for (const auto& generated : *functions) context.choices.push_back(choice_row(generated));
   }
   add_rounding(scene, generation, context);
+  if (scene.has_limits()) {
+    context.limits = describe_limits(robot, scene, generation.mechanism, generation.functions);
+  }
   return context;
 }
 
@@ -291,6 +295,7 @@ std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
   Scene alone = scene;
   alone.functions = {function.function};
   alone.damped.reset();
+  alone.remove_limits();
   if (function.batch == 0) alone.batch = 0;
   const std::vector<Program> programs{function.program};
   return emit(describe_scene(robot, alone, mechanism), programs, diagnostics,

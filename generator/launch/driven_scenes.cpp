@@ -117,6 +117,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.constraints.clear();
   if (!has_loops(scene)) control.passive.clear();  // of a tree every joint is moved
   leave_out_points(control, diagnostics);
+  control.remove_limits();
   control.external_forces.clear();
   control.inputs = {};
   control.implicit_friction = false;

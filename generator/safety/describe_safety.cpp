@@ -22,6 +22,11 @@ constexpr const char* kDamped =
     "- `damped_control_torque` is not straight-line: it calls the functions above and has loops, "
     "of\n  bounded length. The header tells its typical errors, no bound.\n";
 
+constexpr const char* kLimited =
+    "- `limited_control_torque` is not straight-line: it calls the functions above and solves a "
+    "quadratic\n  program, whose most iterations and operations its header tells. Its time depends "
+    "on its inputs,\n  and it keeps the active limits of the last cycle in the caller's object.\n";
+
 constexpr const char* kMisraC =
     "`cppcheck --addon=misra` finds violations of four advisory rules and of no other. cppcheck\n"
     "does not check all rules of the standard.\n\n"
@@ -152,7 +157,8 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
     text += fmt::format("\n## {}\n\n{}", title, body);
   };
   section("Inputs and outputs", print_files(generation, provenance));
-  section("Behaviour of the code", std::string(kBehaviour) + (generation.damped ? kDamped : ""));
+  section("Behaviour of the code", std::string(kBehaviour) + (generation.damped ? kDamped : "") +
+                                       (scene.has_limits() ? kLimited : ""));
   section("Assumptions that the surrounding program has to meet",
           print_assumptions(scene, generation));
   section("Functions",

@@ -11,6 +11,7 @@
 #include "core/orientation.hpp"
 #include "core/posture_laws.hpp"
 #include "core/prioritized_solve.hpp"
+#include "core/quadratic_program.hpp"
 #include "core/sin_cos.hpp"
 #include "core/singularity.hpp"
 #include "core/spline.hpp"
@@ -55,6 +56,8 @@ struct Data {
   core::ForceGains<Real> force_gains;
   core::SingularRegion<Real> region;
   core::NullMotionGains<Real> null_gains;
+  core::QuadraticRows<Real, 3, 2> limits;
+  core::QuadraticSolution<Real, 3, 2> minimum;
 };
 
 bool use_closed_chain(Data& data) noexcept;
@@ -62,6 +65,7 @@ void use_contact_solver(Data& data) noexcept;
 Real use_damped_solve(Data& data) noexcept;
 void use_prioritized_solve(Data& data) noexcept;
 void use_posture_laws(Data& data) noexcept;
+bool use_quadratic_program(Data& data) noexcept;
 void use_task_selection(Data& data) noexcept;
 Real use_singularity(Data& data) noexcept;
 void use_coordinates(Data& data) noexcept;
@@ -110,6 +114,12 @@ void use_posture_laws(Data& data) noexcept {
       data.a6, data.b6);
   core::add_potential_by_differences([](const Real(&at)[6]) noexcept { return at[0] * at[5]; },
                                      data.x, data.a6, data.b6);
+}
+
+bool use_quadratic_program(Data& data) noexcept {
+  core::solve_quadratic_program(data.a9, data.a3, data.limits, data.minimum);
+  core::solve_least_distance(data.a3, data.limits, data.minimum);
+  return data.minimum.status == core::QuadraticStatus::solved;
 }
 
 void use_task_selection(Data& data) noexcept {

@@ -24,6 +24,12 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
                      "functions of several states in one call cannot be had in C yet",
                      "Leave `batch` out, or generate C++ (`language: c++`)."});
   }
+  if (context.limited) {
+    diagnostics.add({Severity::error, "", 0, "torque_limits, friction",
+                     "limited_control_torque solves a quadratic program, which cannot be had in C "
+                     "yet",
+                     "Leave the limits out, or generate C++ (`language: c++`)."});
+  }
   if (std::find(kHeaders.begin(), kHeaders.end(), context.name) != kHeaders.end()) {
     diagnostics.add({Severity::error, "", 0, "name",
                      fmt::format("the header {0}.h would hide C's own <{0}.h>", context.name),

@@ -6,6 +6,7 @@
 #include "emission/cpp/print_damped.hpp"
 #include "emission/cpp/print_eigen.hpp"
 #include "emission/cpp/print_joints.hpp"
+#include "emission/cpp/print_limited.hpp"
 #include "emission/cpp/print_runtime.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
@@ -40,7 +41,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
                                                 {"sources", sources}});
 }
 
-/// Other ways to call, functions of several states at once, damped control.
+/// Other ways to call, functions of several states at once, damped and limited control.
 std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> batch) {
@@ -55,6 +56,9 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   }
   if (!context.heaviest.empty()) {
     files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
+  }
+  if (context.limits) {
+    files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});
   }
   return files;
 }

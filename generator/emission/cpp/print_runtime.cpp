@@ -31,7 +31,9 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   const bool damped = !context.heaviest.empty();
   const bool has_batch = !batch.empty();
   std::vector<GeneratedFile> files;
-  if (has_batch || damped || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+  const bool limited = context.limits.has_value();
+  if (has_batch || damped || limited ||
+      std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", print_header(context, templates::kSinCos)});
   }
   if (has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes)) {
@@ -45,6 +47,13 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"ldlt.hpp", print_header(context, templates::kLdlt)});
     files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
     files.push_back({"symmetric_eigen.hpp", print_header(context, templates::kSymmetricEigen)});
+  }
+  if (limited) {
+    files.push_back({"limited_torque.hpp", print_header(context, templates::kLimitedTorque)});
+    files.push_back({"quadratic_program.hpp", print_header(context, templates::kQuadraticProgram)});
+  }
+  if (limited && !damped) {
+    files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
   }
   return files;
 }

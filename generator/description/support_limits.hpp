@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace treeline {
+
+/// What keeps a constraint to the world from slipping, turning, tipping and lifting. Its normal is
+/// the z axis of the constraint's axes, its forces those of the ground on the robot.
+struct SceneCone {
+  std::string constraint;
+  double friction = 0;              ///< largest ratio of tangential to normal force
+  int sides = 4;                    ///< of the pyramid within the cone of friction: 4 or 8
+  double least_force = 0;           ///< along the normal, N
+  std::optional<double> torsional;  ///< largest ratio of the moment about z to the normal force, m
+  /// Half lengths along x and y within which the centre of pressure stays, m.
+  std::optional<std::array<double, 2>> half_extents;
+};
+
+}  // namespace treeline

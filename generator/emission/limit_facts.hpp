@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace treeline {
+
+/// What NAME_limited.hpp says of the robot, see `core::limit_torque`.
+struct LimitFacts {
+  /// A row of a cone: coefficients of forces of held rows, from `first` on, at most `bound`.
+  struct Row {
+    int first = 0;
+    std::vector<double> coefficients;
+    double bound = 0;
+  };
+  std::vector<int> passive;           ///< velocities without a motor
+  std::vector<double> force_weights;  ///< of held rows: 1, or the lever of a moment, m
+  std::vector<double> torque;         ///< by velocity, infinite: no limit
+  std::vector<Row> cones;
+  std::vector<double> task_weights;  ///< by row of the task
+  int freedoms = 0;                  ///< of torques and internal forces, in ordinary states
+  std::vector<std::string> notes;    ///< lines that describe the cones
+};
+
+}  // namespace treeline

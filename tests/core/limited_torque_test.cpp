@@ -1,0 +1,307 @@
+// Limits of torques and cones compared with the same program in other coordinates: a null space by
+// singular values, costs as dense matrices. Would catch: a change where nothing is limited, torques
+// beyond their limits, forces outside of cones that could be kept, motions that no motor or support
+// can cause, a cost other than stated, dependent rows that are taken for independent ones, and a
+// start from the last cycle that changes the answer.
+#include "core/limited_torque.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace treeline::core;  // NOLINT: the whole header is under test
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// A robot at a state: numbers without a mechanism behind them.
+template <class Sizes>
+struct Support {
+  Matrix M, J_s, J_t;
+  Vector tau, f;
+  SupportLayout<double, Sizes> layout;
+  TorqueLimits<double, Sizes> limits;
+};
+
+Matrix random_matrix(Eigen::Index rows, Eigen::Index cols, std::mt19937& engine) {
+  std::normal_distribution<double> normal;
+  return Matrix::NullaryExpr(rows, cols, [&] { return normal(engine); });
+}
+
+/// The first passive velocities are those of a base. Of the held rows the last `copies` repeat the
+/// first ones.
+template <class Sizes>
+Support<Sizes> random_support(int copies, double torque, double bound, std::mt19937& engine) {
+  constexpr int V = Sizes::kVelocities, H = Sizes::kHeld;
+  Support<Sizes> support;
+  const Matrix root = random_matrix(V, V, engine);
+  support.M = root * root.transpose() / V + 0.3 * Matrix::Identity(V, V);
+  support.J_s = random_matrix(H, V, engine);
+  for (int row = 0; row < copies; ++row) {
+    support.J_s.row(H - copies + row) = support.J_s.row(row) * (row + 1);
+  }
+  support.J_t = random_matrix(Sizes::kTask, V, engine);
+  support.tau = 3 * random_matrix(V, 1, engine);
+  support.f = 3 * random_matrix(H, 1, engine);
+  for (int j = 0; j < Sizes::kPassive; ++j) {
+    support.layout.passive[j] = j;
+    support.tau(j) = 0;
+  }
+  for (int row = 0; row < H; ++row) support.layout.force_weights[row] = row % 2 == 0 ? 1 : 0.1;
+  for (double& each : support.limits.torque) each = torque;
+  for (double& each : support.limits.task_weights) each = 1;
+  for (int c = 0; c < Sizes::kCones; ++c) {
+    const Vector row = random_matrix(2, 1, engine);
+    support.limits.cones[c] = {c % (H - 1), 2, {row(0), row(1)}, bound};
+  }
+  return support;
+}
+
+template <class Sizes>
+struct Outcome {
+  Vector tau, f;
+  LimitedTorque<double, Sizes> limited;
+};
+
+template <class Sizes>
+Outcome<Sizes> run(const Support<Sizes>& support, const LimitedTorque<double, Sizes>& last = {}) {
+  constexpr int V = Sizes::kVelocities, H = one_or(Sizes::kHeld);
+  double tau[V];
+  double f[H] = {};
+  Vector::Map(tau, V) = support.tau;
+  Vector::Map(f, Sizes::kHeld) = support.f;
+  Outcome<Sizes> outcome{{}, {}, last};
+  const auto copy = [](const Matrix& from, double* to) {
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
+      for (Eigen::Index k = 0; k < from.cols(); ++k) *to++ = from(i, k);
+    }
+  };
+  limit_torque(
+      support.layout, support.limits,
+      [&](auto& M, auto& J_s, auto& J_t) {
+        copy(support.M, M);
+        copy(support.J_s, J_s);
+        copy(support.J_t, J_t);
+      },
+      tau, f, outcome.limited);
+  outcome.tau = Vector::Map(tau, V);
+  outcome.f = Vector::Map(f, Sizes::kHeld);
+  return outcome;
+}
+
+/// All changes (d_qdd, d_f) that keep the equations, as the columns of a matrix.
+template <class Sizes>
+Matrix null_space(const Support<Sizes>& support) {
+  constexpr int V = Sizes::kVelocities, H = Sizes::kHeld, P = Sizes::kPassive;
+  Matrix equations = Matrix::Zero(H + P, V + H);
+  equations.topLeftCorner(H, V) = support.J_s;
+  equations.bottomLeftCorner(P, V) = support.M.topRows(P);
+  equations.bottomRightCorner(P, H) = -support.J_s.leftCols(P).transpose();
+  const Eigen::JacobiSVD<Matrix> svd(equations, Eigen::ComputeFullV);
+  const auto rank = (svd.singularValues().array() > 1e-9 * svd.singularValues()(0)).count();
+  return svd.matrixV().rightCols(V + H - rank);
+}
+
+/// The cost of a change as a matrix of (d_qdd, d_f), as the header states it.
+template <class Sizes>
+Matrix cost_matrix(const Support<Sizes>& support) {
+  constexpr int V = Sizes::kVelocities, H = Sizes::kHeld, P = Sizes::kPassive;
+  const double k = kHierarchy<double>;
+  Matrix cost = Matrix::Zero(V + H, V + H);
+  cost.topLeftCorner(V, V) = support.M;
+  const Matrix M_inverse = support.M.inverse();
+  for (int t = 0; t < Sizes::kTask; ++t) {
+    const Vector row = support.J_t.row(t);
+    const double mobility = row.dot(M_inverse * row);
+    cost.topLeftCorner(V, V) +=
+        k * k * support.limits.task_weights[t] / mobility * row * row.transpose();
+  }
+  // The part of S^-1 d_f that carries nothing.
+  const Vector S = Vector::Map(support.layout.force_weights, H);
+  const Matrix G = S.asDiagonal() * support.J_s.leftCols(P);
+  Matrix carried = Matrix::Zero(H, H);
+  if (P > 0) carried = G * G.completeOrthogonalDecomposition().pseudoInverse();
+  const Matrix free = (Matrix::Identity(H, H) - carried) * S.cwiseInverse().asDiagonal();
+  cost.bottomRightCorner(H, H) =
+      free.transpose() * free / (k * k * support.M.diagonal().maxCoeff());
+  return cost;
+}
+
+/// d_tau of a change.
+template <class Sizes>
+Matrix torque_matrix(const Support<Sizes>& support) {
+  Matrix result(Sizes::kVelocities, Sizes::kVelocities + Sizes::kHeld);
+  result << support.M, -support.J_s.transpose();
+  return result;
+}
+
+/// The change that was made, from torques and forces.
+template <class Sizes>
+Vector change_of(const Support<Sizes>& support, const Outcome<Sizes>& outcome) {
+  Vector change(Sizes::kVelocities + Sizes::kHeld);
+  const Vector d_f = outcome.f - support.f;
+  change << support.M.ldlt().solve(
+      Vector(outcome.tau - support.tau + support.J_s.transpose() * d_f)),
+      d_f;
+  return change;
+}
+
+double most_beyond_cones(const auto& support, const Vector& f) {
+  double most = 0;
+  for (const auto& cone : support.limits.cones) {
+    double value = -cone.bound;
+    for (int k = 0; k < cone.count; ++k) value += cone.coefficients[k] * f(cone.first + k);
+    most = std::max(most, value);
+  }
+  return most;
+}
+
+/// The same program in the coordinates of the null space, with hard cones widened by `slack`.
+template <class Sizes>
+Vector solve_otherwise(const Support<Sizes>& support, double slack) {
+  constexpr int V = Sizes::kVelocities, P = Sizes::kPassive, C = Sizes::kCones;
+  constexpr int F = Sizes::kFreedoms, M = V - P + C;
+  const Matrix Z = null_space(support);
+  EXPECT_EQ(Z.cols(), F);
+  const Matrix cost = Z.transpose() * cost_matrix(support) * Z;
+  const Matrix torques = torque_matrix(support) * Z;
+  double H[F * F];
+  const double g[F] = {};
+  QuadraticRows<double, F, M> rows;
+  for (int i = 0; i < F; ++i) {
+    for (int k = 0; k < F; ++k) H[i * F + k] = cost(i, k);
+    rows.lowest[i] = -kNoLimit<double>;
+    rows.highest[i] = kNoLimit<double>;
+  }
+  for (int row = 0; row < M; ++row) {
+    Vector a = Vector::Zero(F);
+    rows.lower[row] = -kNoLimit<double>;
+    if (row < V - P) {
+      a += torques.row(P + row).transpose();
+      rows.lower[row] = -support.limits.torque[P + row] - support.tau(P + row);
+      rows.upper[row] = support.limits.torque[P + row] - support.tau(P + row);
+    } else {
+      const auto& cone = support.limits.cones[row - (V - P)];
+      rows.upper[row] = cone.bound + slack;
+      for (int k = 0; k < cone.count; ++k) {
+        a += cone.coefficients[k] * Z.row(V + cone.first + k).transpose();
+        rows.upper[row] -= cone.coefficients[k] * support.f(cone.first + k);
+      }
+    }
+    for (int k = 0; k < F; ++k) rows.A[row * F + k] = a(k);
+  }
+  QuadraticSolution<double, F, M> solution = {};
+  solve_quadratic_program(H, g, rows, solution);
+  EXPECT_EQ(solution.status, QuadraticStatus::solved);
+  return Z * Vector::Map(solution.x, F);
+}
+
+/// Sweeps over supports of one kind: how much may be limited, and how.
+template <class Sizes>
+void sweep(int copies, double torque, double bound) {
+  std::mt19937 engine(static_cast<unsigned>(Sizes::kVelocities * 10 + Sizes::kHeld));
+  int limited = 0, slack = 0;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const auto support = random_support<Sizes>(copies, torque, bound, engine);
+    const auto outcome = run(support);
+    ASSERT_EQ(outcome.limited.status, QuadraticStatus::solved);
+    limited += outcome.limited.limited ? 1 : 0;
+    slack += outcome.limited.slack > 0 ? 1 : 0;
+    EXPECT_LE(outcome.tau.cwiseAbs().maxCoeff(), torque);
+    EXPECT_LE(most_beyond_cones(support, outcome.f), outcome.limited.slack + 1e-9);
+    const Vector change = change_of(support, outcome);
+    const Vector d_qdd = change.head(Sizes::kVelocities);
+    EXPECT_LT((support.J_s * d_qdd).norm(), 1e-9 * (1 + d_qdd.norm()));
+    for (int j = 0; j < Sizes::kPassive; ++j) EXPECT_EQ(outcome.tau(j), 0);
+    for (int t = 0; t < Sizes::kTask; ++t) {
+      EXPECT_NEAR(outcome.limited.lost[t], support.J_t.row(t).dot(d_qdd), 1e-7);
+    }
+    if (outcome.limited.slack > 0) continue;
+    const Vector other = solve_otherwise(support, 1e-12);
+    const Matrix cost = cost_matrix(support);
+    // The condition of the cost, 1e12, costs that many digits of its square root.
+    const double own_cost = change.dot(cost * change), other_cost = other.dot(cost * other);
+    EXPECT_NEAR(own_cost, other_cost, 1e-5 * other_cost + 1e-12);
+    const auto again = run(support, outcome.limited);
+    EXPECT_LT((again.tau - outcome.tau).norm(), 1e-8 * outcome.tau.norm());
+    EXPECT_LT((again.f - outcome.f).norm(), 1e-8 * outcome.f.norm());
+  }
+  std::printf("%d of 200 limited, %d with slack\n", limited, slack);
+  EXPECT_GT(limited, 100);
+}
+
+TEST(LimitedTorque, AFloatingBaseOnTwoFeet) {
+  sweep<LimitSizes<12, 3, 6, 4, 8, 9>>(0, 4, 5);
+}
+TEST(LimitedTorque, TightCones) {
+  sweep<LimitSizes<12, 3, 6, 4, 8, 9>>(0, 30, 0.5);
+}
+TEST(LimitedTorque, FeetOnOneLink) {
+  sweep<LimitSizes<10, 3, 6, 2, 6, 10>>(3, 4, 5);
+}
+TEST(LimitedTorque, APointFootThatDoesNotCarryTheBase) {
+  sweep<LimitSizes<9, 4, 2, 3, 2, 5>>(0, 4, 5);
+}
+TEST(LimitedTorque, AHandOnARail) {
+  sweep<LimitSizes<7, 0, 3, 3, 3, 7>>(0, 4, 5);
+}
+
+TEST(LimitedTorque, WhatIsWithinLimitsIsNotTouched) {
+  std::mt19937 engine(1);
+  using Sizes = LimitSizes<12, 3, 6, 4, 8, 9>;
+  for (int i = 0; i < 100; ++i) {
+    const auto support = random_support<Sizes>(0, 100, 100, engine);
+    const auto outcome = run(support);
+    EXPECT_FALSE(outcome.limited.limited);
+    EXPECT_EQ(outcome.tau, support.tau);
+    EXPECT_EQ(outcome.f, support.f);
+  }
+}
+
+TEST(LimitedTorque, ConesThatCannotBeKeptAreWidenedAlike) {
+  std::mt19937 engine(2);
+  using Sizes = LimitSizes<12, 3, 6, 4, 8, 9>;
+  for (int i = 0; i < 100; ++i) {
+    auto support = random_support<Sizes>(0, 4, 5, engine);
+    // The first force at most -8, and at least 8.
+    support.limits.cones[0] = {0, 1, {1}, -8};
+    support.limits.cones[1] = {0, 1, {-1}, -8};
+    const auto outcome = run(support);
+    EXPECT_EQ(outcome.limited.status, QuadraticStatus::solved);
+    EXPECT_LE(outcome.tau.cwiseAbs().maxCoeff(), 4);
+    EXPECT_GE(outcome.limited.slack, 8 - 1e-9);
+    EXPECT_NEAR(most_beyond_cones(support, outcome.f), outcome.limited.slack, 1e-6);
+  }
+}
+
+TEST(LimitedTorque, NoFiniteInputGivesNaN) {
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> decades(-300, 300);
+  using Sizes = LimitSizes<9, 3, 4, 3, 4, 7>;
+  for (int i = 0; i < 2000; ++i) {
+    auto support = random_support<Sizes>(0, 4, 5, engine);
+    const auto spoil = [&](auto& matrix) {
+      for (double& each : matrix.reshaped()) {
+        if (engine() % 30 == 0) each *= std::pow(10.0, decades(engine));
+        if (engine() % 30 == 0) each = 0;
+      }
+    };
+    spoil(support.M);
+    spoil(support.J_s);
+    spoil(support.J_t);
+    spoil(support.tau);
+    spoil(support.f);
+    const auto outcome = run(support);
+    EXPECT_TRUE(outcome.tau.allFinite());
+    EXPECT_TRUE(outcome.f.allFinite());
+    EXPECT_LE(outcome.tau.cwiseAbs().maxCoeff(), 4);
+  }
+}
+
+}  // namespace
