@@ -10,6 +10,7 @@
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
 #include "description/list_rows.hpp"
+#include "description/read_controller.hpp"
 #include "description/read_regressor.hpp"
 #include "description/read_scene_inputs.hpp"
 
@@ -269,6 +270,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
     check_functions(top, robot, singular, scene);
   }
   check_damped(top, singular, scene);
+  check_controller(top, robot, singular, scene);
   check_forces_used(top, scene);
   check_inputs_used(top, scene);
   check_implicit_friction(top, scene);

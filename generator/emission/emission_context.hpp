@@ -2,12 +2,15 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "description/scene.hpp"
 
 namespace treeline {
+
+struct ControllerUnit;
 
 /// What the contract and the manifest say beside the functions. Plain facts, already in words where
 /// they are for the reader: emission knows nothing of mechanisms. No paths and no dates, so that
@@ -18,15 +21,17 @@ struct EmissionContext {
   std::string command;  ///< that regenerates the folder, file names without directories
   Language language = Language::cpp;
   bool single_precision = false;
-  std::string target = "generic";   ///< processor, see `find_target`
-  int batch = 0;                    ///< states a call of the functions in NAME_batch.hpp; 0: none
-  std::vector<double> heaviest;     ///< of each task row, for NAME_damped.hpp; empty: none
-  int coordinates = 0;              ///< nq
-  int velocities = 0;               ///< nv
-  int task_rows = 0;                ///< stacked over the operational points
-  std::string base;                 ///< "fixed" or "floating"
-  bool gravity_given = false;       ///< as an argument
-  std::array<double, 3> gravity{};  ///< m/s^2, world axes
+  std::string target = "generic";  ///< processor, see `find_target`
+  int batch = 0;                   ///< states a call of the functions in NAME_batch.hpp; 0: none
+  std::vector<double> heaviest;    ///< of each task row, for NAME_damped.hpp; empty: none
+  bool controlled = false;         ///< the scene asks for a controller
+  std::shared_ptr<const ControllerUnit> controller;  ///< once it is composed
+  int coordinates = 0;                               ///< nq
+  int velocities = 0;                                ///< nv
+  int task_rows = 0;                                 ///< stacked over the operational points
+  std::string base;                                  ///< "fixed" or "floating"
+  bool gravity_given = false;                        ///< as an argument
+  std::array<double, 3> gravity{};                   ///< m/s^2, world axes
 
   struct Input {
     std::string file;  ///< without directory; empty where no scene was given
