@@ -49,9 +49,9 @@ const std::vector<NumberKey> kNumbers = {
     {"position_margin", &SceneController::position_margin, 0, 10, "rad or m, such as 0.05"},
     {"speed_margin", &SceneController::speed_margin, 0, 10, "a share of the limit, such as 0.1"},
     {"fade", &SceneController::fade, 0, 10, "seconds, such as 0.1"},
-    {"force_gain", &SceneController::force_gain, 0, 100, "without unit, such as 0.5"},
-    {"force_rate", &SceneController::force_rate, 0, 1e4, "1/s, such as 5"},
-    {"force_damping", &SceneController::force_damping, 0, 1e4, "1/s, such as 40"},
+    {"force_gain", &SceneController::force_gain, 0, 100, "1/kg, such as 0.05"},
+    {"force_rate", &SceneController::force_rate, 0, 1e4, "1/s, such as 2"},
+    {"force_damping", &SceneController::force_damping, 0, 1e4, "1/s, such as 60"},
     {"largest_force", &SceneController::largest_force, 0, 1e6, "N, such as 50"},
 };
 
@@ -142,6 +142,13 @@ void check_frequencies(const SceneElement& element, const SceneController& contr
   check("posture_frequency", controller.posture_frequency);
   check("brake_damping", controller.brake_damping);
   check("force_damping", controller.force_damping);
+  if (controller.force && !(controller.force_rate < controller.force_damping)) {
+    element.error(
+        fmt::format("with force_rate {} and force_damping {} the force swings ever more against "
+                    "whatever is stiff",
+                    controller.force_rate, controller.force_damping),
+        "keep force_rate below force_damping");
+  }
 }
 
 /// The joint without a motor or number of its own; empty where all have both.

@@ -158,9 +158,9 @@ struct SceneController {
   double position_margin = 0.05;  ///< rad or m beyond a limit that are a fault
   double speed_margin = 0.1;      ///< share of a limit
   double fade = 0.1;              ///< s, of a switch between laws
-  double force_gain = 0.5;        ///< N a N that is missing
-  double force_rate = 5;          ///< N/s a N
-  double force_damping = 40;      ///< 1/s
+  double force_gain = 0.05;       ///< 1/kg: one over the mass that moves under what is missing
+  double force_rate = 2;          ///< 1/s, of the integral
+  double force_damping = 60;      ///< 1/s
   double largest_force = 50;      ///< N
   int stale_ticks = 0;            ///< steps without a command that are a fault; 0: never
   int blind_ticks = 100;          ///< steps that gravity is held without a measurement

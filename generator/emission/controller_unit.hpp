@@ -17,6 +17,7 @@ struct ControllerUnit {
   Program kinematics;                  ///< poses, velocities, gravity: `controller_kinematics`
   Program joint_torque;                ///< inverse dynamics: `controller_joint_torque`
   std::optional<Program> task_torque;  ///< of a law of tasks: `controller_task_torque`
+  std::optional<Program> push_torque;  ///< of a law of forces: `controller_push_torque`
 
   /// One coordinate; limits are infinite where there are none.
   struct Joint {
@@ -33,12 +34,12 @@ struct ControllerUnit {
     bool own_axes = false;
   };
   std::vector<Point> points;
-  int rows = 0;          ///< of all points
-  int known_forces = 0;  ///< numbers of f_ext that the scene's external_forces take
+  int rows = 0;  ///< of all points
 
   [[nodiscard]] std::vector<const Program*> programs() const {
     std::vector<const Program*> all = {&kinematics, &joint_torque};
     if (task_torque) all.push_back(&*task_torque);
+    if (push_torque) all.push_back(&*push_torque);
     return all;
   }
 };

@@ -20,17 +20,32 @@ Program named(Program program, const char* name) {
   return program;
 }
 
-/// Where motion is controlled: with forces to exert, the operational points once more as places of
-/// forces behind the scene's own.
-Scene scene_of_tasks(const Scene& scene) {
-  Scene tasks = scene;
-  if (!scene.controller->force) return tasks;
-  for (ScenePoint point : scene.operational_points) {
+/// The scene with the operational points as places of forces in world axes.
+Scene scene_of_forces(const Scene& scene) {
+  Scene forces = scene;
+  forces.external_forces = scene.operational_points;
+  for (ScenePoint& point : forces.external_forces) {
     point.axes = Axes::world;
     point.rows.fill(true);
-    tasks.external_forces.push_back(std::move(point));
   }
-  return tasks;
+  forces.operational_points.clear();
+  forces.inputs = {};
+  return forces;
+}
+
+/// Passes that a program of given sines goes through.
+Program finish(Program program, const char* name) {
+  std::vector<PassReport> log;
+  program = reduce_operations(take_sines(settle(program)), log);
+  return put_in_order(named(std::move(program), name), log);
+}
+
+Program trace_push(const Robot& robot, const Scene& scene) {
+  const Scene forces = scene_of_forces(scene);
+  FunctionMechanisms mechanisms(robot, forces);
+  Program program = trace_against_forces(mechanisms.of(Function::inverse_dynamics), scene.lanes);
+  program.equation = "tau = -J^T f_ext, for [force; moment] on the operational points, world axes";
+  return finish(std::move(program), "controller_push_torque");
 }
 
 Program trace_kinematics(const Robot& robot, const Scene& scene) {
@@ -46,9 +61,7 @@ Program trace_kinematics(const Robot& robot, const Scene& scene) {
           ? "poses and velocities [v; w] of the operational points, and the joint forces g that "
             "hold the robot at rest"
           : "g: the joint forces that hold the robot at rest";
-  std::vector<PassReport> log;
-  program = reduce_operations(take_sines(settle(program)), log);
-  return put_in_order(named(std::move(program), "controller_kinematics"), log);
+  return finish(std::move(program), "controller_kinematics");
 }
 
 Program trace_torque(const Robot& robot, const Scene& scene, Function function, const char* name) {
@@ -96,10 +109,9 @@ ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
   unit.kinematics = trace_kinematics(robot, scene);
   unit.joint_torque =
       trace_torque(robot, scene, Function::inverse_dynamics, "controller_joint_torque");
-  unit.known_forces = 6 * static_cast<int>(scene.external_forces.size());
   if (!scene.controller->task) return unit;
-  const Scene tasks = scene_of_tasks(scene);
-  unit.task_torque = trace_torque(robot, tasks, Function::control_torque, "controller_task_torque");
+  unit.task_torque = trace_torque(robot, scene, Function::control_torque, "controller_task_torque");
+  if (scene.controller->force) unit.push_torque = trace_push(robot, scene);
   for (const ScenePoint& point : scene.operational_points) {
     unit.points.push_back({point.name, point.rows, point.axes == Axes::local});
     unit.rows += static_cast<int>(std::count(point.rows.begin(), point.rows.end(), true));

@@ -92,7 +92,7 @@ function(treeline_generate target)
     file(STRINGS ${arg_SCENE} controller REGEX "^ *[\"']?controller[\"']? *:")
     if(controller)
       list(APPEND sources controller controller_kinematics controller_joint_torque
-        controller_task_torque)
+        controller_push_torque controller_task_torque)
     endif()
   endif()
   if(ending STREQUAL "c")

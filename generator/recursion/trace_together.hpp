@@ -14,4 +14,8 @@ namespace treeline {
 /// gives the program its name and equation.
 Program trace_together(const Mechanism& mechanism, std::span<const Function> functions, int lanes);
 
+/// tau = -J_ext^T f_ext alone: the joint forces against the mechanism's external forces, of `q` and
+/// `f_ext`, by the inward pass of Newton and Euler without motion and gravity.
+Program trace_against_forces(const Mechanism& mechanism, int lanes);
+
 }  // namespace treeline

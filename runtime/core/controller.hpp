@@ -19,6 +19,25 @@ inline void brake_torque(const typename Robot::Config& config, const typename Ro
   Robot::joint_torque(input, at, qdd, tau);
 }
 
+/// tau += J^T n force, which bears the reaction to `force` along the direction n of the point that
+/// presses.
+template <class Robot>
+inline void add_push(const typename Robot::Input& input, const Measured<Robot>& at,
+                     const typename Robot::State& state, RealOf<Robot> force,
+                     RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
+  using Real = RealOf<Robot>;
+  Real f[6 * Robot::kPoints];
+  for (int i = 0; i < 6 * Robot::kPoints; ++i) {
+    const int axis = i - 6 * state.press_point;
+    f[i] = axis >= 0 && axis < 3 ? -force * state.direction[axis] : Real(0);
+  }
+  Real push[Robot::kJoints];
+  Robot::push_torque(input, at, f, push);
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    tau[i] += push[i];
+  }
+}
+
 template <class Robot>
 inline void law_torque(const typename Robot::Config& config, const typename Robot::Input& input,
                        const Measured<Robot>& at, typename Robot::State& state,
@@ -29,9 +48,12 @@ inline void law_torque(const typename Robot::Config& config, const typename Robo
     if (state.law == Robot::kTaskLaw) {
       Real qdd_0[Robot::kJoints];
       Real xdd_cmd[Robot::kRows];
-      Real f_ext[Robot::kForces];
-      task_law<Robot>(config, input, at, state, output, qdd_0, xdd_cmd, f_ext);
-      Robot::task_torque(input, at, qdd_0, xdd_cmd, f_ext, tau);
+      Real force = Real(0);
+      task_law<Robot>(config, input, at, state, output, qdd_0, xdd_cmd, force);
+      Robot::task_torque(input, at, qdd_0, xdd_cmd, tau);
+      if constexpr (Robot::kForce) {
+        if (state.pressing != 0) add_push<Robot>(input, at, state, force, tau);
+      }
       return;
     }
   }
@@ -51,7 +73,8 @@ inline void fade_switch(const typename Robot::Config& config, bool switched,
   if (switched) {
     state.fade_ticks = 0;
     for (int i = 0; i < Robot::kJoints; ++i) {
-      state.left_over[i] = rate > Real(0) ? state.tau[i] - tau[i] : Real(0);
+      const bool fades = rate > Real(0) && state.known != 0;
+      state.left_over[i] = fades ? state.tau[i] - tau[i] : Real(0);
     }
   }
   const Real share = fade_out(share_left(seconds(state.fade_ticks, config.period), rate));
@@ -140,6 +163,7 @@ inline void controller_step(const typename Robot::Config& config, typename Robot
     state.tau[i] = tau[i];
     output.tau[i] = tau[i];
   }
+  state.known = 1;
   output.saturated = state.cut;
   output.mode = state.mode;
   output.faults = state.faults;

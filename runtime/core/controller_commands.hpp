@@ -96,6 +96,22 @@ inline bool begin_posture(const typename Robot::Config& config, const typename R
   return switched;
 }
 
+/// Whether the point exerts a force in place of moving.
+template <class Robot>
+inline bool is_pressing(const typename Robot::State& state, int point) noexcept {
+  if constexpr (Robot::kForce) {
+    return state.pressing != 0 && state.press_point == point;
+  }
+  return false;
+}
+
+template <class Robot>
+inline void stop_pressing(typename Robot::State& state) noexcept {
+  if constexpr (Robot::kForce) {
+    state.pressing = 0;
+  }
+}
+
 /// Begins the law of the task, where it is not the law already: all points hold their present
 /// poses, the posture is where the joints were led last.
 template <class Robot>
@@ -103,7 +119,7 @@ inline bool enter_task(const typename Robot::Config& config, const Measured<Robo
                        typename Robot::State& state) noexcept {
   if (state.law == Robot::kTaskLaw) return false;
   state.law = Robot::kTaskLaw;
-  state.pressing = 0;
+  stop_pressing<Robot>(state);
   for (int i = 0; i < Robot::kJoints; ++i) {
     state.posture[i] = state.joint_motion[i];
   }
@@ -124,14 +140,14 @@ inline bool begin_pose(const typename Robot::Config& config, const typename Robo
                        const Measured<Robot>& at, typename Robot::State& state) noexcept {
   const int point = input.command.point;
   const bool entered = enter_task<Robot>(config, at, state);
-  const bool pressed = state.pressing != 0 && state.press_point == point;
+  const bool pressed = is_pressing<Robot>(state, point);
   PointMotion<RealOf<Robot>> now;
   if (entered || pressed) {
     measured_motion<Robot>(at, point, now);
   } else {
     point_reference<Robot>(config, state, point, now);
   }
-  state.pressing = pressed ? 0 : state.pressing;
+  if (pressed) stop_pressing<Robot>(state);
   move_point<Robot>(now, input.command.position, input.command.rotation, input.command.duration,
                     point, state);
   return entered || pressed;

@@ -4,8 +4,9 @@
 //
 //   joints: qdd = a + 2 zeta w (v - qd) + w^2 (p - q), tau = M qdd + b + g
 //   task:   xdd = a + 2 zeta w (v - xd) + w^2 e, tau = control_torque(xdd), see Khatib 1987
-//   force:  along the direction n of a point, xdd = -d (xd . n) n in place of the task's, and
-//           tau += J^T n (f + k_p (f - f_n) + k_i integral (f - f_n))
+//   force:  along the direction n of a point, xdd . n = k (f - f_n + r integral (f - f_n)) - d xd .
+//   n
+//           in place of the task's, and tau += J^T n f_n for the measured force f_n
 
 #include "core/controller_safety.hpp"
 #include "core/quintic.hpp"
@@ -189,8 +190,12 @@ inline void point_law(const typename Robot::Config& config, const Measured<Robot
   count_tick(state.point_ticks[point]);
 }
 
-/// Force along `state.direction` in place of motion: a PI law whose integral stops where the last
-/// torque was cut or the force is at its limit. Returns the force, N, for the point to exert.
+/// Force along `state.direction` in place of motion. The force that is measured is compensated, so
+/// that the point moves along the direction as a mass 1 / force_gain would under what is missing,
+/// damped, and nothing else moves: at rest in contact the force is the one that is wanted, and
+/// without contact the point approaches with force_gain force / force_damping. The integral stops
+/// where the last torque was cut. Against a spring the law is stable for force_rate below
+/// force_damping (Routh). Returns the force, N, to compensate.
 template <class Robot>
 inline RealOf<Robot> force_law(const typename Robot::Config& config,
                                const typename Robot::Input& input, const Measured<Robot>& at,
@@ -208,17 +213,17 @@ inline RealOf<Robot> force_law(const typename Robot::Config& config,
     speed += state.direction[i] * at.velocity[6 * point + i];
     measured += state.direction[i] * input.force[i];
   }
-  for (int i = 0; i < 3; ++i) {
-    xdd[i] -= state.direction[i] * (along + config.force_damping * speed);
-  }
   const Real lack = wanted - measured;
-  const Real integral = state.force_integral + config.force_rate * config.period * lack;
-  const Real force = wanted + config.force_gain * lack + integral;
-  const bool kept = state.cut == 0 && magnitude(force) <= config.largest_force;
-  state.force_integral = within(kept ? integral : state.force_integral, config.largest_force);
+  const Real more = state.cut == 0 ? config.force_rate * config.period * lack : Real(0);
+  state.force_integral = within(state.force_integral + more, config.largest_force);
+  const Real acceleration =
+      config.force_gain * (lack + state.force_integral) - config.force_damping * speed;
+  for (int i = 0; i < 3; ++i) {
+    xdd[i] += state.direction[i] * (acceleration - along);
+  }
   output.force_error = lack;
   count_tick(state.press_ticks);
-  return within(force, config.largest_force);
+  return within(measured, config.largest_force);
 }
 
 /// Rows of the task among the six accelerations of each point, in world axes or the point's own.
@@ -241,29 +246,21 @@ inline void select_rows(const Measured<Robot>& at, int point, const RealOf<Robot
   }
 }
 
-/// Inputs of the task's torque: accelerations of the task's rows and of the posture, and forces of
-/// the surroundings on the robot, those of the scene before the force that a point shall exert.
+/// Inputs of the task's torque: accelerations of the task's rows and of the posture. `force` is
+/// what the point that presses exerts along the state's direction, N.
 template <class Robot>
 inline void task_law(const typename Robot::Config& config, const typename Robot::Input& input,
                      const Measured<Robot>& at, typename Robot::State& state,
                      typename Robot::Output& output, RealOf<Robot> (&qdd_0)[Robot::kJoints],
-                     RealOf<Robot> (&xdd_cmd)[Robot::kRows],
-                     RealOf<Robot> (&f_ext)[Robot::kForces]) noexcept {
+                     RealOf<Robot> (&xdd_cmd)[Robot::kRows], RealOf<Robot>& force) noexcept {
   using Real = RealOf<Robot>;
-  for (int i = 0; i < Robot::kForces; ++i) {
-    f_ext[i] = Real(0);
-  }
-  Robot::known_forces(input, f_ext);
   int row = 0;
   for (int point = 0; point < Robot::kPoints; ++point) {
     Real xdd[6];
     point_law<Robot>(config, at, point, state, output, xdd);
     if constexpr (Robot::kForce) {
       if (state.pressing != 0 && point == state.press_point) {
-        const Real force = force_law<Robot>(config, input, at, state, output, xdd);
-        for (int i = 0; i < 3; ++i) {
-          f_ext[Robot::kFirstForce + 6 * point + i] = -force * state.direction[i];
-        }
+        force = force_law<Robot>(config, input, at, state, output, xdd);
       }
     }
     select_rows<Robot>(at, point, xdd, row, xdd_cmd);

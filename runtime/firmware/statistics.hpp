@@ -27,9 +27,7 @@ class Statistics {
   uint32_t count() const noexcept { return count_; }
   uint32_t least() const noexcept { return count_ == 0 ? 0 : least_; }
   uint32_t largest() const noexcept { return largest_; }
-  uint32_t mean() const noexcept {
-    return count_ == 0 ? 0 : static_cast<uint32_t>(sum_ / count_);
-  }
+  uint32_t mean() const noexcept { return count_ == 0 ? 0 : static_cast<uint32_t>(sum_ / count_); }
   uint32_t count_of(size_t bin) const noexcept { return counts_[bin]; }
 
   static constexpr size_t bin_of(uint32_t ticks) noexcept {

@@ -11,8 +11,8 @@ namespace treeline::servo {
 
 /// An emitted controller (`NAME_controller.h`, struct `NAME::Controller`) as the controller of a
 /// `ServoLoop`: the same code as in firmware. The loop's period must be `config().period`. The loop
-/// checks and brakes by itself; a fault of the controller alone makes it return its own safe torque,
-/// see `output()`. Messages are taken one a cycle, in the order of the queue.
+/// checks and brakes by itself; a fault of the controller alone makes it return its own safe
+/// torque, see `output()`. Messages are taken one a cycle, in the order of the queue.
 template <class Emitted, class F>
 class EmittedController {
  public:
@@ -32,8 +32,7 @@ class EmittedController {
 
   void apply(double /*time*/, const Message& message) noexcept { send(message); }
 
-  void control(double /*time*/, const StateOf<F>& state,
-               double (&tau)[F::kVelocities]) noexcept {
+  void control(double /*time*/, const StateOf<F>& state, double (&tau)[F::kVelocities]) noexcept {
     static_assert(F::kVelocities == Emitted::kJoints && F::kCoordinates == Emitted::kJoints);
     for (int i = 0; i < Emitted::kJoints; ++i) {
       input_.q[i] = static_cast<typename Emitted::Real>(state.q[i]);

@@ -10,7 +10,8 @@ set(generated ${FOLDER}/puma_arm)
 run(${HOST} -std=c++17 -O2 -fPIC -shared -nostdlib -ffreestanding -fno-exceptions -fno-rtti
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wl,--no-undefined -I${generated}
   ${generated}/controller.cpp ${generated}/controller_kinematics.cpp
-  ${generated}/controller_joint_torque.cpp ${generated}/controller_task_torque.cpp
+  ${generated}/controller_joint_torque.cpp ${generated}/controller_push_torque.cpp
+  ${generated}/controller_task_torque.cpp
   -o ${FOLDER}/libpuma_arm.so)
 run(gcc -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror
   -I${generated} ${SOURCE}/from_c.c -L${FOLDER} -lpuma_arm -Wl,-rpath,${FOLDER} -o ${FOLDER}/from_c)

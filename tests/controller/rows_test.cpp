@@ -58,9 +58,9 @@ TEST(ControllerRows, ReachThePoseUnderKnownForcesAndPayload) {
   command.kind = SAMM_ARM_MOVE_POINT;
   ++command.sequence;
   command.duration = 1;
-  for (int i = 0; i < 3; ++i) command.position[i] = p[i] + 0.1 * (i + 1);
+  for (int i = 0; i < 3; ++i) command.position[i] = p[i] + (i == 2 ? -0.05 : 0.05);
   for (int i = 0; i < 9; ++i) command.rotation[i] = R[i];
-  mobile.run(2500);
+  mobile.run(8000);
   EXPECT_EQ(mobile.output.mode, SAMM_ARM_RUNNING);
   EXPECT_EQ(mobile.output.refused, 0);
   double reached[3], R_reached[9];
@@ -68,10 +68,9 @@ TEST(ControllerRows, ReachThePoseUnderKnownForcesAndPayload) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(reached[i], command.position[i], 1e-4) << i;
   // The row rx of the point's own axes is held: its turn about its own x axis.
   double turn = 0;
-  for (int k = 0; k < 3; ++k) turn += R_reached[3 * k + 1] * R[3 * k + 2];
-  EXPECT_LT(std::fabs(mobile.output.task_error[3]), 1);
+  for (int k = 0; k < 3; ++k) turn += R_reached[3 * k] * mobile.output.task_error[3 + k];
+  EXPECT_NEAR(turn, 0, 1e-4);
   for (const double qd : mobile.input.qd) EXPECT_LT(std::fabs(qd), 0.02);
-  EXPECT_TRUE(std::isfinite(turn));
 }
 
 TEST(ControllerRows, HoldsTheRobotUnderKnownForcesAndPayload) {

@@ -19,7 +19,7 @@ TEST(ReadController, ReadsEverySetting) {
           "controller:\n  laws: [joint_impedance, force]\n  saturation: clamp\n  period: 0.002\n"
           "  joint_frequency: 12\n  task_frequency: 13\n  posture_frequency: 4\n"
           "  damping_ratio: 0.7\n  brake_damping: 9\n  position_margin: 0.01\n  speed_margin: 0.2\n"
-          "  fade: 0.3\n  force_gain: 1\n  force_rate: 2\n  force_damping: 3\n  largest_force: 4\n"
+          "  fade: 0.3\n  force_gain: 1\n  force_rate: 2\n  force_damping: 30\n  largest_force: 4\n"
           "  stale_ticks: 5\n  blind_ticks: 6\n"
           "  limits: {elbow: {lower: -0.5, upper: 0.5, speed: 2, torque: 3}}\n",
       "s.yaml", make_robot(), diagnostics);
@@ -40,7 +40,7 @@ TEST(ReadController, ReadsEverySetting) {
   EXPECT_EQ(c.fade, 0.3);
   EXPECT_EQ(c.force_gain, 1);
   EXPECT_EQ(c.force_rate, 2);
-  EXPECT_EQ(c.force_damping, 3);
+  EXPECT_EQ(c.force_damping, 30);
   EXPECT_EQ(c.largest_force, 4);
   EXPECT_EQ(c.stale_ticks, 5);
   EXPECT_EQ(c.blind_ticks, 6);
@@ -53,8 +53,8 @@ TEST(ReadController, ReadsEverySetting) {
 
 TEST(ReadController, OneLawNeedsNoListAndJointsNoPoint) {
   Diagnostics diagnostics;
-  const auto scene = parse_scene("controller: {laws: joint_impedance}\n", "s.yaml", make_robot(),
-                                 diagnostics);
+  const auto scene =
+      parse_scene("controller: {laws: joint_impedance}\n", "s.yaml", make_robot(), diagnostics);
   ASSERT_TRUE(scene) << to_string(diagnostics);
   EXPECT_FALSE(scene->controller->task);
   EXPECT_FALSE(scene->controller->force);
@@ -81,6 +81,8 @@ TEST(ReadController, SaysWhatIsWrong) {
        {Severity::error, 1, "controller/period", "0 is not between", "such as 0.001"}},
       {"controller: {laws: joint_impedance, joint_frequency: 800}",
        {Severity::error, 1, "controller", "joint_frequency is 800", "below 500"}},
+      {kPoint + "controller: {laws: force, force_rate: 70}",
+       {Severity::error, 2, "controller", "force_rate 70", "below force_damping"}},
       {"controller: {laws: joint_impedance, stale_ticks: 1.5}",
        {Severity::error, 1, "controller/stale_ticks", "1.5 is no number of steps", "whole number"}},
       {"controller: {laws: joint_impedance, saturation: cut}",

@@ -42,19 +42,27 @@ std::string variable_of(const std::string& argument) {
   return found == kVariables.end() ? std::string() : found->second;
 }
 
-/// The call of a function in the step; `f_ext` is what the law makes of it, where it makes some.
-std::string print_call(const Program& program, bool own_forces) {
+/// The call of a function in the step; `forces` are the law's own in place of known ones.
+std::string print_call(const Program& program, const std::string& forces = {}) {
   std::string list;
   const auto append = [&](const Argument& argument) {
     std::string variable = variable_of(argument.name);
     if (variable.empty()) {
-      variable = own_forces && argument.name == "f_ext" ? "f_ext" : "input." + argument.name;
+      variable = argument.name == "f_ext" && !forces.empty() ? forces : "input." + argument.name;
     }
     list += (list.empty() ? "" : ", ") + variable;
   };
   for (const Argument& argument : program.arguments) append(argument);
   for (const Result& result : program.results) append(result.argument);
-  return wrap_line(fmt::format("{}({});", program.name, list), 4);
+  constexpr std::size_t kIndentation = 4;  // of the template, which indents every line
+  const std::string call = wrap_line(fmt::format("{}({});", program.name, list), kIndentation);
+  std::string text;
+  for (std::size_t at = 0; at < call.size();) {
+    const std::size_t end = call.find('\n', at);
+    text += (text.empty() ? "" : "\n") + call.substr(at + kIndentation, end - at - kIndentation);
+    at = end + 1;
+  }
+  return text;
 }
 
 bool takes(const Program& program, const std::string& name) {
@@ -66,13 +74,13 @@ bool takes(const Program& program, const std::string& name) {
 std::vector<Argument> list_inputs(const ControllerUnit& unit) {
   std::vector<Argument> inputs;
   for (const Program* const program : unit.programs()) {
-    for (Argument argument : program->arguments) {
+    if (unit.push_torque && program == &*unit.push_torque) continue;
+    for (const Argument& argument : program->arguments) {
       const bool known = !variable_of(argument.name).empty() ||
                          std::any_of(inputs.begin(), inputs.end(), [&](const Argument& listed) {
                            return listed.name == argument.name;
                          });
-      if (argument.name == "f_ext") argument.rows = unit.known_forces;
-      if (!known && argument.rows > 0) inputs.push_back(argument);
+      if (!known) inputs.push_back(argument);
     }
   }
   return inputs;
@@ -142,10 +150,10 @@ void add_force_holes(const EmissionContext& context, const ControllerUnit& unit,
   }
   if (!unit.settings.force) return;
   holes["force_config"] =
-      declare(name, {{"force_gain", "of the force that is missing"},
-                     {"force_rate", "1/s, of its integral"},
+      declare(name, {{"force_gain", "1/kg, of the force that is missing"},
+                     {"force_rate", "1/s, of its integral; below force_damping"},
                      {"force_damping", "1/s, of motion along the direction"},
-                     {"largest_force", "N, of the law's force and of its integral"}});
+                     {"largest_force", "N, that is commanded, compensated, integrated"}});
   holes["force_command"] = declare(
       name, {{"direction[3]", "of length 1, world"}, {"force", "N, that the point shall exert"}});
   holes["force_input"] =
@@ -173,10 +181,10 @@ std::string describe_laws(const ControllerUnit& unit) {
   }
   if (unit.settings.force) {
     text +=
-        "PRESS: along a direction n the point's motion is damped and a force is exerted, tau += "
-        "J^T n f, f = f_wanted + force_gain (f_wanted - f) + integral; the integral rests while "
-        "the "
-        "torque is cut or f at its limit. The other directions follow their task. ";
+        "PRESS: along a direction n the point moves as a damped mass under the force that is "
+        "missing, xdd . n = force_gain (f_wanted - f + integral) - force_damping xd . n, and the "
+        "measured force f is compensated, tau += J^T n f. The integral rests while the torque is "
+        "cut. The other directions follow their task. ";
   }
   text.pop_back();
   return text;
@@ -226,7 +234,6 @@ std::string print_header(const EmissionContext& context, const ControllerUnit& u
                  {"cost", in_comment(describe_step_cost(unit))},
                  {"joints", std::to_string(unit.joints.size())},
                  {"points", std::to_string(unit.points.size())},
-                 {"known_forces", std::to_string(unit.known_forces)},
                  {"joint_list", in_comment(list_joint_names(unit))},
                  {"task", unit.task_torque ? "true" : "false"},
                  {"force", unit.settings.force ? "true" : "false"},
@@ -237,21 +244,24 @@ std::string print_header(const EmissionContext& context, const ControllerUnit& u
 }
 
 std::string print_task_functions(const ControllerUnit& unit) {
-  if (!unit.task_torque) return {};
-  const bool forces = takes(*unit.task_torque, "f_ext");
-  std::string text = fmt::format(
-      "static void known_forces(const Input&{}, Real (&{})[kForces]) noexcept {{\n",
-      unit.known_forces > 0 ? " input" : "", unit.known_forces > 0 ? "f_ext" : "/*f_ext*/");
-  if (unit.known_forces > 0) {
-    text += "  for (int i = 0; i < kFirstForce; ++i) f_ext[i] = input.f_ext[i];\n";
+  std::string text;
+  if (unit.task_torque) {
+    text +=
+        "static void task_torque(const Input& input, const Measured<Robot>& at,\n"
+        "                        const Real (&qdd_0)[kJoints], const Real (&xdd_cmd)[kRows],\n"
+        "                        Real (&tau)[kJoints]) noexcept {\n  " +
+        print_call(*unit.task_torque) + "\n}\n";
   }
-  text += "}\n\n";
-  text += fmt::format(
-      "static void task_torque(const Input& input, const Measured<Robot>& at,\n"
-      "                        const Real (&qdd_0)[kJoints], const Real (&xdd_cmd)[kRows],\n"
-      "                        const Real (&{})[kForces], Real (&tau)[kJoints]) noexcept {{\n",
-      forces ? "f_ext" : "/*f_ext*/");
-  return text + "  " + print_call(*unit.task_torque, true) + "\n}\n";
+  if (unit.push_torque) {
+    text +=
+        "\n/// Joint forces against [force; moment] on the points.\n"
+        "static void push_torque(const Input& input, const Measured<Robot>& at,\n"
+        "                        const Real (&f)[6 * kPoints], Real (&tau)[kJoints]) noexcept {\n "
+        " " +
+        std::string(takes(*unit.push_torque, "q") ? "" : "static_cast<void>(input);\n  ") +
+        print_call(*unit.push_torque, "f") + "\n}\n";
+  }
+  return text;
 }
 
 std::string print_limits(const ControllerUnit& unit, const Syntax& syntax,
@@ -322,13 +332,16 @@ void add_default_holes(const EmissionContext& context, const ControllerUnit& uni
 
 void add_row_holes(const ControllerUnit& unit, Holes& holes) {
   std::vector<std::string> controls, own_axes;
+  const auto name = [](bool on) { return on ? "true" : "false"; };
   for (const ControllerUnit::Point& point : unit.points) {
-    for (const bool on : point.rows) controls.emplace_back(on ? "true" : "false");
+    const auto& on = point.rows;
+    controls.push_back(fmt::format("{}, {}, {}, {}, {}, {}", name(on[0]), name(on[1]), name(on[2]),
+                                   name(on[3]), name(on[4]), name(on[5])));
     own_axes.emplace_back(point.own_axes ? "true" : "false");
   }
   if (unit.points.empty()) controls = own_axes = {"false"};
-  holes["control_count"] = std::to_string(controls.size());
-  holes["controls"] = wrap_line(fmt::format("{}", fmt::join(controls, ", ")), 6);
+  holes["control_count"] = std::to_string(std::max<std::size_t>(1, 6 * unit.points.size()));
+  holes["controls"] = fmt::format("{}", fmt::join(controls, ",\n      "));
   holes["own_count"] = std::to_string(own_axes.size());
   holes["own_axes"] = fmt::format("{}", fmt::join(own_axes, ", "));
 }
@@ -339,25 +352,22 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
   for (const Program* const program : unit.programs()) {
     declarations += print_declaration(*program) + "\n";
   }
-  const int exerted = unit.settings.force ? 6 * static_cast<int>(unit.points.size()) : 0;
   const bool reads_at = takes(unit.joint_torque, "sin_q");
   const std::string finite = print_finite(unit);
   Holes holes = {{"name", context.name},
                  {"NAME", name_in_capitals(context)},
-                 {"cost", describe_step_cost(unit)},
+                 {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
                  {"declarations", declarations},
                  {"joints", std::to_string(unit.joints.size())},
                  {"points", std::to_string(unit.points.size())},
                  {"rows", std::to_string(std::max(1, unit.rows))},
-                 {"known_forces", std::to_string(unit.known_forces)},
-                 {"forces", std::to_string(std::max(1, unit.known_forces + exerted))},
                  {"task", unit.task_torque ? "true" : "false"},
                  {"force", unit.settings.force ? "true" : "false"},
                  {"finite", finite},
                  {"finite_input", finite == "true" ? "" : " input"},
                  {"joint_at", reads_at ? " at" : ""},
-                 {"kinematics_call", print_call(unit.kinematics, false)},
-                 {"joint_call", print_call(unit.joint_torque, false)},
+                 {"kinematics_call", print_call(unit.kinematics)},
+                 {"joint_call", print_call(unit.joint_torque)},
                  {"task_functions", print_task_functions(unit)}};
   add_row_holes(unit, holes);
   add_limit_holes(context, unit, syntax, holes);

@@ -1,8 +1,7 @@
 // The PUMA's controller in float at 1 kHz, with its forward dynamics in place of the arm. The same
 // source runs on boards that QEMU imitates and on the host: every cycle streams its state.
-#include "firmware/servo.hpp"
-
 #include "board.hpp"
+#include "firmware/servo.hpp"
 #include "puma560_firmware.hpp"
 #include "puma560_firmware_controller.h"
 #include "record.hpp"
@@ -96,7 +95,9 @@ void write(uintptr_t file, const void* from, uintptr_t bytes) {
   ask_host(0x05, arguments);
 }
 
-__attribute__((noinline)) void do_nothing() { __asm__ volatile(""); }
+__attribute__((noinline)) void do_nothing() {
+  __asm__ volatile("");
+}
 
 template <class Call>
 __attribute__((noinline)) uint32_t count(const Call& call) {

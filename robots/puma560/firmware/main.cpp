@@ -45,7 +45,8 @@ std::string draw(const std::vector<Record>& records) {
 }
 
 int fail(const treeline::Diagnostics& diagnostics) {
-  fmt::print(stderr, "{}\n", to_string(diagnostics));
+  for (const treeline::Diagnostic& each : diagnostics.list())
+    fmt::print(stderr, "{}\n", to_string(each));
   return 1;
 }
 
@@ -67,8 +68,9 @@ int main(int argc, char** argv) {
   const auto host = run_on_host(compiler, sources, diagnostics);
   if (!host) return fail(diagnostics);
   int result = 0;
-  fmt::print("| processor | bits | instructions of a cycle | RAM of the loop | stack |\n"
-             "|---|---|---|---|---|\n");
+  fmt::print(
+      "| processor | bits | instructions of a cycle | RAM of the loop | stack |\n"
+      "|---|---|---|---|---|\n");
   for (const std::string& target : targets) {
     const auto board = run_on_board(target, sources, diagnostics);
     if (!board) return fail(diagnostics);
