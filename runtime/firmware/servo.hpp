@@ -45,9 +45,11 @@ class Servo {
       Controller::kTask && Controller::kJoints < 12 ? 12 : Controller::kJoints;
   using Command = Message<Real, kNumbers>;
 
-  Servo(const Timing& timing, Clock clock) noexcept : clock_(clock), timing_(timing) {
-    Controller::default_config(config_);
-  }
+  /// Constant: a static loop needs no start-up code. `begin` comes before the first tick.
+  constexpr Servo(const Timing& timing, Clock clock) noexcept : clock_(clock), timing_(timing) {}
+
+  /// Loads the configuration's defaults.
+  void begin() noexcept { Controller::default_config(config_); }
 
   typename Controller::Config& config() noexcept { return config_; }
   /// Where measurements go before `tick`: q, qd and what else the controller takes.

@@ -306,7 +306,7 @@ TEST(Controller, RefusesWhatMakesNoSense) {
 
 /// Pushes the arm against a wall of springs below it; returns the force, N, after some time.
 double press_against_wall(SimulatedArm& arm, double wanted, double gap, double time) {
-  constexpr double kStiffness = 2000;  // N/m
+  constexpr double kStiffness = 20000;  // N/m
   double position[3], rotation[9], J[6 * n];
   arm.pose(position, rotation);
   const double wall = position[2] - gap;

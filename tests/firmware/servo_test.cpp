@@ -30,6 +30,7 @@ struct Loop {
   Servo<puma_arm::Controller, Clock, 4, 20> servo{Timing{1000, 100, 3}, Clock{&time}};
 
   Loop() {
+    servo.begin();
     const double home[6] = {0.3, -0.9, 0.6, 0.2, 0.8, -0.4};
     for (int i = 0; i < 6; ++i) servo.input().q[i] = home[i];
   }

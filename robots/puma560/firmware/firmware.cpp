@@ -162,6 +162,7 @@ void run() {
   static const char counts_name[] = COUNTS_FILE;
   const uintptr_t states = open(states_name, sizeof(states_name) - 1);
   const uintptr_t counts = open(counts_name, sizeof(counts_name) - 1);
+  servo.begin();
   const uint32_t counting = count([] { do_nothing(); });
   const uint32_t size = sizeof(Servo);
   write(counts, &size, sizeof(size));
