@@ -44,6 +44,15 @@ std::string draw(const std::vector<Record>& records) {
   return treeline::servo::svg_text(plot);
 }
 
+/// Every tenth record, as many as a page can show.
+std::vector<Record> thin(const std::vector<Record>& records) {
+  std::vector<Record> some;
+  for (const Record& record : records) {
+    if (record.tick % 10 == 0) some.push_back(record);
+  }
+  return some;
+}
+
 int fail(const treeline::Diagnostics& diagnostics) {
   for (const treeline::Diagnostic& each : diagnostics.list())
     fmt::print(stderr, "{}\n", to_string(each));
@@ -80,6 +89,6 @@ int main(int argc, char** argv) {
                board->stack);
     result = same && board->servo_bytes + board->stack <= 4096 ? result : 1;
   }
-  if (!svg.empty()) std::ofstream(svg) << draw(read_records(*host));
+  if (!svg.empty()) std::ofstream(svg) << draw(thin(read_records(*host)));
   return result;
 }
