@@ -41,10 +41,9 @@ constexpr void turn_pair(Real c, Real s, Real& a, Real& b) noexcept {
   b = s * kept + c * b;
 }
 
-/// Turns rows and columns p < q of the symmetric `A`, of which the upper triangle alone is read and
-/// written, so that A_pq = 0, and rows p, q of `V` with them. t = tan(angle) is the smaller root of
-/// t^2 + (A_qq - A_pp)/A_pq t - 1 = 0, written so that nothing is divided by A_pq. The diagonal
-/// changes by t A_pq (Golub & Van Loan, section 8.5).
+/// Turns rows and columns p, q of the symmetric `A` so that A_pq = 0, and rows p, q of `V` with
+/// them. t = tan(angle) is the smaller root of t^2 + (A_qq - A_pp)/A_pq t - 1 = 0, written so that
+/// nothing is divided by A_pq.
 template <int N, class Real>
 inline void rotate_pair(int p, int q, Real (&A)[N * N], Real (&V)[N * N]) noexcept {
   const Real difference = A[q * N + q] - A[p * N + p];
@@ -55,20 +54,11 @@ inline void rotate_pair(int p, int q, Real (&A)[N * N], Real (&V)[N * N]) noexce
   const Real t = signed_twice / (sum > Real(0) ? sum : Real(1));
   const Real c = Real(1) / root(Real(1) + t * t);
   const Real s = t * c;
-  const Real moved = t * A[p * N + q];
-  A[p * N + p] -= moved;
-  A[q * N + q] += moved;
-  A[p * N + q] = Real(0);
-  for (int k = 0; k < p; ++k) {
+  for (int k = 0; k < N; ++k) {
     turn_pair(c, s, A[k * N + p], A[k * N + q]);
   }
-  for (int k = p + 1; k < q; ++k) {
-    turn_pair(c, s, A[p * N + k], A[k * N + q]);
-  }
-  for (int k = q + 1; k < N; ++k) {
-    turn_pair(c, s, A[p * N + k], A[q * N + k]);
-  }
   for (int k = 0; k < N; ++k) {
+    turn_pair(c, s, A[p * N + k], A[q * N + k]);
     turn_pair(c, s, V[p * N + k], V[q * N + k]);
   }
 }
@@ -87,8 +77,7 @@ constexpr void sort_descending(Real (&values)[N], Real (&vectors)[N * N]) noexce
   }
 }
 
-/// What `symmetric_eigen` finds, written where it is wanted; reads the upper triangle of `A` and
-/// uses it up.
+/// What `symmetric_eigen` finds, written where it is wanted; uses up `A`.
 template <int N, class Real>
 inline void diagonalise(Real (&A)[N * N], int sweeps, Real (&values)[N],
                         Real (&vectors)[N * N]) noexcept {
