@@ -4,6 +4,11 @@
 
 #include "core/controller_commands.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// Torque that holds the robot against gravity and damps its motion, qdd = -brake_damping qd, each
@@ -170,3 +175,7 @@ inline void controller_step(const typename Robot::Config& config, typename Robot
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -4,6 +4,11 @@
 
 #include "core/controller_laws.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 template <class Robot>
@@ -258,3 +263,7 @@ inline bool take_command(const typename Robot::Config& config, const typename Ro
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -12,6 +12,11 @@
 #include "core/quintic.hpp"
 #include "core/turn_motion.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// The state of the robot as the functions of a step find it: each joint's sine and cosine once,
@@ -272,3 +277,7 @@ inline void task_law(const typename Robot::Config& config, const typename Robot:
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

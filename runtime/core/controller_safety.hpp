@@ -8,6 +8,11 @@
 
 #include "core/mode.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// Bits of a controller's faults.
@@ -148,3 +153,7 @@ inline void blind_torque(const typename Robot::Config& config, typename Robot::S
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

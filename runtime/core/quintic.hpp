@@ -1,6 +1,11 @@
 #pragma once
 // Quintic motion of a vector from any state to rest. C++17, freestanding, fixed size.
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core {
 
 /// Coefficients of the motion of N numbers that leaves `x0` with velocity `v0` and acceleration
@@ -53,3 +58,7 @@ constexpr Real fade_out(Real left) noexcept {
 }
 
 }  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
