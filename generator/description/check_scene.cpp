@@ -109,6 +109,7 @@ void check_damped(const SceneElement& top, const std::string& singular, const Sc
 void check_forces_used(const SceneElement& top, const Scene& scene) {
   if (scene.external_forces.empty()) return;
   if (std::any_of(scene.functions.begin(), scene.functions.end(), takes_external_forces)) return;
+  if (scene.controller) return;  // whose torques take them
   top.warn("external_forces are listed, but no function takes them",
            "add inverse_dynamics, forward_dynamics or control_torque to functions");
 }

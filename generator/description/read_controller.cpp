@@ -189,6 +189,16 @@ void read_controller(const SceneElement& element, const Robot& robot, Scene& sce
   scene.controller = controller;
 }
 
+std::vector<Function> list_controller_functions(const Scene& scene) {
+  if (!scene.controller) return {};
+  std::vector<Function> functions = {Function::gravity, Function::inverse_dynamics};
+  if (scene.controller->task) {
+    functions.insert(functions.end(), {Function::forward_kinematics, Function::point_velocity,
+                                       Function::control_torque});
+  }
+  return functions;
+}
+
 void check_controller(const SceneElement& top, const Robot& robot, const std::string& singular,
                       const Scene& scene) {
   if (!scene.controller) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
@@ -12,6 +13,10 @@ namespace treeline {
 /// law, a law twice, numbers that no controller can have, frequencies that the period cannot
 /// follow, limits of a joint that is unknown or has no coordinate of its own.
 void read_controller(const SceneElement& element, const Robot& robot, Scene& scene);
+
+/// Functions that the scene's controller contains beside those that the scene asks for; none
+/// without a controller.
+std::vector<Function> list_controller_functions(const Scene& scene);
 
 /// Reports as an error what of the robot and the rest of the scene does not permit the controller
 /// that is asked for. Every coordinate needs a motor and a number of its own: no floating base, no

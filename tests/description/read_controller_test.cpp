@@ -60,6 +60,19 @@ TEST(ReadController, OneLawNeedsNoListAndJointsNoPoint) {
   EXPECT_FALSE(scene->controller->force);
 }
 
+TEST(ReadController, TakesForcesAndInputsOfTheScene) {
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(
+      kPoint +
+          "functions: [center_of_mass]\nexternal_forces: [{name: cable, link: fore}]\n"
+          "inputs: {gravity: true, tool: tip, payload: tool}\ncontroller: {laws: [force]}\n",
+      "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene);
+  for (const Diagnostic& each : diagnostics.list()) {
+    EXPECT_EQ(each.fault.find("no function"), std::string::npos) << to_string(each);
+  }
+}
+
 struct BadController {
   std::string text;
   Expected expected;
