@@ -11,6 +11,7 @@
 #include "description/count_freedoms.hpp"
 #include "description/identifier.hpp"
 #include "description/list_rows.hpp"
+#include "description/read_controller.hpp"
 #include "description/read_regressor.hpp"
 #include "description/read_scene_inputs.hpp"
 #include "description/scene_inputs.hpp"
@@ -131,6 +132,7 @@ void check_damped(const SceneElement& top, const std::string& singular, const Sc
 void check_forces_used(const SceneElement& top, const Scene& scene) {
   if (scene.external_forces.empty()) return;
   if (std::any_of(scene.functions.begin(), scene.functions.end(), takes_external_forces)) return;
+  if (scene.controller) return;  // whose torques take them
   top.warn("external_forces are listed, but no function takes them",
            "add inverse_dynamics, forward_dynamics or control_torque to functions");
 }
@@ -293,6 +295,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   }
   check_damped(top, singular, scene);
   check_limits(top, scene);
+  check_controller(top, robot, singular, scene);
   check_forces_used(top, scene);
   check_inputs_used(top, scene);
   check_implicit_friction(top, scene);

@@ -25,8 +25,21 @@ constexpr std::array<std::string_view, 17> kTargets = {
     "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
 /// Headers of the runtime that are emitted, without `.hpp`.
-constexpr std::array<std::string_view, 7> kHeaders = {
-    "damped_solve", "lanes", "ldlt", "sin_cos", "square_root", "states", "symmetric_eigen"};
+constexpr std::array<std::string_view, 15> kHeaders = {"controller",
+                                                       "controller_commands",
+                                                       "controller_laws",
+                                                       "controller_safety",
+                                                       "damped_solve",
+                                                       "lanes",
+                                                       "ldlt",
+                                                       "mode",
+                                                       "orientation",
+                                                       "quintic",
+                                                       "sin_cos",
+                                                       "square_root",
+                                                       "states",
+                                                       "symmetric_eigen",
+                                                       "turn_motion"};
 
 template <class Names>
 bool holds(const Names& names, std::string_view name) {

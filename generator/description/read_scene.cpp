@@ -12,6 +12,7 @@
 #include "description/parse_yaml.hpp"
 #include "description/read_armature.hpp"
 #include "description/read_constraints.hpp"
+#include "description/read_controller.hpp"
 #include "description/read_joint_friction.hpp"
 #include "description/read_joint_springs.hpp"
 #include "description/read_regressor.hpp"
@@ -195,6 +196,7 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
                                   "operational_points",
                                   "external_forces",
                                   "contacts",
+                                  "controller",
                                   "constraints",
                                   "couplings",
                                   "functions",
@@ -252,6 +254,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
   }
   if (const auto limits = fields.find("torque_limits"); limits != fields.end()) {
     read_torque_limits(limits->second, robot, scene);
+  }
+  if (const auto controller = fields.find("controller"); controller != fields.end()) {
+    read_controller(controller->second, robot, scene);
   }
   if (const auto armature = fields.find("armature"); armature != fields.end()) {
     read_armature(armature->second, robot, scene);

@@ -10,6 +10,7 @@
 
 #include "description/count_freedoms.hpp"
 #include "description/list_links.hpp"
+#include "description/read_controller.hpp"
 #include "description/scene_inputs.hpp"
 #include "description/suggest_name.hpp"
 
@@ -183,9 +184,11 @@ void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& s
 }
 
 void check_inputs_used(const SceneElement& top, const Scene& scene) {
+  std::vector<Function> functions = list_controller_functions(scene);
+  functions.insert(functions.end(), scene.functions.begin(), scene.functions.end());
   for (const QuantityInfo& row : kQuantities) {
     if (!is_of_model(row.quantity) || !has_input(scene, row.quantity)) continue;
-    const bool used = std::any_of(scene.functions.begin(), scene.functions.end(), [&](Function f) {
+    const bool used = std::any_of(functions.begin(), functions.end(), [&](Function f) {
       const bool refused =
           row.quantity == Quantity::base_parameters && takes(f, Quantity::parameters);
       return refused || takes_input(scene, f, row.quantity);

@@ -163,6 +163,34 @@ struct HeaviestMotion {
   double inertia = 0;
 };
 
+/// Limits of a joint in the controller, in place of the URDF's: rad or m, rad/s or m/s, N m or N.
+struct SceneJointLimits {
+  std::optional<double> lower, upper, speed, torque;
+};
+
+/// The controller to emit, `NAME_step`. All numbers are defaults of its configuration.
+struct SceneController {
+  bool task = false;            ///< has the law of tasks beside that of joints
+  bool force = false;           ///< and forces along a direction
+  bool clamps = false;          ///< cuts each torque by itself in place of scaling all
+  double period = 1e-3;         ///< s, between two steps
+  double joint_frequency = 20;  ///< rad/s: stiffness is its square, 1/s^2
+  double task_frequency = 20;
+  double posture_frequency = 5;
+  double damping_ratio = 1;
+  double brake_damping = 20;      ///< 1/s
+  double position_margin = 0.05;  ///< rad or m beyond a limit that are a fault
+  double speed_margin = 0.1;      ///< share of a limit
+  double fade = 0.1;              ///< s, of a switch between laws
+  double force_gain = 0.05;       ///< 1/kg: one over the mass that moves under what is missing
+  double force_rate = 2;          ///< 1/s, of the integral
+  double force_damping = 60;      ///< 1/s
+  double largest_force = 50;      ///< N
+  int stale_ticks = 0;            ///< steps without a command that are a fault; 0: never
+  int blind_ticks = 100;          ///< steps that gravity is held without a measurement
+  std::map<std::string, SceneJointLimits> limits;  ///< by joint
+};
+
 /// What to generate for a robot; every key but `operational_points` has a default.
 struct Scene {
   std::string file;
@@ -203,7 +231,8 @@ struct Scene {
   std::string target = "generic";  ///< processor that the code is for, see `find_target`
   int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
   SingularTasks singular = SingularTasks::smooth;
-  std::optional<HeaviestMotion> damped;  ///< asks for NAME_damped.hpp: damped_control_torque
+  std::optional<HeaviestMotion> damped;       ///< asks for NAME_damped.hpp: damped_control_torque
+  std::optional<SceneController> controller;  ///< asks for NAME_controller.h
   /// Joint name -> inertia that its motor's rotor adds to the joint, kg m^2 (kg for sliding
   /// joints).
   std::map<std::string, double> armature;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "emission/limit_facts.hpp"
 
 namespace treeline {
+
+struct ControllerUnit;
 
 /// What the contract and the manifest say beside the functions. Plain facts, already in words where
 /// they are for the reader: emission knows nothing of mechanisms. No paths and no dates, so that
@@ -25,12 +28,14 @@ struct EmissionContext {
   std::vector<double> heaviest;      ///< of each task row, for NAME_damped.hpp; empty: none
   bool limited = false;              ///< whether the scene asks for NAME_limited.hpp
   std::optional<LimitFacts> limits;  ///< for it, where it is printed
-  int coordinates = 0;               ///< nq
-  int velocities = 0;                ///< nv
-  int task_rows = 0;                 ///< stacked over the operational points
-  std::string base;                  ///< "fixed" or "floating"
-  bool gravity_given = false;        ///< as an argument
-  std::array<double, 3> gravity{};   ///< m/s^2, world axes
+  bool controlled = false;           ///< the scene asks for a controller
+  std::shared_ptr<const ControllerUnit> controller;  ///< once it is composed
+  int coordinates = 0;                               ///< nq
+  int velocities = 0;                                ///< nv
+  int task_rows = 0;                                 ///< stacked over the operational points
+  std::string base;                                  ///< "fixed" or "floating"
+  bool gravity_given = false;                        ///< as an argument
+  std::array<double, 3> gravity{};                   ///< m/s^2, world axes
 
   struct Input {
     std::string file;  ///< without directory; empty where no scene was given

@@ -238,6 +238,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.batch = scene.batch;
   context.heaviest = heaviest_rows(scene);
   context.limited = scene.has_limits();
+  context.controlled = scene.controller.has_value();
   context.coordinates = mechanism.nq();
   context.velocities = mechanism.nv();
   context.task_rows = mechanism.task_rows();
@@ -257,6 +258,10 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   }
   for (const auto& [joint, value] : scene.locked) {
     context.notes.push_back(fmt::format("joint {} is locked at {}", joint, value));
+  }
+  if (scene.controller) {
+    context.notes.push_back(fmt::format(
+        "a controller is in {0}_controller.h: {0}_step(config, state, input, output)", scene.name));
   }
   append_drive_notes(robot, scene, context.notes);
   for (const Joint& joint : robot.joints) {

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 
 #include "emission/backend/backend.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
+#include "generation/compose_controller.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/count_inputs.hpp"
 #include "generation/describe_limits.hpp"
@@ -280,6 +282,11 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   EmissionContext context = context_of(robot, scene, provenance, generation);
   context.measured = choices.measured;
   context.input_costs = count_inputs(robot, scene, generation.functions);
+  if (scene.controller) {
+    if (tell) tell("the controller");
+    context.controller = std::make_shared<const ControllerUnit>(
+        compose_controller(robot, scene, generation.mechanism));
+  }
   generation.files =
       emit(context, programs_of(generation.functions), diagnostics, programs_of(generation.batch));
   if (diagnostics.has_errors()) {
@@ -296,6 +303,7 @@ std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
   alone.functions = {function.function};
   alone.damped.reset();
   alone.remove_limits();
+  alone.controller.reset();
   if (function.batch == 0) alone.batch = 0;
   const std::vector<Program> programs{function.program};
   return emit(describe_scene(robot, alone, mechanism), programs, diagnostics,

@@ -118,6 +118,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   if (!has_loops(scene)) control.passive.clear();  // of a tree every joint is moved
   leave_out_points(control, diagnostics);
   control.remove_limits();
+  control.controller.reset();
   control.external_forces.clear();
   control.inputs = {};
   control.implicit_friction = false;

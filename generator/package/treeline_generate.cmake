@@ -97,6 +97,13 @@ function(treeline_generate target)
       list(APPEND sources ${batch_sources})
     endif()
   endif()
+  if(arg_SCENE AND EXISTS ${arg_SCENE})
+    file(STRINGS ${arg_SCENE} controller REGEX "^ *[\"']?controller[\"']? *:")
+    if(controller)
+      list(APPEND sources controller controller_kinematics controller_joint_torque
+        controller_push_torque controller_task_torque)
+    endif()
+  endif()
   if(ending STREQUAL "c")
     list(APPEND sources damped_control_torque)  # in C++ a header
   endif()

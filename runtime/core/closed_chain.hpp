@@ -24,13 +24,6 @@ struct GraspedObject {
 
 namespace steps {
 
-template <class Real>
-constexpr void cross(const Real (&a)[3], const Real (&b)[3], Real (&c)[3]) noexcept {
-  c[0] = a[1] * b[2] - a[2] * b[1];
-  c[1] = a[2] * b[0] - a[0] * b[2];
-  c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /// R v, or R^T v.
 template <class Real>
 constexpr void rotate(const Real (&R)[9], const Real (&v)[3], Real (&turned)[3],

@@ -23,6 +23,13 @@ constexpr Real arctangent_ratio(Real square) noexcept {
 }
 
 template <class Real>
+constexpr void cross(const Real (&a)[3], const Real (&b)[3], Real (&c)[3]) noexcept {
+  c[0] = a[1] * b[2] - a[2] * b[1];
+  c[1] = a[2] * b[0] - a[0] * b[2];
+  c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+template <class Real>
 constexpr Real squared_norm(const Real (&v)[3]) noexcept {
   return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }

@@ -3,23 +3,13 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
+
+#include "core/message_queue.hpp"
+#include "core/mode.hpp"
 
 namespace treeline::servo {
 
-/// Requests of a front end. The first five concern the loop, in order of decreasing urgency. The
-/// others are passed to the controller.
-enum class MessageKind : std::uint8_t {
-  emergency_stop,  ///< go to the safe state now
-  disconnect,      ///< the front end leaves: stop, then end the loop
-  stop,            ///< brake to rest
-  reset,           ///< leave the faulted mode
-  start,           ///< begin to control from the present state
-  move_point,      ///< index: point; values: position (3), row-major rotation (9); duration
-  set_posture,     ///< values: desired posture q
-  set_gains,       ///< values: kp, kv
-  instruction,     ///< for controllers with messages of their own; index: which
-};
+using core::MessageKind;
 
 inline constexpr std::size_t kMessageNumbers = 64;
 
@@ -31,80 +21,13 @@ struct Message {
   std::array<double, kMessageNumbers> values{};
 };
 
-/// Urgency of a message. Of two waiting messages the more urgent one is applied first. The order is
-/// that of MessageKind up to `start`; all later kinds are equally urgent.
+/// Urgency of a message, see `core::urgency`.
 constexpr int urgency(const Message& message) noexcept {
-  constexpr int kLeast = static_cast<int>(MessageKind::move_point);
-  const int kind = static_cast<int>(message.kind);
-  return kind < kLeast ? kLeast - kind : 0;
+  return core::urgency(message.kind);
 }
 
-/// Priority queue Q of Chang fig. 9.2: the most urgent message first, equally urgent ones in the
-/// order of their arrival. A binary heap of fixed capacity, for a single thread.
 template <std::size_t capacity>
-class MessageQueue {
- public:
-  bool empty() const noexcept { return size_ == 0; }
-  std::size_t size() const noexcept { return size_; }
-
-  /// Inserts a message. Returns false, and does not insert it, if the queue is full.
-  bool insert(const Message& message) noexcept {
-    if (size_ == capacity) {
-      return false;
-    }
-    std::size_t place = size_++;
-    entries_[place] = {message, arrivals_++};
-    while (place > 0 && before(entries_[place], entries_[(place - 1) / 2])) {
-      swap(place, (place - 1) / 2);
-      place = (place - 1) / 2;
-    }
-    return true;
-  }
-
-  /// Removes the first message. Returns false if the queue is empty.
-  bool pop(Message& message) noexcept {
-    if (size_ == 0) {
-      return false;
-    }
-    message = entries_[0].message;
-    entries_[0] = entries_[--size_];
-    sift_down();
-    return true;
-  }
-
- private:
-  struct Entry {
-    Message message;
-    std::uint64_t arrival = 0;
-  };
-
-  static bool before(const Entry& a, const Entry& b) noexcept {
-    const int difference = urgency(a.message) - urgency(b.message);
-    return difference > 0 || (difference == 0 && a.arrival < b.arrival);
-  }
-  void swap(std::size_t i, std::size_t j) noexcept {
-    const Entry entry = entries_[i];
-    entries_[i] = entries_[j];
-    entries_[j] = entry;
-  }
-  void sift_down() noexcept {
-    std::size_t place = 0;
-    for (std::size_t child = 1; child < size_; child = 2 * place + 1) {
-      if (child + 1 < size_ && before(entries_[child + 1], entries_[child])) {
-        ++child;
-      }
-      if (!before(entries_[child], entries_[place])) {
-        return;
-      }
-      swap(place, child);
-      place = child;
-    }
-  }
-
-  std::array<Entry, capacity> entries_{};
-  std::size_t size_ = 0;
-  std::uint64_t arrivals_ = 0;
-};
+using MessageQueue = core::MessageQueue<Message, capacity>;
 
 /// Ring buffer between one writing and one reading thread, neither of which ever waits. `Item` is a
 /// plain value.

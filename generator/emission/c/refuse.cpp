@@ -30,6 +30,12 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
                      "yet",
                      "Leave the limits out, or generate C++ (`language: c++`)."});
   }
+  if (context.controlled) {
+    diagnostics.add({Severity::error, "", 0, "controller",
+                     "a controller is compiled from C++17 (runtime/core), which C cannot include",
+                     "Generate C++ (`language: c++`): NAME_controller.h is a header for C as well, "
+                     "so that C links and calls NAME_step."});
+  }
   if (std::find(kHeaders.begin(), kHeaders.end(), context.name) != kHeaders.end()) {
     diagnostics.add({Severity::error, "", 0, "name",
                      fmt::format("the header {0}.h would hide C's own <{0}.h>", context.name),

@@ -1,8 +1,10 @@
 #include "emission/cpp/backend.hpp"
 
+#include "emission/controller_unit.hpp"
 #include "emission/cpp/print_batch.hpp"
 #include "emission/cpp/print_calls.hpp"
 #include "emission/cpp/print_contract.hpp"
+#include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/print_damped.hpp"
 #include "emission/cpp/print_eigen.hpp"
 #include "emission/cpp/print_joints.hpp"
@@ -34,6 +36,12 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   for (const Program& program : batch) {
     sources += "batch_" + program.name + ".cpp\n";
   }
+  if (context.controller) {
+    for (const Program* const program : context.controller->programs()) {
+      sources += program->name + ".cpp\n";
+    }
+    sources += "controller.cpp\n";
+  }
   return fill_template(templates::kCMakeLists, {{"robot", context.robot},
                                                 {"name", context.name},
                                                 {"contraction", contraction_default(context)},
@@ -59,6 +67,11 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   }
   if (context.limits) {
     files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});
+  }
+  if (context.controller) {
+    for (GeneratedFile& file : print_controller(context, *context.controller)) {
+      files.push_back(std::move(file));
+    }
   }
   return files;
 }

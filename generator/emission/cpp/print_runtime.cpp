@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "emission/controller_unit.hpp"
+#include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 
@@ -30,13 +32,23 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> batch) {
   const bool damped = !context.heaviest.empty();
   const bool has_batch = !batch.empty();
-  std::vector<GeneratedFile> files;
   const bool limited = context.limits.has_value();
-  if (has_batch || damped || limited ||
+  const bool controlled = context.controller != nullptr;
+  std::vector<GeneratedFile> files;
+  if (has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", print_header(context, templates::kSinCos)});
   }
-  if (has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes)) {
+  bool lanes = has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes);
+  if (controlled) {
+    for (const Program* const program : context.controller->programs()) {
+      lanes = lanes || uses_lanes(*program);
+    }
+    for (const GeneratedFile& file : list_controller_headers()) {
+      files.push_back({file.name, print_header(context, file.text)});
+    }
+  }
+  if (lanes) {
     files.push_back({"lanes.hpp", print_header(context, templates::kLanes)});
   }
   if (has_batch) {
@@ -45,14 +57,13 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   if (damped) {
     files.push_back({"damped_solve.hpp", print_header(context, templates::kDampedSolve)});
     files.push_back({"ldlt.hpp", print_header(context, templates::kLdlt)});
-    files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
     files.push_back({"symmetric_eigen.hpp", print_header(context, templates::kSymmetricEigen)});
   }
   if (limited) {
     files.push_back({"limited_torque.hpp", print_header(context, templates::kLimitedTorque)});
     files.push_back({"quadratic_program.hpp", print_header(context, templates::kQuadraticProgram)});
   }
-  if (limited && !damped) {
+  if (damped || limited || controlled) {
     files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
   }
   return files;

@@ -1,0 +1,234 @@
+#include "description/read_controller.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/read_scene_point.hpp"
+
+namespace treeline {
+namespace {
+
+const std::vector<std::string> kLaws = {"joint_impedance", "task_impedance", "force"};
+
+void read_laws(const SceneElement& element, SceneController& controller) {
+  const std::vector<SceneElement> items =
+      element.is_list() ? element.items() : std::vector<SceneElement>{element};
+  if (items.empty()) element.error("no law is listed", "list one of joint_impedance and others");
+  std::vector<std::size_t> seen;
+  for (const SceneElement& item : items) {
+    const auto law = item.choice(kLaws);
+    if (!law) continue;
+    if (std::count(seen.begin(), seen.end(), *law) > 0) {
+      item.error(fmt::format("{} is listed twice", kLaws[*law]), "list it once");
+    }
+    seen.push_back(*law);
+    controller.task = controller.task || *law > 0;
+    controller.force = controller.force || *law == 2;
+  }
+}
+
+/// A number of the map from `least` to `most`.
+struct NumberKey {
+  const char* key;
+  double SceneController::*value;
+  double least, most;
+  const char* remedy;
+};
+
+const std::vector<NumberKey> kNumbers = {
+    {"period", &SceneController::period, 1e-6, 1, "seconds between two steps, such as 0.001"},
+    {"joint_frequency", &SceneController::joint_frequency, 0, 1e4, "rad/s, such as 20"},
+    {"task_frequency", &SceneController::task_frequency, 0, 1e4, "rad/s, such as 20"},
+    {"posture_frequency", &SceneController::posture_frequency, 0, 1e4, "rad/s, such as 5"},
+    {"damping_ratio", &SceneController::damping_ratio, 0, 10, "1 damps critically"},
+    {"brake_damping", &SceneController::brake_damping, 0, 1e4, "1/s, such as 20"},
+    {"position_margin", &SceneController::position_margin, 0, 10, "rad or m, such as 0.05"},
+    {"speed_margin", &SceneController::speed_margin, 0, 10, "a share of the limit, such as 0.1"},
+    {"fade", &SceneController::fade, 0, 10, "seconds, such as 0.1"},
+    {"force_gain", &SceneController::force_gain, 0, 100, "1/kg, such as 0.05"},
+    {"force_rate", &SceneController::force_rate, 0, 1e4, "1/s, such as 2"},
+    {"force_damping", &SceneController::force_damping, 0, 1e4, "1/s, such as 60"},
+    {"largest_force", &SceneController::largest_force, 0, 1e6, "N, such as 50"},
+};
+
+void read_ticks(const std::map<std::string, SceneElement>& fields, const char* key, int& ticks) {
+  const auto found = fields.find(key);
+  if (found == fields.end()) return;
+  const auto number = found->second.number();
+  if (!number) return;
+  if (*number < 0 || *number > 1e9 || *number != static_cast<double>(static_cast<int>(*number))) {
+    found->second.error(fmt::format("{} is no number of steps", *number),
+                        "write a whole number from 0 to 1000000000");
+    return;
+  }
+  ticks = static_cast<int>(*number);
+}
+
+void read_numbers(const std::map<std::string, SceneElement>& fields, SceneController& controller) {
+  for (const NumberKey& row : kNumbers) {
+    const auto found = fields.find(row.key);
+    if (found == fields.end()) continue;
+    const auto number = found->second.number();
+    if (!number) continue;
+    if (*number < row.least || *number > row.most) {
+      found->second.error(fmt::format("{} is not between {} and {}", *number, row.least, row.most),
+                          fmt::format("write {}", row.remedy));
+      continue;
+    }
+    controller.*row.value = *number;
+  }
+  read_ticks(fields, "stale_ticks", controller.stale_ticks);
+  read_ticks(fields, "blind_ticks", controller.blind_ticks);
+}
+
+void read_bound(const std::map<std::string, SceneElement>& fields, const char* key, bool positive,
+                std::optional<double>& bound) {
+  const auto found = fields.find(key);
+  if (found == fields.end()) return;
+  bound = found->second.number();
+  if (bound && positive && !(*bound > 0)) {
+    found->second.error(fmt::format("{} is not positive", *bound),
+                        "leave the key out for no limit");
+  }
+}
+
+bool can_have_limits(const SceneElement& value, const Joint& joint, const Scene& scene) {
+  if (scene.locked.contains(joint.name)) {
+    value.error("the joint is locked", "remove this line");
+  } else if (!info_of(joint.type).has_one_freedom()) {
+    value.error("the joint has not one degree of freedom", "remove this line");
+  } else if (joint.mimic) {
+    value.error("the joint follows another", "limit the joint that it follows");
+  } else {
+    return true;
+  }
+  return false;
+}
+
+void read_limits(const SceneElement& element, const Robot& robot, const Scene& scene,
+                 SceneController& controller) {
+  for (const auto& [name, value] : element.entries("write joint: {speed: rad/s, torque: N m}")) {
+    const Joint* const joint = find_joint(value, name, robot);
+    if (joint == nullptr || !can_have_limits(value, *joint, scene)) continue;
+    const auto fields = value.fields({"lower", "upper", "speed", "torque"});
+    SceneJointLimits& limits = controller.limits[name];
+    read_bound(fields, "lower", false, limits.lower);
+    read_bound(fields, "upper", false, limits.upper);
+    read_bound(fields, "speed", true, limits.speed);
+    read_bound(fields, "torque", true, limits.torque);
+    if (limits.lower && limits.upper && !(*limits.lower < *limits.upper)) {
+      value.error(fmt::format("lower, {}, is not below upper, {}", *limits.lower, *limits.upper),
+                  "exchange them");
+    }
+  }
+}
+
+/// A sampled law moves what it controls by a share of about frequency times period a step.
+void check_frequencies(const SceneElement& element, const SceneController& controller) {
+  constexpr double kMost = 0.5;
+  const auto check = [&](const char* key, double rate) {
+    if (rate * controller.period <= kMost) return;
+    element.error(
+        fmt::format("{} is {} a second, which a period of {} s cannot follow", key, rate,
+                    controller.period),
+        fmt::format("keep it below {}, or shorten the period", kMost / controller.period));
+  };
+  check("joint_frequency", controller.joint_frequency);
+  check("task_frequency", controller.task_frequency);
+  check("posture_frequency", controller.posture_frequency);
+  check("brake_damping", controller.brake_damping);
+  check("force_damping", controller.force_damping);
+  if (controller.force && !(controller.force_rate < controller.force_damping)) {
+    element.error(
+        fmt::format("with force_rate {} and force_damping {} the force swings ever more against "
+                    "whatever is stiff",
+                    controller.force_rate, controller.force_damping),
+        "keep force_rate below force_damping");
+  }
+}
+
+/// The joint without a motor or number of its own; empty where all have both.
+std::string find_unfit_joint(const Robot& robot, const Scene& scene) {
+  for (const Joint& joint : robot.joints) {
+    const JointTypeInfo& type = info_of(joint.type);
+    if (!type.moves() || scene.locked.contains(joint.name)) continue;
+    if (!type.has_one_freedom()) {
+      return fmt::format("joint \"{}\" is {} and has several degrees of freedom", joint.name,
+                         joint_type_name(joint.type));
+    }
+  }
+  if (!scene.passive.empty()) return fmt::format("joint \"{}\" is passive", scene.passive.front());
+  return {};
+}
+
+}  // namespace
+
+void read_controller(const SceneElement& element, const Robot& robot, Scene& scene) {
+  std::vector<std::string> keys = {"laws", "saturation", "stale_ticks", "blind_ticks", "limits"};
+  for (const NumberKey& row : kNumbers) keys.emplace_back(row.key);
+  const auto fields = element.fields(keys);
+  SceneController controller;
+  if (const auto laws = fields.find("laws"); laws != fields.end()) {
+    read_laws(laws->second, controller);
+  } else {
+    element.error("the key \"laws\" is missing",
+                  "list some of joint_impedance, task_impedance, force");
+  }
+  if (const auto saturation = fields.find("saturation"); saturation != fields.end()) {
+    controller.clamps = saturation->second.choice({"scale", "clamp"}) == 1;
+  }
+  read_numbers(fields, controller);
+  if (const auto limits = fields.find("limits"); limits != fields.end()) {
+    read_limits(limits->second, robot, scene, controller);
+  }
+  check_frequencies(element, controller);
+  scene.controller = controller;
+}
+
+std::vector<Function> list_controller_functions(const Scene& scene) {
+  if (!scene.controller) return {};
+  std::vector<Function> functions = {Function::gravity, Function::inverse_dynamics};
+  if (scene.controller->task) {
+    functions.insert(functions.end(), {Function::forward_kinematics, Function::point_velocity,
+                                       Function::control_torque});
+  }
+  return functions;
+}
+
+void check_controller(const SceneElement& top, const Robot& robot, const std::string& singular,
+                      const Scene& scene) {
+  if (!scene.controller) return;
+  const char* const kRemedy =
+      "remove controller, and use the functions with a loop of your own (supported_control_torque "
+      "where not every joint has a motor)";
+  if (scene.base == Base::floating) {
+    top.error("a controller drives every coordinate, but no motor moves the floating base",
+              kRemedy);
+  } else if (const std::string unfit = find_unfit_joint(robot, scene); !unfit.empty()) {
+    top.error(fmt::format("a controller drives every coordinate by a motor, but {}", unfit),
+              kRemedy);
+  } else if (scene.holds_rows()) {
+    top.error("a controller drives the open tree, but constraints or couplings are listed",
+              kRemedy);
+  }
+  if (scene.controller->task && scene.operational_points.empty()) {
+    top.error("the controller has a law of tasks, but there is no operational point",
+              "add a list operational_points, or keep to laws: [joint_impedance]");
+  }
+  if (scene.controller->task && !singular.empty()) {
+    top.error(fmt::format("nothing beyond {} has mass: the mass matrix is singular, and laws of "
+                          "tasks need its inverse",
+                          singular),
+              "give it mass in the URDF, lock the joint, or keep to laws: [joint_impedance]");
+  }
+  if (scene.controller->task && scene.singular == SingularTasks::exact) {
+    top.error("the controller's torque is not finite at singularities with singular: exact",
+              "leave out singular, so that rows yield");
+  }
+}
+
+}  // namespace treeline

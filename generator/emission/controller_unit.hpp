@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/scene.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// What NAME_controller.h and controller.cpp are made of: functions that share the sines that a
+/// step computes once, and the configuration's defaults.
+struct ControllerUnit {
+  SceneController settings;            ///< without the limits, which are below
+  Program kinematics;                  ///< poses, velocities, gravity: `controller_kinematics`
+  Program joint_torque;                ///< inverse dynamics: `controller_joint_torque`
+  std::optional<Program> task_torque;  ///< of a law of tasks: `controller_task_torque`
+  std::optional<Program> push_torque;  ///< of a law of forces: `controller_push_torque`
+
+  /// One coordinate; limits are infinite where there are none.
+  struct Joint {
+    std::string name;
+    bool slides = false;
+    double lower = 0, upper = 0, speed = 0, torque = 0;
+  };
+  std::vector<Joint> joints;
+
+  /// One operational point of the laws of tasks.
+  struct Point {
+    std::string name;
+    std::array<bool, 6> rows{};
+    bool own_axes = false;
+  };
+  std::vector<Point> points;
+  int rows = 0;  ///< of all points
+
+  [[nodiscard]] std::vector<const Program*> programs() const {
+    std::vector<const Program*> all = {&kinematics, &joint_torque};
+    if (task_torque) all.push_back(&*task_torque);
+    if (push_torque) all.push_back(&*push_torque);
+    return all;
+  }
+};
+
+}  // namespace treeline

@@ -1,0 +1,402 @@
+#include "emission/cpp/print_controller.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "description/printable.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/comment.hpp"
+#include "emission/cpp/print_source.hpp"
+#include "emission/cpp/syntax.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/wrap_line.hpp"
+#include "passes/count_operations.hpp"
+
+namespace treeline::cpp {
+namespace {
+
+using Holes = std::map<std::string, std::string>;
+
+/// What the step calls an argument of its functions; empty for one that the input has.
+std::string variable_of(const std::string& argument) {
+  static const std::map<std::string, std::string> kVariables = {{"q", "input.q"},
+                                                                {"sin_q", "at.sin_q"},
+                                                                {"cos_q", "at.cos_q"},
+                                                                {"qd", "input.qd"},
+                                                                {"qdd", "qdd"},
+                                                                {"qdd_0", "qdd_0"},
+                                                                {"tau", "tau"},
+                                                                {"xdd_cmd", "xdd_cmd"},
+                                                                {"position", "at.position"},
+                                                                {"g", "at.gravity"},
+                                                                {"rotation", "at.rotation"},
+                                                                {"velocity", "at.velocity"}};
+  const auto found = kVariables.find(argument);
+  return found == kVariables.end() ? std::string() : found->second;
+}
+
+/// The call of a function in the step; `forces` are the law's own in place of known ones.
+std::string print_call(const Program& program, const std::string& forces = {}) {
+  std::string list;
+  const auto append = [&](const Argument& argument) {
+    std::string variable = variable_of(argument.name);
+    if (variable.empty()) {
+      variable = argument.name == "f_ext" && !forces.empty() ? forces : "input." + argument.name;
+    }
+    list += (list.empty() ? "" : ", ") + variable;
+  };
+  for (const Argument& argument : program.arguments) append(argument);
+  for (const Result& result : program.results) append(result.argument);
+  constexpr std::size_t kIndentation = 4;  // of the template, which indents every line
+  const std::string call = wrap_line(fmt::format("{}({});", program.name, list), kIndentation);
+  std::string text;
+  for (std::size_t at = 0; at < call.size();) {
+    const std::size_t end = call.find('\n', at);
+    text += (text.empty() ? "" : "\n") + call.substr(at + kIndentation, end - at - kIndentation);
+    at = end + 1;
+  }
+  return text;
+}
+
+bool takes(const Program& program, const std::string& name) {
+  return std::any_of(program.arguments.begin(), program.arguments.end(),
+                     [&](const Argument& argument) { return argument.name == name; });
+}
+
+/// Arguments that the input brings beside q and qd: what of the robot changes, known forces.
+std::vector<Argument> list_inputs(const ControllerUnit& unit) {
+  std::vector<Argument> inputs;
+  for (const Program* const program : unit.programs()) {
+    if (unit.push_torque && program == &*unit.push_torque) continue;
+    for (const Argument& argument : program->arguments) {
+      const bool known = !variable_of(argument.name).empty() ||
+                         std::any_of(inputs.begin(), inputs.end(), [&](const Argument& listed) {
+                           return listed.name == argument.name;
+                         });
+      if (!known) inputs.push_back(argument);
+    }
+  }
+  return inputs;
+}
+
+std::string print_inputs(const EmissionContext& context, const ControllerUnit& unit) {
+  std::string text;
+  for (const Argument& argument : list_inputs(unit)) {
+    text += fmt::format("{}_number {}[{}]; /* {} */\n", context.name, argument.name,
+                        argument.rows * argument.cols, printable(argument.meaning));
+  }
+  return text;
+}
+
+std::string print_finite(const ControllerUnit& unit) {
+  std::string text;
+  for (const Argument& argument : list_inputs(unit)) {
+    text +=
+        fmt::format("{}detail::all_finite(input.{})", text.empty() ? "" : " && ", argument.name);
+  }
+  return text.empty() ? "true" : text;
+}
+
+/// `names` with the prefix of the robot: a declaration a line.
+std::string declare(const std::string& robot,
+                    const std::vector<std::pair<std::string, std::string>>& members) {
+  std::string text;
+  for (const auto& [member, meaning] : members) {
+    text += fmt::format("{}_number {};{}{}{}\n", robot, member, meaning.empty() ? "" : " /* ",
+                        meaning, meaning.empty() ? "" : " */");
+  }
+  return text;
+}
+
+/// Members of the structs that only controllers with laws of tasks have.
+void add_task_holes(const EmissionContext& context, const ControllerUnit& unit, Holes& holes) {
+  const std::string points = name_in_capitals(context) + "_POINTS";
+  for (const char* hole : {"task_config", "task_command", "task_output", "task_state"}) {
+    holes[hole] = "";
+  }
+  if (!unit.task_torque) return;
+  const auto fill = [&](const char* hole,
+                        const std::vector<std::pair<std::string, std::string>>& members) {
+    holes[hole] = declare(context.name, members);
+  };
+  fill("task_config",
+       {{"task_frequency[6 * " + points + "]", "rad/s, by point: x y z rx ry rz of the world"},
+        {"task_damping[6 * " + points + "]", "ratio"},
+        {"posture_frequency[" + name_in_capitals(context) + "_JOINTS]",
+         "rad/s, of motions that the task leaves free"}});
+  fill("task_command", {{"position[3]", "m, world"}, {"rotation[9]", "of the point's axes"}});
+  fill("task_output",
+       {{"task_error[6 * " + points + "]", "m, rad: reference less measured, world axes"}});
+  fill("task_state",
+       {{"posture[" + name_in_capitals(context) + "_JOINTS]", "where joints were led last"},
+        {"point_motion[24 * " + points + "]", ""},
+        {"point_from[9 * " + points + "]", "rotation at the motion's begin"},
+        {"point_rate[" + points + "]", "1/s"}});
+  holes["task_state"] += fmt::format("int32_t point_ticks[{}];\n", points);
+}
+
+void add_force_holes(const EmissionContext& context, const ControllerUnit& unit, Holes& holes) {
+  const std::string name = context.name;
+  for (const char* hole :
+       {"force_config", "force_command", "force_input", "force_output", "force_state"}) {
+    holes[hole] = "";
+  }
+  if (!unit.settings.force) return;
+  holes["force_config"] =
+      declare(name, {{"force_gain", "1/kg, of the force that is missing"},
+                     {"force_rate", "1/s, of its integral; below force_damping"},
+                     {"force_damping", "1/s, of motion along the direction"},
+                     {"largest_force", "N, that is commanded, compensated, integrated"}});
+  holes["force_command"] = declare(
+      name, {{"direction[3]", "of length 1, world"}, {"force", "N, that the point shall exert"}});
+  holes["force_input"] =
+      declare(name, {{"force[3]", "N, measured: that the pressing point exerts, world"}});
+  holes["force_output"] = declare(name, {{"force_error", "N, wanted less measured"}});
+  holes["force_state"] = "int32_t pressing;\nint32_t press_point;\nint32_t press_ticks;\n" +
+                         declare(name, {{"press_rate", "1/s"},
+                                        {"press_force", "N"},
+                                        {"force_integral", "N"},
+                                        {"direction[3]", ""}});
+}
+
+std::string describe_laws(const ControllerUnit& unit) {
+  std::string text =
+      "MOVE_JOINTS and START: joint impedance with computed torque, tau = M qdd + b + g with qdd = "
+      "a + 2 z w (v - qd) + w^2 (p - q) for a reference p, v, a, frequency w and ratio z; gravity "
+      "is compensated, and every joint behaves alike whatever its inertia. ";
+  if (unit.task_torque) {
+    text +=
+        "MOVE_POINT: task impedance (Khatib 1987), xdd = a + 2 z w (v - xd) + w^2 e with the pose "
+        "error e, a rotation vector in its angular part, through the operational-space inertia; "
+        "the posture is where joints were led last. Rows that a singularity leaves immovable "
+        "yield, "
+        "see control_torque; the torque stays finite. ";
+  }
+  if (unit.settings.force) {
+    text +=
+        "PRESS: along a direction n the point moves as a damped mass under the force that is "
+        "missing, xdd . n = force_gain (f_wanted - f + integral) - force_damping xd . n, and the "
+        "measured force f is compensated, tau += J^T n f. The integral rests while the torque is "
+        "cut. The other directions follow their task. ";
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string describe_step_cost(const ControllerUnit& unit) {
+  std::string text;
+  for (const Program* const program : unit.programs()) {
+    text += fmt::format("{}{} {} flops", text.empty() ? "" : ", ", program->name,
+                        count_operations(*program).flops());
+  }
+  return fmt::format("{}; sine and cosine of {} angles, and the law's own.", text,
+                     unit.joints.size());
+}
+
+std::string list_joint_names(const ControllerUnit& unit) {
+  std::string text = "Joints:";
+  for (std::size_t i = 0; i < unit.joints.size(); ++i) {
+    text += fmt::format("{} {} {}", i == 0 ? "" : ",", i, printable(unit.joints[i].name));
+  }
+  for (std::size_t i = 0; i < unit.points.size(); ++i) {
+    text += fmt::format("{} {} {}", i == 0 ? ". Points:" : ",", i, printable(unit.points[i].name));
+  }
+  return text + ".";
+}
+
+/// Text within a comment of C: no end of a comment, lines of the width of the rest.
+std::string in_comment(std::string text) {
+  for (std::size_t at = text.find("*/"); at != std::string::npos; at = text.find("*/", at)) {
+    text.replace(at, 2, "* /");
+  }
+  std::string wrapped = wrap_text(text, 94);
+  for (std::size_t at = wrapped.find('\n'); at != std::string::npos; at = wrapped.find('\n', at)) {
+    wrapped.insert(at + 1, " ");
+    at += 2;
+  }
+  return wrapped;
+}
+
+std::string print_header(const EmissionContext& context, const ControllerUnit& unit) {
+  Holes holes = {{"robot", printable(context.robot)},
+                 {"name", context.name},
+                 {"NAME", name_in_capitals(context)},
+                 {"real", context.single_precision ? "float" : "double"},
+                 {"laws", in_comment(describe_laws(unit))},
+                 {"fade", "config.fade"},
+                 {"cost", in_comment(describe_step_cost(unit))},
+                 {"joints", std::to_string(unit.joints.size())},
+                 {"points", std::to_string(unit.points.size())},
+                 {"joint_list", in_comment(list_joint_names(unit))},
+                 {"task", unit.task_torque ? "true" : "false"},
+                 {"force", unit.settings.force ? "true" : "false"},
+                 {"model_inputs", print_inputs(context, unit)}};
+  add_task_holes(context, unit, holes);
+  add_force_holes(context, unit, holes);
+  return fill_template(templates::kControllerHeader, holes);
+}
+
+std::string print_task_functions(const ControllerUnit& unit) {
+  std::string text;
+  if (unit.task_torque) {
+    text +=
+        "static void task_torque(const Input& input, const Measured<Robot>& at,\n"
+        "                        const Real (&qdd_0)[kJoints], const Real (&xdd_cmd)[kRows],\n"
+        "                        Real (&tau)[kJoints]) noexcept {\n  " +
+        print_call(*unit.task_torque) + "\n}\n";
+  }
+  if (unit.push_torque) {
+    text +=
+        "\n/// Joint forces against [force; moment] on the points.\n"
+        "static void push_torque(const Input& input, const Measured<Robot>& at,\n"
+        "                        const Real (&f)[6 * kPoints], Real (&tau)[kJoints]) noexcept {\n "
+        " " +
+        std::string(takes(*unit.push_torque, "q") ? "" : "static_cast<void>(input);\n  ") +
+        print_call(*unit.push_torque, "f") + "\n}\n";
+  }
+  return text;
+}
+
+std::string print_limits(const ControllerUnit& unit, const Syntax& syntax,
+                         double ControllerUnit::Joint::*limit) {
+  std::vector<std::string> entries;
+  for (const ControllerUnit::Joint& joint : unit.joints) {
+    const double value = joint.*limit;
+    const std::string sign = value < 0 ? "-" : "";
+    entries.push_back(sign +
+                      (std::isfinite(value) ? syntax.literal(std::fabs(value)) : "kUnlimited"));
+  }
+  return fmt::format("{}", fmt::join(entries, ", "));
+}
+
+void add_limit_holes(const EmissionContext& context, const ControllerUnit& unit,
+                     const Syntax& syntax, Holes& holes) {
+  using Joint = ControllerUnit::Joint;
+  holes["lower"] = print_limits(unit, syntax, &Joint::lower);
+  holes["upper"] = print_limits(unit, syntax, &Joint::upper);
+  holes["speed"] = print_limits(unit, syntax, &Joint::speed);
+  holes["torque"] = print_limits(unit, syntax, &Joint::torque);
+  bool unlimited = false;
+  for (const char* hole : {"lower", "upper", "speed", "torque"}) {
+    unlimited = unlimited || holes[hole].find("kUnlimited") != std::string::npos;
+  }
+  const double most = context.single_precision
+                          ? static_cast<double>(std::numeric_limits<float>::max())
+                          : std::numeric_limits<double>::max();
+  holes["unlimited"] =
+      unlimited ? fmt::format("constexpr Real kUnlimited = {};", syntax.literal(most)) : "";
+}
+
+/// Default gains and thresholds, in the names of the configuration.
+void add_default_holes(const EmissionContext& context, const ControllerUnit& unit,
+                       const Syntax& syntax, Holes& holes) {
+  const SceneController& own = unit.settings;
+  const auto literal = [&](double value) { return syntax.literal(value); };
+  holes["period"] = literal(own.period);
+  holes["joint_frequency"] = literal(own.joint_frequency);
+  holes["damping_ratio"] = literal(own.damping_ratio);
+  holes["position_margin"] = literal(own.position_margin);
+  holes["speed_margin"] = literal(own.speed_margin);
+  holes["brake_damping"] = literal(own.brake_damping);
+  constexpr double kRestSpeed = 1e-3;
+  holes["rest_speed"] = literal(kRestSpeed);
+  holes["fade"] = literal(own.fade);
+  holes["saturation"] = name_in_capitals(context) + (own.clamps ? "_CLAMP" : "_SCALE");
+  holes["stale_ticks"] = std::to_string(own.stale_ticks);
+  holes["blind_ticks"] = std::to_string(own.blind_ticks);
+  holes["task_defaults"] =
+      unit.task_torque
+          ? fmt::format(
+                "for (int i = 0; i < 6 * Robot::kPoints; ++i) {{\n"
+                "  config->task_frequency[i] = {};\n  config->task_damping[i] = {};\n}}\n"
+                "for (int i = 0; i < Robot::kJoints; ++i) {{\n"
+                "  config->posture_frequency[i] = {};\n}}\n",
+                literal(own.task_frequency), literal(own.damping_ratio),
+                literal(own.posture_frequency))
+          : "";
+  holes["force_defaults"] = own.force
+                                ? fmt::format(
+                                      "config->force_gain = {};\nconfig->force_rate = {};\n"
+                                      "config->force_damping = {};\nconfig->largest_force = {};\n",
+                                      literal(own.force_gain), literal(own.force_rate),
+                                      literal(own.force_damping), literal(own.largest_force))
+                                : "";
+}
+
+void add_row_holes(const ControllerUnit& unit, Holes& holes) {
+  std::vector<std::string> controls, own_axes;
+  const auto name = [](bool on) { return on ? "true" : "false"; };
+  for (const ControllerUnit::Point& point : unit.points) {
+    const auto& on = point.rows;
+    controls.push_back(fmt::format("{}, {}, {}, {}, {}, {}", name(on[0]), name(on[1]), name(on[2]),
+                                   name(on[3]), name(on[4]), name(on[5])));
+    own_axes.emplace_back(point.own_axes ? "true" : "false");
+  }
+  if (unit.points.empty()) controls = own_axes = {"false"};
+  holes["control_count"] = std::to_string(std::max<std::size_t>(1, 6 * unit.points.size()));
+  holes["controls"] = fmt::format("{}", fmt::join(controls, ",\n      "));
+  holes["own_count"] = std::to_string(own_axes.size());
+  holes["own_axes"] = fmt::format("{}", fmt::join(own_axes, ", "));
+}
+
+std::string print_step(const EmissionContext& context, const ControllerUnit& unit) {
+  const Syntax syntax = make_syntax(context);
+  std::string declarations;
+  for (const Program* const program : unit.programs()) {
+    declarations += print_declaration(*program) + "\n";
+  }
+  const bool reads_at = takes(unit.joint_torque, "sin_q");
+  const std::string finite = print_finite(unit);
+  Holes holes = {{"name", context.name},
+                 {"NAME", name_in_capitals(context)},
+                 {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
+                 {"declarations", declarations},
+                 {"joints", std::to_string(unit.joints.size())},
+                 {"points", std::to_string(unit.points.size())},
+                 {"rows", std::to_string(std::max(1, unit.rows))},
+                 {"task", unit.task_torque ? "true" : "false"},
+                 {"force", unit.settings.force ? "true" : "false"},
+                 {"finite", finite},
+                 {"finite_input", finite == "true" ? "" : " input"},
+                 {"joint_at", reads_at ? " at" : ""},
+                 {"kinematics_call", print_call(unit.kinematics)},
+                 {"joint_call", print_call(unit.joint_torque)},
+                 {"task_functions", print_task_functions(unit)}};
+  add_row_holes(unit, holes);
+  add_limit_holes(context, unit, syntax, holes);
+  add_default_holes(context, unit, syntax, holes);
+  return fill_template(templates::kControllerSource, holes);
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> print_controller(const EmissionContext& context,
+                                            const ControllerUnit& unit) {
+  std::vector<GeneratedFile> files = {{context.name + "_controller.h", print_header(context, unit)},
+                                      {"controller.cpp", print_step(context, unit)}};
+  for (const Program* const program : unit.programs()) {
+    files.push_back({program->name + ".cpp", print_source(context, *program)});
+  }
+  return files;
+}
+
+std::vector<GeneratedFile> list_controller_headers() {
+  const auto text = [](std::string_view view) { return std::string(view); };
+  return {{"controller.hpp", text(templates::kController)},
+          {"controller_commands.hpp", text(templates::kControllerCommands)},
+          {"controller_laws.hpp", text(templates::kControllerLaws)},
+          {"controller_safety.hpp", text(templates::kControllerSafety)},
+          {"mode.hpp", text(templates::kMode)},
+          {"orientation.hpp", text(templates::kOrientation)},
+          {"quintic.hpp", text(templates::kQuintic)},
+          {"turn_motion.hpp", text(templates::kTurnMotion)}};
+}
+
+}  // namespace treeline::cpp

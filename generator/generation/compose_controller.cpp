@@ -1,0 +1,122 @@
+#include "generation/compose_controller.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "description/find_joint.hpp"
+#include "generation/function_mechanisms.hpp"
+#include "generation/generate_code.hpp"
+#include "passes/run_passes.hpp"
+#include "passes/settle.hpp"
+#include "passes/take_sines.hpp"
+#include "recursion/trace_together.hpp"
+
+namespace treeline {
+namespace {
+
+Program named(Program program, const char* name) {
+  program.name = name;
+  return program;
+}
+
+/// The scene with the operational points as places of forces in world axes.
+Scene scene_of_forces(const Scene& scene) {
+  Scene forces = scene;
+  forces.external_forces = scene.operational_points;
+  for (ScenePoint& point : forces.external_forces) {
+    point.axes = Axes::world;
+    point.rows.fill(true);
+  }
+  forces.operational_points.clear();
+  forces.inputs = {};
+  return forces;
+}
+
+/// Passes that a program of given sines goes through.
+Program finish(Program program, const char* name) {
+  std::vector<PassReport> log;
+  program = reduce_operations(take_sines(settle(program)), log);
+  return put_in_order(named(std::move(program), name), log);
+}
+
+Program trace_push(const Robot& robot, const Scene& scene) {
+  const Scene forces = scene_of_forces(scene);
+  FunctionMechanisms mechanisms(robot, forces);
+  Program program = trace_against_forces(mechanisms.of(Function::inverse_dynamics), scene.lanes);
+  program.equation = "tau = -J^T f_ext, for [force; moment] on the operational points, world axes";
+  return finish(std::move(program), "controller_push_torque");
+}
+
+Program trace_kinematics(const Robot& robot, const Scene& scene) {
+  FunctionMechanisms mechanisms(robot, scene);
+  std::vector<Function> functions = {Function::gravity};
+  if (scene.controller->task) {
+    functions = {Function::forward_kinematics, Function::point_velocity, Function::gravity};
+  }
+  const Mechanism& mechanism = mechanisms.of(functions[functions.size() > 1 ? 1 : 0]);
+  Program program = trace_together(mechanism, functions, scene.lanes);
+  program.equation =
+      scene.controller->task
+          ? "poses and velocities [v; w] of the operational points, and the joint forces g that "
+            "hold the robot at rest"
+          : "g: the joint forces that hold the robot at rest";
+  return finish(std::move(program), "controller_kinematics");
+}
+
+Program trace_torque(const Robot& robot, const Scene& scene, Function function, const char* name) {
+  FunctionMechanisms mechanisms(robot, scene);
+  return named(
+      generate_function(mechanisms.of(function), function, scene.lanes, Sines::given).program,
+      name);
+}
+
+std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& scene,
+                                               const Mechanism& mechanism) {
+  std::vector<ControllerUnit::Joint> joints;
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    const Joint* const joint = find_joint(robot, coordinate.joint);
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    ControllerUnit::Joint row{coordinate.joint,
+                              coordinate.kind == CoordinateKind::displacement,
+                              coordinate.lower,
+                              coordinate.upper,
+                              kNone,
+                              kNone};
+    if (joint != nullptr && joint->limits) {
+      row.speed = joint->limits->velocity;
+      row.torque = joint->limits->effort;
+    }
+    const auto own = scene.controller->limits.find(coordinate.joint);
+    if (own != scene.controller->limits.end()) {
+      row.lower = own->second.lower.value_or(row.lower);
+      row.upper = own->second.upper.value_or(row.upper);
+      row.speed = own->second.speed.value_or(row.speed);
+      row.torque = own->second.torque.value_or(row.torque);
+    }
+    joints.push_back(row);
+  }
+  return joints;
+}
+
+}  // namespace
+
+ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
+                                  const Mechanism& mechanism) {
+  ControllerUnit unit;
+  unit.settings = *scene.controller;
+  unit.joints = list_joints(robot, scene, mechanism);
+  unit.kinematics = trace_kinematics(robot, scene);
+  unit.joint_torque =
+      trace_torque(robot, scene, Function::inverse_dynamics, "controller_joint_torque");
+  if (!scene.controller->task) return unit;
+  unit.task_torque = trace_torque(robot, scene, Function::control_torque, "controller_task_torque");
+  if (scene.controller->force) unit.push_torque = trace_push(robot, scene);
+  for (const ScenePoint& point : scene.operational_points) {
+    unit.points.push_back({point.name, point.rows, point.axes == Axes::local});
+    unit.rows += static_cast<int>(std::count(point.rows.begin(), point.rows.end(), true));
+  }
+  return unit;
+}
+
+}  // namespace treeline

@@ -1,0 +1,159 @@
+#pragma once
+// What keeps an emitted controller within its limits: checks of what was measured, torque within
+// limits, the torque of the safe state. C++17, freestanding, fixed size.
+//
+// `Robot` is the struct of constants and functions that is emitted beside these headers.
+
+#include <stdint.h>
+
+#include "core/mode.hpp"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
+namespace treeline::core {
+
+/// Bits of a controller's faults.
+inline constexpr uint32_t kFaultMeasurement = 1;  ///< q, qd or a force is not finite
+inline constexpr uint32_t kFaultPosition = 2;     ///< beyond a limit by more than the margin
+inline constexpr uint32_t kFaultSpeed = 4;        ///< beyond a limit by more than the margin
+inline constexpr uint32_t kFaultTorque = 8;       ///< the law's torque is not finite
+inline constexpr uint32_t kFaultStale = 16;       ///< no command for too many steps
+inline constexpr uint32_t kFaultEmergency = 32;   ///< emergency stop, by command
+
+/// What a controller computes with: the type that its functions take.
+template <class Robot>
+using RealOf = typename Robot::Real;
+
+template <class Real>
+constexpr bool is_finite(Real x) noexcept {
+  return x - x == Real(0);
+}
+
+template <int N, class Real>
+constexpr bool all_finite(const Real (&x)[N]) noexcept {
+  bool finite = true;
+  for (int i = 0; i < N; ++i) {
+    finite = finite && is_finite(x[i]);
+  }
+  return finite;
+}
+
+template <class Real>
+constexpr Real magnitude(Real x) noexcept {
+  return x < Real(0) ? -x : x;
+}
+
+/// `x` between -most and most; 0 for NaN.
+template <class Real>
+constexpr Real within(Real x, Real most) noexcept {
+  return x > most ? most : (x < -most ? -most : (x == x ? x : Real(0)));
+}
+
+/// How far a coordinate is beyond its limits, rad or m; negative within them.
+template <class Robot>
+inline RealOf<Robot> beyond_limits(const typename Robot::Config& config,
+                                   const typename Robot::Input& input, int i) noexcept {
+  const RealOf<Robot> above = input.q[i] - config.upper[i];
+  const RealOf<Robot> below = config.lower[i] - input.q[i];
+  return above > below ? above : below;
+}
+
+/// Whether all that was measured and is not an argument of constants is finite.
+template <class Robot>
+inline bool measured_all(const typename Robot::Input& input) noexcept {
+  bool finite = all_finite(input.q) && all_finite(input.qd);
+  if constexpr (Robot::kForce) {
+    finite = finite && all_finite(input.force);
+  }
+  return finite && Robot::finite(input);
+}
+
+/// The faults of what was measured, which is finite. A joint that was beyond its limit at a reset
+/// may stay there and be led back: what is admitted shrinks with it.
+template <class Robot>
+inline uint32_t check_motion(const typename Robot::Config& config, typename Robot::State& state,
+                             const typename Robot::Input& input) noexcept {
+  using Real = RealOf<Robot>;
+  uint32_t faults = 0;
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    const Real beyond = beyond_limits<Robot>(config, input, i);
+    if (beyond > config.position_margin + state.admitted[i]) {
+      faults |= kFaultPosition;
+    }
+    const Real now = beyond > Real(0) ? beyond : Real(0);
+    state.admitted[i] = state.admitted[i] < now ? state.admitted[i] : now;
+    if (magnitude(input.qd[i]) > config.speed[i] * (Real(1) + config.speed_margin)) {
+      faults |= kFaultSpeed;
+    }
+  }
+  return faults;
+}
+
+/// Lets joints be where they are, however far beyond their limits.
+template <class Robot>
+inline void admit(const typename Robot::Config& config, const typename Robot::Input& input,
+                  typename Robot::State& state) noexcept {
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    const RealOf<Robot> beyond = beyond_limits<Robot>(config, input, i);
+    state.admitted[i] = beyond > RealOf<Robot>(0) ? beyond : RealOf<Robot>(0);
+  }
+}
+
+template <class Robot>
+inline bool rests(const typename Robot::Config& config,
+                  const typename Robot::Input& input) noexcept {
+  bool rests = true;
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    rests = rests && magnitude(input.qd[i]) <= config.rest_speed;
+  }
+  return rests;
+}
+
+/// Brings `tau` within its limits and returns the factor that was needed, 1 for none. By `scale`
+/// what exceeds the torque that holds the robot against gravity, `held`, is shortened as a whole:
+/// its direction is kept and the robot stays held. By `clamp` each torque is cut by itself, and the
+/// factor is that of the torque that lost most.
+template <class Robot>
+inline RealOf<Robot> saturate(const typename Robot::Config& config,
+                              const RealOf<Robot> (&held)[Robot::kJoints],
+                              RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
+  using Real = RealOf<Robot>;
+  Real factor = Real(1);
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    const Real most = tau[i] < held[i] ? -config.torque[i] : config.torque[i];
+    const Real room = most - held[i];
+    const Real asked = tau[i] - held[i];
+    if (magnitude(asked) > magnitude(room)) {
+      const Real share = room / asked;
+      factor = share < factor ? share : factor;
+    }
+  }
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    if (config.saturation == Robot::kScale && factor < Real(1)) {
+      tau[i] = held[i] + factor * (tau[i] - held[i]);
+    }
+    tau[i] = within(tau[i], config.torque[i]);
+  }
+  return factor;
+}
+
+/// Torque of a robot whose state was not measured: what held it against gravity when it last was,
+/// and nothing once that is too long ago, so that mechanical brakes can take over.
+template <class Robot>
+inline void blind_torque(const typename Robot::Config& config, typename Robot::State& state,
+                         RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
+  const bool lately = state.blind_ticks < config.blind_ticks;
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    tau[i] = lately ? state.held[i] : RealOf<Robot>(0);
+  }
+  state.blind_ticks += lately ? 1 : 0;
+}
+
+}  // namespace treeline::core
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -1,0 +1,86 @@
+// Would catch: a controller of a task with some rows, in the point's own axes, that does not reach
+// the pose; known forces or a payload that it does not compensate; sliding joints that it takes for
+// hinges.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "samm_arm.hpp"
+#include "samm_arm_controller.h"
+
+namespace treeline::tests {
+namespace {
+
+constexpr int n = SAMM_ARM_JOINTS;
+
+struct Mobile {
+  samm_arm_config config{};
+  samm_arm_state state{};
+  samm_arm_input input{};
+  samm_arm_output output{};
+
+  Mobile() {
+    samm_arm_default_config(&config);
+    const double home[n] = {0.1, -0.2, 0.4, 0.3, -0.9, 0.6, 0.2, 0.8, -0.4};
+    for (int i = 0; i < n; ++i) input.q[i] = home[i];
+    input.payload[0] = 2;     // kg
+    input.payload[3] = 0.2;   // kg m, along z
+    input.payload[4] = 0.03;  // kg m^2
+    input.payload[6] = 0.03;
+    input.payload[9] = 0.01;
+    input.f_ext[2] = -15;
+    input.f_ext[0] = 5;
+  }
+
+  void run(int steps) {
+    for (int k = 0; k < steps; ++k) {
+      samm_arm_step(&config, &state, &input, &output);
+      double qdd[n];
+      samm_arm::forward_dynamics(input.q, input.qd, output.tau, input.f_ext, input.payload, qdd);
+      for (int i = 0; i < n; ++i) {
+        input.qd[i] += config.period * qdd[i];
+        input.q[i] += config.period * input.qd[i];
+      }
+    }
+  }
+};
+
+TEST(ControllerRows, ReachThePoseUnderKnownForcesAndPayload) {
+  static_assert(n == 9, "three of the base, six of the arm");
+  Mobile mobile;
+  mobile.input.command.kind = SAMM_ARM_START;
+  mobile.input.command.sequence = 1;
+  mobile.run(100);
+  ASSERT_EQ(mobile.output.mode, SAMM_ARM_RUNNING);
+  double p[3], R[9];
+  samm_arm::forward_kinematics(mobile.input.q, p, R);
+  samm_arm_command& command = mobile.input.command;
+  command.kind = SAMM_ARM_MOVE_POINT;
+  ++command.sequence;
+  command.duration = 1;
+  for (int i = 0; i < 3; ++i) command.position[i] = p[i] + (i == 2 ? -0.05 : 0.05);
+  for (int i = 0; i < 9; ++i) command.rotation[i] = R[i];
+  mobile.run(8000);
+  EXPECT_EQ(mobile.output.mode, SAMM_ARM_RUNNING);
+  EXPECT_EQ(mobile.output.refused, 0);
+  double reached[3], R_reached[9];
+  samm_arm::forward_kinematics(mobile.input.q, reached, R_reached);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(reached[i], command.position[i], 1e-4) << i;
+  // The row rx of the point's own axes is held: its turn about its own x axis.
+  double turn = 0;
+  for (int k = 0; k < 3; ++k) turn += R_reached[3 * k] * mobile.output.task_error[3 + k];
+  EXPECT_NEAR(turn, 0, 1e-4);
+  for (const double qd : mobile.input.qd) EXPECT_LT(std::fabs(qd), 0.02);
+}
+
+TEST(ControllerRows, HoldsTheRobotUnderKnownForcesAndPayload) {
+  Mobile mobile;
+  mobile.input.command.kind = SAMM_ARM_START;
+  mobile.input.command.sequence = 1;
+  mobile.run(1000);
+  const double home[n] = {0.1, -0.2, 0.4, 0.3, -0.9, 0.6, 0.2, 0.8, -0.4};
+  for (int i = 0; i < n; ++i) EXPECT_NEAR(mobile.input.q[i], home[i], 1e-9) << i;
+}
+
+}  // namespace
+}  // namespace treeline::tests

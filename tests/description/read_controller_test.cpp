@@ -1,0 +1,135 @@
+// Would catch: a setting of the controller that is not taken, and robots or numbers that permit
+// none and are not reported with their place and a remedy.
+#include "description/read_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include "description/read_scene.hpp"
+#include "scene_robot.hpp"
+
+namespace treeline {
+namespace {
+
+const std::string kPoint = "operational_points: [{name: tip, link: tool}]\n";
+
+TEST(ReadController, ReadsEverySetting) {
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(
+      kPoint +
+          "controller:\n  laws: [joint_impedance, force]\n  saturation: clamp\n  period: 0.002\n"
+          "  joint_frequency: 12\n  task_frequency: 13\n  posture_frequency: 4\n"
+          "  damping_ratio: 0.7\n  brake_damping: 9\n  position_margin: 0.01\n  speed_margin: 0.2\n"
+          "  fade: 0.3\n  force_gain: 1\n  force_rate: 2\n  force_damping: 30\n  largest_force: 4\n"
+          "  stale_ticks: 5\n  blind_ticks: 6\n"
+          "  limits: {elbow: {lower: -0.5, upper: 0.5, speed: 2, torque: 3}}\n",
+      "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  ASSERT_TRUE(scene->controller);
+  const SceneController& c = *scene->controller;
+  EXPECT_TRUE(c.task);
+  EXPECT_TRUE(c.force);
+  EXPECT_TRUE(c.clamps);
+  EXPECT_EQ(c.period, 0.002);
+  EXPECT_EQ(c.joint_frequency, 12);
+  EXPECT_EQ(c.task_frequency, 13);
+  EXPECT_EQ(c.posture_frequency, 4);
+  EXPECT_EQ(c.damping_ratio, 0.7);
+  EXPECT_EQ(c.brake_damping, 9);
+  EXPECT_EQ(c.position_margin, 0.01);
+  EXPECT_EQ(c.speed_margin, 0.2);
+  EXPECT_EQ(c.fade, 0.3);
+  EXPECT_EQ(c.force_gain, 1);
+  EXPECT_EQ(c.force_rate, 2);
+  EXPECT_EQ(c.force_damping, 30);
+  EXPECT_EQ(c.largest_force, 4);
+  EXPECT_EQ(c.stale_ticks, 5);
+  EXPECT_EQ(c.blind_ticks, 6);
+  const SceneJointLimits& elbow = c.limits.at("elbow");
+  EXPECT_EQ(elbow.lower, -0.5);
+  EXPECT_EQ(elbow.upper, 0.5);
+  EXPECT_EQ(elbow.speed, 2);
+  EXPECT_EQ(elbow.torque, 3);
+}
+
+TEST(ReadController, OneLawNeedsNoListAndJointsNoPoint) {
+  Diagnostics diagnostics;
+  const auto scene =
+      parse_scene("controller: {laws: joint_impedance}\n", "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_FALSE(scene->controller->task);
+  EXPECT_FALSE(scene->controller->force);
+}
+
+TEST(ReadController, TakesForcesAndInputsOfTheScene) {
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(
+      kPoint +
+          "functions: [center_of_mass]\nexternal_forces: [{name: cable, link: fore}]\n"
+          "inputs: {gravity: true, tool: tip, payload: tool}\ncontroller: {laws: [force]}\n",
+      "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene);
+  for (const Diagnostic& each : diagnostics.list()) {
+    EXPECT_EQ(each.fault.find("no function"), std::string::npos) << to_string(each);
+  }
+}
+
+struct BadController {
+  std::string text;
+  Expected expected;
+};
+
+TEST(ReadController, SaysWhatIsWrong) {
+  const BadController cases[] = {
+      {"controller: {law: force}",
+       {Severity::error, 1, "controller/law", "unknown", "did you mean \"laws\"?"}},
+      {"controller: {period: 0.001}",
+       {Severity::error, 1, "controller", "\"laws\" is missing", "joint_impedance"}},
+      {"controller: {laws: impedance}",
+       {Severity::error, 1, "controller/laws", "\"impedance\"", "joint_impedance"}},
+      {"controller: {laws: []}",
+       {Severity::error, 1, "controller/laws", "no law is listed", "joint_impedance"}},
+      {"controller: {laws: [force, force]}",
+       {Severity::error, 1, "controller/laws[1]", "listed twice", "once"}},
+      {"controller: {laws: joint_impedance, period: 0}",
+       {Severity::error, 1, "controller/period", "0 is not between", "such as 0.001"}},
+      {"controller: {laws: joint_impedance, joint_frequency: 800}",
+       {Severity::error, 1, "controller", "joint_frequency is 800", "below 500"}},
+      {kPoint + "controller: {laws: force, force_rate: 70}",
+       {Severity::error, 2, "controller", "force_rate 70", "below force_damping"}},
+      {"controller: {laws: joint_impedance, stale_ticks: 1.5}",
+       {Severity::error, 1, "controller/stale_ticks", "1.5 is no number of steps", "whole number"}},
+      {"controller: {laws: joint_impedance, saturation: cut}",
+       {Severity::error, 1, "controller/saturation", "\"cut\"", "scale"}},
+      {"controller: {laws: joint_impedance, limits: {elbo: {speed: 1}}}",
+       {Severity::error, 1, "controller/limits/elbo", "elbo", "did you mean \"elbow\"?"}},
+      {"controller: {laws: joint_impedance, limits: {follow: {speed: 1}}}",
+       {Severity::error, 1, "controller/limits/follow", "follows another", "that it follows"}},
+      {"controller: {laws: joint_impedance, limits: {elbow: {torque: 0}}}",
+       {Severity::error, 1, "controller/limits/elbow/torque", "0 is not positive", "no limit"}},
+      {"controller: {laws: joint_impedance, limits: {elbow: {lower: 1, upper: 0}}}",
+       {Severity::error, 1, "controller/limits/elbow", "not below", "exchange"}},
+      {"controller: {laws: task_impedance}",
+       {Severity::error, 1, "", "no operational point", "operational_points"}},
+      {"base: floating\ncontroller: {laws: joint_impedance}",
+       {Severity::error, 1, "", "floating base", "supported_control_torque"}},
+      {"passive: [elbow]\ncontroller: {laws: joint_impedance}\n"
+       "functions: [supported_control_torque]\noperational_points: [{name: t, link: tool, rows: "
+       "[x]}]",
+       {Severity::error, 1, "", "\"elbow\" is passive", "supported_control_torque"}},
+      {"couplings: [{name: belt, joints: {elbow: 1, shoulder: -1}}]\n"
+       "controller: {laws: joint_impedance}",
+       {Severity::error, 1, "", "constraints or couplings", "loop of your own"}},
+      {"singular: exact\ncontroller: {laws: task_impedance}\n"
+       "operational_points: [{name: t, link: tool, rows: [x]}]",
+       {Severity::error, 1, "", "singular: exact", "leave out singular"}},
+  };
+  for (const BadController& each : cases) {
+    SCOPED_TRACE(each.text);
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_scene(each.text, "bad.yaml", make_robot(), diagnostics));
+    expect_diagnosed(diagnostics, "bad.yaml", each.expected);
+  }
+}
+
+}  // namespace
+}  // namespace treeline
