@@ -100,27 +100,27 @@ std::size_t InputSpace::entry_of(const std::string& name, const Domain& domain) 
   return at;
 }
 
-double InputSpace::draw_entry(const Entry& entry, Dice& dice) const {
-  if (entry.coordinate) return dice.within(entry.size);
-  return entry.positive || dice.chance(0.5) ? entry.size : -entry.size;
+double InputSpace::draw_entry(const Entry& entry, Rng& rng) const {
+  if (entry.coordinate) return rng.within(entry.size);
+  return entry.positive || rng.chance(0.5) ? entry.size : -entry.size;
 }
 
-InputSpace::Point InputSpace::draw(Dice& dice) const {
+InputSpace::Point InputSpace::draw(Rng& rng) const {
   Point point;
-  for (const Entry& entry : entries_) point.push_back(draw_entry(entry, dice));
+  for (const Entry& entry : entries_) point.push_back(draw_entry(entry, rng));
   return point;
 }
 
-InputSpace::Point InputSpace::change(Point point, Dice& dice) const {
+InputSpace::Point InputSpace::change(Point point, Rng& rng) const {
   if (point.empty()) return point;
-  const std::size_t count = 1 + dice.below(3);
+  const std::size_t count = 1 + rng.below(3);
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = dice.below(point.size());
+    const std::size_t i = rng.below(point.size());
     const double size = entries_[i].size;
-    const double step = dice.within(size) * std::pow(10, -static_cast<double>(dice.below(6)));
+    const double step = rng.within(size) * std::pow(10, -static_cast<double>(rng.below(6)));
     const double least = entries_[i].positive ? 0 : -size;
     point[i] =
-        dice.chance(0.4) ? draw_entry(entries_[i], dice) : std::clamp(point[i] + step, least, size);
+        rng.chance(0.4) ? draw_entry(entries_[i], rng) : std::clamp(point[i] + step, least, size);
   }
   return point;
 }

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "bounds/dice.hpp"
 #include "bounds/domain.hpp"
 #include "bounds/draw_body.hpp"
 #include "bounds/propagate_errors.hpp"
+#include "bounds/rng.hpp"
 
 namespace treeline::bounds {
 
@@ -27,10 +27,10 @@ class InputSpace {
 
   /// Draws a point: coordinates anywhere in their range, everything else at its limits, where
   /// errors are largest.
-  Point draw(Dice& dice) const;
+  Point draw(Rng& rng) const;
   /// Changes up to three entries of a point: draws them anew or moves them by any fraction of their
   /// range.
-  Point change(Point point, Dice& dice) const;
+  Point change(Point point, Rng& rng) const;
   /// Writes this point to `inputs` as their state number `s`.
   void put(const Point& point, std::size_t s, std::vector<States>& inputs) const;
 
@@ -60,7 +60,7 @@ class InputSpace {
   void find_base(const Graph& graph, const Domain& domain);
   void put_bodies(Point& values) const;
   std::size_t entry_of(const std::string& name, const Domain& domain);
-  double draw_entry(const Entry& entry, Dice& dice) const;
+  double draw_entry(const Entry& entry, Rng& rng) const;
 
   std::vector<Entry> entries_;
   std::vector<Input> inputs_;

@@ -26,7 +26,7 @@ class Search {
       : program_(program),
         space_(program.graph, domain),
         errors_(program.graph, unit),
-        dice_(seed),
+        rng_(seed),
         inputs_(program.graph.inputs().size()) {}
 
   /// Draws `batches` times `kStatesAtOnce` states. Returns them for each result.
@@ -34,9 +34,9 @@ class Search {
     std::vector<std::vector<Seen>> seen(program_.results.size());
     for (int i = 0; i < batches; ++i) {
       Points points;
-      for (Point& point : points) point = space_.draw(dice_);
+      for (Point& point : points) point = space_.draw(rng_);
       evaluate(points);
-      errors_.sample(dice_.bits());
+      errors_.sample(rng_.bits());
       for (std::size_t r = 0; r < seen.size(); ++r) {
         for (Seen& each : look(points, program_.results[r])) seen[r].push_back(std::move(each));
       }
@@ -50,7 +50,7 @@ class Search {
     const std::uint32_t node = result.values[best.found.entry].node();
     for (int i = 0; i < generations; ++i) {
       Points points;
-      for (Point& point : points) point = space_.change(best.point, dice_);
+      for (Point& point : points) point = space_.change(best.point, rng_);
       evaluate(points);
       const States& bound = errors_.bound(node);
       for (std::size_t s = 0; s < kStatesAtOnce; ++s) {
@@ -107,7 +107,7 @@ class Search {
   const Program& program_;
   InputSpace space_;
   ErrorPropagation errors_;
-  Dice dice_;
+  Rng rng_;
   std::vector<States> inputs_;
 };
 

@@ -164,10 +164,10 @@ void compare_dynamics(const PairedModels& models, DynamicsDifference& difference
   if (velocities.empty()) return;
   const Selection select(velocities);
   DeviationOverStates gravity(velocities), forces(velocities);
-  Dice dice(kSeed);
+  Rng rng(kSeed);
   for (int k = 0; k < kStates; ++k) {
-    const PairedState q = models.draw_position(dice);
-    const PairedState qd = models.draw_velocity(dice), qdd = models.draw_velocity(dice);
+    const PairedState q = models.draw_position(rng);
+    const PairedState qd = models.draw_velocity(rng), qdd = models.draw_velocity(rng);
     const Vector<double> scale = compare_mass_matrices(
         select.first(interpreter::mass_matrix<double>(models.first(), q.first)),
         select.second(interpreter::mass_matrix<double>(models.second(), q.second)), velocities,
@@ -201,9 +201,9 @@ void compare_motion(const Robot& first, const Robot& second, const RobotMatch& m
   const Points<double> frames_b = frames(models.second(), links_b);
   const std::size_t reference = find_reference(models.first(), difference);
   difference.reference = difference.links[reference].first;
-  Dice dice(kSeed);
+  Rng rng(kSeed);
   for (int k = 0; k < kStates; ++k) {
-    const PairedState q = models.draw_position(dice);
+    const PairedState q = models.draw_position(rng);
     compare_poses(interpreter::forward_kinematics<double>(models.first(), frames_a, q.first),
                   interpreter::forward_kinematics<double>(models.second(), frames_b, q.second),
                   reference, difference);

@@ -34,9 +34,9 @@ const std::string& link_name(const Robot& robot, int link) {
   return robot.links[static_cast<std::size_t>(link)].name;
 }
 
-void draw(const Body& body, double lower, double upper, Dice& dice, Vector<double>& q) {
+void draw(const Body& body, double lower, double upper, Rng& rng, Vector<double>& q) {
   const int count = interpreter::position_count(body.kind);
-  for (int i = 0; i < count; ++i) q[body.q + i] = dice.within(lower, upper);
+  for (int i = 0; i < count; ++i) q[body.q + i] = rng.within(lower, upper);
   if (!interpreter::has_quaternion(body.kind)) return;
   auto quaternion = q.segment<4>(interpreter::quaternion_of(body));
   quaternion[3] += 2;  // so that the norm is never near zero
@@ -96,20 +96,20 @@ void PairedModels::place_second(const Pair& pair, const Vector<double>& q,
   q_second.segment(to.q, own.size()) = own;
 }
 
-PairedState PairedModels::draw_position(Dice& dice) const {
+PairedState PairedModels::draw_position(Rng& rng) const {
   PairedState state{rest(first_), rest(second_)};
   for (const Pair& pair : pairs_) {
     const Body& body = first_.body(pair.first);
-    if (!body.mimics) draw(body, pair.lower, pair.upper, dice, state.first);
+    if (!body.mimics) draw(body, pair.lower, pair.upper, rng, state.first);
   }
   for (const Pair& pair : pairs_) place_second(pair, state.first, state.second);
   return state;
 }
 
-PairedState PairedModels::draw_velocity(Dice& dice) const {
+PairedState PairedModels::draw_velocity(Rng& rng) const {
   PairedState state{Vector<double>::Zero(first_.nv), Vector<double>::Zero(second_.nv)};
   for (const SharedVelocity& shared : velocities_) {
-    state.first[shared.first] = state.second[shared.second] = dice.within(1);
+    state.first[shared.first] = state.second[shared.second] = rng.within(1);
   }
   return state;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 #include "comparison/match_robots.hpp"
 #include "description/scene.hpp"
 #include "interpreter/instances.hpp"
@@ -33,10 +33,10 @@ class PairedModels {
 
   /// Draws positions within the limits of the first robot, or within a turn or 1 m if there are
   /// none.
-  [[nodiscard]] PairedState draw_position(Dice& dice) const;
+  [[nodiscard]] PairedState draw_position(Rng& rng) const;
   /// Draws a vector of velocities, accelerations or anything else with nv entries, between -1 and
   /// 1.
-  [[nodiscard]] PairedState draw_velocity(Dice& dice) const;
+  [[nodiscard]] PairedState draw_velocity(Rng& rng) const;
 
  private:
   /// Two bodies whose joints correspond.

@@ -121,11 +121,11 @@ std::string describe_damped_rounding(const std::vector<GeneratedFunction>& funct
   }
   const bounds::InputSpace space(arguments.graph, domain);
   if (space.missing()) return "no bound is known: no range is stated for " + *space.missing();
-  Dice dice(1);
+  Rng rng(1);
   std::vector<bounds::States> inputs(arguments.graph.inputs().size());
   std::vector<double> tau, ease;
   for (int state = 0; state < kBatches * static_cast<int>(bounds::kStatesAtOnce); ++state) {
-    space.put(space.draw(dice), 0, inputs);
+    space.put(space.draw(rng), 0, inputs);
     Values values;
     std::size_t next = 0;
     for (const auto& [name, size] : arguments.sizes) {

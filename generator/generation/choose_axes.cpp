@@ -197,7 +197,7 @@ void flip_apart(Mechanism& mechanism, const Counter& counter, const std::vector<
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     const int before = sum_of(flops);
     for (int depth = 0; depth < kApart; ++depth) {
-      for (bool MovingLink::*choice : {&MovingLink::turns_late, &MovingLink::carries_column}) {
+      for (bool MovingLink::*choice : {&MovingLink::defers_rotation, &MovingLink::carries_column}) {
         std::vector<Flip> apart;
         for (const Flip& flip : flips) {
           const bool fits = depth_of(mechanism, flip.links->front()) % kApart == depth;
@@ -222,7 +222,7 @@ int count_cheapest(const Mechanism& mechanism, Function function) {
 
 void choose_axes(Mechanism& mechanism, Function decider) {
   constexpr std::size_t kFew = 64;  // as humanoids have
-  std::vector<bool MovingLink::*> choices{&MovingLink::turns_late};
+  std::vector<bool MovingLink::*> choices{&MovingLink::defers_rotation};
   if (info_of(decider).columns == Columns::carried) choices.push_back(&MovingLink::carries_column);
   const std::vector<Links> together = corresponding_links(mechanism);
   const Counter counter(mechanism, decider);

@@ -7,8 +7,8 @@
 #include "description/find_joint.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
+#include "passes/canonicalize.hpp"
 #include "passes/run_passes.hpp"
-#include "passes/settle.hpp"
 #include "passes/take_sines.hpp"
 #include "recursion/trace_together.hpp"
 
@@ -36,7 +36,7 @@ Scene scene_of_forces(const Scene& scene) {
 /// Passes that a program of given sines goes through.
 Program finish(Program program, const char* name) {
   std::vector<PassReport> log;
-  program = reduce_operations(take_sines(settle(program)), log);
+  program = reduce_operations(take_sines(canonicalize(program)), log);
   return put_in_order(named(std::move(program), name), log);
 }
 

@@ -111,8 +111,7 @@ GeneratedFunction generated_from(Function function, Choice choice, Routes& route
   generated.function = function;
   generated.chosen = std::move(choice.chosen);
   generated.rejected = std::move(choice.rejected);
-  generated.rejected.insert(generated.rejected.end(), routes.hopeless.begin(),
-                            routes.hopeless.end());
+  generated.rejected.insert(generated.rejected.end(), routes.pruned.begin(), routes.pruned.end());
   generated.passes = std::move(routes.logs[key_of(generated.chosen.route)]);
   generated.program = put_in_order(choice.program, generated.passes);
   return generated;
@@ -203,7 +202,7 @@ std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Fun
   Routes routes = run_routes(mechanism, function, options);
   auto choice = take_chosen(route, routes);
   if (!choice) {
-    options.hopeless = kAllRoutes;
+    options.prune_above = kAllRoutes;
     routes = run_routes(mechanism, function, options);
     choice = take_chosen(route, routes);
   }

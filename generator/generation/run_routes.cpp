@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "mechanism/find_limbs.hpp"
-#include "passes/settle.hpp"
+#include "passes/canonicalize.hpp"
 #include "passes/take_sines.hpp"
 #include "recursion/trace_function.hpp"
 
@@ -21,7 +21,7 @@ class RouteRunner {
   RouteRunner(Function function, const RouteOptions& options)
       : function_(function), options_(options) {}
 
-  /// Routes that the passes and lanes will not make the cheapest go to `hopeless`, as traced.
+  /// Routes that the passes and lanes will not make the cheapest go to `pruned`, as traced.
   void append_plain(const Mechanism& mechanism, Routes& routes) const {
     std::vector<Program> programs = trace_function(mechanism, function_, options_.lanes);
     std::vector<Cost> costs;
@@ -30,13 +30,13 @@ class RouteRunner {
     }
     const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
     for (std::size_t i = 0; i < programs.size(); ++i) {
-      if (costs[i].weighted <= options_.hopeless * least) {
+      if (costs[i].weighted <= options_.prune_above * least) {
         routes.candidates.push_back(finish(std::move(programs[i]), routes));
       } else {
-        routes.hopeless.push_back(costs[i]);
+        routes.pruned.push_back(costs[i]);
       }
     }
-    std::sort(routes.hopeless.begin(), routes.hopeless.end(), is_cheaper);
+    std::sort(routes.pruned.begin(), routes.pruned.end(), is_cheaper);
   }
 
   /// The same for the best of the candidates, alike limbs in lanes.
@@ -61,7 +61,7 @@ class RouteRunner {
  private:
   Program finish(Program program, Routes& routes) const {
     if (options_.sin_cos == Sines::given) {
-      program = take_sines(settle(program));
+      program = take_sines(canonicalize(program));
     }
     std::vector<PassReport>& log = routes.logs[key_of(program.route)];
     return reduce_operations(std::move(program), log);

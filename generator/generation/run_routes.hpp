@@ -17,16 +17,16 @@ struct RouteOptions {
   Sines sin_cos = Sines::computed;  ///< see `Scene::sin_cos`
   /// Routes that cost more than the cheapest one by this factor, as traced, are pruned. Passes save
   /// only a few per cent, and lanes up to a quarter.
-  double hopeless = 1.3;
+  double prune_above = 1.3;
 };
 
-/// Value of `RouteOptions::hopeless` with which no route is pruned.
+/// Value of `RouteOptions::prune_above` with which no route is pruned.
 inline constexpr double kAllRoutes = 1e9;
 
 /// The routes to a function. The operations of those that may win are reduced but not yet ordered.
 struct Routes {
   std::vector<Program> candidates;
-  std::vector<Cost> hopeless;                           ///< pruned routes as traced, cheapest first
+  std::vector<Cost> pruned;                             ///< pruned routes as traced, cheapest first
   std::map<std::string, std::vector<PassReport>> logs;  ///< of each candidate, by its key
 };
 

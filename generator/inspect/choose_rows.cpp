@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 #include "description/count_freedoms.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -23,10 +23,10 @@ constexpr double kIndependent = 0.03;
 constexpr double kRounding = 1e-7;
 
 /// Draws a value within a coordinate's limits, or within one turn or 1 m if it has none.
-double draw(const Coordinate& coordinate, Dice& dice) {
+double draw(const Coordinate& coordinate, Rng& rng) {
   if (coordinate.is_of_quaternion()) return coordinate.neutral();
   const auto [lower, upper] = coordinate.ordinary_range();
-  return dice.within(lower, upper);
+  return rng.within(lower, upper);
 }
 
 /// Computes Jacobians at random states, six rows per point.
@@ -38,12 +38,12 @@ Matrices draw_jacobians(const Robot& robot, const Scene& scene,
   }
   const auto mechanism = build_mechanism(robot, scene);
   const auto places = points_from_scene(model, points);
-  Dice dice(kRowSeed);
+  Rng rng(kRowSeed);
   Matrices jacobians;
   for (int state = 0; state < kRowStates; ++state) {
     interpreter::Vector<double> q(model.nq);
     for (int i = 0; i < model.nq; ++i) {
-      q[i] = draw(mechanism.coordinates[static_cast<std::size_t>(i)], dice);
+      q[i] = draw(mechanism.coordinates[static_cast<std::size_t>(i)], rng);
     }
     jacobians.push_back(interpreter::jacobian<double>(model, places, q));
   }

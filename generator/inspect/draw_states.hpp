@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 #include "inspect/report.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "interpreter/model.hpp"
@@ -39,7 +39,7 @@ class DrawnStates {
   interpreter::Vector<double> draw() {
     interpreter::Vector<double> q = neutral_;
     for (const JointReport* joint : joints_) {
-      q[joint->q] = dice_.within(lower(*joint), upper(*joint));
+      q[joint->q] = rng_.within(lower(*joint), upper(*joint));
     }
     return q;
   }
@@ -49,7 +49,7 @@ class DrawnStates {
 
   interpreter::Vector<double> neutral_;
   std::vector<const JointReport*> joints_;
-  Dice dice_{kSeed};
+  Rng rng_{kSeed};
 };
 
 }  // namespace treeline

@@ -30,7 +30,7 @@ Vector3d to_double(const ExactVector3& v) {
 double typical_length(const Mechanism& mechanism) {
   double length = 0;
   for (const MovingLink& link : mechanism.links) {
-    length = std::max(length, to_double(link.seat.p).norm());
+    length = std::max(length, to_double(link.placement.p).norm());
   }
   return length > 0 ? length : 1;
 }

@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 
 namespace treeline {
 namespace {
@@ -26,11 +26,11 @@ struct LinkMotion {
 /// value.
 class MovingTree {
  public:
-  MovingTree(const Mechanism& mechanism, Dice& dice) : mechanism_(mechanism) {
+  MovingTree(const Mechanism& mechanism, Rng& rng) : mechanism_(mechanism) {
     q_.resize(mechanism.coordinates.size());
     qd_.resize(mechanism.velocities.size());
-    for (double& q : q_) q = dice.within(1.5);
-    for (double& qd : qd_) qd = dice.within(1);
+    for (double& q : q_) q = rng.within(1.5);
+    for (double& qd : qd_) qd = rng.within(1);
   }
 
   [[nodiscard]] std::vector<LinkMotion> motions() const {
@@ -45,10 +45,10 @@ class MovingTree {
 
  private:
   [[nodiscard]] LinkMotion moved(const MovingLink& link, const LinkMotion& parent) const {
-    const Matrix3d seat_R = link.seat.R.cast<double>();
-    const Vector3d offset = parent.R * link.seat.p.cast<double>();
+    const Matrix3d placement_R = link.placement.R.cast<double>();
+    const Vector3d offset = parent.R * link.placement.p.cast<double>();
     LinkMotion motion;
-    motion.R = parent.R * seat_R;
+    motion.R = parent.R * placement_R;
     motion.p = parent.p + offset;
     motion.w = parent.w;
     motion.v = parent.v + parent.w.cross(offset);
@@ -131,9 +131,9 @@ Eigen::MatrixXd find_felt_directions(const Mechanism& mechanism,
   const Vector3d gravity = Eigen::Map<const Vector3d>(mechanism.gravity.data());
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(numbers, 2 * states);  // transposed
   Eigen::VectorXd first_potential;
-  Dice dice(kMotionSeed);
+  Rng rng(kMotionSeed);
   for (Eigen::Index k = 0; k < states; ++k) {
-    const auto motions = MovingTree(mechanism, dice).motions();
+    const auto motions = MovingTree(mechanism, rng).motions();
     for (Eigen::Index i = 0; i < links; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const Eigen::Index first = kInertialNumbers * i;

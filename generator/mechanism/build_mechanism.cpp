@@ -215,8 +215,8 @@ class Builder {
       const ExactMatrix3 axis = z_to(step.axis);
       MovingLink moving = new_link(names.link + step.suffix, names.joint, place);
       static_cast<JointStep&>(moving) = step.motion;
-      moving.seat = resolve(place.pose * ExactPose{axis, ExactVector3::Zero()},
-                            fmt::format("robot/joint[{}]", names.joint));
+      moving.placement = resolve(place.pose * ExactPose{axis, ExactVector3::Zero()},
+                                 fmt::format("robot/joint[{}]", names.joint));
       moving.q_index = step.motion.continues_joint() ? first.q : next.q;
       moving.v_index = next.v;
       next.q += step.motion.coordinates();
@@ -419,7 +419,7 @@ Mechanism reduced_mechanism(const Robot& robot, const Scene& scene, Inertias ine
   Mechanism mechanism = build_mechanism(robot, scene);
   const bool regroup = inertias == Inertias::regrouped;
   if (regroup) regroup_inertias(mechanism);
-  seat_frames(mechanism);
+  place_frames(mechanism);
   if (regroup) {
     // A prismatic link whose frame was shifted has a second moment again.
     const std::vector<ReductionNote> notes = mechanism.notes;

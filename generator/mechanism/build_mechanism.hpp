@@ -20,7 +20,7 @@ void regroup_inertias(Mechanism& mechanism);
 
 /// Turns and slides every link frame about and along its joint axis so that the constants of
 /// transforms, inertias and points become sparse (after Khalil & Kleinfinger 1986).
-void seat_frames(Mechanism& mechanism);
+void place_frames(Mechanism& mechanism);
 
 /// Removes angle offsets that would make q + offset be rounded too coarsely. The offset returns to
 /// the placement of the joint; sines and cosines of q are then rotated by the addition theorems,
@@ -36,7 +36,7 @@ Mechanism mechanism_in_frames_of_files(const Robot& robot, const Scene& scene);
 enum class Inertias { regrouped, full };
 
 /// Builds the mechanism of `robot` and reduces it: `build_mechanism`, `regroup_inertias`,
-/// `seat_frames`, another regrouping of what then has become possible, and `keep_angles`.
+/// `place_frames`, another regrouping of what then has become possible, and `keep_angles`.
 Mechanism reduced_mechanism(const Robot& robot, const Scene& scene,
                             Inertias inertias = Inertias::regrouped);
 

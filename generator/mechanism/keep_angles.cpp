@@ -32,15 +32,16 @@ void keep_angles(Mechanism& mechanism, Accuracy accuracy) {
     const auto offset = static_cast<double>(link.offset);
     if (may_round(mechanism, link, accuracy)) {
       mechanism.notes.push_back(
-          {"seat", link.name,
+          {"place", link.name,
            fmt::format("angle offset by {:.6g} rad inside the recursions", offset)});
       continue;
     }
-    link.seat = resolved(link.seat * ExactPose{rotation_z(link.offset), ExactVector3::Zero()},
-                         mechanism.resolution);
+    link.placement =
+        resolved(link.placement * ExactPose{rotation_z(link.offset), ExactVector3::Zero()},
+                 mechanism.resolution);
     link.offset = 0;
     mechanism.notes.push_back(
-        {"seat", link.name,
+        {"place", link.name,
          fmt::format("turned on by {:.6g} rad by the theorem of addition: q + offset would be "
                      "rounded as a large angle is",
                      offset)});

@@ -44,7 +44,7 @@ struct JointDrive {
 };
 
 /// One degree of freedom (six for `floating`) and the link behind it. The pose of the link's frame
-/// in its parent is `seat` (the placement, RBDA's X_tree) followed by the joint's motion:
+/// in its parent is `placement` (RBDA's X_tree) followed by the joint's motion:
 /// Rz(angle), Tz(displacement), or (position, quaternion). angle = multiplier * q[q_index] +
 /// offset, and likewise the displacement. Joints of several axes are several links, see
 /// `JointStep`: a planar joint two that slide and one that turns, a ball joint three that turn.
@@ -52,7 +52,7 @@ struct MovingLink : JointStep {
   std::string name;   ///< name of the first URDF link that the joint moves
   std::string joint;  ///< name of the URDF joint
   int parent = -1;    ///< index into Mechanism::links, smaller than the link's own; -1: world
-  ExactPose seat;
+  ExactPose placement;
   int q_index = 0;  ///< first coordinate
   int v_index = 0;  ///< first velocity
   double multiplier = 1;
@@ -66,9 +66,9 @@ struct MovingLink : JointStep {
   /// Radius of gyration about the frame's origin as in the file, of everything that the link
   /// carries; m.
   Exact radius = 0;
-  /// How recursions treat this link, see `turn_late` and `outward_motion`. Results are the same,
-  /// costs differ. Both only apply to joints of one coordinate.
-  bool turns_late = false, carries_column = false;
+  /// How recursions treat this link, see `defer_rotations` and `outward_motion`. Results are the
+  /// same, costs differ. Both only apply to joints of one coordinate.
+  bool defers_rotation = false, carries_column = false;
 };
 
 /// An operational point, or the place of an external force, on a moving link or on the world (-1).
@@ -148,7 +148,7 @@ struct LimbFamily {
 
 /// Record of a reduction, for `inspect` and the manifest.
 struct ReductionNote {
-  std::string step;  ///< "lump", "seat", "regroup"
+  std::string step;  ///< "lump", "place", "regroup"
   std::string link;
   std::string text;
 };
@@ -163,8 +163,8 @@ struct BaseParameterMemo {
 };
 
 /// The numbered tree on which recursions run: parents before children, in the order of q. Built by
-/// `build_mechanism`; reduced by `seat_frames` and `regroup_inertias`, which leave the equations of
-/// motion unchanged.
+/// `build_mechanism`; reduced by `place_frames` and `regroup_inertias`, which leave the equations
+/// of motion unchanged.
 struct Mechanism {
   std::vector<MovingLink> links;
   /// Matter that is fixed to the world, in the world frame, including what regrouping moved there.

@@ -61,14 +61,14 @@ void regroup_inertias(Mechanism& mechanism) {
     }
     const Exact mass = link->inertia.mass;
     Inertia moved = take_unmoved(*link, link->inertia);
-    ExactPose seat = link->seat;
+    ExactPose placement = link->placement;
     if (link->kind == JointKind::prismatic) {
-      seat.p.setZero();
+      placement.p.setZero();
     }
     Inertia& parent = link->parent < 0
                           ? mechanism.world
                           : mechanism.links[static_cast<std::size_t>(link->parent)].inertia;
-    parent = parent + transformed(moved, seat);
+    parent = parent + transformed(moved, placement);
     if (link->is_continued()) continue;  // a massless step on the way to the parent
     mechanism.notes.push_back({"regroup", link->name, describe(*link, mass)});
   }

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "bounds/dice.hpp"
 #include "bounds/draw_body.hpp"
+#include "bounds/rng.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "oracle/term_sizes.hpp"
 
@@ -14,62 +14,62 @@ namespace {
 constexpr double kQuarterTurn = 1.5707963267948966;
 
 /// Draws a number of either sign. The logarithm of its magnitude is uniform.
-double draw_logarithmic(Dice& dice, double least, double greatest) {
-  const double magnitude = least * std::pow(greatest / least, dice.unit());
-  return dice.chance(0.5) ? magnitude : -magnitude;
+double draw_logarithmic(Rng& rng, double least, double greatest) {
+  const double magnitude = least * std::pow(greatest / least, rng.unit());
+  return rng.chance(0.5) ? magnitude : -magnitude;
 }
 
-double draw_within_limits(Dice& dice, const Coordinate& coordinate) {
+double draw_within_limits(Rng& rng, const Coordinate& coordinate) {
   const auto [lower, upper] = coordinate.ordinary_range();
-  return dice.within(lower, upper);
+  return rng.within(lower, upper);
 }
 
-double draw_aligned(Dice& dice, const Coordinate& coordinate) {
-  if (dice.chance(0.3)) return draw_within_limits(dice, coordinate);
+double draw_aligned(Rng& rng, const Coordinate& coordinate) {
+  if (rng.chance(0.3)) return draw_within_limits(rng, coordinate);
   const double step = coordinate.is_angle() ? kQuarterTurn : 0.5;
-  const double at = step * std::floor(dice.within(-2, 3));
-  return dice.chance(0.4) ? at : at + draw_logarithmic(dice, 1e-12, 1e-2);
+  const double at = step * std::floor(rng.within(-2, 3));
+  return rng.chance(0.4) ? at : at + draw_logarithmic(rng, 1e-12, 1e-2);
 }
 
 /// Draws one of the coordinate's limits in most cases, and otherwise (or if that limit is infinite)
 /// a value from its ordinary range.
-double draw_limit(Dice& dice, const Coordinate& coordinate) {
-  const double limit = dice.chance(0.5) ? coordinate.lower : coordinate.upper;
-  if (!std::isfinite(limit) || dice.chance(0.1)) return draw_within_limits(dice, coordinate);
+double draw_limit(Rng& rng, const Coordinate& coordinate) {
+  const double limit = rng.chance(0.5) ? coordinate.lower : coordinate.upper;
+  if (!std::isfinite(limit) || rng.chance(0.1)) return draw_within_limits(rng, coordinate);
   return limit;
 }
 
-double draw_coordinate(Dice& dice, StateClass kind, const Coordinate& coordinate) {
+double draw_coordinate(Rng& rng, StateClass kind, const Coordinate& coordinate) {
   switch (kind) {
     case StateClass::neutral:
       return 0;
     case StateClass::large:
-      return dice.within(coordinate.is_angle() ? 1000 : 10);
+      return rng.within(coordinate.is_angle() ? 1000 : 10);
     case StateClass::tiny:
-      return draw_logarithmic(dice, 1e-12, 1e-2);
+      return draw_logarithmic(rng, 1e-12, 1e-2);
     case StateClass::aligned:
-      return draw_aligned(dice, coordinate);
+      return draw_aligned(rng, coordinate);
     case StateClass::limits:
-      return draw_limit(dice, coordinate);
+      return draw_limit(rng, coordinate);
     case StateClass::random:
     case StateClass::fast:
       break;
   }
-  return draw_within_limits(dice, coordinate);
+  return draw_within_limits(rng, coordinate);
 }
 
 /// Draws a rotation, uniformly or, for some classes, close to none or to a quarter turn about an
 /// axis. The quaternion has unit length up to rounding in double or, if `rounded`, in float.
-std::array<double, 4> draw_quaternion(Dice& dice, StateClass kind, bool rounded) {
+std::array<double, 4> draw_quaternion(Rng& rng, StateClass kind, bool rounded) {
   std::array<double, 4> x{0, 0, 0, 1};
   if (kind == StateClass::neutral) return x;
   if (kind == StateClass::aligned) {
-    x[static_cast<std::size_t>(dice.within(0, 3))] = dice.chance(0.5) ? 1 : 0;
-    for (double& entry : x) entry += draw_logarithmic(dice, 1e-12, 1e-3);
+    x[static_cast<std::size_t>(rng.within(0, 3))] = rng.chance(0.5) ? 1 : 0;
+    for (double& entry : x) entry += draw_logarithmic(rng, 1e-12, 1e-3);
   } else if (kind == StateClass::tiny) {
-    for (std::size_t i = 0; i < 3; ++i) x[i] = draw_logarithmic(dice, 1e-12, 1e-2);
+    for (std::size_t i = 0; i < 3; ++i) x[i] = draw_logarithmic(rng, 1e-12, 1e-2);
   } else {
-    for (double& entry : x) entry = dice.within(1);
+    for (double& entry : x) entry = rng.within(1);
   }
   double norm = 0;
   for (const double entry : x) norm = std::hypot(norm, entry);
@@ -88,42 +88,42 @@ Speed speed(StateClass kind) {
   return kind == StateClass::fast ? Speed{50, 2000} : Speed{2, 10};
 }
 
-std::vector<double> draw_rates(Dice& dice, StateClass kind, std::size_t count, double size) {
+std::vector<double> draw_rates(Rng& rng, StateClass kind, std::size_t count, double size) {
   std::vector<double> rates(count);
   for (double& rate : rates) {
-    rate = kind == StateClass::tiny ? draw_logarithmic(dice, 1e-12, 1e-2) : dice.within(size);
+    rate = kind == StateClass::tiny ? draw_logarithmic(rng, 1e-12, 1e-2) : rng.within(size);
   }
   return rates;
 }
 
-std::vector<double> draw_q(Dice& dice, const StateSpace& space, const State& state) {
+std::vector<double> draw_q(Rng& rng, const StateSpace& space, const State& state) {
   const StateClass kind = state.kind;
   std::vector<double> q;
   for (const Coordinate& coordinate : space.coordinates) {
-    q.push_back(draw_coordinate(dice, kind, coordinate));
+    q.push_back(draw_coordinate(rng, kind, coordinate));
   }
   for (const auto& body : space.subject.model.bodies) {
     const int first = interpreter::quaternion_of(body);
     if (first < 0) continue;
-    const auto quaternion = draw_quaternion(dice, kind, state.index % 2 == 1);
+    const auto quaternion = draw_quaternion(rng, kind, state.index % 2 == 1);
     std::copy(quaternion.begin(), quaternion.end(), q.begin() + first);
   }
   return q;
 }
 
 /// Draws the inertial parameters of a body.
-void draw_body(Dice& dice, const SubjectInertia& within, bool whole, std::vector<double>& entries) {
+void draw_body(Rng& rng, const SubjectInertia& within, bool whole, std::vector<double>& entries) {
   std::array<double, kInertialParameters> choice{};
-  for (double& each : choice) each = dice.within(1);
+  for (double& each : choice) each = rng.within(1);
   const auto body = bounds::body_of({within.mass, within.reach, whole}, choice);
   entries.insert(entries.end(), body.begin(), body.end());
 }
 
 /// Base parameters that bodies, rotors and friction have.
-std::vector<double> draw_base(Dice& dice, const SubjectInputs& inputs) {
+std::vector<double> draw_base(Rng& rng, const SubjectInputs& inputs) {
   std::vector<double> numbers, entries;
-  for (const SubjectInertia& box : inputs.base_bodies) draw_body(dice, box, true, numbers);
-  for (const double size : inputs.base_drives) numbers.push_back(size * dice.unit());
+  for (const SubjectInertia& box : inputs.base_bodies) draw_body(rng, box, true, numbers);
+  for (const double size : inputs.base_drives) numbers.push_back(size * rng.unit());
   for (const SubjectBase& base : inputs.base) {
     double value = 0;
     for (const auto& [number, coefficient] : base.numbers) value += coefficient * numbers[number];
@@ -132,43 +132,43 @@ std::vector<double> draw_base(Dice& dice, const SubjectInputs& inputs) {
   return entries;
 }
 
-std::vector<double> draw_origins(Dice& dice, const std::vector<SubjectTool>& tools) {
+std::vector<double> draw_origins(Rng& rng, const std::vector<SubjectTool>& tools) {
   std::vector<double> entries;
   for (const SubjectTool& tool : tools) {
-    for (int i = 0; i < 3; ++i) entries.push_back(dice.within(tool.reach));
+    for (int i = 0; i < 3; ++i) entries.push_back(rng.within(tool.reach));
   }
   return entries;
 }
 
 /// Draws what the robot is at a state, within the ranges of the scene. The first state carries
 /// nothing.
-std::vector<double> draw_model(Dice& dice, const SubjectInputs& inputs, Quantity quantity,
+std::vector<double> draw_model(Rng& rng, const SubjectInputs& inputs, Quantity quantity,
                                const State& state) {
   std::vector<double> entries;
   switch (info_of(quantity).space) {
     case IndexSpace::payloads:
       for (const SubjectInertia& box : inputs.payloads) {
-        draw_body(dice, state.index == 0 ? SubjectInertia{} : box, false, entries);
+        draw_body(rng, state.index == 0 ? SubjectInertia{} : box, false, entries);
       }
       return entries;
     case IndexSpace::parameters:
-      for (const SubjectInertia& box : inputs.parameters) draw_body(dice, box, true, entries);
+      for (const SubjectInertia& box : inputs.parameters) draw_body(rng, box, true, entries);
       return entries;
     case IndexSpace::base_parameters:
-      return draw_base(dice, inputs);
+      return draw_base(rng, inputs);
     case IndexSpace::tools:
-      return draw_origins(dice, inputs.tools);
+      return draw_origins(rng, inputs.tools);
     case IndexSpace::contact_places:
-      return draw_origins(dice, inputs.contacts);
+      return draw_origins(rng, inputs.contacts);
     case IndexSpace::orientations:
       for (const SubjectTool& tool : inputs.tools) {
         if (!tool.orientation) continue;
-        const auto quaternion = draw_quaternion(dice, state.kind, state.index % 2 == 1);
+        const auto quaternion = draw_quaternion(rng, state.kind, state.index % 2 == 1);
         entries.insert(entries.end(), quaternion.begin(), quaternion.end());
       }
       return entries;
     default:
-      for (int i = 0; i < 3; ++i) entries.push_back(dice.within(info_of(quantity).range));
+      for (int i = 0; i < 3; ++i) entries.push_back(rng.within(info_of(quantity).range));
       return entries;
   }
 }
@@ -242,35 +242,35 @@ StateClass class_of_state(int index) {
 
 State draw_state(const StateSpace& space, int index) {
   // Each state has its own seed.
-  Dice dice(space.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
+  Rng rng(space.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
   const auto nv = static_cast<std::size_t>(space.subject.model.nv);
   State state;
   state.index = index;
   state.kind = class_of_state(index);
-  state.q = draw_q(dice, space, state);
+  state.q = draw_q(rng, space, state);
   const bool at_rest = index == 0;
   const Speed size = at_rest ? Speed{0, 0} : speed(state.kind);
-  state.qd = draw_rates(dice, state.kind, nv, size.velocity);
-  state.qdd = draw_rates(dice, state.kind, nv, size.acceleration);
+  state.qd = draw_rates(rng, state.kind, nv, size.velocity);
+  state.qdd = draw_rates(rng, state.kind, nv, size.acceleration);
   const auto rows = static_cast<std::size_t>(interpreter::row_count(space.subject.points));
-  state.xdd_cmd = draw_rates(dice, state.kind, rows, size.acceleration);
-  state.f_ext = draw_rates(dice, state.kind, 6 * space.subject.external.size(), at_rest ? 0 : 50);
+  state.xdd_cmd = draw_rates(rng, state.kind, rows, size.acceleration);
+  state.f_ext = draw_rates(rng, state.kind, 6 * space.subject.external.size(), at_rest ? 0 : 50);
   // Forces of the size that such a motion requires.
   const auto forces = TermSizes(space.subject, state.q).forces(state.qd, state.qdd, state.f_ext);
   for (std::size_t i = 0; i < nv; ++i) {
-    state.tau.push_back(at_rest ? 0 : dice.within(forces[static_cast<Eigen::Index>(i)]));
+    state.tau.push_back(at_rest ? 0 : rng.within(forces[static_cast<Eigen::Index>(i)]));
   }
   for (const auto& [quantity, count] : space.others) {
     if (is_of_model(quantity)) {
-      state.others[quantity] = draw_model(dice, space.subject.inputs, quantity, state);
+      state.others[quantity] = draw_model(rng, space.subject.inputs, quantity, state);
       continue;
     }
     if (quantity == Quantity::step) {
-      state.others[quantity] = {info_of(quantity).range * dice.unit()};
+      state.others[quantity] = {info_of(quantity).range * rng.unit()};
       continue;
     }
     // At rest too: a direction is none without a length.
-    state.others[quantity] = draw_rates(dice, state.kind, static_cast<std::size_t>(count),
+    state.others[quantity] = draw_rates(rng, state.kind, static_cast<std::size_t>(count),
                                         speed(state.kind).acceleration);
   }
   if (space.single_precision) round_to_float(state);

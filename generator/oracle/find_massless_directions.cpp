@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "oracle/subject.hpp"
@@ -28,9 +28,9 @@ constexpr double kRounding = 1e-6;
 constexpr double kLeads = 0.1;
 constexpr std::size_t kMostLinks = 3;
 
-std::vector<double> draw_pose(const interpreter::Model<double>& model, Dice& dice) {
+std::vector<double> draw_pose(const interpreter::Model<double>& model, Rng& rng) {
   std::vector<double> q;
-  for (int i = 0; i < model.nq; ++i) q.push_back(dice.within(1));
+  for (int i = 0; i < model.nq; ++i) q.push_back(rng.within(1));
   for (const auto& body : model.bodies) {
     const int first = interpreter::quaternion_of(body);
     if (first < 0) continue;
@@ -232,10 +232,10 @@ std::vector<MasslessDirections> find_massless_directions(const Robot& robot, con
   Subject<double> subject;
   subject.model = interpreter::cast<double>(exact.model);
   if (subject.model.nv == 0) return {};
-  Dice dice(kSeed);
+  Rng rng(kSeed);
   std::optional<NullSpace> least;
   for (int i = 0; i < kPoses; ++i) {
-    NullSpace space = find_null_space(exact, subject, draw_pose(subject.model, dice));
+    NullSpace space = find_null_space(exact, subject, draw_pose(subject.model, rng));
     if (space.columns.cols() == 0) return {};
     if (!least || space.columns.cols() < least->columns.cols()) least = std::move(space);
   }

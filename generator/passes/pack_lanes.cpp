@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "passes/find_orbits.hpp"
+#include "passes/find_isomorphic_operations.hpp"
 #include "passes/lane_operands.hpp"
 #include "passes/pack_cycles.hpp"
 #include "passes/rebuild.hpp"
@@ -47,19 +47,19 @@ class Packer {
   enum class First { columns, limbs };
 
   void run(First first) {
-    const std::vector<LanePack> orbits = find_orbits(program_);
+    const std::vector<LanePack> groups = find_isomorphic_operations(program_);
     if (first == First::columns) {
       pack_columns();
-      settle_packs();
+      resolve_packs();
     }
-    pack_orbits(orbits);
-    settle_packs();
+    pack_isomorphic(groups);
+    resolve_packs();
     if (first == First::limbs) {
       pack_columns();
-      settle_packs();
+      resolve_packs();
     }
-    pack_orbits(orbits);  // operations of packs that were taken apart
-    settle_packs();
+    pack_isomorphic(groups);  // operations of packs that were taken apart
+    resolve_packs();
   }
 
   /// Number of instructions that the program takes.
@@ -94,13 +94,13 @@ class Packer {
     }
   }
 
-  void pack_orbits(const std::vector<LanePack>& orbits) {
-    for (const LanePack& orbit : orbits) {
-      add(orbit, 2);
+  void pack_isomorphic(const std::vector<LanePack>& groups) {
+    for (const LanePack& group : groups) {
+      add(group, 2);
     }
   }
 
-  void settle_packs() {
+  void resolve_packs() {
     dissolve_cycles();
     while (dissolve_losses()) {
     }

@@ -5,12 +5,12 @@
 #include <array>
 #include <utility>
 
+#include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
 #include "passes/eliminate_dead.hpp"
 #include "passes/factor_sums.hpp"
 #include "passes/pack_lanes.hpp"
 #include "passes/schedule.hpp"
-#include "passes/settle.hpp"
 #include "passes/share_pairs.hpp"
 
 namespace treeline {
@@ -22,8 +22,8 @@ struct Pass {
 };
 
 constexpr std::array kReducing = {
-    Pass{"settle", settle},           Pass{"factor_sums", factor_sums},
-    Pass{"share_pairs", share_pairs}, Pass{"eliminate_dead", eliminate_dead},
+    Pass{"canonicalize", canonicalize}, Pass{"factor_sums", factor_sums},
+    Pass{"share_pairs", share_pairs},   Pass{"eliminate_dead", eliminate_dead},
     Pass{"pack_lanes", pack_lanes},
 };
 

@@ -167,8 +167,8 @@ class Graph {
   }
   /// Whether x y and y x, and x - y and y - x, are one node; the one built first stays. A trace
   /// turns this off: C++ does not specify which operand of an operator is evaluated first, so the
-  /// order of building would depend on the compiler. The pass `settle` merges such nodes later, in
-  /// a fixed order.
+  /// order of building would depend on the compiler. The pass `canonicalize` merges such nodes
+  /// later, in a fixed order.
   [[nodiscard]] bool merges_commuted() const { return merges_commuted_; }
   /// An empty graph to trace into, for code with `lanes` lanes.
   static Graph for_trace(int lanes);

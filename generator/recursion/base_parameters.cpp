@@ -156,7 +156,7 @@ class Inward {
     }
     const auto parent = at(motion.parent);
     const ExactPose moved = inverse(in_units(mechanism_.link_frames[parent].pose, units_)) *
-                            motion.seat * in_units(mechanism_.link_frames[frame].pose, units_);
+                            motion.placement * in_units(mechanism_.link_frames[frame].pose, units_);
     const auto values = parameters_of(transformed(body, moved));
     for (std::size_t k = 0; k < values.size(); ++k) {
       add(sums_[frame][at(entry)], values[k], sums_[parent][k]);

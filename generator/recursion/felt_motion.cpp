@@ -125,14 +125,15 @@ Reach reach_of_base(const Mechanism& mechanism, const Exact& tolerance) {
 }
 
 /// The same motion as that of a frame that is fixed to the link. The rotor is left behind.
-Reach seen_from(const ExactPose& seat, const Reach& link, bool continues, const Exact& tolerance) {
+Reach seen_from(const ExactPose& placement, const Reach& link, bool continues,
+                const Exact& tolerance) {
   const NumberMatrix back =
-      matrix_of([&](const Inertia& inertia) { return transformed(inertia, seat); });
-  const ExactMatrix3 Rt = seat.R.transpose();
+      matrix_of([&](const Inertia& inertia) { return transformed(inertia, placement); });
+  const ExactMatrix3 Rt = placement.R.transpose();
   Reach seen(tolerance);
   for (const ExactRow& row : link.twists.basis()) {
     const ExactTwist twist = twist_of(row);
-    seen.twists.add(row_of({Rt * (twist.v + crossed(twist.w, seat.p)), Rt * twist.w}));
+    seen.twists.add(row_of({Rt * (twist.v + crossed(twist.w, placement.p)), Rt * twist.w}));
   }
   for (const ExactRow& row : link.felt.basis()) seen.felt.add(row * back);
   for (const ExactRow& row : link.weights) seen.weights.emplace_back(row * back);
@@ -191,7 +192,7 @@ class Outward {
       steps_.push_back(step_to(link));
       if (frame_of_link_[i] < 0) continue;
       const Step& step = steps_.back();
-      motions[static_cast<std::size_t>(frame_of_link_[i])] = {step.parent, step.seat,
+      motions[static_cast<std::size_t>(frame_of_link_[i])] = {step.parent, step.placement,
                                                               stacked(step.reach.moving.basis())};
     }
     return motions;
@@ -200,20 +201,21 @@ class Outward {
  private:
   struct Step {
     Reach reach;
-    int parent = -1;  ///< the last link of the file before this step
-    ExactPose seat;   ///< in that link
+    int parent = -1;      ///< the last link of the file before this step
+    ExactPose placement;  ///< in that link
   };
 
   [[nodiscard]] Step step_to(const MovingLink& link) const {
-    const ExactPose seat = in_units(link.seat, units_);
+    const ExactPose placement = in_units(link.placement, units_);
     const auto parent = static_cast<std::size_t>(link.parent);
     const bool on_base = link.parent < 0;
     const bool continues = !on_base && frame_of_link_[parent] < 0;
-    Step step{seen_from(seat, on_base ? base_ : steps_[parent].reach, continues, units_.tolerance),
-              -1, seat};
+    Step step{
+        seen_from(placement, on_base ? base_ : steps_[parent].reach, continues, units_.tolerance),
+        -1, placement};
     if (continues) {
       step.parent = steps_[parent].parent;
-      step.seat = steps_[parent].seat * seat;
+      step.placement = steps_[parent].placement * placement;
     } else if (!on_base) {
       step.parent = frame_of_link_[parent];
     }
@@ -240,7 +242,7 @@ FeltUnits felt_units(const Mechanism& mechanism) {
     const Exact length = sqrt(Exact(p.squaredNorm()));
     if (length > longest) longest = length;
   };
-  for (const MovingLink& link : mechanism.links) look_at(link.seat.p);
+  for (const MovingLink& link : mechanism.links) look_at(link.placement.p);
   for (const MechanismPoint& frame : mechanism.link_frames) look_at(frame.pose.p);
   if (longest > 0) units.length = longest;
   const Exact least("1e-30");

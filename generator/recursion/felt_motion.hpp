@@ -15,11 +15,11 @@ inline constexpr int kRotorNumber = 10;
 
 /// How the energies of a robot depend on the inertia of one link.
 struct FeltMotion {
-  int parent = -1;  ///< index into `Mechanism::link_frames` of the link before; -1: the world
-  ExactPose seat;   ///< of the link in that one, all coordinates of the joint at zero
+  int parent = -1;      ///< index into `Mechanism::link_frames` of the link before; -1: the world
+  ExactPose placement;  ///< of the link in that one, all coordinates of the joint at zero
   /// Rows by `kBodyNumbers`: a basis of all that the joint of this link makes of an inertia on it.
   /// An inertia of which all of this is zero does what it would do on the link before, there
-  /// transformed by `seat`.
+  /// transformed by `placement`.
   ExactRows moving;
 };
 

@@ -22,8 +22,8 @@ struct JointTransform {
     return rotate(R, general ? Q * v : rotate_z(turn, v));
   }
   [[nodiscard]] Vector3<Scalar> to_child(const Vector3<Scalar>& v) const {
-    const Vector3<Scalar> seated = rotate_back(R, v);
-    return general ? transposed_times(Q, seated) : rotate_z(turn.inverse(), seated);
+    const Vector3<Scalar> in_placement = rotate_back(R, v);
+    return general ? transposed_times(Q, in_placement) : rotate_z(turn.inverse(), in_placement);
   }
   /// R Q A Q^T R^T, where columns of A are rotated too: with them, `congruent` shares Q A.
   [[nodiscard]] Symmetric3<Scalar> matrix_to_parent(const Symmetric3<Scalar>& A) const {
@@ -40,8 +40,8 @@ struct JointTransform {
   /// Q^T R^T A R Q for a matrix with or without symmetry.
   template <class Turned>
   [[nodiscard]] Turned matrix_to_child(const Turned& A) const {
-    const Turned seated = rotate_back(R, A);
-    return general ? turned(transposed(Q), seated) : rotate_z(turn.inverse(), seated);
+    const Turned in_placement = rotate_back(R, A);
+    return general ? turned(transposed(Q), in_placement) : rotate_z(turn.inverse(), in_placement);
   }
 };
 

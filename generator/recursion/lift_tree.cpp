@@ -33,10 +33,20 @@ TreeDrive<Expression> lift(const TreeDrive<double>& drive) {
 }
 
 TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choices) {
-  return {link,          link.name,          link.parent,        link.q_index,
-          link.v_index,  link.multiplier,    link.offset,        lift(link.R),
-          lift(link.p),  lift(link.inertia), choices.turns_late, choices.carries_column,
-          choices.spins, lift(link.drive)};
+  return {link,
+          link.name,
+          link.parent,
+          link.q_index,
+          link.v_index,
+          link.multiplier,
+          link.offset,
+          lift(link.R),
+          lift(link.p),
+          lift(link.inertia),
+          choices.defers_rotation,
+          choices.carries_column,
+          choices.spins,
+          lift(link.drive)};
 }
 
 std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<double>>& points) {

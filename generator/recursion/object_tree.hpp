@@ -114,8 +114,8 @@ Tree<Scalar> holding_tree(Tree<Scalar> tree, const std::vector<TreeObject<Scalar
   return tree;
 }
 
-/// Updates the objects' grasps with the points of a `holding_tree`, which `turn_late` may have
-/// rotated.
+/// Updates the objects' grasps with the points of a `holding_tree`, which `defer_rotations` may
+/// have rotated.
 template <class Scalar>
 void follow_points(const Tree<Scalar>& tree, std::vector<TreeObject<Scalar>>& objects) {
   auto point = tree.operational_points.begin();

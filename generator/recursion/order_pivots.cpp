@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recursion/late_turns.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/resolved_by_pivots.hpp"
 
 namespace treeline {
@@ -71,7 +71,7 @@ DenseMatrix<Expression> trace_jacobian(const Mechanism& mechanism, Graph& graph,
   std::vector<Expression> q;
   for (int i = 0; i < mechanism.nq(); ++i) q.push_back(graph.input("q[" + std::to_string(i) + "]"));
   auto X = joint_transforms<Expression>(tree, q);
-  turn_late(tree, X);
+  defer_rotations(tree, X);
   return wrist_jacobian(tree, X, axes_link);
 }
 

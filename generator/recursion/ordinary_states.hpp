@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
-#include "recursion/late_turns.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/model_inputs.hpp"
 #include "recursion/object_forward_dynamics.hpp"
 #include "recursion/task_law.hpp"
@@ -41,7 +41,7 @@ Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vect
   }
   const std::vector<Scalar> at(q.begin(), q.end());
   posed.X = joint_transforms<Scalar>(posed.tree, at);
-  turn_late(posed.tree, posed.X);
+  defer_rotations(posed.tree, posed.X);
   if (points == LawPoints::grasps) follow_points(posed.tree, posed.objects);
   return posed;
 }

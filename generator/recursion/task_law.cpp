@@ -131,7 +131,7 @@ std::vector<double> jacobian_borders(const TaskLaw& law, const std::vector<bool>
 
 /// 1 over the squared distance of the wrist's centre from the third joint's axis.
 double inverse_square_of_forearm(const Mechanism& mechanism) {
-  const ExactVector3& p = mechanism.links[3].seat.p;
+  const ExactVector3& p = mechanism.links[3].placement.p;
   const Exact square = p(0) * p(0) + p(1) * p(1);
   return square > 0 ? static_cast<double>(Exact(1 / square)) : 0;
 }

@@ -4,10 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/describe_choice.hpp"
-#include "recursion/hopeless_algorithms.hpp"
-#include "recursion/late_turns.hpp"
 #include "recursion/operational_quantities.hpp"
+#include "recursion/pruned_algorithms.hpp"
 #include "recursion/supported_control_torque.hpp"
 #include "recursion/supported_mechanism.hpp"
 #include "recursion/task_law.hpp"
@@ -172,7 +172,7 @@ class ConstraintTracer {
       for (const std::size_t row : task_row_order(mechanism_)) trace.xdd_cmd.push_back(asked[row]);
     }
     trace.X = joint_transforms<Expression>(trace.tree, inputs[Quantity::q]);
-    turn_late(trace.tree, trace.X);
+    defer_rotations(trace.tree, trace.X);
     const auto& f_ext = inputs[Quantity::f_ext];
     if (!f_ext.empty()) trace.applied = applied_wrenches<Expression>(trace.tree, trace.X, f_ext);
   }
@@ -191,11 +191,11 @@ std::vector<Program> trace_constraint_function(const Mechanism& mechanism, Funct
                                                int lanes) {
   const ConstraintTracer tracer(mechanism, function, lanes);
   std::vector<Program> programs;
-  HopelessAlgorithms hopeless;
+  PrunedAlgorithms pruned;
   for (const ConstraintRoute& route : tracer.routes()) {
-    if (hopeless.has(route.id)) continue;
+    if (pruned.has(route.id)) continue;
     programs.push_back(tracer.trace(route));
-    hopeless.look_at(programs.back());
+    pruned.look_at(programs.back());
   }
   return programs;
 }

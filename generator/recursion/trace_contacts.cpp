@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "recursion/contacts.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/describe_choice.hpp"
-#include "recursion/late_turns.hpp"
 #include "recursion/link_inverse_inertias.hpp"
 #include "recursion/task_law.hpp"
 #include "recursion/trace_parts.hpp"
@@ -172,7 +172,7 @@ Program trace(const Mechanism& mechanism, Function function, const ContactRoute&
     if (quantity != Quantity::q && !is_of_model(quantity)) traced.other = inputs[quantity];
   }
   traced.X = joint_transforms<Expression>(traced.tree, traced.q);
-  turn_late(traced.tree, traced.X);
+  defer_rotations(traced.tree, traced.X);
   traced.poses = world_poses(traced.tree, traced.X);
   if (route.law) {
     traced.rule = route.law->rule;

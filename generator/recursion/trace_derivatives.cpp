@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/forward_dynamics_derivatives.hpp"
-#include "recursion/late_turns.hpp"
 #include "recursion/trace_parts.hpp"
 
 namespace treeline {
@@ -36,7 +36,7 @@ Program trace_inverse(const Mechanism& mechanism, Program program) {
   auto tree = constant_tree<Expression>(mechanism);
   apply_inputs(mechanism, in, tree);
   auto X = joint_transforms<Expression>(tree, in[Quantity::q]);
-  turn_late(tree, X);
+  defer_rotations(tree, X);
   const auto d = inverse_dynamics_derivatives<Expression>(
       tree, X, {in[Quantity::qd], in[Quantity::qdd]}, in[Quantity::f_ext]);
   program.results = {matrix_result("dtau_dq", by_displacements(mechanism), d.dq),
@@ -57,7 +57,7 @@ Program trace_forward(const Mechanism& mechanism, Program program, DerivativeRou
   auto tree = constant_tree<Expression>(mechanism);
   apply_inputs(mechanism, in, tree);
   auto X = joint_transforms<Expression>(tree, in[Quantity::q]);
-  turn_late(tree, X);
+  defer_rotations(tree, X);
   const auto d = forward_dynamics_derivatives<Expression>(
       tree, X, in[Quantity::qd], in[Quantity::tau], in[Quantity::f_ext], route);
   program.results = {matrix_result("dqdd_dq", by_displacements(mechanism), d.dq),

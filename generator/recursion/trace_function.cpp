@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "recursion/hopeless_algorithms.hpp"
-#include "recursion/late_turns.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/lift_tree.hpp"
+#include "recursion/pruned_algorithms.hpp"
 #include "recursion/robot_routes.hpp"
 #include "recursion/trace_constraint_function.hpp"
 #include "recursion/trace_contacts.hpp"
@@ -57,7 +57,7 @@ class Tracer {
     trace.rows = static_cast<std::size_t>(mechanism_.task_rows());
     take_inputs(function, program, trace);
     trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-    turn_late(trace.tree, trace.X);
+    defer_rotations(trace.tree, trace.X);
     if (route.law) {
       trace.rule = route.law->rule;
       program.law = route.law;
@@ -120,11 +120,11 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
   const TracedTree tree = structure_in(scratch, mechanism, function);
   const Tracer tracer(mechanism, lanes);
   std::vector<Program> programs;
-  HopelessAlgorithms hopeless;
+  PrunedAlgorithms pruned;
   for (const RobotRoute& route : robot_routes(function, mechanism, tree)) {
-    if (hopeless.has(route.id)) continue;
+    if (pruned.has(route.id)) continue;
     programs.push_back(tracer.trace(function, route));
-    hopeless.look_at(programs.back());
+    pruned.look_at(programs.back());
   }
   return programs;
 }

@@ -11,7 +11,7 @@
 namespace treeline {
 
 /// The function for this mechanism as expression graphs: one for every algorithm that computes it,
-/// in each of its coordinates, each naming its own in `route`; of long ones that are hopeless in
+/// in each of its coordinates, each naming its own in `route`; of long ones that are pruned in
 /// the first coordinates these alone. At least one. The caller has seen to it that the scene
 /// permits the function (operational points, objects where it needs them). `lanes`: how many values
 /// of Real the emitted code may compute together.

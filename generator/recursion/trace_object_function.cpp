@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/describe_choice.hpp"
-#include "recursion/late_turns.hpp"
 #include "recursion/object_forward_dynamics.hpp"
 #include "recursion/operational_quantities.hpp"
 #include "recursion/task_law.hpp"
@@ -190,7 +190,7 @@ Program trace_route(const Mechanism& mechanism, Function function, const Route& 
   trace.tree = holding_tree(constant_tree<Expression>(mechanism), trace.objects);
   take_inputs(mechanism, function, program, trace);
   trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-  turn_late(trace.tree, trace.X);
+  defer_rotations(trace.tree, trace.X);
   follow_points(trace.tree, trace.objects);
   if (route.law) {
     trace.rule = route.law->rule;

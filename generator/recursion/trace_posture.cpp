@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "recursion/centroidal_derivatives.hpp"
-#include "recursion/late_turns.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/trace_parts.hpp"
 
 namespace treeline {
@@ -121,7 +121,7 @@ std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function
   trace.tree = constant_tree<Expression>(mechanism);
   apply_inputs(mechanism, inputs, trace.tree);
   trace.X = joint_transforms<Expression>(trace.tree, inputs[Quantity::q]);
-  turn_late(trace.tree, trace.X);
+  defer_rotations(trace.tree, trace.X);
   trace.qd = inputs[Quantity::qd];
   trace.qdd = inputs[Quantity::qdd];
   trace.by_q = by_displacements(mechanism);

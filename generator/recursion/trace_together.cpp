@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "recursion/late_turns.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/robot_routes.hpp"
 #include "recursion/trace_parts.hpp"
 
@@ -48,7 +48,7 @@ Program trace_together(const Mechanism& mechanism, std::span<const Function> fun
   program.arguments = list_once(program.arguments);
   trace.q = inputs.front()[Quantity::q];
   trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-  turn_late(trace.tree, trace.X);
+  defer_rotations(trace.tree, trace.X);
   for (std::size_t i = 0; i < functions.size(); ++i) {
     trace.qd = inputs[i][Quantity::qd];
     trace.qdd = inputs[i][Quantity::qdd];
@@ -73,7 +73,7 @@ Program trace_against_forces(const Mechanism& mechanism, int lanes) {
   trace.q = inputs[Quantity::q];
   trace.f_ext = inputs[Quantity::f_ext];
   trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-  turn_late(trace.tree, trace.X);
+  defer_rotations(trace.tree, trace.X);
   std::vector<Wrench<Expression>> wrenches = trace.applied();
   for (Wrench<Expression>& wrench : wrenches) wrench = Wrench<Expression>{} - wrench;
   program.results = {vector_result("tau", trace.with_unit("joint forces", Quantity::tau),

@@ -38,7 +38,7 @@ struct TreeLink : JointStep {
   Rotation<Scalar> R;  ///< rotation of the placement
   Vector3<Scalar> p;   ///< origin of the placement, in the parent's axes
   TreeInertia<Scalar> inertia;
-  bool turns_late = false, carries_column = false, spins = false;  ///< see `MovingLink`
+  bool defers_rotation = false, carries_column = false, spins = false;  ///< see `MovingLink`
   TreeDrive<Scalar> drive;
 };
 
@@ -164,11 +164,11 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
          link.v_index,
          Scalar(link.multiplier),
          rounded<Scalar>(link.offset),
-         planar_factors<Scalar>(link.seat.R),
-         rounded<Scalar>(link.seat.p),
+         planar_factors<Scalar>(link.placement.R),
+         rounded<Scalar>(link.placement.p),
          {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
           rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
-         link.turns_late,
+         link.defers_rotation,
          link.carries_column,
          link.spins,
          tree_drive<Scalar>(link.drive)});

@@ -60,16 +60,16 @@ std::optional<Case> read_case(const std::string& robot) {
 
 std::vector<State> random_states(const Case& robot, int count, std::uint64_t seed) {
   using tests::random_entries;
-  tests::Dice dice(seed);
+  tests::Rng rng(seed);
   const int nv = robot.model.nv;
   std::vector<State> states;
   for (int i = 0; i < count; ++i) {
     State state;
-    state.q = entries(tests::random_position<double>(dice, robot.model));
-    state.qd = entries(random_entries<double>(dice, nv, 2));
-    state.qdd = entries(random_entries<double>(dice, nv, 5));
-    state.tau = entries(random_entries<double>(dice, nv, 20));
-    state.xdd = entries(random_entries<double>(dice, robot.rows(), 5));
+    state.q = entries(tests::random_position<double>(rng, robot.model));
+    state.qd = entries(random_entries<double>(rng, nv, 2));
+    state.qdd = entries(random_entries<double>(rng, nv, 5));
+    state.tau = entries(random_entries<double>(rng, nv, 20));
+    state.xdd = entries(random_entries<double>(rng, robot.rows(), 5));
     states.push_back(std::move(state));
   }
   return states;

@@ -38,10 +38,10 @@ TEST(DescribeToPeers, WritesTheSameRobot) {
     const auto own = model_from_robot<double>(drawn.robot, drawn.scene);
     const auto theirs = model_from_robot<double>(*plain, scene);
     ASSERT_EQ(own.nv, theirs.nv);
-    Dice dice(seed);
-    const auto q = random_position<double>(dice, own);
-    const auto qd = random_entries<double>(dice, own.nv, 2);
-    const auto qdd = random_entries<double>(dice, own.nv, 5);
+    Rng rng(seed);
+    const auto q = random_position<double>(rng, own);
+    const auto qd = random_entries<double>(rng, own.nv, 2);
+    const auto qdd = random_entries<double>(rng, own.nv, 5);
     const auto tau = interpreter::inverse_dynamics<double>(own, q, qd, qdd);
     const auto same = interpreter::inverse_dynamics<double>(theirs, q, qd, qdd);
     // Rounding of a few bodies' recursion, and of the angles of locked joints.

@@ -25,7 +25,7 @@ class Climber {
 
   Climber(const Program& program, const Domain& domain, std::uint64_t seed,
           Given given = Given::on_circle)
-      : program_(program), domain_(domain), dice_(seed), given_(given) {
+      : program_(program), domain_(domain), rng_(seed), given_(given) {
     std::size_t entries = 0;
     for (const Result& result : program.results) entries += result.values.size();
     worst.assign(entries, 0);
@@ -39,10 +39,10 @@ class Climber {
     for (const bool by_size : {true, false}) {
       double height = 0;
       for (int i = 0; i < steps; ++i) {
-        Inputs next = i == 0                         ? best
-                      : by_size && i < steps / 8     ? draw()
-                      : by_size || dice_.chance(0.3) ? change(best)
-                                                     : shake(best);
+        Inputs next = i == 0                        ? best
+                      : by_size && i < steps / 8    ? draw()
+                      : by_size || rng_.chance(0.3) ? change(best)
+                                                    : shake(best);
         const Trial trial = try_at(next);
         const double value = by_size ? trial.sizes[target] : trial.errors[target];
         if (value < height) continue;
@@ -62,8 +62,8 @@ class Climber {
 
   /// Draws mostly corners of the domain, where values are largest, except for angles.
   double draw_entry(const std::string& argument, double size) {
-    if (argument != "q" && dice_.chance(0.7)) return dice_.chance(0.5) ? size : -size;
-    return dice_.uniform(-size, size);
+    if (argument != "q" && rng_.chance(0.7)) return rng_.chance(0.5) ? size : -size;
+    return rng_.uniform(-size, size);
   }
 
   Inputs draw() {
@@ -106,16 +106,15 @@ class Climber {
   /// Draws one or two entries anew or changes them slightly, because the last bits determine the
   /// rounding.
   Inputs change(Inputs inputs) {
-    const int count = 1 + dice_.below(3);
+    const int count = 1 + rng_.below(3);
     for (int i = 0; i < count; ++i) {
-      const auto argument = static_cast<std::size_t>(dice_.below(static_cast<int>(inputs.size())));
+      const auto argument = static_cast<std::size_t>(rng_.below(static_cast<int>(inputs.size())));
       const auto k =
-          static_cast<std::size_t>(dice_.below(static_cast<int>(inputs[argument].size())));
+          static_cast<std::size_t>(rng_.below(static_cast<int>(inputs[argument].size())));
       const double size = sizes(argument)[k];
       double& entry = inputs[argument][k];
-      entry = dice_.chance(0.4)
-                  ? draw_entry(program_.arguments[argument].name, size)
-                  : entry * (1 + dice_.uniform(-1, 1) * std::pow(10, -dice_.below(9)));
+      entry = rng_.chance(0.4) ? draw_entry(program_.arguments[argument].name, size)
+                               : entry * (1 + rng_.uniform(-1, 1) * std::pow(10, -rng_.below(9)));
       entry = std::clamp(entry, -size, size);
     }
     return normalised(std::move(inputs));
@@ -123,9 +122,9 @@ class Climber {
 
   /// Moves every entry slightly inward. The roundings change but the sizes hardly do.
   Inputs shake(Inputs inputs) {
-    const double most = std::pow(10, -1 - dice_.below(6));
+    const double most = std::pow(10, -1 - rng_.below(6));
     for (std::vector<double>& entries : inputs) {
-      for (double& entry : entries) entry *= 1 - most * dice_.unit();
+      for (double& entry : entries) entry *= 1 - most * rng_.unit();
     }
     return normalised(std::move(inputs));
   }
@@ -156,7 +155,7 @@ class Climber {
 
   const Program& program_;
   const Domain& domain_;
-  Dice dice_;
+  Rng rng_;
   Given given_;
 };
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 
 namespace treeline::bounds {
 namespace {
@@ -25,17 +25,17 @@ Eigen::Matrix4d pseudo_inertia(const Parameters& p) {
   return pseudo;
 }
 
-Parameters choose(Dice& dice, int index) {
+Parameters choose(Rng& rng, int index) {
   Parameters choice{};
-  for (double& each : choice) each = index % 2 == 0 ? dice.within(1) : dice.chance(0.5) ? 1 : -1;
+  for (double& each : choice) each = index % 2 == 0 ? rng.within(1) : rng.chance(0.5) ? 1 : -1;
   return choice;
 }
 
 TEST(BodyOf, IsABodyWithinTheRange) {
-  Dice dice(4);
+  Rng rng(4);
   const BodyRange range{3, 0.2};
   for (int index = 0; index < 1000; ++index) {
-    const Parameters p = body_of(range, choose(dice, index));
+    const Parameters p = body_of(range, choose(rng, index));
     const double least =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(pseudo_inertia(p)).eigenvalues()(0);
     EXPECT_GE(least, -1e-15);
@@ -48,9 +48,9 @@ TEST(BodyOf, IsABodyWithinTheRange) {
 }
 
 TEST(BodyOf, IsSomethingWhereItIsWhole) {
-  Dice dice(5);
+  Rng rng(5);
   for (int index = 0; index < 1000; ++index) {
-    const Parameters p = body_of({3, 0.2, true}, choose(dice, index));
+    const Parameters p = body_of({3, 0.2, true}, choose(rng, index));
     EXPECT_GE(p[0], 0.3 * (1 - 1e-12));
     const Eigen::Matrix4d pseudo = pseudo_inertia(p);
     const Eigen::Matrix3d central =

@@ -37,16 +37,16 @@ double largest_singular_value(const TrigMatrix& A, const std::vector<double>& sc
   return largest;
 }
 
-TrigMatrix draw_matrix(tests::Dice& dice, bool graded) {
+TrigMatrix draw_matrix(tests::Rng& rng, bool graded) {
   TrigMatrix A{
-      static_cast<std::size_t>(1 + dice.below(9)), static_cast<std::size_t>(1 + dice.below(9)), {}};
+      static_cast<std::size_t>(1 + rng.below(9)), static_cast<std::size_t>(1 + rng.below(9)), {}};
   for (std::size_t row = 0; row < A.rows; ++row) {
     for (std::size_t column = 0; column < A.columns; ++column) {
-      if (dice.chance(0.4)) continue;
+      if (rng.chance(0.4)) continue;
       MatrixEntry entry{row, column, {}};
       entry.value.angle = 1;
-      const double size = graded ? std::pow(10, -dice.below(14)) : 1;
-      for (double& c : entry.value.c) c = dice.chance(0.5) ? 0 : size * dice.uniform(-1, 1);
+      const double size = graded ? std::pow(10, -rng.below(14)) : 1;
+      for (double& c : entry.value.c) c = rng.chance(0.5) ? 0 : size * rng.uniform(-1, 1);
       A.entries.push_back(entry);
     }
   }
@@ -56,9 +56,9 @@ TrigMatrix draw_matrix(tests::Dice& dice, bool graded) {
 TEST(OperatorNorm, IsJustAboveAllSingularValues) {
   constexpr std::uint64_t kSeed = 5;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
-  tests::Dice dice(kSeed);
+  tests::Rng rng(kSeed);
   for (int i = 0; i < 300; ++i) {
-    const TrigMatrix A = draw_matrix(dice, i % 2 == 1);
+    const TrigMatrix A = draw_matrix(rng, i % 2 == 1);
     std::vector<double> scale = column_norms(A);
     for (double& s : scale) s = s > 0 ? s : 1;
     const double expected = largest_singular_value(A, scale);
@@ -81,10 +81,10 @@ TEST(OperatorNorm, ColumnsOfZerosAddNothing) {
 TEST(NormMemo, GivesWhatIsComputed) {
   constexpr std::uint64_t kSeed = 7;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
-  tests::Dice dice(kSeed);
+  tests::Rng rng(kSeed);
   NormMemo memo;
   for (int i = 0; i < 100; ++i) {
-    TrigMatrix A = draw_matrix(dice, false);
+    TrigMatrix A = draw_matrix(rng, false);
     for (int turn = 0; turn < 2; ++turn) {
       const auto& [columns, scaled] = memo.of(A);
       EXPECT_EQ(columns, column_norms(A)) << i;

@@ -52,10 +52,10 @@ TEST(DrawInputs, QuaternionsHaveLengthOneAndSinesAreOfOneAngle) {
   sample.result({q[0] * q[1] * q[2] * q[3] * s[4] * c[4]});
   const bounds::InputSpace space(sample.program.graph, sample.domain);
   ASSERT_FALSE(space.missing());
-  treeline::Dice dice(5);
+  treeline::Rng rng(5);
   std::vector<bounds::States> inputs;
   for (int i = 0; i < 20; ++i) {
-    space.put(space.change(space.draw(dice), dice), 3, inputs);
+    space.put(space.change(space.draw(rng), rng), 3, inputs);
     double norm = 0;
     for (std::size_t k = 0; k < 4; ++k) norm += inputs[k][3] * inputs[k][3];
     EXPECT_NEAR(norm, 1, 1e-15);

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 #include "certify/bound_in_steps.hpp"
 #include "check/fixture.hpp"
 #include "check/temporary_folder.hpp"
@@ -57,10 +57,10 @@ class StepBoundsOfGravity : public testing::Test {
     return values;
   }
 
-  std::vector<double> draw(treeline::Dice& dice) const {
+  std::vector<double> draw(treeline::Rng& rng) const {
     std::vector<double> q;
     for (const double size : subjects_.generation.domain.sizes.at("q")) {
-      q.push_back(dice.within(size));
+      q.push_back(rng.within(size));
     }
     return q;
   }
@@ -73,11 +73,11 @@ class StepBoundsOfGravity : public testing::Test {
 };
 
 TEST_F(StepBoundsOfGravity, HoldInStatesOfTheDomain) {
-  treeline::Dice dice(7);
+  treeline::Rng rng(7);
   const std::vector<Node>& nodes = program_.graph.nodes();
   double closest = 0;
   for (int state = 0; state < 200; ++state) {
-    const std::vector<double> q = draw(dice);
+    const std::vector<double> q = draw(rng);
     const auto rounded = run<double>(q);
     const auto exact = run<Digits50>(q);
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
@@ -98,8 +98,8 @@ double value_of(const std::string& operand, const std::vector<double>& values) {
 }
 
 TEST_F(StepBoundsOfGravity, RoundWhatTheCodeComputes) {
-  treeline::Dice dice(11);
-  const auto values = run<double>(draw(dice));
+  treeline::Rng rng(11);
+  const auto values = run<double>(draw(rng));
   const std::regex rounding(R"(\|rnd\((\S+) ([-+*]) (\S+)\) - \(.*\)\|)");
   const std::regex meaning("X[0-9]+ = .*, x([0-9]+) = rnd.*");
   std::set<std::size_t> seen;

@@ -17,8 +17,8 @@
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "oracle/reference.hpp"
+#include "passes/canonicalize.hpp"
 #include "passes/choose.hpp"
-#include "passes/settle.hpp"
 #include "recursion/trace_function.hpp"
 
 namespace treeline::tests {
@@ -70,7 +70,7 @@ GeneratedFunction cheapest(const Mechanism& mechanism, Function function) {
   generated.function = function;
   double least = 0;
   for (const Program& route : trace_function(mechanism, function)) {
-    Program settled = settle(route);
+    Program settled = canonicalize(route);
     const double weighted = cost(settled, count_operations(settled));
     if (!generated.program.results.empty() && !(weighted < least)) continue;
     least = weighted;

@@ -30,8 +30,8 @@ std::string without_comments(std::string text) {
 
 class Mutator {
  public:
-  Mutator(const std::string& source, Dice& dice)
-      : source_(source), readable_(without_comments(source)), body_(body_of(source)), dice_(dice) {}
+  Mutator(const std::string& source, Rng& rng)
+      : source_(source), readable_(without_comments(source)), body_(body_of(source)), rng_(rng) {}
 
   std::vector<Mutant> make(Mutation mutation) {
     switch (mutation) {
@@ -109,7 +109,7 @@ class Mutator {
       const int index = std::atoi(match.str(2).c_str());
       const auto size = sizes.find(match.str(1));
       if (size == sizes.end() || size->second < 2) return;  // sines, cosines, angles: see below
-      const int other = (index + 1 + dice_.below(size->second - 1)) % size->second;
+      const int other = (index + 1 + rng_.below(size->second - 1)) % size->second;
       replace(Mutation::index, match, 2, std::to_string(other));
     });
     each_match(R"(= (?:sines|cosines)\[([0-9]+)\])", [&](const std::smatch& match) {
@@ -127,7 +127,7 @@ class Mutator {
       if (known.size() > 1 && std::regex_search(value, first, used) &&
           std::find(known.begin(), known.end(), first.str()) != known.end()) {
         const std::string& other =
-            known[static_cast<std::size_t>(dice_.below(static_cast<int>(known.size())))];
+            known[static_cast<std::size_t>(rng_.below(static_cast<int>(known.size())))];
         if (other != first.str()) {
           replace(Mutation::name, match, 2,
                   value.substr(0, static_cast<std::size_t>(first.position())) + other +
@@ -141,7 +141,7 @@ class Mutator {
   const std::string& source_;
   std::string readable_;
   Body body_;
-  Dice& dice_;
+  Rng& rng_;
   std::vector<Mutant> mutants_;
 };
 
@@ -152,8 +152,8 @@ const char* mutation_name(Mutation mutation) {
   return kNames[static_cast<std::size_t>(mutation)];
 }
 
-std::vector<Mutant> mutants_of(const std::string& source, Mutation mutation, Dice& dice) {
-  return Mutator(source, dice).make(mutation);
+std::vector<Mutant> mutants_of(const std::string& source, Mutation mutation, Rng& rng) {
+  return Mutator(source, rng).make(mutation);
 }
 
 }  // namespace treeline::tests

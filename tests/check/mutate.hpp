@@ -30,6 +30,6 @@ struct Mutant {
 
 /// Lists all places in the function's statements where a fault of this kind is possible. Comments,
 /// signature and the call for sine and cosine are excluded.
-std::vector<Mutant> mutants_of(const std::string& source, Mutation mutation, Dice& dice);
+std::vector<Mutant> mutants_of(const std::string& source, Mutation mutation, Rng& rng);
 
 }  // namespace treeline::tests

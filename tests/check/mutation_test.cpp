@@ -18,7 +18,7 @@ struct Seen {
 class Mutations {
  public:
   Mutations(Subjects subjects, std::uint64_t seed)
-      : subjects_(std::move(subjects)), dice_(seed), options_(quick_options()) {
+      : subjects_(std::move(subjects)), rng_(seed), options_(quick_options()) {
     options_.folder = folder_.path() / "generated";
     write_folder(options_.folder, subjects_.generation);
     references_ = references(options_);
@@ -86,9 +86,9 @@ class Mutations {
     for (const GeneratedFunction& generated : subjects_.generation.functions) {
       const std::string& name = generated.program.name;
       originals_.try_emplace(name, read_file(source_of(name)));
-      const auto mutants = mutants_of(originals_[name], mutation, dice_);
+      const auto mutants = mutants_of(originals_[name], mutation, rng_);
       if (mutants.empty()) continue;
-      const auto chosen = static_cast<std::size_t>(dice_.below(static_cast<int>(mutants.size())));
+      const auto chosen = static_cast<std::size_t>(rng_.below(static_cast<int>(mutants.size())));
       planted[name] = mutants[chosen];
       write_file(source_of(name), mutants[chosen].text);
     }
@@ -119,7 +119,7 @@ class Mutations {
   }
 
   Subjects subjects_;
-  Dice dice_;
+  Rng rng_;
   CheckOptions options_;
   TemporaryFolder folder_;
   std::vector<StateReference> references_;

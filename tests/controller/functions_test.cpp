@@ -33,19 +33,19 @@ struct ArmState {
   double q[6], sines[6], cosines[6], qd[6], qdd[6], xdd[6], force[6];
 };
 
-ArmState draw(std::mt19937& dice) {
+ArmState draw(std::mt19937& rng) {
   std::uniform_real_distribution<double> unit(-1, 1);
   ArmState state{};
   for (int i = 0; i < 6; ++i) {
-    state.q[i] = 2.5 * unit(dice);
+    state.q[i] = 2.5 * unit(rng);
     state.sines[i] = std::sin(state.q[i]);
     state.cosines[i] = std::cos(state.q[i]);
-    state.qd[i] = 3 * unit(dice);
-    state.qdd[i] = 10 * unit(dice);
-    state.xdd[i] = 10 * unit(dice);
-    state.force[i] = 20 * unit(dice);
+    state.qd[i] = 3 * unit(rng);
+    state.qdd[i] = 10 * unit(rng);
+    state.xdd[i] = 10 * unit(rng);
+    state.force[i] = 20 * unit(rng);
   }
-  state.q[4] = 1 + 0.5 * unit(dice);  // away from the wrist's singularity
+  state.q[4] = 1 + 0.5 * unit(rng);  // away from the wrist's singularity
   state.sines[4] = std::sin(state.q[4]);
   state.cosines[4] = std::cos(state.q[4]);
   return state;
@@ -57,9 +57,9 @@ void expect_near(const double (&a)[size], const double (&b)[size], double tolera
 }
 
 TEST(ControllerFunctions, AreThoseOfTheContract) {
-  std::mt19937 dice(5);
+  std::mt19937 rng(5);
   for (int k = 0; k < 200; ++k) {
-    const ArmState s = draw(dice);
+    const ArmState s = draw(rng);
     double p[3], R[9], v[6], g[6], tau[6], p_wanted[3], R_wanted[9], g_wanted[6], J[36],
         tau_wanted[6];
     puma_arm::controller_kinematics(s.q, s.sines, s.cosines, s.qd, p, R, v, g);

@@ -344,25 +344,25 @@ TEST(Controller, TheIntegralDoesNotWindUp) {
 
 TEST(Controller, WhateverIsMeasuredTheTorqueIsFiniteAndWithinLimits) {
   constexpr unsigned kSeed = 71;
-  std::mt19937 dice(kSeed);
+  std::mt19937 rng(kSeed);
   std::uniform_real_distribution<double> unit(-1, 1);
   const double odd[] = {kNaN, 1e300, -1e300, std::numeric_limits<double>::infinity(), 1e9, 0};
   SimulatedArm arm;
   for (int k = 0; k < 20000; ++k) {
     for (int i = 0; i < n; ++i) {
-      arm.input.q[i] = 3 * unit(dice);
-      arm.input.qd[i] = 8 * unit(dice);
+      arm.input.q[i] = 3 * unit(rng);
+      arm.input.qd[i] = 8 * unit(rng);
     }
-    if (dice() % 10 == 0) arm.input.q[dice() % 6] = odd[dice() % 6];
-    if (dice() % 10 == 0) arm.input.qd[dice() % 6] = odd[dice() % 6];
-    if (dice() % 10 == 0) arm.input.command.goal[dice() % 6] = odd[dice() % 6];
-    arm.input.command.position[dice() % 3] = dice() % 9 == 0 ? odd[dice() % 6] : unit(dice);
+    if (rng() % 10 == 0) arm.input.q[rng() % 6] = odd[rng() % 6];
+    if (rng() % 10 == 0) arm.input.qd[rng() % 6] = odd[rng() % 6];
+    if (rng() % 10 == 0) arm.input.command.goal[rng() % 6] = odd[rng() % 6];
+    arm.input.command.position[rng() % 3] = rng() % 9 == 0 ? odd[rng() % 6] : unit(rng);
     for (int i = 0; i < 9; ++i) arm.input.command.rotation[i] = i % 4 == 0 ? 1 : 0;
-    arm.input.command.direction[dice() % 3] = unit(dice) > 0 ? 1 : 0;
-    arm.input.command.duration = dice() % 8 == 0 ? odd[dice() % 6] : unit(dice);
-    arm.send(static_cast<puma_arm_kind>(dice() % 11));
-    if (dice() % 3 == 0) arm.send(PUMA_ARM_RESET);
-    if (dice() % 3 == 0) arm.send(PUMA_ARM_START);
+    arm.input.command.direction[rng() % 3] = unit(rng) > 0 ? 1 : 0;
+    arm.input.command.duration = rng() % 8 == 0 ? odd[rng() % 6] : unit(rng);
+    arm.send(static_cast<puma_arm_kind>(rng() % 11));
+    if (rng() % 3 == 0) arm.send(PUMA_ARM_RESET);
+    if (rng() % 3 == 0) arm.send(PUMA_ARM_START);
     arm.step();
     ASSERT_GE(arm.output.mode, 0);
     ASSERT_LE(arm.output.mode, 3);

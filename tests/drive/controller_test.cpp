@@ -227,11 +227,11 @@ TEST(DriveController, AllocatesNothing) {
 
 // Wherever it begins within its limits, the robot is held there, in every control.
 TEST(DriveController, StartsFromAnywhereWithinTheLimits) {
-  std::mt19937 dice(7);
+  std::mt19937 rng(7);
   std::uniform_real_distribution<double> anywhere(-3.0, 3.0);
   for (int i = 0; i < 40; ++i) {
-    const double elbow = i % 5 == 0 ? 3.0 : anywhere(dice);  // at the limit at times
-    const double shoulder = i % 7 == 0 ? -3.0 : anywhere(dice);
+    const double elbow = i % 5 == 0 ? 3.0 : anywhere(rng);  // at the limit at times
+    const double shoulder = i % 7 == 0 ? -3.0 : anywhere(rng);
     auto rig = make_rig<test::LinkedArm>({shoulder, elbow});
     rig.run(1.0);
     EXPECT_EQ(rig.head().fault_kind, 0) << shoulder << ' ' << elbow;
@@ -279,11 +279,11 @@ TEST(DriveController, LeadsBackFromBeyondALimit) {
 
 /// What people do, in any order. Returns whether it is a drag.
 template <class F>
-bool do_something(Rig<F>& rig, std::mt19937& dice) {
-  const auto between = [&dice](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(dice);
+bool do_something(Rig<F>& rig, std::mt19937& rng) {
+  const auto between = [&rng](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(rng);
   };
-  const int what = std::uniform_int_distribution<int>(0, 10)(dice);
+  const int what = std::uniform_int_distribution<int>(0, 10)(rng);
   switch (what) {
     case 0:
     case 1:
@@ -355,14 +355,14 @@ double isolated_step(const std::array<double, 3>& changes) {
 // change by some N m within a millisecond. A hand that drags far ahead begins with the largest
 // jerk, 1250 rad/s^3 at 2 rad/s; nothing else makes a step.
 TEST(DriveController, NoCommandMakesAStep) {
-  std::mt19937 dice(11);
+  std::mt19937 rng(11);
   auto rig = make_rig<PulledArm>({0.3, 0.8});
   std::array<std::array<double, 3>, 2> changes{};
   std::array<double, 2> last{rig.tau(0), rig.tau(1)};
   for (int i = 0; i < 2000; ++i) {
-    const bool is_drag = do_something(rig, dice);
+    const bool is_drag = do_something(rig, rng);
     double largest = 0.0;
-    const int cycles = std::uniform_int_distribution<int>(20, 150)(dice);
+    const int cycles = std::uniform_int_distribution<int>(20, 150)(rng);
     for (int cycle = 0; cycle < cycles; ++cycle) {
       rig.step();
       for (std::size_t k = 0; k < 2; ++k) {

@@ -16,15 +16,15 @@ constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 enum Kind { zero, limit, low, high, quarter, many_turns, tiny, denormal, ordinary, kinds };
 
 /// Draws a number of either sign. The logarithm of its magnitude is uniform.
-double draw_logarithmic(Dice& dice, double least, double greatest) {
+double draw_logarithmic(Rng& rng, double least, double greatest) {
   const double magnitude =
-      std::exp(std::log(least) + dice.unit() * (std::log(greatest) - std::log(least)));
-  return dice.chance(0.5) ? magnitude : -magnitude;
+      std::exp(std::log(least) + rng.unit() * (std::log(greatest) - std::log(least)));
+  return rng.chance(0.5) ? magnitude : -magnitude;
 }
 
-double draw_within(Dice& dice, const Coordinate& coordinate) {
+double draw_within(Rng& rng, const Coordinate& coordinate) {
   const auto [lower, upper] = coordinate.ordinary_range();
-  return dice.within(lower, upper);
+  return rng.within(lower, upper);
 }
 
 /// The limit, or a turn or 1 m if there is none.
@@ -47,96 +47,96 @@ ExtremeStates::ExtremeStates(const StateSpace& space, double length,
   }
 }
 
-double ExtremeStates::draw_coordinate(Dice& dice, int kind, std::size_t i) const {
+double ExtremeStates::draw_coordinate(Rng& rng, int kind, std::size_t i) const {
   const Coordinate& coordinate = space_.coordinates[i];
   switch (kind) {
     case zero:
-      return dice.chance(0.1) ? -0.0 : 0.0;
+      return rng.chance(0.1) ? -0.0 : 0.0;
     case limit:
-      return bounded(dice.chance(0.5) ? coordinate.lower : coordinate.upper, coordinate);
+      return bounded(rng.chance(0.5) ? coordinate.lower : coordinate.upper, coordinate);
     case low:
       return bounded(coordinate.lower, coordinate);
     case high:
       return bounded(coordinate.upper, coordinate);
     case quarter:
-      return (coordinate.is_angle() ? kQuarterTurn : 0.5) * std::floor(dice.within(-4, 5));
+      return (coordinate.is_angle() ? kQuarterTurn : 0.5) * std::floor(rng.within(-4, 5));
     case many_turns:
-      if (!coordinate.is_angle()) return draw_logarithmic(dice, 1, length_);
-      return draw_logarithmic(dice, 1e3, dice.chance(0.8) ? 1e8 : sizes_.angle);
+      if (!coordinate.is_angle()) return draw_logarithmic(rng, 1, length_);
+      return draw_logarithmic(rng, 1e3, rng.chance(0.8) ? 1e8 : sizes_.angle);
     case tiny:
-      return draw_logarithmic(dice, 1e-300, 1e-2);
+      return draw_logarithmic(rng, 1e-300, 1e-2);
     case denormal:
-      return dice.chance(0.5) ? kLeast : -kLeast;
+      return rng.chance(0.5) ? kLeast : -kLeast;
     default:
-      return draw_within(dice, coordinate);
+      return draw_within(rng, coordinate);
   }
 }
 
-std::vector<double> ExtremeStates::draw_pose(Dice& dice) const {
+std::vector<double> ExtremeStates::draw_pose(Rng& rng) const {
   std::vector<double> q;
-  if (!singular_.empty() && dice.chance(0.15)) {
-    q = singular_[dice.below(singular_.size())];
-    const int steps = static_cast<int>(dice.below(4));
+  if (!singular_.empty() && rng.chance(0.15)) {
+    q = singular_[rng.below(singular_.size())];
+    const int steps = static_cast<int>(rng.below(4));
     for (double& x : q) {
-      for (int i = 0; i < steps; ++i) x = std::nextafter(x, dice.chance(0.5) ? 10.0 : -10.0);
+      for (int i = 0; i < steps; ++i) x = std::nextafter(x, rng.chance(0.5) ? 10.0 : -10.0);
     }
   } else {
     // One kind for all coordinates, or a different kind for each.
-    const int whole = static_cast<int>(dice.below(kinds + 1));
+    const int whole = static_cast<int>(rng.below(kinds + 1));
     for (std::size_t i = 0; i < space_.coordinates.size(); ++i) {
-      const int kind = whole < kinds ? whole : static_cast<int>(dice.below(kinds));
-      q.push_back(draw_coordinate(dice, kind, i));
+      const int kind = whole < kinds ? whole : static_cast<int>(rng.below(kinds));
+      q.push_back(draw_coordinate(rng, kind, i));
     }
   }
-  for (const int first : quaternions_) draw_quaternion(dice, &q[static_cast<std::size_t>(first)]);
+  for (const int first : quaternions_) draw_quaternion(rng, &q[static_cast<std::size_t>(first)]);
   return q;
 }
 
-void ExtremeStates::draw_quaternion(Dice& dice, double* xyzw) const {
+void ExtremeStates::draw_quaternion(Rng& rng, double* xyzw) const {
   double norm = 0;
-  const bool along_axis = dice.chance(0.3);
-  const std::size_t axis = dice.below(4);
+  const bool along_axis = rng.chance(0.3);
+  const std::size_t axis = rng.below(4);
   for (std::size_t i = 0; i < 4; ++i) {
-    xyzw[i] = along_axis ? (i == axis ? 1 : 0) : dice.within(1);
+    xyzw[i] = along_axis ? (i == axis ? 1 : 0) : rng.within(1);
     norm = std::hypot(norm, xyzw[i]);
   }
   double length = 1;
-  if (dice.chance(0.1)) {
+  if (rng.chance(0.1)) {
     length = 0;
-  } else if (dice.chance(0.3)) {
-    length = std::abs(draw_logarithmic(dice, 1 / sizes_.quaternion, sizes_.quaternion));
+  } else if (rng.chance(0.3)) {
+    length = std::abs(draw_logarithmic(rng, 1 / sizes_.quaternion, sizes_.quaternion));
   }
-  const bool rounded = dice.chance(0.5);
+  const bool rounded = rng.chance(0.5);
   for (std::size_t i = 0; i < 4; ++i) {
     const double unit = norm > 0 ? xyzw[i] / norm : 0;
     xyzw[i] = length * (rounded ? static_cast<double>(static_cast<float>(unit)) : unit);
   }
 }
 
-std::vector<double> ExtremeStates::draw_rates(Dice& dice, std::size_t count, double most) const {
-  const std::size_t whole = dice.below(5);
-  const double size = std::abs(draw_logarithmic(dice, 1, most));
+std::vector<double> ExtremeStates::draw_rates(Rng& rng, std::size_t count, double most) const {
+  const std::size_t whole = rng.below(5);
+  const double size = std::abs(draw_logarithmic(rng, 1, most));
   std::vector<double> rates(count);
   for (double& rate : rates) {
-    const std::size_t kind = whole < 4 ? whole : dice.below(5);
+    const std::size_t kind = whole < 4 ? whole : rng.below(5);
     rate = kind == 0   ? 0
-           : kind == 1 ? dice.within(3)
-           : kind == 2 ? dice.within(size)
-           : kind == 3 ? draw_logarithmic(dice, 1e-300, most)
-                       : (dice.chance(0.5) ? kLeast : most);
+           : kind == 1 ? rng.within(3)
+           : kind == 2 ? rng.within(size)
+           : kind == 3 ? draw_logarithmic(rng, 1e-300, most)
+                       : (rng.chance(0.5) ? kLeast : most);
   }
   return rates;
 }
 
 /// Draws directions of length one or zero, three entries each.
-std::vector<double> ExtremeStates::draw_directions(Dice& dice, std::size_t count) {
+std::vector<double> ExtremeStates::draw_directions(Rng& rng, std::size_t count) {
   std::vector<double> entries(count);
   for (std::size_t at = 0; at + 3 <= count; at += 3) {
-    const bool along_axis = dice.chance(0.5);
-    const std::size_t axis = dice.below(4);
+    const bool along_axis = rng.chance(0.5);
+    const std::size_t axis = rng.below(4);
     double norm = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      entries[at + i] = along_axis ? (i == axis ? 1 : 0) : dice.within(1);
+      entries[at + i] = along_axis ? (i == axis ? 1 : 0) : rng.within(1);
       norm = std::hypot(norm, entries[at + i]);
     }
     for (std::size_t i = 0; i < 3 && norm > 0; ++i) entries[at + i] /= norm;
@@ -157,22 +157,21 @@ void ExtremeStates::round(State& state) const {
 }
 
 State ExtremeStates::draw(std::int64_t index) const {
-  Dice dice(space_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
+  Rng rng(space_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(index));
   const auto nv = static_cast<std::size_t>(space_.subject.model.nv);
   State state;
   state.index = static_cast<int>(index);
-  state.q = draw_pose(dice);
-  state.qd = draw_rates(dice, nv, sizes_.velocity);
-  state.qdd = draw_rates(dice, nv, sizes_.acceleration);
-  state.tau = draw_rates(dice, nv, sizes_.acceleration);
+  state.q = draw_pose(rng);
+  state.qd = draw_rates(rng, nv, sizes_.velocity);
+  state.qdd = draw_rates(rng, nv, sizes_.acceleration);
+  state.tau = draw_rates(rng, nv, sizes_.acceleration);
   const auto rows = static_cast<std::size_t>(interpreter::row_count(space_.subject.points));
-  state.xdd_cmd = draw_rates(dice, rows, sizes_.acceleration);
-  state.f_ext = draw_rates(dice, 6 * space_.subject.external.size(), sizes_.acceleration);
+  state.xdd_cmd = draw_rates(rng, rows, sizes_.acceleration);
+  state.f_ext = draw_rates(rng, 6 * space_.subject.external.size(), sizes_.acceleration);
   for (const auto& [quantity, count] : space_.others) {
     const auto size = static_cast<std::size_t>(count);
-    state.others[quantity] = quantity == Quantity::normals
-                                 ? draw_directions(dice, size)
-                                 : draw_rates(dice, size, sizes_.velocity);
+    state.others[quantity] = quantity == Quantity::normals ? draw_directions(rng, size)
+                                                           : draw_rates(rng, size, sizes_.velocity);
   }
   round(state);
   for (const double angle : state.q) {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bounds/dice.hpp"
+#include "bounds/rng.hpp"
 #include "oracle/draw_state.hpp"
 
 /// Inputs for which code that divides, or squares too often, would stop being finite.
@@ -33,11 +33,11 @@ class ExtremeStates {
   [[nodiscard]] State draw(std::int64_t index) const;
 
  private:
-  [[nodiscard]] double draw_coordinate(Dice& dice, int kind, std::size_t i) const;
-  [[nodiscard]] std::vector<double> draw_pose(Dice& dice) const;
-  void draw_quaternion(Dice& dice, double* xyzw) const;
-  [[nodiscard]] std::vector<double> draw_rates(Dice& dice, std::size_t count, double most) const;
-  [[nodiscard]] static std::vector<double> draw_directions(Dice& dice, std::size_t count);
+  [[nodiscard]] double draw_coordinate(Rng& rng, int kind, std::size_t i) const;
+  [[nodiscard]] std::vector<double> draw_pose(Rng& rng) const;
+  void draw_quaternion(Rng& rng, double* xyzw) const;
+  [[nodiscard]] std::vector<double> draw_rates(Rng& rng, std::size_t count, double most) const;
+  [[nodiscard]] static std::vector<double> draw_directions(Rng& rng, std::size_t count);
   void round(State& state) const;
 
   const StateSpace& space_;

@@ -60,14 +60,14 @@ std::vector<std::vector<double>> find_singular_poses(const StateSpace& space, in
   for (std::size_t i = 0; i < space.coordinates.size(); ++i) {
     if (!space.coordinates[i].is_of_quaternion()) moving.push_back(i);
   }
-  Dice dice(space.seed);
+  Rng rng(space.seed);
   for (int start = 0; start < count; ++start) {
     std::vector<double> q = draw_state(space, start).q;
     for (const std::size_t i : moving) {
       const auto [low, high] = space.coordinates[i].ordinary_range();
-      q[i] = dice.within(low, high);
+      q[i] = rng.within(low, high);
     }
-    for (int line = 0; line < kLines; ++line) go_down(space, moving[dice.below(moving.size())], q);
+    for (int line = 0; line < kLines; ++line) go_down(space, moving[rng.below(moving.size())], q);
     poses.push_back(q);
   }
   return poses;

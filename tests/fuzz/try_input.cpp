@@ -83,13 +83,13 @@ bool is_finite(const Exact& x) {
 }
 
 std::string find_fault(const MovingLink& link) {
-  const ExactMatrix3& R = link.seat.R;
+  const ExactMatrix3& R = link.placement.R;
   if ((R * R.transpose() - ExactMatrix3::Identity()).cwiseAbs().maxCoeff() > Exact(1e-20)) {
     return "the frame of " + link.name + " is not orthogonal";
   }
   bool finite = is_finite(link.inertia.mass) && is_finite(link.offset);
   for (int i = 0; i < 3; ++i) {
-    finite = finite && is_finite(link.seat.p(i)) && is_finite(link.inertia.h(i));
+    finite = finite && is_finite(link.placement.p(i)) && is_finite(link.inertia.h(i));
     for (int j = 0; j < 3; ++j) finite = finite && is_finite(link.inertia.Sigma(i, j));
   }
   return finite ? "" : "a constant of " + link.name + " is not finite";

@@ -26,7 +26,7 @@ TEST(ChosenAxes, ShortenInverseDynamics) {
     FunctionMechanisms mechanisms(each.robot, each.scene);
     Mechanism plain = mechanisms.of(Function::inverse_dynamics);
     const int chosen = inverse_dynamics_flops(plain);
-    for (MovingLink& link : plain.links) link.turns_late = link.carries_column = false;
+    for (MovingLink& link : plain.links) link.defers_rotation = link.carries_column = false;
     const int unchosen = inverse_dynamics_flops(plain);
     EXPECT_LE(chosen, unchosen) << each.scene.name;
     if (each.scene.name == "puma560") {

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "mechanism/build_mechanism.hpp"
+#include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/settle.hpp"
 #include "recursion/control_torque.hpp"
 #include "recursion/link_inverse_inertias.hpp"
 
@@ -73,7 +73,7 @@ int count(const Mechanism& robot, const std::function<Expressions(Counted&)>& bo
   counted.rows = static_cast<std::size_t>(robot.task_rows());
   const Expressions values = body(counted);
   program.results = {{{"result", static_cast<int>(values.size()), 1, ""}, values}};
-  return count_operations(settle(program)).flops();
+  return count_operations(canonicalize(program)).flops();
 }
 
 LambdaRoute route_of(Way way) {

@@ -7,7 +7,7 @@
 #include "mechanism/mechanism.hpp"
 
 /// Growth of the number of operations with the size of robots and tasks. The counts are those of
-/// traced and settled programs, so they do not depend on machine or compiler.
+/// traced and canonicalized programs, so they do not depend on machine or compiler.
 namespace treeline::growth {
 
 /// A trunk of hinges with several limbs of hinges on its end. All links are equal and no axis is

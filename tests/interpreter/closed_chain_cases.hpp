@@ -26,8 +26,8 @@ struct ChainOptions {
   int loose_objects = 0;  ///< further objects, each in one hand of the first robot
 };
 
-inline interpreter::Matrix3<Digits50> random_rotation(Dice& dice) {
-  Eigen::Vector4d x(dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1), 1);
+inline interpreter::Matrix3<Digits50> random_rotation(Rng& rng) {
+  Eigen::Vector4d x(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1), 1);
   const interpreter::Vector<Digits50> u = x.cast<Digits50>() / Digits50(sqrt(x.squaredNorm()));
   const interpreter::Vector3<Digits50> v = u.head<3>() / Digits50(sqrt(u.squaredNorm()));
   const interpreter::Matrix3<Digits50> V = interpreter::cross_matrix(v);
@@ -35,11 +35,11 @@ inline interpreter::Matrix3<Digits50> random_rotation(Dice& dice) {
   return interpreter::Matrix3<Digits50>::Identity() + 2 * (w * V + V * V);
 }
 
-inline interpreter::GraspedObject<Digits50> random_object(Dice& dice) {
+inline interpreter::GraspedObject<Digits50> random_object(Rng& rng) {
   interpreter::GraspedObject<Digits50> object;
-  const Inertial drawn = detail::random_inertial(dice, 0.3);
+  const Inertial drawn = detail::random_inertial(rng, 0.3);
   object.mass = drawn.mass;
-  object.com = random_entries<Digits50>(dice, 3, 0.2);
+  object.com = random_entries<Digits50>(rng, 3, 0.2);
   object.inertia << drawn.ixx, drawn.ixy, drawn.ixz, drawn.ixy, drawn.iyy, drawn.iyz, drawn.ixz,
       drawn.iyz, drawn.izz;
   return object;
@@ -165,11 +165,11 @@ inline Digits50 worst_condition(const ChainCase& c) {
 
 /// Draws a case. Its hands may depend on each other.
 inline ChainCase draw_chain(std::uint64_t seed, const ChainOptions& options) {
-  Dice dice(seed + 77);
+  Rng rng(seed + 77);
   ChainCase c;
-  c.chain.objects.push_back(random_object(dice));
-  const auto R = random_rotation(dice);
-  const interpreter::Vector3<Digits50> p = random_entries<Digits50>(dice, 3, 0.7);
+  c.chain.objects.push_back(random_object(rng));
+  const auto R = random_rotation(rng);
+  const interpreter::Vector3<Digits50> p = random_entries<Digits50>(rng, 3, 0.7);
   for (std::size_t r = 0; r < options.grasps.size(); ++r) {
     const int loose = r == 0 ? options.loose_objects : 0;
     const int points = options.grasps[r] + loose;
@@ -189,9 +189,9 @@ inline ChainCase draw_chain(std::uint64_t seed, const ChainOptions& options) {
         c.chain.objects[0].grasps.push_back(
             closing_grasp(robot, drawn.points[at], poses[at], R, p));
       } else {
-        c.chain.objects.push_back(random_object(dice));
-        c.chain.objects.back().grasps.push_back({robot, drawn.points[at], random_rotation(dice),
-                                                 random_entries<Digits50>(dice, 3, 0.3)});
+        c.chain.objects.push_back(random_object(rng));
+        c.chain.objects.back().grasps.push_back(
+            {robot, drawn.points[at], random_rotation(rng), random_entries<Digits50>(rng, 3, 0.3)});
       }
     }
     c.chain.robots.push_back(drawn.model);
@@ -201,8 +201,8 @@ inline ChainCase draw_chain(std::uint64_t seed, const ChainOptions& options) {
     c.qdd_0.push_back(drawn.qdd);
     c.tau.push_back(drawn.tau);
   }
-  c.xdd = random_entries<Digits50>(dice, 6 * static_cast<int>(c.chain.objects.size()), 10);
-  c.internal = random_entries<Digits50>(dice, interpreter::internal_force_count(c.chain), 20);
+  c.xdd = random_entries<Digits50>(rng, 6 * static_cast<int>(c.chain.objects.size()), 10);
+  c.internal = random_entries<Digits50>(rng, interpreter::internal_force_count(c.chain), 20);
   return c;
 }
 

@@ -72,8 +72,8 @@ TEST_P(ClosedChains, ForwardDynamicsSolvesTheDenseSystem) {
 
 // Drift enters as an acceleration of the constraint, whatever the state.
 TEST_P(ClosedChains, StabilisationIsAnAccelerationOfTheConstraint) {
-  Dice dice(5);
-  for (Vector50& qd : c_.qd) qd += random_entries<Digits50>(dice, static_cast<int>(qd.size()), 1);
+  Rng rng(5);
+  for (Vector50& qd : c_.qd) qd += random_entries<Digits50>(rng, static_cast<int>(qd.size()), 1);
   const Stabilisation<Digits50> gains{20, 100};
   const auto poses = held_poses<Digits50>(c_.chain, c_.q, c_.qd);
   const auto asked = interpreter::detail::corrections(poses, gains);
@@ -209,13 +209,13 @@ TEST_P(ClosedChains, AugmentedObjectHasTheSameMotion) {
 
 /// Grasps at the corners of a box, with the hands rotated away from it.
 GraspedObject<Digits50> box(int grasps) {
-  Dice dice(3);
+  Rng rng(3);
   GraspedObject<Digits50> object;
   const double corners[5][3] = {
       {0, 0.2, 0}, {0, -0.2, 0}, {0.3, 0, 0.1}, {0.1, 0.1, 0.4}, {-0.2, 0.1, -0.3}};
   for (int i = 0; i < grasps; ++i) {
     Grasp<Digits50> grasp;
-    grasp.R = random_rotation(dice);
+    grasp.R = random_rotation(rng);
     const Vector3<Digits50> r(corners[i][0], corners[i][1], corners[i][2]);
     grasp.p = -(grasp.R * r);
     object.grasps.push_back(grasp);
@@ -283,12 +283,12 @@ TEST(VirtualLinkage, TensionsPullAlongTheirRods) {
 // W times its inverse is one: any resultant and any internal forces are recovered, and internal
 // forces have no resultant.
 TEST(VirtualLinkage, SplitsAndReadsBack) {
-  Dice dice(9);
+  Rng rng(9);
   for (const int n : {1, 2, 3, 4, 5}) {
     const auto object = box(n);
     const Matrix50 W = grasp_description(object);
-    const Vector50 internal = random_entries<Digits50>(dice, internal_force_count(n), 9);
-    const Vector6<Digits50> resultant = random_entries<Digits50>(dice, 6, 9);
+    const Vector50 internal = random_entries<Digits50>(rng, internal_force_count(n), 9);
+    const Vector6<Digits50> resultant = random_entries<Digits50>(rng, 6, 9);
     const Vector50 back = W * split_over_grasps<Digits50>(object, resultant, internal);
     EXPECT_LT(relative_error(back.head(6), resultant), kAlgebra);
     EXPECT_LT(relative_error(back.tail(internal.size()), internal), kAlgebra);

@@ -80,8 +80,8 @@ TEST_P(Standings, ForcesDoNoWorkOnMotionsThatAreFree) {
       c_.model, c_.q, c_.qd, c_.tau, c_.task.external_points, c_.task.f_ext);
   const Matrix50 M = interpreter::mass_matrix<Digits50>(c_.model, c_.q);
   const Vector50 change = M * (moving.qdd - free);
-  Dice dice(9);
-  Vector50 motion = random_entries<Digits50>(dice, c_.model.nv, 1);
+  Rng rng(9);
+  Vector50 motion = random_entries<Digits50>(rng, c_.model.nv, 1);
   if (J_s_.rows() > 0) {
     motion -=
         J_s_.transpose() *
@@ -120,9 +120,9 @@ TEST_P(Standings, TorqueThatWasGivenComesBack) {
 TEST_P(Standings, PostureIsTheNearest) {
   const auto best = motion(torque().tau);
   const Matrix50 M = interpreter::mass_matrix<Digits50>(c_.model, c_.q);
-  Dice dice(11);
+  Rng rng(11);
   auto other = c_.task;
-  other.qdd_0 += random_entries<Digits50>(dice, c_.model.nv, 3);
+  other.qdd_0 += random_entries<Digits50>(rng, c_.model.nv, 3);
   const auto next =
       motion(interpreter::supported_control_torque<Digits50>(c_.model, other, c_.q, c_.qd).tau);
   const Vector50 change = next.qdd - best.qdd;
@@ -136,8 +136,8 @@ TEST_P(Standings, ForcesAreTheNearestThatCarryTheMotion) {
   if (torque.f.size() == 0) return;
   const Vector50 weights = interpreter::detail::force_weights<Digits50>(c_.task.constraints);
   // Forces that passive joints do not feel: what motors can change.
-  Dice dice(13);
-  Vector50 internal = random_entries<Digits50>(dice, static_cast<int>(torque.f.size()), 1);
+  Rng rng(13);
+  Vector50 internal = random_entries<Digits50>(rng, static_cast<int>(torque.f.size()), 1);
   if (!c_.task.passive.empty()) {
     const Matrix50 J_sp = J_s_(Eigen::all, c_.task.passive);
     internal -= interpreter::detail::solve_consistent<Digits50>(

@@ -21,22 +21,22 @@ using Vector3_50 = Vector3<Digits50>;
 /// and a prismatic joint.
 Case case_with_ball_joint(std::uint64_t seed, JointKind base) {
   Case c;
-  Dice dice(seed);
+  Rng rng(seed);
   for (const JointKind kind : {base, JointKind::spherical, JointKind::revolute,
                                JointKind::spherical, JointKind::prismatic}) {
     Body<Digits50> body;
     body.parent = c.model.size() - (c.model.size() == 3 ? 2 : 1);
     body.kind = kind;
-    body.p_parent_joint = random_entries<Digits50>(dice, 3, 0.5);
-    body.mass = Digits50(dice.uniform(1, 4));
-    body.com = random_entries<Digits50>(dice, 3, 0.2);
+    body.p_parent_joint = random_entries<Digits50>(rng, 3, 0.5);
+    body.mass = Digits50(rng.uniform(1, 4));
+    body.com = random_entries<Digits50>(rng, 3, 0.2);
     const auto C = cross_matrix(body.com);
     body.inertia = Vector3_50(Digits50(0.1), Digits50(0.2), Digits50(0.25)).asDiagonal();
     body.inertia -= body.mass * (C * C);
     add_body(c.model, body);
   }
-  c.q = random_position(dice, c.model);
-  c.qd = random_entries<Digits50>(dice, c.model.nv, 4);
+  c.q = random_position(rng, c.model);
+  c.qd = random_entries<Digits50>(rng, c.model.nv, 4);
   return c;
 }
 
@@ -49,14 +49,14 @@ struct Struck {
 /// Contacts on the last body, its parent, the first body, and any two bodies.
 Struck struck(Case c, std::uint64_t seed) {
   Struck s;
-  Dice dice(seed + 31);
+  Rng rng(seed + 31);
   const int last = c.model.size() - 1;
-  for (const int body : {last, std::max(0, c.model.body(last).parent), 0, dice.below(last + 1),
-                         dice.below(last + 1)}) {
-    s.contacts.push_back(contact_point<Digits50>(body, random_entries<Digits50>(dice, 3, 0.5)));
+  for (const int body : {last, std::max(0, c.model.body(last).parent), 0, rng.below(last + 1),
+                         rng.below(last + 1)}) {
+    s.contacts.push_back(contact_point<Digits50>(body, random_entries<Digits50>(rng, 3, 0.5)));
   }
-  s.impulses = random_entries<Digits50>(dice, 15, 5);
-  s.normals = random_entries<Digits50>(dice, 15, 1);
+  s.impulses = random_entries<Digits50>(rng, 15, 5);
+  s.normals = random_entries<Digits50>(rng, 15, 1);
   for (int i = 0; i < 15; i += 3) s.normals.segment<3>(i).normalize();
   s.c = std::move(c);
   return s;

@@ -80,9 +80,9 @@ TEST(CoriolisMatrix, OfSphericalJoints) {
     if (body.kind == ip::JointKind::revolute) body.kind = ip::JointKind::spherical;
     add_body(model, body);
   }
-  Dice dice(17);
-  const Vector50 q = random_position(dice, model);
-  expect_factorisation(model, q, random_entries<Digits50>(dice, model.nv, 4));
+  Rng rng(17);
+  const Vector50 q = random_position(rng, model);
+  expect_factorisation(model, q, random_entries<Digits50>(rng, model.nv, 4));
 }
 
 }  // namespace

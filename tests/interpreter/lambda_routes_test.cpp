@@ -53,14 +53,14 @@ TEST_P(LambdaRoutes, AgreeOnPointsAnywhere) {
   expect_all_routes(random_case(GetParam().seed, GetParam().options));
 }
 
-OperationalPoint<Digits50> point_on(int body, Dice& dice) {
+OperationalPoint<Digits50> point_on(int body, Rng& rng) {
   OperationalPoint<Digits50> point;
   point.name = "on " + std::to_string(body);
   point.body = body;
-  point.p = random_entries<Digits50>(dice, 3, 0.5);
-  point.R = rotation_about<Digits50>(Vector3<Digits50>::UnitX(), Digits50(dice.uniform(-3, 3)));
-  point.axes = dice.chance(0.5) ? PointAxes::world : PointAxes::local;
-  for (bool& row : point.rows) row = dice.chance(0.7);
+  point.p = random_entries<Digits50>(rng, 3, 0.5);
+  point.R = rotation_about<Digits50>(Vector3<Digits50>::UnitX(), Digits50(rng.uniform(-3, 3)));
+  point.axes = rng.chance(0.5) ? PointAxes::world : PointAxes::local;
+  for (bool& row : point.rows) row = rng.chance(0.7);
   return point;
 }
 
@@ -68,14 +68,14 @@ OperationalPoint<Digits50> point_on(int body, Dice& dice) {
 // any body.
 TEST_P(LambdaRoutes, AgreeOnPointsThatShareLinksAndPaths) {
   Case c = random_case(GetParam().seed, GetParam().options);
-  Dice dice(GetParam().seed + 77);
+  Rng rng(GetParam().seed + 77);
   const int last = c.model.size() - 1;
   if (last < 0) return;
   const auto parent = [&](int body) { return body == kWorld ? kWorld : c.model.body(body).parent; };
   c.points.clear();
   for (const int body : {last, last, parent(last), parent(parent(last)), 0, kWorld,
-                         dice.below(last + 1), dice.below(last + 1)}) {
-    c.points.push_back(point_on(body, dice));
+                         rng.below(last + 1), rng.below(last + 1)}) {
+    c.points.push_back(point_on(body, rng));
   }
   expect_all_routes(c);
 }
@@ -83,9 +83,9 @@ TEST_P(LambdaRoutes, AgreeOnPointsThatShareLinksAndPaths) {
 /// Like `random_case`, with two points on one body that has at least `depth` bodies above it.
 Case case_of_one_body(std::uint64_t seed, const RandomOptions& options) {
   Case c = random_case(seed, options);
-  Dice dice(seed + 78);
-  const int body = c.model.size() - 1 - dice.below(2);
-  c.points = {point_on(body, dice), point_on(body, dice)};
+  Rng rng(seed + 78);
+  const int body = c.model.size() - 1 - rng.below(2);
+  c.points = {point_on(body, rng), point_on(body, rng)};
   return c;
 }
 

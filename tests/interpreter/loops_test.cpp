@@ -103,10 +103,10 @@ TEST(WeldedLoop, MovesLikeAFixedJoint) {
   for (const auto& body : open.bodies) {
     if (body.kind == interpreter::JointKind::floating) at = body.v;
   }
-  Dice dice(3);
-  const auto q = random_entries<Digits50>(dice, model.nq, 2);
-  const auto qd = random_entries<Digits50>(dice, model.nv, 2);
-  const auto tau = random_entries<Digits50>(dice, model.nv, 10);
+  Rng rng(3);
+  const auto q = random_entries<Digits50>(rng, model.nq, 2);
+  const auto qd = random_entries<Digits50>(rng, model.nv, 2);
+  const auto tau = random_entries<Digits50>(rng, model.nv, 10);
   const auto opened = [&](const Vector50& x, int gap) {
     Vector50 y = Vector50::Zero(x.size() + gap);
     y.head(at) = x.head(at);

@@ -144,9 +144,9 @@ TEST(ModelFromRobot, MimicsReduceTheFreeTree) {
       G(free_model.body(i).v, model.body(i).v) = model.body(i).multiplier;
       offset(free_model.body(i).v) = model.body(i).offset;
     }
-    Dice dice(seed);
-    const Vector50 q = random_position(dice, model);
-    const Vector50 qd = random_entries<Digits50>(dice, model.nv, 3);
+    Rng rng(seed);
+    const Vector50 q = random_position(rng, model);
+    const Vector50 qd = random_entries<Digits50>(rng, model.nv, 3);
     const Vector50 all_q = G * q + offset;
     EXPECT_LT(relative_error(mass_matrix<Digits50>(model, q),
                              G.transpose() * mass_matrix<Digits50>(free_model, all_q) * G),

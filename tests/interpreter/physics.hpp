@@ -38,13 +38,13 @@ inline Case random_case(std::uint64_t seed, const RandomOptions& options) {
   c.model = model_from_robot<Digits50>(made.robot, made.scene);
   c.points = points_from_scene(c.model, made.scene.operational_points);
   c.external_points = points_from_scene(c.model, made.scene.external_forces);
-  Dice dice(seed + 1000003);
-  c.q = random_position(dice, c.model);
-  c.qd = random_entries<Digits50>(dice, c.model.nv, 4);
-  c.qdd = random_entries<Digits50>(dice, c.model.nv, 20);
-  c.tau = random_entries<Digits50>(dice, c.model.nv, 50);
-  c.f_ext = random_entries<Digits50>(dice, 6 * static_cast<int>(c.external_points.size()), 30);
-  c.xdd = random_entries<Digits50>(dice, interpreter::row_count(c.points), 20);
+  Rng rng(seed + 1000003);
+  c.q = random_position(rng, c.model);
+  c.qd = random_entries<Digits50>(rng, c.model.nv, 4);
+  c.qdd = random_entries<Digits50>(rng, c.model.nv, 20);
+  c.tau = random_entries<Digits50>(rng, c.model.nv, 50);
+  c.f_ext = random_entries<Digits50>(rng, 6 * static_cast<int>(c.external_points.size()), 30);
+  c.xdd = random_entries<Digits50>(rng, interpreter::row_count(c.points), 20);
   return c;
 }
 

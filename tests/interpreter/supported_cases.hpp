@@ -91,26 +91,26 @@ inline std::vector<Standing> standings_and_loops() {
 }
 
 /// A constraint between two links that move against each other.
-inline SceneLoop draw_loop(Dice& dice, const RandomOptions& options, const RandomMechanism& made,
+inline SceneLoop draw_loop(Rng& rng, const RandomOptions& options, const RandomMechanism& made,
                            const std::string& name) {
   SceneLoop loop;
   do {
-    loop = {detail::random_point(dice, options, made.robot, name),
-            detail::random_point(dice, options, made.robot, name)};
+    loop = {detail::random_point(rng, options, made.robot, name),
+            detail::random_point(rng, options, made.robot, name)};
   } while (!moves_against(made.robot, made.scene, loop.first.link, loop.second.link));
   return loop;
 }
 
 /// Constraints between joints: each of two, or of one alone.
-inline void draw_couplings(Dice& dice, int count, RandomMechanism& made) {
+inline void draw_couplings(Rng& rng, int count, RandomMechanism& made) {
   std::vector<std::string> joints;
   for (const Joint& joint : made.robot.joints) {
     if (detail::has_one_degree(joint) && !joint.mimic) joints.push_back(joint.name);
   }
   for (int i = 0; i < count; ++i) {
-    SceneCoupling coupling{"coupling_" + std::to_string(i), {}, dice.rounded(-1, 1)};
+    SceneCoupling coupling{"coupling_" + std::to_string(i), {}, rng.rounded(-1, 1)};
     for (int part = 0; part < 2; ++part) {
-      coupling.parts.push_back({joints[detail::at(2 * i + part)], dice.rounded(0.5, 3)});
+      coupling.parts.push_back({joints[detail::at(2 * i + part)], rng.rounded(0.5, 3)});
     }
     made.scene.couplings.push_back(coupling);
   }
@@ -138,22 +138,22 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
   StandingCase c;
   c.made = random_mechanism(seed, options);
   Scene& scene = c.made.scene;
-  Dice dice(seed + 5);
+  Rng rng(seed + 5);
   for (int i = 0; i < feet; ++i) {
     scene.constraints.push_back(
-        detail::random_point(dice, options, c.made.robot, "foot_" + std::to_string(i)));
+        detail::random_point(rng, options, c.made.robot, "foot_" + std::to_string(i)));
     scene.constraints.back().rows = standing.feet[static_cast<std::size_t>(i)];
   }
   for (const Rows& rows : standing.loops) {
     scene.loops.push_back(
-        draw_loop(dice, options, c.made, "loop_" + std::to_string(scene.loops.size())));
+        draw_loop(rng, options, c.made, "loop_" + std::to_string(scene.loops.size())));
     scene.loops.back().second.rows = rows;
   }
-  draw_couplings(dice, standing.couplings, c.made);
+  draw_couplings(rng, standing.couplings, c.made);
   int left = standing.task_rows;
   for (ScenePoint& point : scene.operational_points) {
-    for (bool& row : point.rows) row = left > 0 && dice.chance(0.6) && left-- > 0;
-    point.priority = 1 + dice.below(2);
+    for (bool& row : point.rows) row = left > 0 && rng.chance(0.6) && left-- > 0;
+    point.priority = 1 + rng.below(2);
   }
   for (const Joint& joint : c.made.robot.joints) {
     const auto wanted = static_cast<std::size_t>(standing.passive);
@@ -169,11 +169,11 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
   task.passive = passive_velocities(c.model, c.made.robot, scene);
   task.external_points = points_from_scene(c.model, scene.external_forces);
   const auto drawn = [&](int count, double size) {
-    return random_entries<Digits50>(dice, count, size);
+    return random_entries<Digits50>(rng, count, size);
   };
   const int anchored = interpreter::row_count(task.constraints);
   const int held = anchored + interpreter::row_count(task.loops);
-  c.q = random_position(dice, c.model, 2.0);
+  c.q = random_position(rng, c.model, 2.0);
   c.qd = drawn(c.model.nv, 2);
   c.tau = drawn(c.model.nv, 20);
   c.drift = drawn(anchored, 0.01);

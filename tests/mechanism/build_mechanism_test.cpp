@@ -17,8 +17,8 @@ void expect_same_functions(const Mechanism& a, const Mechanism& b, const Oracle<
                            std::initializer_list<Function> functions) {
   ASSERT_EQ(a.nq(), b.nq());
   ASSERT_EQ(a.nv(), b.nv());
-  Dice dice(7);
-  const Inputs<Digits50> in = inputs.random_inputs(dice);
+  Rng rng(7);
+  const Inputs<Digits50> in = inputs.random_inputs(rng);
   const TemplateRun<Digits50> run_a(a, in), run_b(b, in);
   for (const Function function : functions) {
     EXPECT_LE(
@@ -180,7 +180,7 @@ TEST(Locked, AtAQuarterTurnLeavesNoResidue) {
   Scene held;
   held.locked["second"] = 1.5707963267948966;
   for (const MovingLink& link : build_mechanism(robot, held).links) {
-    for (const Exact& entry : link.seat.R.reshaped()) {
+    for (const Exact& entry : link.placement.R.reshaped()) {
       EXPECT_TRUE(entry == 0 || abs(entry) == 1) << link.name << " " << entry;
     }
   }

@@ -32,13 +32,13 @@ const std::vector<Stage>& stages() {
          regroup_inertias(mechanism);
          return mechanism;
        }},
-      {"seated without regrouping",
+      {"placed without regrouping",
        [](const RandomMechanism& m) {
          Mechanism mechanism = build_mechanism(m.robot, m.scene);
-         seat_frames(mechanism);
+         place_frames(mechanism);
          return mechanism;
        }},
-      {"regrouped and seated",
+      {"regrouped and placed",
        [](const RandomMechanism& m) { return reduced_mechanism(m.robot, m.scene); }},
       {"as accurate as can be", [](const RandomMechanism& m) {
          Scene scene = m.scene;
@@ -49,10 +49,10 @@ const std::vector<Stage>& stages() {
 }
 
 /// Compares all functions by all routes at one state.
-void expect_same_equations(const RandomMechanism& made, Dice& dice) {
+void expect_same_equations(const RandomMechanism& made, Rng& rng) {
   const Oracle<Digits50> oracle(made.robot, made.scene);
   if (oracle.model().nv == 0) return;
-  const Inputs<Digits50> in = oracle.random_inputs(dice);
+  const Inputs<Digits50> in = oracle.random_inputs(rng);
   const Yardstick size = yardstick(oracle, in);
   std::vector<std::pair<Function, Results<Digits50>>> expected;
   for (const Function function : kDefaultFunctions) {
@@ -76,8 +76,8 @@ void expect_same_equations(const RandomOptions& options, std::uint64_t first_see
   for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(count);
        ++seed) {
     SCOPED_TRACE(described(seed, options));
-    Dice dice(seed + 1000);
-    expect_same_equations(random_mechanism(seed, options), dice);
+    Rng rng(seed + 1000);
+    expect_same_equations(random_mechanism(seed, options), rng);
   }
 }
 

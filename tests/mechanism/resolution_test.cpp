@@ -39,11 +39,11 @@ Resolution of_files() {
 
 /// Rotations with their number of zeros: one of the 24, one with a shared axis, one with a single
 /// zero, and a general one.
-std::vector<std::pair<ExactMatrix3, int>> rotations_and_their_zeros(Dice& dice) {
-  const auto quarter = [&] { return Exact(dice.below(4)) * half_pi(); };
-  const auto general = [&] { return Exact(dice.uniform(0.2, 1.3)); };
+std::vector<std::pair<ExactMatrix3, int>> rotations_and_their_zeros(Rng& rng) {
+  const auto quarter = [&] { return Exact(rng.below(4)) * half_pi(); };
+  const auto general = [&] { return Exact(rng.uniform(0.2, 1.3)); };
   const ExactMatrix3 quarters = turn(0, quarter()) * turn(1, quarter()) * turn(2, quarter());
-  const int axis = dice.below(3);
+  const int axis = rng.below(3);
   return {{quarters, 6},
           {quarters * turn(axis, general()), 4},
           {quarters * turn(axis, general()) * turn((axis + 1) % 3, general()), 1},
@@ -51,14 +51,14 @@ std::vector<std::pair<ExactMatrix3, int>> rotations_and_their_zeros(Dice& dice) 
 }
 
 TEST(Resolution, FindsTheStructureUnderNoiseAndLeavesARotation) {
-  Dice dice(1);
+  Rng rng(1);
   for (int round = 0; round < 50; ++round) {
-    for (const auto& [R, zeros] : rotations_and_their_zeros(dice)) {
+    for (const auto& [R, zeros] : rotations_and_their_zeros(rng)) {
       for (const double noise : {0.0, 1e-60, 1e-45, 1e-38, 1e-30, 1e-27, 1e-20, 1e-17, 1e-16}) {
         SCOPED_TRACE(noise);
         ExactMatrix3 noisy = R;
         for (int i = 0; i < 3; ++i) {
-          noisy = (noisy * turn(i, Exact(noise) * Exact(dice.uniform(-1, 1)))).eval();
+          noisy = (noisy * turn(i, Exact(noise) * Exact(rng.uniform(-1, 1)))).eval();
         }
         Change change;
         const ExactPose found = resolved({noisy, ExactVector3::Zero()}, of_files(), &change);
@@ -116,7 +116,7 @@ TEST(Resolution, OfInertiasIsRelativeToTheirMoments) {
 Exact size_of(const Mechanism& mechanism) {
   Exact most = 0;
   for (const MovingLink& link : mechanism.links) {
-    most = std::max({most, link.radius, Exact(link.seat.p.norm())});
+    most = std::max({most, link.radius, Exact(link.placement.p.norm())});
   }
   for (const auto* points : {&mechanism.operational_points, &mechanism.external_forces}) {
     for (const MechanismPoint& point : *points) {
@@ -128,8 +128,8 @@ Exact size_of(const Mechanism& mechanism) {
 
 void expect_sound_frames(const Mechanism& mechanism, const Exact& size) {
   for (const MovingLink& link : mechanism.links) {
-    EXPECT_LE(defect(link.seat.R), 1e-38) << link.name << "\n" << link.seat.R;
-    EXPECT_LE(link.seat.p.norm(), 9 * size) << link.name;
+    EXPECT_LE(defect(link.placement.R), 1e-38) << link.name << "\n" << link.placement.R;
+    EXPECT_LE(link.placement.p.norm(), 9 * size) << link.name;
     EXPECT_LE(link.inertia.h.norm(), 1e3) << link.name;
   }
 }
@@ -163,8 +163,8 @@ int count_numbers(const Mechanism& mechanism) {
   int count = 0;
   const auto add = [&](const Exact& x) { count += x == 0 || x == 1 || x == -1 ? 0 : 1; };
   for (const MovingLink& link : mechanism.links) {
-    for (const Exact& x : link.seat.R.reshaped()) add(x);
-    for (const Exact& x : link.seat.p) add(x);
+    for (const Exact& x : link.placement.R.reshaped()) add(x);
+    for (const Exact& x : link.placement.p) add(x);
     for (const Exact& x : link.inertia.h) add(x);
     for (const Exact& x : link.inertia.Sigma.reshaped()) add(x);
     add(link.offset);

@@ -29,7 +29,7 @@ std::string all_numbers(const Mechanism& mechanism) {
   std::ostringstream text;
   text.precision(60);
   for (const MovingLink& link : mechanism.links) {
-    text << link.name << link.seat.R << link.seat.p << link.offset << link.inertia.mass
+    text << link.name << link.placement.R << link.placement.p << link.offset << link.inertia.mass
          << link.inertia.h << link.inertia.Sigma << '\n';
   }
   for (const auto* points : {&mechanism.operational_points, &mechanism.external_forces}) {
@@ -53,41 +53,42 @@ Robot puma() {
                        joint("j6", "j5_link", {{}, {kQuarter, 0, 0}})});
 }
 
-TEST(Seats, OfThePumaAreQuarterTurnsWithAtMostTwoLengths) {
+TEST(Placements, OfThePumaAreQuarterTurnsWithAtMostTwoLengths) {
   Scene scene;
   scene.accuracy = Accuracy::fastest;  // joints without limits would keep turns of the tool's frame
   const Mechanism mechanism = reduced_mechanism(puma(), scene);
   int lengths = 0;
   for (const MovingLink& link : mechanism.links) {
-    EXPECT_TRUE(is_quarter_turn(link.seat.R)) << link.name << "\n" << link.seat.R;
-    EXPECT_LE(nonzero_entries(link.seat.p), 2) << link.name;
-    lengths += nonzero_entries(link.seat.p);
+    EXPECT_TRUE(is_quarter_turn(link.placement.R)) << link.name << "\n" << link.placement.R;
+    EXPECT_LE(nonzero_entries(link.placement.p), 2) << link.name;
+    lengths += nonzero_entries(link.placement.p);
   }
   EXPECT_LE(lengths, 4);  // a2, d3 (with d2), a3, d4
 }
 
 // The same robot with every frame rotated and shifted at random along its own axis, as in a
 // careless URDF, becomes equally sparse.
-TEST(Seats, UndoCarelessFrames) {
+TEST(Placements, UndoCarelessFrames) {
   Robot robot = puma();
   Mechanism mechanism = build_mechanism(robot, {});
-  Dice dice(11);
+  Rng rng(11);
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
     MovingLink& link = mechanism.links[i];
-    const Exact angle = dice.rounded(-1, 1);
-    const ExactPose careless{rotation_z(angle), ExactVector3(0, 0, dice.rounded(-1, 1))};
-    link.seat = link.seat * careless;
+    const Exact angle = rng.rounded(-1, 1);
+    const ExactPose careless{rotation_z(angle), ExactVector3(0, 0, rng.rounded(-1, 1))};
+    link.placement = link.placement * careless;
     link.offset = 0;
     link.inertia = transformed(link.inertia, inverse(careless));
     for (MovingLink& child : mechanism.links) {
-      if (child.parent == static_cast<int>(i)) child.seat = inverse(careless) * child.seat;
+      if (child.parent == static_cast<int>(i))
+        child.placement = inverse(careless) * child.placement;
     }
   }
   regroup_inertias(mechanism);
-  seat_frames(mechanism);
+  place_frames(mechanism);
   for (const MovingLink& link : mechanism.links) {
-    EXPECT_TRUE(is_quarter_turn(link.seat.R)) << link.name << "\n" << link.seat.R;
-    EXPECT_LE(nonzero_entries(link.seat.p), 2) << link.name;
+    EXPECT_TRUE(is_quarter_turn(link.placement.R)) << link.name << "\n" << link.placement.R;
+    EXPECT_LE(nonzero_entries(link.placement.p), 2) << link.name;
   }
 }
 
@@ -171,8 +172,8 @@ TEST(Residue, StaysInNoRandomMechanism) {
     const Mechanism mechanism = reduced_mechanism(made.robot, made.scene);
     for (const MovingLink& link : mechanism.links) {
       SCOPED_TRACE(link.name);
-      for (const Exact& x : link.seat.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
-      for (const Exact& x : link.seat.p) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Exact& x : link.placement.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Exact& x : link.placement.p) EXPECT_FALSE(is_residue(x)) << x;
       for (const Exact& x : link.inertia.h) EXPECT_FALSE(is_residue(x)) << x;
       for (const Exact& x : link.inertia.Sigma.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
       EXPECT_FALSE(is_residue(link.offset)) << link.offset;

@@ -28,14 +28,14 @@ SceneInputs everything(const Scene& scene) {
 /// A state with random entries for what functions of one contact and one held row take, too.
 State draw(const StateSpace& space) {
   State state = draw_state(space, 3);
-  Dice dice(7);
+  Rng rng(7);
   const std::map<Quantity, int> sizes = {{Quantity::impulse, 3},
                                          {Quantity::normals, 3},
                                          {Quantity::stabilisation, 2},
                                          {Quantity::drift, 1},
                                          {Quantity::f_wanted, 1}};
   for (const auto& [quantity, size] : sizes) {
-    for (int i = 0; i < size; ++i) state.others[quantity].push_back(dice.uniform(0.1, 1));
+    for (int i = 0; i < size; ++i) state.others[quantity].push_back(rng.uniform(0.1, 1));
   }
   return state;
 }

@@ -19,7 +19,7 @@ TEST(RunPasses, LogsEveryPassAndNeverAddsOperations) {
   std::vector<PassReport> log;
   const Program program = run_passes(test::trace_two_link_arm(), log);
   ASSERT_GE(log.size(), 2u);
-  EXPECT_EQ(log.front().pass, "settle");
+  EXPECT_EQ(log.front().pass, "canonicalize");
   EXPECT_EQ(log.back().pass, "schedule");
   for (const PassReport& report : log) {
     EXPECT_LE(report.after.flops(), report.before.flops()) << report.pass;

@@ -80,12 +80,12 @@ class BallTwins : public testing::TestWithParam<std::uint64_t> {
     for (Joint& joint : floating_.robot.joints) {
       if (joint.type == JointType::ball) joint.type = JointType::floating;
     }
-    Dice dice(GetParam() + 3);
+    Rng rng(GetParam() + 3);
     const auto model = model_from_robot<double>(ball_.robot, ball_.scene);
     const auto twin = model_from_robot<double>(floating_.robot, floating_.scene);
-    q_ = random_position(dice, model);
-    qd_ = random_entries<double>(dice, model.nv, 3);
-    qdd_ = random_entries<double>(dice, model.nv, 5);
+    q_ = random_position(rng, model);
+    qd_ = random_entries<double>(rng, model.nv, 3);
+    qdd_ = random_entries<double>(rng, model.nv, 5);
     q_twin_ = V::Zero(twin.nq);
     for (int i = 0; i < model.size(); ++i) {
       const auto& a = model.body(i);
@@ -230,8 +230,8 @@ TEST(BallPendulum, KeepsItsEnergy) {
   for (const std::uint64_t seed : {2, 5}) robots.push_back(tree_with_balls(seed, false));
   for (const RandomMechanism& made : robots) {
     const auto model = model_from_robot<double>(made.robot, made.scene);
-    Dice dice(9);
-    V q = random_position(dice, model), qd = random_entries<double>(dice, model.nv, 2);
+    Rng rng(9);
+    V q = random_position(rng, model), qd = random_entries<double>(rng, model.nv, 2);
     const Tree<double> tree = tree_from(made);
     const double before = AtState(tree, q).energy(qd);
     for (int step = 0; step < 1000; ++step) advance(tree, model, 2e-4, q, qd);

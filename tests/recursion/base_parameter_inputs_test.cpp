@@ -49,9 +49,9 @@ struct Changed {
 Changed change(const Seeded& seeded) {
   const RandomMechanism made = random_mechanism(seeded.seed, seeded.options);
   Changed changed{made.robot, made.robot, made.scene, made.scene};
-  Dice dice(seeded.seed + 5);
+  Rng rng(seeded.seed + 5);
   for (Link& link : changed.files_robot.links) {
-    if (link.inertial) link.inertial = detail::random_inertial(dice, 0.3);
+    if (link.inertial) link.inertial = detail::random_inertial(rng, 0.3);
   }
   changed.scene.inputs.base_parameters = true;
   SceneRegressor& asked = changed.scene.regressor;
@@ -63,8 +63,8 @@ Changed change(const Seeded& seeded) {
     const bool has_column = info_of(joint.type).has_one_freedom() && !joint.mimic &&
                             !made.scene.locked.contains(joint.name);
     if (!has_column) continue;
-    changed.files_scene.armature[joint.name] = dice.rounded(0.1, 1);
-    changed.files_scene.joint_friction[joint.name] = {dice.rounded(0.1, 1), dice.rounded(0.1, 1),
+    changed.files_scene.armature[joint.name] = rng.rounded(0.1, 1);
+    changed.files_scene.joint_friction[joint.name] = {rng.rounded(0.1, 1), rng.rounded(0.1, 1),
                                                       0.3};
   }
   for (const auto& [joint, inertia] : made.scene.armature) {  // of joints that mimic
@@ -84,8 +84,8 @@ class BaseParameterArguments : public testing::TestWithParam<Seeded> {
     for (const BaseParameter& base : found_->base) {
       values_.push_back(value_in_files(base, *found_, files));
     }
-    Dice dice(GetParam().seed + 9);
-    in_ = oracle_.random_inputs(dice);
+    Rng rng(GetParam().seed + 9);
+    in_ = oracle_.random_inputs(rng);
     size_ = yardstick(oracle_, in_);
   }
 

@@ -53,8 +53,8 @@ class CenterOfMass : public testing::TestWithParam<Seeded> {
       : made_(random_mechanism(GetParam().seed, GetParam().options)),
         mechanism_(reduced_mechanism(made_.robot, made_.scene)),
         model_(model_from_robot<Digits50>(made_.robot, made_.scene)) {
-    Dice dice(GetParam().seed + 7);
-    q_ = random_position(dice, model_);
+    Rng rng(GetParam().seed + 7);
+    q_ = random_position(rng, model_);
   }
 
   [[nodiscard]] std::vector<Digits50> expected(Function function) const {

@@ -4,8 +4,8 @@
 #include "mechanism/find_limbs.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/centroidal_momentum.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/late_turns.hpp"
 #include "recursion/seeded.hpp"
 #include "recursion/trace_function.hpp"
 
@@ -50,9 +50,9 @@ class Centroidal : public testing::TestWithParam<Seeded> {
       : made_(random_mechanism(GetParam().seed, GetParam().options)),
         mechanism_(reduced_mechanism(made_.robot, made_.scene)),
         model_(model_from_robot<Digits50>(made_.robot, made_.scene)) {
-    Dice dice(GetParam().seed + 7);
-    q_ = random_position(dice, model_);
-    qd_ = random_entries<Digits50>(dice, model_.nv, 4);
+    Rng rng(GetParam().seed + 7);
+    q_ = random_position(rng, model_);
+    qd_ = random_entries<Digits50>(rng, model_.nv, 4);
   }
 
   [[nodiscard]] Results<Digits50> expected(Function function) const {
@@ -85,7 +85,7 @@ class Centroidal : public testing::TestWithParam<Seeded> {
   [[nodiscard]] Results<Digits50> recursion(Function function, const Mechanism& mechanism) const {
     auto tree = tree_of<Digits50>(mechanism);
     auto X = joint_transforms<Digits50>(tree, listed(q_));
-    turn_late(tree, X);
+    defer_rotations(tree, X);
     const Digits qd = listed(qd_);
     const auto six = [](const Wrench<Digits50>& w) {
       return Results<Digits50>{{w.f.x, w.f.y, w.f.z, w.n.x, w.n.y, w.n.z}};
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, FloatingCentroidal, testing::ValuesIn(floating_
 TEST_P(Centroidal, RecursionsAgreeInFiftyDigits) {
   Mechanism late = mechanism_;
   for (MovingLink& link : late.links) {
-    link.turns_late = link.carries_column = link.has_one_coordinate();
+    link.defers_rotation = link.carries_column = link.has_one_coordinate();
   }
   const Mechanism kept = build_mechanism(made_.robot, made_.scene);
   for (const Mechanism* mechanism : std::array<const Mechanism*, 3>{&mechanism_, &late, &kept}) {

@@ -180,8 +180,8 @@ TEST(Structure, LambdaInvertsItsInverseAndMatricesAreSymmetricToTheBit) {
   RandomMechanism made = random_mechanism(9, options);
   made.scene.operational_points[0].link = "link_8";
   const Oracle<Digits50> oracle(made.robot, made.scene);
-  Dice dice(4);
-  const auto in = rounded_to<double>(oracle.random_inputs(dice));
+  Rng rng(4);
+  const auto in = rounded_to<double>(oracle.random_inputs(rng));
   const auto symmetric = [](const std::vector<double>& A) {
     const auto n = static_cast<std::size_t>(std::lround(std::sqrt(A.size())));
     for (std::size_t i = 0; i < n; ++i) {

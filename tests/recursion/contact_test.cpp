@@ -30,12 +30,12 @@ struct Drawn {
 Drawn draw(std::uint64_t seed, const RandomOptions& options, int count) {
   RandomMechanism made = random_mechanism(seed, options);
   Drawn drawn{made.robot, made.scene, model_from_robot<Digits50>(made.robot, made.scene), {}};
-  Dice dice(seed + 500);
-  const auto q = random_position(dice, drawn.model);
+  Rng rng(seed + 500);
+  const auto q = random_position(rng, drawn.model);
   for (int i = 0; i < count; ++i) {
     RandomOptions anywhere = options;
     ScenePoint contact =
-        detail::random_point(dice, anywhere, drawn.robot, "contact_" + std::to_string(i));
+        detail::random_point(rng, anywhere, drawn.robot, "contact_" + std::to_string(i));
     contact.axes = Axes::world;
     contact.rows = {true, true, true, false, false, false};
     const auto point = points_from_scene(drawn.model, {contact});
@@ -79,13 +79,13 @@ std::vector<double> doubles(const interpreter::Vector<Digits50>& x) {
 }
 
 /// Draws the arguments of the function, as doubles.
-std::vector<std::vector<double>> draw_arguments(const Drawn& drawn, Function function, Dice& dice) {
-  std::vector<std::vector<double>> arguments{doubles(random_position(dice, drawn.model))};
+std::vector<std::vector<double>> draw_arguments(const Drawn& drawn, Function function, Rng& rng) {
+  std::vector<std::vector<double>> arguments{doubles(random_position(rng, drawn.model))};
   const int contacts = 3 * static_cast<int>(drawn.contacts.size());
   if (function == Function::contact_motion) {
-    arguments.push_back(doubles(random_entries<Digits50>(dice, drawn.model.nv, 3)));
+    arguments.push_back(doubles(random_entries<Digits50>(rng, drawn.model.nv, 3)));
   } else if (function == Function::effective_mass || function == Function::impulse_response) {
-    arguments.push_back(doubles(random_entries<Digits50>(dice, contacts, 1)));
+    arguments.push_back(doubles(random_entries<Digits50>(rng, contacts, 1)));
   }
   return arguments;
 }
@@ -159,8 +159,8 @@ Tally compare_all(Function function) {
     SCOPED_TRACE(described(seed, options));
     const Drawn drawn = draw(seed, options, 3);
     if (drawn.contacts.empty()) continue;
-    Dice dice(seed);
-    const auto arguments = draw_arguments(drawn, function, dice);
+    Rng rng(seed);
+    const auto arguments = draw_arguments(drawn, function, rng);
     const auto truth = expected(drawn, function, arguments);
     const double allowed = growth(drawn, function, arguments[0]);
     if (!(allowed < 1e9)) continue;
@@ -203,9 +203,9 @@ TEST(ContactFunctions, AgreeInFiftyDigitsWithUnroundedConstants) {
     SCOPED_TRACE(described(seed, options));
     const Drawn drawn = draw(seed, options, 2);
     if (drawn.contacts.empty()) continue;
-    Dice dice(seed + 1);
-    const auto position = random_position(dice, drawn.model);
-    const auto y = random_entries<Digits50>(dice, 3 * static_cast<int>(drawn.contacts.size()), 1);
+    Rng rng(seed + 1);
+    const auto position = random_position(rng, drawn.model);
+    const auto y = random_entries<Digits50>(rng, 3 * static_cast<int>(drawn.contacts.size()), 1);
     const InFiftyDigits run(drawn, listed(position));
     const auto impulses = listed(y);
     const Results<Digits50> dqd{listed(

@@ -51,9 +51,9 @@ class Coriolis : public testing::TestWithParam<Seeded> {
       : made_(random_mechanism(GetParam().seed, GetParam().options)),
         mechanism_(reduced_mechanism(made_.robot, made_.scene)),
         model_(model_from_robot<Digits50>(made_.robot, made_.scene)) {
-    Dice dice(GetParam().seed + 7);
-    q_ = random_position(dice, model_);
-    qd_ = random_entries<Digits50>(dice, model_.nv, 4);
+    Rng rng(GetParam().seed + 7);
+    q_ = random_position(rng, model_);
+    qd_ = random_entries<Digits50>(rng, model_.nv, 4);
   }
 
   [[nodiscard]] Digits expected(Function function, const Vector50& q, const Vector50& qd) const {

@@ -44,9 +44,9 @@ class Derivatives : public testing::TestWithParam<std::pair<std::uint64_t, Rando
         mechanism_(reduced_mechanism(made_.robot, made_.scene)),
         model_(model_from_robot<Digits50>(made_.robot, made_.scene)),
         forces_(points_from_scene(model_, made_.scene.external_forces)) {
-    Dice dice(GetParam().first + 7);
+    Rng rng(GetParam().first + 7);
     const Oracle<Digits50> oracle(made_.robot, made_.scene);
-    in_ = oracle.random_inputs(dice, 2);
+    in_ = oracle.random_inputs(rng, 2);
     q_ = vector(in_.q), qd_ = vector(in_.qd), qdd_ = vector(in_.qdd);
     tau_ = vector(in_.tau), f_ = vector(in_.f_ext);
   }

@@ -64,9 +64,9 @@ class Oracle {
   [[nodiscard]] int task_rows() const { return interpreter::row_count(points_); }
 
   /// Draws angles, displacements, rates, forces and accelerations up to `size`.
-  [[nodiscard]] Inputs<Scalar> random_inputs(Dice& dice, double size = 3) const {
-    const auto drawn = [&](int count) { return listed(random_entries<Scalar>(dice, count, size)); };
-    return {listed(random_position(dice, model_, size)),
+  [[nodiscard]] Inputs<Scalar> random_inputs(Rng& rng, double size = 3) const {
+    const auto drawn = [&](int count) { return listed(random_entries<Scalar>(rng, count, size)); };
+    return {listed(random_position(rng, model_, size)),
             drawn(model_.nv),
             drawn(model_.nv),
             drawn(model_.nv),

@@ -29,13 +29,13 @@ Rotored rotored(std::uint64_t seed) {
   options.aligned = 1;  // axes of one entry: a a^T of others is rounded
   RandomMechanism made = random_mechanism(seed, options);
   Rotored result{made.robot, made.robot, made.scene, made.scene};
-  Dice dice(seed);
+  Rng rng(seed);
   bool other_link = false;
   const std::size_t joints = made.robot.joints.size();
   for (std::size_t j = 0; j < joints; ++j) {
     const Joint& driven = made.robot.joints[j];
     if (!info_of(driven.type).has_one_freedom()) continue;
-    SceneRotor rotor{dice.rounded(0.001, 0.01), dice.rounded(-20, 20), "", std::nullopt};
+    SceneRotor rotor{rng.rounded(0.001, 0.01), rng.rounded(-20, 20), "", std::nullopt};
     other_link = !other_link;
     Joint joint;
     joint.name = "spin" + std::to_string(j);
@@ -69,8 +69,8 @@ TEST(GyroscopicRotors, AreLinksBehindJointsThatMimic) {
     SCOPED_TRACE(seed);
     const Rotored made = rotored(seed);
     const Oracle<Digits50> oracle(made.written, made.plain);
-    Dice dice(seed + 3);
-    const auto in = rounded_to<Digits50>(rounded_to<double>(oracle.random_inputs(dice)));
+    Rng rng(seed + 3);
+    const auto in = rounded_to<Digits50>(rounded_to<double>(oracle.random_inputs(rng)));
     const Yardstick size = yardstick(oracle, in);
     const Mechanism mechanism = reduced_mechanism(made.robot, made.scene);
     const TemplateRun<Digits50> run(mechanism, in);

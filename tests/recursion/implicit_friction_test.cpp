@@ -44,9 +44,9 @@ TEST(ImplicitFriction, EveryRouteSolvesWithMPlusStepD) {
     options.external_forces = 1;
     RandomMechanism made = random_mechanism(seed, options);
     made.scene.implicit_friction = true;
-    Dice dice(seed);
+    Rng rng(seed);
     const Oracle<Digits50> oracle(made.robot, made.scene);
-    const auto in = rounded_to<Digits50>(rounded_to<double>(oracle.random_inputs(dice)));
+    const auto in = rounded_to<Digits50>(rounded_to<double>(oracle.random_inputs(rng)));
     const double step = 0.01;
     const auto vector = [](const std::vector<Digits50>& values) {
       return interpreter::Vector<Digits50>(Eigen::Map<const interpreter::Vector<Digits50>>(

@@ -61,8 +61,8 @@ int index_of(const Robot& robot, const std::string& name) {
   return i;
 }
 
-void add_payload(Dice& dice, const std::string& link, Changed& changed) {
-  const Inertial body = detail::random_inertial(dice, 0.3);
+void add_payload(Rng& rng, const std::string& link, Changed& changed) {
+  const Inertial body = detail::random_inertial(rng, 0.3);
   changed.scene.inputs.payloads.push_back({link});
   changed.payloads.push_back(ten_parameters(body));
   Robot& robot = changed.files_robot;
@@ -75,8 +75,8 @@ void add_payload(Dice& dice, const std::string& link, Changed& changed) {
   robot.joints.push_back(joint);
 }
 
-void change_parameters(Dice& dice, const std::string& link, Changed& changed) {
-  const Inertial body = detail::random_inertial(dice, 0.3);
+void change_parameters(Rng& rng, const std::string& link, Changed& changed) {
+  const Inertial body = detail::random_inertial(rng, 0.3);
   changed.scene.inputs.parameters.push_back({link});
   changed.parameters.push_back(ten_parameters(body));
   Robot& robot = changed.files_robot;
@@ -96,16 +96,16 @@ std::array<Digits50, 4> quaternion(const std::array<double, 3>& rpy, const Digit
   return {length * turned.x(), length * turned.y(), length * turned.z(), length * turned.w()};
 }
 
-void change_tool(Dice& dice, std::size_t k, bool orientation, Changed& changed) {
-  const auto xyz = detail::random_vector(dice, 0.4);
+void change_tool(Rng& rng, std::size_t k, bool orientation, Changed& changed) {
+  const auto xyz = detail::random_vector(rng, 0.4);
   ScenePoint& files_point = changed.files_scene.operational_points[k];
   changed.scene.inputs.tools.push_back({files_point.name, 1, orientation});
   changed.tools.push_back({Digits50(xyz[0]), Digits50(xyz[1]), Digits50(xyz[2])});
   files_point.origin.xyz = xyz;
   if (!orientation) return;
-  files_point.origin.rpy = detail::random_vector(dice, 3);
+  files_point.origin.rpy = detail::random_vector(rng, 3);
   changed.orientations.push_back(
-      quaternion(files_point.origin.rpy, Digits50(dice.uniform(0.25, 4))));
+      quaternion(files_point.origin.rpy, Digits50(rng.uniform(0.25, 4))));
 }
 
 /// Two payloads, the parameters of up to two links (one of which may carry a payload), gravity, and
@@ -113,21 +113,21 @@ void change_tool(Dice& dice, std::size_t k, bool orientation, Changed& changed) 
 Changed change(const Seeded& seeded) {
   const RandomMechanism made = random_mechanism(seeded.seed, seeded.options);
   Changed changed{made.robot, made.robot, made.scene, made.scene, {}, {}, {}, {}};
-  Dice dice(seeded.seed + 5);
+  Rng rng(seeded.seed + 5);
   const std::vector<std::string> links = moving_links(made.robot, made.scene);
   const auto draw = [&] {
-    return links[static_cast<std::size_t>(dice.below(static_cast<int>(links.size())))];
+    return links[static_cast<std::size_t>(rng.below(static_cast<int>(links.size())))];
   };
   const std::string first = draw(), second = draw();
-  add_payload(dice, first, changed);
-  if (second != first) add_payload(dice, second, changed);
+  add_payload(rng, first, changed);
+  if (second != first) add_payload(rng, second, changed);
   const std::string third = draw();
-  change_parameters(dice, third, changed);
-  if (first != third) change_parameters(dice, first, changed);
+  change_parameters(rng, third, changed);
+  if (first != third) change_parameters(rng, first, changed);
   changed.scene.inputs.gravity = true;
-  changed.files_scene.gravity = detail::random_vector(dice, 10);
+  changed.files_scene.gravity = detail::random_vector(rng, 10);
   for (std::size_t k = 0; k < made.scene.operational_points.size(); k += 2) {
-    change_tool(dice, k, (k + seeded.seed) % 3 != 0, changed);
+    change_tool(rng, k, (k + seeded.seed) % 3 != 0, changed);
   }
   return changed;
 }
@@ -177,8 +177,8 @@ class ModelArguments : public testing::TestWithParam<Seeded> {
       : changed_(change(GetParam())),
         mechanism_(reduced_mechanism(changed_.robot, changed_.scene)),
         oracle_(changed_.files_robot, changed_.files_scene) {
-    Dice dice(GetParam().seed + 9);
-    in_ = oracle_.random_inputs(dice);
+    Rng rng(GetParam().seed + 9);
+    in_ = oracle_.random_inputs(rng);
     size_ = yardstick(oracle_, in_);
   }
 

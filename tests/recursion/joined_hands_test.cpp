@@ -49,8 +49,8 @@ PlacedMechanism draw_part(std::uint64_t seed, int points, bool floats) {
   options.drives = 0.3;
   PlacedMechanism part{random_mechanism(seed, options), {}};
   part.made.scene.gravity = {0, 0, -9.81};
-  Dice dice(seed + 3);
-  if (!floats) part.pose = {detail::random_vector(dice, 2), {0, 0, dice.rounded(-3, 3)}};
+  Rng rng(seed + 3);
+  if (!floats) part.pose = {detail::random_vector(rng, 2), {0, 0, rng.rounded(-3, 3)}};
   return part;
 }
 
@@ -65,17 +65,17 @@ Carried draw(std::uint64_t seed, const Hands& hands) {
   }
   Carried carried;
   carried.joined = joined(parts);
-  Dice dice(seed + 5);
+  Rng rng(seed + 5);
   std::vector<int> next(points.size(), 0);
   for (std::size_t k = 0; k < hands.objects.size(); ++k) {
     SceneObject object;
     object.name = "object" + std::to_string(k);
-    object.inertial = detail::random_inertial(dice, 0.4);
+    object.inertial = detail::random_inertial(rng, 0.4);
     object.inertial.origin.rpy = {};
     for (const int robot : hands.objects[k]) {
       const auto r = static_cast<std::size_t>(robot);
       object.grasps.push_back({part_name(r) + "_point_" + std::to_string(next[r]++),
-                               detail::random_pose(dice, 0.4, 0.4)});
+                               detail::random_pose(rng, 0.4, 0.4)});
     }
     carried.joined.scene.objects.push_back(object);
   }
@@ -109,12 +109,12 @@ struct Drawn {
 Drawn draw_state(std::uint64_t seed, const Hands& hands) {
   Drawn drawn{draw(seed, hands), {}, {}, {}, {}, {}, {}};
   const Chain& chain = drawn.carried.as_one;
-  Dice dice(seed + 9);
+  Rng rng(seed + 9);
   const int nv = chain.robots[0].nv;
   const auto entries = [&](int count, double size) {
-    return Vector50(random_entries<double>(dice, count, size).template cast<Digits50>());
+    return Vector50(random_entries<double>(rng, count, size).template cast<Digits50>());
   };
-  drawn.q = random_position(dice, chain.robots[0], 2.0);
+  drawn.q = random_position(rng, chain.robots[0], 2.0);
   drawn.qd = entries(nv, 2);
   drawn.qdd_0 = entries(nv, 5);
   drawn.tau = entries(nv, 20);

@@ -42,8 +42,8 @@ Welded draw_welded(std::uint64_t seed) {
   Welded welded{joined({draw_arm(seed, 0), draw_arm(seed + 7, 1.5)}), {}};
   const auto model = model_from_robot<Digits50>(welded.made.robot, welded.made.scene);
   const auto& points = welded.made.scene.operational_points;
-  Dice dice(seed + 5);
-  welded.q = random_position(dice, model, 2.0);
+  Rng rng(seed + 5);
+  welded.q = random_position(rng, model, 2.0);
   const auto poses =
       ip::forward_kinematics<Digits50>(model, points_from_scene(model, points), welded.q);
   SceneLoop weld{points[0], points[1]};
@@ -105,10 +105,10 @@ TEST_P(WeldedHands, StayTogether) {
   const Eigen::Index n = welded.q.size();
   // Rounded numbers of the scene leave a gap of their size.
   EXPECT_LE(static_cast<double>(gap(welded, welded.q).cwiseAbs().maxCoeff()), 1e-14);
-  Dice dice(seed + 11);
+  Rng rng(seed + 11);
   const ip::Matrix<Digits50> J = gap_rates(welded);
-  Vector50 qd = random_entries<Digits50>(dice, static_cast<int>(n), 1);
-  const Vector50 tau = random_entries<Digits50>(dice, static_cast<int>(n), 20);
+  Vector50 qd = random_entries<Digits50>(rng, static_cast<int>(n), 1);
+  const Vector50 tau = random_entries<Digits50>(rng, static_cast<int>(n), 20);
   qd -= J.transpose() * ip::Matrix<Digits50>(J * J.transpose()).ldlt().solve(Vector50(J * qd));
   const Mechanism seen =
       with_constraints_only(reduced_mechanism(welded.made.robot, welded.made.scene));

@@ -38,10 +38,10 @@ std::vector<PlacedMechanism> draw_parts(std::uint64_t seed, const Together& toge
     options.floating_base = floats;
     PlacedMechanism part{random_mechanism(seed, options), {}};
     part.made.scene.gravity = {0, 0, -9.81};
-    Dice dice(seed + 3);
+    Rng rng(seed + 3);
     if (!floats) {
-      part.pose.xyz = detail::random_vector(dice, 2);
-      part.pose.rpy[2] = dice.rounded(-3, 3);
+      part.pose.xyz = detail::random_vector(rng, 2);
+      part.pose.rpy[2] = rng.rounded(-3, 3);
     }
     // Rows along the link's axes do not depend on how the base is turned.
     for (ScenePoint& point : part.made.scene.operational_points) point.axes = Axes::local;
@@ -143,13 +143,13 @@ constexpr std::array kCompared = {Function::jacobian,          Function::bias_ac
 // In 50 digits nothing but the structure can differ.
 TEST_P(JoinedRobots, AreEachAloneInFiftyDigits) {
   const auto oracle = oracle_of(joined_);
-  Dice dice(seed_);
+  Rng rng(seed_);
   std::vector<Inputs<Digits50>> in;
   std::vector<Oracle<Digits50>> alone;
   std::vector<int> velocities, rows;
   for (const PlacedMechanism& part : parts_) {
     alone.push_back(oracle_of(part.made));
-    in.push_back(alone.back().random_inputs(dice));
+    in.push_back(alone.back().random_inputs(rng));
     velocities.push_back(alone.back().model().nv);
     rows.push_back(alone.back().task_rows());
   }
@@ -173,12 +173,12 @@ TEST_P(JoinedRobots, AreEachAloneInFiftyDigits) {
 // The pose of a base: points are those of the robot alone, turned about z and shifted.
 TEST_P(JoinedRobots, StandWhereTheScenePutsThem) {
   const auto oracle = oracle_of(joined_);
-  Dice dice(seed_);
+  Rng rng(seed_);
   std::vector<Inputs<Digits50>> in;
   Results<Digits50> expected(2);
   for (const PlacedMechanism& part : parts_) {
     const auto alone = oracle_of(part.made);
-    in.push_back(alone.random_inputs(dice));
+    in.push_back(alone.random_inputs(rng));
     const auto own = alone.results(Function::forward_kinematics, in.back());
     const auto R = rotation_from_rpy<Digits50>(part.pose.rpy);
     for (std::size_t first = 0; first < own[0].size(); first += 3) {
@@ -201,9 +201,9 @@ TEST_P(JoinedRobots, StandWhereTheScenePutsThem) {
 TEST_P(JoinedRobots, ProgramsAgreeInDouble) {
   const CheckedPrograms checked(joined_.robot, joined_.scene);
   ErrorTable table;
-  Dice dice(seed_);
+  Rng rng(seed_);
   for (int i = 0; i < 3; ++i) {
-    checked.compare<double>(checked.oracle().random_inputs(dice), table);
+    checked.compare<double>(checked.oracle().random_inputs(rng), table);
   }
   table.print();
   table.expect_below(kUlpBound);

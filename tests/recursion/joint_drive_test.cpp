@@ -144,10 +144,9 @@ TEST(JointDrive, DissipatesWhatFrictionTakes) {
     options.rotors = options.drives = 0.7;
     const RandomMechanism made = random_mechanism(seed, options);
     const auto model = model_from_robot<Digits50>(made.robot, made.scene);
-    Dice dice(seed);
+    Rng rng(seed);
     using V50 = interpreter::Vector<Digits50>;
-    const V50 q = random_position(dice, model, 2.0),
-              qd = random_entries<Digits50>(dice, model.nv, 3);
+    const V50 q = random_position(rng, model, 2.0), qd = random_entries<Digits50>(rng, model.nv, 3);
     const Digits50 h("1e-18");
     const auto U = [&](const V50& at) {
       return interpreter::potential_energy<Digits50>(model, at);

@@ -2,8 +2,8 @@
 
 #include <limits>
 
+#include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/settle.hpp"
 #include "recursion/checked_programs.hpp"
 #include "recursion/read_robots.hpp"
 #include "recursion/template_results.hpp"
@@ -38,9 +38,9 @@ bool offers(const RandomMechanism& made, Function function, const std::string& n
 /// Compares every route of the three functions that contain Lambda^-1, in 50 digits. Returns the
 /// number of routes.
 int expect_routes_agree(const RandomMechanism& made, std::uint64_t seed) {
-  Dice dice(seed);
+  Rng rng(seed);
   const Oracle<Digits50> oracle(made.robot, made.scene);
-  const Inputs<Digits50> in = oracle.random_inputs(dice);
+  const Inputs<Digits50> in = oracle.random_inputs(rng);
   const Yardstick size = yardstick(oracle, in);
   const TemplateRun<Digits50> run(reduced_mechanism(made.robot, made.scene), in);
   int count = 0;
@@ -62,15 +62,15 @@ TEST(LambdaRoutes, AgreeOnPointsThatShareLinksAndPaths) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
     RandomMechanism made = random_mechanism(seed, chain_of(9, 0.3, seed % 2 == 0));
-    Dice dice(seed + 50);
+    Rng rng(seed + 50);
     made.scene.operational_points.clear();
     const auto add = [&](int link, bool all_rows) {
       ScenePoint point;
       point.name = "point_" + std::to_string(made.scene.operational_points.size());
       point.link = made.robot.links[static_cast<std::size_t>(link)].name;
-      point.origin = detail::random_pose(dice, 0.3, 0.3);
+      point.origin = detail::random_pose(rng, 0.3, 0.3);
       point.axes = seed % 3 == 0 ? Axes::local : Axes::world;
-      if (!all_rows) detail::drop_rows(dice, point);
+      if (!all_rows) detail::drop_rows(rng, point);
       made.scene.operational_points.push_back(point);
     };
     for (const int link : {9, 9, 8, 6, 3, 0}) add(link, seed % 4 < 2);
@@ -142,9 +142,9 @@ TEST(ResolvedAcceleration, IsTheControlTorqueOfAnArmWithASphericalWrist) {
     if (!offers(made, Function::control_torque, "resolved acceleration")) continue;
     ++offered;
     expect_routes_agree(made, seed);
-    Dice dice(seed + 400);
+    Rng rng(seed + 400);
     const CheckedPrograms programs(made.robot, made.scene);
-    programs.compare<double>(programs.oracle().random_inputs(dice), table);
+    programs.compare<double>(programs.oracle().random_inputs(rng), table);
   }
   EXPECT_GE(offered, 6);
   table.expect_below(kUlpBound);
@@ -160,7 +160,7 @@ TEST(LambdaRoutes, KeepTheCountsOfArmsLow) {
     int flops = std::numeric_limits<int>::max();
     for (const Program& program :
          trace_function(reduced_mechanism(golden.robot, golden.scene), function)) {
-      flops = std::min(flops, count_operations(settle(program)).flops());
+      flops = std::min(flops, count_operations(canonicalize(program)).flops());
     }
     return flops;
   };

@@ -5,7 +5,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "random_mechanism.hpp"
-#include "recursion/hopeless_algorithms.hpp"
+#include "recursion/pruned_algorithms.hpp"
 
 // Would catch: a constant of a tree that is lost or mixed up in the conversion from double, choices
 // within links that have no effect, isomorphic limbs that are not marked, and coordinates of an
@@ -29,7 +29,7 @@ void expect_same(const Rotation<Expression>& a, const Rotation<Expression>& b) {
 void expect_same(const TreeLink<Expression>& a, const TreeLink<Expression>& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_TRUE(a.parent == b.parent && a.kind == b.kind && a.q_index == b.q_index);
-  EXPECT_TRUE(a.v_index == b.v_index && a.turns_late == b.turns_late);
+  EXPECT_TRUE(a.v_index == b.v_index && a.defers_rotation == b.defers_rotation);
   EXPECT_EQ(a.carries_column, b.carries_column);
   EXPECT_TRUE(a.multiplier == b.multiplier && a.offset == b.offset);
   expect_same(a.R, b.R);
@@ -72,7 +72,7 @@ TEST(LiftTree, IsTheTreeOfTheMechanism) {
     Mechanism mechanism = reduced_mechanism(drawn.robot, drawn.scene);
     mechanism.limbs = find_limbs(mechanism, 8);
     const auto constants = constant_tree<double>(mechanism);
-    mechanism.links.back().turns_late = true;
+    mechanism.links.back().defers_rotation = true;
     const auto expected = in_new_graph([&] { return constant_tree<Expression>(mechanism); });
     const auto lifted = in_new_graph([&] { return lift_tree(constants, mechanism); });
     ASSERT_EQ(lifted.links.size(), expected.links.size());
@@ -101,21 +101,21 @@ Program program_of(const std::string& algorithm, int nodes) {
   return program;
 }
 
-TEST(HopelessAlgorithms, AreLongAndFarFromTheShortest) {
-  HopelessAlgorithms hopeless;
-  hopeless.look_at(program_of("forces", 20'000));
-  hopeless.look_at(program_of("factors", 60'000));
-  hopeless.look_at(program_of("branching", 39'000));
-  EXPECT_TRUE(hopeless.has({"factors", "", "link-2", ""}));
-  EXPECT_FALSE(hopeless.has({"forces", "", "link-2", ""}));
-  EXPECT_FALSE(hopeless.has({"branching", "", "own", ""}));
+TEST(PrunedAlgorithms, AreLongAndFarFromTheShortest) {
+  PrunedAlgorithms pruned;
+  pruned.look_at(program_of("forces", 20'000));
+  pruned.look_at(program_of("factors", 60'000));
+  pruned.look_at(program_of("branching", 39'000));
+  EXPECT_TRUE(pruned.has({"factors", "", "link-2", ""}));
+  EXPECT_FALSE(pruned.has({"forces", "", "link-2", ""}));
+  EXPECT_FALSE(pruned.has({"branching", "", "own", ""}));
 }
 
-TEST(HopelessAlgorithms, AreNoneWhereAllIsShort) {
-  HopelessAlgorithms hopeless;
-  hopeless.look_at(program_of("forces", 1'000));
-  hopeless.look_at(program_of("factors", 29'000));
-  EXPECT_FALSE(hopeless.has({"factors", ""}));
+TEST(PrunedAlgorithms, AreNoneWhereAllIsShort) {
+  PrunedAlgorithms pruned;
+  pruned.look_at(program_of("forces", 1'000));
+  pruned.look_at(program_of("factors", 29'000));
+  EXPECT_FALSE(pruned.has({"factors", ""}));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "recursion/central_differences.hpp"
 #include "recursion/centroidal_derivatives.hpp"
 #include "recursion/checked_programs.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/kinetic_energy_derivatives.hpp"
-#include "recursion/late_turns.hpp"
 #include "recursion/point_motion_derivatives.hpp"
 #include "recursion/seeded.hpp"
 
@@ -62,9 +62,9 @@ class MotionDerivatives : public testing::TestWithParam<Seeded> {
         mechanism_(reduced_mechanism(made_.robot, made_.scene)),
         model_(model_from_robot<Digits50>(made_.robot, made_.scene)),
         points_(points_from_scene(model_, made_.scene.operational_points)) {
-    Dice dice(GetParam().seed + 7);
+    Rng rng(GetParam().seed + 7);
     const Oracle<Digits50> oracle(made_.robot, made_.scene);
-    in_ = oracle.random_inputs(dice, 2);
+    in_ = oracle.random_inputs(rng, 2);
     q_ = vector(in_.q), qd_ = vector(in_.qd), qdd_ = vector(in_.qdd);
   }
 
@@ -125,7 +125,7 @@ class MotionDerivatives : public testing::TestWithParam<Seeded> {
   [[nodiscard]] Results<Digits50> recursion(Function function, const Mechanism& mechanism) const {
     auto tree = tree_of<Digits50>(mechanism);
     auto X = joint_transforms<Digits50>(tree, in_.q);
-    turn_late(tree, X);
+    defer_rotations(tree, X);
     const JointRates<Digits50> rates{in_.qd, in_.qdd};
     switch (function) {
       case Function::point_velocity_derivatives: {
@@ -180,7 +180,7 @@ TEST_P(MotionDerivatives, InterpreterAgreesWithDifferencesInFiftyDigits) {
 TEST_P(MotionDerivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
   Mechanism late = mechanism_;
   for (MovingLink& link : late.links) {
-    link.turns_late = link.carries_column = link.has_one_coordinate();
+    link.defers_rotation = link.carries_column = link.has_one_coordinate();
   }
   const Mechanism kept = build_mechanism(made_.robot, made_.scene);
   for (const Function function : kOfThisFile) {

@@ -58,8 +58,8 @@ Yardstick with_weight(const CheckedPrograms& programs, const Inputs<Digits50>& i
 /// Errors of all routes at one ordinary state, except for functions whose solve keeps no digits
 /// there.
 void compare(const CheckedPrograms& programs, std::uint64_t seed, ErrorTable& table) {
-  Dice dice(seed);
-  const Inputs<double> in = rounded_to<double>(programs.oracle().random_inputs(dice));
+  Rng rng(seed);
+  const Inputs<double> in = rounded_to<double>(programs.oracle().random_inputs(rng));
   const Inputs<Digits50> exact = rounded_to<Digits50>(in);
   const Yardstick size = with_weight(programs, exact);
   for (const auto& [function, routes] : programs.programs()) {
@@ -183,7 +183,7 @@ RandomMechanism nearly_parallel_chain(double noise, std::size_t axis) {
   Robot& robot = made.robot;
   robot.name = "chain";
   robot.root = 0;
-  Dice dice(4);
+  Rng rng(4);
   robot.links.push_back({"base", {}, 0});
   for (int i = 0; i < 4; ++i) {
     Joint joint;
@@ -196,7 +196,7 @@ RandomMechanism nearly_parallel_chain(double noise, std::size_t axis) {
     joint.axis = {0, 0, 0};
     joint.axis[axis] = 1;
     robot.joints.push_back(joint);
-    robot.links.push_back({"link_" + std::to_string(i), detail::random_inertial(dice, 0), 0});
+    robot.links.push_back({"link_" + std::to_string(i), detail::random_inertial(rng, 0), 0});
   }
   return made;
 }

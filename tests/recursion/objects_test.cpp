@@ -68,26 +68,26 @@ ObjectCase draw(std::uint64_t seed, const Held& held) {
   options.operational_points = points;
   options.rotors = options.drives = held.drives;
   c.made = random_mechanism(seed, options);
-  Dice dice(seed + 5);
+  Rng rng(seed + 5);
   int point = 0;
   for (const int grasps : held.grasps) {
     SceneObject object;
     object.name = "object_" + std::to_string(c.made.scene.objects.size());
-    object.inertial = detail::random_inertial(dice, 0.4);
+    object.inertial = detail::random_inertial(rng, 0.4);
     object.inertial.origin.rpy = {};
     for (int i = 0; i < grasps; ++i) {
       object.grasps.push_back(
-          {"point_" + std::to_string(point++), detail::random_pose(dice, 0.4, 0.4)});
+          {"point_" + std::to_string(point++), detail::random_pose(rng, 0.4, 0.4)});
     }
     c.made.scene.objects.push_back(object);
   }
   const auto chain = chain_from_scene<Digits50>(c.made.robot, c.made.scene);
   const auto drawn = [&](int count, double size) {
-    return rounded_to<double>(listed(random_entries<double>(dice, count, size)));
+    return rounded_to<double>(listed(random_entries<double>(rng, count, size)));
   };
   const int nv = chain.robots[0].nv;
   const int objects = static_cast<int>(held.grasps.size());
-  c.q = listed(random_position(dice, chain.robots[0], 2.0));
+  c.q = listed(random_position(rng, chain.robots[0], 2.0));
   c.in.q = rounded_to<double>(c.q);
   c.in.qd = drawn(nv, 2);
   c.in.qdd_0 = drawn(nv, 5);

@@ -157,12 +157,12 @@ TEST(Specialised, EachReductionSaves) {
     Mechanism lumped = build_mechanism(made.robot, made.scene);
     Mechanism regrouped = lumped;
     regroup_inertias(regrouped);
-    const Mechanism seated = reduced_mechanism(made.robot, made.scene);
+    const Mechanism placed = reduced_mechanism(made.robot, made.scene);
     const auto count = [](const Mechanism& mechanism) {
       return count_operations(trace_function(mechanism, Function::inverse_dynamics)[0]).flops();
     };
     EXPECT_LT(count(regrouped), count(lumped)) << "seed " << seed;
-    EXPECT_LE(count(seated), count(regrouped)) << "seed " << seed;
+    EXPECT_LE(count(placed), count(regrouped)) << "seed " << seed;
   }
 }
 

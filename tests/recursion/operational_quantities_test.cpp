@@ -5,7 +5,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"
-#include "recursion/late_turns.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/point_motion.hpp"
 #include "recursion/seeded.hpp"
 
@@ -65,9 +65,9 @@ Drawn draw(Seeded robot) {
   while (true) {
     const RandomMechanism made = random_mechanism(robot.seed, robot.options);
     const Oracle<Digits50> oracle(made.robot, made.scene);
-    Dice dice(robot.seed + 7);
+    Rng rng(robot.seed + 7);
     // The arguments are doubles, so that they are the same for programs.
-    const auto in = rounded_to<Digits50>(rounded_to<double>(oracle.random_inputs(dice)));
+    const auto in = rounded_to<Digits50>(rounded_to<double>(oracle.random_inputs(rng)));
     const Yardstick size = yardstick(oracle, in);
     if (size.condition_task < 1e7) return {made, oracle, in, size};
     robot.seed += 1000;
@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, OperationalQuantities, testing::ValuesIn(robots
 TEST_P(OperationalQuantities, RecursionsAgreeInFiftyDigits) {
   auto tree = tree_of<Digits50>(mechanism_);
   auto X = joint_transforms<Digits50>(tree, in_.q);
-  turn_late(tree, X);
+  defer_rotations(tree, X);
   const auto rows = static_cast<std::size_t>(mechanism_.task_rows());
   const auto compare = [&](Function function, const std::vector<Digits50>& actual) {
     EXPECT_LT(relative_error(Results<Digits50>{actual}, Results<Digits50>{expected(function)}, 1),

@@ -68,8 +68,8 @@ int for_each_crowd(std::uint64_t first, int count, Check check) {
     SCOPED_TRACE(seed);
     const RandomMechanism made = crowded_robot(seed);
     const Oracle<Digits50> oracle(made.robot, made.scene);
-    Dice dice(seed + 11);
-    const Inputs<Digits50> in = oracle.random_inputs(dice);
+    Rng rng(seed + 11);
+    const Inputs<Digits50> in = oracle.random_inputs(rng);
     const Subject50 subject(made);
     if (subject.model.nv == 0 || !can_move(subject.points, oracle.lambda_inverse(in))) continue;
     check(made, in);
@@ -149,8 +149,8 @@ TEST(Priorities, AreTheEliminationOfTheRuntimeInFiftyDigits) {
     for (ScenePoint& point : made.scene.operational_points) point.rows.fill(true);
     const Oracle<Digits50> oracle(made.robot, made.scene);
     const Subject50 s(made);
-    Dice dice(seed + 21);
-    const Inputs<Digits50> in = oracle.random_inputs(dice);
+    Rng rng(seed + 21);
+    const Inputs<Digits50> in = oracle.random_inputs(rng);
     const Matrix50 A = oracle.lambda_inverse(in);
     if (!interpreter::has_priorities(s.points) || !can_move(s.points, A)) continue;
     ++checked;

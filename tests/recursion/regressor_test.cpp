@@ -80,15 +80,15 @@ class Regressor : public testing::TestWithParam<Seeded> {
       }
       every_second = !every_second;
       if (!every_second) continue;
-      made_.scene.joint_friction[joint.name] = {dice_.rounded(0.1, 2), dice_.rounded(0.1, 2),
-                                                dice_.rounded(0.1, 0.5)};
+      made_.scene.joint_friction[joint.name] = {rng_.rounded(0.1, 2), rng_.rounded(0.1, 2),
+                                                rng_.rounded(0.1, 0.5)};
     }
   }
 
   void draw() {
-    q_ = random_position(dice_, model_);
-    qd_ = random_entries<Digits50>(dice_, model_.nv, 4);
-    qdd_ = random_entries<Digits50>(dice_, model_.nv, 20);
+    q_ = random_position(rng_, model_);
+    qd_ = random_entries<Digits50>(rng_, model_.nv, 4);
+    qdd_ = random_entries<Digits50>(rng_, model_.nv, 20);
   }
 
   [[nodiscard]] int body_of(const ModelParameter& column) const {
@@ -151,7 +151,7 @@ class Regressor : public testing::TestWithParam<Seeded> {
   Mechanism mechanism_;
   std::vector<ModelParameter> columns_;
   Model50 model_;
-  Dice dice_{GetParam().seed + 7};
+  Rng rng_{GetParam().seed + 7};
   Vector50 q_, qd_, qdd_;
 };
 
@@ -240,7 +240,7 @@ TEST_P(Regressor, AreTheParametersOfArguments) {
   Scene scene = made_.scene;
   scene.armature.clear();
   scene.joint_friction.clear();
-  Vector50 p = random_entries<Digits50>(dice_, static_cast<int>(columns_.size()), 1);
+  Vector50 p = random_entries<Digits50>(rng_, static_cast<int>(columns_.size()), 1);
   for (const Link& link : made_.robot.links) scene.inputs.parameters.push_back({link.name});
   const Mechanism mechanism = reduced_mechanism(made_.robot, scene);
   ModelInputs<Digits50> inputs;
@@ -277,7 +277,7 @@ TEST_P(Regressor, OfAPayloadIsWhatItAdds) {
   scene.regressor = {};
   scene.regressor.none = true;
   Robot with_payload = made_.robot;
-  const Inertial body = detail::random_inertial(dice_, 0.3);
+  const Inertial body = detail::random_inertial(rng_, 0.3);
   for (int link = static_cast<int>(made_.robot.links.size()); link-- > 0;) {
     const std::string& name = made_.robot.links[static_cast<std::size_t>(link)].name;
     if (find_freedoms_of_link(made_.robot, scene, name).empty()) continue;
@@ -326,7 +326,7 @@ TEST_P(Regressor, HasTheRankOfItsBaseParameters) {
 TEST_P(Regressor, OfBaseParametersTimesTheirValuesIsTheSame) {
   const BaseParameters found = find_base_parameters(mechanism_, made_.scene.regressor);
   ASSERT_EQ(found.parameters.size(), columns_.size());
-  const Vector50 p = random_entries<Digits50>(dice_, static_cast<int>(columns_.size()), 1);
+  const Vector50 p = random_entries<Digits50>(rng_, static_cast<int>(columns_.size()), 1);
   std::vector<ModelParameter> columns;
   Vector50 values(static_cast<Eigen::Index>(found.base.size()));
   for (const BaseParameter& base : found.base) {

@@ -17,11 +17,11 @@ TEST(ProjectRobots, AgreeWithTheInterpreter) {
   for (const auto& [name, robot, scene] : robots) {
     SCOPED_TRACE(name);
     ErrorTable table;
-    Dice dice(1);
+    Rng rng(1);
     const CheckedPrograms programs(robot, scene);
-    programs.compare<double>(programs.oracle().random_inputs(dice), table);
-    programs.compare<double>(programs.oracle().random_inputs(dice, 100), table);
-    programs.compare<double>(programs.oracle().random_inputs(dice, 1e-3), table);
+    programs.compare<double>(programs.oracle().random_inputs(rng), table);
+    programs.compare<double>(programs.oracle().random_inputs(rng, 100), table);
+    programs.compare<double>(programs.oracle().random_inputs(rng, 1e-3), table);
     table.expect_below(kUlpBound);
     std::cout << name << '\n';
     table.print();

@@ -76,9 +76,9 @@ TEST(Routes, OfTheTemplatesAgreeInFiftyDigits) {
   std::map<std::string, int> compared;
   for (const Sweep& sweep : sweeps()) {
     for_each_robot(sweep, [&](const RandomMechanism& made, std::uint64_t seed) {
-      Dice dice(seed);
+      Rng rng(seed);
       const Oracle<Digits50> oracle(made.robot, made.scene);
-      const Inputs<Digits50> in = oracle.random_inputs(dice, 5);
+      const Inputs<Digits50> in = oracle.random_inputs(rng, 5);
       const Yardstick size = yardstick(oracle, in);
       const TemplateRun<Digits50> run(reduced_mechanism(made.robot, made.scene), in);
       for (const Function function : kDefaultFunctions) {
@@ -105,9 +105,9 @@ TEST(Routes, OfTheProgramsAgreeInFiftyDigitsUpToTheirConstants) {
   ErrorTable table;
   for (const Sweep& sweep : sweeps()) {
     for_each_robot(sweep, [&](const RandomMechanism& made, std::uint64_t seed) {
-      Dice dice(seed + 100);
+      Rng rng(seed + 100);
       const CheckedPrograms programs(made.robot, made.scene);
-      programs.compare<Digits50>(programs.oracle().random_inputs(dice), table);
+      programs.compare<Digits50>(programs.oracle().random_inputs(rng), table);
     });
   }
   table.expect_below(kUlpBound);
@@ -117,10 +117,10 @@ TEST(Routes, OfTheProgramsAgreeInDouble) {
   ErrorTable table;
   for (const Sweep& sweep : sweeps()) {
     for_each_robot(sweep, [&](const RandomMechanism& made, std::uint64_t seed) {
-      Dice dice(seed + 200);
+      Rng rng(seed + 200);
       const CheckedPrograms programs(made.robot, made.scene);
       for (int state = 0; state < 3; ++state) {
-        programs.compare<double>(programs.oracle().random_inputs(dice), table);
+        programs.compare<double>(programs.oracle().random_inputs(rng), table);
       }
     });
   }
@@ -135,9 +135,9 @@ TEST(Routes, OfTheProgramsAgreeFarFromTheOrigin) {
   Sweep sweep{options_of(7, 0.4, 2, 1), 60, 5};
   sweep.options.floating_base = true;
   for_each_robot(sweep, [&](const RandomMechanism& made, std::uint64_t seed) {
-    Dice dice(seed);
+    Rng rng(seed);
     const CheckedPrograms programs(made.robot, made.scene);
-    Inputs<Digits50> in = programs.oracle().random_inputs(dice);
+    Inputs<Digits50> in = programs.oracle().random_inputs(rng);
     for (std::size_t i = 0; i < 3; ++i) in.q[i] *= 1e6;
     programs.compare<double>(in, table);
   });
@@ -151,9 +151,9 @@ TEST(Routes, OfLargeRobotsAgreeInDouble) {
        {Sweep{options_of(40, 0, 1, 0), 1, 1}, Sweep{options_of(40, 0.3, 2, 1), 2, 1},
         Sweep{options_of(24, 0.8, 4, 0), 3, 2}}) {
     for_each_robot(sweep, [&](const RandomMechanism& made, std::uint64_t seed) {
-      Dice dice(seed + 300);
+      Rng rng(seed + 300);
       const CheckedPrograms programs(made.robot, made.scene);
-      programs.compare<double>(programs.oracle().random_inputs(dice), table);
+      programs.compare<double>(programs.oracle().random_inputs(rng), table);
     });
   }
   table.expect_below(4 * kUlpBound);

@@ -77,12 +77,12 @@ std::vector<std::vector<double>> telling_states(const Mechanism& mechanism) {
     }
     states.push_back(q);
   }
-  Dice dice(7);
+  Rng rng(7);
   for (int i = 0; i < 60; ++i) {
     std::vector<double> q;
     for (std::size_t j = 0; j < states.front().size(); ++j) {
-      const double next = dice.chance(0.5) ? 0 : std::pow(10, -dice.uniform(1, 17));
-      q.push_back((dice.below(5) - 2) * kQuarterTurn + next);
+      const double next = rng.chance(0.5) ? 0 : std::pow(10, -rng.uniform(1, 17));
+      q.push_back((rng.below(5) - 2) * kQuarterTurn + next);
     }
     states.push_back(q);
   }

@@ -7,10 +7,10 @@
 #include "recursion/center_of_mass.hpp"
 #include "recursion/control_torque.hpp"
 #include "recursion/coriolis_matrix.hpp"
+#include "recursion/deferred_rotations.hpp"
 #include "recursion/forward_dynamics.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/kinetic_energy.hpp"
-#include "recursion/late_turns.hpp"
 #include "recursion/potential_energy.hpp"
 #include "recursion/resolved_acceleration.hpp"
 
@@ -32,7 +32,7 @@ class TemplateRun {
       : in_(in),
         tree_(tree_of<Scalar>(mechanism, model)),
         rows_(static_cast<std::size_t>(mechanism.task_rows())),
-        X_(transforms_with_late_turns(tree_, in_.q)),
+        X_(transforms_with_deferred_rotations(tree_, in_.q)),
         poses_(world_poses(tree_, X_)) {
     if (!in_.f_ext.empty()) applied_ = applied_wrenches<Scalar>(tree_, X_, in_.f_ext);
   }
@@ -77,10 +77,10 @@ class TemplateRun {
   }
 
  private:
-  static std::vector<JointTransform<Scalar>> transforms_with_late_turns(
+  static std::vector<JointTransform<Scalar>> transforms_with_deferred_rotations(
       Tree<Scalar>& tree, const std::vector<Scalar>& q) {
     auto X = joint_transforms<Scalar>(tree, q);
-    turn_late(tree, X);
+    defer_rotations(tree, X);
     return X;
   }
 

@@ -17,9 +17,9 @@ inline Sample random_sample(std::uint64_t seed, const RandomOptions& options, do
   const RandomMechanism made = random_mechanism(seed, options);
   Sample sample{model_from_robot<double>(made.robot, made.scene), {}};
   sample.model.gravity = {0, 0, -9.81};
-  Dice dice(seed + 99);
-  sample.state.q = random_position(dice, sample.model, 1);
-  sample.state.qd = random_entries<double>(dice, sample.model.nv, speed);
+  Rng rng(seed + 99);
+  sample.state.q = random_position(rng, sample.model, 1);
+  sample.state.qd = random_entries<double>(rng, sample.model.nv, speed);
   return sample;
 }
 

@@ -13,14 +13,14 @@ namespace {
 using namespace simulation;  // NOLINT(google-build-using-namespace)
 
 /// Touches at random points of random bodies, some against the world, some against other roots.
-std::vector<Touch> random_touches(const Sample& sample, Dice& dice, int count) {
+std::vector<Touch> random_touches(const Sample& sample, Rng& rng, int count) {
   const auto k = interpreter::kinematics<double>(sample.model, sample.state.q, sample.state.qd);
   std::vector<Touch> touches;
   for (int i = 0; i < count; ++i) {
     Touch touch;
-    touch.body = dice.below(sample.model.size());
-    touch.position = k.p_world[touch.body] + Vector3(random_entries<double>(dice, 3, 0.2));
-    touch.normal = Vector3(random_entries<double>(dice, 3, 1)).normalized();
+    touch.body = rng.below(sample.model.size());
+    touch.position = k.p_world[touch.body] + Vector3(random_entries<double>(rng, 3, 0.2));
+    touch.normal = Vector3(random_entries<double>(rng, 3, 1)).normalized();
     touches.push_back(touch);
   }
   return touches;
@@ -36,10 +36,10 @@ TEST(Strike, OfOneContactLosesWhatRestitutionSays) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     Sample sample = random_sample(seed, kTree);
-    Dice dice(seed);
+    Rng rng(seed);
     const Surface surface{.restitution = 0.6};
     const auto p_before = momentum(sample.model, sample.state);
-    auto touches = random_touches(sample, dice, 1);
+    auto touches = random_touches(sample, rng, 1);
     const State before = sample.state;
     Blow blow = strike(sample.model, touches, surface, sample.state);
     if (blow.impulses.norm() == 0) {  // was parting: struck from the other side
@@ -68,8 +68,8 @@ TEST(Strike, OfSeveralContactsKeepsOrTakesEnergy) {
     SCOPED_TRACE(seed);
     for (const double e : {0.0, 0.5, 1.0}) {
       Sample sample = random_sample(seed, kTree);
-      Dice dice(seed);
-      const auto touches = random_touches(sample, dice, 3);
+      Rng rng(seed);
+      const auto touches = random_touches(sample, rng, 3);
       const double start = kinetic_energy(sample.model, sample.state);
       const Blow blow = strike(sample.model, touches, {.restitution = e}, sample.state);
       ASSERT_TRUE(blow.solution.converged);

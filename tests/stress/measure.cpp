@@ -13,7 +13,7 @@
 #include "oracle/interpret.hpp"
 #include "oracle/reference.hpp"
 #include "oracle/result_sizes.hpp"
-#include "passes/settle.hpp"
+#include "passes/canonicalize.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/trace_function.hpp"
 
@@ -101,7 +101,7 @@ struct Bench::Impl {
     for (const Function function : functions) {
       if (!graphs) continue;
       for (const Program& program : trace_function(mechanism, function)) {
-        routes[function].push_back(settle(program));
+        routes[function].push_back(canonicalize(program));
       }
     }
   }

@@ -21,8 +21,9 @@ struct Loss {
   double ratio = 0;
 };
 
-/// Every algorithm of some functions for one robot: the generator's routes as settled expression
-/// graphs, evaluated in double, and the interpreter in double. The reference has 50 digits.
+/// Every algorithm of some functions for one robot: the generator's routes as canonicalized
+/// expression graphs, evaluated in double, and the interpreter in double. The reference has 50
+/// digits.
 class Bench {
  public:
   /// `graphs`: whether the generator's routes are included.

@@ -13,14 +13,14 @@ namespace {
 constexpr int kStates = 200;
 constexpr int kCalls = 64;  // of each state, to count them finely
 
-uint32_t dice = 2463534242U;
+uint32_t rng = 2463534242U;
 
 /// Uniform in [-1, 1), by xorshift.
 Real draw() {
-  dice ^= dice << 13;
-  dice ^= dice >> 17;
-  dice ^= dice << 5;
-  return static_cast<Real>(static_cast<int32_t>(dice)) / static_cast<Real>(2147483648.0F);
+  rng ^= rng << 13;
+  rng ^= rng >> 17;
+  rng ^= rng << 5;
+  return static_cast<Real>(static_cast<int32_t>(rng)) / static_cast<Real>(2147483648.0F);
 }
 
 template <int size>

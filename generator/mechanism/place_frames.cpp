@@ -51,7 +51,7 @@ int pose_cost(const ExactPose& pose) {
 int link_cost(const MovingLink& link) {
   const int offset = link.turns_by_angle() && link.offset != 0 ? 1 : 0;
   // On a fixed base, nothing but gravity needs to be rotated, and gravity is constant.
-  return link.parent < 0 ? offset + nonzeros(link.seat.p) : offset + pose_cost(link.seat);
+  return link.parent < 0 ? offset + nonzeros(link.placement.p) : offset + pose_cost(link.placement);
 }
 
 /// Cost of a link's inertia. The second moment of a prismatic link moves to its parent.
@@ -94,7 +94,7 @@ void absorb_turn(MovingLink& link, const Resolution& resolution, Change* change)
   if (!link.turns_by_angle()) {
     return;
   }
-  const ExactMatrix3& R = link.seat.R;
+  const ExactMatrix3& R = link.placement.R;
   const bool is_quarter =
       is_parallel(R) ? R(0, 0) == 0 || R(1, 0) == 0 : R(2, 0) == 0 || R(2, 1) == 0;
   if (is_quarter) {
@@ -103,8 +103,8 @@ void absorb_turn(MovingLink& link, const Resolution& resolution, Change* change)
   const Exact turn = folded_to_quarter(right_turn(R));
   MovingLink absorbed = link;
   Change by_turn;
-  absorbed.seat = resolved(link.seat * ExactPose{rotation_z(-turn), ExactVector3::Zero()},
-                           resolution, change ? &by_turn : nullptr);
+  absorbed.placement = resolved(link.placement * ExactPose{rotation_z(-turn), ExactVector3::Zero()},
+                                resolution, change ? &by_turn : nullptr);
   absorbed.offset = resolved(Exact(link.offset + turn), resolution);
   if (link_cost(absorbed) < link_cost(link)) {
     link = absorbed;
@@ -132,14 +132,15 @@ struct Neighbourhood {
     return sum;
   }
 
-  [[nodiscard]] Neighbourhood reseated(const ExactPose& seat, Change* change = nullptr) const {
-    const ExactPose back = inverse(seat);
+  [[nodiscard]] Neighbourhood placed_by(const ExactPose& placement,
+                                        Change* change = nullptr) const {
+    const ExactPose back = inverse(placement);
     Neighbourhood result = *this;
-    result.link.seat = resolved(link.seat * seat, resolution, change);
+    result.link.placement = resolved(link.placement * placement, resolution, change);
     result.link.inertia = resolved(transformed(link.inertia, back), resolution, change);
     absorb_turn(result.link, resolution, change);
     for (MovingLink& child : result.children) {
-      child.seat = resolved(back * child.seat, resolution, change);
+      child.placement = resolved(back * child.placement, resolution, change);
       absorb_turn(child, resolution, change);
     }
     for (ExactPose& point : result.points) {
@@ -156,7 +157,7 @@ struct Neighbourhood {
 };
 
 std::vector<Exact> turn_candidates(const Neighbourhood& around) {
-  std::vector<Exact> turns{0, -right_turn(around.link.seat.R)};
+  std::vector<Exact> turns{0, -right_turn(around.link.placement.R)};
   const auto towards = [&turns](const ExactVector3& v) {
     if (v(0) != 0 || v(1) != 0) {
       turns.push_back(atan2(v(1), v(0)));
@@ -164,10 +165,10 @@ std::vector<Exact> turn_candidates(const Neighbourhood& around) {
   };
   for (const MovingLink& child : around.children) {
     Exact turn;
-    if (left_turn(child.seat.R, turn)) {
+    if (left_turn(child.placement.R, turn)) {
       turns.push_back(turn);
     }
-    towards(child.seat.p);
+    towards(child.placement.p);
   }
   for (const ExactPose& point : around.points) {
     towards(point.p);
@@ -189,14 +190,14 @@ Exact foot_of_common_normal(const ExactPose& child) {
 }
 
 std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
-  std::vector<Exact> along{0, -(around.link.seat.R.transpose() * around.link.seat.p)(2)};
-  if (!is_parallel(around.link.seat.R)) {
-    along.push_back(foot_of_common_normal(inverse(around.link.seat)));
+  std::vector<Exact> along{0, -(around.link.placement.R.transpose() * around.link.placement.p)(2)};
+  if (!is_parallel(around.link.placement.R)) {
+    along.push_back(foot_of_common_normal(inverse(around.link.placement)));
   }
   for (const MovingLink& child : around.children) {
-    along.push_back(child.seat.p(2));
-    if (!is_parallel(child.seat.R)) {
-      along.push_back(foot_of_common_normal(child.seat));
+    along.push_back(child.placement.p(2));
+    if (!is_parallel(child.placement.R)) {
+      along.push_back(foot_of_common_normal(child.placement));
     }
   }
   for (const ExactPose& point : around.points) {
@@ -218,9 +219,9 @@ std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
 /// Candidates for the origin of a prismatic link, which may be anywhere.
 std::vector<ExactVector3> shift_candidates(const Neighbourhood& around) {
   std::vector<ExactVector3> shifts{ExactVector3::Zero()};
-  shifts.emplace_back(-(around.link.seat.R.transpose() * around.link.seat.p));
+  shifts.emplace_back(-(around.link.placement.R.transpose() * around.link.placement.p));
   for (const MovingLink& child : around.children) {
-    shifts.push_back(child.seat.p);
+    shifts.push_back(child.placement.p);
   }
   for (const ExactPose& point : around.points) {
     shifts.push_back(point.p);
@@ -245,9 +246,9 @@ std::vector<ExactVector3> origin_candidates(const Neighbourhood& around) {
   return near;
 }
 
-ExactPose best_seat(const Neighbourhood& around) {
+ExactPose best_placement(const Neighbourhood& around) {
   ExactPose best;
-  int best_cost = around.reseated({}).cost();
+  int best_cost = around.placed_by({}).cost();
   const std::vector<ExactVector3> shifts = origin_candidates(around);
   std::vector<Exact> tried;
   for (const Exact& turn : turn_candidates(around)) {
@@ -255,7 +256,7 @@ ExactPose best_seat(const Neighbourhood& around) {
     tried.push_back(turn);
     const ExactMatrix3 R = rotation_z(turn);
     for (const ExactVector3& shift : shifts) {
-      const int cost = around.reseated({R, shift}).cost();
+      const int cost = around.placed_by({R, shift}).cost();
       if (cost < best_cost) {
         best = {R, shift};
         best_cost = cost;
@@ -308,15 +309,16 @@ Neighbourhood neighbourhood(Mechanism& mechanism, int index) {
 /// Distance from the frame's origin of what belongs to a link.
 Exact size_of(const Neighbourhood& around) {
   const auto square = [](const ExactVector3& p) { return Exact(p.dot(p)); };
-  Exact most = std::max(square(around.link.seat.p), Exact(around.link.radius * around.link.radius));
-  for (const MovingLink& child : around.children) most = std::max(most, square(child.seat.p));
+  Exact most =
+      std::max(square(around.link.placement.p), Exact(around.link.radius * around.link.radius));
+  for (const MovingLink& child : around.children) most = std::max(most, square(child.placement.p));
   for (const ExactPose& point : around.points) most = std::max(most, square(point.p));
   return sqrt(most);
 }
 
-class Seating {
+class FramePlacer {
  public:
-  explicit Seating(Mechanism& mechanism) : mechanism_(mechanism) {
+  explicit FramePlacer(Mechanism& mechanism) : mechanism_(mechanism) {
     for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
       farthest_.push_back(kFarthestSizes * size_of(neighbourhood(mechanism, static_cast<int>(i))));
     }
@@ -324,24 +326,24 @@ class Seating {
   }
 
   /// Moves the frame of link `index` to the best candidate. Returns whether the cost decreased.
-  bool seat_link(int index) {
+  bool place_link(int index) {
     const auto i = static_cast<std::size_t>(index);
     Neighbourhood around = neighbourhood(mechanism_, index);
     around.farthest = farthest_[i];
     around.files_frame = files_frames_[i];
-    const ExactPose seat = best_seat(around);
+    const ExactPose placement = best_placement(around);
     Change change;
-    const Neighbourhood best = around.reseated(seat, &change);
+    const Neighbourhood best = around.placed_by(placement, &change);
     if (best.cost() >= around.cost()) return false;
     add_decisions(change, fmt::format("link[{}]", around.link.name), mechanism_.file,
                   mechanism_.noise);
-    take(index, best, seat);
+    take(index, best, placement);
     files_frames_[i] = best.files_frame;
     return true;
   }
 
  private:
-  void take(int index, const Neighbourhood& best, const ExactPose& seat) {
+  void take(int index, const Neighbourhood& best, const ExactPose& placement) {
     mechanism_.links[static_cast<std::size_t>(index)] = best.link;
     std::size_t child = 0;
     std::size_t point = 0;
@@ -351,7 +353,7 @@ class Seating {
     for (auto* frames : {&mechanism_.link_frames, &mechanism_.payload_frames}) {  // at no cost
       for (MechanismPoint& frame : *frames) {
         if (frame.link != index) continue;
-        frame.pose = resolved(inverse(seat) * frame.pose, mechanism_.resolution);
+        frame.pose = resolved(inverse(placement) * frame.pose, mechanism_.resolution);
       }
     }
   }
@@ -363,15 +365,15 @@ class Seating {
 
 }  // namespace
 
-void seat_frames(Mechanism& mechanism) {
+void place_frames(Mechanism& mechanism) {
   constexpr int kMostSweeps = 10;  // each sweep lowers an integer cost; few are needed
   const int count = static_cast<int>(mechanism.links.size());
-  Seating seating(mechanism);
+  FramePlacer placer(mechanism);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool cheaper = false;
     for (int i = 0; i < count; ++i) {
       if (mechanism.links[static_cast<std::size_t>(i)].has_one_coordinate()) {
-        cheaper = seating.seat_link(i) || cheaper;
+        cheaper = placer.place_link(i) || cheaper;
       }
     }
     if (!cheaper) {

@@ -1,4 +1,4 @@
-#include "passes/find_orbits.hpp"
+#include "passes/find_isomorphic_operations.hpp"
 
 #include <map>
 #include <utility>
@@ -99,7 +99,7 @@ std::size_t power_of_two(std::uint32_t least) {
   return places;
 }
 
-void append_orbits(const Program& program, std::uint32_t limbs, std::vector<LanePack>& orbits) {
+void append_groups(const Program& program, std::uint32_t limbs, std::vector<LanePack>& groups) {
   const Exchange exchange(program, limbs);
   const std::vector<bool> live = find_live(program);
   std::vector<bool> done(live.size(), false);
@@ -110,37 +110,37 @@ void append_orbits(const Program& program, std::uint32_t limbs, std::vector<Lane
     }
     // A value that depends on several limbs takes the place of the first operation found.
     const auto first = exchange.limb(i) >= 0 ? static_cast<std::uint32_t>(exchange.limb(i)) : 0;
-    LanePack orbit(power_of_two(limbs), kNoNode);
+    LanePack group(power_of_two(limbs), kNoNode);
     int found = 0;
     std::uint32_t node = i;
     for (std::uint32_t k = 0; k < limbs && node != kNoNode && !done[node]; ++k) {
       done[node] = true;
       if (live[node]) {
-        orbit[(first + k) % limbs] = node;
+        group[(first + k) % limbs] = node;
         ++found;
       }
       node = exchange.image(node);
     }
     if (found > 1) {
-      orbits.push_back(std::move(orbit));
+      groups.push_back(std::move(group));
     }
   }
 }
 
 }  // namespace
 
-std::vector<LanePack> find_orbits(const Program& program) {
+std::vector<LanePack> find_isomorphic_operations(const Program& program) {
   std::map<std::uint32_t, bool> sizes;
   for (const Graph::LimbInputs& alike : program.graph.limb_inputs()) {
     sizes[static_cast<std::uint32_t>(alike.size())] = true;
   }
-  std::vector<LanePack> orbits;
+  std::vector<LanePack> groups;
   for (const auto& [limbs, present] : sizes) {
     if (power_of_two(limbs) <= static_cast<std::size_t>(program.graph.lane_width())) {
-      append_orbits(program, limbs, orbits);
+      append_groups(program, limbs, groups);
     }
   }
-  return orbits;
+  return groups;
 }
 
 }  // namespace treeline

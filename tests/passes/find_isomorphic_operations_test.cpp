@@ -1,4 +1,4 @@
-#include "passes/find_orbits.hpp"
+#include "passes/find_isomorphic_operations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,28 +43,28 @@ Program limbs_on_a_trunk(int limbs, int lanes) {
   return program;
 }
 
-TEST(FindOrbits, EveryOperationOfALimbByLimb) {
+TEST(FindIsomorphicOperations, EveryOperationOfALimbByLimb) {
   const Program program = limbs_on_a_trunk(3, 8);
-  const auto orbits = find_orbits(program);
-  EXPECT_EQ(orbits.size(), 7u);
-  for (const LanePack& orbit : orbits) {
-    EXPECT_EQ(orbit.size(), 4u);
-    EXPECT_EQ(orbit[3], 0u);
+  const auto groups = find_isomorphic_operations(program);
+  EXPECT_EQ(groups.size(), 7u);
+  for (const LanePack& group : groups) {
+    EXPECT_EQ(group.size(), 4u);
+    EXPECT_EQ(group[3], 0u);
     for (std::size_t limb = 0; limb < 3; ++limb) {
-      EXPECT_EQ(program.graph.nodes()[orbit[limb]].op, program.graph.nodes()[orbit[0]].op);
+      EXPECT_EQ(program.graph.nodes()[group[limb]].op, program.graph.nodes()[group[0]].op);
     }
   }
-  const std::size_t last = orbits.size() - 1;
+  const std::size_t last = groups.size() - 1;
   for (std::size_t limb = 0; limb < 3; ++limb) {
-    EXPECT_EQ(orbits[last][limb], program.results[0].values[limb].node());
+    EXPECT_EQ(groups[last][limb], program.results[0].values[limb].node());
   }
 }
 
-TEST(FindOrbits, NoMoreLimbsThanLanes) {
-  EXPECT_TRUE(find_orbits(limbs_on_a_trunk(3, 2)).empty());
+TEST(FindIsomorphicOperations, NoMoreLimbsThanLanes) {
+  EXPECT_TRUE(find_isomorphic_operations(limbs_on_a_trunk(3, 2)).empty());
 }
 
-TEST(FindOrbits, LanesChangeNoBit) {
+TEST(FindIsomorphicOperations, LanesChangeNoBit) {
   for (const int limbs : {2, 3, 4, 7}) {
     const Program program = limbs_on_a_trunk(limbs, 8);
     const Program packed = pack_lanes(program);

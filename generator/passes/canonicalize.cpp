@@ -1,4 +1,4 @@
-#include "passes/settle.hpp"
+#include "passes/canonicalize.hpp"
 
 #include <utility>
 #include <vector>
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> order_by_depth(const Program& program) {
 
 }  // namespace
 
-Program settle(const Program& program) {
+Program canonicalize(const Program& program) {
   const Program ordered = rebuild(program, order_by_depth(program));
   return eliminate_dead(
       Rewriter(ordered).run([](std::uint32_t node, const Rewriter& r) { return r.copy(node); }));

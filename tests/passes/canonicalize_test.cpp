@@ -1,4 +1,4 @@
-#include "passes/settle.hpp"
+#include "passes/canonicalize.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,12 +36,12 @@ Program trace(bool right_first) {
   return program;
 }
 
-TEST(Settle, ProgramDoesNotTellInWhichOrderItWasBuilt) {
-  EXPECT_EQ(print_text(settle(trace(false))), print_text(settle(trace(true))));
+TEST(Canonicalize, ProgramDoesNotTellInWhichOrderItWasBuilt) {
+  EXPECT_EQ(print_text(canonicalize(trace(false))), print_text(canonicalize(trace(true))));
 }
 
-TEST(Settle, BuildsBothDifferencesOnce) {
-  const Program program = settle(trace(false));
+TEST(Canonicalize, BuildsBothDifferencesOnce) {
+  const Program program = canonicalize(trace(false));
   int differences = 0;
   for (const Node& node : program.graph.nodes()) {
     differences += node.op == Op::sub ? 1 : 0;

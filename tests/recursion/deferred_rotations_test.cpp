@@ -1,4 +1,4 @@
-#include "recursion/late_turns.hpp"
+#include "recursion/deferred_rotations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kTolerance = 1e-41;  // nothing is rounded above 1e-50
 
-Mechanism with_random_choices(Mechanism mechanism, Dice& dice) {
+Mechanism with_random_choices(Mechanism mechanism, Rng& rng) {
   for (MovingLink& link : mechanism.links) {
     if (link.kind == JointKind::floating) continue;
-    link.turns_late = dice.unit() < 0.6;
-    link.carries_column = dice.unit() < 0.5;
+    link.defers_rotation = rng.unit() < 0.6;
+    link.carries_column = rng.unit() < 0.5;
   }
   return mechanism;
 }
@@ -32,12 +32,12 @@ constexpr bool is_recursion(const FunctionInfo& row) {
 constexpr auto kRecursions = select_functions<is_recursion>();
 
 void expect_same_motion(const RandomMechanism& made, std::uint64_t seed) {
-  Dice dice(seed);
+  Rng rng(seed);
   const Oracle<Digits50> oracle(made.robot, made.scene);
-  const Inputs<Digits50> in = oracle.random_inputs(dice, 5);
+  const Inputs<Digits50> in = oracle.random_inputs(rng, 5);
   const Yardstick size = yardstick(oracle, in);
   const TemplateRun<Digits50> run(
-      with_random_choices(reduced_mechanism(made.robot, made.scene), dice), in);
+      with_random_choices(reduced_mechanism(made.robot, made.scene), rng), in);
   for (const Function function : kRecursions) {
     if (!permits(function, oracle.has_points(), size)) continue;
     const auto expected = oracle.results(function, in);
@@ -50,7 +50,7 @@ void expect_same_motion(const RandomMechanism& made, std::uint64_t seed) {
   }
 }
 
-TEST(LateTurns, ChangeNoResult) {
+TEST(DeferredRotations, ChangeNoResult) {
   RandomOptions options;
   options.joints = 7;
   options.external_forces = 1;
@@ -73,11 +73,11 @@ JointTransform<double> parallel_transform(double before, bool flipped, double af
   return X;
 }
 
-TEST(LateTurns, JoinAcrossParallelAndOppositeAxes) {
+TEST(DeferredRotations, JoinAcrossParallelAndOppositeAxes) {
   for (const bool flipped : {false, true}) {
     const JointTransform<double> apart = parallel_transform(0.7, flipped, 1.9);
     JointTransform<double> joined = apart;
-    join_turns(joined);
+    join_rotations(joined);
     EXPECT_EQ(joined.R.a.s, 0);
     for (const Vector3<double>& v :
          {Vector3<double>{1, 0, 0}, Vector3<double>{0, 1, 0}, Vector3<double>{0, 0, 1}}) {

@@ -8,9 +8,9 @@ namespace treeline {
 
 /// Random numbers, computed with its own arithmetic, so that they are the same with every standard
 /// library.
-class Dice {
+class Rng {
  public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  explicit Rng(std::uint64_t seed) : engine_(seed) {}
 
   std::uint64_t bits() { return engine_(); }
   /// A number in [0, 1).

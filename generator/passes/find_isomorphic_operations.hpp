@@ -11,6 +11,6 @@ namespace treeline {
 /// Each group holds the live operations that follow one another in this way, ordered by limb, with
 /// node 0 where a limb lacks one. Its length is the number of limbs, rounded up to a power of two,
 /// and at most the graph's number of lanes.
-std::vector<LanePack> find_orbits(const Program& program);
+std::vector<LanePack> find_isomorphic_operations(const Program& program);
 
 }  // namespace treeline

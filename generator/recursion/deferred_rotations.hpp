@@ -17,7 +17,7 @@ PlanarRotation<Scalar> operator*(const PlanarRotation<Scalar>& r1,
 /// Writes the rotation of a joint whose axis is parallel to its parent's as Rx(0 or pi) followed by
 /// one rotation about z: Rz(a) Rx(pi) = Rx(pi) Rz(-a).
 template <class Scalar>
-void join_turns(JointTransform<Scalar>& X) {
+void join_rotations(JointTransform<Scalar>& X) {
   const bool flipped = !(X.R.alpha.c == Scalar(1.0));
   X.turn = (flipped ? X.R.a.inverse() : X.R.a) * X.R.b * X.turn;
   X.R.a = X.R.b = {};
@@ -61,7 +61,7 @@ void turn_points(const PlanarRotation<Scalar>& turn, int link, Tree<Scalar>& tre
   }
 }
 
-/// Defers joint rotations: links marked `turns_late` are treated in axes before their joint's
+/// Defers joint rotations: links marked `defers_rotation` are treated in axes before their joint's
 /// rotation. So constants are rotated (inertia, places of children and points) instead of motions,
 /// forces and the inertia of everything beyond. Joints with parallel axes are then rotated
 /// together, once, by the sum of their angles. Near a fixed base, motions keep the zeros that they
@@ -69,27 +69,27 @@ void turn_points(const PlanarRotation<Scalar>& turn, int link, Tree<Scalar>& tre
 /// sum of large angles would be rounded. The recursions stay the same, since any axes will do at an
 /// instant.
 template <class Scalar>
-void turn_late(Tree<Scalar>& tree, std::vector<JointTransform<Scalar>>& X) {
-  std::vector<PlanarRotation<Scalar>> owed(tree.links.size());
+void defer_rotations(Tree<Scalar>& tree, std::vector<JointTransform<Scalar>>& X) {
+  std::vector<PlanarRotation<Scalar>> deferred(tree.links.size());
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     TreeLink<Scalar>& link = tree.links[i];
     const bool behind_late =
-        link.parent >= 0 && tree.links[static_cast<std::size_t>(link.parent)].turns_late;
+        link.parent >= 0 && tree.links[static_cast<std::size_t>(link.parent)].defers_rotation;
     if (behind_late) {
-      const PlanarRotation<Scalar>& turn = owed[static_cast<std::size_t>(link.parent)];
+      const PlanarRotation<Scalar>& turn = deferred[static_cast<std::size_t>(link.parent)];
       X[i].p = rotate_z(turn, X[i].p);
       X[i].R.a = turn * X[i].R.a;
     }
-    if (is_parallel(X[i]) && (behind_late || link.turns_late)) {
-      join_turns(X[i]);
+    if (is_parallel(X[i]) && (behind_late || link.defers_rotation)) {
+      join_rotations(X[i]);
     }
-    if (link.turns_late && link.has_one_coordinate()) {
-      owed[i] = X[i].R.b * X[i].turn;
+    if (link.defers_rotation && link.has_one_coordinate()) {
+      deferred[i] = X[i].R.b * X[i].turn;
       X[i].R.b = X[i].turn = {};
-      turn_inertia(owed[i], link.inertia);
-      turn_points(owed[i], static_cast<int>(i), tree);
+      turn_inertia(deferred[i], link.inertia);
+      turn_points(deferred[i], static_cast<int>(i), tree);
       for (TreeMatter<Scalar>& matter : tree.link_matter) {
-        if (matter.link == static_cast<int>(i)) matter.h = rotate_z(owed[i], matter.h);
+        if (matter.link == static_cast<int>(i)) matter.h = rotate_z(deferred[i], matter.h);
       }
     }
   }

@@ -8,6 +8,6 @@ namespace treeline {
 /// from the results, left operands first. This is needed because C++ leaves the order in which a
 /// trace builds nodes to the compiler. Nodes that no result needs are removed. x y and y x become
 /// one node, and expressions that simplify as a consequence are simplified.
-Program settle(const Program& program);
+Program canonicalize(const Program& program);
 
 }  // namespace treeline

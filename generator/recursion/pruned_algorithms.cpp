@@ -1,9 +1,9 @@
-#include "recursion/hopeless_algorithms.hpp"
+#include "recursion/pruned_algorithms.hpp"
 
 #include <algorithm>
 
 namespace treeline {
-void HopelessAlgorithms::look_at(const Program& program) {
+void PrunedAlgorithms::look_at(const Program& program) {
   constexpr std::size_t kLong = 30'000;
   constexpr std::size_t kFar = 2;
   const std::size_t nodes = program.graph.nodes().size();

@@ -11,7 +11,7 @@ namespace treeline {
 /// coordinates, which saves a few per cent, could make up for it. This applies to long programs
 /// only, for which factoring a mass matrix without zeros, once for each choice of coordinates,
 /// would take most of the tracing time.
-class HopelessAlgorithms {
+class PrunedAlgorithms {
  public:
   /// Whether the algorithm of this route is one of them.
   [[nodiscard]] bool has(const RouteId& route) const { return keys_.contains(route.algorithm); }
