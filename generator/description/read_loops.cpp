@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "description/identifier.hpp"
-#include "description/suggest_name.hpp"
+#include "description/list_links.hpp"
 
 namespace treeline {
 namespace {
@@ -26,10 +25,9 @@ RobotLoop::End read_end(const UrdfElement& element, const char* name, const Robo
   end.origin.rpy = found->three_numbers("rpy").value_or(end.origin.rpy);
   if (!link) return end;
   end.link = *link;
-  std::vector<std::string> names;
-  for (const Link& each : robot.links) names.push_back(each.name);
-  if (std::find(names.begin(), names.end(), end.link) == names.end()) {
-    found->error(fmt::format("there is no link \"{}\"", end.link), suggest_name(end.link, names));
+  if (std::none_of(robot.links.begin(), robot.links.end(),
+                   [&](const Link& each) { return each.name == end.link; })) {
+    found->error(fmt::format("there is no link \"{}\"", end.link), suggest_link(end.link, robot));
   }
   return end;
 }

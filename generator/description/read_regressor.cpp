@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "description/count_freedoms.hpp"
-#include "description/list_links.hpp"
+#include "description/read_scene_point.hpp"
 
 namespace treeline {
 namespace {

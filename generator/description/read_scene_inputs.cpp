@@ -19,11 +19,6 @@ namespace {
 
 using Fields = std::map<std::string, SceneElement>;
 
-/// One or a list of these.
-std::vector<SceneElement> one_or_more(const SceneElement& element) {
-  return element.is_list() ? element.items() : std::vector<SceneElement>{element};
-}
-
 double read_positive(const Fields& fields, const char* key, double otherwise) {
   const auto found = fields.find(key);
   if (found == fields.end()) return otherwise;
@@ -54,22 +49,6 @@ SceneInertia ranges_of(const Link& link) {
   ranges.mass = 2 * own.mass;
   ranges.reach = 2 * (std::hypot(c[0], c[1], c[2]) + std::sqrt(trace / 2 / own.mass));
   return ranges;
-}
-
-const Link* find_moving_link(const SceneElement& element, const std::string& name,
-                             const Robot& robot, const Scene& scene) {
-  const auto link = std::find_if(robot.links.begin(), robot.links.end(),
-                                 [&](const Link& each) { return each.name == name; });
-  if (link == robot.links.end()) {
-    element.error(fmt::format("the robot has no link \"{}\"", name), suggest_link(name, robot));
-    return nullptr;
-  }
-  if (find_freedoms_of_link(robot, scene, name).empty()) {
-    element.error(fmt::format("the link \"{}\" cannot move", name),
-                  "name a link behind a joint that moves");
-    return nullptr;
-  }
-  return &*link;
 }
 
 /// The links of `payload` or `parameters`.

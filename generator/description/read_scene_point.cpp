@@ -69,6 +69,26 @@ std::array<bool, 6> read_rows(const SceneElement& element) {
   return rows;
 }
 
+std::vector<SceneElement> one_or_more(const SceneElement& element) {
+  return element.is_list() ? element.items() : std::vector<SceneElement>{element};
+}
+
+const Link* find_moving_link(const SceneElement& element, const std::string& name,
+                             const Robot& robot, const Scene& scene) {
+  const auto link = std::find_if(robot.links.begin(), robot.links.end(),
+                                 [&](const Link& each) { return each.name == name; });
+  if (link == robot.links.end()) {
+    element.error(fmt::format("the robot has no link \"{}\"", name), suggest_link(name, robot));
+    return nullptr;
+  }
+  if (find_freedoms_of_link(robot, scene, name).empty()) {
+    element.error(fmt::format("the link \"{}\" cannot move", name),
+                  "name a link behind a joint that moves");
+    return nullptr;
+  }
+  return &*link;
+}
+
 namespace {
 
 std::string read_link_name(const SceneElement& point, const Fields& fields, const Robot& robot) {

@@ -23,6 +23,14 @@ Axes read_axes(const SceneElement& element);
 /// A list of some of x y z rx ry rz, in this order.
 std::array<bool, 6> read_rows(const SceneElement& element);
 
+/// One item, or a list of items.
+std::vector<SceneElement> one_or_more(const SceneElement& element);
+
+/// The link of that name; null, and an error, where the robot has none, or one that cannot move in
+/// the scene.
+const Link* find_moving_link(const SceneElement& element, const std::string& name,
+                             const Robot& robot, const Scene& scene);
+
 /// The scene's lists of frames on links. Names must be identifiers and differ within a list.
 std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot);
 std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot);
