@@ -44,6 +44,7 @@ class Planner {
       : robot_(robot), scene_(scene), flags_(std::move(flags)), diagnostics_(diagnostics) {
     scene_.batch = 0;
     scene_.damped.reset();
+    scene_.remove_limits();
   }
 
   VariantBuild plan_first() {

@@ -60,8 +60,9 @@ void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnosti
   if (massless.empty()) return;
   std::vector<std::string> names;
   for (const Function function : undefined) names.emplace_back(function_name(function));
-  const bool asked = listed || scene.damped;
-  const std::string list = asked && !listed ? "damped" : list_first(names);
+  const bool asked = listed || scene.damped || scene.has_limits();
+  const char* const composed = scene.damped ? "damped" : "limited_control_torque";
+  const std::string list = asked && !listed ? composed : list_first(names);
   diagnostics.add(
       {asked ? Severity::error : Severity::warning, scene.file, 0, listed ? "functions" : "",
        fmt::format("{}; {} {}", describe_fault(massless),
