@@ -29,6 +29,7 @@ const std::vector<Layer> kLayers = {
     {"batch", {}},
     {"digits", {}},
     {"interpreter", {"digits"}},
+    {"firmware", {"core"}},
     {"servo", {"core"}},
     {"drive", {"core", "servo"}},
     {"simulation", {"core", "interpreter"}},
