@@ -123,6 +123,15 @@ class DriveController {
       }
     }
   }
+  /// Whether a joint has no motor: the loops of the robot lead it.
+  static constexpr bool is_passive(int velocity) noexcept {
+    if constexpr (requires { F::kPassive; }) {
+      return F::kPassive[velocity];
+    } else {
+      (void)velocity;
+      return false;
+    }
+  }
   static int velocity_of(int coordinate) noexcept {
     int found = -1;
     for_each_joint([&](int iq, int iv) { found = iq == coordinate ? iv : found; },

@@ -165,11 +165,9 @@ void DriveController<F>::advance(double time) noexcept {
 /// Joints without motors go where the loops lead them: their goal is where they are.
 template <class F>
 void DriveController<F>::let_passive_follow(double time) noexcept {
-  if constexpr (requires { F::kPassive; }) {
-    for (int i = 0; i < nv; ++i) {
-      if (F::kPassive[i]) {
-        joints_[at(i)].begin(time, state_.q[i], 0.0);
-      }
+  for (int i = 0; i < nv; ++i) {
+    if (is_passive(i)) {  // of loops, whose coordinates are as many as their velocities
+      joints_[at(i)].begin(time, state_.q[i], 0.0);
     }
   }
 }
@@ -178,8 +176,9 @@ template <class F>
 bool DriveController<F>::moving(double time, double margin) const noexcept {
   const double then = time - margin;
   bool any = reference_.playing();
-  for_each_joint([&](int iq, int) { any = any || joints_[at(iq)].moving(then); },
-                 [&](int k, int, int) { any = any || floating_[at(k)].moving(then); });
+  for_each_joint(
+      [&](int iq, int iv) { any = any || (!is_passive(iv) && joints_[at(iq)].moving(then)); },
+      [&](int k, int, int) { any = any || floating_[at(k)].moving(then); });
   for (int k = 0; k < kPoints && control_ == Control::task; ++k) {
     any = any || points_[at(k)].moving(then);
   }
