@@ -143,9 +143,9 @@ std::string print_rotors(const Robot& robot) {
   const bool has_rotors = std::any_of(robot.joints.begin(), robot.joints.end(),
                                       [](const Joint& joint) { return armature_of(joint) > 0; });
   if (!has_rotors) return {};
-  return "\n" +
-         remark("The file states the inertias of motors' rotors. To add them to their joints:") +
-         "# armature: file\n";
+  std::string text = "\n";
+  text += remark("The file states the inertias of motors' rotors. To add them to their joints:");
+  return text + "# armature: file\n";
 }
 
 std::string print_friction(const Robot& robot) {
@@ -153,8 +153,9 @@ std::string print_friction(const Robot& robot) {
       std::any_of(robot.joints.begin(), robot.joints.end(),
                   [](const Joint& joint) { return joint.damping > 0 || joint.friction > 0; });
   if (!has_friction) return {};
-  return "\n" + remark("The file states damping or friction of joints. To count it:") +
-         "# joint_friction: viscous\n";
+  std::string text = "\n";
+  text += remark("The file states damping or friction of joints. To count it:");
+  return text + "# joint_friction: viscous\n";
 }
 
 std::string print_functions(const std::vector<Function>& functions) {

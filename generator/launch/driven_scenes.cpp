@@ -26,6 +26,8 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(!scene.external_forces.empty(), "external_forces");
   add(!scene.inputs.empty(), "inputs");
   add(scene.batch > 0, "batch");
+  add(scene.has_limits(), "limits of torque and friction");
+  add(scene.controller.has_value(), "controller");
   add(scene.real == Real::float32, "real: float");
   add(scene.sin_cos == Sines::given, "sin_cos: given");
   add(scene.implicit_friction, "implicit friction");
