@@ -141,6 +141,8 @@ std::vector<GeneratedFile> runtime_headers() {
   };
   return {file("core/command_laws.hpp", t::kCoreCommandLaws),
           file("core/ldlt.hpp", t::kCoreLdlt),
+          file("core/message_queue.hpp", t::kCoreMessageQueue),
+          file("core/mode.hpp", t::kCoreMode),
           file("core/orientation.hpp", t::kCoreOrientation),
           file("core/sin_cos.hpp", t::kCoreSinCos),
           file("core/square_root.hpp", t::kCoreSquareRoot),

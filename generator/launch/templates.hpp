@@ -8,6 +8,8 @@ namespace treeline::launch_templates {
 extern const std::string_view kRobot;
 extern const std::string_view kCoreCommandLaws;
 extern const std::string_view kCoreLdlt;
+extern const std::string_view kCoreMessageQueue;
+extern const std::string_view kCoreMode;
 extern const std::string_view kCoreOrientation;
 extern const std::string_view kCoreSinCos;
 extern const std::string_view kCoreSquareRoot;

@@ -52,12 +52,16 @@ std::string print_structs(const EmissionContext& context, const Program& program
     arguments += "out." + result.argument.name + ", ";
   }
   arguments.resize(arguments.size() - 2);
+  const std::string type = fmt::format("inline {}Output", pascal);
+  const std::string call = fmt::format("{}(const {}Input& in) noexcept {{", program.name, pascal);
+  const char* const gap = type.size() + 1 + call.size() > 100 ? "\n" : " ";
   return fill_template(
       templates::kNamedCall,
       {{"function", program.name},
        {"Function", pascal},
        {"inputs", inputs},
        {"outputs", outputs},
+       {"head", type + gap + call},
        {"call", wrap_line(fmt::format("{}::{}({});", context.name, program.name, arguments), 2)}});
 }
 
