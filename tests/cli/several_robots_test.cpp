@@ -61,9 +61,9 @@ TEST_F(SeveralRobots, SameBytesFromAnywhere) {
   fs::create_directories(root_ / "elsewhere");
   const Outcome piped = run("generate - --output elsewhere/pair < pair.yaml");
   ASSERT_EQ(piped.exit_code, 0) << piped.err;
-  const std::string absolute = "'" + (root_ / "pair.yaml").string() + "'";
-  ASSERT_EQ(test::run_program(root_ / "elsewhere", "generate " + absolute + " -o other").exit_code,
-            0);
+  std::string absolute = "generate '";
+  absolute += (root_ / "pair.yaml").string() + "' -o other";
+  ASSERT_EQ(test::run_program(root_ / "elsewhere", absolute).exit_code, 0);
   for (const auto& entry : fs::directory_iterator(root_ / "pair")) {
     const fs::path name = entry.path().filename();
     EXPECT_EQ(read_file(entry.path()), read_file(root_ / "elsewhere/other" / name)) << name;

@@ -123,6 +123,7 @@ TEST(DrawRobot, ObstaclesStandBesideIt) {
   ball.origin.xyz = {2, 0, 1};
   SceneObstacle box;
   box.size = {0.5, 0.5, 0.1};
+  box.origin.xyz = {0, 1, 0.05};  // on the floor, which is not drawn above what is deeper
   box.avoided = false;
   const Solids solids = obstacle_solids({ball, box});
   ASSERT_EQ(solids.balls.size(), 1U);
