@@ -220,6 +220,10 @@ inline bool apply_command(const typename Robot::Config& config, const typename R
                           const Measured<Robot>& at, bool seen, typename Robot::State& state,
                           typename Robot::Output& output) noexcept {
   const Mode before = mode_of<Robot>(state);
+  if (!is_message_kind(input.command.kind)) {
+    output.refused = 1;
+    return false;
+  }
   switch (static_cast<MessageKind>(input.command.kind)) {
     case MessageKind::emergency_stop:
       raise_fault<Robot>(kFaultEmergency, state);

@@ -71,6 +71,12 @@ enum class MessageKind : uint8_t {
   press,           ///< index: point; values: direction (3), force; duration until it is reached
 };
 
+/// Whether a number that came from outside is a kind. A message kind has eight bits: without this
+/// question, 256 would be taken for an emergency stop and 260 for a start.
+constexpr bool is_message_kind(int32_t kind) noexcept {
+  return kind >= 0 && kind <= static_cast<int32_t>(MessageKind::press);
+}
+
 /// Urgency of a message. Of two waiting messages the more urgent one is applied first. The order is
 /// that of MessageKind up to `start`; all later kinds are equally urgent.
 constexpr int urgency(MessageKind kind) noexcept {

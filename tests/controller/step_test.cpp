@@ -295,6 +295,10 @@ TEST(Controller, RefusesWhatMakesNoSense) {
   EXPECT_TRUE(refuses(nowhere));
   unknown.send(static_cast<puma_arm_kind>(7));
   EXPECT_TRUE(refuses(unknown));
+  unknown = arm;
+  unknown.send(PUMA_ARM_START);
+  unknown.input.command.kind = 256;  // whose lowest eight bits are those of an emergency stop
+  EXPECT_TRUE(refuses(unknown));
   twice.send(PUMA_ARM_START);
   EXPECT_TRUE(refuses(twice));
   SimulatedArm idle;
