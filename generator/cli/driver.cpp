@@ -198,9 +198,7 @@ void Driver::receive() {
 
 void Driver::end() {
   if (ending_) return;
-  servo::Message message;
-  message.kind = servo::MessageKind::disconnect;
-  ending_ = loop_.send(message);
+  ending_ = loop_.send(servo::message_of(servo::MessageKind::disconnect));
 }
 
 void Driver::obey_local(const drive::Command& command) {

@@ -21,6 +21,13 @@ struct Message {
   std::array<double, kMessageNumbers> values{};
 };
 
+/// A message that is nothing but its kind, such as `start`.
+inline Message message_of(MessageKind kind) noexcept {
+  Message message;
+  message.kind = kind;
+  return message;
+}
+
 /// Urgency of a message, see `core::urgency`.
 constexpr int urgency(const Message& message) noexcept {
   return core::urgency(message.kind);

@@ -41,12 +41,6 @@ struct Swing {
   }
 };
 
-Message message_of(MessageKind kind) {
-  Message message;
-  message.kind = kind;
-  return message;
-}
-
 const auto nobody = [](const Report<TwoLink>&) {};
 
 /// An arm, its loop and its front end.

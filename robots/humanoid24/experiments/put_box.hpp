@@ -8,8 +8,7 @@
 #include "close_grasp.hpp"
 #include "object_task_controller.hpp"
 #include "robot_with_object.hpp"
-#include "servo/loop.hpp"
-#include "servo/simulated_robot.hpp"
+#include "run_with_object.hpp"
 #include "touch_floor.hpp"
 
 namespace treeline::experiments {
@@ -18,7 +17,7 @@ template <class F>
 ObjectTaskController<F> make_object_controller(const BoxPlan& plan) {
   std::array<double, F::kVelocities> springs;
   std::copy(plan.run.posture_stiffness.begin(), plan.run.posture_stiffness.end(), springs.begin());
-  return {{plan.run.stiffness, plan.run.damping}, springs, plan.posture_damping, plan.internal};
+  return {{plan.run.stiffness, plan.run.damping}, {springs, plan.posture_damping}, plan.internal};
 }
 
 /// Appends one cycle as a row of the outcome's table, in the order of `box_table_names`. The
@@ -66,8 +65,7 @@ void record_box(const servo::Report<F>& report, const ObjectTaskController<F>& c
 
 /// Message that moves the box upright to the plan's target.
 inline servo::Message put_message(const BoxPlan& plan) {
-  servo::Message message;
-  message.kind = servo::MessageKind::move_point;
+  servo::Message message = servo::message_of(servo::MessageKind::move_point);
   message.index = 0;
   message.duration = plan.run.duration;
   constexpr double kUpright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -81,46 +79,24 @@ inline servo::Message put_message(const BoxPlan& plan) {
 template <class F, servo::Clock ClockType>
 BoxOutcome put_box(const BoxPlan& plan, const RunSettings& settings, const JointLimits& limits,
                    ClockType& clock) {
-  using Robot = servo::SimulatedRobot<F>;
-  using Controller = ObjectTaskController<F>;
   servo::StateOf<F> initial;
   std::copy(plan.run.start.begin(), plan.run.start.end(), std::begin(initial.q));
   const double gap = close_grasp<F>(initial.q);
-  Robot robot(initial, settings.substeps);
-  Controller controller = make_object_controller<F>(plan);
-  servo::Mailbox mailbox;
+  servo::SimulatedRobot<F> robot(initial, settings.substeps);
+  ObjectTaskController<F> controller = make_object_controller<F>(plan);
   servo::LoopSettings loop_settings;
   loop_settings.rate = plan.run.rate;
-  auto loop = std::make_unique<servo::ServoLoop<F, Robot, Controller, ClockType>>(
-      loop_settings, safety_limits<F>(limits), robot, controller, clock, mailbox);
   const double total = settings.lead + plan.run.duration + plan.run.settle;
   BoxOutcome outcome(box_table_names(plan.run.joints),
                      static_cast<std::size_t>(total * plan.run.rate) + 2);
   outcome.initial_gap = gap;
-  double held[F::kVelocities] = {};
-  bool holding = false;
-  bool moving = false;
-  bool leaving = false;
-  servo::Message start;
-  start.kind = servo::MessageKind::start;
-  mailbox.push(start);
-  servo::Message leave;
-  leave.kind = servo::MessageKind::disconnect;
-  loop->run([&](const servo::Report<F>& report) {
-    if (report.mode == servo::Mode::running) {
-      record_box<F>(report, controller, holding ? held : report.tau, outcome.table);
-      std::copy(std::begin(report.tau), std::end(report.tau), held);
-      holding = true;
-    }
-    if (!moving && report.time >= settings.lead) {
-      moving = mailbox.push(put_message(plan));
-    }
-    if (!leaving && (report.time >= total || report.mode == servo::Mode::faulted)) {
-      leaving = mailbox.push(leave);
-    }
-  });
-  outcome.fault = loop->fault();
-  outcome.control = loop->control_times();
+  const auto record = [&](const servo::Report<F>& report, const double(&held)[F::kVelocities]) {
+    record_box<F>(report, controller, held, outcome.table);
+  };
+  const Script script = {{settings.lead, put_message(plan)},
+                         {total, servo::message_of(servo::MessageKind::disconnect)}};
+  run_with_object<F>(robot, controller, clock, loop_settings, safety_limits<F>(limits), script,
+                     record, outcome);
   return outcome;
 }
 

@@ -107,11 +107,7 @@ Outcome touch_floor(const Plan& plan, const RunSettings& settings, const JointLi
   Outcome outcome(table_names(plan.joints), static_cast<std::size_t>(total * plan.rate) + 2);
   bool moving = false;
   bool leaving = false;
-  servo::Message start;
-  start.kind = servo::MessageKind::start;
-  mailbox.push(start);
-  servo::Message leave;
-  leave.kind = servo::MessageKind::disconnect;
+  mailbox.push(servo::message_of(servo::MessageKind::start));
   loop->run([&](const servo::Report<F>& report) {
     if (report.mode == servo::Mode::running) {
       record<F>(report, controller, report.time, outcome.table);
@@ -120,7 +116,7 @@ Outcome touch_floor(const Plan& plan, const RunSettings& settings, const JointLi
       moving = mailbox.push(touch_message<F>(plan, controller));
     }
     if (!leaving && (report.time >= total || report.mode == servo::Mode::faulted)) {
-      leaving = mailbox.push(leave);
+      leaving = mailbox.push(servo::message_of(servo::MessageKind::disconnect));
     }
   });
   outcome.fault = loop->fault();

@@ -2,10 +2,7 @@
 
 #include <string>
 
-#include "servo/plot.hpp"
-#include "servo/safety.hpp"
-#include "servo/statistics.hpp"
-#include "servo/table.hpp"
+#include "object_outcome.hpp"
 
 namespace treeline::experiments {
 
@@ -23,22 +20,14 @@ struct ThreeArmsPlan {
   int substeps = 2;
 };
 
-struct ThreeArmsOutcome {
-  explicit ThreeArmsOutcome(std::size_t rows);
-  servo::Table table;  ///< one row per cycle
-  servo::DurationStatistics control;
-  servo::Fault fault;
-};
+struct ThreeArmsOutcome : ObjectOutcome {};
 
 /// Largest errors over the run. Internal forces are those at the end of a cycle with constant
 /// torque.
 struct ThreeArmsErrors {
-  double position = 0;  ///< m
-  double rotation = 0;  ///< rad
+  ObjectErrors object;
   double tensions = 0;  ///< N
   double moments = 0;   ///< N m
-  double drift = 0;     ///< between the grasps, m and rad
-  double lift = 0;      ///< how far the beam goes up, m
 };
 
 ThreeArmsOutcome carry_with_three_arms(const ThreeArmsPlan& plan);

@@ -89,17 +89,14 @@ void drive(Robot& robot, const Links& links, const CircleGains& gains, CircleRun
   settings.rate = run.plan.rate;
   auto loop = std::make_unique<servo::ServoLoop<Samm, Robot, CircleController, Clock>>(
       settings, samm_limits(), robot, controller, clock, mailbox);
-  servo::Message message;
-  message.kind = servo::MessageKind::start;
-  mailbox.push(message);
-  message.kind = servo::MessageKind::disconnect;
+  mailbox.push(servo::message_of(servo::MessageKind::start));
   bool leaving = false;
   loop->run([&](const servo::Report<Samm>& report) {
     if (report.mode == servo::Mode::running) {
       record(report, controller, links(), run);
     }
     if (!leaving && (report.time >= run.plan.total() || report.mode == servo::Mode::faulted)) {
-      leaving = mailbox.push(message);
+      leaving = mailbox.push(servo::message_of(servo::MessageKind::disconnect));
     }
   });
   run.fault = loop->fault();

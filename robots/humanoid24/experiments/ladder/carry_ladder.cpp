@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "close_grasp.hpp"
 #include "humanoid_pair.hpp"
 #include "humanoid_pair_joints.hpp"
 #include "object_task_controller.hpp"
 #include "robot_with_object.hpp"
-#include "servo/loop.hpp"
-#include "servo/simulated_robot.hpp"
+#include "run_with_object.hpp"
 
 namespace treeline::experiments {
 namespace {
@@ -43,22 +41,13 @@ constexpr double kSprings[kJoints] = {200, 200, 200, 200, 300, 200, 20, 55, 55, 
                                       5,   20,  55,  55,  27,  5,   5,  5,  5,  5,  1, 1};
 
 enum Column : std::size_t {
-  kTime,
-  kWanted,
-  kActual = kWanted + 3,
-  kErrors = kActual + 3,
-  kDriftSize = kErrors + 2,
-  kSqueeze,
+  kSqueeze = kOwnColumns,
   kCommanded = kSqueeze + 2,
   kInternalError,
   kColumns
 };
 /// Of the virtual linkage's rods, those between the hands of one humanoid: 12 and 34.
 constexpr std::array<std::size_t, 2> kOwnRods = {0, 5};
-
-double norm(const double* v) {
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
 
 std::array<double, Humanoids::kInternal> commanded_internal(const LadderPlan& plan) {
   std::array<double, Humanoids::kInternal> internal{};
@@ -69,7 +58,7 @@ std::array<double, Humanoids::kInternal> commanded_internal(const LadderPlan& pl
 Controller make_controller(const LadderPlan& plan) {
   std::array<double, nv> springs{};
   for (std::size_t i = 0; i < springs.size(); ++i) springs[i] = kSprings[i % kJoints];
-  return {{plan.stiffness, plan.damping}, springs, 1.0, commanded_internal(plan)};
+  return {{plan.stiffness, plan.damping}, {springs, 1.0}, commanded_internal(plan)};
 }
 
 servo::StateOf<Humanoids> start_state() {
@@ -79,35 +68,6 @@ servo::StateOf<Humanoids> start_state() {
   return state;
 }
 
-servo::SafetyLimits<Humanoids::kCoordinates, nv> limits_of_humanoids() {
-  servo::SafetyLimits<Humanoids::kCoordinates, nv> limits;
-  std::copy(std::begin(humanoid_pair::kLowerLimits), std::end(humanoid_pair::kLowerLimits),
-            limits.lower.begin());
-  std::copy(std::begin(humanoid_pair::kUpperLimits), std::end(humanoid_pair::kUpperLimits),
-            limits.upper.begin());
-  std::copy(std::begin(humanoid_pair::kVelocityLimits), std::end(humanoid_pair::kVelocityLimits),
-            limits.velocity.begin());
-  std::copy(std::begin(humanoid_pair::kEffortLimits), std::end(humanoid_pair::kEffortLimits),
-            limits.torque.begin());
-  return limits;
-}
-
-/// Moves the ladder from where it is at the start, by the plan.
-servo::Message move_message(const LadderPlan& plan, const servo::StateOf<Humanoids>& start) {
-  double position[3], rotation[9], velocity[6], drift[Humanoids::kDrift], rate[Humanoids::kDrift];
-  humanoid_pair::object_state(start.q, start.qd, position, rotation, velocity, drift, rate);
-  const double vector[3] = {0.0, 0.0, plan.turn};
-  double turned[9];
-  core::rotation_from_vector(vector, turned);
-  servo::Message message;
-  message.kind = servo::MessageKind::move_point;
-  message.index = 0;
-  message.duration = plan.duration;
-  for (std::size_t i = 0; i < 3; ++i) message.values[i] = position[i] + plan.shift[i];
-  std::copy(std::begin(turned), std::end(turned), message.values.begin() + 3);
-  return message;
-}
-
 /// Appends a cycle. Forces are those at its beginning under `held`, the torque of the cycle before.
 void record(const servo::Report<Humanoids>& report, const Controller& controller,
             const std::array<double, Humanoids::kInternal>& commanded, const double (&held)[nv],
@@ -115,15 +75,8 @@ void record(const servo::Report<Humanoids>& report, const Controller& controller
   double qdd[nv], xdd[6], forces[6 * kHands], internal[Humanoids::kInternal];
   humanoid_pair::object_forward_dynamics(report.state.q, report.state.qd, held, kStabilisation, qdd,
                                          xdd, forces, internal);
-  const auto& tracking = controller.tracking();
   double row[kColumns] = {};
-  row[kTime] = report.time;
-  std::copy(std::begin(tracking.wanted.position), std::end(tracking.wanted.position),
-            row + kWanted);
-  std::copy(std::begin(tracking.position), std::end(tracking.position), row + kActual);
-  row[kErrors] = norm(tracking.error);
-  row[kErrors + 1] = norm(tracking.error + 3);
-  for (const double x : tracking.drift) row[kDriftSize] = std::max(row[kDriftSize], std::abs(x));
+  fill_object_columns(report.time, controller.tracking(), row);
   for (std::size_t i = 0; i < kOwnRods.size(); ++i) row[kSqueeze + i] = internal[kOwnRods[i]];
   row[kCommanded] = commanded[kOwnRods[0]];
   for (std::size_t i = 0; i < commanded.size(); ++i) {
@@ -132,91 +85,49 @@ void record(const servo::Report<Humanoids>& report, const Controller& controller
   table.append(row);
 }
 
-servo::Message message_of(servo::MessageKind kind) {
-  servo::Message message;
-  message.kind = kind;
-  return message;
-}
-
-double largest(const servo::Table& table, std::size_t column) {
-  double result = 0.0;
-  for (const double value : table.column(column)) result = std::max(result, std::abs(value));
-  return result;
-}
-
 }  // namespace
 
-LadderOutcome::LadderOutcome(std::size_t rows)
-    : table({"time", "x_wanted", "y_wanted", "z_wanted", "x", "y", "z", "position_error",
-             "rotation_error", "drift", "squeeze_first", "squeeze_second", "squeeze_commanded",
-             "internal_error"},
-            rows) {}
-
 LadderOutcome carry_ladder(const LadderPlan& plan) {
-  using Robot = servo::SimulatedRobot<Humanoids>;
   const servo::StateOf<Humanoids> start = start_state();
-  Robot robot(start, plan.substeps);
+  servo::SimulatedRobot<Humanoids> robot(start, plan.substeps);
   Controller controller = make_controller(plan);
-  servo::Mailbox mailbox;
   servo::SimulatedClock clock;
   servo::LoopSettings settings;
   settings.rate = plan.rate;
-  auto loop =
-      std::make_unique<servo::ServoLoop<Humanoids, Robot, Controller, servo::SimulatedClock>>(
-          settings, limits_of_humanoids(), robot, controller, clock, mailbox);
+  const auto limits =
+      servo::limits_of(humanoid_pair::kLowerLimits, humanoid_pair::kUpperLimits,
+                       humanoid_pair::kVelocityLimits, humanoid_pair::kEffortLimits);
   const double total = 2.0 * plan.lead + plan.duration;
-  LadderOutcome outcome(static_cast<std::size_t>(total * plan.rate) + 2);
+  LadderOutcome outcome{
+      make_outcome({"squeeze_first", "squeeze_second", "squeeze_commanded", "internal_error"},
+                   total, plan.rate)};
   const auto commanded = commanded_internal(plan);
-  double held[nv] = {};
-  bool holding = false, moving = false, leaving = false;
-  mailbox.push(message_of(servo::MessageKind::start));
-  loop->run([&](const servo::Report<Humanoids>& report) {
-    if (report.mode == servo::Mode::running) {
-      record(report, controller, commanded, holding ? held : report.tau, outcome.table);
-      std::copy(std::begin(report.tau), std::end(report.tau), held);
-      holding = true;
-    }
-    if (!moving && report.time >= plan.lead) moving = mailbox.push(move_message(plan, start));
-    if (!leaving && (report.time >= total || report.mode == servo::Mode::faulted)) {
-      leaving = mailbox.push(message_of(servo::MessageKind::disconnect));
-    }
-  });
-  outcome.fault = loop->fault();
-  outcome.control = loop->control_times();
+  const Script script = {
+      {plan.lead, move_object<Humanoids>(start, plan.shift, plan.turn, plan.duration)},
+      {total, servo::message_of(servo::MessageKind::disconnect)}};
+  run_with_object<Humanoids>(
+      robot, controller, clock, settings, limits, script,
+      [&](const auto& report, const double(&held)[nv]) {
+        record(report, controller, commanded, held, outcome.table);
+      },
+      outcome);
   return outcome;
 }
 
 LadderErrors largest_errors(const LadderOutcome& outcome) {
-  const servo::Table& table = outcome.table;
-  LadderErrors errors;
-  errors.position = largest(table, kErrors);
-  errors.rotation = largest(table, kErrors + 1);
-  errors.drift = largest(table, kDriftSize);
-  errors.internal = largest(table, kInternalError);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    errors.lift = std::max(errors.lift, table.at(row, kActual + 2) - table.at(0, kActual + 2));
-  }
-  return errors;
+  return {largest_object_errors(outcome.table), largest(outcome.table, kInternalError)};
 }
 
 bool within_bounds(const LadderOutcome& outcome) {
   const LadderErrors errors = largest_errors(outcome);
-  return !outcome.fault && errors.position < 1e-4 && errors.rotation < 1e-3 &&
-         errors.internal < 1.0 && errors.drift < 1e-9 && errors.lift > 0.07;
+  return !outcome.fault && errors.object.position < 1e-4 && errors.object.rotation < 1e-3 &&
+         errors.internal < 1.0 && errors.object.drift < 1e-9 && errors.object.lift > 0.07;
 }
 
 std::string summary(const LadderOutcome& outcome) {
   const LadderErrors errors = largest_errors(outcome);
   const servo::DurationStatistics& control = outcome.control;
-  const int index = outcome.fault.index;
-  const std::string fault =
-      outcome.fault
-          ? "stopped      " +
-                servo::describe(outcome.fault,
-                                index >= 0 ? humanoid_pair::kCoordinateJoints[index] : "") +
-                "\n"
-          : std::string();
-  return fault +
+  return describe_stop(outcome.fault, humanoid_pair::kCoordinateJoints) +
          fmt::format(
              "ladder       largest tracking error {:.2e} m, {:.2e} rad (bounds 1e-4, 1e-3), lifted "
              "{:.3f} m\n"
@@ -224,9 +135,9 @@ std::string summary(const LadderOutcome& outcome) {
              "drift        between the grasps {:.2e} (bound 1e-9)\n"
              "control      of both humanoids: median {:.2f} us, 99 % {:.2f} us over {} cycles\n"
              "bounds       {}\n",
-             errors.position, errors.rotation, errors.lift, errors.internal, errors.drift,
-             1e-3 * control.median(), 1e-3 * control.quantile(0.99), control.count(),
-             within_bounds(outcome) ? "kept" : "BROKEN");
+             errors.object.position, errors.object.rotation, errors.object.lift, errors.internal,
+             errors.object.drift, 1e-3 * control.median(), 1e-3 * control.quantile(0.99),
+             control.count(), within_bounds(outcome) ? "kept" : "BROKEN");
 }
 
 servo::Plot figure(const LadderOutcome& outcome) {
@@ -241,13 +152,8 @@ servo::Plot figure(const LadderOutcome& outcome) {
     ladder.lines.push_back({kNames[i], table.column(kActual + i), false});
     ladder.lines.push_back({i == 0 ? "wanted" : "", table.column(kWanted + i), true});
   }
-  std::vector<double> error = table.column(kErrors);
-  for (double& value : error) value *= 1e6;
   plot.panels.push_back(std::move(ladder));
-  plot.panels.push_back({"Distance between wanted and actual position",
-                         "distance (\u00b5m)",
-                         {{"ladder", error, false}},
-                         0.0});
+  plot.panels.push_back(distance_panel(table, "ladder"));
   plot.panels.push_back({"Internal forces between the hands of each",
                          "tension (N)",
                          {{"first", table.column(kSqueeze), false},

@@ -2,10 +2,7 @@
 
 #include <string>
 
-#include "servo/plot.hpp"
-#include "servo/safety.hpp"
-#include "servo/statistics.hpp"
-#include "servo/table.hpp"
+#include "object_outcome.hpp"
 
 namespace treeline::experiments {
 
@@ -22,21 +19,13 @@ struct LadderPlan {
   int substeps = 2;
 };
 
-struct LadderOutcome {
-  explicit LadderOutcome(std::size_t rows);
-  servo::Table table;  ///< one row per cycle
-  servo::DurationStatistics control;
-  servo::Fault fault;
-};
+struct LadderOutcome : ObjectOutcome {};
 
 /// Largest errors over the run. Internal forces are those at the end of a cycle with constant
 /// torque.
 struct LadderErrors {
-  double position = 0;  ///< m
-  double rotation = 0;  ///< rad
+  ObjectErrors object;
   double internal = 0;  ///< tensions, N, and moments, N m
-  double drift = 0;     ///< between the grasps, m and rad
-  double lift = 0;      ///< m
 };
 
 LadderOutcome carry_ladder(const LadderPlan& plan);

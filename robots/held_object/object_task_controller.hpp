@@ -12,15 +12,62 @@
 
 namespace treeline::experiments {
 
+/// Posture in the null space: qdd_0 = M^-1 (K (q_start - q) - D qd), K and D springs and dampers of
+/// the joints. It consists of springs and not of accelerations. Springs have a potential in the
+/// null space, so the posture comes to rest at its minimum. Accelerations k_i (q_start - q) with
+/// different k_i have none and can be unstable there.
+template <class F>
+class SpringPosture {
+ public:
+  static constexpr int nv = F::kVelocities;
+
+  /// `springs` are in N m/rad or N/m. `damping_ratio` relates to each joint's spring with its own
+  /// inertia.
+  SpringPosture(const std::array<double, nv>& springs, double damping_ratio) noexcept
+      : springs_(springs), damping_ratio_(damping_ratio) {}
+
+  void start(const servo::StateOf<F>& state) noexcept {
+    for (int i = 0; i < nv; ++i) {
+      advised_[i] = state.q[i];
+    }
+  }
+
+  /// qdd_0 is zero if M cannot be factored.
+  void advise(const servo::StateOf<F>& state, double (&qdd_0)[nv]) const noexcept {
+    double M[nv * nv];
+    F::mass_matrix(state.q, M);
+    for (int i = 0; i < nv; ++i) {
+      const double spring = springs_[static_cast<std::size_t>(i)];
+      const double damper = 2.0 * damping_ratio_ * std::sqrt(spring * M[i * nv + i]);
+      qdd_0[i] = spring * (advised_[i] - state.q[i]) - damper * state.qd[i];
+    }
+    const bool regular = core::ldlt_factor<nv>(M);
+    core::ldlt_solve<nv>(M, qdd_0);
+    for (int i = 0; i < nv; ++i) {
+      qdd_0[i] = regular ? qdd_0[i] : 0.0;
+    }
+  }
+
+ private:
+  std::array<double, nv> springs_;
+  double damping_ratio_;
+  double advised_[nv] = {};
+};
+
+/// Of robots whose joints are all taken by the task.
+template <class F>
+struct NoPosture {
+  void start(const servo::StateOf<F>&) const noexcept {}
+  void advise(const servo::StateOf<F>&, double (&qdd_0)[F::kVelocities]) const noexcept {
+    std::fill(std::begin(qdd_0), std::end(qdd_0), 0.0);
+  }
+};
+
 /// Operational-space control of one object in several hands (Chang table 7.1) with commanded
 /// internal forces and a desired posture in the null space:
-///   xdd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
-///   qdd_0 = M^-1 (K (q_start - q) - D qd), K and D springs and dampers of the joints.
-/// The posture consists of springs and not of accelerations. Springs have a potential in the null
-/// space, so the posture comes to rest at its minimum. Accelerations k_i (q_start - q) with
-/// different k_i have none and can be unstable there. On `start` the object holds its present pose;
-/// move_point for point 0 moves it.
-template <class F>
+///   xdd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector.
+/// On `start` the object holds its present pose; move_point for point 0 moves it.
+template <class F, class Posture = SpringPosture<F>>
 class ObjectTaskController {
  public:
   static constexpr int nv = F::kVelocities;
@@ -34,21 +81,16 @@ class ObjectTaskController {
     double drift[F::kDrift] = {};  ///< of each further grasp relative to the first
   };
 
-  /// `springs` are in N m/rad or N/m. `damping_ratio` relates to each joint's spring with its own
-  /// inertia.
-  ObjectTaskController(const core::Gains<double>& task, const std::array<double, nv>& springs,
-                       double damping_ratio,
+  ObjectTaskController(const core::Gains<double>& task, const Posture& posture,
                        const std::array<double, F::kInternal>& internal) noexcept
-      : task_(task), springs_(springs), damping_ratio_(damping_ratio) {
+      : task_(task), posture_(posture) {
     std::copy(internal.begin(), internal.end(), internal_);
   }
 
   void start(double, const servo::StateOf<F>& state) noexcept {
     observe(state);
     reference_.hold(tracking_.position, tracking_.rotation);
-    for (int i = 0; i < nv; ++i) {
-      advised_[i] = state.q[i];
-    }
+    posture_.start(state);
   }
 
   void apply(double time, const servo::Message& message) noexcept {
@@ -78,7 +120,7 @@ class ObjectTaskController {
     core::tracking_law(task_, tracking_.error, velocity_, tracking_.wanted.velocity,
                        tracking_.wanted.acceleration, xdd);
     double qdd_0[nv];
-    advise(state, qdd_0);
+    posture_.advise(state, qdd_0);
     F::object_control_torque(state.q, state.qd, qdd_0, xdd, internal_, tau);
   }
 
@@ -91,30 +133,12 @@ class ObjectTaskController {
                     tracking_.drift, drift_rate);
   }
 
-  /// Computes qdd_0 of the posture. It is zero if M cannot be factored.
-  void advise(const servo::StateOf<F>& state, double (&qdd_0)[nv]) noexcept {
-    double M[nv * nv];
-    F::mass_matrix(state.q, M);
-    for (int i = 0; i < nv; ++i) {
-      const double spring = springs_[static_cast<std::size_t>(i)];
-      const double damper = 2.0 * damping_ratio_ * std::sqrt(spring * M[i * nv + i]);
-      qdd_0[i] = spring * (advised_[i] - state.q[i]) - damper * state.qd[i];
-    }
-    const bool regular = core::ldlt_factor<nv>(M);
-    core::ldlt_solve<nv>(M, qdd_0);
-    for (int i = 0; i < nv; ++i) {
-      qdd_0[i] = regular ? qdd_0[i] : 0.0;
-    }
-  }
-
   core::Gains<double> task_;
-  std::array<double, nv> springs_;
-  double damping_ratio_;
+  Posture posture_;
   double internal_[F::kInternal] = {};
   servo::PoseReference reference_;
   Tracking tracking_;
   double velocity_[6] = {};
-  double advised_[nv] = {};
 };
 
 }  // namespace treeline::experiments
