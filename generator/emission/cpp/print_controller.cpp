@@ -38,7 +38,7 @@ std::string variable_of(const std::string& argument) {
 }
 
 /// The call of a function in the step; `forces` are the law's own in place of known ones.
-std::string print_call(const Program& program, const std::string& forces = {}) {
+std::string print_step_call(const Program& program, const std::string& forces = {}) {
   std::string list;
   const auto append = [&](const Argument& argument) {
     std::string variable = variable_of(argument.name);
@@ -245,7 +245,7 @@ std::string print_task_functions(const ControllerUnit& unit) {
         "static void task_torque(const Input& input, const Measured<Robot>& at,\n"
         "                        const Real (&qdd_0)[kJoints], const Real (&xdd_cmd)[kRows],\n"
         "                        Real (&tau)[kJoints]) noexcept {\n  " +
-        print_call(*unit.task_torque) + "\n}\n";
+        print_step_call(*unit.task_torque) + "\n}\n";
   }
   if (unit.push_torque) {
     text +=
@@ -254,7 +254,7 @@ std::string print_task_functions(const ControllerUnit& unit) {
         "                        const Real (&f)[6 * kPoints], Real (&tau)[kJoints]) noexcept {\n "
         " " +
         std::string(takes(*unit.push_torque, "q") ? "" : "static_cast<void>(input);\n  ") +
-        print_call(*unit.push_torque, "f") + "\n}\n";
+        print_step_call(*unit.push_torque, "f") + "\n}\n";
   }
   return text;
 }
@@ -278,8 +278,8 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                  {"finite", finite},
                  {"finite_input", finite == "true" ? "" : " input"},
                  {"joint_at", reads_at ? " at" : ""},
-                 {"kinematics_call", print_call(unit.kinematics)},
-                 {"joint_call", print_call(unit.joint_torque)},
+                 {"kinematics_call", print_step_call(unit.kinematics)},
+                 {"joint_call", print_step_call(unit.joint_torque)},
                  {"task_functions", print_task_functions(unit)}};
   add_controller_numbers(context, unit, holes);
   return fill_template(templates::kControllerSource, holes);
