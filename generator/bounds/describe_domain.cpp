@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 #include "bounds/domain.hpp"
 #include "description/find_joint.hpp"
@@ -59,6 +60,54 @@ std::size_t count_orientations(const Scene& scene) {
   return static_cast<std::size_t>(std::count_if(tools.begin(), tools.end(), has_orientation));
 }
 
+/// Whether all entries have the same size, however many there are.
+bool has_one_size(IndexSpace space) {
+  switch (space) {
+    case IndexSpace::contacts:
+    case IndexSpace::objects:
+    case IndexSpace::linkages:
+    case IndexSpace::grasp_gains:
+    case IndexSpace::held_rows:
+    case IndexSpace::anchored_rows:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The largest magnitude of each entry of a quantity whose entries the scene counts.
+std::vector<double> sizes_of(const QuantityInfo& row, const Robot& robot, const Scene& scene,
+                             const Mechanism& mechanism) {
+  const auto same = [&row](std::size_t count) { return std::vector<double>(count, row.range); };
+  switch (row.space) {
+    case IndexSpace::positions:
+      return row.quantity == Quantity::q ? coordinate_sizes(mechanism)
+                                         : same(mechanism.coordinates.size());
+    case IndexSpace::velocities:
+      return joint_sizes(row, robot, mechanism);
+    case IndexSpace::task_rows:
+      return same(static_cast<std::size_t>(mechanism.task_rows()));
+    case IndexSpace::external_forces:
+      return same(6 * scene.external_forces.size());
+    case IndexSpace::step:
+      return same(scene.implicit_friction ? 1 : 0);
+    case IndexSpace::gravity:
+      return same(scene.inputs.gravity ? 3 : 0);
+    case IndexSpace::payloads:
+      return inertia_sizes(scene.inputs.payloads);
+    case IndexSpace::parameters:
+      return inertia_sizes(scene.inputs.parameters);
+    case IndexSpace::tools:
+      return tool_sizes(scene.inputs.tools);
+    case IndexSpace::orientations:
+      return same(4 * count_orientations(scene));
+    case IndexSpace::contact_places:
+      return tool_sizes(scene.inputs.contacts);
+    default:
+      throw std::logic_error(std::string("no sizes of ") + row.symbol);
+  }
+}
+
 /// Rounds down to four digits. A larger value would state a range in which the bound may not hold.
 double rounded_down(double value) {
   if (value == 0) return 0;
@@ -102,56 +151,12 @@ bool Domain::contains(std::string_view argument, const std::vector<double>& valu
 
 Domain make_domain(const Robot& robot, const Scene& scene, const Mechanism& mechanism) {
   Domain domain;
-  const auto same = [](std::size_t count, double range) {
-    return std::vector<double>(count, range);
-  };
   for (const QuantityInfo& row : kQuantities) {
-    switch (row.space) {
-      case IndexSpace::positions:
-        domain.sizes[row.symbol] = row.quantity == Quantity::q
-                                       ? coordinate_sizes(mechanism)
-                                       : same(mechanism.coordinates.size(), row.range);
-        break;
-      case IndexSpace::velocities:
-        domain.sizes[row.symbol] = joint_sizes(row, robot, mechanism);
-        break;
-      case IndexSpace::task_rows:
-        domain.sizes[row.symbol] = same(static_cast<std::size_t>(mechanism.task_rows()), row.range);
-        break;
-      case IndexSpace::external_forces:
-        domain.sizes[row.symbol] = same(6 * scene.external_forces.size(), row.range);
-        break;
-      case IndexSpace::contacts:
-      case IndexSpace::objects:
-      case IndexSpace::linkages:
-      case IndexSpace::grasp_gains:
-      case IndexSpace::held_rows:
-      case IndexSpace::anchored_rows:
-        domain.each[row.symbol] = row.range;
-        break;
-      case IndexSpace::step:
-        domain.sizes[row.symbol] = same(scene.implicit_friction ? 1 : 0, row.range);
-        break;
-      case IndexSpace::gravity:
-        domain.sizes[row.symbol] = same(scene.inputs.gravity ? 3 : 0, row.range);
-        break;
-      case IndexSpace::payloads:
-        domain.sizes[row.symbol] = inertia_sizes(scene.inputs.payloads);
-        break;
-      case IndexSpace::parameters:
-        domain.sizes[row.symbol] = inertia_sizes(scene.inputs.parameters);
-        break;
-      case IndexSpace::base_parameters:  // see `add_base_parameters`
-        break;
-      case IndexSpace::tools:
-        domain.sizes[row.symbol] = tool_sizes(scene.inputs.tools);
-        break;
-      case IndexSpace::orientations:
-        domain.sizes[row.symbol] = same(4 * count_orientations(scene), row.range);
-        break;
-      case IndexSpace::contact_places:
-        domain.sizes[row.symbol] = tool_sizes(scene.inputs.contacts);
-        break;
+    if (row.space == IndexSpace::base_parameters) continue;  // see `add_base_parameters`
+    if (has_one_size(row.space)) {
+      domain.each[row.symbol] = row.range;
+    } else {
+      domain.sizes[row.symbol] = sizes_of(row, robot, scene, mechanism);
     }
   }
   for (const MovingLink& link : mechanism.links) {

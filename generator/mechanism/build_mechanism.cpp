@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "description/joints_depth_first.hpp"
@@ -15,6 +14,7 @@
 #include "mechanism/add_drives.hpp"
 #include "mechanism/exact_from_file.hpp"
 #include "mechanism/place_inputs.hpp"
+#include "mechanism/place_scene.hpp"
 
 namespace treeline {
 namespace {
@@ -27,8 +27,8 @@ ExactMatrix3 z_to(StepAxis axis) {
   return axis == StepAxis::x ? z_to_x : z_to_x.transpose();
 }
 
-/// Adds links depth-first. A `Place` tells on which moving link a URDF frame is, and with which
-/// pose.
+/// Adds links depth-first. A `LinkPlace` tells on which moving link a URDF frame is, and with
+/// which pose.
 class Builder {
  public:
   Builder(const Robot& robot, const Scene& scene) {
@@ -50,24 +50,13 @@ class Builder {
     mechanism_.implicit_friction = scene_.implicit_friction;
     mechanism_.singular = scene_.singular;
     mechanism_.real = scene_.real;
-    Place base;
+    LinkPlace base;
     if (scene_.base == Base::floating) {
       base = add_floating_base(robot_.links[static_cast<std::size_t>(robot_.root)].name, base);
     }
     add_links(base);
     share_mimicked_coordinates();
-    mechanism_.operational_points = points(scene_.operational_points);
-    mechanism_.external_forces = points(scene_.external_forces);
-    mechanism_.objects = objects();
-    mechanism_.contacts = points(scene_.contacts);
-    mechanism_.constraints = points(scene_.constraints);
-    mechanism_.loops = loops();
-    mechanism_.couplings = couplings();
-    mechanism_.passive = passive_velocities();
-    mechanism_.link_frames = link_frames();
-    mechanism_.regressor = scene_.regressor;
-    mechanism_.payload_frames = payload_frames();
-    mechanism_.inputs = place_inputs(robot_, scene_, files_frames());
+    place_scene({robot_, scene_, places_, first_coordinate_}, mechanism_);
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
       MovingLink& link = mechanism_.links[i];
       link.radius = radius_of_gyration(nominal_inertia(mechanism_, static_cast<int>(i)));
@@ -83,10 +72,6 @@ class Builder {
   }
 
  private:
-  struct Place {
-    int link = -1;
-    ExactPose pose;
-  };
   /// Resolution of the files' numbers. A wider limit set by the scene applies only to single
   /// numbers of the files.
   static Resolution resolution_of(const NoiseLimits& limits) {
@@ -94,13 +79,8 @@ class Builder {
     return {kResolution, Exact(limits.length) * kResolution / limits.angle};
   }
 
-  /// Returns the pose with its structure made exact, and records the changes under the name
-  /// `element`.
   ExactPose resolve(const ExactPose& pose, const std::string& element) {
-    Change change;
-    const ExactPose result = resolved(pose, mechanism_.resolution, &change);
-    add_decisions(change, element, mechanism_.file, mechanism_.noise);
-    return result;
+    return resolved_as(pose, element, mechanism_);
   }
 
   /// Rotation that takes z to the joint's axis, if it has one.
@@ -111,11 +91,7 @@ class Builder {
         .R;
   }
 
-  struct FirstCoordinate {
-    int q, v;
-  };
-
-  void add_links(const Place& base) {
+  void add_links(const LinkPlace& base) {
     visit_link(robot_.root, base);
     for (const int j : joints_depth_first(robot_)) {
       const Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
@@ -123,7 +99,7 @@ class Builder {
     }
   }
 
-  void visit_link(int index, const Place& place) {
+  void visit_link(int index, const LinkPlace& place) {
     const Link& link = robot_.links[static_cast<std::size_t>(index)];
     places_[static_cast<std::size_t>(index)] = place;
     Inertia& carrier = place.link < 0
@@ -139,18 +115,19 @@ class Builder {
     }
   }
 
-  [[nodiscard]] std::string carrier_name(const Place& place) const {
+  [[nodiscard]] std::string carrier_name(const LinkPlace& place) const {
     return place.link < 0 ? "the fixed base"
                           : mechanism_.links[static_cast<std::size_t>(place.link)].name;
   }
 
-  Place place_behind(const Joint& joint, const Place& parent) {
+  LinkPlace place_behind(const Joint& joint, const LinkPlace& parent) {
     const std::string& link = robot_.links[static_cast<std::size_t>(joint.child)].name;
     const std::string element = fmt::format("robot/joint[{}]", joint.name);
-    Place before{parent.link, resolve(parent.pose * exact_pose(joint.origin), element + "/origin")};
+    LinkPlace before{parent.link,
+                     resolve(parent.pose * exact_pose(joint.origin), element + "/origin")};
     const ExactMatrix3 to_axis = axis_rotation(joint, element);
     const std::optional<Exact> held = held_value(joint);
-    Place behind = before;
+    LinkPlace behind = before;
     if (held) {
       behind.pose = resolve(before.pose * displaced(joint.type, to_axis, *held), element);
       mechanism_.notes.push_back(
@@ -173,8 +150,8 @@ class Builder {
   }
 
   /// Adds a joint and the link behind it. Returns the place of the child's URDF frame.
-  Place add_joint(const Joint& joint, const std::string& link, const Place& before,
-                  const ExactMatrix3& to_axis) {
+  LinkPlace add_joint(const Joint& joint, const std::string& link, const LinkPlace& before,
+                      const ExactMatrix3& to_axis) {
     const JointTypeInfo& type = info_of(joint.type);
     const FirstCoordinate first{mechanism_.nq(), mechanism_.nv()};
     if (!joint.mimic) {
@@ -182,7 +159,7 @@ class Builder {
       const bool limited = joint.limits.has_value() && type.has_one_freedom();
       add_coordinates(type, joint.name, limited ? *joint.limits : unlimited());
     }
-    const Place behind = add_steps(type, {joint.name, link}, first, before, to_axis);
+    const LinkPlace behind = add_steps(type, {joint.name, link}, first, before, to_axis);
     mechanism_.links.back().spins = joint.spins;
     if (joint.mimic) {
       mechanism_.links.back().mimics = true;
@@ -207,10 +184,11 @@ class Builder {
 
   /// Adds the steps of a joint with massless links between them. Returns the place of the child's
   /// URDF frame on the last.
-  Place add_steps(const JointTypeInfo& type, const JointNames& names, const FirstCoordinate& first,
-                  const Place& before, const ExactMatrix3& to_axis) {
+  LinkPlace add_steps(const JointTypeInfo& type, const JointNames& names,
+                      const FirstCoordinate& first, const LinkPlace& before,
+                      const ExactMatrix3& to_axis) {
     FirstCoordinate next = first;
-    Place place{before.link, before.pose * ExactPose{to_axis, ExactVector3::Zero()}};
+    LinkPlace place{before.link, before.pose * ExactPose{to_axis, ExactVector3::Zero()}};
     for (const JointTypeStep& step : type.steps) {
       const ExactMatrix3 axis = z_to(step.axis);
       MovingLink moving = new_link(names.link + step.suffix, names.joint, place);
@@ -228,14 +206,14 @@ class Builder {
     return place;
   }
 
-  Place add_floating_base(const std::string& link, const Place& before) {
+  LinkPlace add_floating_base(const std::string& link, const LinkPlace& before) {
     const JointTypeInfo& type = info_of(JointType::floating);
     add_coordinates(type, "base", unlimited());
     return add_steps(type, {"base", link}, {0, 0}, before, ExactMatrix3::Identity());
   }
 
   static MovingLink new_link(const std::string& link, const std::string& joint,
-                             const Place& before) {
+                             const LinkPlace& before) {
     MovingLink moving;
     moving.name = link;
     moving.joint = joint;
@@ -283,109 +261,6 @@ class Builder {
     return robot_.joints[static_cast<std::size_t>(joint.mimic->joint)];
   }
 
-  MechanismPoint point(const ScenePoint& wanted) {
-    std::size_t i = 0;
-    while (robot_.links[i].name != wanted.link) ++i;
-    const ExactPose pose = resolve(places_[i].pose * exact_pose(wanted.origin), wanted.name);
-    return {wanted.name, places_[i].link, pose, wanted.axes, wanted.rows, wanted.priority};
-  }
-
-  std::vector<MechanismPoint> points(const std::vector<ScenePoint>& wanted) {
-    std::vector<MechanismPoint> result;
-    for (const ScenePoint& each : wanted) result.push_back(point(each));
-    return result;
-  }
-
-  std::vector<MechanismLoop> loops() {
-    std::vector<MechanismLoop> result;
-    for (const SceneLoop& loop : scene_.loops) {
-      result.push_back({point(loop.first), point(loop.second)});
-    }
-    return result;
-  }
-
-  [[nodiscard]] std::vector<MechanismCoupling> couplings() const {
-    std::vector<MechanismCoupling> result;
-    for (const SceneCoupling& coupling : scene_.couplings) {
-      result.push_back({coupling.name, {}, coupling.offset});
-      for (const auto& [name, factor] : coupling.parts) {
-        std::size_t j = 0;
-        while (robot_.joints[j].name != name) ++j;
-        result.back().parts.push_back({first_coordinate_[j].q, first_coordinate_[j].v, factor});
-      }
-    }
-    return result;
-  }
-
-  /// Where the frames of all links of the URDF are.
-  [[nodiscard]] std::vector<MechanismPoint> files_frames() const {
-    std::vector<MechanismPoint> frames;
-    for (std::size_t i = 0; i < robot_.links.size(); ++i) {
-      frames.push_back({robot_.links[i].name, places_[i].link, places_[i].pose});
-    }
-    return frames;
-  }
-
-  /// Velocities of floating joints and of those that the scene calls passive.
-  [[nodiscard]] std::vector<int> passive_velocities() const {
-    std::set<int> velocities;
-    for (const MovingLink& link : mechanism_.links) {
-      const bool named = std::find(scene_.passive.begin(), scene_.passive.end(), link.joint) !=
-                         scene_.passive.end();
-      if (!link.is_floating() && !named) continue;
-      for (int k = 0; k < link.velocities(); ++k) velocities.insert(link.v_index + k);
-    }
-    return {velocities.begin(), velocities.end()};
-  }
-
-  /// Frames of moving links with the names of their URDF links. The inner links of a joint of
-  /// several axes have other names.
-  [[nodiscard]] std::vector<MechanismPoint> link_frames() const {
-    std::vector<MechanismPoint> frames;
-    for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
-      if (mechanism_.links[i].spins) continue;  // no frame of the URDF
-      for (std::size_t k = 0; k < robot_.links.size(); ++k) {
-        const bool own = places_[k].link == static_cast<int>(i);
-        if (own && robot_.links[k].name == mechanism_.links[i].name) {
-          frames.push_back({robot_.links[k].name,
-                            places_[k].link,
-                            places_[k].pose,
-                            Axes::local,
-                            {true, true, true, true, true, true}});
-        }
-      }
-    }
-    return frames;
-  }
-
-  /// Those of the links to which regressors add a body.
-  [[nodiscard]] std::vector<MechanismPoint> payload_frames() const {
-    std::vector<MechanismPoint> frames;
-    for (const std::string& link : scene_.regressor.payloads) {
-      std::size_t i = 0;
-      while (robot_.links[i].name != link) ++i;
-      frames.push_back({link, places_[i].link, places_[i].pose, Axes::local});
-    }
-    return frames;
-  }
-
-  [[nodiscard]] std::vector<MechanismObject> objects() const {
-    std::vector<MechanismObject> result;
-    for (const SceneObject& object : scene_.objects) {
-      result.push_back(
-          {object.name, resolved(exact_inertia(object.inertial), mechanism_.resolution), {}});
-      for (const SceneGrasp& grasp : object.grasps) {
-        std::size_t point = 0;
-        while (scene_.operational_points[point].name != grasp.point) {
-          ++point;
-        }
-        result.back().grasps.push_back(
-            {point, resolved(exact_pose(grasp.origin), mechanism_.resolution)});
-      }
-    }
-    return result;
-  }
-
   static Limits unlimited() {
     const double infinity = std::numeric_limits<double>::infinity();
     return {-infinity, infinity, infinity, infinity};
@@ -400,7 +275,7 @@ class Builder {
   Scene scene_;
   std::vector<FirstCoordinate> first_coordinate_;
   std::vector<std::pair<int, const Joint*>> mimics_;
-  std::vector<Place> places_;
+  std::vector<LinkPlace> places_;
 };
 
 }  // namespace

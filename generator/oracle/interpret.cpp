@@ -1,8 +1,8 @@
 #include "oracle/interpret.hpp"
 
-#include <stdexcept>
-#include <string>
+#include <array>
 
+#include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_constraints.hpp"
@@ -51,11 +51,18 @@ std::vector<Scalar> subtrees(const interpreter::Model<Scalar>& model, const Vect
   return masses;
 }
 
-/// The numbers of a state in the interpreter's types.
+/// What results depend on: the subject, the numbers of its state in the interpreter's types, and
+/// the law of rows that are relaxed.
 template <class Scalar>
-struct Numbers {
-  explicit Numbers(const State& state)
-      : q(vector_of<Scalar>(state.q)),
+struct Inputs {
+  Inputs(const Subject<Scalar>& described, const State& state,
+         const interpreter::TaskLaw<Scalar>& relaxing)
+      : subject(described),
+        model(described.model),
+        points(described.points),
+        external(described.external),
+        law(relaxing),
+        q(vector_of<Scalar>(state.q)),
         qd(vector_of<Scalar>(state.qd)),
         qdd(vector_of<Scalar>(state.qdd)),
         tau(vector_of<Scalar>(state.tau)),
@@ -63,178 +70,155 @@ struct Numbers {
         f_ext(vector_of<Scalar>(state.f_ext)),
         step(vector_of<Scalar>(values_of(state, Quantity::step))) {}
 
+  const Subject<Scalar>& subject;
+  const interpreter::Model<Scalar>& model;
+  const interpreter::Points<Scalar>& points;
+  const interpreter::Points<Scalar>& external;
+  const interpreter::TaskLaw<Scalar>& law;
   Vector<Scalar> q, qd, qdd, tau, xdd_cmd, f_ext, step;
 };
 
+/// How a function is interpreted: all of its results, one after the other.
 template <class Scalar>
-Vector<Scalar> forward_dynamics(const Subject<Scalar>& subject, const Numbers<Scalar>& at) {
-  if (at.step.size() == 0) {
-    return interpreter::forward_dynamics<Scalar>(subject.model, at.q, at.qd, at.tau,
-                                                 subject.external, at.f_ext);
+struct Interpretation {
+  Function function;
+  std::vector<Scalar> (*results)(const Inputs<Scalar>& in);
+};
+
+template <class Scalar>
+Vector<Scalar> forward_dynamics(const Inputs<Scalar>& in) {
+  if (in.step.size() == 0) {
+    return interpreter::forward_dynamics<Scalar>(in.model, in.q, in.qd, in.tau, in.external,
+                                                 in.f_ext);
   }
   return interpreter::forward_dynamics_with_implicit_drives<Scalar>(
-      subject.model, at.q, at.qd, at.tau, subject.external, at.f_ext, at.step(0));
+      in.model, in.q, in.qd, in.tau, in.external, in.f_ext, in.step(0));
 }
 
-/// Results of functions of joints and of the whole robot.
+/// Functions of joints and of the whole robot.
 template <class Scalar>
-std::vector<Scalar> of_robot(Function function, const Subject<Scalar>& subject,
-                             const Numbers<Scalar>& at) {
-  const auto& model = subject.model;
-  const auto& external = subject.external;
-  switch (function) {
-    case Function::inverse_dynamics:
-      return entries_of(
-          interpreter::inverse_dynamics<Scalar>(model, at.q, at.qd, at.qdd, external, at.f_ext));
-    case Function::gravity:
-      return entries_of(interpreter::gravity<Scalar>(model, at.q));
-    case Function::nonlinear_effects:
-      return entries_of(interpreter::nonlinear_effects<Scalar>(model, at.q, at.qd));
-    case Function::mass_matrix:
-      return entries_of(interpreter::mass_matrix<Scalar>(model, at.q));
-    case Function::forward_dynamics:
-      return entries_of(forward_dynamics(subject, at));
-    case Function::coriolis_matrix:
-      return entries_of(interpreter::coriolis_matrix<Scalar>(model, at.q, at.qd));
-    case Function::kinetic_energy:
-      return {interpreter::kinetic_energy<Scalar>(model, at.q, at.qd)};
-    case Function::kinetic_energy_derivatives:
-      return derivatives(interpreter::kinetic_energy_derivatives<Scalar>(model, at.q, at.qd));
-    case Function::potential_energy:
-      return {interpreter::potential_energy<Scalar>(model, at.q)};
-    case Function::inverse_dynamics_regressor:
-      return entries_of(interpreter::inverse_dynamics_regressor<Scalar>(model, subject.regressor,
-                                                                        at.q, at.qd, at.qdd));
-    case Function::energy_regressor:
-      return entries_of(
-          interpreter::energy_regressor<Scalar>(model, subject.regressor, at.q, at.qd));
-    case Function::center_of_mass:
-      return entries_of(interpreter::center_of_mass<Scalar>(model, at.q));
-    case Function::center_of_mass_jacobian:
-      return entries_of(interpreter::center_of_mass_jacobian<Scalar>(model, at.q));
-    case Function::centroidal_momentum_matrix:
-      return entries_of(interpreter::centroidal_momentum_matrix<Scalar>(model, at.q));
-    case Function::centroidal_momentum:
-      return entries_of(interpreter::centroidal_momentum<Scalar>(model, at.q, at.qd));
-    case Function::centroidal_bias:
-      return entries_of(interpreter::centroidal_bias<Scalar>(model, at.q, at.qd));
-    case Function::center_of_mass_bias_acceleration:
-      return entries_of(interpreter::center_of_mass_bias_acceleration<Scalar>(model, at.q, at.qd));
-    case Function::centroidal_momentum_derivatives:
-      return derivatives(interpreter::centroidal_momentum_derivatives<Scalar>(model, at.q, at.qd));
-    case Function::centroidal_momentum_rate_derivatives:
-      return derivatives(
-          interpreter::centroidal_momentum_rate_derivatives<Scalar>(model, at.q, at.qd, at.qdd));
-    case Function::subtree_masses_and_centers:
-      return subtrees(model, at.q);
-    case Function::inverse_dynamics_derivatives:
-      return derivatives(interpreter::inverse_dynamics_derivatives<Scalar>(
-          model, at.q, at.qd, at.qdd, external, at.f_ext));
-    case Function::forward_dynamics_derivatives:
-      return derivatives(interpreter::forward_dynamics_derivatives<Scalar>(
-          model, at.q, at.qd, at.tau, external, at.f_ext));
-    case Function::forward_kinematics:
-    case Function::jacobian:
-    case Function::bias_acceleration:
-    case Function::lambda_inverse:
-    case Function::lambda:
-    case Function::control_torque:
-    case Function::point_velocity:
-    case Function::point_acceleration:
-    case Function::point_velocity_derivatives:
-    case Function::point_acceleration_derivatives:
-    case Function::dynamically_consistent_inverse:
-    case Function::null_space_projector:
-    case Function::operational_bias_force:
-    case Function::operational_gravity:
-    case Function::object_state:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-    case Function::contact_motion:
-    case Function::contact_inverse_inertia:
-    case Function::effective_mass:
-    case Function::impulse_response:
-    case Function::constrained_forward_dynamics:
-    case Function::supported_control_torque:
-    case Function::constraint_jacobian:
-    case Function::constraint_errors:
-    case Function::link_inverse_inertias:
-    case Function::damped_control_torque:
-      break;
+constexpr auto kOfRobot = std::to_array<Interpretation<Scalar>>({
+{Function::inverse_dynamics, [](const Inputs<Scalar>& in) { return entries_of(
+          interpreter::inverse_dynamics<Scalar>(in.model, in.q, in.qd, in.qdd, in.external, in.f_ext)); }},
+{Function::gravity, [](const Inputs<Scalar>& in) { return entries_of(interpreter::gravity<Scalar>(in.model, in.q)); }},
+{Function::nonlinear_effects, [](const Inputs<Scalar>& in) { return entries_of(interpreter::nonlinear_effects<Scalar>(in.model, in.q, in.qd)); }},
+{Function::mass_matrix, [](const Inputs<Scalar>& in) { return entries_of(interpreter::mass_matrix<Scalar>(in.model, in.q)); }},
+{Function::forward_dynamics, [](const Inputs<Scalar>& in) { return entries_of(forward_dynamics(in)); }},
+{Function::coriolis_matrix, [](const Inputs<Scalar>& in) { return entries_of(interpreter::coriolis_matrix<Scalar>(in.model, in.q, in.qd)); }},
+{Function::kinetic_energy, [](const Inputs<Scalar>& in) { return std::vector<Scalar>{interpreter::kinetic_energy<Scalar>(in.model, in.q, in.qd)}; }},
+{Function::kinetic_energy_derivatives, [](const Inputs<Scalar>& in) { return derivatives(interpreter::kinetic_energy_derivatives<Scalar>(in.model, in.q, in.qd)); }},
+{Function::potential_energy, [](const Inputs<Scalar>& in) { return std::vector<Scalar>{interpreter::potential_energy<Scalar>(in.model, in.q)}; }},
+{Function::inverse_dynamics_regressor, [](const Inputs<Scalar>& in) { return entries_of(interpreter::inverse_dynamics_regressor<Scalar>(in.model, in.subject.regressor,
+                                                                        in.q, in.qd, in.qdd)); }},
+{Function::energy_regressor, [](const Inputs<Scalar>& in) { return entries_of(
+          interpreter::energy_regressor<Scalar>(in.model, in.subject.regressor, in.q, in.qd)); }},
+{Function::center_of_mass, [](const Inputs<Scalar>& in) { return entries_of(interpreter::center_of_mass<Scalar>(in.model, in.q)); }},
+{Function::center_of_mass_jacobian, [](const Inputs<Scalar>& in) { return entries_of(interpreter::center_of_mass_jacobian<Scalar>(in.model, in.q)); }},
+{Function::centroidal_momentum_matrix, [](const Inputs<Scalar>& in) { return entries_of(interpreter::centroidal_momentum_matrix<Scalar>(in.model, in.q)); }},
+{Function::centroidal_momentum, [](const Inputs<Scalar>& in) { return entries_of(interpreter::centroidal_momentum<Scalar>(in.model, in.q, in.qd)); }},
+{Function::centroidal_bias, [](const Inputs<Scalar>& in) { return entries_of(interpreter::centroidal_bias<Scalar>(in.model, in.q, in.qd)); }},
+{Function::center_of_mass_bias_acceleration, [](const Inputs<Scalar>& in) { return entries_of(interpreter::center_of_mass_bias_acceleration<Scalar>(in.model, in.q, in.qd)); }},
+{Function::centroidal_momentum_derivatives, [](const Inputs<Scalar>& in) { return derivatives(interpreter::centroidal_momentum_derivatives<Scalar>(in.model, in.q, in.qd)); }},
+{Function::centroidal_momentum_rate_derivatives, [](const Inputs<Scalar>& in) { return derivatives(
+          interpreter::centroidal_momentum_rate_derivatives<Scalar>(in.model, in.q, in.qd, in.qdd)); }},
+{Function::subtree_masses_and_centers, [](const Inputs<Scalar>& in) { return subtrees(in.model, in.q); }},
+{Function::inverse_dynamics_derivatives, [](const Inputs<Scalar>& in) { return derivatives(interpreter::inverse_dynamics_derivatives<Scalar>(
+          in.model, in.q, in.qd, in.qdd, in.external, in.f_ext)); }},
+{Function::forward_dynamics_derivatives, [](const Inputs<Scalar>& in) { return derivatives(interpreter::forward_dynamics_derivatives<Scalar>(
+          in.model, in.q, in.qd, in.tau, in.external, in.f_ext)); }},
+});
+
+template <class Scalar>
+Vector<Scalar> control_torque(const Inputs<Scalar>& in) {
+  if (in.law.borders.empty()) {
+    return interpreter::control_torque<Scalar>(in.model, in.points, in.q, in.qd, in.qdd, in.xdd_cmd,
+                                               in.external, in.f_ext);
   }
-  throw std::logic_error(std::string(function_name(function)) + " is not of the robot as a whole");
+  return interpreter::control_torque<Scalar>(in.model, in.points, in.q, in.qd, in.qdd, in.xdd_cmd,
+                                             in.external, in.f_ext, in.law);
 }
 
 template <class Scalar>
-Vector<Scalar> control_torque(const Subject<Scalar>& subject, const Numbers<Scalar>& at,
-                              const interpreter::TaskLaw<Scalar>& law) {
-  if (law.borders.empty()) {
-    return interpreter::control_torque<Scalar>(subject.model, subject.points, at.q, at.qd, at.qdd,
-                                               at.xdd_cmd, subject.external, at.f_ext);
-  }
-  return interpreter::control_torque<Scalar>(subject.model, subject.points, at.q, at.qd, at.qdd,
-                                             at.xdd_cmd, subject.external, at.f_ext, law);
-}
-
-template <class Scalar>
-std::vector<Scalar> damped_control_torque(const Subject<Scalar>& subject,
-                                          const Numbers<Scalar>& at) {
+std::vector<Scalar> damped_control_torque(const Inputs<Scalar>& in) {
   const auto damped = interpreter::damped_control_torque<Scalar>(
-      subject.model, subject.points, at.q, at.qd, at.qdd, at.xdd_cmd, subject.damping,
-      subject.external, at.f_ext);
+      in.model, in.points, in.q, in.qd, in.qdd, in.xdd_cmd, in.subject.damping, in.external,
+      in.f_ext);
   std::vector<Scalar> entries = entries_of(damped.tau);
   entries.push_back(damped.ease);
   return entries;
 }
 
-/// Results of functions of operational points.
+/// Functions of operational points.
 template <class Scalar>
-std::vector<Scalar> of_points(Function function, const Subject<Scalar>& subject,
-                              const Numbers<Scalar>& at, const interpreter::TaskLaw<Scalar>& law) {
-  const auto& model = subject.model;
-  const auto& points = subject.points;
-  switch (function) {
-    case Function::forward_kinematics:
-      return poses(subject, at.q);
-    case Function::jacobian:
-      return entries_of(interpreter::jacobian<Scalar>(model, points, at.q));
-    case Function::bias_acceleration:
-      return entries_of(interpreter::bias_acceleration<Scalar>(model, points, at.q, at.qd));
-    case Function::lambda_inverse:
-      return entries_of(interpreter::lambda_inverse<Scalar>(model, points, at.q));
-    case Function::lambda:
-      return entries_of(law.borders.empty()
-                            ? interpreter::lambda<Scalar>(model, points, at.q)
-                            : interpreter::lambda<Scalar>(model, points, at.q, law));
-    case Function::point_velocity:
-      return entries_of(interpreter::point_velocity<Scalar>(model, points, at.q, at.qd));
-    case Function::point_acceleration:
-      return entries_of(
-          interpreter::point_acceleration<Scalar>(model, points, at.q, at.qd, at.qdd));
-    case Function::point_velocity_derivatives:
-      return derivatives(
-          interpreter::point_velocity_derivatives<Scalar>(model, points, at.q, at.qd));
-    case Function::point_acceleration_derivatives:
-      return derivatives(
-          interpreter::point_acceleration_derivatives<Scalar>(model, points, at.q, at.qd, at.qdd));
-    case Function::dynamically_consistent_inverse:
-      return entries_of(
-          interpreter::dynamically_consistent_inverse<Scalar>(model, points, at.q, law));
-    case Function::null_space_projector:
-      return entries_of(interpreter::null_space_projector<Scalar>(model, points, at.q, law));
-    case Function::operational_bias_force:
-      return entries_of(
-          interpreter::operational_bias_force<Scalar>(model, points, at.q, at.qd, law));
-    case Function::operational_gravity:
-      return entries_of(interpreter::operational_gravity<Scalar>(model, points, at.q, law));
-    case Function::control_torque:
-      return entries_of(control_torque(subject, at, law));
-    case Function::damped_control_torque:
-      return damped_control_torque(subject, at);
-    default:
-      throw std::logic_error(std::string(function_name(function)) + " is not about points");
-  }
-}
+constexpr auto kOfPoints = std::to_array<Interpretation<Scalar>>({
+    {Function::forward_kinematics,
+     [](const Inputs<Scalar>& in) { return poses(in.subject, in.q); }},
+    {Function::jacobian,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(interpreter::jacobian<Scalar>(in.model, in.points, in.q));
+     }},
+    {Function::bias_acceleration,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(interpreter::bias_acceleration<Scalar>(in.model, in.points, in.q, in.qd));
+     }},
+    {Function::lambda_inverse,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(interpreter::lambda_inverse<Scalar>(in.model, in.points, in.q));
+     }},
+    {Function::lambda,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(in.law.borders.empty()
+                             ? interpreter::lambda<Scalar>(in.model, in.points, in.q)
+                             : interpreter::lambda<Scalar>(in.model, in.points, in.q, in.law));
+     }},
+    {Function::point_velocity,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(interpreter::point_velocity<Scalar>(in.model, in.points, in.q, in.qd));
+     }},
+    {Function::point_acceleration,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(
+           interpreter::point_acceleration<Scalar>(in.model, in.points, in.q, in.qd, in.qdd));
+     }},
+    {Function::point_velocity_derivatives,
+     [](const Inputs<Scalar>& in) {
+       return derivatives(
+           interpreter::point_velocity_derivatives<Scalar>(in.model, in.points, in.q, in.qd));
+     }},
+    {Function::point_acceleration_derivatives,
+     [](const Inputs<Scalar>& in) {
+       return derivatives(interpreter::point_acceleration_derivatives<Scalar>(in.model, in.points,
+                                                                              in.q, in.qd, in.qdd));
+     }},
+    {Function::dynamically_consistent_inverse,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(
+           interpreter::dynamically_consistent_inverse<Scalar>(in.model, in.points, in.q, in.law));
+     }},
+    {Function::null_space_projector,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(
+           interpreter::null_space_projector<Scalar>(in.model, in.points, in.q, in.law));
+     }},
+    {Function::operational_bias_force,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(
+           interpreter::operational_bias_force<Scalar>(in.model, in.points, in.q, in.qd, in.law));
+     }},
+    {Function::operational_gravity,
+     [](const Inputs<Scalar>& in) {
+       return entries_of(
+           interpreter::operational_gravity<Scalar>(in.model, in.points, in.q, in.law));
+     }},
+    {Function::control_torque,
+     [](const Inputs<Scalar>& in) { return entries_of(control_torque(in)); }},
+    {Function::damped_control_torque,
+     [](const Inputs<Scalar>& in) { return damped_control_torque(in); }},
+});
+
+static_assert(covers<is_about<FunctionGroup::robot, FunctionGroup::center_of_mass,
+                              FunctionGroup::derivatives>>(kOfRobot<double>));
+static_assert(covers<is_about<FunctionGroup::points>>(kOfPoints<double>));
 
 }  // namespace
 
@@ -250,13 +234,13 @@ std::vector<Scalar> interpret(Function function, const Subject<Scalar>& subject,
     case FunctionGroup::constraints:
       return interpret_constraints(function, subject, state, law);
     case FunctionGroup::points:
-      return of_points(function, subject, Numbers<Scalar>(state), law);
+      return find_row(kOfPoints<Scalar>, function)->results({subject, state, law});
     case FunctionGroup::robot:
     case FunctionGroup::center_of_mass:
     case FunctionGroup::derivatives:
       break;
   }
-  return of_robot(function, subject, Numbers<Scalar>(state));
+  return find_row(kOfRobot<Scalar>, function)->results({subject, state, law});
 }
 
 template std::vector<float> interpret(Function, const Subject<float>&, const State&,

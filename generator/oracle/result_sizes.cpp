@@ -2,11 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
+#include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/condition.hpp"
 #include "oracle/contact_sizes.hpp"
@@ -45,7 +45,7 @@ Eigen::MatrixXd with_yields(const interpreter::Points<double>& points, const Eig
 }  // namespace
 
 ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
-    : subject_(subject), state_(state), terms_(subject, state.q) {
+    : subject_(subject), state_(state), terms_(subject, state.q), at_rest_(state.qd.size(), 0) {
   const Eigen::VectorXd q = vector_of<double>(state.q);
   const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
   M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
@@ -116,111 +116,86 @@ double ResultSizes::condition(Function function, const std::optional<LawSizes>& 
   return 1;
 }
 
+/// What the solve of a function adds to the terms: its result, the law that relaxes rows, what is
+/// known of the relaxed solve, and |Lambda| with that law.
+struct ResultSizes::Solved {
+  const std::vector<double>& result;
+  const interpreter::TaskLaw<double>& law;
+  const std::optional<LawSizes>& yielding;
+  const Eigen::MatrixXd& Lambda;
+};
+
+/// Scales of the results of one function.
+struct ResultSizes::Row {
+  Function function;
+  std::vector<double> (*sizes)(const ResultSizes& of, const Solved& in);
+};
+
+/// All functions but those about objects, contacts and links, which have sizes of their own.
+struct ResultSizes::Table {
+  static constexpr auto kRows = std::to_array<Row>({
+{Function::forward_kinematics, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.poses()); }},
+{Function::jacobian, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.jacobian()); }},
+{Function::bias_acceleration, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.bias(of.state_.qd)); }},
+{Function::inverse_dynamics, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces(of.state_.qd, of.state_.qdd, of.state_.f_ext)); }},
+{Function::gravity, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces(of.at_rest_, of.at_rest_, {})); }},
+{Function::nonlinear_effects, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces(of.state_.qd, of.at_rest_, {})); }},
+{Function::mass_matrix, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.mass_matrix()); }},
+{Function::forward_dynamics, [](const ResultSizes& of, const Solved& in) { return entries_of(of.forward_dynamics(in.result)); }},
+{Function::lambda_inverse, [](const ResultSizes& of, const Solved&) { return entries_of(of.lambda_inverse()); }},
+{Function::lambda, [](const ResultSizes& of, const Solved& in) { return entries_of(of.lambda(in.Lambda)); }},
+{Function::control_torque, [](const ResultSizes& of, const Solved& in) { return entries_of(of.control_torque(in.yielding ? in.yielding->Lambda : of.control_Lambda_)); }},
+{Function::center_of_mass, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.center_of_mass()); }},
+{Function::center_of_mass_jacobian, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.center_of_mass_jacobian()); }},
+{Function::inverse_dynamics_derivatives, [](const ResultSizes& of, const Solved&) { return of.inverse_dynamics_derivatives(); }},
+{Function::forward_dynamics_derivatives, [](const ResultSizes& of, const Solved&) { return of.forward_dynamics_derivatives(); }},
+{Function::coriolis_matrix, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces_by_velocity(of.state_.qd) / 2); }},
+{Function::kinetic_energy, [](const ResultSizes& of, const Solved&) { return std::vector<double>{of.terms_.kinetic_energy(of.state_.qd)}; }},
+{Function::kinetic_energy_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.kinetic_energy_by_displacement(of.state_.qd),
+                     of.terms_.mass_matrix() * magnitudes(of.state_.qd)}); }},
+{Function::potential_energy, [](const ResultSizes& of, const Solved&) { return std::vector<double>{of.terms_.potential_energy()}; }},
+{Function::inverse_dynamics_regressor, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.inverse_dynamics_regressor(of.state_.qd, of.state_.qdd)); }},
+{Function::energy_regressor, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.energy_regressor(of.state_.qd)); }},
+{Function::centroidal_momentum_matrix, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_momentum_matrix()); }},
+{Function::centroidal_momentum, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_momentum(of.state_.qd)); }},
+{Function::centroidal_bias, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_bias(of.state_.qd)); }},
+{Function::center_of_mass_bias_acceleration, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_bias(of.state_.qd).head(3) /
+                        interpreter::total_mass(of.subject_.model)); }},
+{Function::centroidal_momentum_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.centroidal_momentum_by_displacement(of.state_.qd),
+                     of.terms_.centroidal_momentum_matrix()}); }},
+{Function::centroidal_momentum_rate_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.centroidal_rate_by_displacement(of.state_.qd, of.state_.qdd),
+                     of.terms_.centroidal_rate_by_velocity(of.state_.qd),
+                     of.terms_.centroidal_momentum_matrix()}); }},
+{Function::subtree_masses_and_centers, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.subtrees()); }},
+{Function::point_velocity, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.point_velocities(of.state_.qd)); }},
+{Function::point_acceleration, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.point_accelerations(of.state_.qd, of.state_.qdd)); }},
+{Function::point_velocity_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.point_velocities_by_displacement(of.state_.qd), of.terms_.point_jacobian()}); }},
+{Function::point_acceleration_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.point_accelerations_by_displacement(of.state_.qd, of.state_.qdd),
+                     of.terms_.point_accelerations_by_velocity(of.state_.qd), of.terms_.point_jacobian()}); }},
+{Function::dynamically_consistent_inverse, [](const ResultSizes& of, const Solved& in) { return entries_of(of.dynamically_consistent_inverse(in.Lambda)); }},
+{Function::null_space_projector, [](const ResultSizes& of, const Solved& in) { return entries_of(of.null_space_projector(in.Lambda)); }},
+{Function::operational_bias_force, [](const ResultSizes& of, const Solved& in) { return entries_of(of.operational_bias_force(in.Lambda)); }},
+{Function::operational_gravity, [](const ResultSizes& of, const Solved& in) { return entries_of(of.operational_gravity(in.Lambda)); }},
+{Function::damped_control_torque, [](const ResultSizes& of, const Solved&) { return of.damped_control_torque(); }},
+{Function::constraint_jacobian, [](const ResultSizes& of, const Solved&) { return entries_of(of.constrained_->jacobian()); }},
+{Function::constraint_errors, [](const ResultSizes& of, const Solved&) { return entries_of(of.constrained_->loop_errors()); }},
+{Function::constrained_forward_dynamics, [](const ResultSizes& of, const Solved& in) { return of.of_constraints(Function::constrained_forward_dynamics).sizes(in.law, in.yielding); }},
+{Function::supported_control_torque, [](const ResultSizes& of, const Solved& in) { return of.of_constraints(Function::supported_control_torque).sizes(in.law, in.yielding); }},
+});
+};
+
 std::vector<double> ResultSizes::sizes(Function function, const std::vector<double>& result,
                                        const interpreter::TaskLaw<double>& law,
                                        const std::optional<LawSizes>& yielding) const {
-  const std::vector<double> none(state_.qd.size(), 0);
-  const Eigen::MatrixXd& Lambda = yielding ? yielding->Lambda : Lambda_;
-  switch (function) {
-    case Function::forward_kinematics:
-      return entries_of(terms_.poses());
-    case Function::jacobian:
-      return entries_of(terms_.jacobian());
-    case Function::bias_acceleration:
-      return entries_of(terms_.bias(state_.qd));
-    case Function::inverse_dynamics:
-      return entries_of(terms_.forces(state_.qd, state_.qdd, state_.f_ext));
-    case Function::gravity:
-      return entries_of(terms_.forces(none, none, {}));
-    case Function::nonlinear_effects:
-      return entries_of(terms_.forces(state_.qd, none, {}));
-    case Function::mass_matrix:
-      return entries_of(terms_.mass_matrix());
-    case Function::forward_dynamics:
-      return entries_of(forward_dynamics(result));
-    case Function::lambda_inverse:
-      return entries_of(lambda_inverse());
-    case Function::lambda:
-      return entries_of(lambda(Lambda));
-    case Function::control_torque:
-      return entries_of(control_torque(yielding ? yielding->Lambda : control_Lambda_));
-    case Function::center_of_mass:
-      return entries_of(terms_.center_of_mass());
-    case Function::center_of_mass_jacobian:
-      return entries_of(terms_.center_of_mass_jacobian());
-    case Function::inverse_dynamics_derivatives:
-      return inverse_dynamics_derivatives();
-    case Function::forward_dynamics_derivatives:
-      return forward_dynamics_derivatives();
-    case Function::coriolis_matrix:
-      return entries_of(terms_.forces_by_velocity(state_.qd) / 2);
-    case Function::kinetic_energy:
-      return {terms_.kinetic_energy(state_.qd)};
-    case Function::kinetic_energy_derivatives:
-      return joined({terms_.kinetic_energy_by_displacement(state_.qd),
-                     terms_.mass_matrix() * magnitudes(state_.qd)});
-    case Function::potential_energy:
-      return {terms_.potential_energy()};
-    case Function::inverse_dynamics_regressor:
-      return entries_of(terms_.inverse_dynamics_regressor(state_.qd, state_.qdd));
-    case Function::energy_regressor:
-      return entries_of(terms_.energy_regressor(state_.qd));
-    case Function::centroidal_momentum_matrix:
-      return entries_of(terms_.centroidal_momentum_matrix());
-    case Function::centroidal_momentum:
-      return entries_of(terms_.centroidal_momentum(state_.qd));
-    case Function::centroidal_bias:
-      return entries_of(terms_.centroidal_bias(state_.qd));
-    case Function::center_of_mass_bias_acceleration:
-      return entries_of(terms_.centroidal_bias(state_.qd).head(3) /
-                        interpreter::total_mass(subject_.model));
-    case Function::centroidal_momentum_derivatives:
-      return joined({terms_.centroidal_momentum_by_displacement(state_.qd),
-                     terms_.centroidal_momentum_matrix()});
-    case Function::centroidal_momentum_rate_derivatives:
-      return joined({terms_.centroidal_rate_by_displacement(state_.qd, state_.qdd),
-                     terms_.centroidal_rate_by_velocity(state_.qd),
-                     terms_.centroidal_momentum_matrix()});
-    case Function::subtree_masses_and_centers:
-      return entries_of(terms_.subtrees());
-    case Function::point_velocity:
-      return entries_of(terms_.point_velocities(state_.qd));
-    case Function::point_acceleration:
-      return entries_of(terms_.point_accelerations(state_.qd, state_.qdd));
-    case Function::point_velocity_derivatives:
-      return joined({terms_.point_velocities_by_displacement(state_.qd), terms_.point_jacobian()});
-    case Function::point_acceleration_derivatives:
-      return joined({terms_.point_accelerations_by_displacement(state_.qd, state_.qdd),
-                     terms_.point_accelerations_by_velocity(state_.qd), terms_.point_jacobian()});
-    case Function::dynamically_consistent_inverse:
-      return entries_of(dynamically_consistent_inverse(Lambda));
-    case Function::null_space_projector:
-      return entries_of(null_space_projector(Lambda));
-    case Function::operational_bias_force:
-      return entries_of(operational_bias_force(Lambda));
-    case Function::operational_gravity:
-      return entries_of(operational_gravity(Lambda));
-    case Function::damped_control_torque:
-      return damped_control_torque();
-    case Function::object_state:
-    case Function::object_control_torque:
-    case Function::object_forward_dynamics:
-      return objects_->sizes(function, yielding);
-    case Function::constraint_jacobian:
-      return entries_of(constrained_->jacobian());
-    case Function::constraint_errors:
-      return entries_of(constrained_->loop_errors());
-    case Function::constrained_forward_dynamics:
-    case Function::supported_control_torque:
-      return of_constraints(function).sizes(law, yielding);
-    case Function::contact_motion:
-    case Function::contact_inverse_inertia:
-    case Function::effective_mass:
-    case Function::impulse_response:
-    case Function::link_inverse_inertias:
-      return contact_sizes(function, subject_, state_, M_inverse_, result, law);
+  if (needs_objects(function)) return objects_->sizes(function, yielding);
+  static_assert(
+      covers<is_about<FunctionGroup::robot, FunctionGroup::points, FunctionGroup::constraints,
+                      FunctionGroup::center_of_mass, FunctionGroup::derivatives>>(Table::kRows));
+  const Row* const row = find_row(Table::kRows, function);
+  if (row == nullptr) {
+    return contact_sizes(function, subject_, state_, M_inverse_, result, law);
   }
-  throw std::logic_error("a function outside of its enumeration");
+  return row->sizes(*this, {result, law, yielding, yielding ? yielding->Lambda : Lambda_});
 }
 
 const ConstraintSizes& ResultSizes::of_constraints(Function function) const {
@@ -292,14 +267,13 @@ Eigen::MatrixXd ResultSizes::null_space_projector(const Eigen::MatrixXd& Lambda)
 Eigen::VectorXd ResultSizes::operational_bias_force(const Eigen::MatrixXd& Lambda) const {
   Subject<double> weightless = subject_;
   weightless.model = interpreter::without_gravity<double>(weightless.model);
-  const std::vector<double> none(state_.qd.size(), 0);
-  const Eigen::VectorXd b = TermSizes(weightless, state_.q).forces(state_.qd, none, {});
+  const Eigen::VectorXd b = TermSizes(weightless, state_.q).forces(state_.qd, at_rest_, {});
   return lambda(Lambda) * (terms_.jacobian() * (M_inverse_ * b) + terms_.bias(state_.qd));
 }
 
 Eigen::VectorXd ResultSizes::operational_gravity(const Eigen::MatrixXd& Lambda) const {
-  const std::vector<double> none(state_.qd.size(), 0);
-  return lambda(Lambda) * (terms_.jacobian() * (M_inverse_ * terms_.forces(none, none, {})));
+  return lambda(Lambda) *
+         (terms_.jacobian() * (M_inverse_ * terms_.forces(at_rest_, at_rest_, {})));
 }
 
 std::vector<double> ResultSizes::inverse_dynamics_derivatives() const {

@@ -33,6 +33,10 @@ class ResultSizes {
                                  const std::optional<LawSizes>& yielding = std::nullopt) const;
 
  private:
+  struct Solved;
+  struct Row;
+  struct Table;
+
   [[nodiscard]] const ConstraintSizes& of_constraints(Function function) const;
   [[nodiscard]] Eigen::VectorXd forward_dynamics(const std::vector<double>& qdd) const;
   [[nodiscard]] Eigen::MatrixXd forces_by_velocity() const;
@@ -54,6 +58,7 @@ class ResultSizes {
   const Subject<double>& subject_;
   const State& state_;
   TermSizes terms_;
+  std::vector<double> at_rest_;  ///< zeros, a joint velocity each
   /// Magnitudes of the entries. The last one is Lambda after tasks of strict priority.
   Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
   Eigen::MatrixXd Lambda_inverse_;      ///< the matrix itself; empty if M has no inverse

@@ -15,18 +15,18 @@ void add_joint_columns(const TreeLink<Scalar>& link, const TaskPoint<Scalar>& ta
   for (std::size_t k = 0; k < task.rows.size(); ++k) {
     const TaskRow<Scalar>& row = task.rows[k];
     const std::size_t i = first_row + k;
-    if (link.kind == JointKind::revolute) {
-      const Scalar rate = row.angular ? row.e.z : task.r.x * row.e.y - task.r.y * row.e.x;
-      J(i, at) = J(i, at) + link.multiplier * rate;
-    } else if (link.kind == JointKind::prismatic) {
-      J(i, at) = J(i, at) + (row.angular ? Scalar(0.0) : link.multiplier * row.e.z);
-    } else {
+    if (link.is_floating()) {
       const Wrench<Scalar> wrench = unit_wrench(task, row);
       const Scalar parts[6] = {wrench.f.x, wrench.f.y, wrench.f.z,
                                wrench.n.x, wrench.n.y, wrench.n.z};
       for (std::size_t c = 0; c < 6; ++c) {
         J(i, at + c) = parts[c];
       }
+    } else if (link.is_angular(0)) {
+      const Scalar rate = row.angular ? row.e.z : task.r.x * row.e.y - task.r.y * row.e.x;
+      J(i, at) = J(i, at) + link.multiplier * rate;
+    } else {
+      J(i, at) = J(i, at) + (row.angular ? Scalar(0.0) : link.multiplier * row.e.z);
     }
   }
 }
@@ -68,8 +68,9 @@ DenseMatrix<Scalar> jacobian_inward(const Tree<Scalar>& tree,
 /// Velocity of a point at `arm` from the joint per unit of the joint's velocity, for one degree of
 /// freedom: linear over angular, world axes.
 template <class Scalar>
-Wrench<Scalar> unit_velocity(JointKind kind, const Vector3<Scalar>& z, const Vector3<Scalar>& arm) {
-  return kind == JointKind::revolute ? Wrench<Scalar>{cross(z, arm), z} : Wrench<Scalar>{z, {}};
+Wrench<Scalar> unit_velocity(const JointStep& joint, const Vector3<Scalar>& z,
+                             const Vector3<Scalar>& arm) {
+  return joint.is_angular(0) ? Wrench<Scalar>{cross(z, arm), z} : Wrench<Scalar>{z, {}};
 }
 
 /// J in the axes from which `poses` are seen, from the poses of all links: z x (p_point - p_joint).
@@ -106,7 +107,7 @@ DenseMatrix<Scalar> jacobian_world(const Tree<Scalar>& tree,
         arm = arm + poses[at].step;
         continue;
       }
-      const Wrench<Scalar> v = unit_velocity(link.kind, {R.row_x.z, R.row_y.z, R.row_z.z}, arm);
+      const Wrench<Scalar> v = unit_velocity(link, {R.row_x.z, R.row_y.z, R.row_z.z}, arm);
       arm = arm + poses[at].step;
       const Scalar column[6] = {v.f.x, v.f.y, v.f.z, v.n.x, v.n.y, v.n.z};
       std::size_t k = first_row;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -89,51 +90,59 @@ ExactRow normalize_columns(ExactRows& rows) {
   return lengths;
 }
 
+/// Whether the parameter is of matter that mimic joints move or carry, or of the rotor of such a
+/// joint. `about_mimics`: which links those are.
+bool is_about_mimics(const ModelParameter& parameter, const Mechanism& mechanism,
+                     const std::vector<bool>& about_mimics) {
+  if (parameter.kind == ModelParameter::Kind::inertial) {
+    const int link = mechanism.link_frames[parameter.frame].link;
+    return about_mimics[static_cast<std::size_t>(link)];
+  }
+  if (parameter.kind != ModelParameter::Kind::rotor) return false;
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    if (mechanism.links[i].v_index == parameter.v && about_mimics[i]) return true;
+  }
+  return false;
+}
+
+/// Adds the columns that are no pivots to the base parameter of a row that is, by their shares.
+void add_shares(const ReducedRows& felt, std::size_t row, const ExactRow& lengths,
+                const std::vector<BaseParameter>& all, BaseParameter& base) {
+  for (Eigen::Index k = 0; k < lengths.size(); ++k) {
+    const bool is_base =
+        std::count(felt.pivots.begin(), felt.pivots.end(), static_cast<int>(k)) > 0;
+    const Exact share = snapped(felt.rows(static_cast<Eigen::Index>(row), k), Exact(1));
+    if (is_base || share == 0) continue;
+    const Exact factor = share * lengths(k) / lengths(felt.pivots[row]);
+    for (const auto& [parameter, coefficient] : all[static_cast<std::size_t>(k)].combination) {
+      base.combination[parameter] += factor * coefficient;
+    }
+  }
+}
+
 }  // namespace
 
 void merge_mimics(const Mechanism& mechanism, const Exact& tolerance, BaseParameters& found) {
   const auto about_mimics = links_about_mimics(mechanism);
-  const auto concerns = [&](const BaseParameter& base) {
-    const ModelParameter& parameter = found.parameters[base.parameter];
-    if (parameter.kind != ModelParameter::Kind::inertial &&
-        parameter.kind != ModelParameter::Kind::rotor) {
-      return false;
-    }
-    if (parameter.kind == ModelParameter::Kind::inertial) {
-      const auto link = mechanism.link_frames[parameter.frame].link;
-      return static_cast<bool>(about_mimics[static_cast<std::size_t>(link)]);
-    }
-    for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-      if (mechanism.links[i].v_index == parameter.v && about_mimics[i]) return true;
-    }
-    return false;
-  };
-  const auto rest = std::stable_partition(found.base.begin(), found.base.end(), concerns);
+  const auto rest =
+      std::stable_partition(found.base.begin(), found.base.end(), [&](const BaseParameter& base) {
+        return is_about_mimics(found.parameters[base.parameter], mechanism, about_mimics);
+      });
   const auto count = static_cast<std::size_t>(rest - found.base.begin());
+  if (count == 0) return;
   std::vector<ModelParameter> columns;
-  std::vector<int> order;
   for (std::size_t k = 0; k < count; ++k) {
     columns.push_back(found.parameters[found.base[k].parameter]);
-    order.push_back(static_cast<int>(k));
   }
-  if (columns.empty()) return;
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
   ExactRows energies = sample_energies(mechanism, columns);
   const ExactRow lengths = normalize_columns(energies);
   const ReducedRows felt = reduce(std::move(energies), order, tolerance);
   std::vector<BaseParameter> merged(rest, found.base.end());
   for (std::size_t row = 0; row < felt.pivots.size(); ++row) {
-    const auto pivot = static_cast<std::size_t>(felt.pivots[row]);
-    BaseParameter base = found.base[pivot];
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto at = static_cast<Eigen::Index>(k);
-      const bool is_base = std::count(felt.pivots.begin(), felt.pivots.end(), order[k]) > 0;
-      const Exact share = snapped(felt.rows(static_cast<Eigen::Index>(row), at), Exact(1));
-      if (is_base || share == 0) continue;
-      const Exact factor = share * lengths(at) / lengths(felt.pivots[row]);
-      for (const auto& [parameter, coefficient] : found.base[k].combination) {
-        base.combination[parameter] += factor * coefficient;
-      }
-    }
+    BaseParameter base = found.base[static_cast<std::size_t>(felt.pivots[row])];
+    add_shares(felt, row, lengths, found.base, base);
     merged.push_back(std::move(base));
   }
   std::sort(merged.begin(), merged.end(),

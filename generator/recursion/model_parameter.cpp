@@ -44,8 +44,7 @@ void append_of_joints(const Mechanism& mechanism, const SceneRegressor& asked, K
                       std::vector<ModelParameter>& parameters) {
   for (const MovingLink& link : mechanism.links) {
     if (!has_own_motor(mechanism, link)) continue;
-    ModelParameter parameter{kind, link.joint,   0,
-                             0,    link.v_index, link.kind == JointKind::prismatic};
+    ModelParameter parameter{kind, link.joint, 0, 0, link.v_index, !link.is_angular(0)};
     if (kind == Kind::coulomb) {
       const Exact& own = link.drive.sharpness;
       parameter.sharpness = own > 0 ? own : Exact(1 / Exact(asked.width));

@@ -29,9 +29,7 @@ struct PrioritizedRow {
 template <class Scalar>
 bool may_move(const Tree<Scalar>& tree, int link, bool turning) {
   for (int i = link; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) {
-    if (!turning || tree.links[static_cast<std::size_t>(i)].kind != JointKind::prismatic) {
-      return true;
-    }
+    if (!turning || tree.links[static_cast<std::size_t>(i)].turns_axes()) return true;
   }
   return false;
 }

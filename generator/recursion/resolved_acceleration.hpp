@@ -25,7 +25,7 @@ bool permits_resolved_acceleration(const Tree<Scalar>& tree) {
     const Scalar zero(0.0);
     return v.x == zero && v.y == zero && v.z == zero;
   };
-  const auto turns = [&](std::size_t i) { return tree.links[i].kind == JointKind::revolute; };
+  const auto turns = [&](std::size_t i) { return tree.links[i].turns_by_angle(); };
   return turns(3) && turns(4) && turns(5) && is_zero(tree.links[4].p) && is_zero(tree.links[5].p);
 }
 

@@ -22,6 +22,16 @@ inline Result matrix_result(const char* name, const std::string& meaning,
           matrix.values()};
 }
 
+/// The results of a function that has only this one.
+inline std::vector<Result> vector_output(const char* name, const std::string& meaning,
+                                         std::vector<Expression> values) {
+  return {vector_result(name, meaning, std::move(values))};
+}
+inline std::vector<Result> matrix_output(const char* name, const std::string& meaning,
+                                         const DenseMatrix<Expression>& matrix) {
+  return {matrix_result(name, meaning, matrix)};
+}
+
 /// What equations with an argument `step` end with.
 inline const std::string kImplicitTerms =
     ", D = d friction / d qd, K: stiffness of springs: both at the end of the step, to first order";

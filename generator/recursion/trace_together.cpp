@@ -30,15 +30,28 @@ std::vector<Argument> list_once(const std::vector<Argument>& arguments) {
   return once;
 }
 
+/// A trace in the open graph that knows the mechanism but no inputs.
+RobotTrace begin_trace(const Mechanism& mechanism) {
+  RobotTrace trace;
+  trace.mechanism = &mechanism;
+  trace.tree = constant_tree<Expression>(mechanism);
+  return trace;
+}
+
+/// Finds the transforms of all joints.
+void move_to(const std::vector<Expression>& q, RobotTrace& trace) {
+  trace.q = q;
+  trace.X = joint_transforms<Expression>(trace.tree, trace.q);
+  defer_rotations(trace.tree, trace.X);
+}
+
 }  // namespace
 
 Program trace_together(const Mechanism& mechanism, std::span<const Function> functions, int lanes) {
   Program program;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  RobotTrace trace;
-  trace.mechanism = &mechanism;
-  trace.tree = constant_tree<Expression>(mechanism);
+  RobotTrace trace = begin_trace(mechanism);
   trace.rows = static_cast<std::size_t>(mechanism.task_rows());
   std::vector<TracedInputs> inputs;
   for (const Function function : functions) {
@@ -46,9 +59,7 @@ Program trace_together(const Mechanism& mechanism, std::span<const Function> fun
     apply_inputs(mechanism, inputs.back(), trace.tree);
   }
   program.arguments = list_once(program.arguments);
-  trace.q = inputs.front()[Quantity::q];
-  trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-  defer_rotations(trace.tree, trace.X);
+  move_to(inputs.front()[Quantity::q], trace);
   for (std::size_t i = 0; i < functions.size(); ++i) {
     trace.qd = inputs[i][Quantity::qd];
     trace.qdd = inputs[i][Quantity::qdd];
@@ -62,18 +73,14 @@ Program trace_against_forces(const Mechanism& mechanism, int lanes) {
   Program program;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  RobotTrace trace;
-  trace.mechanism = &mechanism;
-  trace.tree = constant_tree<Expression>(mechanism);
+  RobotTrace trace = begin_trace(mechanism);
   trace.tree.gravity = {};
   const TracedInputs inputs(mechanism, Function::inverse_dynamics, program);
   std::erase_if(program.arguments, [](const Argument& argument) {
     return argument.name != symbol_of(Quantity::q) && argument.name != symbol_of(Quantity::f_ext);
   });
-  trace.q = inputs[Quantity::q];
   trace.f_ext = inputs[Quantity::f_ext];
-  trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-  defer_rotations(trace.tree, trace.X);
+  move_to(inputs[Quantity::q], trace);
   std::vector<Wrench<Expression>> wrenches = trace.applied();
   for (Wrench<Expression>& wrench : wrenches) wrench = Wrench<Expression>{} - wrench;
   program.results = {vector_result("tau", trace.with_unit("joint forces", Quantity::tau),

@@ -73,13 +73,8 @@ TEST(ReadController, TakesForcesAndInputsOfTheScene) {
   }
 }
 
-struct BadController {
-  std::string text;
-  Expected expected;
-};
-
 TEST(ReadController, SaysWhatIsWrong) {
-  const BadController cases[] = {
+  expect_told({
       {"controller: {law: force}",
        {Severity::error, 1, "controller/law", "unknown", "did you mean \"laws\"?"}},
       {"controller: {period: 0.001}",
@@ -122,13 +117,7 @@ TEST(ReadController, SaysWhatIsWrong) {
       {"singular: exact\ncontroller: {laws: task_impedance}\n"
        "operational_points: [{name: t, link: tool, rows: [x]}]",
        {Severity::error, 1, "", "singular: exact", "leave out singular"}},
-  };
-  for (const BadController& each : cases) {
-    SCOPED_TRACE(each.text);
-    Diagnostics diagnostics;
-    EXPECT_FALSE(parse_scene(each.text, "bad.yaml", make_robot(), diagnostics));
-    expect_diagnosed(diagnostics, "bad.yaml", each.expected);
-  }
+  });
 }
 
 }  // namespace

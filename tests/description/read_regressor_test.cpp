@@ -52,13 +52,8 @@ TEST(ReadRegressor, TakesBaseParametersOfAllLinks) {
   EXPECT_FALSE(scene->regressor.rotors);
 }
 
-struct BadRegressor {
-  std::string text;
-  Expected expected;
-};
-
 TEST(ReadRegressor, SaysWhatIsWrong) {
-  const BadRegressor cases[] = {
+  expect_told({
       {kFunctions + "regressor: {rotor: true}",
        {Severity::error, 2, "regressor/rotor", "unknown", "did you mean \"rotors\"?"}},
       {kFunctions + "regressor: {parameters: basic}",
@@ -93,14 +88,7 @@ TEST(ReadRegressor, SaysWhatIsWrong) {
        {Severity::error, 2, "regressor/friction", "\"colomb\"", "did you mean \"coulomb\"?"}},
       {"functions: [gravity]\nregressor: {parameters: base}",
        {Severity::warning, 1, "", "no function has them", "inverse_dynamics_regressor"}},
-  };
-  for (const BadRegressor& each : cases) {
-    SCOPED_TRACE(each.text);
-    Diagnostics diagnostics;
-    const auto scene = parse_scene(each.text, "bad.yaml", make_robot(), diagnostics);
-    EXPECT_EQ(scene.has_value(), each.expected.severity != Severity::error);
-    expect_diagnosed(diagnostics, "bad.yaml", each.expected);
-  }
+  });
 }
 
 }  // namespace

@@ -88,13 +88,8 @@ TEST(ReadInputs, TakesOneForAList) {
   EXPECT_EQ(scene->inputs.tools.at(0).point, "a");
 }
 
-struct BadInputs {
-  std::string text;
-  Expected expected;
-};
-
 TEST(ReadInputs, SaysWhatIsWrong) {
-  const BadInputs cases[] = {
+  expect_told({
       {"inputs: {wind: true}", {Severity::error, 1, "inputs/wind", "unknown", "gravity"}},
       {"inputs: {gravity: 9.81}", {Severity::error, 1, "inputs/gravity", "9.81", "true"}},
       {"inputs: {payload: tol}",
@@ -129,14 +124,7 @@ TEST(ReadInputs, SaysWhatIsWrong) {
        {Severity::warning, 1, "", "tool_orientation is listed under inputs", "add a function"}},
       {"functions: [mass_matrix]\ninputs: {gravity: true}",
        {Severity::warning, 1, "", "gravity is listed under inputs", "add a function"}},
-  };
-  for (const BadInputs& each : cases) {
-    SCOPED_TRACE(each.text);
-    Diagnostics diagnostics;
-    const auto scene = parse_scene(each.text, "bad.yaml", make_robot(), diagnostics);
-    EXPECT_EQ(scene.has_value(), each.expected.severity != Severity::error);
-    expect_diagnosed(diagnostics, "bad.yaml", each.expected);
-  }
+  });
 }
 
 }  // namespace

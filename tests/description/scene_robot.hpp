@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "diagnosed.hpp"
 
@@ -38,6 +40,24 @@ inline Robot make_robot(const std::string& name = "two arm-1", const std::string
       "r.urdf", diagnostics);
   EXPECT_TRUE(robot) << to_string(diagnostics);
   return robot.value();
+}
+
+/// A scene, and what must be said of it.
+struct ToldScene {
+  std::string text;
+  Expected expected;
+};
+
+/// Reads each scene for the robot above. An error must leave no scene, a warning or note must.
+inline void expect_told(const std::vector<ToldScene>& scenes) {
+  const Robot robot = make_robot();
+  for (const ToldScene& each : scenes) {
+    SCOPED_TRACE(each.text);
+    Diagnostics diagnostics;
+    const auto scene = parse_scene(each.text, "bad.yaml", robot, diagnostics);
+    EXPECT_EQ(scene.has_value(), each.expected.severity != Severity::error);
+    expect_diagnosed(diagnostics, "bad.yaml", each.expected);
+  }
 }
 
 }  // namespace treeline

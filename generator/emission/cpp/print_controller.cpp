@@ -1,18 +1,15 @@
 #include "emission/cpp/print_controller.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 
 #include "description/printable.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
+#include "emission/cpp/controller_numbers.hpp"
 #include "emission/cpp/print_source.hpp"
-#include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
@@ -21,8 +18,6 @@
 
 namespace treeline::cpp {
 namespace {
-
-using Holes = std::map<std::string, std::string>;
 
 /// What the step calls an argument of its functions; empty for one that the input has.
 std::string variable_of(const std::string& argument) {
@@ -43,7 +38,7 @@ std::string variable_of(const std::string& argument) {
 }
 
 /// The call of a function in the step; `forces` are the law's own in place of known ones.
-std::string print_call(const Program& program, const std::string& forces = {}) {
+std::string print_step_call(const Program& program, const std::string& forces = {}) {
   std::string list;
   const auto append = [&](const Argument& argument) {
     std::string variable = variable_of(argument.name);
@@ -250,7 +245,7 @@ std::string print_task_functions(const ControllerUnit& unit) {
         "static void task_torque(const Input& input, const Measured<Robot>& at,\n"
         "                        const Real (&qdd_0)[kJoints], const Real (&xdd_cmd)[kRows],\n"
         "                        Real (&tau)[kJoints]) noexcept {\n  " +
-        print_call(*unit.task_torque) + "\n}\n";
+        print_step_call(*unit.task_torque) + "\n}\n";
   }
   if (unit.push_torque) {
     text +=
@@ -259,95 +254,12 @@ std::string print_task_functions(const ControllerUnit& unit) {
         "                        const Real (&f)[6 * kPoints], Real (&tau)[kJoints]) noexcept {\n "
         " " +
         std::string(takes(*unit.push_torque, "q") ? "" : "static_cast<void>(input);\n  ") +
-        print_call(*unit.push_torque, "f") + "\n}\n";
+        print_step_call(*unit.push_torque, "f") + "\n}\n";
   }
   return text;
 }
 
-std::string print_limits(const ControllerUnit& unit, const Syntax& syntax,
-                         double ControllerUnit::Joint::*limit) {
-  std::vector<std::string> entries;
-  for (const ControllerUnit::Joint& joint : unit.joints) {
-    const double value = joint.*limit;
-    const std::string sign = value < 0 ? "-" : "";
-    entries.push_back(sign +
-                      (std::isfinite(value) ? syntax.literal(std::fabs(value)) : "kUnlimited"));
-  }
-  return fmt::format("{}", fmt::join(entries, ", "));
-}
-
-void add_limit_holes(const EmissionContext& context, const ControllerUnit& unit,
-                     const Syntax& syntax, Holes& holes) {
-  using Joint = ControllerUnit::Joint;
-  holes["lower"] = print_limits(unit, syntax, &Joint::lower);
-  holes["upper"] = print_limits(unit, syntax, &Joint::upper);
-  holes["speed"] = print_limits(unit, syntax, &Joint::speed);
-  holes["torque"] = print_limits(unit, syntax, &Joint::torque);
-  bool unlimited = false;
-  for (const char* hole : {"lower", "upper", "speed", "torque"}) {
-    unlimited = unlimited || holes[hole].find("kUnlimited") != std::string::npos;
-  }
-  const double most = context.single_precision
-                          ? static_cast<double>(std::numeric_limits<float>::max())
-                          : std::numeric_limits<double>::max();
-  holes["unlimited"] =
-      unlimited ? fmt::format("constexpr Real kUnlimited = {};", syntax.literal(most)) : "";
-}
-
-/// Default gains and thresholds, in the names of the configuration.
-void add_default_holes(const EmissionContext& context, const ControllerUnit& unit,
-                       const Syntax& syntax, Holes& holes) {
-  const SceneController& own = unit.settings;
-  const auto literal = [&](double value) { return syntax.literal(value); };
-  holes["period"] = literal(own.period);
-  holes["joint_frequency"] = literal(own.joint_frequency);
-  holes["damping_ratio"] = literal(own.damping_ratio);
-  holes["position_margin"] = literal(own.position_margin);
-  holes["speed_margin"] = literal(own.speed_margin);
-  holes["brake_damping"] = literal(own.brake_damping);
-  constexpr double kRestSpeed = 1e-3;
-  holes["rest_speed"] = literal(kRestSpeed);
-  holes["fade"] = literal(own.fade);
-  holes["saturation"] = name_in_capitals(context) + (own.clamps ? "_CLAMP" : "_SCALE");
-  holes["stale_ticks"] = std::to_string(own.stale_ticks);
-  holes["blind_ticks"] = std::to_string(own.blind_ticks);
-  holes["task_defaults"] =
-      unit.task_torque
-          ? fmt::format(
-                "for (int i = 0; i < 6 * Robot::kPoints; ++i) {{\n"
-                "  config->task_frequency[i] = {};\n  config->task_damping[i] = {};\n}}\n"
-                "for (int i = 0; i < Robot::kJoints; ++i) {{\n"
-                "  config->posture_frequency[i] = {};\n}}\n",
-                literal(own.task_frequency), literal(own.damping_ratio),
-                literal(own.posture_frequency))
-          : "";
-  holes["force_defaults"] = own.force
-                                ? fmt::format(
-                                      "config->force_gain = {};\nconfig->force_rate = {};\n"
-                                      "config->force_damping = {};\nconfig->largest_force = {};\n",
-                                      literal(own.force_gain), literal(own.force_rate),
-                                      literal(own.force_damping), literal(own.largest_force))
-                                : "";
-}
-
-void add_row_holes(const ControllerUnit& unit, Holes& holes) {
-  std::vector<std::string> controls, own_axes;
-  const auto name = [](bool on) { return on ? "true" : "false"; };
-  for (const ControllerUnit::Point& point : unit.points) {
-    const auto& on = point.rows;
-    controls.push_back(fmt::format("{}, {}, {}, {}, {}, {}", name(on[0]), name(on[1]), name(on[2]),
-                                   name(on[3]), name(on[4]), name(on[5])));
-    own_axes.emplace_back(point.own_axes ? "true" : "false");
-  }
-  if (unit.points.empty()) controls = own_axes = {"false"};
-  holes["control_count"] = std::to_string(std::max<std::size_t>(1, 6 * unit.points.size()));
-  holes["controls"] = fmt::format("{}", fmt::join(controls, ",\n      "));
-  holes["own_count"] = std::to_string(own_axes.size());
-  holes["own_axes"] = fmt::format("{}", fmt::join(own_axes, ", "));
-}
-
 std::string print_step(const EmissionContext& context, const ControllerUnit& unit) {
-  const Syntax syntax = make_syntax(context);
   std::string declarations;
   for (const Program* const program : unit.programs()) {
     declarations += print_declaration(*program) + "\n";
@@ -366,12 +278,10 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                  {"finite", finite},
                  {"finite_input", finite == "true" ? "" : " input"},
                  {"joint_at", reads_at ? " at" : ""},
-                 {"kinematics_call", print_call(unit.kinematics)},
-                 {"joint_call", print_call(unit.joint_torque)},
+                 {"kinematics_call", print_step_call(unit.kinematics)},
+                 {"joint_call", print_step_call(unit.joint_torque)},
                  {"task_functions", print_task_functions(unit)}};
-  add_row_holes(unit, holes);
-  add_limit_holes(context, unit, syntax, holes);
-  add_default_holes(context, unit, syntax, holes);
+  add_controller_numbers(context, unit, holes);
   return fill_template(templates::kControllerSource, holes);
 }
 

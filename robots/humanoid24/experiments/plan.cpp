@@ -52,6 +52,20 @@ bool read_plan(const std::string& path, Plan& plan, std::string& error, const st
   return true;
 }
 
+bool count_joints(const std::string& path, const Plan& plan, int robot_joints, std::string& error) {
+  if (plan.joints.size() == static_cast<std::size_t>(robot_joints)) return true;
+  error =
+      fmt::format("{} lists {} joints, the robot has {}", path, plan.joints.size(), robot_joints);
+  return false;
+}
+
+std::string stopped(const servo::Fault& fault, const Plan& plan) {
+  if (!fault) return "";
+  const auto joint = static_cast<std::size_t>(fault.index);
+  const bool named = fault.index >= 0 && joint < plan.joints.size();
+  return "stopped: " + servo::describe(fault, named ? plan.joints[joint] : "");
+}
+
 bool read_limits(const std::string& path, const std::vector<std::string>& joints,
                  JointLimits& limits, std::string& error) {
   const auto robot = urdf::parseURDFFile(path);

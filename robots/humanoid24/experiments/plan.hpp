@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "servo/safety.hpp"
+
 namespace treeline::experiments {
 
 /// Content of touch_floor.yaml or put_box.yaml. Joints are in the generated code's order; SI units.
@@ -24,6 +26,13 @@ struct Plan {
 /// joints differ.
 bool read_plan(const std::string& path, Plan& plan, std::string& error,
                const std::string& mover = "left_hand");
+
+/// Compares the number of the plan's joints with the robot's. Returns false, with the reason in
+/// `error`, if they differ. `path` is the plan's file.
+bool count_joints(const std::string& path, const Plan& plan, int robot_joints, std::string& error);
+
+/// Why the loop stopped, with the joint's name; empty if there was no fault.
+std::string stopped(const servo::Fault& fault, const Plan& plan);
 
 /// Limits of the plan's joints, for the safety check of the servo loop.
 struct JointLimits {

@@ -1,14 +1,13 @@
 // The task of Chang section 6.3 (fig. 6.3, 6.4) with generated controller and generated forward
 // dynamics: the left hand goes to the floor along a cubic spline, the right hand holds its pose,
-// and the desired posture is the initial one. Exit status: 0 the bounds are kept, 1 bad input or a
-// fault, 2 usage, 3 a bound is broken.
+// and the desired posture is the initial one.
 #include "touch_floor.hpp"
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "command_line/run_experiment.hpp"
 #include "humanoid24.hpp"
 #include "outcome.hpp"
 #include "plan.hpp"
@@ -33,8 +32,7 @@ struct Humanoid24 {
 struct Options {
   std::string plan = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
   std::string urdf = TREELINE_HUMANOID24_DIR "/humanoid24.urdf";
-  std::string csv;
-  std::string svg;
+  experiments::OutputPaths paths;
   double rate = 0.0;
   double duration = 0.0;
   bool realtime = false;
@@ -47,16 +45,13 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--rate", options.rate, "Hz, instead of the plan's")->check(CLI::Range(1.0, 1e5));
   app.add_option("--duration", options.duration, "s of the spline, instead of the plan's")
       ->check(CLI::Range(0.1, 1e3));
-  app.add_option("--substeps", options.run.substeps, "integration steps per cycle")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  experiments::add_substeps(app, options.run.substeps);
   app.add_flag("--realtime", options.realtime, "keep to the machine's clock");
-  app.add_option("--csv", options.csv, "write every cycle to this file");
-  app.add_option("--svg", options.svg, "draw the figure into this file");
+  experiments::add_outputs(app, options.paths);
 }
 
-experiments::Outcome run(const Options& options, const experiments::Plan& plan,
-                         const experiments::JointLimits& limits) {
+experiments::Outcome touch_floor(const Options& options, const experiments::Plan& plan,
+                                 const experiments::JointLimits& limits) {
   if (!options.realtime) {
     servo::SimulatedClock clock;
     return experiments::touch_floor<Humanoid24>(plan, options.run, limits, clock);
@@ -69,39 +64,24 @@ experiments::Outcome run(const Options& options, const experiments::Plan& plan,
   return experiments::touch_floor<Humanoid24>(plan, options.run, limits, clock);
 }
 
-/// Writes the files that are requested. Returns false, after printing why, if a file cannot be
-/// written.
-bool write_files(const Options& options, const experiments::Plan& plan,
-                 const experiments::Outcome& outcome) {
+experiments::Findings run(const Options& options) {
+  experiments::Plan plan;
+  experiments::JointLimits limits;
   std::string error;
-  if (!options.csv.empty()) {
-    error = servo::write_text(options.csv, servo::csv_text(outcome.table));
+  if (!experiments::read_plan(options.plan, plan, error) ||
+      !experiments::count_joints(options.plan, plan, Humanoid24::kVelocities, error) ||
+      !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
+    return experiments::bad_input(error);
   }
-  if (error.empty() && !options.svg.empty()) {
-    error = servo::write_text(options.svg, servo::svg_text(experiments::figure(outcome, plan)));
-  }
-  if (!error.empty()) {
-    fmt::print(stderr, "touch_floor: {}\n", error);
-  }
-  return error.empty();
-}
-
-int report(const Options& options, const experiments::Plan& plan,
-           const experiments::Outcome& outcome) {
-  fmt::print("humanoid24 touches the floor (Chang section 6.3): {:.1f} s spline at {:.0f} Hz\n{}",
-             plan.duration, plan.rate, experiments::summary(outcome, plan, options.realtime));
-  const bool written = write_files(options, plan, outcome);
-  if (outcome.fault) {
-    const auto joint = static_cast<std::size_t>(outcome.fault.index);
-    const bool named = outcome.fault.index >= 0 && joint < plan.joints.size();
-    fmt::print(stderr, "touch_floor: stopped: {}\n",
-               servo::describe(outcome.fault, named ? plan.joints[joint] : ""));
-    return 1;
-  }
-  if (!written) {
-    return 1;
-  }
-  return experiments::within_bounds(outcome) ? 0 : 3;
+  plan.rate = options.rate > 0.0 ? options.rate : plan.rate;
+  plan.duration = options.duration > 0.0 ? options.duration : plan.duration;
+  const auto outcome = touch_floor(options, plan, limits);
+  const std::string title = fmt::format(
+      "humanoid24 touches the floor (Chang section 6.3): {:.1f} s spline at {:.0f} Hz\n",
+      plan.duration, plan.rate);
+  return {title + experiments::summary(outcome, plan, options.realtime),
+          experiments::files_of(options.paths, outcome.table, experiments::figure(outcome, plan)),
+          experiments::within_bounds(outcome), experiments::stopped(outcome.fault, plan)};
 }
 
 }  // namespace
@@ -112,25 +92,5 @@ int main(int argc, char** argv) {
       "status 3 if a bound is broken."};
   Options options;
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  experiments::Plan plan;
-  experiments::JointLimits limits;
-  std::string error;
-  if (!experiments::read_plan(options.plan, plan, error) ||
-      !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
-    fmt::print(stderr, "touch_floor: {}\n", error);
-    return 1;
-  }
-  if (plan.joints.size() != static_cast<std::size_t>(Humanoid24::kVelocities)) {
-    fmt::print(stderr, "touch_floor: {} lists {} joints, the robot has {}\n", options.plan,
-               plan.joints.size(), Humanoid24::kVelocities);
-    return 1;
-  }
-  plan.rate = options.rate > 0.0 ? options.rate : plan.rate;
-  plan.duration = options.duration > 0.0 ? options.duration : plan.duration;
-  return report(options, plan, run(options, plan, limits));
+  return experiments::run_experiment(app, argc, argv, [&options] { return run(options); });
 }

@@ -1,45 +1,23 @@
-// Chang fig. 2.4 and 2.5, as a program. Exit status: 0 the claim holds, 1 a file cannot be written,
-// 2 usage, 3 the claim is broken.
-#include <fmt/core.h>
-
-#include <CLI/CLI.hpp>
-#include <cstdio>
-
+// Chang fig. 2.4 and 2.5, as a program.
+#include "command_line/run_experiment.hpp"
 #include "null_space.hpp"
 
 int main(int argc, char** argv) {
-  using namespace treeline;  // NOLINT: a program, not a header
+  using namespace treeline::experiments;  // NOLINT: a program, not a header
   CLI::App app{
       "3R planar arm: null-space motion with two generalised inverses. Exit "
       "status 3 if the claim is broken."};
-  std::string csv;
-  std::string svg;
-  app.add_option("--csv", csv,
-                 "write the run with the dynamically consistent inverse here, and the "
-                 "other to FILE.pseudo");
-  app.add_option("--svg", svg, "draw both figures into this file");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto pseudo = experiments::run_null_space(experiments::Inverse::pseudo);
-  const auto consistent = experiments::run_null_space(experiments::Inverse::dynamic_consistent);
-  fmt::print("{}", experiments::null_space_summary(pseudo, consistent));
-  std::string error;
-  if (!csv.empty()) {
-    error = servo::write_text(csv, servo::csv_text(consistent.table));
-    if (error.empty()) {
-      error = servo::write_text(csv + ".pseudo", servo::csv_text(pseudo.table));
-    }
-  }
-  if (error.empty() && !svg.empty()) {
-    error =
-        servo::write_text(svg, servo::svg_text(experiments::null_space_figure(pseudo, consistent)));
-  }
-  if (!error.empty()) {
-    fmt::print(stderr, "planar3r_null_space: {}\n", error);
-    return 1;
-  }
-  return experiments::null_space_claim_holds(pseudo, consistent) ? 0 : 3;
+  OutputPaths paths;
+  add_outputs(
+      app, paths,
+      "write the run with the dynamically consistent inverse here, and the other to FILE.pseudo",
+      "draw both figures into this file");
+  return run_experiment(app, argc, argv, [&paths] {
+    const auto pseudo = run_null_space(Inverse::pseudo);
+    const auto consistent = run_null_space(Inverse::dynamic_consistent);
+    return Findings{null_space_summary(pseudo, consistent),
+                    files_of_both(paths, consistent.table, ".pseudo", pseudo.table,
+                                  null_space_figure(pseudo, consistent)),
+                    null_space_claim_holds(pseudo, consistent)};
+  });
 }

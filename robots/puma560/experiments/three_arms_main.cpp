@@ -1,41 +1,23 @@
 // Three PUMA 560 carry one beam with commanded internal forces, by the code of a scene with all of
-// them (Chang 7.2). Exit status: 0 the bounds are kept, 1 a file cannot be written, 2 usage, 3 a
-// bound is broken.
+// them (Chang 7.2).
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
-
+#include "command_line/run_experiment.hpp"
 #include "three_arms.hpp"
 
 int main(int argc, char** argv) {
-  using namespace treeline;  // NOLINT: a program, not a header
+  using namespace treeline::experiments;  // NOLINT: a program, not a header
   CLI::App app{
       "Three arms carry one beam, pulling it apart as commanded, at 1 kHz. Exit status 3 if "
       "a bound is broken."};
-  experiments::ThreeArmsPlan plan;
-  std::string csv, svg;
-  app.add_option("--substeps", plan.substeps, "integration steps per cycle")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--csv", csv, "write every cycle to this file");
-  app.add_option("--svg", svg, "draw the figure into this file");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto outcome = experiments::carry_with_three_arms(plan);
-  fmt::print("three PUMA 560 carry a beam at {:.0f} Hz\n{}", plan.rate,
-             experiments::summary(outcome));
-  std::string error;
-  if (!csv.empty()) error = servo::write_text(csv, servo::csv_text(outcome.table));
-  if (error.empty() && !svg.empty()) {
-    error = servo::write_text(svg, servo::svg_text(experiments::figure(outcome)));
-  }
-  if (!error.empty()) {
-    fmt::print(stderr, "puma560_three_arms: {}\n", error);
-    return 1;
-  }
-  return experiments::within_bounds(outcome) ? 0 : 3;
+  ThreeArmsPlan plan;
+  OutputPaths paths;
+  add_substeps(app, plan.substeps);
+  add_outputs(app, paths);
+  return run_experiment(app, argc, argv, [&] {
+    const auto outcome = carry_with_three_arms(plan);
+    const std::string title = fmt::format("three PUMA 560 carry a beam at {:.0f} Hz\n", plan.rate);
+    return Findings{title + summary(outcome), files_of(paths, outcome.table, figure(outcome)),
+                    within_bounds(outcome)};
+  });
 }

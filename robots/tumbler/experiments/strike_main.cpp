@@ -1,45 +1,23 @@
-// The tumbler is struck at each of its links. Exit status: 0 the claims hold, 1 bad input or a file
-// cannot be written, 2 usage, 3 a claim is broken.
-#include <fmt/core.h>
-
-#include <CLI/CLI.hpp>
-#include <cstdio>
-
+// The tumbler is struck at each of its links, as a program.
+#include "command_line/run_experiment.hpp"
 #include "strike.hpp"
 
 int main(int argc, char** argv) {
-  using namespace treeline;  // NOLINT: a program, not a header
+  using namespace treeline::experiments;  // NOLINT: a program, not a header
   CLI::App app{
       "A free tree of nine links is struck at each of them in turn. Exit status 3 if a "
       "claim is broken."};
-  std::string csv;
-  std::string svg;
+  OutputPaths paths;
   double impulse = 1;
   app.add_option("--impulse", impulse, "N s, of each blow")->capture_default_str();
-  app.add_option("--csv", csv, "write a line for each link here");
-  app.add_option("--svg", svg, "draw the flights into this file");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  std::string error;
-  const auto model = experiments::load_floating(TREELINE_TUMBLER_URDF, error);
-  if (!model) {
-    fmt::print(stderr, "strike_tumbler: {}\n", error);
-    return 1;
-  }
-  const auto run = experiments::run_strikes(*model, impulse, 1);
-  fmt::print("{}", experiments::strike_summary(run));
-  if (!csv.empty()) {
-    error = servo::write_text(csv, experiments::strike_csv(run));
-  }
-  if (error.empty() && !svg.empty()) {
-    error = servo::write_text(svg, servo::svg_text(experiments::strike_figure(run)));
-  }
-  if (!error.empty()) {
-    fmt::print(stderr, "strike_tumbler: {}\n", error);
-    return 1;
-  }
-  return experiments::strike_claims_hold(run) ? 0 : 3;
+  add_outputs(app, paths, "write a line for each link here", "draw the flights into this file");
+  return run_experiment(app, argc, argv, [&] {
+    std::string error;
+    const auto model = load_floating(TREELINE_TUMBLER_URDF, error);
+    if (!model) return bad_input(error);
+    const auto run = run_strikes(*model, impulse, 1);
+    return Findings{strike_summary(run),
+                    {{paths.csv, strike_csv(run)}, svg_file(paths.svg, strike_figure(run))},
+                    strike_claims_hold(run)};
+  });
 }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "emission/emission_context.hpp"
+
+namespace treeline::cpp {
+
+/// What fills a template: text by the name of its place.
+using Holes = std::map<std::string, std::string>;
+
+/// Adds the numbers of an emitted controller: limits of the joints, default gains and thresholds,
+/// and which rows of the points it controls.
+void add_controller_numbers(const EmissionContext& context, const ControllerUnit& unit,
+                            Holes& holes);
+
+}  // namespace treeline::cpp

@@ -1,0 +1,144 @@
+#include "mechanism/place_scene.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "mechanism/exact_from_file.hpp"
+#include "mechanism/place_inputs.hpp"
+#include "mechanism/resolution.hpp"
+
+namespace treeline {
+namespace {
+
+/// Index of what has this name; readers have checked that there is one.
+template <class Named>
+std::size_t index_of(const std::vector<Named>& all, const std::string& name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+const LinkPlace& place_of(const PlacedRobot& placed, const std::string& link) {
+  return placed.links[index_of(placed.robot.links, link)];
+}
+
+MechanismPoint point(const PlacedRobot& placed, const ScenePoint& wanted, Mechanism& mechanism) {
+  const LinkPlace& place = place_of(placed, wanted.link);
+  const ExactPose pose =
+      resolved_as(place.pose * exact_pose(wanted.origin), wanted.name, mechanism);
+  return {wanted.name, place.link, pose, wanted.axes, wanted.rows, wanted.priority};
+}
+
+std::vector<MechanismPoint> points(const PlacedRobot& placed, const std::vector<ScenePoint>& wanted,
+                                   Mechanism& mechanism) {
+  std::vector<MechanismPoint> result;
+  for (const ScenePoint& each : wanted) result.push_back(point(placed, each, mechanism));
+  return result;
+}
+
+std::vector<MechanismLoop> loops(const PlacedRobot& placed, Mechanism& mechanism) {
+  std::vector<MechanismLoop> result;
+  for (const SceneLoop& loop : placed.scene.loops) {
+    const MechanismPoint first = point(placed, loop.first, mechanism);
+    result.push_back({first, point(placed, loop.second, mechanism)});
+  }
+  return result;
+}
+
+std::vector<MechanismCoupling> couplings(const PlacedRobot& placed) {
+  std::vector<MechanismCoupling> result;
+  for (const SceneCoupling& coupling : placed.scene.couplings) {
+    result.push_back({coupling.name, {}, coupling.offset});
+    for (const auto& [name, factor] : coupling.parts) {
+      const FirstCoordinate first = placed.joints[index_of(placed.robot.joints, name)];
+      result.back().parts.push_back({first.q, first.v, factor});
+    }
+  }
+  return result;
+}
+
+/// Where the frames of all links of the URDF are.
+std::vector<MechanismPoint> files_frames(const PlacedRobot& placed) {
+  std::vector<MechanismPoint> frames;
+  for (std::size_t i = 0; i < placed.links.size(); ++i) {
+    frames.push_back({placed.robot.links[i].name, placed.links[i].link, placed.links[i].pose});
+  }
+  return frames;
+}
+
+/// Velocities of floating joints and of those that the scene calls passive.
+std::vector<int> passive_velocities(const Scene& scene, const Mechanism& mechanism) {
+  std::set<int> velocities;
+  for (const MovingLink& link : mechanism.links) {
+    const bool named = std::count(scene.passive.begin(), scene.passive.end(), link.joint) > 0;
+    if (!link.is_floating() && !named) continue;
+    for (int k = 0; k < link.velocities(); ++k) velocities.insert(link.v_index + k);
+  }
+  return {velocities.begin(), velocities.end()};
+}
+
+/// Frames of moving links with the names of their URDF links. The inner links of a joint of several
+/// axes have other names.
+std::vector<MechanismPoint> link_frames(const PlacedRobot& placed, const Mechanism& mechanism) {
+  std::vector<MechanismPoint> frames;
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    if (mechanism.links[i].spins) continue;  // no frame of the URDF
+    for (std::size_t k = 0; k < placed.links.size(); ++k) {
+      const LinkPlace& place = placed.links[k];
+      const std::string& name = placed.robot.links[k].name;
+      if (place.link != static_cast<int>(i) || name != mechanism.links[i].name) continue;
+      frames.push_back(
+          {name, place.link, place.pose, Axes::local, {true, true, true, true, true, true}});
+    }
+  }
+  return frames;
+}
+
+/// Those of the links to which regressors add a body.
+std::vector<MechanismPoint> payload_frames(const PlacedRobot& placed) {
+  std::vector<MechanismPoint> frames;
+  for (const std::string& link : placed.scene.regressor.payloads) {
+    const LinkPlace& place = place_of(placed, link);
+    frames.push_back({link, place.link, place.pose, Axes::local});
+  }
+  return frames;
+}
+
+std::vector<MechanismObject> objects(const Scene& scene, const Resolution& resolution) {
+  std::vector<MechanismObject> result;
+  for (const SceneObject& object : scene.objects) {
+    result.push_back({object.name, resolved(exact_inertia(object.inertial), resolution), {}});
+    for (const SceneGrasp& grasp : object.grasps) {
+      result.back().grasps.push_back({index_of(scene.operational_points, grasp.point),
+                                      resolved(exact_pose(grasp.origin), resolution)});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+ExactPose resolved_as(const ExactPose& pose, const std::string& element, Mechanism& mechanism) {
+  Change change;
+  const ExactPose result = resolved(pose, mechanism.resolution, &change);
+  add_decisions(change, element, mechanism.file, mechanism.noise);
+  return result;
+}
+
+void place_scene(const PlacedRobot& placed, Mechanism& mechanism) {
+  const Scene& scene = placed.scene;
+  mechanism.operational_points = points(placed, scene.operational_points, mechanism);
+  mechanism.external_forces = points(placed, scene.external_forces, mechanism);
+  mechanism.objects = objects(scene, mechanism.resolution);
+  mechanism.contacts = points(placed, scene.contacts, mechanism);
+  mechanism.constraints = points(placed, scene.constraints, mechanism);
+  mechanism.loops = loops(placed, mechanism);
+  mechanism.couplings = couplings(placed);
+  mechanism.passive = passive_velocities(scene, mechanism);
+  mechanism.link_frames = link_frames(placed, mechanism);
+  mechanism.regressor = scene.regressor;
+  mechanism.payload_frames = payload_frames(placed);
+  mechanism.inputs = place_inputs(placed.robot, scene, files_frames(placed));
+}
+
+}  // namespace treeline
