@@ -27,6 +27,7 @@ struct Humanoid24 {
   static constexpr auto& forward_dynamics = humanoid24::forward_dynamics;
   static constexpr auto& forward_kinematics = humanoid24::forward_kinematics;
   static constexpr auto& jacobian = humanoid24::jacobian;
+  static constexpr auto& mass_matrix = humanoid24::mass_matrix;
   static constexpr auto& control_torque = humanoid24::control_torque;
 };
 
@@ -37,6 +38,7 @@ struct Options {
   std::string svg;
   double rate = 0.0;
   double duration = 0.0;
+  double spring = 0.0;
   bool realtime = false;
   experiments::RunSettings run;
 };
@@ -47,6 +49,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--rate", options.rate, "Hz, instead of the plan's")->check(CLI::Range(1.0, 1e5));
   app.add_option("--duration", options.duration, "s of the spline, instead of the plan's")
       ->check(CLI::Range(0.1, 1e3));
+  app.add_option("--spring", options.spring, "N m/rad, of every joint, instead of the plan's")
+      ->check(CLI::Range(0.01, 1e4));
   app.add_option("--substeps", options.run.substeps, "integration steps per cycle")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -128,6 +132,11 @@ int main(int argc, char** argv) {
   if (plan.joints.size() != static_cast<std::size_t>(Humanoid24::kVelocities)) {
     fmt::print(stderr, "touch_floor: {} lists {} joints, the robot has {}\n", options.plan,
                plan.joints.size(), Humanoid24::kVelocities);
+    return 1;
+  }
+  plan.spring = options.spring > 0.0 ? options.spring : plan.spring;
+  if (!(plan.spring > 0.0)) {
+    fmt::print(stderr, "touch_floor: {} has no springs\n", options.plan);
     return 1;
   }
   plan.rate = options.rate > 0.0 ? options.rate : plan.rate;

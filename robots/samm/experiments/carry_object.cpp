@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/command_laws.hpp"
+#include "samm_pair_joints.hpp"
 
 namespace treeline::experiments {
 namespace {
@@ -42,10 +43,8 @@ std::vector<std::string> names() {
   }
   names.emplace_back("control_us");
   for (const char* quantity : {"q", "tau"}) {
-    for (int robot = 1; robot <= 2; ++robot) {
-      for (int i = 1; i <= kJoints; ++i) {
-        names.push_back(fmt::format("{}_{}_{}", quantity, robot, i));
-      }
+    for (const char* joint : samm_pair::kCoordinateJoints) {
+      names.push_back(fmt::format("{}_{}", quantity, joint));
     }
   }
   return names;

@@ -51,7 +51,8 @@ enum Column : std::size_t {
   kSqueeze,
   kCommanded = kSqueeze + 2,
   kInternalError,
-  kColumns
+  kCoordinates,
+  kColumns = kCoordinates + Humanoids::kCoordinates
 };
 /// Of the virtual linkage's rods, those between the hands of one humanoid: 12 and 34.
 constexpr std::array<std::size_t, 2> kOwnRods = {0, 5};
@@ -129,7 +130,19 @@ void record(const servo::Report<Humanoids>& report, const Controller& controller
   for (std::size_t i = 0; i < commanded.size(); ++i) {
     row[kInternalError] = std::max(row[kInternalError], std::abs(internal[i] - commanded[i]));
   }
+  std::copy(std::begin(report.state.q), std::end(report.state.q), row + kCoordinates);
   table.append(row);
+}
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names = {
+      "time", "x_wanted", "y_wanted", "z_wanted", "x", "y", "z", "position_error",
+      "rotation_error", "drift", "squeeze_first", "squeeze_second", "squeeze_commanded",
+      "internal_error"};
+  for (const char* joint : humanoid_pair::kCoordinateJoints) {
+    names.push_back(std::string("q_") + joint);
+  }
+  return names;
 }
 
 servo::Message message_of(servo::MessageKind kind) {
@@ -146,11 +159,7 @@ double largest(const servo::Table& table, std::size_t column) {
 
 }  // namespace
 
-LadderOutcome::LadderOutcome(std::size_t rows)
-    : table({"time", "x_wanted", "y_wanted", "z_wanted", "x", "y", "z", "position_error",
-             "rotation_error", "drift", "squeeze_first", "squeeze_second", "squeeze_commanded",
-             "internal_error"},
-            rows) {}
+LadderOutcome::LadderOutcome(std::size_t rows) : table(column_names(), rows) {}
 
 LadderOutcome carry_ladder(const LadderPlan& plan) {
   using Robot = servo::SimulatedRobot<Humanoids>;
