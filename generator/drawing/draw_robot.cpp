@@ -12,10 +12,10 @@ namespace treeline {
 namespace {
 
 constexpr double kWidth = 240;    // of one picture, pixels
-constexpr double kHeight = 280;   // of the strip above the captions
+constexpr double kHeight = 280;   // of the strip above the captions, at most
 constexpr double kCaptions = 28;  // height of the captions
 constexpr double kMargin = 10;    // around the robot
-constexpr double kLongest = 0.3;   // edge of a face, of the robot's size
+constexpr double kLongest = 0.3;  // edge of a face, of the robot's size
 
 constexpr const char* kStyle =
     "<style>.paper{fill:#fff}.ground{fill:#ecebe6}text{fill:#1c1c1c}"
@@ -52,9 +52,12 @@ class Camera {
     constexpr double kLeast = 1e-6;  // m, of a robot that is a point
     const Eigen::Vector2d extent = seen_.sizes().cwiseMax(kLeast);
     scale_ = std::min((kWidth - 2 * kMargin) / extent.x(), (kHeight - 2 * kMargin) / extent.y());
+    height_ = std::round(scale_ * extent.y() + 2 * kMargin);
     left_ = 0.5 * kWidth - scale_ * seen_.center().x();
-    top_ = 0.5 * kHeight + scale_ * seen_.center().y();
+    top_ = 0.5 * height_ + scale_ * seen_.center().y();
   }
+  /// Of the picture without its caption, pixels.
+  [[nodiscard]] double height() const { return height_; }
 
   /// Colour of a surface in light from above the camera's left.
   [[nodiscard]] std::string shade(const Color& color, const Eigen::Vector3d& normal) const {
@@ -72,7 +75,7 @@ class Camera {
  private:
   Eigen::Vector3d towards_, right_, up_;
   Eigen::AlignedBox2d seen_;
-  double scale_ = 1, left_ = 0, top_ = 0;
+  double scale_ = 1, left_ = 0, top_ = 0, height_ = kHeight;
 };
 
 std::string print_points(const Camera& camera, const std::vector<Eigen::Vector3d>& points) {
@@ -189,13 +192,13 @@ Camera fit_camera(const View& view, const std::vector<Solids>& all,
   return camera;
 }
 
-std::string print_caption(const std::string& caption) {
+std::string print_caption(const Camera& camera, const std::string& caption) {
   std::string text;
   for (const char c : printable(caption)) {
     text += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
   }
   return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>\n",
-                     0.5 * kWidth, kHeight + 0.6 * kCaptions, text);
+                     0.5 * kWidth, camera.height() + 0.6 * kCaptions, text);
 }
 
 }  // namespace
@@ -213,17 +216,19 @@ std::string draw_robot(const Robot& robot, const LinkPlacer& placer,
   }
   const std::vector<Eigen::Vector3d> floor = find_floor(all);
   const Camera camera = fit_camera(view, all, moments);
+  const double height = camera.height() + kCaptions;
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"14\">\n"
       "{2}<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n",
-      kWidth * static_cast<double>(moments.size()), kHeight + kCaptions, kStyle);
+      kWidth * static_cast<double>(moments.size()), height, kStyle);
   for (std::size_t i = 0; i < moments.size(); ++i) {
     text +=
         fmt::format("<svg x=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" stroke-width=\"0.5\">\n",
-                    kWidth * static_cast<double>(i), kWidth, kHeight + kCaptions);
+                    kWidth * static_cast<double>(i), kWidth, height);
     text += draw_floor(camera, floor) + draw_solids(camera, all[i], kLongest * size) +
-            draw_path(camera, moments[i].path) + print_caption(moments[i].caption) + "</svg>\n";
+            draw_path(camera, moments[i].path) + print_caption(camera, moments[i].caption) +
+            "</svg>\n";
   }
   return text + "</svg>\n";
 }

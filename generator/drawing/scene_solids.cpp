@@ -48,8 +48,8 @@ Solids object_solids(const std::vector<SceneObject>& objects,
     const auto hand = std::find_if(names.begin(), names.end(), [&](const ScenePoint& point) {
       return point.name == grasp.point;
     });
-    const Eigen::Isometry3d frame = points[static_cast<std::size_t>(hand - names.begin())] *
-                                    as_isometry(grasp.origin);
+    const Eigen::Isometry3d frame =
+        points[static_cast<std::size_t>(hand - names.begin())] * as_isometry(grasp.origin);
     for (const SceneShape& shape : shapes[i]) add_shape(shape, frame, kHeld, solids);
   }
   return solids;

@@ -13,8 +13,8 @@ namespace treeline {
 /// The shapes of obstacles. Those that the robot avoids are orange, the others grey.
 Solids obstacle_solids(const std::vector<SceneObstacle>& obstacles);
 
-/// The shapes of a scene's objects, each in its first hand. `shapes` are those of each object, `names`
-/// the scene's operational points and `points` their poses in the world.
+/// The shapes of a scene's objects, each in its first hand. `shapes` are those of each object,
+/// `names` the scene's operational points and `points` their poses in the world.
 Solids object_solids(const std::vector<SceneObject>& objects,
                      const std::vector<std::vector<SceneShape>>& shapes,
                      const std::vector<ScenePoint>& names,

@@ -8,8 +8,8 @@
 
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
-#include "drawing/scene_solids.hpp"
 #include "drawing/robot_solids.hpp"
+#include "drawing/scene_solids.hpp"
 
 // Would catch: a joint that does not move what it carries, a hidden face that is drawn, a robot
 // that is cut off, and a link with a mesh only that is not seen at all.
@@ -75,15 +75,16 @@ TEST(DrawRobot, HiddenFacesAreNotDrawn) {
   const auto of_box = std::count_if(solids.faces.begin(), solids.faces.end(),
                                     [](const Face& face) { return face.color[0] == 0.7; });
   EXPECT_EQ(of_box, 6);
-  EXPECT_EQ(count(arm.draw({{{0, 0}, "", {}, {}}}), "<polygon"),
-            // the floor, the box with two long sides in quarters, half the sides of the rod, its end
-            1 + (4 + 4 + 1) + 10 + 1);
+  EXPECT_EQ(
+      count(arm.draw({{{0, 0}, "", {}, {}}}), "<polygon"),
+      // the floor, the box with two long sides in quarters, half the sides of the rod, its end
+      1 + (4 + 4 + 1) + 10 + 1);
 }
 
 TEST(DrawRobot, EverythingIsInThePicture) {
   const Arm arm;
-  std::string svg =
-      arm.draw({{{0, 0}, "rest", {}, {}}, {{kQuarter, 0.9}, "far", {Eigen::Vector3d(0, -2, 3)}, {}}});
+  std::string svg = arm.draw(
+      {{{0, 0}, "rest", {}, {}}, {{kQuarter, 0.9}, "far", {Eigen::Vector3d(0, -2, 3)}, {}}});
   EXPECT_EQ(count(svg, "<svg x="), 2U);
   EXPECT_NE(svg.find(">far</text>"), std::string::npos);
   svg = std::regex_replace(svg, std::regex("<polygon class=.ground[^>]*>"), "");  // the floor
@@ -191,8 +192,8 @@ TEST(DrawRobot, ObjectsAreInTheirFirstHand) {
   ScenePoint elbow, hand;
   elbow.name = "elbow";
   hand.name = "hand";
-  const std::vector<Eigen::Isometry3d> poses = {
-      Eigen::Isometry3d::Identity(), Eigen::Isometry3d(Eigen::Translation3d(0, 0, 2))};
+  const std::vector<Eigen::Isometry3d> poses = {Eigen::Isometry3d::Identity(),
+                                                Eigen::Isometry3d(Eigen::Translation3d(0, 0, 2))};
   const Solids solids = object_solids({object}, {{shape}}, {elbow, hand}, poses);
   ASSERT_EQ(solids.balls.size(), 1U);
   EXPECT_LT((solids.balls[0].center - Eigen::Vector3d(0.3, 0.2, 2)).norm(), 1e-12);

@@ -115,8 +115,8 @@ TEST(CarryObject, PairIsTheInterpretersClosedChain) {
   const servo::Table& table = the_run().table;
   const auto chain = the_chain();
   const auto& names = table.names();
-  const auto first =
-      static_cast<std::size_t>(std::find(names.begin(), names.end(), "q_first/base_x") - names.begin());
+  const auto first = static_cast<std::size_t>(
+      std::find(names.begin(), names.end(), "q_first/base_x") - names.begin());
   for (const std::size_t row : {0U, 3456U, 6543U}) {
     PairState state;
     double qdd_0[2][kJoints];

@@ -67,9 +67,9 @@ TEST(HumanoidTouchesFloor, WithBothHandsWhereTheyShallBe) {
   }
 }
 
-// "... without any additional commands": one stiffness for all joints, and which one matters little.
-// 300 Hz is the thesis's rate. Would catch: a posture that needs each joint's own figure, springs
-// that shake the light joints, and bounds that only the shorter period keeps.
+// "... without any additional commands": one stiffness for all joints, and which one matters
+// little. 300 Hz is the thesis's rate. Would catch: a posture that needs each joint's own figure,
+// springs that shake the light joints, and bounds that only the shorter period keeps.
 TEST(HumanoidTouchesFloor, WithAnyOneStiffnessForAllJointsAlsoAtTheThesisRate) {
   for (const double rate : {1000.0, 300.0}) {
     for (const double spring : {10.0, 60.0, 200.0}) {

@@ -51,7 +51,8 @@ TouchController<F> make_controller(const Plan& plan, const JointLimits& limits) 
 
 /// Appends one cycle as a row of the outcome's table, in the order of `table_names`.
 template <class F, class Controller>
-void record(const servo::Report<F>& report, const Controller& controller, double time, servo::Table& table) noexcept {
+void record(const servo::Report<F>& report, const Controller& controller, double time,
+            servo::Table& table) noexcept {
   constexpr int nv = F::kVelocities;
   double row[kFixedColumns + 2 * nv];
   int at = 0;

@@ -135,10 +135,20 @@ void record(const servo::Report<Humanoids>& report, const Controller& controller
 }
 
 std::vector<std::string> column_names() {
-  std::vector<std::string> names = {
-      "time", "x_wanted", "y_wanted", "z_wanted", "x", "y", "z", "position_error",
-      "rotation_error", "drift", "squeeze_first", "squeeze_second", "squeeze_commanded",
-      "internal_error"};
+  std::vector<std::string> names = {"time",
+                                    "x_wanted",
+                                    "y_wanted",
+                                    "z_wanted",
+                                    "x",
+                                    "y",
+                                    "z",
+                                    "position_error",
+                                    "rotation_error",
+                                    "drift",
+                                    "squeeze_first",
+                                    "squeeze_second",
+                                    "squeeze_commanded",
+                                    "internal_error"};
   for (const char* joint : humanoid_pair::kCoordinateJoints) {
     names.push_back(std::string("q_") + joint);
   }

@@ -19,8 +19,8 @@ int report(const experiments::RockPlan& plan, const experiments::Plan& pose,
   std::string error;
   if (outcome.fault) {
     const auto joint = static_cast<std::size_t>(outcome.fault.index);
-    error = "stopped: " + servo::describe(outcome.fault,
-                                          joint < pose.joints.size() ? pose.joints[joint] : "");
+    error = "stopped: " +
+            servo::describe(outcome.fault, joint < pose.joints.size() ? pose.joints[joint] : "");
   }
   if (error.empty() && !csv.empty()) {
     error = servo::write_text(csv, servo::csv_text(outcome.table));

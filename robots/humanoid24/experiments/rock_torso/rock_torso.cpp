@@ -28,8 +28,8 @@ using Robot = servo::SimulatedRobot<Humanoid24>;
 using Controller = servo::PoseTaskController<Humanoid24>;
 using Loop = servo::ServoLoop<Humanoid24, Robot, Controller, servo::SimulatedClock>;
 
-constexpr double kHandBound = 5e-6;        // m
-constexpr double kFollowed = 2.0 / 3.0;    // of the advice
+constexpr double kHandBound = 5e-6;             // m
+constexpr double kFollowed = 2.0 / 3.0;         // of the advice
 constexpr std::size_t kHandErrors[] = {7, 15};  // columns: distance, and angle after it
 constexpr int kSubsteps = 4;
 
@@ -151,10 +151,10 @@ servo::Plot rock_figure(const Outcome& outcome, const Plan& pose) {
     hands.lines.push_back({column == kHandErrors[0] ? "left" : "right", std::move(error), false});
   }
   plot.panels.push_back(std::move(hands));
-  plot.panels.push_back(joint_panel(table, pose, "Posture: away from the start", "angle (rad)",
-                                    kFixedColumns, true));
-  plot.panels.push_back(joint_panel(table, pose, "Joint torques that change most",
-                                    "torque (N m)", kFixedColumns + pose.joints.size(), false));
+  plot.panels.push_back(
+      joint_panel(table, pose, "Posture: away from the start", "angle (rad)", kFixedColumns, true));
+  plot.panels.push_back(joint_panel(table, pose, "Joint torques that change most", "torque (N m)",
+                                    kFixedColumns + pose.joints.size(), false));
   return plot;
 }
 

@@ -10,14 +10,14 @@ namespace treeline::experiments {
 /// Both hands hold their poses while the advised posture rocks the waist from side to side about
 /// two of its axes. A front end sends the advice.
 struct RockPlan {
-  double rate = 1000.0;      ///< of the control, Hz
+  double rate = 1000.0;       ///< of the control, Hz
   double advice_rate = 30.0;  ///< of the front end's messages, Hz
-  double lead = 0.5;         ///< at rest before, s
-  double period = 4.0;       ///< of one rocking, s
-  int rounds = 3;            ///< of which the first grows from rest and the last dies down
-  double roll = 0.3;         ///< of the waist, to either side, rad
-  double yaw = 0.4;          ///< of the waist, to either side, rad
-  double stiffness = 100.0;  ///< of the posture, the same for all joints, 1/s^2
+  double lead = 0.5;          ///< at rest before, s
+  double period = 4.0;        ///< of one rocking, s
+  int rounds = 3;             ///< of which the first grows from rest and the last dies down
+  double roll = 0.3;          ///< of the waist, to either side, rad
+  double yaw = 0.4;           ///< of the waist, to either side, rad
+  double stiffness = 100.0;   ///< of the posture, the same for all joints, 1/s^2
 
   double total() const noexcept { return lead + rounds * period + 1.0; }
 };
