@@ -28,7 +28,7 @@ draw(humanoid24/touch_floor ${FOLDER}/touch_floor.csv
   --times 0.25,1.75,2.75,3.75,5.25 --path left_hand --elevation 0.18)
 draw(humanoid24/rock_torso ${FOLDER}/rock_torso.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene.yaml
-  --times 0.5,5.5,6.5,7.5,8.5 --azimuth 0.4 --elevation 0.18)
+  --times 0.5,5.7,6.7,7.7,9.7 --azimuth 0.4 --elevation 0.18)
 draw(humanoid24/put_box ${FOLDER}/put_box.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene_box.yaml
   --times 0.25,1.75,2.75,3.75,5.25 --elevation 0.18)

@@ -9,6 +9,7 @@
 #include "humanoid24.hpp"
 #include "joint_panel.hpp"
 #include "servo/clock.hpp"
+#include "servo/run_for.hpp"
 #include "touch_floor.hpp"
 
 namespace treeline::experiments {
@@ -26,7 +27,6 @@ struct Humanoid24 {
 };
 using Robot = servo::SimulatedRobot<Humanoid24>;
 using Controller = servo::PoseTaskController<Humanoid24>;
-using Loop = servo::ServoLoop<Humanoid24, Robot, Controller, servo::SimulatedClock>;
 
 constexpr double kHandBound = 5e-6;             // m
 constexpr double kFollowed = 2.0 / 3.0;         // of the advice
@@ -46,12 +46,6 @@ servo::Message advise_message(const RockPlan& plan, const Plan& pose, double tim
   const WaistAdvice advice = advice_at(plan, time);
   message.values[joint_index(pose, "waist_roll")] += advice.roll;
   message.values[joint_index(pose, "waist_yaw")] += advice.yaw;
-  return message;
-}
-
-servo::Message message_of(servo::MessageKind kind) {
-  servo::Message message;
-  message.kind = kind;
   return message;
 }
 
@@ -84,25 +78,18 @@ Outcome rock_torso(const RockPlan& plan, const Plan& pose, const JointLimits& li
   servo::SimulatedClock clock;
   servo::LoopSettings settings;
   settings.rate = plan.rate;
-  auto loop = std::make_unique<Loop>(settings, safety_limits<Humanoid24>(limits), robot, controller,
-                                     clock, mailbox);
   Outcome outcome(table_names(pose.joints), static_cast<std::size_t>(plan.total() * plan.rate) + 2);
-  mailbox.push(message_of(servo::MessageKind::start));
   double next_advice = plan.lead;
-  bool leaving = false;
-  loop->run([&](const servo::Report<Humanoid24>& report) {
-    if (report.mode == servo::Mode::running) {
-      record(report, controller, report.time, outcome.table);
-    }
-    if (report.time >= next_advice && mailbox.push(advise_message(plan, pose, report.time))) {
-      next_advice += 1.0 / plan.advice_rate;
-    }
-    if (!leaving && (report.time >= plan.total() || report.mode == servo::Mode::faulted)) {
-      leaving = mailbox.push(message_of(servo::MessageKind::disconnect));
-    }
-  });
-  outcome.fault = loop->fault();
-  outcome.control = loop->control_times();
+  const servo::RunEnd end = servo::run_for<Humanoid24>(
+      plan.total(), settings, safety_limits<Humanoid24>(limits), robot, controller, clock, mailbox,
+      [&](const servo::Report<Humanoid24>& report) {
+        record(report, controller, report.time, outcome.table);
+        if (report.time >= next_advice && mailbox.push(advise_message(plan, pose, report.time))) {
+          next_advice += 1.0 / plan.advice_rate;
+        }
+      });
+  outcome.fault = end.fault;
+  outcome.control = end.control;
   return outcome;
 }
 
