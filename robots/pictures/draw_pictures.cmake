@@ -8,7 +8,7 @@ foreach(program ${PROGRAMS})
 endforeach()
 set(pictures humanoid24/touch_floor humanoid24/rock_torso humanoid24/put_box humanoid24/carry_ladder
   humanoid24/time_and_error samm/circles)
-file(MAKE_DIRECTORY ${FOLDER}/humanoid24 ${FOLDER}/samm)
+file(MAKE_DIRECTORY ${FOLDER}/humanoid24 ${FOLDER}/samm ${FOLDER}/circles)
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
