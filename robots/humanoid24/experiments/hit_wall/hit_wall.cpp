@@ -68,7 +68,9 @@ void commanded_force(const State& state, const double (&xdd)[3], double (&force)
 class WallRobot {
  public:
   WallRobot(const State& state, const WallSettings& settings) : state_(state), settings_(settings) {
-    blows_.reserve(kMostBlows);
+    // A pressing hand strikes in every step.
+    blows_.reserve(static_cast<std::size_t>(settings.duration * settings.rate + 1) *
+                   static_cast<std::size_t>(settings.substeps));
   }
 
   [[nodiscard]] bool connected() const noexcept { return true; }
@@ -90,8 +92,6 @@ class WallRobot {
   [[nodiscard]] const std::vector<WallBlow>& blows() const noexcept { return blows_; }
 
  private:
-  static constexpr std::size_t kMostBlows = 4096;  // of a short run; more are allocated
-
   /// Advances time by `dt`. In the air by Runge-Kutta; at the wall velocities first, then the blow,
   /// then coordinates, so that a pressing hand does not sink in. Returns the normal impulse on the
   /// robot.
