@@ -12,6 +12,7 @@
 #include "puma560_joints.hpp"
 #include "servo/clock.hpp"
 #include "servo/integrate.hpp"
+#include "servo/limits_of.hpp"
 #include "servo/run_for.hpp"
 
 namespace treeline::experiments {
@@ -315,17 +316,6 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
   return values;
 }
 
-servo::SafetyLimits<6, 6> limits_of_puma() {
-  servo::SafetyLimits<6, 6> limits;
-  for (std::size_t i = 0; i < 6; ++i) {
-    limits.lower[i] = puma560::kLowerLimits[i];
-    limits.upper[i] = puma560::kUpperLimits[i];
-    limits.velocity[i] = puma560::kVelocityLimits[i];
-    limits.torque[i] = puma560::kEffortLimits[i];
-  }
-  return limits;
-}
-
 }  // namespace
 
 PressRun run_press(Frame frame) {
@@ -343,7 +333,10 @@ PressRun run_press(Frame frame) {
   PressRun run{
       servo::Table(column_names(), static_cast<std::size_t>(kDuration / kPeriod) + 2), {}, {}};
   run.fault = servo::run_for<Puma>(
-                  kDuration, settings, limits_of_puma(), robot, controller, clock, mailbox,
+                  kDuration, settings,
+                  servo::limits_of(puma560::kLowerLimits, puma560::kUpperLimits,
+                                   puma560::kVelocityLimits, puma560::kEffortLimits),
+                  robot, controller, clock, mailbox,
                   [&](const servo::Report<Puma>& report) { record(report, controller, run); })
                   .fault;
   return run;

@@ -9,6 +9,7 @@
 #include "core/command_laws.hpp"
 #include "samm_pair_joints.hpp"
 #include "servo/clock.hpp"
+#include "servo/limits_of.hpp"
 #include "servo/run_for.hpp"
 #include "servo/simulated_robot.hpp"
 
@@ -131,17 +132,6 @@ class CarryController {
   const PairState& start_;
 };
 
-servo::SafetyLimits<Pair::kCoordinates, Pair::kVelocities> limits_of_pair() {
-  servo::SafetyLimits<Pair::kCoordinates, Pair::kVelocities> limits;
-  for (std::size_t i = 0; i < Pair::kCoordinates; ++i) {
-    limits.lower[i] = samm_pair::kLowerLimits[i];
-    limits.upper[i] = samm_pair::kUpperLimits[i];
-    limits.velocity[i] = samm_pair::kVelocityLimits[i];
-    limits.torque[i] = samm_pair::kEffortLimits[i];
-  }
-  return limits;
-}
-
 /// What acts in a cycle is decided in the one before.
 struct Held {
   double tau[Pair::kVelocities] = {};
@@ -201,13 +191,15 @@ CarryOutcome carry_object(const CarryPlan& plan) {
   const double total = plan.lead + plan.duration + plan.settle;
   CarryOutcome outcome(static_cast<std::size_t>(std::lround(total * plan.rate)) + 1);
   Held held;
-  const servo::RunEnd end =
-      servo::run_for<Pair>(total, settings, limits_of_pair(), robot, controller, clock, mailbox,
-                           [&](const servo::Report<Pair>& report) {
-                             if (!held.any) held.take(report, controller.wanted);
-                             record(report, controller, held, outcome.table);
-                             held.take(report, controller.wanted);
-                           });
+  const servo::RunEnd end = servo::run_for<Pair>(
+      total, settings,
+      servo::limits_of(samm_pair::kLowerLimits, samm_pair::kUpperLimits, samm_pair::kVelocityLimits,
+                       samm_pair::kEffortLimits),
+      robot, controller, clock, mailbox, [&](const servo::Report<Pair>& report) {
+        if (!held.any) held.take(report, controller.wanted);
+        record(report, controller, held, outcome.table);
+        held.take(report, controller.wanted);
+      });
   outcome.fault = end.fault;
   outcome.control = end.control;
   return outcome;

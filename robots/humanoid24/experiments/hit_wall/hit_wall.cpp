@@ -13,6 +13,7 @@
 #include "humanoid24_wall_joints.hpp"
 #include "servo/clock.hpp"
 #include "servo/integrate.hpp"
+#include "servo/limits_of.hpp"
 #include "servo/run_for.hpp"
 
 namespace treeline::experiments {
@@ -246,17 +247,6 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-servo::SafetyLimits<kJoints, kJoints> limits_of_robot() {
-  servo::SafetyLimits<kJoints, kJoints> limits;
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    limits.lower[i] = robot::kLowerLimits[i];
-    limits.upper[i] = robot::kUpperLimits[i];
-    limits.velocity[i] = robot::kVelocityLimits[i];
-    limits.torque[i] = robot::kEffortLimits[i];
-  }
-  return limits;
-}
-
 std::vector<double> scaled(std::vector<double> values, double factor) {
   for (double& value : values) {
     value *= factor;
@@ -279,18 +269,20 @@ WallRun run_hit_wall(const Plan& plan, const WallSettings& settings) {
   WallRun run{servo::Table(column_names(), rows), {}, {}, 0, 0, 0};
   constexpr double kEnd = 0.2;  // s at the end over which forces are averaged
   const double share = 1 / std::floor(kEnd * settings.rate);
-  const servo::RunEnd end =
-      servo::run_for<Wall24>(settings.duration, loop, limits_of_robot(), before_wall, controller,
-                             clock, mailbox, [&](const servo::Report<Wall24>& report) {
-                               const double force = before_wall.impulse() * settings.rate;
-                               record(report, plan, settings, force, run.table);
-                               if (report.time > settings.duration - kEnd + 0.5 / settings.rate) {
-                                 double wanted[3];
-                                 commanded_force(report.state, controller.commanded(), wanted);
-                                 run.pressing += share * force;
-                                 run.commanded += share * wanted[0];
-                               }
-                             });
+  const servo::RunEnd end = servo::run_for<Wall24>(
+      settings.duration, loop,
+      servo::limits_of(robot::kLowerLimits, robot::kUpperLimits, robot::kVelocityLimits,
+                       robot::kEffortLimits),
+      before_wall, controller, clock, mailbox, [&](const servo::Report<Wall24>& report) {
+        const double force = before_wall.impulse() * settings.rate;
+        record(report, plan, settings, force, run.table);
+        if (report.time > settings.duration - kEnd + 0.5 / settings.rate) {
+          double wanted[3];
+          commanded_force(report.state, controller.commanded(), wanted);
+          run.pressing += share * force;
+          run.commanded += share * wanted[0];
+        }
+      });
   run.fault = end.fault;
   run.blows = before_wall.blows();
   run.deepest = before_wall.deepest();

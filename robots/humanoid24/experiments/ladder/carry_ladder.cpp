@@ -12,6 +12,7 @@
 #include "humanoid_pair_joints.hpp"
 #include "object_task_controller.hpp"
 #include "robot_with_object.hpp"
+#include "servo/limits_of.hpp"
 #include "servo/loop.hpp"
 #include "servo/simulated_robot.hpp"
 
@@ -78,19 +79,6 @@ servo::StateOf<Humanoids> start_state() {
   for (int i = 0; i < Humanoids::kCoordinates; ++i) state.q[i] = kStart[i % kJoints];
   close_grasp<Humanoids>(state.q);
   return state;
-}
-
-servo::SafetyLimits<Humanoids::kCoordinates, nv> limits_of_humanoids() {
-  servo::SafetyLimits<Humanoids::kCoordinates, nv> limits;
-  std::copy(std::begin(humanoid_pair::kLowerLimits), std::end(humanoid_pair::kLowerLimits),
-            limits.lower.begin());
-  std::copy(std::begin(humanoid_pair::kUpperLimits), std::end(humanoid_pair::kUpperLimits),
-            limits.upper.begin());
-  std::copy(std::begin(humanoid_pair::kVelocityLimits), std::end(humanoid_pair::kVelocityLimits),
-            limits.velocity.begin());
-  std::copy(std::begin(humanoid_pair::kEffortLimits), std::end(humanoid_pair::kEffortLimits),
-            limits.torque.begin());
-  return limits;
 }
 
 /// Moves the ladder from where it is at the start, by the plan.
@@ -182,7 +170,10 @@ LadderOutcome carry_ladder(const LadderPlan& plan) {
   settings.rate = plan.rate;
   auto loop =
       std::make_unique<servo::ServoLoop<Humanoids, Robot, Controller, servo::SimulatedClock>>(
-          settings, limits_of_humanoids(), robot, controller, clock, mailbox);
+          settings,
+          servo::limits_of(humanoid_pair::kLowerLimits, humanoid_pair::kUpperLimits,
+                           humanoid_pair::kVelocityLimits, humanoid_pair::kEffortLimits),
+          robot, controller, clock, mailbox);
   const double total = 2.0 * plan.lead + plan.duration;
   LadderOutcome outcome(static_cast<std::size_t>(total * plan.rate) + 2);
   const auto commanded = commanded_internal(plan);
