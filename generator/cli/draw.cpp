@@ -16,8 +16,8 @@
 #include "description/read_text_file.hpp"
 #include "description/suggest_name.hpp"
 #include "drawing/draw_robot.hpp"
-#include "drawing/obstacle_solids.hpp"
 #include "drawing/recorded_motion.hpp"
+#include "drawing/scene_solids.hpp"
 
 namespace treeline {
 namespace {
@@ -126,9 +126,9 @@ std::vector<Eigen::Vector3d> trace_path(const LinkPlacer& placer, const Recorded
   const std::size_t stride = std::max<std::size_t>(1, motion.times.size() / kSteps);
   std::vector<Eigen::Vector3d> path;
   for (std::size_t k = 0; k < row; k += stride) {
-    path.push_back(placer.place_points(motion.q[k])[point]);
+    path.push_back(placer.place_points(motion.q[k])[point].translation());
   }
-  path.push_back(placer.place_points(motion.q[row])[point]);
+  path.push_back(placer.place_points(motion.q[row])[point].translation());
   return path;
 }
 
@@ -138,7 +138,7 @@ std::optional<std::vector<Moment>> choose_moments(const DrawOptions& options, co
   if (options.motion.empty()) {
     if (!has_size("--q", options.q, placer.coordinates(), diagnostics)) return std::nullopt;
     return std::vector<Moment>{
-        {options.q.empty() ? placer.home() : options.q, drawn.robot.name, {}}};
+        {options.q.empty() ? placer.home() : options.q, drawn.robot.name, {}, {}}};
   }
   const auto motion = read_motion(options.motion, placer.joints(), placer.home(), diagnostics);
   if (!motion) return std::nullopt;
@@ -150,7 +150,7 @@ std::optional<std::vector<Moment>> choose_moments(const DrawOptions& options, co
   std::vector<Moment> moments;
   for (const double time : choose_times(options, *motion)) {
     const std::size_t row = row_at(*motion, time);
-    moments.push_back({motion->q[row], fmt::format("{:.4g} s", time), {}});
+    moments.push_back({motion->q[row], fmt::format("{:.4g} s", time), {}, {}});
     if (point) moments.back().path = trace_path(placer, *motion, *point, row);
   }
   return moments;
@@ -160,8 +160,12 @@ int draw(const DrawOptions& options, Diagnostics& diagnostics) {
   const auto drawn = read_files(options, diagnostics);
   if (!drawn) return kBadInput;
   const LinkPlacer placer(drawn->robot, drawn->scene);
-  const auto moments = choose_moments(options, *drawn, placer, diagnostics);
+  auto moments = choose_moments(options, *drawn, placer, diagnostics);
   if (!moments) return kBadInput;
+  for (Moment& moment : *moments) {
+    moment.held = object_solids(drawn->scene.objects, drawn->surroundings.shapes,
+                                drawn->scene.operational_points, placer.place_points(moment.q));
+  }
   const std::string svg = draw_robot(drawn->robot, placer, drawn->visuals, *moments, options.view,
                                      obstacle_solids(drawn->surroundings.obstacles));
   if (options.svg.empty() || options.svg == "-") return write_output(svg, OutputForm::text, kOk);

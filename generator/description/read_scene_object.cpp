@@ -113,7 +113,7 @@ void read_grasps(const SceneElement& element, const Scene& scene, SceneObject& o
 
 SceneObject read_object(const SceneElement& element, const Scene& scene) {
   SceneObject object;
-  const Fields fields = element.fields({"name", "mass", "center", "inertia", "grasps"});
+  const Fields fields = element.fields({"name", "mass", "center", "inertia", "grasps", "shapes"});
   if (const auto* name = find_required(element, fields, "name", "give the object a name")) {
     object.name = name->text().value_or("");
     if (!object.name.empty() && !is_identifier(object.name)) {

@@ -22,47 +22,67 @@ double read_length(const SceneElement& element, double fallback) {
   return fallback;
 }
 
-void read_sphere(const SceneElement& element, SceneObstacle& obstacle) {
+void read_sphere(const SceneElement& element, SceneShape& shape) {
   const Fields fields = element.fields({"radius"});
   const auto radius = fields.find("radius");
   if (radius == fields.end()) {
     element.error("the key \"radius\" is missing", "write sphere: {radius: m}");
     return;
   }
-  obstacle.radius = read_length(radius->second, 1);
+  shape.radius = read_length(radius->second, 1);
 }
 
-void read_box(const SceneElement& element, SceneObstacle& obstacle) {
+void read_box(const SceneElement& element, SceneShape& shape) {
   const Fields fields = element.fields({"size"});
   const auto size = fields.find("size");
   if (size == fields.end()) {
     element.error("the key \"size\" is missing", "write box: {size: [x, y, z]}, its edges in m");
     return;
   }
-  obstacle.size = size->second.three_numbers().value_or(std::array<double, 3>{1, 1, 1});
-  if (*std::min_element(obstacle.size.begin(), obstacle.size.end()) > 0) return;
+  shape.size = size->second.three_numbers().value_or(std::array<double, 3>{1, 1, 1});
+  if (*std::min_element(shape.size.begin(), shape.size.end()) > 0) return;
   size->second.error("an edge is not positive", "give the lengths of its edges in m");
+}
+
+/// Reads the keys `sphere`, `box` and `origin` of `what`, which has exactly one of the first two.
+void read_shape(const SceneElement& element, const Fields& fields, const char* what,
+                SceneShape& shape) {
+  const auto sphere = fields.find("sphere");
+  const auto box = fields.find("box");
+  if ((sphere == fields.end()) == (box == fields.end())) {
+    element.error(fmt::format("{} is one sphere or one box", what),
+                  "write sphere: {radius: m} or box: {size: [x, y, z]}");
+  }
+  if (sphere != fields.end()) read_sphere(sphere->second, shape);
+  if (box != fields.end()) read_box(box->second, shape);
+  if (const auto origin = fields.find("origin"); origin != fields.end()) {
+    shape.origin = read_origin(origin->second);
+  }
 }
 
 SceneObstacle read_obstacle(const SceneElement& element) {
   SceneObstacle obstacle;
   const Fields fields = element.fields({"name", "sphere", "box", "origin", "avoid"});
   obstacle.name = read_point_name(element, fields);
-  const auto sphere = fields.find("sphere");
-  const auto box = fields.find("box");
-  if ((sphere == fields.end()) == (box == fields.end())) {
-    element.error("an obstacle is one sphere or one box",
-                  "write sphere: {radius: m} or box: {size: [x, y, z]}");
-  }
-  if (sphere != fields.end()) read_sphere(sphere->second, obstacle);
-  if (box != fields.end()) read_box(box->second, obstacle);
-  if (const auto origin = fields.find("origin"); origin != fields.end()) {
-    obstacle.origin = read_origin(origin->second);
-  }
+  read_shape(element, fields, "an obstacle", obstacle);
   if (const auto avoid = fields.find("avoid"); avoid != fields.end()) {
     obstacle.avoided = avoid->second.choice({"true", "false"}).value_or(0) == 0;
   }
   return obstacle;
+}
+
+/// The key `shapes` of an object, whose other keys `read_objects` reads.
+std::vector<SceneShape> read_object_shapes(const SceneElement& object) {
+  std::vector<SceneShape> shapes;
+  if (!object.is_map()) return shapes;
+  for (const auto& [key, element] : object.entries()) {
+    if (key != "shapes") continue;
+    for (const SceneElement& item : element.items()) {
+      shapes.emplace_back();
+      read_shape(item, item.fields({"sphere", "box", "origin"}), "a shape", shapes.back());
+    }
+  }
+  return shapes;
 }
 
 void read_obstacles(const SceneElement& element, SceneSurroundings& surroundings) {
@@ -131,6 +151,12 @@ void read_avoidance(const SceneElement& element, const Robot& robot, SceneAvoida
 
 SceneSurroundings read_surroundings(const Fields& fields, const Robot& robot) {
   SceneSurroundings surroundings;
+  const auto objects = fields.find("objects");
+  if (objects != fields.end() && objects->second.is_list()) {
+    for (const SceneElement& object : objects->second.items()) {
+      surroundings.shapes.push_back(read_object_shapes(object));
+    }
+  }
   if (const auto obstacles = fields.find("obstacles"); obstacles != fields.end()) {
     read_obstacles(obstacles->second, surroundings);
   }

@@ -10,9 +10,10 @@
 
 namespace treeline {
 
-/// The scene's keys `obstacles` and `avoidance`, out of its `fields`. Errors: an obstacle that is
-/// not one sphere or one box; names that repeat; sizes that are not positive; a point that repeats
-/// or is on an unknown link; more than a loop can watch.
+/// The scene's keys `obstacles` and `avoidance` and the `shapes` of its `objects`, out of its
+/// `fields`. Errors: an obstacle or a shape that is not one sphere or one box; names that repeat;
+/// sizes that are not positive; a point that repeats or is on an unknown link; more than a loop can
+/// watch.
 SceneSurroundings read_surroundings(const std::map<std::string, SceneElement>& fields,
                                     const Robot& robot);
 

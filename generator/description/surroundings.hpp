@@ -8,14 +8,17 @@
 
 namespace treeline {
 
-/// A body that stands in the world beside the robot: a sphere or a box about the origin of its
-/// frame.
-struct SceneObstacle {
-  std::string name;
-  Pose origin;                   ///< in the world
+/// A sphere or a box about the origin of its frame.
+struct SceneShape {
+  Pose origin;
   std::array<double, 3> size{};  ///< edges of a box, m; 0 for a sphere
   double radius = 0;             ///< of a sphere, m; 0 for a box
-  bool avoided = true;           ///< false: the robot may touch it
+};
+
+/// A body that stands in the world, in which its origin is, beside the robot.
+struct SceneObstacle : SceneShape {
+  std::string name;
+  bool avoided = true;  ///< false: the robot may touch it
 };
 
 /// A point of a link that keeps away from obstacles.
@@ -32,10 +35,11 @@ struct SceneAvoidance {
   std::vector<SceneGuard> points;  ///< beside the operational points
 };
 
-/// What stands around a driven robot. No generated code depends on it.
+/// What stands around a robot, and what its objects look like. No generated code depends on it.
 struct SceneSurroundings {
   std::vector<SceneObstacle> obstacles;
   SceneAvoidance avoidance;
+  std::vector<std::vector<SceneShape>> shapes;  ///< of each object, in its frame; may be empty
 };
 
 }  // namespace treeline

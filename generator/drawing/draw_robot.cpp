@@ -12,9 +12,15 @@ namespace treeline {
 namespace {
 
 constexpr double kWidth = 240;    // of one picture, pixels
-constexpr double kHeight = 280;   // of the strip above the captions
+constexpr double kHeight = 280;   // of the strip above the captions, at most
 constexpr double kCaptions = 28;  // height of the captions
 constexpr double kMargin = 10;    // around the robot
+constexpr double kLongest = 0.3;  // edge of a face, of the robot's size
+
+constexpr const char* kStyle =
+    "<style>.paper{fill:#fff}.ground{fill:#ecebe6}text{fill:#1c1c1c}"
+    "@media(prefers-color-scheme:dark){.paper{fill:#16181d}.ground{fill:#2a2d33}"
+    "text{fill:#e6e6e6}}</style>\n";
 
 /// Parallel projection of the world onto a picture.
 class Camera {
@@ -46,9 +52,12 @@ class Camera {
     constexpr double kLeast = 1e-6;  // m, of a robot that is a point
     const Eigen::Vector2d extent = seen_.sizes().cwiseMax(kLeast);
     scale_ = std::min((kWidth - 2 * kMargin) / extent.x(), (kHeight - 2 * kMargin) / extent.y());
+    height_ = std::round(scale_ * extent.y() + 2 * kMargin);
     left_ = 0.5 * kWidth - scale_ * seen_.center().x();
-    top_ = 0.5 * kHeight + scale_ * seen_.center().y();
+    top_ = 0.5 * height_ + scale_ * seen_.center().y();
   }
+  /// Of the picture without its caption, pixels.
+  [[nodiscard]] double height() const { return height_; }
 
   /// Colour of a surface in light from above the camera's left.
   [[nodiscard]] std::string shade(const Color& color, const Eigen::Vector3d& normal) const {
@@ -66,7 +75,7 @@ class Camera {
  private:
   Eigen::Vector3d towards_, right_, up_;
   Eigen::AlignedBox2d seen_;
-  double scale_ = 1, left_ = 0, top_ = 0;
+  double scale_ = 1, left_ = 0, top_ = 0, height_ = kHeight;
 };
 
 std::string print_points(const Camera& camera, const std::vector<Eigen::Vector3d>& points) {
@@ -76,6 +85,24 @@ std::string print_points(const Camera& camera, const std::vector<Eigen::Vector3d
         fmt::format("{}{:.1f},{:.1f}", text.empty() ? "" : " ", camera.x(point), camera.y(point));
   }
   return text;
+}
+
+/// Cuts a face of four corners across its longer edges until none is longer than `limit` (m), for
+/// the middle of a long face says little about which of its parts is near. Other faces stay whole.
+void cut_face(const Face& face, double limit, std::vector<Face>& pieces) {
+  const auto edge = [&](std::size_t i) {
+    return (face.corners[(i + 1) % 4] - face.corners[i]).norm();
+  };
+  if (face.corners.size() != 4 || std::max({edge(0), edge(1), edge(2), edge(3)}) <= limit) {
+    pieces.push_back(face);
+    return;
+  }
+  const std::size_t first = std::max(edge(0), edge(2)) >= std::max(edge(1), edge(3)) ? 0 : 1;
+  const auto corner = [&](std::size_t i) { return face.corners[(first + i) % 4]; };
+  const Eigen::Vector3d near = 0.5 * (corner(0) + corner(1));
+  const Eigen::Vector3d far = 0.5 * (corner(2) + corner(3));
+  cut_face({{corner(0), near, far, corner(3)}, face.normal, face.color}, limit, pieces);
+  cut_face({{near, corner(1), corner(2), far}, face.normal, face.color}, limit, pieces);
 }
 
 /// Something to draw. The nearest is drawn last.
@@ -93,11 +120,13 @@ Item draw_face(const Camera& camera, const Face& face) {
                       print_points(camera, face.corners), color, color)};
 }
 
-std::string draw_solids(const Camera& camera, const Solids& solids) {
-  std::vector<Item> items;
+std::string draw_solids(const Camera& camera, const Solids& solids, double longest) {
+  std::vector<Face> seen;
   for (const Face& face : solids.faces) {
-    if (camera.sees(face.normal)) items.push_back(draw_face(camera, face));
+    if (camera.sees(face.normal)) cut_face(face, longest, seen);
   }
+  std::vector<Item> items;
+  for (const Face& face : seen) items.push_back(draw_face(camera, face));
   for (const Ball& ball : solids.balls) {
     items.push_back({camera.nearness(ball.center) + 0.5 * ball.radius,
                      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>\n",
@@ -138,7 +167,7 @@ std::vector<Eigen::Vector3d> find_floor(const std::vector<Solids>& all) {
 
 std::string draw_floor(const Camera& camera, const std::vector<Eigen::Vector3d>& floor) {
   if (floor.empty()) return "";
-  return fmt::format("<polygon points=\"{}\" fill=\"#ecebe6\"/>\n", print_points(camera, floor));
+  return fmt::format("<polygon class=\"ground\" points=\"{}\"/>\n", print_points(camera, floor));
 }
 
 std::string draw_path(const Camera& camera, const std::vector<Eigen::Vector3d>& path) {
@@ -163,13 +192,13 @@ Camera fit_camera(const View& view, const std::vector<Solids>& all,
   return camera;
 }
 
-std::string print_caption(const std::string& caption) {
+std::string print_caption(const Camera& camera, const std::string& caption) {
   std::string text;
   for (const char c : printable(caption)) {
     text += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
   }
   return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>\n",
-                     0.5 * kWidth, kHeight + 0.6 * kCaptions, text);
+                     0.5 * kWidth, camera.height() + 0.6 * kCaptions, text);
 }
 
 }  // namespace
@@ -183,23 +212,23 @@ std::string draw_robot(const Robot& robot, const LinkPlacer& placer,
     const auto links = placer.place(moment.q);
     if (size == 0) size = size_of(links);
     all.push_back(robot_solids(robot, visuals, links, size));
-    Solids& solids = all.back();
-    solids.faces.insert(solids.faces.end(), standing.faces.begin(), standing.faces.end());
-    solids.balls.insert(solids.balls.end(), standing.balls.begin(), standing.balls.end());
+    for (const Solids* other : {&moment.held, &standing}) add_solids(*other, all.back());
   }
   const std::vector<Eigen::Vector3d> floor = find_floor(all);
   const Camera camera = fit_camera(view, all, moments);
+  const double height = camera.height() + kCaptions;
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"14\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      kWidth * static_cast<double>(moments.size()), kHeight + kCaptions);
+      "{2}<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n",
+      kWidth * static_cast<double>(moments.size()), height, kStyle);
   for (std::size_t i = 0; i < moments.size(); ++i) {
     text +=
         fmt::format("<svg x=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" stroke-width=\"0.5\">\n",
-                    kWidth * static_cast<double>(i), kWidth, kHeight + kCaptions);
-    text += draw_floor(camera, floor) + draw_solids(camera, all[i]) +
-            draw_path(camera, moments[i].path) + print_caption(moments[i].caption) + "</svg>\n";
+                    kWidth * static_cast<double>(i), kWidth, height);
+    text += draw_floor(camera, floor) + draw_solids(camera, all[i], kLongest * size) +
+            draw_path(camera, moments[i].path) + print_caption(camera, moments[i].caption) +
+            "</svg>\n";
   }
   return text + "</svg>\n";
 }

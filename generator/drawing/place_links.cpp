@@ -16,6 +16,13 @@ Vector as_vector(std::span<const double> q) {
   return Vector::Map(q.data(), static_cast<Eigen::Index>(q.size()));
 }
 
+Eigen::Isometry3d as_isometry(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = rotation;
+  pose.translation() = position;
+  return pose;
+}
+
 }  // namespace
 
 LinkPlacer::LinkPlacer(const Robot& robot, const Scene& scene)
@@ -36,20 +43,17 @@ std::vector<Eigen::Isometry3d> LinkPlacer::place(std::span<const double> q) cons
   const auto k = interpreter::kinematics<double>(model_, as_vector(q), Vector::Zero(model_.nv));
   std::vector<Eigen::Isometry3d> poses;
   for (const int body : bodies_) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = k.R_world[body];
-    pose.translation() = k.p_world[body];
-    poses.push_back(pose);
+    poses.push_back(as_isometry(k.R_world[body], k.p_world[body]));
   }
   return poses;
 }
 
-std::vector<Eigen::Vector3d> LinkPlacer::place_points(std::span<const double> q) const {
-  std::vector<Eigen::Vector3d> positions;
-  for (const auto& pose : interpreter::forward_kinematics<double>(model_, points_, as_vector(q))) {
-    positions.push_back(pose.position);
+std::vector<Eigen::Isometry3d> LinkPlacer::place_points(std::span<const double> q) const {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const auto& at : interpreter::forward_kinematics<double>(model_, points_, as_vector(q))) {
+    poses.push_back(as_isometry(at.rotation, at.position));
   }
-  return positions;
+  return poses;
 }
 
 }  // namespace treeline

@@ -24,8 +24,8 @@ class LinkPlacer {
   [[nodiscard]] const std::vector<std::string>& joints() const { return joints_; }
   /// Poses of the links in the world, in the robot's order.
   [[nodiscard]] std::vector<Eigen::Isometry3d> place(std::span<const double> q) const;
-  /// Positions of the scene's operational points in the world, m.
-  [[nodiscard]] std::vector<Eigen::Vector3d> place_points(std::span<const double> q) const;
+  /// Poses of the scene's operational points in the world.
+  [[nodiscard]] std::vector<Eigen::Isometry3d> place_points(std::span<const double> q) const;
 
  private:
   interpreter::Model<double> model_;

@@ -27,6 +27,12 @@ std::vector<std::string> split_cells(const std::string& line) {
   return cells;
 }
 
+/// Whether this is q with digits, the name of a coordinate of some robot.
+bool is_numbered(const std::string& name) {
+  return name.size() > 1 && name.front() == 'q' &&
+         name.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
 /// Reads a file line by line.
 class MotionReading {
  public:
@@ -99,6 +105,10 @@ class MotionReading {
       has_time = has_time || is_time;
       columns_.push_back(is_time ? kTime : coordinate_of(name));
       has_coordinate = has_coordinate || columns_.back() >= 0;
+      if (columns_.back() == kNone && is_numbered(name)) {
+        return fail(fmt::format("there is no coordinate `{}`: the robot has {}, from q0 on", name,
+                                home_.size()));
+      }
     }
     if (!has_time) return fail("there is no column `time`");
     return has_coordinate || fail("no column is a coordinate of this robot");

@@ -18,6 +18,11 @@ void add_face(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d
 
 }  // namespace
 
+void add_solids(const Solids& others, Solids& solids) {
+  solids.faces.insert(solids.faces.end(), others.faces.begin(), others.faces.end());
+  solids.balls.insert(solids.balls.end(), others.balls.begin(), others.balls.end());
+}
+
 void add_box(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, const Color& color,
              Solids& solids) {
   const Eigen::Vector3d half = 0.5 * size;

@@ -28,6 +28,9 @@ struct Solids {
   std::vector<Ball> balls;
 };
 
+/// Adds what is to be seen elsewhere.
+void add_solids(const Solids& others, Solids& solids);
+
 /// Adds a box with edges of these lengths, m, about the origin of `pose`.
 void add_box(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, const Color& color,
              Solids& solids);

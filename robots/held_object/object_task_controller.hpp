@@ -17,13 +17,13 @@ namespace treeline::experiments {
 /// null space, so the posture comes to rest at its minimum. Accelerations k_i (q_start - q) with
 /// different k_i have none and can be unstable there.
 template <class F>
-class SpringPosture {
+class JointSprings {
  public:
   static constexpr int nv = F::kVelocities;
 
   /// `springs` are in N m/rad or N/m. `damping_ratio` relates to each joint's spring with its own
   /// inertia.
-  SpringPosture(const std::array<double, nv>& springs, double damping_ratio) noexcept
+  JointSprings(const std::array<double, nv>& springs, double damping_ratio) noexcept
       : springs_(springs), damping_ratio_(damping_ratio) {}
 
   void start(const servo::StateOf<F>& state) noexcept {
@@ -67,7 +67,7 @@ struct NoPosture {
 /// internal forces and a desired posture in the null space:
 ///   xdd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector.
 /// On `start` the object holds its present pose; move_point for point 0 moves it.
-template <class F, class Posture = SpringPosture<F>>
+template <class F, class Posture = JointSprings<F>>
 class ObjectTaskController {
  public:
   static constexpr int nv = F::kVelocities;

@@ -1,13 +1,41 @@
-# Draws the pictures that the pages show into FOLDER: touch_floor.svg and time_and_error.svg.
-# cmake -DTOUCH_FLOOR=.. -DTREELINE=.. -DDRAW_BENCH=.. -DROBOTS=.. -DFOLDER=.. -P draw_pictures.cmake
-file(MAKE_DIRECTORY ${FOLDER})
+# Draws the pictures that the pages show into FOLDER, each in the folder of its robot.
+# cmake -DPROGRAMS=touch_floor=..;.. -DROBOTS=.. -DFOLDER=.. -P draw_pictures.cmake
+# PROGRAMS are treeline, draw_bench and the experiments, by their names.
+foreach(program ${PROGRAMS})
+  string(REPLACE "=" ";" parts ${program})
+  list(GET parts 0 name)
+  list(GET parts 1 ${name})
+endforeach()
+set(pictures humanoid24/touch_floor humanoid24/rock_torso humanoid24/put_box humanoid24/carry_ladder
+  humanoid24/time_and_error samm/circles)
+file(MAKE_DIRECTORY ${FOLDER}/humanoid24 ${FOLDER}/samm ${FOLDER}/circles)
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
+# draw(PICTURE MOTION robot and options)
+function(draw picture motion)
+  run(${treeline} draw ${ARGN} --motion ${motion} --svg ${FOLDER}/${picture}.svg)
+endfunction()
 set(humanoid ${ROBOTS}/humanoid24)
-run(${TOUCH_FLOOR} --csv ${FOLDER}/touch_floor.csv)
-run(${TREELINE} draw ${humanoid}/humanoid24.urdf ${humanoid}/scene.yaml
-  --motion ${FOLDER}/touch_floor.csv --times 0.25,1.75,2.75,3.75,5.25 --path left_hand
-  --elevation 0.18 --svg ${FOLDER}/touch_floor.svg)
-run(${DRAW_BENCH} ${humanoid}/bench.txt --svg ${FOLDER}/time_and_error.svg
+
+foreach(experiment touch_floor rock_torso put_box carry_ladder)
+  run(${${experiment}} --csv ${FOLDER}/${experiment}.csv)
+endforeach()
+run(${samm_circles} --output ${FOLDER}/circles)
+
+draw(humanoid24/touch_floor ${FOLDER}/touch_floor.csv
+  ${humanoid}/humanoid24.urdf ${humanoid}/scene.yaml
+  --times 0.25,1.75,2.75,3.75,5.25 --path left_hand --elevation 0.18)
+draw(humanoid24/rock_torso ${FOLDER}/rock_torso.csv
+  ${humanoid}/humanoid24.urdf ${humanoid}/scene.yaml
+  --times 0.5,5.7,6.7,7.7,9.7 --azimuth 0.4 --elevation 0.18)
+draw(humanoid24/put_box ${FOLDER}/put_box.csv
+  ${humanoid}/humanoid24.urdf ${humanoid}/scene_box.yaml
+  --times 0.25,1.75,2.75,3.75,5.25 --elevation 0.18)
+draw(humanoid24/carry_ladder ${FOLDER}/carry_ladder.csv ${humanoid}/ladder.yaml
+  --times 0,1.5,2,4 --azimuth 1.3 --elevation 0.5)
+draw(samm/circles ${FOLDER}/circles/tool_and_base_ideal.csv
+  ${ROBOTS}/samm/samm.urdf ${ROBOTS}/samm/scene.yaml
+  --times 0.5,2,3,4,5 --path tool --azimuth 0.5 --elevation 0.3)
+run(${draw_bench} ${humanoid}/bench.txt --svg ${FOLDER}/humanoid24/time_and_error.svg
   --functions inverse_dynamics,mass_matrix,forward_dynamics,lambda_inverse,lambda,control_torque)

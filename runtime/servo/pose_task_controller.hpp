@@ -26,13 +26,34 @@ concept PoseTaskFunctions =
   F::control_torque(q, qd, qd, xdd, tau);
 };
 
+/// A posture of joint accelerations: qdd_0 = kp_i (q_advised - q) - kv_i qd per joint.
+template <class F>
+class AcceleratedPosture {
+ public:
+  static constexpr int nv = F::kVelocities;
+  using Gains = std::array<core::Gains<double>, nv>;
+
+  AcceleratedPosture(const Gains& gains) noexcept : gains_(gains) {}  // NOLINT: gains are it
+
+  void advise(const StateOf<F>& state, const double (&advised)[nv],
+              double (&qdd_0)[nv]) const noexcept {
+    for (int i = 0; i < nv; ++i) {
+      const core::Gains<double>& gains = gains_[static_cast<std::size_t>(i)];
+      qdd_0[i] = gains.kp * (advised[i] - state.q[i]) - gains.kv * state.qd[i];
+    }
+  }
+
+ private:
+  Gains gains_;
+};
+
 /// Operational-space control of whole poses (Chang table 6.1) with a desired posture in the null
 /// space:
 ///   xdd_cmd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
-///   qdd_0   = kp_i (q_advised - q) - kv_i qd per joint.
+///   qdd_0   by `Posture`: joint accelerations, or the springs of `SpringPosture`.
 /// Only for robots whose joints have one degree of freedom. On `start` every point holds its
 /// present pose, and the desired posture is the present one unless it was set before.
-template <PoseTaskFunctions F>
+template <PoseTaskFunctions F, class Posture = AcceleratedPosture<F>>
 class PoseTaskController {
  public:
   static constexpr int kPoints = F::kTaskRows / 6;
@@ -46,8 +67,7 @@ class PoseTaskController {
     double error[6] = {};  ///< desired minus actual, linear over angular
   };
 
-  PoseTaskController(const core::Gains<double>& task,
-                     const std::array<core::Gains<double>, nv>& posture) noexcept
+  PoseTaskController(const core::Gains<double>& task, const Posture& posture) noexcept
       : task_(task), posture_(posture) {}
 
   void start(double, const StateOf<F>& state) noexcept {
@@ -93,10 +113,7 @@ class PoseTaskController {
       command_point(time, positions, rotations, J, state, k, xdd_cmd);
     }
     double qdd_0[nv];
-    for (int i = 0; i < nv; ++i) {
-      const core::Gains<double>& gains = posture_[static_cast<std::size_t>(i)];
-      qdd_0[i] = gains.kp * (advised_[i] - state.q[i]) - gains.kv * state.qd[i];
-    }
+    posture_.advise(state, advised_, qdd_0);
     F::control_torque(state.q, state.qd, qdd_0, xdd_cmd, tau);
   }
 
@@ -151,7 +168,7 @@ class PoseTaskController {
   }
 
   core::Gains<double> task_;
-  std::array<core::Gains<double>, nv> posture_;
+  Posture posture_;
   std::array<PoseReference, static_cast<std::size_t>(kPoints)> references_;
   std::array<Tracking, static_cast<std::size_t>(kPoints)> tracking_{};
   double advised_[nv] = {};

@@ -37,6 +37,27 @@ TEST(ReadSurroundings, ReadsObstaclesAndPoints) {
   EXPECT_EQ(read.avoidance.points[1].xyz[2], 0.1);
 }
 
+const std::string kObject =
+    "operational_points: [{name: hand, link: tool}]\n"
+    "objects: [{name: box, mass: 1, inertia: {ixx: 1, iyy: 1, izz: 1}, grasps: [{point: hand}],\n";
+
+TEST(ReadSurroundings, ReadsShapesOfObjects) {
+  const std::string text = kObject +
+                           "  shapes: [{box: {size: [1, 2, 3]}, origin: {xyz: [0, 0, 0.5]}},\n"
+                           "    {sphere: {radius: 0.1}}]}]\n";
+  Diagnostics diagnostics;
+  ASSERT_TRUE(parse_scene(text, "s.yaml", make_robot(), diagnostics)) << to_string(diagnostics);
+  const SceneSurroundings read = surroundings_of(text, make_robot());
+  ASSERT_EQ(read.shapes.size(), 1U);
+  ASSERT_EQ(read.shapes[0].size(), 2U);
+  EXPECT_EQ(read.shapes[0][0].size, (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(read.shapes[0][0].origin.xyz[2], 0.5);
+  EXPECT_EQ(read.shapes[0][1].radius, 0.1);
+  const auto without = surroundings_of(kObject + "}]\n", make_robot()).shapes;
+  ASSERT_EQ(without.size(), 1U);
+  EXPECT_TRUE(without[0].empty());
+}
+
 TEST(ReadSurroundings, IsEmptyWithoutAScene) {
   EXPECT_TRUE(surroundings_of("", make_robot()).obstacles.empty());
   EXPECT_TRUE(surroundings_of("name: arm\n", make_robot()).obstacles.empty());
@@ -72,6 +93,12 @@ TEST(ReadSurroundings, RefusesWhatItDoesNotUnderstand) {
        {kError, 2, "avoidance/points[0]/link", "no link \"tol\"", "tool"}},
       {kBall + "avoidance: {points: [{xyz: [0, 0, 0]}]}",
        {kError, 2, "avoidance/points[0]", "\"link\" is missing", "link"}},
+      {kObject + "  shapes: [{origin: {xyz: [0, 0, 1]}}]}]",
+       {kError, 3, "objects[0]/shapes[0]", "a shape is one sphere or one box", "radius"}},
+      {kObject + "  shapes: [{sphere: {radius: 0}}]}]",
+       {kError, 3, "objects[0]/shapes[0]/sphere/radius", "0 is not positive", "metres"}},
+      {kObject + "  shapes: [{sphere: {radius: 1}, color: red}]}]",
+       {kError, 3, "objects[0]/shapes[0]/color", "color", "origin"}},
       {kBall + "avoidance: {points: [{link: tool}, {link: tool}]}",
        {kError, 2, "avoidance/points[1]", "twice", "once"}},
   };

@@ -8,8 +8,8 @@
 
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
-#include "drawing/obstacle_solids.hpp"
 #include "drawing/robot_solids.hpp"
+#include "drawing/scene_solids.hpp"
 
 // Would catch: a joint that does not move what it carries, a hidden face that is drawn, a robot
 // that is cut off, and a link with a mesh only that is not seen at all.
@@ -75,17 +75,19 @@ TEST(DrawRobot, HiddenFacesAreNotDrawn) {
   const auto of_box = std::count_if(solids.faces.begin(), solids.faces.end(),
                                     [](const Face& face) { return face.color[0] == 0.7; });
   EXPECT_EQ(of_box, 6);
-  EXPECT_EQ(count(arm.draw({{{0, 0}, "", {}}}), "<polygon"),
-            1 + 3 + 10 + 1);  // the floor, the box, half the sides of the rod and its upper end
+  EXPECT_EQ(
+      count(arm.draw({{{0, 0}, "", {}, {}}}), "<polygon"),
+      // the floor, the box with two long sides in quarters, half the sides of the rod, its end
+      1 + (4 + 4 + 1) + 10 + 1);
 }
 
 TEST(DrawRobot, EverythingIsInThePicture) {
   const Arm arm;
-  std::string svg =
-      arm.draw({{{0, 0}, "rest", {}}, {{kQuarter, 0.9}, "far", {Eigen::Vector3d(0, -2, 3)}}});
+  std::string svg = arm.draw(
+      {{{0, 0}, "rest", {}, {}}, {{kQuarter, 0.9}, "far", {Eigen::Vector3d(0, -2, 3)}, {}}});
   EXPECT_EQ(count(svg, "<svg x="), 2U);
   EXPECT_NE(svg.find(">far</text>"), std::string::npos);
-  svg = std::regex_replace(svg, std::regex("<polygon[^>]*#ecebe6[^>]*>"), "");  // the floor
+  svg = std::regex_replace(svg, std::regex("<polygon class=.ground[^>]*>"), "");  // the floor
   const std::regex corner("([0-9.-]+),([0-9.-]+)[ \"]");
   for (std::sregex_iterator it(svg.begin(), svg.end(), corner), end; it != end; ++it) {
     EXPECT_GE(std::stod((*it)[1]), 0) << (*it)[0];
@@ -110,7 +112,7 @@ TEST(DrawRobot, RodsAndBallsStandForLinksWithoutShapes) {
 
 TEST(DrawRobot, CaptionsCannotBreakTheFile) {
   const Arm arm;
-  const std::string svg = arm.draw({{{0, 0}, "<script>&\x1b", {}}});
+  const std::string svg = arm.draw({{{0, 0}, "<script>&\x1b", {}, {}}});
   EXPECT_EQ(svg.find("<script>"), std::string::npos);
   EXPECT_NE(svg.find("&lt;script>&amp;\\x1b"), std::string::npos) << svg;
 }
@@ -129,11 +131,84 @@ TEST(DrawRobot, ObstaclesStandBesideIt) {
   ASSERT_EQ(solids.balls.size(), 1U);
   EXPECT_EQ(solids.faces.size(), 6U);
   EXPECT_NE(solids.balls[0].color, solids.faces[0].color);
-  const std::string without = arm.draw({{{0, 0}, "", {}}});
+  const std::string without = arm.draw({{{0, 0}, "", {}, {}}});
   const std::string with =
-      draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}}}, {}, solids);
+      draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, {}}}, {}, solids);
   EXPECT_EQ(count(with, "<circle"), count(without, "<circle") + 1);
-  EXPECT_EQ(count(with, "<polygon"), count(without, "<polygon") + 3);
+  EXPECT_EQ(count(with, "<polygon"), count(without, "<polygon") + 8);  // cut in halves
+}
+
+// A red ball before the arm and a blue one behind it, as seen from x and y. Would catch: what is
+// behind drawn over what is before it.
+TEST(DrawRobot, WhatIsNearIsDrawnLast) {
+  const Arm arm;
+  Solids balls;
+  balls.balls.push_back({{1, 1, 0.5}, 0.2, {1, 0, 0}});
+  balls.balls.push_back({{-1, -1, 0.5}, 0.2, {0, 0, 1}});
+  const auto draw = [&](double azimuth) {
+    return draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, balls}},
+                      {azimuth, 0.25});
+  };
+  const std::regex circle("<circle[^>]*fill=\"#(..)0000\"/>|<circle[^>]*fill=\"#0000(..)\"/>");
+  const auto first = [&](const std::string& svg) {
+    std::smatch match;
+    return std::regex_search(svg, match, circle) && match[1].matched ? "red" : "blue";
+  };
+  EXPECT_STREQ(first(draw(0.75)), "blue");
+  EXPECT_STREQ(first(draw(0.75 + 2 * kQuarter)), "red");
+}
+
+// A long board lies under a cube at its near end, whose middle is lower than the board's. Would
+// catch: a long face sorted by its middle alone, so that it is drawn over what stands before it.
+TEST(DrawRobot, LongFacesAreCutBeforeTheyAreSorted) {
+  const Arm arm;
+  Solids solids;
+  const auto at = [](double x, double y, double z) {
+    return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
+  };
+  add_box({4, 0.1, 0.1}, at(0, 3, 0.05), {1, 0, 0}, solids);
+  add_box({0.1, 0.1, 0.1}, at(-1.5, 3.2, 0.05), {0, 0, 1}, solids);  // before it, far from the eye
+  const std::string svg =
+      draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, solids}}, {0.75, 0.25});
+  const std::regex red("<polygon[^>]*fill=\"#[^0].0000\"");
+  const std::regex blue("<polygon[^>]*fill=\"#0000..\"");
+  EXPECT_GT(std::distance(std::sregex_iterator(svg.begin(), svg.end(), red), {}), 8);
+  std::smatch near;
+  ASSERT_TRUE(std::regex_search(svg, near, blue));
+  // The board's far end is drawn before the cube, the near end after it.
+  const std::string before = svg.substr(0, static_cast<std::size_t>(near.position()));
+  EXPECT_TRUE(std::regex_search(before, red));
+  EXPECT_TRUE(std::regex_search(near.suffix().str(), red));
+}
+
+// An object in the hand, whose frame is a quarter turn and 0.3 m off it. Would catch: a grasp taken
+// the wrong way round, and another hand's.
+TEST(DrawRobot, ObjectsAreInTheirFirstHand) {
+  SceneObject object;
+  object.grasps = {{"hand", {{0.3, 0, 0}, {0, 0, kQuarter}}}, {"elbow", {}}};
+  SceneShape shape;
+  shape.radius = 0.1;
+  shape.origin.xyz = {0.2, 0, 0};
+  ScenePoint elbow, hand;
+  elbow.name = "elbow";
+  hand.name = "hand";
+  const std::vector<Eigen::Isometry3d> poses = {Eigen::Isometry3d::Identity(),
+                                                Eigen::Isometry3d(Eigen::Translation3d(0, 0, 2))};
+  const Solids solids = object_solids({object}, {{shape}}, {elbow, hand}, poses);
+  ASSERT_EQ(solids.balls.size(), 1U);
+  EXPECT_LT((solids.balls[0].center - Eigen::Vector3d(0.3, 0.2, 2)).norm(), 1e-12);
+  EXPECT_TRUE(object_solids({object}, {{}}, {elbow, hand}, poses).balls.empty());
+}
+
+// The same picture twice, and colours that a dark page changes. Would catch: an order that depends
+// on addresses, and black captions on a dark page.
+TEST(DrawRobot, IsTheSameEachTimeAndHasColoursForDarkPages) {
+  const std::vector<Moment> moments = {{{0, 0}, "a", {}, {}}, {{0, 0.5}, "b", {}, {}}};
+  const std::string svg = Arm().draw(moments);
+  EXPECT_EQ(svg, Arm().draw(moments));
+  EXPECT_EQ(count(svg, "prefers-color-scheme:dark"), 1U);
+  EXPECT_EQ(count(svg, "<text x"), 2U);
+  EXPECT_EQ(count(svg, "class=\"ground\""), 2U);
 }
 
 }  // namespace

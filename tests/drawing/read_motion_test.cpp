@@ -61,8 +61,10 @@ TEST_F(ReadMotion, SaysWhatIsMissing) {
   EXPECT_NE(fault().find("no row"), std::string::npos) << fault();
   EXPECT_FALSE(read("q2\n1\n"));
   EXPECT_NE(fault().find("no column `time`"), std::string::npos) << fault();
-  EXPECT_FALSE(read("time,q3,q_base\n1,1,1\n"));  // two coordinates are called base
+  EXPECT_FALSE(read("time,qd3,q_base\n1,1,1\n"));  // two coordinates are called base
   EXPECT_NE(fault().find("no column is a coordinate"), std::string::npos) << fault();
+  EXPECT_FALSE(read("time,q1,q2,q3\n1,1,1,1\n"));  // counted from 1, or of another robot
+  EXPECT_NE(fault().find("no coordinate `q3`: the robot has 3"), std::string::npos) << fault();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "servo/pose_reference.hpp"
 #include "servo/pose_task_controller.hpp"
 #include "servo/simulated_robot.hpp"
+#include "servo/spring_posture.hpp"
 #include "test_robots.hpp"
 
 namespace {
@@ -157,6 +158,74 @@ TEST(PoseTaskController, IgnoresWhatItCannotDo) {
   controller.control(0.5, state, tau);
   EXPECT_EQ(controller.tracking(0).error[0], 0.0);
   EXPECT_EQ(controller.tracking(1).error[0], 0.0);
+}
+
+// The implicit law by hand, on two free balls whose inertia is 1 in x, y, z and 0.1 about an axis:
+// (m + h d + h^2 k) qdd = k (q_advised - q - h qd) - d qd + push. Would catch: a damper that is not
+// the joint's own, a push the wrong way, and a law that is not taken at the period's end.
+TEST(SpringPosture, IsTheImplicitSpringOfEachJoint) {
+  SpringSettings settings;
+  settings.stiffness = 50.0;
+  settings.margin = 0.2;
+  settings.strength = 8.0;
+  settings.period = 0.01;
+  double lower[12];
+  double upper[12];
+  for (int i = 0; i < 12; ++i) {
+    lower[i] = -1.0;
+    upper[i] = 1.0;
+  }
+  const SpringPosture<TwoHands> posture(settings, lower, upper);
+  RobotState<12, 12> state;
+  double advised[12] = {};
+  state.q[0] = 0.3;
+  state.qd[0] = -0.4;
+  advised[1] = 0.2;
+  state.q[2] = 0.9;  // half of the margin: half of the push
+  advised[2] = 0.9;
+  state.q[9] = 0.1;  // about x, where the gimbals of a ball are independent
+  double qdd[12];
+  posture.advise(state, advised, qdd);
+  const auto expected = [](double mass, double error, double rate, double push) {
+    const double h = 0.01;
+    const double k = 50.0;
+    const double d = 2.0 * std::sqrt(k * mass);
+    return (k * (error - h * rate) - d * rate + push) / (mass + h * d + h * h * k);
+  };
+  EXPECT_NEAR(qdd[0], expected(1.0, -0.3, -0.4, 0.0), 1e-12);
+  EXPECT_NEAR(qdd[1], expected(1.0, 0.2, 0.0, 0.0), 1e-12);
+  EXPECT_NEAR(qdd[2], expected(1.0, 0.0, 0.0, -4.0), 1e-12);
+  EXPECT_NEAR(qdd[9], expected(0.1, -0.1, 0.0, 0.0), 1e-12);
+  EXPECT_NEAR(qdd[5], 0.0, 1e-12);
+}
+
+// A spring that an explicit law could not bear: w h = 7.5 about the balls' axes at 300 Hz.
+TEST(SpringPosture, ComesToRestWhereSpringsAreStiff) {
+  SpringSettings settings;
+  settings.stiffness = 5e5;
+  settings.period = 1.0 / 300.0;
+  double lower[12];
+  double upper[12];
+  for (int i = 0; i < 12; ++i) {
+    lower[i] = -1.0;
+    upper[i] = 1.0;
+  }
+  const SpringPosture<TwoHands> posture(settings, lower, upper);
+  RobotState<12, 12> state;
+  state.q[0] = 0.3;
+  state.q[3] = 0.2;
+  const double advised[12] = {};
+  for (int i = 0; i < 300; ++i) {
+    double qdd[12];
+    posture.advise(state, advised, qdd);
+    for (int j = 0; j < 12; ++j) {
+      state.qd[j] += settings.period * qdd[j];
+      state.q[j] += settings.period * state.qd[j];
+      ASSERT_LT(std::fabs(state.q[j]), 0.31);
+    }
+  }
+  EXPECT_NEAR(state.q[0], 0.0, 1e-6);
+  EXPECT_NEAR(state.q[3], 0.0, 1e-6);
 }
 
 }  // namespace

@@ -144,6 +144,22 @@ struct TwoHands {
       }
     }
   }
+  static void mass_matrix(const double (&q)[12], double (&M)[144]) noexcept {
+    for (double& entry : M) {
+      entry = 0.0;
+    }
+    for (int base = 0; base < 12; base += 6) {
+      double B[9];
+      gimbal(q + base + 3, B);
+      for (int i = 0; i < 3; ++i) {
+        M[(base + i) * 13] = 1.0;
+        for (int j = 0; j < 3; ++j) {
+          M[(base + 3 + i) * 12 + base + 3 + j] =
+              kInertia * (B[i] * B[j] + B[3 + i] * B[3 + j] + B[6 + i] * B[6 + j]);
+        }
+      }
+    }
+  }
   static void forward_dynamics(const double (&q)[12], const double (&qd)[12],
                                const double (&tau)[12], double (&qdd)[12]) noexcept {
     for (int base = 0; base < 12; base += 6) {

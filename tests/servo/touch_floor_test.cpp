@@ -27,7 +27,9 @@ Plan small_plan() {
     plan.joints.push_back("joint" + std::to_string(i));
   }
   plan.start.assign(12, 0.1);
-  plan.posture_stiffness.assign(12, 10.0);
+  plan.spring = 10.0;
+  plan.limit_margin = 0.2;
+  plan.limit_strength = 100.0;
   plan.target = {0.3, 0.4, 0.0};
   plan.duration = 1.0;
   plan.settle = 0.5;
@@ -110,6 +112,9 @@ TEST(TouchFloor, ReadsTheHumanoidsPlanAndLimits) {
   ASSERT_EQ(plan.joints.size(), 24U);
   EXPECT_EQ(plan.joints.front(), "ankle");
   EXPECT_EQ(plan.target[2], 0.0);
+  EXPECT_EQ(plan.spring, 60.0);
+  EXPECT_EQ(plan.limit_margin, 0.2);
+  EXPECT_EQ(plan.limit_strength, 200.0);
   ASSERT_TRUE(read_limits(folder + "/humanoid24.urdf", plan.joints, limits, error)) << error;
   for (std::size_t i = 0; i < 24; ++i) {
     EXPECT_LT(limits.lower[i], plan.start[i]) << plan.joints[i];
@@ -127,6 +132,7 @@ TEST(TouchFloor, RefusesBrokenPlans) {
       "start: [1, 2]",
       "start: {a: x}",
       "{start: {a: 0}, posture_stiffness: {b: 1}}",
+      "{start: {a: 0}, posture_stiffness: {a: 1}, springs: {stiffness: 0, margin: 1, strength: 1}}",
       "{start: {a: 0}, posture_stiffness: {a: 1}, left_hand: {target: [0, 0], duration: 1}}",
       "{start: {a: 0}, posture_stiffness: {a: 1}, left_hand: {target: [0, 0, 0], duration: -1}}"};
   for (const char* text : kBroken) {

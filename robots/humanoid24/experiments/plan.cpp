@@ -31,6 +31,11 @@ void fill_plan(const YAML::Node& root, const std::string& mover, Plan& plan) {
     throw YAML::Exception(root["posture_stiffness"].Mark(),
                           "start and posture_stiffness must list the same joints");
   }
+  if (const YAML::Node springs = root["springs"]) {
+    plan.spring = positive(springs, "stiffness");
+    plan.limit_margin = positive(springs, "margin");
+    plan.limit_strength = positive(springs, "strength");
+  }
   const YAML::Node moved = root[mover];
   plan.target = moved["target"].as<std::array<double, 3>>();
   plan.duration = positive(moved, "duration");

@@ -12,7 +12,10 @@ namespace treeline::experiments {
 struct Plan {
   std::vector<std::string> joints;
   std::vector<double> start;              ///< q at rest, and the desired posture
-  std::vector<double> posture_stiffness;  ///< 1/s^2; critically damped
+  std::vector<double> posture_stiffness;  ///< per joint, 1/s^2; critically damped
+  double spring = 0.0;                    ///< one for all joints, N m/rad; 0: none is given
+  double limit_margin = 0.0;              ///< where limits begin to push, rad
+  double limit_strength = 0.0;            ///< of that push at a limit, N m
   std::array<double, 3> target{};         ///< position of what moves, world axes, m
   double duration = 0.0;                  ///< of the spline, s
   double settle = 0.0;                    ///< time after the spline, s

@@ -26,6 +26,7 @@ struct Humanoid24 {
   static constexpr auto& forward_dynamics = humanoid24::forward_dynamics;
   static constexpr auto& forward_kinematics = humanoid24::forward_kinematics;
   static constexpr auto& jacobian = humanoid24::jacobian;
+  static constexpr auto& mass_matrix = humanoid24::mass_matrix;
   static constexpr auto& control_torque = humanoid24::control_torque;
 };
 
@@ -35,6 +36,7 @@ struct Options {
   experiments::OutputPaths paths;
   double rate = 0.0;
   double duration = 0.0;
+  double spring = 0.0;
   bool realtime = false;
   experiments::RunSettings run;
 };
@@ -46,6 +48,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--duration", options.duration, "s of the spline, instead of the plan's")
       ->check(CLI::Range(0.1, 1e3));
   experiments::add_substeps(app, options.run.substeps);
+  app.add_option("--spring", options.spring, "N m/rad, of every joint, instead of the plan's")
+      ->check(CLI::Range(0.01, 1e4));
   app.add_flag("--realtime", options.realtime, "keep to the machine's clock");
   experiments::add_outputs(app, options.paths);
 }
@@ -93,4 +97,30 @@ int main(int argc, char** argv) {
   Options options;
   declare(app, options);
   return experiments::run_experiment(app, argc, argv, [&options] { return run(options); });
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  experiments::Plan plan;
+  experiments::JointLimits limits;
+  std::string error;
+  if (!experiments::read_plan(options.plan, plan, error) ||
+      !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
+    fmt::print(stderr, "touch_floor: {}\n", error);
+    return 1;
+  }
+  if (plan.joints.size() != static_cast<std::size_t>(Humanoid24::kVelocities)) {
+    fmt::print(stderr, "touch_floor: {} lists {} joints, the robot has {}\n", options.plan,
+               plan.joints.size(), Humanoid24::kVelocities);
+    return 1;
+  }
+  plan.spring = options.spring > 0.0 ? options.spring : plan.spring;
+  if (!(plan.spring > 0.0)) {
+    fmt::print(stderr, "touch_floor: {} has no springs\n", options.plan);
+    return 1;
+  }
+  plan.rate = options.rate > 0.0 ? options.rate : plan.rate;
+  plan.duration = options.duration > 0.0 ? options.duration : plan.duration;
+  return report(options, plan, run(options, plan, limits));
 }

@@ -11,6 +11,7 @@
 #include "servo/loop.hpp"
 #include "servo/pose_task_controller.hpp"
 #include "servo/simulated_robot.hpp"
+#include "servo/spring_posture.hpp"
 #include "servo/table.hpp"
 
 namespace treeline::experiments {
@@ -34,19 +35,24 @@ servo::SafetyLimits<F::kCoordinates, F::kVelocities> safety_limits(const JointLi
 }
 
 template <class F>
-servo::PoseTaskController<F> make_controller(const Plan& plan) {
-  std::array<core::Gains<double>, F::kVelocities> posture;
-  for (std::size_t i = 0; i < posture.size(); ++i) {
-    const double kp = plan.posture_stiffness[i];
-    posture[i] = {kp, 2.0 * std::sqrt(kp)};
-  }
-  return {{plan.stiffness, plan.damping}, posture};
+using TouchController = servo::PoseTaskController<F, servo::SpringPosture<F>>;
+
+/// The plan has springs.
+template <class F>
+TouchController<F> make_controller(const Plan& plan, const JointLimits& limits) {
+  double lower[F::kVelocities];
+  double upper[F::kVelocities];
+  std::copy_n(limits.lower.begin(), F::kVelocities, lower);
+  std::copy_n(limits.upper.begin(), F::kVelocities, upper);
+  const servo::SpringSettings springs{plan.spring, 1.0, plan.limit_margin, plan.limit_strength,
+                                      1.0 / plan.rate};
+  return {{plan.stiffness, plan.damping}, {springs, lower, upper}};
 }
 
 /// Appends one cycle as a row of the outcome's table, in the order of `table_names`.
-template <class F>
-void record(const servo::Report<F>& report, const servo::PoseTaskController<F>& controller,
-            double time, servo::Table& table) noexcept {
+template <class F, class Controller>
+void record(const servo::Report<F>& report, const Controller& controller, double time,
+            servo::Table& table) noexcept {
   constexpr int nv = F::kVelocities;
   double row[kFixedColumns + 2 * nv];
   int at = 0;
@@ -75,7 +81,7 @@ void record(const servo::Report<F>& report, const servo::PoseTaskController<F>& 
 
 /// Message that moves the left hand to its target on the floor and keeps its orientation.
 template <class F>
-servo::Message touch_message(const Plan& plan, const servo::PoseTaskController<F>& controller) {
+servo::Message touch_message(const Plan& plan, const TouchController<F>& controller) {
   servo::Message message;
   message.kind = servo::MessageKind::move_point;
   message.index = 0;
@@ -92,11 +98,11 @@ template <class F, servo::Clock ClockType>
 Outcome touch_floor(const Plan& plan, const RunSettings& settings, const JointLimits& limits,
                     ClockType& clock) {
   using Robot = servo::SimulatedRobot<F>;
-  using Controller = servo::PoseTaskController<F>;
+  using Controller = TouchController<F>;
   servo::StateOf<F> initial;
   std::copy(plan.start.begin(), plan.start.end(), std::begin(initial.q));
   Robot robot(initial, settings.substeps);
-  Controller controller = make_controller<F>(plan);
+  Controller controller = make_controller<F>(plan, limits);
   servo::Mailbox mailbox;
   servo::LoopSettings loop_settings;
   loop_settings.rate = plan.rate;
@@ -110,7 +116,7 @@ Outcome touch_floor(const Plan& plan, const RunSettings& settings, const JointLi
   mailbox.push(servo::message_of(servo::MessageKind::start));
   loop->run([&](const servo::Report<F>& report) {
     if (report.mode == servo::Mode::running) {
-      record<F>(report, controller, report.time, outcome.table);
+      record(report, controller, report.time, outcome.table);
     }
     if (!moving && report.time >= settings.lead) {
       moving = mailbox.push(touch_message<F>(plan, controller));

@@ -167,7 +167,7 @@ void record(Inverse inverse, double time, const servo::RobotState<nv, nv>& state
 template <Inverse inverse>
 NullSpaceRun run() {
   NullSpaceRun result{
-      servo::Table({"time", "tip_x", "tip_y", "distance", "coupling", "q1", "q2", "q3"},
+      servo::Table({"time", "tip_x", "tip_y", "distance", "coupling", "q0", "q1", "q2"},
                    kSteps + 1),
       {}};
   servo::RobotState<nv, nv> state;

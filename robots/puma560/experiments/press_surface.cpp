@@ -9,7 +9,11 @@
 #include "core/command_laws.hpp"
 #include "core/task_selection.hpp"
 #include "puma560.hpp"
-#include "servo/simulated_robot.hpp"
+#include "puma560_joints.hpp"
+#include "servo/clock.hpp"
+#include "servo/integrate.hpp"
+#include "servo/run_for.hpp"
+#include "servo/safety.hpp"
 
 namespace treeline::experiments {
 namespace {
@@ -17,6 +21,7 @@ namespace {
 struct Puma {
   static constexpr int kCoordinates = puma560::kCoordinates;
   static constexpr int kVelocities = puma560::kVelocities;
+  static constexpr auto& inverse_dynamics = puma560::inverse_dynamics;
   static constexpr auto& forward_dynamics = puma560::forward_dynamics;
 };
 using State = servo::StateOf<Puma>;
@@ -30,7 +35,6 @@ constexpr double kRadius = 0.05;       ///< of the circle, m
 constexpr int kSubsteps = 10;
 constexpr core::Gains<double> kMotion{400.0, 40.0};
 constexpr core::ForceGains<double> kForce{1.0, 20.0, 60.0};
-constexpr double kEffort[6] = {97.6, 186.4, 89.4, 24.2, 20.1, 21.3};  ///< N m, from the URDF
 constexpr std::size_t kColumns = 19;
 
 /// The plate and the flange's desired place on it; world axes.
@@ -112,37 +116,87 @@ struct Cycle {
   double felt = 0.0;
   double slide[3] = {};  ///< distance from the desired place within the plate, m
   double tilt[3] = {};
-  double tau[6] = {};
 };
 
-/// The controller with its state between cycles.
-class Controller {
+/// The robot in contact with the plate, and its sensors: encoders and a force sensor at the flange.
+class PressingRobot {
  public:
-  Controller(Frame frame, const Tool& start) : frame_(frame) {
+  PressingRobot(const State& state, const double (&origin)[3]) : state_(state) {
+    std::copy(std::begin(origin), std::end(origin), origin_);
+  }
+
+  [[nodiscard]] bool connected() const noexcept { return true; }
+  void read(State& state) noexcept { state = state_; }
+  void write(const double (&tau)[6]) noexcept {
+    std::copy(std::begin(tau), std::end(tau), std::begin(tau_));
+  }
+  /// The plate's force is updated in every substep.
+  void pass_time(double seconds) noexcept {
+    const double step = seconds / kSubsteps;
+    for (int i = 0; i < kSubsteps; ++i) {
+      const Plate plate = plate_at(time_ + i * step, origin_);
+      const Tool tool = tool_of(state_);
+      const double force = plate_force(plate, tool);
+      double driven[6];
+      for (int k = 0; k < 6; ++k) {
+        driven[k] = tau_[k];
+        for (int row = 0; row < 3; ++row) {
+          driven[k] += tool.J[6 * row + k] * force * plate.rotation[3 * row + 2];
+        }
+      }
+      servo::integrate_runge_kutta<Puma>({}, driven, step, state_);
+    }
+    time_ += seconds;
+  }
+
+  /// Of the force sensor: the force of the flange on the plate, world axes, N.
+  void read_force(double (&force)[3]) const noexcept {
+    const Plate plate = plate_at(time_, origin_);
+    const double felt = plate_force(plate, tool_of(state_));
+    for (int i = 0; i < 3; ++i) {
+      force[i] = -felt * plate.rotation[3 * i + 2];
+    }
+  }
+
+ private:
+  State state_;
+  double origin_[3] = {};
+  double tau_[6] = {};
+  double time_ = 0.0;
+};
+
+/// The controller. It knows where the plate is, and has the force from the robot's sensor.
+class PressController {
+ public:
+  PressController(Frame frame, const Tool& start, const PressingRobot& robot)
+      : frame_(frame), robot_(robot) {
     std::copy(std::begin(start.position), std::end(start.position), origin_);
     std::copy(std::begin(start.rotation), std::end(start.rotation), flat_);
   }
 
-  Plate plate(double time) const { return plate_at(time, origin_); }
+  [[nodiscard]] Plate plate(double time) const { return plate_at(time, origin_); }
+  /// Of the last call of `control`.
+  [[nodiscard]] const Cycle& cycle() const { return cycle_; }
 
-  Cycle control(double time, const State& state) {
+  void start(double, const State&) noexcept {}
+  void apply(double, const servo::Message&) noexcept {}
+
+  void control(double time, const State& state, double (&tau)[6]) noexcept {
     const Tool tool = tool_of(state);
     const Plate here = plate(time);
-    Cycle cycle;
-    cycle.felt = plate_force(here, tool);
+    double sensed[6] = {};
+    read_force(here, sensed);
     double motion[6];
     double relative[6];
-    motion_command(time, here, tool, motion, relative, cycle);
+    motion_command(time, here, tool, motion, relative);
     core::TaskSelection<double> selection;
     selection.motion[2] = false;
     if (frame_ == Frame::moving) {
       std::copy(std::begin(here.rotation), std::end(here.rotation), selection.R_force);
     }
     double wanted[6] = {};
-    double sensed[6] = {};
     for (int i = 0; i < 3; ++i) {
       wanted[i] = -wanted_force(time) * selection.R_force[3 * i + 2];
-      sensed[i] = -cycle.felt * here.rotation[3 * i + 2];
     }
     double force[6];
     core::force_law(kForce, wanted, sensed, kPeriod, 10.0, integral_, force);
@@ -151,15 +205,24 @@ class Controller {
     double xdd_cmd[6];
     core::motion_force_command(selection, Lambda_inv, motion, relative, force, kForce.kv, xdd_cmd);
     const double qdd_0[6] = {};
-    puma560::control_torque(state.q, state.qd, qdd_0, xdd_cmd, cycle.tau);
-    return cycle;
+    puma560::control_torque(state.q, state.qd, qdd_0, xdd_cmd, tau);
   }
 
  private:
+  void read_force(const Plate& here, double (&sensed)[6]) noexcept {
+    double force[3];
+    robot_.read_force(force);
+    cycle_.felt = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      sensed[i] = force[i];
+      cycle_.felt -= force[i] * here.rotation[3 * i + 2];
+    }
+  }
+
   /// Computes the acceleration that keeps the flange at its place and flat on the plate, and its
   /// velocity relative to the place as far as the controller knows it.
   void motion_command(double time, const Plate& here, const Tool& tool, double (&motion)[6],
-                      double (&relative)[6], Cycle& cycle) const {
+                      double (&relative)[6]) noexcept {
     // The rates of the place come from differences, with a relative error of 1e-7.
     constexpr double kStep = 1e-3;
     const Plate ahead = plate(time + kStep);
@@ -186,8 +249,8 @@ class Controller {
       along += here.rotation[3 * i + 2] * error[i];
     }
     for (int i = 0; i < 3; ++i) {
-      cycle.slide[i] = error[i] - along * here.rotation[3 * i + 2];
-      cycle.tilt[i] = error[3 + i];
+      cycle_.slide[i] = error[i] - along * here.rotation[3 * i + 2];
+      cycle_.tilt[i] = error[3 + i];
     }
     for (int i = 0; i < 6; ++i) {
       relative[i] = tool.velocity[i] - (frame_ == Frame::moving ? velocity[i] : 0.0);
@@ -195,35 +258,21 @@ class Controller {
   }
 
   Frame frame_;
+  const PressingRobot& robot_;
+  Cycle cycle_;
   double origin_[3] = {};
   double flat_[9] = {};  ///< rotation of the flange on the level plate
   double integral_[6] = {};
 };
 
-/// Advances the robot by one cycle. The plate's force is updated in every substep.
-void pass_time(const Controller& controller, double time, const double (&tau)[6], State& state) {
-  constexpr double kStep = kPeriod / kSubsteps;
-  for (int step = 0; step < kSubsteps; ++step) {
-    const Plate plate = controller.plate(time + step * kStep);
-    const Tool tool = tool_of(state);
-    const double force = plate_force(plate, tool);
-    double driven[6];
-    for (int i = 0; i < 6; ++i) {
-      driven[i] = tau[i];
-      for (int row = 0; row < 3; ++row) {
-        driven[i] += tool.J[6 * row + i] * force * plate.rotation[3 * row + 2];
-      }
-    }
-    servo::integrate_runge_kutta<Puma>({}, driven, kStep, state);
-  }
-}
-
 double norm(const double (&v)[3]) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
-void record(double time, const Plate& plate, const Cycle& cycle, const State& state,
-            PressRun& run) {
+void record(const servo::Report<Puma>& report, const PressController& controller, PressRun& run) {
+  const double time = report.time;
+  const Plate plate = controller.plate(time);
+  const Cycle& cycle = controller.cycle();
   const double slide = norm(cycle.slide);
   const double tilt = norm(cycle.tilt);
   const double rocked =
@@ -232,9 +281,9 @@ void record(double time, const Plate& plate, const Cycle& cycle, const State& st
                           rocked, plate.place[2]};
   PressFigures& figures = run.figures;
   for (std::size_t i = 0; i < 6; ++i) {
-    row[7 + i] = state.q[i];
-    row[13 + i] = cycle.tau[i];
-    figures.torque = std::max(figures.torque, std::fabs(cycle.tau[i]) / kEffort[i]);
+    row[7 + i] = report.state.q[i];
+    row[13 + i] = report.tau[i];
+    figures.torque = std::max(figures.torque, std::fabs(report.tau[i]) / puma560::kEffortLimits[i]);
   }
   const double first = run.table.rows() == 0 ? row[6] : run.table.at(0, 6);
   run.table.append(row);
@@ -252,9 +301,9 @@ void record(double time, const Plate& plate, const Cycle& cycle, const State& st
 std::vector<std::string> column_names() {
   std::vector<std::string> names{"time",       "force_wanted", "force",       "slide_error",
                                  "tilt_error", "plate_angle",  "plate_height"};
-  for (const char* quantity : {"q", "tau"}) {
-    for (int i = 1; i <= 6; ++i) {
-      names.push_back(quantity + std::to_string(i));
+  for (const std::string quantity : {"q_", "tau_"}) {
+    for (const char* joint : puma560::kCoordinateJoints) {
+      names.push_back(quantity + joint);
     }
   }
   return names;
@@ -274,15 +323,22 @@ PressRun run_press(Frame frame) {
   const double kDown = std::acos(-1.0);  // sum of joints 2, 3 and 5: the flange faces the floor
   const double start[6] = {0.0, -0.9, 2.9, 0.0, kDown - 2.0, 0.0};
   std::copy(std::begin(start), std::end(start), std::begin(state.q));
-  Controller controller(frame, tool_of(state));
-  const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
-  PressRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
-  for (int i = 0; i <= cycles; ++i) {
-    const double time = i * kPeriod;
-    const Cycle cycle = controller.control(time, state);
-    record(time, controller.plate(time), cycle, state, run);
-    pass_time(controller, time, cycle.tau, state);
-  }
+  const Tool tool = tool_of(state);
+  PressingRobot robot(state, tool.position);
+  PressController controller(frame, tool, robot);
+  servo::SimulatedClock clock;
+  servo::Mailbox mailbox;
+  servo::LoopSettings settings;
+  settings.rate = 1.0 / kPeriod;
+  PressRun run{
+      servo::Table(column_names(), static_cast<std::size_t>(kDuration / kPeriod) + 2), {}, {}};
+  run.fault = servo::run_for<Puma>(
+                  kDuration, settings,
+                  servo::limits_of(puma560::kLowerLimits, puma560::kUpperLimits,
+                                   puma560::kVelocityLimits, puma560::kEffortLimits),
+                  robot, controller, clock, mailbox,
+                  [&](const servo::Report<Puma>& report) { record(report, controller, run); })
+                  .fault;
   return run;
 }
 
@@ -294,10 +350,11 @@ std::string press_summary(const PressRun& moving, const PressRun& fixed) {
       "force off N", "circle off m", "tilt off rad", "torque/limit");
   for (const PressRun* run : {&moving, &fixed}) {
     const PressFigures& f = run->figures;
-    text += fmt::format("{:<24}{:>14.3g}{:>14.2e}{:>14.2e}{:>14.3g}{}\n",
+    text += fmt::format("{:<24}{:>14.3g}{:>14.2e}{:>14.2e}{:>14.3g}{}{}\n",
                         run == &moving ? "moves with the plate" : "stays as at the start",
                         f.force_error, f.slide_error, f.tilt_error, f.torque,
-                        f.lost_contact ? "  contact lost" : "");
+                        f.lost_contact ? "  contact lost" : "",
+                        run->fault ? "  stopped: " + servo::describe(run->fault) : "");
   }
   return text;
 }
@@ -326,8 +383,8 @@ servo::Plot press_figure(const PressRun& moving, const PressRun& fixed) {
 
 bool press_claim_holds(const PressRun& moving, const PressRun& fixed) {
   const PressFigures& ours = moving.figures;
-  const bool kept = !ours.lost_contact && ours.force_error < 1.0 && ours.slide_error < 1e-4 &&
-                    ours.tilt_error < 1e-3 && ours.torque < 1.0;
+  const bool kept = !moving.fault && !fixed.fault && !ours.lost_contact && ours.force_error < 1.0 &&
+                    ours.slide_error < 1e-4 && ours.tilt_error < 1e-3 && ours.torque < 1.0;
   const bool hard = ours.tilt > 0.26 && ours.heave > 0.03;
   return kept && hard && fixed.figures.force_error > 10.0 * ours.force_error &&
          fixed.figures.slide_error > 10.0 * ours.slide_error;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "servo/plot.hpp"
+#include "servo/safety.hpp"
 #include "servo/table.hpp"
 
 /// Force control in a selected direction whose frame moves (Khatib 1987): the PUMA's flange presses
@@ -30,9 +31,11 @@ struct PressFigures {
 struct PressRun {
   servo::Table table;  ///< one row per millisecond
   PressFigures figures;
+  servo::Fault fault;  ///< of the servo loop, which ends the run
 };
 
-/// Simulates 8 s at 1 kHz on the generated PUMA.
+/// Simulates 8 s at 1 kHz on the generated PUMA, controlled by the servo loop. The force comes from
+/// the robot's sensor.
 PressRun run_press(Frame frame);
 
 std::string press_summary(const PressRun& moving, const PressRun& fixed);

@@ -9,6 +9,7 @@
 #include "circles.hpp"
 #include "core/ldlt.hpp"
 #include "core/posture_laws.hpp"
+#include "samm_joints.hpp"
 #include "servo/pose_reference.hpp"
 #include "servo/simulated_robot.hpp"
 
@@ -30,9 +31,9 @@ constexpr std::size_t kColumns = 22;
 
 std::vector<std::string> column_names() {
   std::vector<std::string> names{"time", "position_error", "rotation_error", "margin"};
-  for (const char* quantity : {"q", "tau"}) {
-    for (int i = 1; i <= 9; ++i) {
-      names.push_back(quantity + std::to_string(i));
+  for (const std::string quantity : {"q_", "tau_"}) {
+    for (const char* joint : samm::kCoordinateJoints) {
+      names.push_back(quantity + joint);
     }
   }
   return names;

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 #include "core/command_laws.hpp"
+#include "samm_pair_joints.hpp"
+#include "servo/clock.hpp"
+#include "servo/run_for.hpp"
+#include "servo/safety.hpp"
+#include "servo/simulated_robot.hpp"
 
 namespace treeline::experiments {
 namespace {
@@ -42,10 +46,8 @@ std::vector<std::string> names() {
   }
   names.emplace_back("control_us");
   for (const char* quantity : {"q", "tau"}) {
-    for (int robot = 1; robot <= 2; ++robot) {
-      for (int i = 1; i <= kJoints; ++i) {
-        names.push_back(fmt::format("{}_{}_{}", quantity, robot, i));
-      }
+    for (const char* joint : samm_pair::kCoordinateJoints) {
+      names.push_back(fmt::format("{}_{}", quantity, joint));
     }
   }
   return names;
@@ -67,38 +69,108 @@ double largest_difference(const servo::Table& table, std::size_t a, std::size_t 
   return result;
 }
 
-/// Control of one cycle, with its time measured.
-PairTorques control(const CarryPlan& plan, const PairState& start, const PairState& state,
-                    const ObjectSeen& seen, const Wanted& wanted, double (&error)[6]) {
-  core::pose_error(seen.position, seen.rotation, wanted.position, wanted.rotation, error);
-  double xdd[6];
-  double qdd_0[2][kJoints];
-  core::tracking_law<6, double>({plan.stiffness, plan.damping}, error, seen.velocity,
-                                wanted.velocity, wanted.acceleration, xdd);
-  advise(plan, start, state, wanted, qdd_0);
-  return control_pair(state, xdd, wanted.internal, qdd_0);
-}
+/// Both robots and the object as one robot of 18 joints.
+struct Pair {
+  static constexpr int kCoordinates = 2 * kJoints;
+  static constexpr int kVelocities = 2 * kJoints;
 
-void record(double time, const PairState& state, const PairTorques& torques, const Wanted& wanted,
-            const ObjectSeen& seen, const double (&error)[6], const double (&commanded)[6],
-            const double (&acting)[6], double control_us, servo::Table& table) {
+  static PairState state_of(const double (&q)[kCoordinates], const double (&qd)[kVelocities]) {
+    PairState state;
+    std::copy(std::begin(q), std::end(q), &state.q[0][0]);
+    std::copy(std::begin(qd), std::end(qd), &state.qd[0][0]);
+    return state;
+  }
+  /// The object is held, too.
+  static void inverse_dynamics(const double (&q)[kCoordinates], const double (&qd)[kVelocities],
+                               const double (&qdd)[kVelocities],
+                               double (&tau)[kVelocities]) noexcept {
+    const double rest[6] = {};
+    double qdd_0[2][kJoints];
+    std::copy(std::begin(qdd), std::end(qdd), &qdd_0[0][0]);
+    const PairTorques torques = control_pair(state_of(q, qd), rest, rest, qdd_0);
+    std::copy(&torques.tau[0][0], &torques.tau[0][0] + kVelocities, tau);
+  }
+  static void forward_dynamics(const double (&q)[kCoordinates], const double (&qd)[kVelocities],
+                               const double (&tau)[kVelocities],
+                               double (&qdd)[kVelocities]) noexcept {
+    PairTorques torques;
+    std::copy(std::begin(tau), std::end(tau), &torques.tau[0][0]);
+    const PairMotion motion = move_pair(state_of(q, qd), torques);
+    std::copy(&motion.qdd[0][0], &motion.qdd[0][0] + kVelocities, qdd);
+  }
+};
+using State = servo::StateOf<Pair>;
+
+/// The object follows the plan, the bases are advised to go with it.
+class CarryController {
+ public:
+  CarryController(const CarryPlan& plan, const PairState& start) : plan_(plan), start_(start) {}
+
+  void start(double, const State&) noexcept {}
+  void apply(double, const servo::Message&) noexcept {}
+  void control(double time, const State& measured, double (&tau)[Pair::kVelocities]) noexcept {
+    const PairState state = Pair::state_of(measured.q, measured.qd);
+    wanted = wanted_at(plan_, time);
+    seen = see_object(state);
+    core::pose_error(seen.position, seen.rotation, wanted.position, wanted.rotation, error);
+    double xdd[6];
+    double qdd_0[2][kJoints];
+    core::tracking_law<6, double>({plan_.stiffness, plan_.damping}, error, seen.velocity,
+                                  wanted.velocity, wanted.acceleration, xdd);
+    advise(plan_, start_, state, wanted, qdd_0);
+    const PairTorques torques = control_pair(state, xdd, wanted.internal, qdd_0);
+    std::copy(&torques.tau[0][0], &torques.tau[0][0] + Pair::kVelocities, tau);
+  }
+
+  // Of the last call of `control`.
+  Wanted wanted;
+  ObjectSeen seen;
+  double error[6] = {};
+
+ private:
+  const CarryPlan& plan_;
+  const PairState& start_;
+};
+
+/// What acts in a cycle is decided in the one before.
+struct Held {
+  double tau[Pair::kVelocities] = {};
+  double commanded[6] = {};
+  bool any = false;
+
+  void take(const servo::Report<Pair>& report, const Wanted& wanted) {
+    std::copy(std::begin(report.tau), std::end(report.tau), tau);
+    std::copy(std::begin(wanted.internal), std::end(wanted.internal), commanded);
+    any = true;
+  }
+};
+
+/// Appends a cycle. Internal forces are those at its beginning under `held`, the torque of the
+/// previous cycle, where the effect of holding it is largest.
+void record(const servo::Report<Pair>& report, const CarryController& controller, const Held& held,
+            servo::Table& table) {
+  PairTorques torques;
+  std::copy(std::begin(held.tau), std::end(held.tau), &torques.tau[0][0]);
+  const PairMotion motion = move_pair(Pair::state_of(report.state.q, report.state.qd), torques);
+  const Wanted& wanted = controller.wanted;
+  const ObjectSeen& seen = controller.seen;
   double row[kColumns];
-  row[kTime] = time;
+  row[kTime] = report.time;
   for (std::size_t i = 0; i < 3; ++i) {
     row[kWanted + i] = wanted.position[i];
     row[kActual + i] = seen.position[i];
   }
-  row[kErrors] = norm(error);
-  row[kErrors + 1] = norm(error + 3);
+  row[kErrors] = norm(controller.error);
+  row[kErrors + 1] = norm(controller.error + 3);
   row[kDrift] = norm(seen.drift);
   row[kDrift + 1] = norm(seen.drift + 3);
   for (std::size_t i = 0; i < 6; ++i) {
-    row[kCommanded + i] = commanded[i];
-    row[kActing + i] = acting[i];
+    row[kCommanded + i] = held.commanded[i];
+    row[kActing + i] = motion.internal[i];
   }
-  row[kControl] = control_us;
-  std::copy(&state.q[0][0], &state.q[0][0] + 2 * kJoints, row + kCoordinates);
-  std::copy(&torques.tau[0][0], &torques.tau[0][0] + 2 * kJoints, row + kTau);
+  row[kControl] = 1e-3 * static_cast<double>(report.control_nanoseconds);
+  std::copy(std::begin(report.state.q), std::end(report.state.q), row + kCoordinates);
+  std::copy(std::begin(report.tau), std::end(report.tau), row + kTau);
   table.append(row);
 }
 
@@ -108,38 +180,28 @@ CarryOutcome::CarryOutcome(std::size_t rows) : table(names(), rows) {}
 
 CarryOutcome carry_object(const CarryPlan& plan) {
   const PairState start = start_state();
-  PairState state = start;
-  const double dt = 1.0 / plan.rate;
-  const int cycles =
-      static_cast<int>(std::lround((plan.lead + plan.duration + plan.settle) * plan.rate));
-  CarryOutcome outcome(static_cast<std::size_t>(cycles));
-  PairTorques held;
-  double commanded[6];
-  for (int cycle = 0; cycle < cycles; ++cycle) {
-    const double time = cycle * dt;
-    const auto begin = std::chrono::steady_clock::now();
-    const Wanted wanted = wanted_at(plan, time);
-    const ObjectSeen seen = see_object(state);
-    double error[6];
-    const PairTorques torques = control(plan, start, state, seen, wanted, error);
-    const auto spent = std::chrono::steady_clock::now() - begin;
-    const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(spent).count();
-    outcome.control.record(ns);
-    // Internal forces under the torque of the previous cycle, where the effect of holding it is
-    // largest.
-    if (cycle == 0) {
-      held = torques;
-      std::copy(std::begin(wanted.internal), std::end(wanted.internal), commanded);
-    }
-    const PairMotion motion = move_pair(state, held);
-    record(time, state, torques, wanted, seen, error, commanded, motion.internal,
-           1e-3 * static_cast<double>(ns), outcome.table);
-    held = torques;
-    std::copy(std::begin(wanted.internal), std::end(wanted.internal), commanded);
-    for (int step = 0; step < plan.substeps; ++step) {
-      integrate_pair(torques, dt / plan.substeps, state);
-    }
-  }
+  State state;
+  std::copy(&start.q[0][0], &start.q[0][0] + Pair::kCoordinates, std::begin(state.q));
+  servo::SimulatedRobot<Pair> robot(state, plan.substeps);
+  CarryController controller(plan, start);
+  servo::SimulatedClock clock;
+  servo::Mailbox mailbox;
+  servo::LoopSettings settings;
+  settings.rate = plan.rate;
+  const double total = plan.lead + plan.duration + plan.settle;
+  CarryOutcome outcome(static_cast<std::size_t>(std::lround(total * plan.rate)) + 1);
+  Held held;
+  const servo::RunEnd end = servo::run_for<Pair>(
+      total, settings,
+      servo::limits_of(samm_pair::kLowerLimits, samm_pair::kUpperLimits, samm_pair::kVelocityLimits,
+                       samm_pair::kEffortLimits),
+      robot, controller, clock, mailbox, [&](const servo::Report<Pair>& report) {
+        if (!held.any) held.take(report, controller.wanted);
+        record(report, controller, held, outcome.table);
+        held.take(report, controller.wanted);
+      });
+  outcome.fault = end.fault;
+  outcome.control = end.control;
   return outcome;
 }
 
@@ -163,24 +225,29 @@ CarryErrors largest_errors(const CarryOutcome& outcome) {
   return errors;
 }
 
-bool within_bounds(const CarryErrors& errors) {
-  return errors.position < 1e-4 && errors.rotation < 1e-3 && errors.tension < 0.1 &&
-         errors.moments < 0.1 && errors.drift < 1e-10 && errors.drift_rotation < 1e-10;
+bool within_bounds(const CarryOutcome& outcome) {
+  const CarryErrors errors = largest_errors(outcome);
+  return !outcome.fault && errors.position < 1e-4 && errors.rotation < 1e-3 &&
+         errors.tension < 0.1 && errors.moments < 0.1 && errors.drift < 1e-10 &&
+         errors.drift_rotation < 1e-10;
 }
 
 std::string summary(const CarryOutcome& outcome) {
   const CarryErrors errors = largest_errors(outcome);
   const servo::DurationStatistics& control = outcome.control;
-  return fmt::format(
-      "object       largest tracking error {:.2e} m, {:.2e} rad (bounds 1e-4, 1e-3)\n"
-      "internal     tension off by at most {:.2e} N, moments by {:.2e} N m (bounds 0.1)\n"
-      "drift        of the second grasp against the first: {:.2e} m, {:.2e} rad (bounds 1e-10)\n"
-      "bases        moved up to {:.2f} m\n"
-      "control      of both robots: median {:.2f} us, 99 % {:.2f} us over {} cycles\n"
-      "bounds       {}\n",
-      errors.position, errors.rotation, errors.tension, errors.moments, errors.drift,
-      errors.drift_rotation, errors.travel, 1e-3 * control.median(), 1e-3 * control.quantile(0.99),
-      control.count(), within_bounds(errors) ? "kept" : "BROKEN");
+  return (outcome.fault ? "stopped      " + servo::describe(outcome.fault) + "\n" : std::string()) +
+         fmt::format(
+             "object       largest tracking error {:.2e} m, {:.2e} rad (bounds 1e-4, 1e-3)\n"
+             "internal     tension off by at most {:.2e} N, moments by {:.2e} N m (bounds 0.1)\n"
+             "drift        of the second grasp against the first: {:.2e} m, {:.2e} rad (bounds "
+             "1e-10)\n"
+             "bases        moved up to {:.2f} m\n"
+             "control      of both robots: median {:.2f} us, 99 % {:.2f} us over {} cycles\n"
+             "bounds       {}\n",
+             errors.position, errors.rotation, errors.tension, errors.moments, errors.drift,
+             errors.drift_rotation, errors.travel, 1e-3 * control.median(),
+             1e-3 * control.quantile(0.99), control.count(),
+             within_bounds(outcome) ? "kept" : "BROKEN");
 }
 
 servo::Plot figure(const CarryOutcome& outcome) {

@@ -4,6 +4,7 @@
 
 #include "carry_plan.hpp"
 #include "servo/plot.hpp"
+#include "servo/safety.hpp"
 #include "servo/statistics.hpp"
 #include "servo/table.hpp"
 
@@ -13,6 +14,7 @@ struct CarryOutcome {
   explicit CarryOutcome(std::size_t rows);
   servo::Table table;  ///< one row per cycle
   servo::DurationStatistics control;
+  servo::Fault fault;  ///< of the servo loop, which ends the run
 };
 
 /// Largest errors over the run. Internal forces are those at the end of a cycle with constant
@@ -29,8 +31,8 @@ struct CarryErrors {
 
 CarryOutcome carry_object(const CarryPlan& plan);
 CarryErrors largest_errors(const CarryOutcome& outcome);
-/// Whether the run keeps its bounds.
-bool within_bounds(const CarryErrors& errors);
+/// Whether the run ends without a fault and keeps its bounds.
+bool within_bounds(const CarryOutcome& outcome);
 std::string summary(const CarryOutcome& outcome);
 servo::Plot figure(const CarryOutcome& outcome);
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 
+#include "samm_joints.hpp"
 #include "servo/clock.hpp"
 #include "servo/loop.hpp"
 #include "servo/simulated_robot.hpp"
@@ -30,8 +31,8 @@ std::vector<std::string> column_names() {
   }
   names.emplace_back("control_us");
   for (const char* quantity : {"q", "qd", "tau"}) {
-    for (int i = 1; i <= 9; ++i) {
-      names.push_back(std::string(quantity) + std::to_string(i));
+    for (const char* joint : samm::kCoordinateJoints) {
+      names.push_back(std::string(quantity) + "_" + joint);
     }
   }
   return names;

@@ -10,7 +10,11 @@
 #include "core/ldlt.hpp"
 #include "core/spline.hpp"
 #include "humanoid24_wall.hpp"
+#include "humanoid24_wall_joints.hpp"
+#include "servo/clock.hpp"
 #include "servo/integrate.hpp"
+#include "servo/run_for.hpp"
+#include "servo/safety.hpp"
 
 namespace treeline::experiments {
 namespace {
@@ -21,6 +25,7 @@ constexpr int kJoints = robot::kVelocities;
 struct Wall24 {
   static constexpr int kCoordinates = robot::kCoordinates;
   static constexpr int kVelocities = robot::kVelocities;
+  static constexpr auto& inverse_dynamics = robot::inverse_dynamics;
   static constexpr auto& forward_dynamics = robot::forward_dynamics;
 };
 using State = servo::StateOf<Wall24>;
@@ -60,73 +65,40 @@ void commanded_force(const State& state, const double (&xdd)[3], double (&force)
   }
 }
 
-class Experiment {
+/// The robot before the wall.
+class WallRobot {
  public:
-  Experiment(const Plan& plan, const WallSettings& settings)
-      : plan_(plan),
-        settings_(settings),
-        run_{servo::Table(
-                 {"time", "x", "y", "z", "distance", "speed_into_wall", "force", "kinetic_energy",
-                  "shoulder_pitch_rate", "elbow_rate", "hip_rate", "ankle_rate"},
-                 static_cast<std::size_t>(settings.duration * settings.rate) + 2),
-             {},
-             0,
-             0,
-             0} {
-    std::copy(plan.start.begin(), plan.start.end(), std::begin(state_.q));
-    const Hand hand = hand_of(state_);
-    const double goal[3] = {settings.wall + settings.behind, hand.x[1], hand.x[2]};
-    spline_ = core::rest_to_rest<3>(hand.x, goal, settings.reach_time);
+  WallRobot(const State& state, const WallSettings& settings) : state_(state), settings_(settings) {
+    // A pressing hand strikes in every step.
+    blows_.reserve(static_cast<std::size_t>(settings.duration * settings.rate + 1) *
+                   static_cast<std::size_t>(settings.substeps));
   }
 
-  WallRun run() {
-    const double cycle = 1 / settings_.rate;
-    const int cycles = static_cast<int>(settings_.duration * settings_.rate);
-    const int last = static_cast<int>(0.2 * settings_.rate);
-    for (int i = 0; i < cycles; ++i) {
-      control(i * cycle);
-      double impulse = 0;
-      for (int k = 0; k < settings_.substeps; ++k) {
-        impulse += advance(i * cycle, cycle / settings_.substeps);
-      }
-      if (i >= cycles - last) {
-        double force[3];
-        commanded_force(state_, xdd_, force);
-        run_.pressing += impulse * settings_.rate / last;
-        run_.commanded += force[0] / last;
-      }
-      record((i + 1) * cycle, impulse * settings_.rate);
-    }
-    return std::move(run_);
+  [[nodiscard]] bool connected() const noexcept { return true; }
+  void read(State& state) const noexcept { state = state_; }
+  void write(const double (&tau)[kJoints]) noexcept {
+    std::copy(std::begin(tau), std::end(tau), std::begin(tau_));
   }
+  void pass_time(double seconds) noexcept {
+    impulse_ = 0;
+    for (int k = 0; k < settings_.substeps; ++k) {
+      impulse_ += advance(seconds / settings_.substeps);
+    }
+    time_ += seconds;
+  }
+
+  /// Normal impulse on the robot in the last `pass_time`, N s.
+  [[nodiscard]] double impulse() const noexcept { return impulse_; }
+  [[nodiscard]] double deepest() const noexcept { return deepest_; }
+  [[nodiscard]] const std::vector<WallBlow>& blows() const noexcept { return blows_; }
 
  private:
-  /// Control torque of Chang table 6.1: the hand follows its spline, the desired posture is the
-  /// initial one.
-  void control(double time) {
-    const Hand hand = hand_of(state_);
-    const auto wanted = spline_.at(time);
-    double error[3];
-    for (int i = 0; i < 3; ++i) {
-      error[i] = wanted.position[i] - hand.x[i];
-    }
-    core::tracking_law<3, double>({settings_.stiffness, settings_.damping}, error, hand.v,
-                                  wanted.velocity, wanted.acceleration, xdd_);
-    double qdd_0[kJoints];
-    for (int i = 0; i < kJoints; ++i) {
-      const double kp = plan_.posture_stiffness[static_cast<std::size_t>(i)];
-      qdd_0[i] = kp * (plan_.start[static_cast<std::size_t>(i)] - state_.q[i]) -
-                 2 * std::sqrt(kp) * state_.qd[i];
-    }
-    robot::control_torque(state_.q, state_.qd, qdd_0, xdd_, tau_);
-  }
-
   /// Advances time by `dt`. In the air by Runge-Kutta; at the wall velocities first, then the blow,
   /// then coordinates, so that a pressing hand does not sink in. Returns the normal impulse on the
   /// robot.
-  double advance(double time, double dt) {
+  double advance(double dt) noexcept {
     const double distance = settings_.wall - hand_of(state_).x[0];
-    run_.deepest = std::max(run_.deepest, -distance);
+    deepest_ = std::max(deepest_, -distance);
     if (distance > 0) {
       servo::integrate_runge_kutta<Wall24>({}, tau_, dt, state_);
       return 0;
@@ -136,14 +108,14 @@ class Experiment {
     for (int i = 0; i < kJoints; ++i) {
       state_.qd[i] += dt * qdd[i];
     }
-    const double impulse = strike(time);
+    const double impulse = strike();
     for (int i = 0; i < kJoints; ++i) {
       state_.q[i] += dt * state_.qd[i];
     }
     return impulse;
   }
 
-  double strike(double time) {
+  double strike() noexcept {
     double A[9];
     robot::contact_inverse_inertia(state_.q, A);
     core::ContactLaw<double> law;
@@ -151,7 +123,7 @@ class Experiment {
     law.friction = settings_.friction;
     const Hand hand = hand_of(state_);
     WallBlow blow;
-    blow.time = time;
+    blow.time = time_;
     blow.approach = hand.v[0];
     if (blow.approach <= 0) {
       return 0;
@@ -178,39 +150,102 @@ class Experiment {
     blow.mass = mass[0];
     blow.parting = -hand_of(state_).v[0];
     blow.impulse = -y[0];
-    run_.blows.push_back(blow);
+    blows_.push_back(blow);
     return blow.impulse;
   }
 
-  void record(double time, double force) {
-    const Hand hand = hand_of(state_);
-    const auto rate = [&](const char* name) {
-      const auto found = std::find(plan_.joints.begin(), plan_.joints.end(), name);
-      return state_.qd[found - plan_.joints.begin()];
-    };
-    const double row[] = {time,
-                          hand.x[0],
-                          hand.x[1],
-                          hand.x[2],
-                          settings_.wall - hand.x[0],
-                          hand.v[0],
-                          force,
-                          kinetic_energy(state_),
-                          rate("left_shoulder_pitch"),
-                          rate("left_elbow"),
-                          rate("hip"),
-                          rate("ankle")};
-    run_.table.append(row);
+  State state_;
+  WallSettings settings_;
+  double tau_[kJoints] = {};
+  double time_ = 0;
+  double impulse_ = 0;
+  double deepest_ = 0;
+  std::vector<WallBlow> blows_;
+};
+
+/// Control torque of Chang table 6.1: the hand follows a spline to the goal behind the wall, the
+/// desired posture is the initial one.
+class WallController {
+ public:
+  WallController(const Plan& plan, const WallSettings& settings, const State& start)
+      : plan_(plan), settings_(settings) {
+    const Hand hand = hand_of(start);
+    const double goal[3] = {settings.wall + settings.behind, hand.x[1], hand.x[2]};
+    spline_ = core::rest_to_rest<3>(hand.x, goal, settings.reach_time);
   }
 
+  /// Commanded acceleration of the hand at the last call of `control`, m/s^2.
+  [[nodiscard]] const double (&commanded() const noexcept)[3] { return xdd_; }
+
+  void start(double, const State&) noexcept {}
+  void apply(double, const servo::Message&) noexcept {}
+  void control(double time, const State& state, double (&tau)[kJoints]) noexcept {
+    const Hand hand = hand_of(state);
+    const auto wanted = spline_.at(time);
+    double error[3];
+    for (int i = 0; i < 3; ++i) {
+      error[i] = wanted.position[i] - hand.x[i];
+    }
+    core::tracking_law<3, double>({settings_.stiffness, settings_.damping}, error, hand.v,
+                                  wanted.velocity, wanted.acceleration, xdd_);
+    double qdd_0[kJoints];
+    for (int i = 0; i < kJoints; ++i) {
+      const double kp = plan_.posture_stiffness[static_cast<std::size_t>(i)];
+      qdd_0[i] = kp * (plan_.start[static_cast<std::size_t>(i)] - state.q[i]) -
+                 2 * std::sqrt(kp) * state.qd[i];
+    }
+    robot::control_torque(state.q, state.qd, qdd_0, xdd_, tau);
+  }
+
+ private:
   const Plan& plan_;
   WallSettings settings_;
-  WallRun run_;
-  State state_;
   core::CubicSegment<3, double> spline_;
   double xdd_[3] = {};
-  double tau_[kJoints] = {};
 };
+
+/// Appends a cycle; `force` is the mean over the cycle before.
+void record(const servo::Report<Wall24>& report, const Plan& plan, const WallSettings& settings,
+            double force, servo::Table& table) {
+  const Hand hand = hand_of(report.state);
+  const auto rate = [&](const char* name) {
+    const auto found = std::find(plan.joints.begin(), plan.joints.end(), name);
+    return report.state.qd[found - plan.joints.begin()];
+  };
+  std::vector<double> row = {report.time,
+                             hand.x[0],
+                             hand.x[1],
+                             hand.x[2],
+                             settings.wall - hand.x[0],
+                             hand.v[0],
+                             force,
+                             kinetic_energy(report.state),
+                             rate("left_shoulder_pitch"),
+                             rate("left_elbow"),
+                             rate("hip"),
+                             rate("ankle")};
+  row.insert(row.end(), std::begin(report.state.q), std::end(report.state.q));
+  table.append(row.data());
+}
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names = {"time",
+                                    "x",
+                                    "y",
+                                    "z",
+                                    "distance",
+                                    "speed_into_wall",
+                                    "force",
+                                    "kinetic_energy",
+                                    "shoulder_pitch_rate",
+                                    "elbow_rate",
+                                    "hip_rate",
+                                    "ankle_rate"};
+  for (const char* joint : robot::kCoordinateJoints) {
+    names.push_back(std::string("q_") + joint);
+  }
+  return names;
+}
 
 std::vector<double> scaled(std::vector<double> values, double factor) {
   for (double& value : values) {
@@ -222,7 +257,36 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 }  // namespace
 
 WallRun run_hit_wall(const Plan& plan, const WallSettings& settings) {
-  return Experiment(plan, settings).run();
+  State state;
+  std::copy(plan.start.begin(), plan.start.end(), std::begin(state.q));
+  WallRobot before_wall(state, settings);
+  WallController controller(plan, settings, state);
+  servo::SimulatedClock clock;
+  servo::Mailbox mailbox;
+  servo::LoopSettings loop;
+  loop.rate = settings.rate;
+  const auto rows = static_cast<std::size_t>(settings.duration * settings.rate) + 2;
+  WallRun run{servo::Table(column_names(), rows), {}, {}, 0, 0, 0};
+  constexpr double kEnd = 0.2;  // s at the end over which forces are averaged
+  const double share = 1 / std::floor(kEnd * settings.rate);
+  const servo::RunEnd end = servo::run_for<Wall24>(
+      settings.duration, loop,
+      servo::limits_of(robot::kLowerLimits, robot::kUpperLimits, robot::kVelocityLimits,
+                       robot::kEffortLimits),
+      before_wall, controller, clock, mailbox, [&](const servo::Report<Wall24>& report) {
+        const double force = before_wall.impulse() * settings.rate;
+        record(report, plan, settings, force, run.table);
+        if (report.time > settings.duration - kEnd + 0.5 / settings.rate) {
+          double wanted[3];
+          commanded_force(report.state, controller.commanded(), wanted);
+          run.pressing += share * force;
+          run.commanded += share * wanted[0];
+        }
+      });
+  run.fault = end.fault;
+  run.blows = before_wall.blows();
+  run.deepest = before_wall.deepest();
+  return run;
 }
 
 std::string hit_wall_summary(const WallRun& run, const WallSettings& settings) {
@@ -241,10 +305,12 @@ std::string hit_wall_summary(const WallRun& run, const WallSettings& settings) {
     text += fmt::format(", {:+.6f} J by restitution",
                         -0.5 * (1 - e * e) * first.mass * first.approach * first.approach);
   }
-  return text + fmt::format(
-                    "\nblows        {}; deepest in the wall {:.1e} m\n"
-                    "at rest      presses with {:.3f} N, commanded {:.3f} N\n",
-                    run.blows.size(), run.deepest, run.pressing, run.commanded);
+  return text +
+         fmt::format(
+             "\nblows        {}; deepest in the wall {:.1e} m\n"
+             "at rest      presses with {:.3f} N, commanded {:.3f} N\n",
+             run.blows.size(), run.deepest, run.pressing, run.commanded) +
+         (run.fault ? "stopped      " + servo::describe(run.fault) + "\n" : "");
 }
 
 servo::Plot hit_wall_figure(const WallRun& run) {
@@ -277,7 +343,7 @@ bool hit_wall_claims_hold(const WallRun& run, const WallSettings& settings) {
     return false;
   }
   const WallBlow& first = run.blows.front();
-  bool hold = first.approach > 0.1 &&
+  bool hold = !run.fault && first.approach > 0.1 &&
               std::abs(first.parting - settings.restitution * first.approach) < 1e-9;
   for (const WallBlow& blow : run.blows) {
     hold = hold && std::abs(blow.energy - blow.work) < 1e-9;

@@ -5,6 +5,7 @@
 
 #include "plan.hpp"
 #include "servo/plot.hpp"
+#include "servo/safety.hpp"
 #include "servo/table.hpp"
 
 /// Chang chapter 8: the humanoid's left fist moves towards a point behind a wall, strikes the wall,
@@ -42,12 +43,14 @@ struct WallBlow {
 struct WallRun {
   servo::Table table;  ///< one row per control cycle
   std::vector<WallBlow> blows;
+  servo::Fault fault;    ///< of the servo loop, which ends the run
   double deepest = 0;    ///< largest depth of the knuckles in the wall, m
   double pressing = 0;   ///< mean force on the wall over the last 0.2 s, N
   double commanded = 0;  ///< mean of (Lambda xdd_cmd)_x over that time, N: the commanded force
 };
 
-/// Simulates the experiment. `plan` gives the robot's start and the stiffness of its posture.
+/// Simulates the experiment, controlled by the servo loop. `plan` gives the robot's start and the
+/// stiffness of its posture.
 WallRun run_hit_wall(const Plan& plan, const WallSettings& settings);
 
 std::string hit_wall_summary(const WallRun& run, const WallSettings& settings);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "close_grasp.hpp"
 #include "humanoid_pair.hpp"
@@ -44,7 +46,8 @@ enum Column : std::size_t {
   kSqueeze = kOwnColumns,
   kCommanded = kSqueeze + 2,
   kInternalError,
-  kColumns
+  kCoordinates,
+  kColumns = kCoordinates + Humanoids::kCoordinates
 };
 /// Of the virtual linkage's rods, those between the hands of one humanoid: 12 and 34.
 constexpr std::array<std::size_t, 2> kOwnRods = {0, 5};
@@ -82,7 +85,17 @@ void record(const servo::Report<Humanoids>& report, const Controller& controller
   for (std::size_t i = 0; i < commanded.size(); ++i) {
     row[kInternalError] = std::max(row[kInternalError], std::abs(internal[i] - commanded[i]));
   }
+  std::copy(std::begin(report.state.q), std::end(report.state.q), row + kCoordinates);
   table.append(row);
+}
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names = {"squeeze_first", "squeeze_second", "squeeze_commanded",
+                                    "internal_error"};
+  for (const char* joint : humanoid_pair::kCoordinateJoints) {
+    names.push_back(std::string("q_") + joint);
+  }
+  return names;
 }
 
 }  // namespace
