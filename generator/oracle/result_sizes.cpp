@@ -2,9 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <limits>
+#include <span>
 
 #include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
@@ -133,65 +133,133 @@ struct ResultSizes::Row {
 
 /// All functions but those about objects, contacts and links, which have sizes of their own.
 struct ResultSizes::Table {
-  static constexpr auto kRows = std::to_array<Row>({
-{Function::forward_kinematics, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.poses()); }},
-{Function::jacobian, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.jacobian()); }},
-{Function::bias_acceleration, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.bias(of.state_.qd)); }},
-{Function::inverse_dynamics, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces(of.state_.qd, of.state_.qdd, of.state_.f_ext)); }},
-{Function::gravity, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces(of.at_rest_, of.at_rest_, {})); }},
-{Function::nonlinear_effects, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces(of.state_.qd, of.at_rest_, {})); }},
-{Function::mass_matrix, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.mass_matrix()); }},
-{Function::forward_dynamics, [](const ResultSizes& of, const Solved& in) { return entries_of(of.forward_dynamics(in.result)); }},
-{Function::lambda_inverse, [](const ResultSizes& of, const Solved&) { return entries_of(of.lambda_inverse()); }},
-{Function::lambda, [](const ResultSizes& of, const Solved& in) { return entries_of(of.lambda(in.Lambda)); }},
-{Function::control_torque, [](const ResultSizes& of, const Solved& in) { return entries_of(of.control_torque(in.yielding ? in.yielding->Lambda : of.control_Lambda_)); }},
-{Function::center_of_mass, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.center_of_mass()); }},
-{Function::center_of_mass_jacobian, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.center_of_mass_jacobian()); }},
-{Function::inverse_dynamics_derivatives, [](const ResultSizes& of, const Solved&) { return of.inverse_dynamics_derivatives(); }},
-{Function::forward_dynamics_derivatives, [](const ResultSizes& of, const Solved&) { return of.forward_dynamics_derivatives(); }},
-{Function::coriolis_matrix, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.forces_by_velocity(of.state_.qd) / 2); }},
-{Function::kinetic_energy, [](const ResultSizes& of, const Solved&) { return std::vector<double>{of.terms_.kinetic_energy(of.state_.qd)}; }},
-{Function::kinetic_energy_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.kinetic_energy_by_displacement(of.state_.qd),
-                     of.terms_.mass_matrix() * magnitudes(of.state_.qd)}); }},
-{Function::potential_energy, [](const ResultSizes& of, const Solved&) { return std::vector<double>{of.terms_.potential_energy()}; }},
-{Function::inverse_dynamics_regressor, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.inverse_dynamics_regressor(of.state_.qd, of.state_.qdd)); }},
-{Function::energy_regressor, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.energy_regressor(of.state_.qd)); }},
-{Function::centroidal_momentum_matrix, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_momentum_matrix()); }},
-{Function::centroidal_momentum, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_momentum(of.state_.qd)); }},
-{Function::centroidal_bias, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_bias(of.state_.qd)); }},
-{Function::center_of_mass_bias_acceleration, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.centroidal_bias(of.state_.qd).head(3) /
-                        interpreter::total_mass(of.subject_.model)); }},
-{Function::centroidal_momentum_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.centroidal_momentum_by_displacement(of.state_.qd),
-                     of.terms_.centroidal_momentum_matrix()}); }},
-{Function::centroidal_momentum_rate_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.centroidal_rate_by_displacement(of.state_.qd, of.state_.qdd),
-                     of.terms_.centroidal_rate_by_velocity(of.state_.qd),
-                     of.terms_.centroidal_momentum_matrix()}); }},
-{Function::subtree_masses_and_centers, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.subtrees()); }},
-{Function::point_velocity, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.point_velocities(of.state_.qd)); }},
-{Function::point_acceleration, [](const ResultSizes& of, const Solved&) { return entries_of(of.terms_.point_accelerations(of.state_.qd, of.state_.qdd)); }},
-{Function::point_velocity_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.point_velocities_by_displacement(of.state_.qd), of.terms_.point_jacobian()}); }},
-{Function::point_acceleration_derivatives, [](const ResultSizes& of, const Solved&) { return joined({of.terms_.point_accelerations_by_displacement(of.state_.qd, of.state_.qdd),
-                     of.terms_.point_accelerations_by_velocity(of.state_.qd), of.terms_.point_jacobian()}); }},
-{Function::dynamically_consistent_inverse, [](const ResultSizes& of, const Solved& in) { return entries_of(of.dynamically_consistent_inverse(in.Lambda)); }},
-{Function::null_space_projector, [](const ResultSizes& of, const Solved& in) { return entries_of(of.null_space_projector(in.Lambda)); }},
-{Function::operational_bias_force, [](const ResultSizes& of, const Solved& in) { return entries_of(of.operational_bias_force(in.Lambda)); }},
-{Function::operational_gravity, [](const ResultSizes& of, const Solved& in) { return entries_of(of.operational_gravity(in.Lambda)); }},
-{Function::damped_control_torque, [](const ResultSizes& of, const Solved&) { return of.damped_control_torque(); }},
-{Function::constraint_jacobian, [](const ResultSizes& of, const Solved&) { return entries_of(of.constrained_->jacobian()); }},
-{Function::constraint_errors, [](const ResultSizes& of, const Solved&) { return entries_of(of.constrained_->loop_errors()); }},
-{Function::constrained_forward_dynamics, [](const ResultSizes& of, const Solved& in) { return of.of_constraints(Function::constrained_forward_dynamics).sizes(in.law, in.yielding); }},
-{Function::supported_control_torque, [](const ResultSizes& of, const Solved& in) { return of.of_constraints(Function::supported_control_torque).sizes(in.law, in.yielding); }},
-});
+  using Of = const ResultSizes&;
+  using In = const Solved&;
+  static constexpr Row kOfRobot[] = {
+      {Function::inverse_dynamics,
+       [](Of of, In) {
+         return entries_of(of.terms_.forces(of.state_.qd, of.state_.qdd, of.state_.f_ext));
+       }},
+      {Function::gravity,
+       [](Of of, In) { return entries_of(of.terms_.forces(of.at_rest_, of.at_rest_, {})); }},
+      {Function::nonlinear_effects,
+       [](Of of, In) { return entries_of(of.terms_.forces(of.state_.qd, of.at_rest_, {})); }},
+      {Function::mass_matrix, [](Of of, In) { return entries_of(of.terms_.mass_matrix()); }},
+      {Function::forward_dynamics,
+       [](Of of, In in) { return entries_of(of.forward_dynamics(in.result)); }},
+      {Function::center_of_mass, [](Of of, In) { return entries_of(of.terms_.center_of_mass()); }},
+      {Function::center_of_mass_jacobian,
+       [](Of of, In) { return entries_of(of.terms_.center_of_mass_jacobian()); }},
+      {Function::inverse_dynamics_derivatives,
+       [](Of of, In) { return of.inverse_dynamics_derivatives(); }},
+      {Function::forward_dynamics_derivatives,
+       [](Of of, In) { return of.forward_dynamics_derivatives(); }},
+      {Function::coriolis_matrix,
+       [](Of of, In) { return entries_of(of.terms_.forces_by_velocity(of.state_.qd) / 2); }},
+      {Function::kinetic_energy,
+       [](Of of, In) { return std::vector<double>{of.terms_.kinetic_energy(of.state_.qd)}; }},
+      {Function::kinetic_energy_derivatives,
+       [](Of of, In) {
+         return joined({of.terms_.kinetic_energy_by_displacement(of.state_.qd),
+                        of.terms_.mass_matrix() * magnitudes(of.state_.qd)});
+       }},
+      {Function::potential_energy,
+       [](Of of, In) { return std::vector<double>{of.terms_.potential_energy()}; }},
+      {Function::inverse_dynamics_regressor,
+       [](Of of, In) {
+         return entries_of(of.terms_.inverse_dynamics_regressor(of.state_.qd, of.state_.qdd));
+       }},
+      {Function::energy_regressor,
+       [](Of of, In) { return entries_of(of.terms_.energy_regressor(of.state_.qd)); }},
+      {Function::centroidal_momentum_matrix,
+       [](Of of, In) { return entries_of(of.terms_.centroidal_momentum_matrix()); }},
+      {Function::centroidal_momentum,
+       [](Of of, In) { return entries_of(of.terms_.centroidal_momentum(of.state_.qd)); }},
+      {Function::centroidal_bias,
+       [](Of of, In) { return entries_of(of.terms_.centroidal_bias(of.state_.qd)); }},
+      {Function::center_of_mass_bias_acceleration,
+       [](Of of, In) {
+         return entries_of(of.terms_.centroidal_bias(of.state_.qd).head(3) /
+                           interpreter::total_mass(of.subject_.model));
+       }},
+      {Function::centroidal_momentum_derivatives,
+       [](Of of, In) {
+         return joined({of.terms_.centroidal_momentum_by_displacement(of.state_.qd),
+                        of.terms_.centroidal_momentum_matrix()});
+       }},
+      {Function::centroidal_momentum_rate_derivatives,
+       [](Of of, In) {
+         return joined({of.terms_.centroidal_rate_by_displacement(of.state_.qd, of.state_.qdd),
+                        of.terms_.centroidal_rate_by_velocity(of.state_.qd),
+                        of.terms_.centroidal_momentum_matrix()});
+       }},
+      {Function::subtree_masses_and_centers,
+       [](Of of, In) { return entries_of(of.terms_.subtrees()); }},
+  };
+  static constexpr Row kOfTask[] = {
+      {Function::forward_kinematics, [](Of of, In) { return entries_of(of.terms_.poses()); }},
+      {Function::jacobian, [](Of of, In) { return entries_of(of.terms_.jacobian()); }},
+      {Function::bias_acceleration,
+       [](Of of, In) { return entries_of(of.terms_.bias(of.state_.qd)); }},
+      {Function::lambda_inverse, [](Of of, In) { return entries_of(of.lambda_inverse()); }},
+      {Function::lambda, [](Of of, In in) { return entries_of(of.lambda(in.Lambda)); }},
+      {Function::control_torque,
+       [](Of of, In in) {
+         return entries_of(
+             of.control_torque(in.yielding ? in.yielding->Lambda : of.control_Lambda_));
+       }},
+      {Function::point_velocity,
+       [](Of of, In) { return entries_of(of.terms_.point_velocities(of.state_.qd)); }},
+      {Function::point_acceleration,
+       [](Of of, In) {
+         return entries_of(of.terms_.point_accelerations(of.state_.qd, of.state_.qdd));
+       }},
+      {Function::point_velocity_derivatives,
+       [](Of of, In) {
+         return joined({of.terms_.point_velocities_by_displacement(of.state_.qd),
+                        of.terms_.point_jacobian()});
+       }},
+      {Function::point_acceleration_derivatives,
+       [](Of of, In) {
+         return joined({of.terms_.point_accelerations_by_displacement(of.state_.qd, of.state_.qdd),
+                        of.terms_.point_accelerations_by_velocity(of.state_.qd),
+                        of.terms_.point_jacobian()});
+       }},
+      {Function::dynamically_consistent_inverse,
+       [](Of of, In in) { return entries_of(of.dynamically_consistent_inverse(in.Lambda)); }},
+      {Function::null_space_projector,
+       [](Of of, In in) { return entries_of(of.null_space_projector(in.Lambda)); }},
+      {Function::operational_bias_force,
+       [](Of of, In in) { return entries_of(of.operational_bias_force(in.Lambda)); }},
+      {Function::operational_gravity,
+       [](Of of, In in) { return entries_of(of.operational_gravity(in.Lambda)); }},
+      {Function::damped_control_torque, [](Of of, In) { return of.damped_control_torque(); }},
+      {Function::constraint_jacobian,
+       [](Of of, In) { return entries_of(of.constrained_->jacobian()); }},
+      {Function::constraint_errors,
+       [](Of of, In) { return entries_of(of.constrained_->loop_errors()); }},
+      {Function::constrained_forward_dynamics,
+       [](Of of, In in) {
+         return of.of_constraints(Function::constrained_forward_dynamics)
+             .sizes(in.law, in.yielding);
+       }},
+      {Function::supported_control_torque,
+       [](Of of, In in) {
+         return of.of_constraints(Function::supported_control_torque).sizes(in.law, in.yielding);
+       }},
+  };
 };
 
 std::vector<double> ResultSizes::sizes(Function function, const std::vector<double>& result,
                                        const interpreter::TaskLaw<double>& law,
                                        const std::optional<LawSizes>& yielding) const {
+  constexpr std::span<const Row> of_robot(Table::kOfRobot), of_task(Table::kOfTask);
+  static_assert(covers<is_about<FunctionGroup::robot, FunctionGroup::center_of_mass,
+                                FunctionGroup::derivatives>>(of_robot));
+  static_assert(covers<is_about<FunctionGroup::points, FunctionGroup::constraints>>(of_task));
   if (needs_objects(function)) return objects_->sizes(function, yielding);
-  static_assert(
-      covers<is_about<FunctionGroup::robot, FunctionGroup::points, FunctionGroup::constraints,
-                      FunctionGroup::center_of_mass, FunctionGroup::derivatives>>(Table::kRows));
-  const Row* const row = find_row(Table::kRows, function);
+  const Row* row = find_row(of_robot, function);
+  if (row == nullptr) row = find_row(of_task, function);
   if (row == nullptr) {
     return contact_sizes(function, subject_, state_, M_inverse_, result, law);
   }
