@@ -10,6 +10,7 @@
 #include "emission/digest.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/limit_cost.hpp"
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
@@ -100,6 +101,21 @@ std::string print_damped_function(const EmissionContext& context,
       cost.count.sin_cos, cost.values, bound);
 }
 
+/// Of the function of NAME_limited.hpp, which calls `supported_control_torque`.
+std::string print_limited_function(const EmissionContext& context,
+                                   std::span<const Program> programs) {
+  const LimitCost cost = cost_of_limits(*context.limits, context.velocities);
+  const auto supported = std::find_if(programs.begin(), programs.end(), [](const Program& program) {
+    return program.name == "supported_control_torque";
+  });
+  return fmt::format(
+      ",\n"
+      R"({{"name": "limited_control_torque", "flops": {}, "unknowns": {}, "rows": {}, )"
+      R"("most_iterations": {}, "flops_of_iteration": {}}})",
+      count_operations(*supported).flops(), cost.unknowns, cost.rows, cost.iterations,
+      cost.flops_of_iteration);
+}
+
 std::string print_method(const EmissionContext::Method& method) {
   const std::string lanes = method.lanes > 0 ? fmt::format(R"(, "lanes": {})", method.lanes) : "";
   return fmt::format(R"({{"route": {}, "method": {}, "flops": {}{}}})", quote_json(method.route),
@@ -150,7 +166,8 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"domain", quote_json(context.domain)},
        {"functions",
         print_list(programs, [&context](const Program& p) { return print_function(context, p); }) +
-            (context.heaviest.empty() ? "" : print_damped_function(context, programs))},
+            (context.heaviest.empty() ? "" : print_damped_function(context, programs)) +
+            (context.limits ? print_limited_function(context, programs) : "")},
        {"measured", context.measured.empty()
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},

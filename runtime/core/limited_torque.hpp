@@ -252,6 +252,7 @@ class LimitProgram {
   void reduce(const Real (&weights)[T]) noexcept;
   void weigh_task(const Real (&weights)[T]) noexcept;
   void form_forces(const SupportLayout<Real, Sizes>& layout) noexcept;
+  void read_column(int velocity, Real* column) const noexcept;
   void add_cones(const TorqueLimits<Real, Sizes>& limits, const Real (&f)[H]) noexcept;
 
   Real W_[V * kCols];
@@ -406,20 +407,30 @@ template <class Real, class Sizes>
 void LimitProgram<Real, Sizes>::form_forces(const SupportLayout<Real, Sizes>& layout) noexcept {
   const int moving = V - held_;
   const Real size = kHierarchy<Real> * square_root(heaviest_);
+  Real carried[P * N];
+  for (int r = 0; r < basis_.rank; ++r) {
+    read_column(layout.passive[basis_.carried[r]], carried + r * N);
+  }
   for (int h = 0; h < H; ++h) {
-    for (int n = 0; n < N; ++n) {
-      Real entry = Real(0);
-      if (n < moving && n < Sizes::kFreedoms) {
-        const Real* const row = W_ + (held_ + n) * kCols + kMassAt;
-        for (int r = 0; r < basis_.rank; ++r) {
-          entry += basis_.carry[h * P + r] * row[layout.passive[basis_.carried[r]]];
-        }
-      } else if (Sizes::kHeld > 0 && n < Sizes::kFreedoms && n - moving < H - basis_.rank) {
-        entry = size * basis_.free[h * H + n - moving];
-      }
-      forces_[h * N + n] = entry;
+    Real* const row = forces_ + h * N;
+    for (int n = 0; n < N; ++n) row[n] = Real(0);
+    for (int r = 0; r < basis_.rank; ++r) {
+      const Real factor = basis_.carry[h * P + r];
+      for (int n = 0; n < N; ++n) row[n] += factor * carried[r * N + n];
+    }
+    for (int k = 0; k < H - basis_.rank && Sizes::kHeld > 0 && moving + k < Sizes::kFreedoms; ++k) {
+      row[moving + k] = size * basis_.free[h * H + k];
     }
   }
+}
+
+/// M d_qdd at a velocity, by unknowns.
+template <class Real, class Sizes>
+void LimitProgram<Real, Sizes>::read_column(int velocity, Real* column) const noexcept {
+  const int moving = V - held_ < Sizes::kFreedoms ? V - held_ : Sizes::kFreedoms;
+  const Real* const first = W_ + held_ * kCols + kMassAt + velocity;
+  for (int n = 0; n < N; ++n) column[n] = Real(0);
+  for (int n = 0; n < moving; ++n) column[n] = first[n * kCols];
 }
 
 template <class Real, class Sizes>
@@ -431,10 +442,7 @@ void LimitProgram<Real, Sizes>::limit(const SupportLayout<Real, Sizes>& layout,
   for (int v = 0; v < V && row < Sizes::kMotors; ++v) {
     if (is_passive(layout, v)) continue;
     Real a[N];
-    for (int n = 0; n < N; ++n) {
-      const bool moves = n < V - held_ && n < Sizes::kFreedoms;
-      a[n] = moves ? W_[(held_ + n) * kCols + kMassAt + v] : Real(0);
-    }
+    read_column(v, a);
     for (int h = 0; h < Sizes::kHeld; ++h) {
       const Real factor = J_s[h * V + v];
       if (factor == Real(0)) continue;

@@ -61,21 +61,19 @@ void normalise_quaternions(const FloatingJoints<nq, nv>& floating, double (&q)[n
   }
 }
 
-/// Advances the state by `dt` seconds under constant `tau`, by one step of the classical
-/// fourth-order Runge-Kutta method.
-template <SimulatedFunctions F>
-void integrate_runge_kutta(const FloatingJoints<F::kCoordinates, F::kVelocities>& floating,
-                           const double (&tau)[F::kVelocities], double dt,
-                           StateOf<F>& state) noexcept {
-  constexpr int nq = F::kCoordinates;
-  constexpr int nv = F::kVelocities;
+/// Advances the state by `dt` seconds by one step of the classical fourth-order Runge-Kutta method.
+/// `accelerations_at(q, qd, qdd)` writes the accelerations.
+template <int nq, int nv, class Accelerations>
+void integrate_runge_kutta(const FloatingJoints<nq, nv>& floating, double dt,
+                           const Accelerations& accelerations_at,
+                           RobotState<nq, nv>& state) noexcept {
   constexpr double kFractions[4] = {0.0, 0.5, 0.5, 1.0};
   constexpr double kWeights[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
   double rates[nq] = {};
   double accelerations[nv] = {};
-  StateOf<F> sum = state;
+  RobotState<nq, nv> sum = state;
   for (int stage = 0; stage < 4; ++stage) {
-    StateOf<F> at = state;
+    RobotState<nq, nv> at = state;
     for (int i = 0; i < nq; ++i) {
       at.q[i] += kFractions[stage] * dt * rates[i];
     }
@@ -83,7 +81,7 @@ void integrate_runge_kutta(const FloatingJoints<F::kCoordinates, F::kVelocities>
       at.qd[i] += kFractions[stage] * dt * accelerations[i];
     }
     coordinate_rates<nq, nv>(floating, at.q, at.qd, rates);
-    F::forward_dynamics(at.q, at.qd, tau, accelerations);
+    accelerations_at(at.q, at.qd, accelerations);
     for (int i = 0; i < nq; ++i) {
       sum.q[i] += kWeights[stage] * dt * rates[i];
     }
@@ -93,6 +91,17 @@ void integrate_runge_kutta(const FloatingJoints<F::kCoordinates, F::kVelocities>
   }
   normalise_quaternions<nq, nv>(floating, sum.q);
   state = sum;
+}
+
+/// The same under constant `tau`.
+template <SimulatedFunctions F>
+void integrate_runge_kutta(const FloatingJoints<F::kCoordinates, F::kVelocities>& floating,
+                           const double (&tau)[F::kVelocities], double dt,
+                           StateOf<F>& state) noexcept {
+  const auto accelerations_at =
+      [&tau](const double(&q)[F::kCoordinates], const double(&qd)[F::kVelocities],
+             double(&qdd)[F::kVelocities]) noexcept { F::forward_dynamics(q, qd, tau, qdd); };
+  integrate_runge_kutta<F::kCoordinates, F::kVelocities>(floating, dt, accelerations_at, state);
 }
 
 }  // namespace treeline::servo

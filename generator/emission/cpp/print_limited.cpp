@@ -6,11 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/limited_torque.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/limit_cost.hpp"
 #include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
 
@@ -94,15 +94,12 @@ int freedoms_of(const LimitFacts& facts) {
 
 std::string describe_cost(const EmissionContext& context, std::span<const Program> programs) {
   const LimitFacts& facts = *context.limits;
-  const int unknowns = core::in_eights(freedoms_of(facts) + 1);
-  const int rows = context.velocities - static_cast<int>(facts.passive.size()) +
-                   static_cast<int>(facts.cones.size());
+  const LimitCost cost = cost_of_limits(facts, context.velocities);
   const int flops = count_operations(find_program(programs, "supported_control_torque")).flops();
   return wrap_text(
       fmt::format("Cost: {} flops where no limit is reached. Else a quadratic program of {} "
                   "unknowns and {} rows: at most {} steps of at most {} flops.",
-                  flops, unknowns, rows, 2 * core::most_iterations(unknowns, rows) + unknowns,
-                  core::flops_of_iteration(unknowns, rows)),
+                  flops, cost.unknowns, cost.rows, cost.iterations, cost.flops_of_iteration),
       95);
 }
 

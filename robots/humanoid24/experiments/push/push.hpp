@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+
+#include "servo/plot.hpp"
+#include "servo/safety.hpp"
+#include "servo/table.hpp"
+
+/// The humanoid stands on two feet that can tip, shifts its weight, reaches far, and is pushed at
+/// its chest from behind, from before and from the side. Torques and forces of the feet are kept
+/// within their limits, so that it recovers. With the unlimited law it falls.
+namespace treeline::experiments {
+
+struct PushFigures {
+  // What the controller commands, of all cycles.
+  double base_torque = 0.0;  ///< largest entry of tau at the base, N or N m
+  double torque = 0.0;       ///< largest torque of a motor as a share of its limit
+  double beyond = -1e9;      ///< most by which forces are beyond a cone, N
+  double slack = 0.0;        ///< most by which cones were widened, N
+  int limited = 0;           ///< cycles in which a limit was reached
+  int unsolved = 0;          ///< cycles whose program was not solved
+  int iterations = 0;        ///< most of a cycle
+  // What becomes of the robot.
+  double tilt = 0.0;         ///< largest angle of the soles with the ground, rad
+  double lifted = 0.0;       ///< largest height of a corner of a sole, m
+  double slipped = 0.0;      ///< way that corners slid, all together, m
+  double least_share = 1.0;  ///< least and largest share of the load on the left foot, unpushed
+  double most_share = 0.0;
+  double hand_error = 0.0;   ///< largest distance of the hand from its path before the pushes, m
+  double hand_pushed = 0.0;  ///< the same from then on
+  double away = 0.0;         ///< largest way of the centre of mass from where it was, pushed, m
+  double end_away = 0.0;     ///< in the end: the same,
+  double end_speed = 0.0;    ///< and the fastest joint, rad/s
+};
+
+struct PushRun {
+  servo::Table table;  ///< one row per millisecond
+  PushFigures figures;
+  servo::Fault fault;  ///< of the servo loop, which stops at any limit of a joint
+};
+
+/// Simulates 23 s at 1 kHz through the servo loop, or until a fault; `within_limits` false: by the
+/// unlimited law.
+PushRun run_push(bool within_limits);
+
+std::string push_summary(const PushRun& limited, const PushRun& unlimited);
+servo::Plot push_figure(const PushRun& limited, const PushRun& unlimited);
+
+/// Whether the claim holds. Within limits no fault stops the loop, the base has no torque at all,
+/// no motor is beyond its limit, every cycle's program is solved, and its forces are within all
+/// cones, none of them widened. The load of a foot goes from less than 40 to more than 60 % by
+/// leaning; the hand stays within 0.1 mm of its path, pushed within 5 mm. Pushes move the centre of
+/// mass by more than 5 cm, soles neither tilt by 0.01 rad nor lift by 3 mm nor slide by 2 cm, and
+/// in the end the body is at rest where it began, to 5 mm. By the unlimited law soles tip by more
+/// than 0.05 rad and a motor is asked for more than it has.
+bool push_claim_holds(const PushRun& limited, const PushRun& unlimited);
+
+}  // namespace treeline::experiments

@@ -1,0 +1,117 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <vector>
+
+#include "humanoid24_push_joints.hpp"
+#include "humanoid_on_soles.hpp"
+#include "push.hpp"
+
+namespace treeline::experiments {
+namespace {
+
+enum Column : std::size_t {
+  kTime,
+  kComX,
+  kComY,
+  kPressureX,
+  kPressureY,
+  kLeftLoad,
+  kRightLoad,
+  kHandError,
+  kTorque,
+  kPush,
+  kTilt
+};
+
+std::string describe(const PushRun& run) {
+  const PushFigures& f = run.figures;
+  const int index = run.fault.index;
+  const std::string end =
+      run.fault
+          ? servo::describe(run.fault, index >= 0 ? humanoid24_push::kVelocityJoints[index] : "")
+          : "no fault";
+  return fmt::format(
+      "ends                      after {:.3f} s, {}\n"
+      "torque                    at the base {} N m; of a motor {:.3f} of its limit, largest\n"
+      "forces beyond a cone      {:.1e} N, largest; cones widened by {:.1e} N\n"
+      "limits reached            in {} cycles, {} not solved, at most {} iterations\n"
+      "share of the left foot    {:.3f} to {:.3f}, unpushed\n"
+      "soles                     tilted by {:.2e} rad, lifted by {:.2e} m, slid {:.2e} m\n"
+      "left hand off its path    {:.2e} m before, {:.2e} m while pushed\n"
+      "centre of mass            {:.3f} m away, pushed; in the end {:.1e} m, joints {:.1e} rad/s\n",
+      run.table.at(run.table.rows() - 1, kTime), end, f.base_torque, f.torque, f.beyond, f.slack,
+      f.limited, f.unsolved, f.iterations, f.least_share, f.most_share, f.tilt, f.lifted, f.slipped,
+      f.hand_error, f.hand_pushed, f.away, f.end_away, f.end_speed);
+}
+
+/// A column of a run that may have ended early, as long as the other's.
+std::vector<double> padded(const PushRun& run, std::size_t column, std::size_t rows) {
+  std::vector<double> values = run.table.column(column);
+  values.resize(rows, std::nan(""));
+  return values;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+}  // namespace
+
+std::string push_summary(const PushRun& limited, const PushRun& unlimited) {
+  return "the humanoid stands on two feet, leans, reaches, and is pushed thrice\n\nwithin "
+         "limits\n" +
+         describe(limited) + "\nby the unlimited law\n" + describe(unlimited);
+}
+
+servo::Plot push_figure(const PushRun& limited, const PushRun& unlimited) {
+  const servo::Table& table = limited.table;
+  const std::size_t rows = table.rows();
+  servo::Plot plot;
+  plot.title = "A humanoid on two feet leans, reaches, and recovers from pushes";
+  plot.x_label = "time (s)";
+  plot.x = table.column(kTime);
+  plot.panels.push_back({"Centres of mass and of pressure, forward",
+                         "x (m)",
+                         {{"pressure", table.column(kPressureX), false},
+                          {"mass", table.column(kComX), false},
+                          {"heel, toe", std::vector<double>(rows, HumanoidOnSoles::kHeel), true},
+                          {"", std::vector<double>(rows, HumanoidOnSoles::kToe), true}},
+                         0.0});
+  plot.panels.push_back(
+      {"Load of the feet",
+       "force (N)",
+       {{"left", table.column(kLeftLoad), false}, {"right", table.column(kRightLoad), false}},
+       0.0});
+  plot.panels.push_back(
+      {"Push on the chest", "force (N)", {{"push", table.column(kPush), false}}, 0.0});
+  plot.panels.push_back({"Largest torque of a motor as a share of its limit",
+                         "share",
+                         {{"within limits", table.column(kTorque), false},
+                          {"unlimited", padded(unlimited, kTorque, rows), false}},
+                         0.0});
+  plot.panels.push_back({"Tilt of the soles",
+                         "angle (mrad)",
+                         {{"within limits", scaled(table.column(kTilt), 1e3), false},
+                          {"unlimited", scaled(padded(unlimited, kTilt, rows), 1e3), false}},
+                         0.0});
+  plot.panels.push_back({"Hand's distance from its path",
+                         "distance (mm)",
+                         {{"hand", scaled(table.column(kHandError), 1e3), false}},
+                         0.0});
+  return plot;
+}
+
+bool push_claim_holds(const PushRun& limited, const PushRun& unlimited) {
+  const PushFigures& f = limited.figures;
+  const bool kept = !limited.fault && f.base_torque == 0.0 && f.torque <= 1.0 && f.beyond < 1e-8 &&
+                    f.slack == 0.0 && f.unsolved == 0;
+  const bool moved = f.least_share < 0.4 && f.most_share > 0.6 && f.away > 0.05 && f.limited > 0;
+  const bool stood = f.tilt < 0.01 && f.lifted < 3e-3 && f.slipped < 0.02 && f.hand_error < 1e-4 &&
+                     f.hand_pushed < 5e-3 && f.end_away < 5e-3 && f.end_speed < 0.02;
+  const bool falls = unlimited.fault && unlimited.figures.tilt > 0.05;
+  return kept && moved && stood && falls;
+}
+
+}  // namespace treeline::experiments
