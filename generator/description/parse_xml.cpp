@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "description/bound_xml.hpp"
+#include "description/describe_stray_text.hpp"
 #include "description/find_misread_tag.hpp"
 #include "description/find_open_element.hpp"
 
@@ -111,6 +112,10 @@ bool check_bytes(const std::string& text, const Complaint& complain) {
              "save it as UTF-8 text");
     return false;
   }
+  if (const auto stray = describe_stray_text(text)) {
+    complain(1, "", stray->fault, stray->remedy);
+    return false;
+  }
   if (const auto excess = find_excess(text)) {
     complain(line_at(text, excess->at), "", excess->fault,
              "name the robot's own file: no robot of the size that can be generated needs as many");
@@ -146,6 +151,7 @@ std::string other_format(std::string_view name) {
   }
   if (name == "mujoco") return "this is MJCF, which is not read: export the robot as URDF";
   if (name == "COLLADA") return "this is COLLADA: name the robot's URDF";
+  if (name == "html") return "this is a web page: save the file itself, on GitHub by \"Raw\"";
   return "the root element of a URDF is <robot>";
 }
 
