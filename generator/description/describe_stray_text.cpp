@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "description/printable.hpp"
 
 namespace treeline {
@@ -15,6 +17,14 @@ std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(kBlank);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+/// Whether the text begins with this, in either case of letters.
+bool begins_with(std::string_view text, std::string_view lower) {
+  return text.size() >= lower.size() &&
+         std::equal(lower.begin(), lower.end(), text.begin(), [](char a, char b) {
+           return a == b || (b >= 'A' && b <= 'Z' && a == b - 'A' + 'a');
+         });
 }
 
 /// One line that ends like the name of a robot's file.
@@ -36,10 +46,14 @@ std::optional<StrayText> describe_stray_text(std::string_view text) {
     return StrayText{"the file holds only a pointer of Git LFS to the robot's file",
                      "fetch the file itself: git lfs pull"};
   }
+  if (begins_with(line, "<!doctype html") || begins_with(line, "<html")) {
+    return StrayText{"the file holds a web page",
+                     "save the robot's file itself, on GitHub by \"Raw\""};
+  }
   if (is_path(line)) {
     return StrayText{fmt::format("the file holds only a path, {}: a symbolic link that was copied "
                                  "as text",
-                                 printable(std::string(line))),
+                                 printable(line)),
                      "name the file that it leads to"};
   }
   return std::nullopt;

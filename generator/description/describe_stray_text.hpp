@@ -11,8 +11,9 @@ struct StrayText {
   std::string fault, remedy;
 };
 
-/// Recognises what stands in the place of a file that did not arrive: a pointer of Git LFS, or the
-/// path that a symbolic link leads to, where the link was copied as text. Else nothing.
+/// Recognises what stands in the place of a file that did not arrive: a pointer of Git LFS, a
+/// web page, or the path that a symbolic link leads to, where the link was copied as text. Else
+/// nothing.
 std::optional<StrayText> describe_stray_text(std::string_view text);
 
 }  // namespace treeline

@@ -151,7 +151,6 @@ std::string other_format(std::string_view name) {
   }
   if (name == "mujoco") return "this is MJCF, which is not read: export the robot as URDF";
   if (name == "COLLADA") return "this is COLLADA: name the robot's URDF";
-  if (name == "html") return "this is a web page: save the file itself, on GitHub by \"Raw\"";
   return "the root element of a URDF is <robot>";
 }
 

@@ -23,7 +23,7 @@ const Case kXml[] = {
      "../my arm/arm.URDF",
      {kError, 1, "", "only a path, ../my arm/arm.URDF", "name the file"}},
     {"TextThatEndsInAName", "<robot> see arm.urdf", {kError, 1, "", "is not closed", "mend"}},
-    {"WebPage", "<html><body/></html>", {kError, 1, "html", "<html>", "Raw"}},
+    {"WebPage", "\n<!DOCTYPE html>\n<html><meta></html>", {kError, 1, "", "a web page", "Raw"}},
     {"NotClosed",
      "<robot name='r'>\n<link name='a'>\n</robot>",
      {kError, 2, "",
