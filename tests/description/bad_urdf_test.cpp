@@ -22,7 +22,7 @@ const Case kXml[] = {
     {"LinkCopiedAsText",
      "../my arm/arm.URDF",
      {kError, 1, "", "only a path, ../my arm/arm.URDF", "name the file"}},
-    {"TextThatEndsInAName", "<robot> see arm.urdf", {kError, 1, "", "is not closed", "mend"}},
+    {"TextThatEndsInAName", "<robot> see arm.urdf", {kError, 1, "", "text stands outside", "mend"}},
     {"WebPage", "\n<!DOCTYPE html>\n<html><meta></html>", {kError, 1, "", "a web page", "Raw"}},
     {"NotClosed",
      "<robot name='r'>\n<link name='a'>\n</robot>",
