@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "description/bound_xml.hpp"
+#include "description/describe_stray_text.hpp"
 #include "description/find_misread_tag.hpp"
 #include "description/find_open_element.hpp"
 
@@ -109,6 +110,10 @@ bool check_bytes(const std::string& text, const Complaint& complain) {
   if (const auto at = text.find('\0'); at != std::string::npos) {
     complain(line_at(text, at), "", "the file holds a zero byte: it is binary or UTF-16",
              "save it as UTF-8 text");
+    return false;
+  }
+  if (const auto stray = describe_stray_text(text)) {
+    complain(1, "", stray->fault, stray->remedy);
     return false;
   }
   if (const auto excess = find_excess(text)) {

@@ -42,28 +42,43 @@ std::vector<int> find_documents(const std::string& text) {
   return starts.lines;
 }
 
+/// First line that a tab indents; 0: none.
+int find_tab(const std::string& text) {
+  std::istringstream stream(text);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    const auto first = line.find_first_not_of(" \t");
+    if (first != std::string::npos && line.find('\t') < first) return number;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::optional<YAML::Node> parse_yaml(const std::string& text, const std::string& file,
                                      Diagnostics& diagnostics) {
-  const auto report = [&](int line, std::string fault) {
-    diagnostics.add({Severity::error, file, line, "", std::move(fault), "mend the YAML"});
+  const auto report = [&](int line, std::string fault, std::string remedy) {
+    diagnostics.add({Severity::error, file, line, "", std::move(fault), std::move(remedy)});
     return std::nullopt;
   };
   if (text.size() > kLargestScene) {
-    diagnostics.add({Severity::error, file, 0, "",
-                     "the scene has " + std::to_string(text.size()) + " bytes, more than 1 MiB",
-                     "name the scene's own file"});
-    return std::nullopt;
+    return report(0, "the scene has " + std::to_string(text.size()) + " bytes, more than 1 MiB",
+                  "name the scene's own file");
   }
-  if (!is_utf8(text)) return report(0, "the file is not UTF-8 text");
+  if (!is_utf8(text)) return report(0, "the file is not UTF-8 text", "save it as UTF-8 text");
   try {
     const std::vector<int> starts = find_documents(text);
-    if (starts.size() > 1) return report(starts[1], "there is more than one document");
+    if (starts.size() > 1) {
+      return report(starts[1], "there is more than one document", "keep one of them");
+    }
     const YAML::Node document = YAML::Load(text);
     return document.IsNull() ? YAML::Node(YAML::NodeType::Map) : document;
   } catch (const YAML::Exception& exception) {
-    return report(exception.mark.line + 1, "this is not well-formed YAML: " + exception.msg);
+    if (const int line = find_tab(text)) {
+      return report(line, "a tab indents this line, which YAML does not allow", "indent by spaces");
+    }
+    return report(exception.mark.line + 1, "this is not well-formed YAML: " + exception.msg,
+                  "mend the YAML");
   }
 }
 

@@ -26,9 +26,10 @@ void read_moments(const UrdfElement& inertia, Inertial& inertial) {
     const auto upper = inertia.number(product.name);
     const auto lower = inertia.number(product.mirrored);
     if (upper && lower && *upper != *lower) {
-      inertia.error(fmt::format("{}={} and {}={} differ: an inertia is symmetric", product.name,
-                                *upper, product.mirrored, *lower),
-                    fmt::format("keep {} alone", product.name));
+      // URDF has the six moments above the diagonal; other readers do not look at the rest.
+      inertia.warn(fmt::format("{}={} and {}={} differ, though an inertia is symmetric: {} is used",
+                               product.name, *upper, product.mirrored, *lower, product.name),
+                   fmt::format("check the sign; keep {} alone", product.name));
     }
     product.value = upper.value_or(0);
   }

@@ -55,9 +55,13 @@ void read_rotor(const UrdfElement& transmission, Joint& joint) {
   if (inertia && !joint.rotor->inertia) joint.rotor->inertia = inertia;
 }
 
+/// Warns if one of several motors has a rotor. Without one, a differential says nothing of inertia.
 void warn_of_coupling(const UrdfElement& transmission) {
-  const auto motor = transmission.child("actuator");
-  if (!motor || !motor->child("drake:rotor_inertia")) return;
+  const auto* motor = transmission.xml().FirstChildElement("actuator");
+  while (motor != nullptr && motor->FirstChildElement("drake:rotor_inertia") == nullptr) {
+    motor = motor->NextSiblingElement("actuator");
+  }
+  if (motor == nullptr) return;
   transmission.warn(
       "a <transmission> of several joints or motors couples them; its rotors are "
       "passed over",

@@ -31,15 +31,17 @@ double draw_aligned(Rng& rng, const Coordinate& coordinate) {
   return rng.chance(0.4) ? at : at + draw_logarithmic(rng, 1e-12, 1e-2);
 }
 
-/// Draws one of the coordinate's limits in most cases, and otherwise (or if that limit is infinite)
-/// a value from its ordinary range.
-double draw_limit(Rng& rng, const Coordinate& coordinate) {
+/// Draws one of the coordinate's limits in most cases, and otherwise (or if that limit is infinite,
+/// or an angle beyond `farthest`) a value from its ordinary range.
+double draw_limit(Rng& rng, const Coordinate& coordinate, double farthest) {
   const double limit = rng.chance(0.5) ? coordinate.lower : coordinate.upper;
-  if (!std::isfinite(limit) || rng.chance(0.1)) return draw_within_limits(rng, coordinate);
+  const bool is_one =
+      std::isfinite(limit) && !(coordinate.is_angle() && std::abs(limit) > farthest);
+  if (!is_one || rng.chance(0.1)) return draw_within_limits(rng, coordinate);
   return limit;
 }
 
-double draw_coordinate(Rng& rng, StateClass kind, const Coordinate& coordinate) {
+double draw_coordinate(Rng& rng, StateClass kind, const Coordinate& coordinate, double farthest) {
   switch (kind) {
     case StateClass::neutral:
       return 0;
@@ -50,7 +52,7 @@ double draw_coordinate(Rng& rng, StateClass kind, const Coordinate& coordinate) 
     case StateClass::aligned:
       return draw_aligned(rng, coordinate);
     case StateClass::limits:
-      return draw_limit(rng, coordinate);
+      return draw_limit(rng, coordinate, farthest);
     case StateClass::random:
     case StateClass::fast:
       break;
@@ -98,9 +100,10 @@ std::vector<double> draw_rates(Rng& rng, StateClass kind, std::size_t count, dou
 
 std::vector<double> draw_q(Rng& rng, const StateSpace& space, const State& state) {
   const StateClass kind = state.kind;
+  const double farthest = farthest_angle(space.single_precision);
   std::vector<double> q;
   for (const Coordinate& coordinate : space.coordinates) {
-    q.push_back(draw_coordinate(rng, kind, coordinate));
+    q.push_back(draw_coordinate(rng, kind, coordinate, farthest));
   }
   for (const auto& body : space.subject.model.bodies) {
     const int first = interpreter::quaternion_of(body);

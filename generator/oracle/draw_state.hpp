@@ -49,6 +49,12 @@ struct StateSpace {
   std::map<Quantity, int> others = {};  ///< sizes of the quantities that have no member in `State`
 };
 
+/// Largest angle, rad, of which the emitted code has sine and cosine to the last digits: see
+/// core/sin_cos.hpp. A limit beyond it says no more than that there is none; exporters write 1e16.
+constexpr double farthest_angle(bool single_precision) {
+  return single_precision ? 4000 : 2e8;
+}
+
 /// Any sequence of this many consecutive states contains all classes.
 inline constexpr int kStatesOfEveryClass = 20;
 

@@ -11,6 +11,7 @@
 #include "bounds/rng.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/joint_parts.hpp"
+#include "oracle/condition.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/term_sizes.hpp"
 
@@ -66,6 +67,13 @@ NullSpace find_null_space(const Subject<Digits50>& exact, const Subject<double>&
   space.columns = solver.eigenvectors()(Eigen::all, zeros);
   space.q = std::move(q);
   return space;
+}
+
+/// Whether M, computed in double, is so well conditioned that it need not be computed in 50 digits.
+bool is_far_from_singular(const Subject<double>& subject, const std::vector<double>& q) {
+  constexpr double kFar = 0x1p-6 / kMassless;
+  const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, vector_of<double>(q));
+  return scaled_condition(M, TermSizes(subject, q).mass_matrix().diagonal()) < kFar;
 }
 
 /// Brings the columns to reduced form without changing their span: each has an entry of one in a
@@ -240,6 +248,23 @@ std::vector<MasslessDirections> find_massless_directions(const Robot& robot, con
     if (!least || space.columns.cols() < least->columns.cols()) least = std::move(space);
   }
   return Describer(robot, scene, subject.model).describe(std::move(*least));
+}
+
+std::vector<MasslessDirections> find_massless_at_zero(const Robot& robot, const Scene& scene) {
+  Subject<double> subject;
+  subject.model = model_from_robot<double>(robot, scene);
+  if (subject.model.nv == 0) return {};
+  std::vector<double> q(static_cast<std::size_t>(subject.model.nq), 0);
+  for (const auto& body : subject.model.bodies) {
+    const int first = interpreter::quaternion_of(body);
+    if (first >= 0) q[static_cast<std::size_t>(first) + 3] = 1;
+  }
+  if (is_far_from_singular(subject, q)) return {};
+  Subject<Digits50> exact;
+  exact.model = model_from_robot<Digits50>(robot, scene);
+  NullSpace space = find_null_space(exact, subject, std::move(q));
+  if (space.columns.cols() == 0) return {};
+  return Describer(robot, scene, subject.model).describe(std::move(space));
 }
 
 }  // namespace treeline

@@ -24,4 +24,9 @@ struct MasslessDirections {
 /// poses drawn from a fixed seed.
 std::vector<MasslessDirections> find_massless_directions(const Robot& robot, const Scene& scene);
 
+/// Finds the directions that are massless where all coordinates are 0, though they need not be so
+/// elsewhere: three axes through one point with rings without inertia between them, of which two
+/// agree there. The list is empty if M is invertible there within double precision.
+std::vector<MasslessDirections> find_massless_at_zero(const Robot& robot, const Scene& scene);
+
 }  // namespace treeline

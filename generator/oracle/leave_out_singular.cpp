@@ -26,10 +26,10 @@ void append_new(const std::string& name, std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-std::string describe_fault(const std::vector<MasslessDirections>& all) {
+std::string describe_fault(const char* where, const std::vector<MasslessDirections>& all) {
   std::vector<std::string> names;
   for (const MasslessDirections& each : all) names.push_back(each.what);
-  return fmt::format("the mass matrix is singular in every pose: no inertia resists {}",
+  return fmt::format("the mass matrix is singular {}: no inertia resists {}", where,
                      list_first(names));
 }
 
@@ -50,6 +50,24 @@ std::string describe_cure(const std::vector<MasslessDirections>& all) {
   return cure + (base ? "; or write base: fixed" : "");
 }
 
+std::vector<std::string> names_of(const std::vector<Function>& functions) {
+  std::vector<std::string> names;
+  for (const Function function : functions) names.emplace_back(function_name(function));
+  return names;
+}
+
+/// Warns of the pose in which most robots are started.
+void warn_of_zero(const Robot& robot, const Scene& scene, const std::vector<Function>& functions,
+                  Diagnostics& diagnostics) {
+  const std::vector<MasslessDirections> massless = find_massless_at_zero(robot, scene);
+  if (massless.empty()) return;
+  diagnostics.add({Severity::warning, scene.file, 0, "",
+                   fmt::format("{}; without a value there, and with few digits nearby: {}",
+                               describe_fault("where all coordinates are 0", massless),
+                               list_first(names_of(functions))),
+                   describe_cure(massless) + "; or start from another pose"});
+}
+
 }  // namespace
 
 void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnostics& diagnostics) {
@@ -57,15 +75,17 @@ void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnosti
   std::erase_if(undefined, [](Function function) { return !inverts_mass_matrix(function); });
   if (undefined.empty()) return;
   const std::vector<MasslessDirections> massless = find_massless_directions(robot, scene);
-  if (massless.empty()) return;
-  std::vector<std::string> names;
-  for (const Function function : undefined) names.emplace_back(function_name(function));
+  if (massless.empty()) {
+    warn_of_zero(robot, scene, undefined, diagnostics);
+    return;
+  }
+  const std::vector<std::string> names = names_of(undefined);
   const bool asked = listed || scene.damped || scene.has_limits();
   const char* const composed = scene.damped ? "damped" : "limited_control_torque";
   const std::string list = asked && !listed ? composed : list_first(names);
   diagnostics.add(
       {asked ? Severity::error : Severity::warning, scene.file, 0, listed ? "functions" : "",
-       fmt::format("{}; {} {}", describe_fault(massless),
+       fmt::format("{}; {} {}", describe_fault("in every pose", massless),
                    asked ? "there is no" : "left out:", list),
        describe_cure(massless) + (listed ? "; or do not ask for these functions" : "")});
   std::erase_if(scene.functions, inverts_mass_matrix);

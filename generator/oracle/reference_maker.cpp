@@ -116,8 +116,10 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   FunctionReference reference;
   const auto yielding = sizes.yielding(function, size_law);
   reference.condition = sizes.condition(function, yielding);
-  // If rows are relaxed, every state has a reference, however fast the result changes there.
-  const bool yields = size_laws_[i] != nullptr && std::isfinite(reference.condition);
+  // If rows are relaxed, every state has a reference, however fast the result changes there, unless
+  // M itself is singular.
+  const bool yields =
+      size_laws_[i] != nullptr && std::isfinite(reference.condition) && is_regular(sizes);
   reference.singular = !yields && !(reference.condition < kSingular / unit_of(real_));
   if (reference.singular) {
     reference.stays_finite = stays_finite(function, state, sizes, law);
@@ -136,13 +138,17 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   return reference;
 }
 
+/// Whether a solve with M leaves digits in Real.
+bool ReferenceMaker::is_regular(const ResultSizes& sizes) const {
+  return sizes.condition(Function::forward_dynamics) < kSingular / unit_of(real_);
+}
+
 /// Whether the result must be finite. It must if rows are relaxed and the robot itself is not
 /// singular; this is checked where the interpreter's result in Real is finite.
 bool ReferenceMaker::stays_finite(Function function, const State& state, const ResultSizes& sizes,
                                   const interpreter::TaskLaw<Digits50>& law) const {
-  const bool promised = !law.borders.empty() &&
-                        sizes.condition(Function::forward_dynamics) < kSingular / unit_of(real_);
-  return promised && are_finite(interpret_in_real(function, state, law));
+  return !law.borders.empty() && is_regular(sizes) &&
+         are_finite(interpret_in_real(function, state, law));
 }
 
 std::vector<double> ReferenceMaker::interpret_in_real(

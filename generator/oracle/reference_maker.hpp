@@ -37,6 +37,7 @@ class ReferenceMaker {
   void compose_graph(StateReference& made) const;
   [[nodiscard]] FunctionReference interpret_at(std::size_t i, const State& state,
                                                const ResultSizes& sizes, Digits digits) const;
+  [[nodiscard]] bool is_regular(const ResultSizes& sizes) const;
   [[nodiscard]] bool stays_finite(Function function, const State& state, const ResultSizes& sizes,
                                   const interpreter::TaskLaw<interpreter::Digits50>& law) const;
   [[nodiscard]] std::vector<double> interpret_in_real(

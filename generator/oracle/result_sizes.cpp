@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "description/noise.hpp"
 #include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/condition.hpp"
@@ -102,12 +103,13 @@ double ResultSizes::condition(Function function, const std::optional<LawSizes>& 
     const double own = yielding ? yielding->condition : of_constraints(function).condition();
     return std::max(own, M_condition_);
   }
-  if (yielding) return yielding->condition;
+  if (yielding) return std::max(yielding->condition, M_condition_);
   switch (solve_of(function)) {
     case Solve::mass_matrix:
       return M_condition_;
     case Solve::lambda_inverse:
-      return function == Function::control_torque ? control_condition_ : Lambda_condition_;
+      return std::max(function == Function::control_torque ? control_condition_ : Lambda_condition_,
+                      M_condition_);
     case Solve::damped:
       return damped_ ? std::max(damped_->condition, M_condition_) : M_condition_;
     case Solve::none:
@@ -292,10 +294,18 @@ Eigen::MatrixXd ResultSizes::forces_by_velocity() const {
   return sizes;
 }
 
-/// J| |M^-1| |J|^T.
+/// |J| |M^-1| |J|^T. An entry of M^-1 that is only noise of the files, such as the coupling of
+/// turns and translations of a body balanced but for 1e-16, has the scale of sqrt(|M^-1|_ii
+/// |M^-1|_jj).
 Eigen::MatrixXd ResultSizes::lambda_inverse() const {
+  constexpr double kNoise = 64 * kResolution;  // as in TermSizes
   const Eigen::MatrixXd J = terms_.jacobian();
-  return J * M_inverse_ * J.transpose();
+  const Eigen::VectorXd d = M_inverse_.diagonal().cwiseSqrt();
+  const Eigen::MatrixXd most = d * d.transpose();
+  const Eigen::MatrixXd W = M_inverse_.binaryExpr(most, [](double entry, double largest) {
+    return entry > 0 && entry <= kNoise * largest ? largest : entry;
+  });
+  return J * W * J.transpose();
 }
 
 /// sqrt(Lambda_ii Lambda_jj), which no entry exceeds.

@@ -33,8 +33,15 @@ constexpr auto kWarning = Severity::warning;
 
 const Case kCases[] = {
     {"NotYaml", "a: [\n", {kError, 2, "", "not well-formed YAML", "mend"}},
-    {"NotUtf8", "name: \xFF\n", {kError, 0, "", "not UTF-8", ""}},
-    {"TwoDocuments", "name: a\n---\nname: b\n", {kError, 2, "", "more than one document", ""}},
+    {"NotUtf8", "name: \xFF\n", {kError, 0, "", "not UTF-8", "save it as UTF-8"}},
+    {"Utf16", std::string("\xFF\xFEn\0", 4), {kError, 0, "", "not UTF-8", "save it as UTF-8"}},
+    {"Tab",
+     "name: a\n# list\noperational_points:\n\t- name: a\n",
+     {kError, 4, "", "a tab indents this line", "spaces"}},
+    {"NotYamlThoughTabsStandElsewhere", "name:\ta\nb: [\n", {kError, 3, "", "not well-formed", ""}},
+    {"TwoDocuments",
+     "name: a\n---\nname: b\n",
+     {kError, 2, "", "more than one document", "keep one"}},
     {"StartsWithComma", ", name: a", {kError, 1, "", "more than one document", ""}},
     {"NoMap",
      "just text",

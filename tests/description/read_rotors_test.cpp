@@ -131,5 +131,22 @@ TEST(ReadRotors, MayBeBodiesOfTheirOwn) {
   EXPECT_NE(refused("axis: [0, 0, 1]").find("gyroscopic: true"), std::string::npos);
 }
 
+// Talos turns its wrists by differentials: one transmission, two joints, two motors. Nothing of it
+// is of account, so nothing is said of it.
+TEST(ReadRotors, AreSilentOfADifferentialWithoutRotors) {
+  const auto differential = [](const std::string& inside) {
+    return urdf_with(
+        "<transmission name='t'><actuator name='m'><mechanicalReduction>1</mechanicalReduction>"
+        "</actuator><actuator name='n'>" +
+        inside + "</actuator><joint name='a'/><joint name='b'/></transmission>");
+  };
+  Diagnostics diagnostics;
+  EXPECT_TRUE(parse_urdf(differential(""), "r.urdf", diagnostics));
+  EXPECT_TRUE(diagnostics.list().empty()) << to_string(diagnostics);
+  EXPECT_TRUE(parse_urdf(differential("<drake:rotor_inertia value='1'/>"), "r.urdf", diagnostics));
+  expect_diagnosed(diagnostics, "r.urdf",
+                   {Severity::warning, 1, "robot/transmission[t]", "couples them", "armatures"});
+}
+
 }  // namespace
 }  // namespace treeline

@@ -70,6 +70,27 @@ TEST(States, AreWhatTheirClassSays) {
   }
 }
 
+// Gazebo's models give 1e16 rad for "no limit", where emitted sines have no digit.
+TEST(States, TakeNoLimitFromWhereSinesHaveNoDigits) {
+  Subjects subjects = load("planar3r");
+  for (const bool single_precision : {false, true}) {
+    StateSpace space = space_of(subjects);
+    space.single_precision = single_precision;
+    const double farthest = farthest_angle(single_precision);
+    space.coordinates[0].lower = -1e16;
+    space.coordinates[0].upper = 2 * farthest;
+    space.coordinates[1].lower = -farthest / 2;
+    space.coordinates[1].upper = farthest / 2;
+    double at_limit = 0;
+    for (int i = 0; i < 200; ++i) {
+      const State state = draw_state(space, i);
+      EXPECT_LE(std::abs(state.q[0]), 1000) << i;
+      at_limit = std::max(at_limit, std::abs(state.q[1]));
+    }
+    EXPECT_EQ(at_limit, farthest / 2);
+  }
+}
+
 TEST(States, DependOnSeedAndIndexAlone) {
   const Subjects subjects = load("planar3r");
   const State once = draw_state(space_of(subjects), 7);

@@ -101,6 +101,42 @@ TEST(MasslessDirections, CountWhatMimics) {
   EXPECT_EQ(find(leaf + link("jaw", "") + follower).size(), 1U);
 }
 
+/// Three axes through one point, of which the first and the last agree where `nod` is 0, with
+/// `ring` as inertial of the two links between them.
+std::string head_on_rings(const std::string& ring) {
+  const auto turn = [](const std::string& name, const std::string& parent, const std::string& child,
+                       const std::string& axis) {
+    return "<joint name='" + name + "' type='continuous'><parent link='" + parent +
+           "'/><child link='" + child + "'/><axis xyz='" + axis + "'/></joint>";
+  };
+  return link("base") + link("outer", ring) + link("inner", ring) + link("head") +
+         turn("yaw", "base", "outer", "0 0 1") + turn("nod", "outer", "inner", "1 0 0") +
+         turn("turn", "inner", "head", "0 0 1");
+}
+
+// Would catch: a gimbal lock that is taken for a massless link, or one that nobody is told of.
+TEST(MasslessDirections, OfAGimbalThatIsLockedAtZero) {
+  const Case made = read(head_on_rings(""), kFloating);
+  EXPECT_TRUE(find_massless_directions(made.robot, made.scene).empty());
+  const auto found = find_massless_at_zero(made.robot, made.scene);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].what, "joint \"turn\" against joint \"yaw\"");
+  Scene scene = made.scene;
+  Diagnostics diagnostics;
+  leave_out_singular(made.robot, scene, false, diagnostics);
+  EXPECT_EQ(scene.functions, made.scene.functions);
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_EQ(diagnostics.list()[0].severity, Severity::warning);
+  EXPECT_NE(diagnostics.list()[0].fault.find("where all coordinates are 0"), std::string::npos);
+}
+
+TEST(MasslessDirections, NoneAtZeroOfRingsWithInertia) {
+  const Case made = read(head_on_rings(kBody), kFloating);
+  EXPECT_TRUE(find_massless_at_zero(made.robot, made.scene).empty());
+  const Case arm = read(kArm, "");
+  EXPECT_TRUE(find_massless_at_zero(arm.robot, arm.scene).empty());
+}
+
 // Two joints about one axis with nothing between them.
 TEST(MasslessDirections, OfTwins) {
   const std::string origin_free =

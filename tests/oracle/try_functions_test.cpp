@@ -94,6 +94,70 @@ TEST(TryFunctions, OfObjects) {
   expect_tried(subjects);
 }
 
+/// Reads a robot and a scene from text and generates.
+Subjects read(const std::string& urdf, const std::string& scene_text) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf("<robot name='r'>" + urdf + "</robot>", "r.urdf", diagnostics);
+  if (!robot) throw std::runtime_error(to_string(diagnostics.list().back()));
+  const auto scene = parse_scene(scene_text, "s.yaml", *robot, diagnostics);
+  if (!scene) throw std::runtime_error(to_string(diagnostics.list().back()));
+  return {*robot, *scene, generate(*robot, *scene)};
+}
+
+// Reduced from bullet3's minitaur with all joints fixed: its legs balance, up to 1e-16 m, which
+// counts as 0. That changes M^-1 by more than the rounding of its own small entry.
+TEST(TryFunctions, OfABodyThatBalancesButForNoise) {
+  const Subjects subjects = read(
+      "<link name='body'><inertial><origin xyz='-8.7157417e-10 2.8262e-16 -0.00030504'/>"
+      "<mass value='6'/><inertia ixx='27.03' ixy='0' ixz='6.7e-5' iyy='27.16' iyz='0' "
+      "izz='27.13'/></inertial></link>",
+      "base: floating\n"
+      "operational_points: [{name: body, link: body, rows: [x, y, z, rx, ry, rz]}]\n");
+  EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{});
+}
+
+// Reduced from the iris of example-robot-data. Its rotors have limits of 1e16 rad.
+TEST(TryFunctions, OfARotorWhoseLimitsMeanNone) {
+  const Subjects subjects = read(
+      "<link name='body'><inertial><mass value='2'/><inertia ixx='0.1' ixy='0' ixz='0' iyy='0.2' "
+      "iyz='0' izz='0.15'/></inertial></link><link name='rotor'><inertial><mass value='0.1'/>"
+      "<inertia ixx='0.001' ixy='0' ixz='0' iyy='0.01' iyz='0' izz='0.011'/></inertial></link>"
+      "<joint name='spin' type='revolute'><origin xyz='0.1 0 0.3'/><parent link='body'/>"
+      "<child link='rotor'/><axis xyz='0 0 1'/>"
+      "<limit lower='-1e16' upper='1e16' effort='0' velocity='0'/></joint>",
+      "base: floating\n");
+  EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{});
+}
+
+// Like the neck of example-robot-data's icub: M is singular in some poses, by a branch that no
+// task is on. A faulty lambda is found all the same.
+TEST(TryFunctions, OfATaskBesideAGimbal) {
+  const auto joint = [](const std::string& name, const std::string& parent,
+                        const std::string& child, const std::string& axis, const char* at) {
+    return "<joint name='" + name + "' type='continuous'><origin xyz='" + at + "'/><parent link='" +
+           parent + "'/><child link='" + child + "'/><axis xyz='" + axis + "'/></joint>";
+  };
+  const auto link = [](const std::string& name) {
+    return "<link name='" + name +
+           "'><inertial><origin xyz='0.02 0.01 0.2'/><mass value='2'/><inertia ixx='0.1' iyy='0.2' "
+           "izz='0.15' ixy='0.01' ixz='0' iyz='0'/></inertial></link>";
+  };
+  const Subjects subjects =
+      read(link("torso") + link("upper") + link("fore") + link("head") +
+               "<link name='outer'/><link name='inner'/>" +
+               joint("shoulder", "torso", "upper", "0 1 0", "0.1 0 0.3") +
+               joint("elbow", "upper", "fore", "1 0 0", "0.1 0 0.3") +
+               joint("yaw", "torso", "outer", "0 0 1", "0 0 0") +
+               joint("nod", "outer", "inner", "1 0 0", "0 0 0") +
+               joint("turn", "inner", "head", "0 0 1", "0 0 0"),
+           "base: floating\noperational_points: [{name: hand, link: fore, rows: [x, y, z]}]\n"
+           "functions: [lambda_inverse, lambda, control_torque]\n");
+  EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{});
+  Generation spoilt = subjects.generation;
+  const auto names = spoil_all(spoilt.functions, 1 + 1e-8);
+  EXPECT_EQ(failing(subjects, spoilt), names);
+}
+
 // NaN is the largest error of all. In the neutral state q[0] is 0.
 TEST(TryFunctions, SeeWhatIsNotFinite) {
   const Subjects subjects = load("planar3r");
