@@ -283,6 +283,20 @@ class Builder {
     return robot_.joints[static_cast<std::size_t>(joint.mimic->joint)];
   }
 
+  /// A frame on a link, or on the world where `SceneLoop` permits it.
+  MechanismPoint loop_end(const ScenePoint& wanted) {
+    if (wanted.link != kWorldEnd) return point(wanted);
+    const ExactPose pose = resolve(exact_pose(wanted.origin), wanted.name);
+    return {wanted.name, -1, pose, wanted.axes, wanted.rows, wanted.priority};
+  }
+
+  static std::optional<MechanismRolling> rolling(const SceneLoop& loop) {
+    if (!loop.rolling) return std::nullopt;
+    MechanismRolling rolling{loop.rolling->radius, {}, loop.rolling->on_radius};
+    if (loop.rolling->axis) rolling.axis = unit_axis<Exact>(*loop.rolling->axis);
+    return rolling;
+  }
+
   MechanismPoint point(const ScenePoint& wanted) {
     std::size_t i = 0;
     while (robot_.links[i].name != wanted.link) ++i;
@@ -299,7 +313,7 @@ class Builder {
   std::vector<MechanismLoop> loops() {
     std::vector<MechanismLoop> result;
     for (const SceneLoop& loop : scene_.loops) {
-      result.push_back({point(loop.first), point(loop.second)});
+      result.push_back({point(loop.first), loop_end(loop.second), rolling(loop)});
     }
     return result;
   }

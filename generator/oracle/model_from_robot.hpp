@@ -263,6 +263,11 @@ interpreter::Loops<Scalar> loops_from_scene(const interpreter::Model<Scalar>& mo
   for (const SceneLoop& loop : scene.loops) {
     const auto both = points_from_scene(model, {loop.first, loop.second});
     loops.frames.push_back({both[0], both[1]});
+    if (!loop.rolling) continue;
+    auto& rolling = loops.frames.back().rolling.emplace();
+    rolling.radius = Scalar(loop.rolling->radius);
+    if (loop.rolling->axis) rolling.axis = unit_axis<Scalar>(*loop.rolling->axis);
+    if (loop.rolling->on_radius) rolling.on_radius = Scalar(*loop.rolling->on_radius);
   }
   for (const SceneCoupling& from : scene.couplings) {
     interpreter::Coupling<Scalar> coupling{{}, Scalar(from.offset)};
