@@ -61,7 +61,7 @@ void roll(const interpreter::Rolling<double>& rolling, double way, double height
       2 * lever.r * sizes.bias.tail(3) + VectorXd::Constant(3, 2 * turning * rate);
   const MatrixXd turned = 2 * lever.r * lever.growth * sizes.J.bottomRows(3);
   sizes.J.topRows(3) += turned.colwise().maxCoeff().replicate(3, 1);
-  sizes.errors << VectorXd::Constant(3, way + lever.r * lever.growth), VectorXd::Zero(3);
+  sizes.errors << VectorXd::Constant(3, way + lever.r * lever.growth), VectorXd::Ones(3);
 }
 
 /// Height of the first frame's origin over the plane of the second, m.

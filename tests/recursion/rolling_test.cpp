@@ -122,12 +122,13 @@ TEST(RollingBall, CirclesOnATurntable) {
       "functions: [constrained_forward_dynamics]\nconstraints: [{name: on_table, between: [ball, "
       "table], rolling: {radius: 0.1}}]\n");
   const Vector3d at(0.7, -0.2, 0.6), center(0.2, 0.1, 0.6);
-  V q(8);
-  const bool first = robot.model().bodies[0].name == "table";
-  const Eigen::Index table = first ? 0 : 6, free = first ? 1 : 0;
-  q.setZero();
-  q.segment(free, 3) = at;
-  q(free + 6) = 1;
+  int table = 0, free = 0, place = 0;
+  for (const auto& each : robot.model().bodies) {
+    if (each.name == "table") table = each.v;
+    if (each.name == "ball") free = each.v, place = each.q;
+  }
+  V q = V::Zero(8);
+  q.segment(place, 7) = pose(at, Eigen::Quaterniond::Identity());
   const Vector3d up = Vector3d::UnitZ(), v(0.3, 0.5, 0), rim = speed * up.cross(at - center);
   // Of the contact: v - radius w x z = that of the table.
   const Vector3d w = up.cross(v - rim) / 0.1 + 0.9 * up;
@@ -136,7 +137,7 @@ TEST(RollingBall, CirclesOnATurntable) {
   qd.segment(free, 6) << v, w;
   const auto motion = robot.motion(q, qd, kNoGains);
   const Vector3d a = 2.0 / 7 * speed * up.cross(v) - w.cross(v);  // in the ball's axes
-  for (Eigen::Index i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(motion.qdd[static_cast<std::size_t>(free + i)], a(i), 1e-9);
   }
 }
