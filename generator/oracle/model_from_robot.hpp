@@ -261,7 +261,8 @@ interpreter::Loops<Scalar> loops_from_scene(const interpreter::Model<Scalar>& mo
                                             const Robot& robot, const Scene& scene) {
   interpreter::Loops<Scalar> loops;
   for (const SceneLoop& loop : scene.loops) {
-    const auto both = points_from_scene(model, {loop.first, loop.second});
+    auto both = points_from_scene(model, {loop.first, loop.second});
+    if (loop.second.link == kWorldEnd) both[1].body = interpreter::kWorld;
     loops.frames.push_back({both[0], both[1]});
     if (!loop.rolling) continue;
     auto& rolling = loops.frames.back().rolling.emplace();
