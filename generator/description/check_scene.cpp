@@ -161,7 +161,10 @@ void check_constraints(const SceneElement& top, const Robot& robot, const Scene&
         "hold a link behind a joint that moves, or write base: floating");
   }
   for (const SceneLoop& loop : scene.loops) {
-    if (moves_against(robot, scene, loop.first.link, loop.second.link)) continue;
+    const bool moves = loop.second.link == kWorldEnd
+                           ? !find_freedoms_of_link(robot, scene, loop.first.link).empty()
+                           : moves_against(robot, scene, loop.first.link, loop.second.link);
+    if (moves) continue;
     top.error(fmt::format("constraint \"{}\" is between links \"{}\" and \"{}\", which no joint "
                           "moves against each other",
                           loop.first.name, loop.first.link, loop.second.link),

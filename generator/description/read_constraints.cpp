@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "description/identifier.hpp"
+#include "description/read_rolling.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_support_cone.hpp"
 
@@ -53,6 +54,35 @@ void read_pose(const Fields& fields, const char* key, Pose& pose) {
   }
 }
 
+/// Rows that a kind of contact holds; its normal is z, and a line lies along x.
+struct ContactKind {
+  const char* name;
+  std::array<bool, 6> rows;
+};
+constexpr std::array kContacts{ContactKind{"point", {true, true, true, false, false, false}},
+                               ContactKind{"soft_finger", {true, true, true, false, false, true}},
+                               ContactKind{"line", {true, true, true, false, true, true}},
+                               ContactKind{"plane", {true, true, true, true, true, true}},
+                               ContactKind{"rigid", {true, true, true, true, true, true}},
+                               ContactKind{"frictionless_point", {false, false, true}},
+                               ContactKind{"frictionless_line", {false, false, true, false, true}},
+                               ContactKind{"frictionless_plane", {false, false, true, true, true}}};
+
+/// The rows that are listed, or those of the kind of contact that is named.
+void read_held_rows(const Fields& fields, ScenePoint& point) {
+  const auto rows = fields.find("rows"), contact = fields.find("contact");
+  if (rows != fields.end()) point.rows = read_rows(rows->second);
+  if (contact == fields.end()) return;
+  std::vector<std::string> names;
+  for (const ContactKind& kind : kContacts) names.emplace_back(kind.name);
+  if (const auto kind = contact->second.choice(names)) point.rows = kContacts[*kind].rows;
+  if (rows != fields.end()) {
+    contact->second.error("rows are given too", "write contact or rows, not both");
+  } else if (fields.contains("rolling")) {
+    contact->second.error("what rolls holds other rows", "write rows, or leave out both");
+  }
+}
+
 SceneLoop read_loop(const Fields& fields, const ScenePoint& first, const std::string& other) {
   SceneLoop loop{first, first};
   loop.second.link = other;
@@ -61,6 +91,7 @@ SceneLoop read_loop(const Fields& fields, const ScenePoint& first, const std::st
   read_pose(fields, "other_origin", loop.second.origin);
   refuse(fields, "axes", "rows between two links are along the axes of the second frame",
          "leave out axes; turn other_origin where other axes are meant");
+  if (fields.contains("rolling")) read_rolling(fields, loop);
   return loop;
 }
 
@@ -82,7 +113,8 @@ void check_name(const SceneElement& item, const std::string& name, const Scene& 
 }
 
 void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene) {
-  std::vector<std::string> known = {"name", "between", "origin", "other_origin", "rows", "axes"};
+  std::vector<std::string> known = {"name", "between", "origin",  "other_origin",
+                                    "rows", "axes",    "contact", "rolling"};
   known.insert(known.end(), kConeKeys.begin(), kConeKeys.end());
   const Fields fields = item.fields(known);
   ScenePoint point;
@@ -90,13 +122,12 @@ void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene)
   const Ends ends = read_ends(item, fields, robot);
   point.link = ends.link;
   read_pose(fields, "origin", point.origin);
-  if (const auto rows = fields.find("rows"); rows != fields.end()) {
-    point.rows = read_rows(rows->second);
-  }
+  read_held_rows(fields, point);
   check_name(item, point.name, scene);
-  if (!ends.to_world()) {
+  if (!ends.to_world() || fields.contains("rolling")) {
     for (const char* key : kConeKeys) {
-      refuse(fields, key, "forces between two links have no cone", "remove the key");
+      refuse(fields, key, "forces between two links, and of rolling, have no cone",
+             "remove the key");
     }
     scene.loops.push_back(read_loop(fields, point, ends.other));
     return;

@@ -8,6 +8,7 @@ namespace treeline {
 
 /// The scene's list of frames of which rows are held: `between: [link, world]` relative to the
 /// world, `between: [link, other link]` relative to a frame of another link, which closes a loop.
+/// `rolling` lets the first frame roll on the other one.
 void read_constraints(const SceneElement& element, const Robot& robot, Scene& scene);
 
 /// The loops that the robot's file closes, as constraints.

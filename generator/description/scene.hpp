@@ -39,11 +39,25 @@ struct ScenePoint {
   int priority = 1;  ///< of an operational point's task: 1 comes first; equal ones share a level
 };
 
+/// A wheel or ball around a frame's origin that rolls without slipping on the plane z = 0 of
+/// another frame, or on a ball around that frame's origin.
+struct SceneRolling {
+  double radius = 0;                          ///< m
+  std::optional<std::array<double, 3>> axis;  ///< of a disc that may lean; absent: a ball
+  std::optional<double> on_radius;            ///< of the other ball, m; negative: of a bowl
+};
+
+/// The second link of a loop that is closed by the world.
+inline constexpr const char* kWorldEnd = "world";
+
 /// Two frames of the robot of which rows are held relative to each other, so that a loop closes.
 /// Rows are along the axes of the second frame, which also says which: x, y, z of the first frame's
-/// origin seen from the second, and small turns of the first frame.
+/// origin seen from the second, and small turns of the first frame. Where it rolls, x, y, z are
+/// those of the point of the first link at the contact, and only their velocities are held but for
+/// the one along the normal. Rolling on the world has the second link `kWorldEnd`.
 struct SceneLoop {
   ScenePoint first, second;
+  std::optional<SceneRolling> rolling = {};
 };
 
 /// A linear relation that velocities of joints keep: sum of `factor` times q + `offset` = 0, in the

@@ -149,9 +149,25 @@ void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
   }
 }
 
+/// What rolls on what.
+std::string rolling_note(const SceneLoop& loop) {
+  const SceneRolling& rolling = *loop.rolling;
+  const std::string wheel =
+      rolling.axis ? fmt::format("a disc of {} m about [{:g}, {:g}, {:g}]", rolling.radius,
+                                 (*rolling.axis)[0], (*rolling.axis)[1], (*rolling.axis)[2])
+                   : fmt::format("a ball of {} m", rolling.radius);
+  const std::string ground = !rolling.on_radius ? std::string("the plane z = 0")
+                             : *rolling.on_radius > 0
+                                 ? fmt::format("a ball of {} m", *rolling.on_radius)
+                                 : fmt::format("a bowl of {} m", -*rolling.on_radius);
+  return fmt::format("constraint {}: {} rolls on {} of the other link; rows of the touching points",
+                     loop.first.name, wheel, ground);
+}
+
 /// Which rows hold parts of the robot to each other, after `row` others.
 void append_loop_notes(const Scene& scene, std::size_t row, std::vector<std::string>& notes) {
   for (const SceneLoop& loop : scene.loops) {
+    if (loop.rolling) notes.push_back(rolling_note(loop));
     notes.push_back(fmt::format(
         "constraint {}: {} of link {}, {}, held to link {}, {}, along the latter's axes; rows from "
         "{}",

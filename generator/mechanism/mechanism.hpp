@@ -124,10 +124,18 @@ struct MechanismInputs {
   std::vector<MechanismTool> tools, contacts;
 };
 
+/// A contact that rolls, see `SceneRolling`.
+struct MechanismRolling {
+  double radius = 0;
+  std::optional<ExactVector3> axis;  ///< of unit length, in the axes of the first frame
+  std::optional<double> on_radius;
+};
+
 /// Two frames on links, or on the world, of which rows are held relative to each other: see
 /// `SceneLoop`. Rows are those of the second frame.
 struct MechanismLoop {
   MechanismPoint first, second;
+  std::optional<MechanismRolling> rolling = {};
 };
 
 /// A linear relation between coordinates, see `SceneCoupling`.

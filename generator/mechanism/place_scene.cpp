@@ -1,8 +1,10 @@
 #include "mechanism/place_scene.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
+#include "description/rotation.hpp"
 #include "mechanism/exact_from_file.hpp"
 #include "mechanism/place_inputs.hpp"
 #include "mechanism/resolution.hpp"
@@ -36,11 +38,25 @@ std::vector<MechanismPoint> points(const PlacedRobot& placed, const std::vector<
   return result;
 }
 
+/// A frame on a link, or on the world where `SceneLoop` permits it.
+MechanismPoint loop_end(const PlacedRobot& placed, const ScenePoint& wanted, Mechanism& mechanism) {
+  if (wanted.link != kWorldEnd) return point(placed, wanted, mechanism);
+  const ExactPose pose = resolved_as(exact_pose(wanted.origin), wanted.name, mechanism);
+  return {wanted.name, -1, pose, wanted.axes, wanted.rows, wanted.priority};
+}
+
+std::optional<MechanismRolling> rolling(const SceneLoop& loop) {
+  if (!loop.rolling) return std::nullopt;
+  MechanismRolling rolling{loop.rolling->radius, {}, loop.rolling->on_radius};
+  if (loop.rolling->axis) rolling.axis = unit_axis<Exact>(*loop.rolling->axis);
+  return rolling;
+}
+
 std::vector<MechanismLoop> loops(const PlacedRobot& placed, Mechanism& mechanism) {
   std::vector<MechanismLoop> result;
   for (const SceneLoop& loop : placed.scene.loops) {
     const MechanismPoint first = point(placed, loop.first, mechanism);
-    result.push_back({first, point(placed, loop.second, mechanism)});
+    result.push_back({first, loop_end(placed, loop.second, mechanism), rolling(loop)});
   }
   return result;
 }

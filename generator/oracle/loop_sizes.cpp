@@ -34,6 +34,46 @@ VectorXd velocities_between(const interpreter::Model<double>& model, int first, 
   return between;
 }
 
+/// Largest factors by which terms of a contact exceed its lever: from the divisions by the distance
+/// of two balls, and by the height of a disc's centre.
+struct LeverSizes {
+  double r = 0;       ///< from the centre to the contact, m
+  double growth = 1;  ///< of a relative change of the displacement
+};
+
+LeverSizes lever_sizes(const interpreter::Rolling<double>& rolling, double way, double height) {
+  if (rolling.on_radius) {
+    const double distance = std::abs(rolling.radius + *rolling.on_radius);
+    return {rolling.radius * way / distance, way / distance};
+  }
+  if (!rolling.axis) return {rolling.radius, 1};
+  return {2 * rolling.radius * rolling.radius / height, way / height};
+}
+
+/// The rows of a loop that rolls, from those of its first frame.
+void roll(const interpreter::Rolling<double>& rolling, double way, double height,
+          const VectorXd& speeds, LoopSizes& sizes) {
+  const LeverSizes lever = lever_sizes(rolling, way, height);
+  const double moving = (sizes.J.topRows(3) * speeds).maxCoeff();
+  const double turning = (sizes.J.bottomRows(3) * speeds).maxCoeff();
+  const double rate = lever.r * lever.growth * (turning + moving / way);
+  sizes.bias.head(3) +=
+      2 * lever.r * sizes.bias.tail(3) + VectorXd::Constant(3, 2 * turning * rate);
+  const MatrixXd turned = 2 * lever.r * lever.growth * sizes.J.bottomRows(3);
+  sizes.J.topRows(3) += turned.colwise().maxCoeff().replicate(3, 1);
+  sizes.errors << VectorXd::Constant(3, way + lever.r * lever.growth), VectorXd::Ones(3);
+}
+
+/// Height of the first frame's origin over the plane of the second, m.
+double height_of(const Subject<double>& subject, const State& state,
+                 const interpreter::Loop<double>& loop) {
+  const auto q = vector_of<double>(state.q);
+  const auto k =
+      interpreter::kinematics<double>(subject.model, q, VectorXd::Zero(subject.model.nv));
+  const interpreter::detail::LoopState<double> at(loop, k);
+  return std::abs(at.R.col(2).dot(at.d));
+}
+
 /// Sizes of the six rows of one loop.
 LoopSizes sizes_of(const Subject<double>& subject, const State& state,
                    const interpreter::Loop<double>& loop) {
@@ -53,6 +93,7 @@ LoopSizes sizes_of(const Subject<double>& subject, const State& state,
   sizes.bias << VectorXd::Constant(3, 4 * turning * moving),
       VectorXd::Constant(3, 2 * turning * turning);
   sizes.errors << VectorXd::Constant(3, way), VectorXd::Ones(3);
+  if (loop.rolling) roll(*loop.rolling, way, height_of(subject, state, loop), speeds, sizes);
   return sizes;
 }
 

@@ -261,8 +261,14 @@ interpreter::Loops<Scalar> loops_from_scene(const interpreter::Model<Scalar>& mo
                                             const Robot& robot, const Scene& scene) {
   interpreter::Loops<Scalar> loops;
   for (const SceneLoop& loop : scene.loops) {
-    const auto both = points_from_scene(model, {loop.first, loop.second});
+    auto both = points_from_scene(model, {loop.first, loop.second});
+    if (loop.second.link == kWorldEnd) both[1].body = interpreter::kWorld;
     loops.frames.push_back({both[0], both[1]});
+    if (!loop.rolling) continue;
+    auto& rolling = loops.frames.back().rolling.emplace();
+    rolling.radius = Scalar(loop.rolling->radius);
+    if (loop.rolling->axis) rolling.axis = unit_axis<Scalar>(*loop.rolling->axis);
+    if (loop.rolling->on_radius) rolling.on_radius = Scalar(*loop.rolling->on_radius);
   }
   for (const SceneCoupling& from : scene.couplings) {
     interpreter::Coupling<Scalar> coupling{{}, Scalar(from.offset)};

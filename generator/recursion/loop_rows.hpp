@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "recursion/jacobian.hpp"
+#include "recursion/rolling_lever.hpp"
 
 // Constraints between two links, and between joints, as rows of velocities that are zero. A loop
 // depends on the joints between its links alone: those that carry both are as good as at rest.
@@ -79,7 +81,7 @@ class LoopSides {
     }
   }
 
-  /// J of the six rows x y z rx ry rz.
+  /// J of the six rows x y z rx ry rz of the first frame.
   [[nodiscard]] DenseMatrix<Scalar> jacobian() const {
     DenseMatrix<Scalar> J(6, static_cast<std::size_t>(tree_.nv));
     for (const std::size_t i : near_) add_columns(i, Scalar(1.0), J);
@@ -87,8 +89,22 @@ class LoopSides {
     return J;
   }
 
-  /// Jd qd of the six rows, which have the velocities `u`. With the second frame as origin, points
-  /// of the first one have Coriolis accelerations.
+  /// J of the six rows that are held, from that of the first frame: where the loop rolls, its
+  /// linear rows are those of the point that is in contact.
+  [[nodiscard]] DenseMatrix<Scalar> at_contact(DenseMatrix<Scalar> J) const {
+    if (!loop_.rolling) return J;
+    const Vector3<Scalar> r = lever({}, {}).r;
+    for (std::size_t v = 0; v < J.cols(); ++v) {
+      const Vector3<Scalar> moved = cross({J(3, v), J(4, v), J(5, v)}, r);
+      J(0, v) = J(0, v) + moved.x;
+      J(1, v) = J(1, v) + moved.y;
+      J(2, v) = J(2, v) + moved.z;
+    }
+    return J;
+  }
+
+  /// Jd qd of the six rows that are held; `u`: velocities of those of the first frame. With the
+  /// second frame as origin, points of the first one have Coriolis accelerations.
   [[nodiscard]] std::array<Scalar, 6> bias(std::span<const Scalar> qd,
                                            const std::vector<Scalar>& u) const {
     const LinkMotion<Scalar> first = motion(near_, qd);
@@ -96,19 +112,27 @@ class LoopSides {
     const Seen& at_first = seen_at(near_);
     const Seen& at_second = seen_at(far_);
     const Vector3<Scalar> w = along(at_second.e, second.w);
-    const Vector3<Scalar> linear = along(at_first.e, acceleration_at(first, at_first.p)) -
-                                   along(at_second.e, acceleration_at(second, at_second.p)) -
-                                   cross(w, {u[0], u[1], u[2]}) * Scalar(2.0);
+    const Vector3<Scalar> turning{u[3], u[4], u[5]};
+    Vector3<Scalar> linear = along(at_first.e, acceleration_at(first, at_first.p)) -
+                             along(at_second.e, acceleration_at(second, at_second.p)) -
+                             cross(w, {u[0], u[1], u[2]}) * Scalar(2.0);
     const Vector3<Scalar> angular =
-        along(at_first.e, first.wd) - along(at_second.e, second.wd) - cross(w, {u[3], u[4], u[5]});
+        along(at_first.e, first.wd) - along(at_second.e, second.wd) - cross(w, turning);
+    if (loop_.rolling) {
+      const RollingLever<Scalar> contact = lever({u[0], u[1], u[2]}, turning);
+      linear = linear + cross(angular, contact.r) + cross(turning, contact.rate);
+    }
     return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
   }
 
   /// How far the first frame is from the second.
   [[nodiscard]] std::array<Scalar, 6> errors() const {
+    if (loop_.rolling) {
+      const Vector3<Scalar> error = lever({}, {}).error;
+      return {error.x, error.y, error.z, Scalar(0.0), Scalar(0.0), Scalar(0.0)};
+    }
     const Seen& at_first = seen_at(near_);
-    const Seen& at_second = seen_at(far_);
-    const Vector3<Scalar> d = along(at_second.e, at_second.p - loop_.second.p);
+    const Vector3<Scalar> d = displacement();
     const Triple<Scalar> f = axes_of(loop_.first.R);
     const Triple<Scalar>& e = at_first.e;
     const auto sine = [&](std::size_t i, std::size_t j) {
@@ -131,6 +155,22 @@ class LoopSides {
 
   static Vector3<Scalar> along(const Triple<Scalar>& e, const Vector3<Scalar>& v) {
     return {dot(e[0], v), dot(e[1], v), dot(e[2], v)};
+  }
+
+  /// Of the first origin from the second one, along the axes of the second frame.
+  [[nodiscard]] Vector3<Scalar> displacement() const {
+    const Seen& at_second = seen_at(far_);
+    return along(at_second.e, at_second.p - loop_.second.p);
+  }
+
+  /// Of a loop that rolls, at these velocities of the first frame.
+  [[nodiscard]] RollingLever<Scalar> lever(const Vector3<Scalar>& v,
+                                           const Vector3<Scalar>& w) const {
+    Vector3<Scalar> axis;
+    if (loop_.rolling->axis) {
+      axis = along(seen_at(near_).e, loop_.first.R * *loop_.rolling->axis);
+    }
+    return rolling_lever(*loop_.rolling, displacement(), axis, v, w);
   }
 
   void add_columns(std::size_t i, const Scalar& sign, DenseMatrix<Scalar>& J) const {
@@ -219,7 +259,9 @@ template <class Scalar>
 DenseMatrix<Scalar> loop_jacobian(const Tree<Scalar>& tree,
                                   const std::vector<JointTransform<Scalar>>& X) {
   std::vector<DenseMatrix<Scalar>> loops;
-  for (const LoopSides<Scalar>& sides : loop_sides(tree, X)) loops.push_back(sides.jacobian());
+  for (const LoopSides<Scalar>& sides : loop_sides(tree, X)) {
+    loops.push_back(sides.at_contact(sides.jacobian()));
+  }
   return held_rows_of(tree, loops);
 }
 
@@ -239,11 +281,16 @@ LoopRows<Scalar> loop_rows(const Tree<Scalar>& tree, const std::vector<JointTran
                            std::span<const Scalar> q, std::span<const Scalar> qd) {
   const auto sides = loop_sides(tree, X);
   std::vector<DenseMatrix<Scalar>> loops;
-  for (const LoopSides<Scalar>& each : sides) loops.push_back(each.jacobian());
+  std::vector<std::vector<Scalar>> velocities;
+  for (const LoopSides<Scalar>& each : sides) {
+    auto J = each.jacobian();
+    velocities.push_back(velocities_of(J, qd));
+    loops.push_back(each.at_contact(std::move(J)));
+  }
   LoopRows<Scalar> rows;
   rows.J = held_rows_of(tree, loops);
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    const auto bias = sides[k].bias(qd, velocities_of(loops[k], qd));
+    const auto bias = sides[k].bias(qd, velocities[k]);
     const auto errors = sides[k].errors();
     for (std::size_t row = 0; row < 6; ++row) {
       if (!tree.loops[k].second.rows[row]) continue;

@@ -61,10 +61,19 @@ struct TreeMatter {
   Vector3<Scalar> h;
 };
 
+/// A contact that rolls, see `MechanismRolling`.
+template <class Scalar>
+struct TreeRolling {
+  Scalar radius{};
+  std::optional<Vector3<Scalar>> axis;
+  std::optional<Scalar> on_radius;
+};
+
 /// Two frames of which rows are held relative to each other, see `MechanismLoop`.
 template <class Scalar>
 struct TreeLoop {
   TreePoint<Scalar> first, second;
+  std::optional<TreeRolling<Scalar>> rolling = {};
 };
 
 template <class Scalar>
@@ -149,6 +158,15 @@ TreePoint<Scalar> tree_point(const MechanismPoint& point) {
           point.priority};
 }
 
+template <class Scalar>
+std::optional<TreeRolling<Scalar>> tree_rolling(const std::optional<MechanismRolling>& from) {
+  if (!from) return std::nullopt;
+  TreeRolling<Scalar> rolling{Scalar(from->radius), {}, {}};
+  if (from->axis) rolling.axis = rounded<Scalar>(*from->axis);
+  if (from->on_radius) rolling.on_radius = Scalar(*from->on_radius);
+  return rolling;
+}
+
 /// What of the tree is constant: without inertias that are arguments, with the gravity and the
 /// points of the scene. See `tree_of`.
 template <class Scalar>
@@ -183,7 +201,8 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
     tree.contacts.push_back(tree_point<Scalar>(point));
   }
   for (const MechanismLoop& loop : mechanism.loops) {
-    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second)});
+    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second),
+                          tree_rolling<Scalar>(loop.rolling)});
   }
   tree.couplings = mechanism.couplings;
   for (const MechanismPoint& point : mechanism.link_frames) {

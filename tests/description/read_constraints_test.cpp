@@ -51,7 +51,7 @@ TEST(ReadConstraints, ReadsLoopsAndCouplings) {
   ASSERT_TRUE(scene) << to_string(diagnostics);
   EXPECT_TRUE(scene->constraints.empty());
   ASSERT_EQ(scene->loops.size(), 1U);
-  const auto& [first, second] = scene->loops[0];
+  const ScenePoint &first = scene->loops[0].first, &second = scene->loops[0].second;
   EXPECT_EQ(first.link, "tool");
   EXPECT_EQ(first.origin.xyz, (std::array{0.0, 0.0, 0.1}));
   EXPECT_EQ(second.link, "rail");
@@ -65,6 +65,76 @@ TEST(ReadConstraints, ReadsLoopsAndCouplings) {
   EXPECT_EQ(belt.parts[1].joint, "slide");
   EXPECT_EQ(belt.parts[1].factor, -2);
   EXPECT_TRUE(has(*scene, Function::constrained_forward_dynamics));
+}
+
+TEST(ReadConstraints, ReadsContactsByName) {
+  const std::vector<std::pair<std::string, std::array<bool, 6>>> kinds{
+      {"point", {true, true, true, false, false, false}},
+      {"soft_finger", {true, true, true, false, false, true}},
+      {"line", {true, true, true, false, true, true}},
+      {"plane", {true, true, true, true, true, true}},
+      {"rigid", {true, true, true, true, true, true}},
+      {"frictionless_point", {false, false, true, false, false, false}},
+      {"frictionless_line", {false, false, true, false, true, false}},
+      {"frictionless_plane", {false, false, true, true, true, false}}};
+  for (const auto& [kind, rows] : kinds) {
+    Diagnostics diagnostics;
+    const auto scene = read("constraints: [{name: a, between: [rail, world], contact: " + kind +
+                                "}, {name: b, between: [tool, rail], contact: " + kind + "}]\n",
+                            diagnostics);
+    ASSERT_TRUE(scene) << to_string(diagnostics);
+    EXPECT_EQ(scene->constraints[0].rows, rows) << kind;
+    EXPECT_EQ(scene->loops[0].second.rows, rows) << kind;
+  }
+}
+
+TEST(ReadConstraints, ReadsWhatRolls) {
+  Diagnostics diagnostics;
+  const auto scene = read(
+      "constraints: [{name: wheel, between: [rail, world], origin: {xyz: [0, 0, 0.1]}, "
+      "rolling: {radius: 0.2, axis: [0, 2, 0]}}, {name: tip, between: [tool, rail], "
+      "other_origin: {xyz: [1, 0, 0]}, rolling: {radius: 0.1, on_radius: -0.5}}, "
+      "{name: skid, between: [tool, world], rows: [z], rolling: {radius: 0.3}}]\n",
+      diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_TRUE(scene->constraints.empty());
+  ASSERT_EQ(scene->loops.size(), 3U);
+  const SceneLoop& wheel = scene->loops[0];
+  ASSERT_TRUE(wheel.rolling);
+  EXPECT_EQ(wheel.rolling->radius, 0.2);
+  EXPECT_EQ(wheel.rolling->axis, (std::array{0.0, 2.0, 0.0}));
+  EXPECT_FALSE(wheel.rolling->on_radius);
+  EXPECT_EQ(wheel.second.link, "world");
+  EXPECT_EQ(wheel.second.rows, (std::array{true, true, true, false, false, false}));
+  EXPECT_EQ(scene->loops[1].rolling->on_radius, -0.5);
+  EXPECT_EQ(scene->loops[1].second.origin.xyz, (std::array{1.0, 0.0, 0.0}));
+  EXPECT_EQ(scene->loops[2].second.rows, (std::array{false, false, true, false, false, false}));
+}
+
+TEST(ReadConstraints, RefusesWhatCannotRoll) {
+  const auto fault_of = [](const std::string& keys) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(
+        read("constraints: [{name: w, between: [tool, rail], " + keys + "}]\n", diagnostics))
+        << keys;
+    return to_string(diagnostics);
+  };
+  const auto expect = [&](const std::string& keys, const std::string& fault) {
+    EXPECT_NE(fault_of(keys).find(fault), std::string::npos) << keys << "\n" << fault_of(keys);
+  };
+  expect("rolling: {}", "\"radius\" is missing");
+  expect("rolling: {radius: -1}", "radius is positive");
+  expect("rolling: {radius: 1, axis: [0, 0, 0]}", "no direction");
+  expect("rolling: {radius: 1, axis: [0, 1, 0], on_radius: 2}", "planes alone");
+  expect("rolling: {radius: 1, on_radius: 0}", "no size");
+  expect("rolling: {radius: 1, on_radius: -0.9}", "not smaller than the bowl");
+  expect("rolling: {radius: 1}, rows: [x, rx]", "turns about x and y");
+  expect("rolling: {radius: 1, on_radius: 1}, rows: [x, y]", "normal of two balls");
+  expect("rolling: {radius: 1}, contact: point", "holds other rows");
+  expect("rolling: {radius: 1}, axes: local", "along the axes of the second frame");
+  expect("rolling: {radius: 1}, friction: 0.5", "have no cone");
+  expect("contact: point, rows: [x]", "rows are given too");
+  expect("contact: pointed", "pointed");
 }
 
 TEST(ReadConstraints, FunctionsFollowWhatIsListed) {

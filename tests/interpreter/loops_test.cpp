@@ -69,6 +69,78 @@ TEST_P(Loops, BiasIsTheDerivativeOfTheRows) {
   EXPECT_LE(size_of(bias - expected), kDifference * 1000);
 }
 
+/// A contact that rolls, at a state at which it touches: the second frame is put where it does.
+class Rolling : public testing::TestWithParam<Standing> {
+ protected:
+  Rolling() : c_(draw_standing(23, GetParam())) {
+    for (auto& loop : c_.task.loops.frames) touch(loop);
+  }
+
+  /// Turns and moves the second frame so that the first one touches it.
+  void touch(interpreter::Loop<Digits50>& loop) const {
+    const auto k = interpreter::kinematics<Digits50>(c_.model, c_.q, c_.qd);
+    const interpreter::detail::LoopState<Digits50> at(loop, k);
+    const auto& rolling = *loop.rolling;
+    interpreter::Vector3<Digits50> wanted(0, 0, rolling.radius);
+    if (rolling.on_radius) {
+      wanted = interpreter::Vector3<Digits50>(2, -1, 2) * (rolling.radius + *rolling.on_radius) / 3;
+    } else if (rolling.axis) {
+      const Digits50 lean = at.R.col(2).dot(Vector50(at.R_first * *rolling.axis));
+      wanted(2) *= sqrt(Digits50(1 - lean * lean));
+    }
+    const interpreter::Vector3<Digits50> seen = at.R.transpose() * at.d;
+    loop.second.p += loop.second.R * (seen - wanted);
+  }
+  [[nodiscard]] Vector50 rates() const {
+    return interpreter::loop_jacobian<Digits50>(c_.model, c_.task.loops, c_.q) * c_.qd;
+  }
+
+  StandingCase c_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Random, Rolling, testing::ValuesIn(rolling()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+// Contacts that touch have no gap; it changes by the rows' velocity along the normal.
+TEST_P(Rolling, OnlyTheNormalIsHeldInPosition) {
+  const auto errors = [&](const Digits50& t) {
+    return interpreter::loop_errors<Digits50>(c_.model, c_.task.loops,
+                                              moved(c_.model, c_.q, c_.qd, t));
+  };
+  const Vector50 at_rest = errors(0);
+  const auto couplings = static_cast<Eigen::Index>(c_.task.loops.couplings.size());
+  EXPECT_LE(size_of(at_rest.head(at_rest.size() - couplings)), kAlgebra);
+  const Vector50 rate = derivative(errors), expected = rates();
+  Eigen::Index row = 0;
+  for (const auto& loop : c_.task.loops.frames) {
+    Vector50 normal = Vector50::Zero(3);
+    normal(2) = 1;
+    if (loop.rolling->on_radius) normal = (Vector50(3) << 2, -1, 2).finished() / 3;
+    for (int i = 0; i < 6; ++i) {
+      if (!loop.second.rows[detail::at(i)]) continue;
+      Digits50 along = 0;
+      if (i < 3 && loop.rolling->on_radius) {
+        along = normal(i) * normal.dot(expected.segment(row - i, 3));
+      } else if (i == 2) {
+        along = expected(row);
+      }
+      EXPECT_LE(abs(Digits50(rate(row) - along)), kDifference * 1000);
+      ++row;
+    }
+  }
+}
+
+TEST_P(Rolling, BiasIsTheDerivativeOfTheRows) {
+  const Vector50 expected = derivative([&](const Digits50& t) {
+    return Vector50(interpreter::loop_jacobian<Digits50>(c_.model, c_.task.loops,
+                                                         moved(c_.model, c_.q, c_.qd, t)) *
+                    c_.qd);
+  });
+  const Vector50 bias = interpreter::loop_bias<Digits50>(c_.model, c_.task.loops, c_.q, c_.qd);
+  EXPECT_LE(size_of(bias - expected), kDifference * 1000);
+  EXPECT_GT(size_of(bias), Digits50("0.01"));
+}
+
 // A base that floats carries both ends of every loop.
 TEST(LoopsOfAFloatingRobot, DoNotFeelHowItMovesAsAWhole) {
   StandingCase c = draw_standing(5, looped()[2]);

@@ -33,9 +33,11 @@ struct Standing {
   int passive = 0;  ///< joints without a motor
   double mimic = 0;
   int external_forces = 0;
-  double drives = 0;             ///< chance of a rotor, of friction, and of a spring
-  std::vector<Rows> loops = {};  ///< constraints between two links
-  int couplings = 0;             ///< constraints between two joints
+  double drives = 0;                       ///< chance of a rotor, of friction, and of a spring
+  std::vector<Rows> loops = {};            ///< constraints between two links
+  int couplings = 0;                       ///< constraints between two joints
+  std::vector<SceneRolling> rolling = {};  ///< of the loops, on the world where `on_world`
+  bool on_world = false;
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Standing& standing) {
@@ -84,9 +86,27 @@ inline const std::vector<Standing>& looped() {
   return kLooped;
 }
 
+/// Robots that roll, on themselves and on the ground.
+inline const std::vector<Standing>& rolling() {
+  const SceneRolling ball{0.3, {}, {}}, disc{0.4, {{0.48, 0.6, 0.64}}, {}}, balls{0.3, {}, 0.5},
+      bowl{0.3, {}, -0.9};
+  const Rows flat{true, true, false, false, false, false};
+  const Rows no_spin{true, true, true, false, false, true};
+  static const std::vector<Standing> kRolling{
+      {"ball_on_the_ground", {}, 2, true, 1, 0, 0, 0, {no_spin}, 0, {ball}, true},
+      {"disc_on_the_ground", {}, 2, true, 1, 0, 0, 0, {kPointFoot}, 0, {disc}, true},
+      {"two_wheels", {}, 2, true, 2, 0, 0, 0, {flat, kPointFoot}, 0, {disc, ball}, true},
+      {"ball_on_a_link", {}, 2, false, 1, 0, 1, 0.5, {kPointFoot}, 0, {ball}},
+      {"disc_on_a_link", {}, 2, false, 2, 0, 0, 0, {kPointFoot}, 1, {disc}},
+      {"two_balls", {kPointFoot}, 2, true, 1, 0, 0, 0, {kPointFoot}, 0, {balls}},
+      {"ball_in_a_bowl", {}, 2, true, 1, 0, 0, 0, {kPointFoot}, 0, {bowl}, true}};
+  return kRolling;
+}
+
 inline std::vector<Standing> standings_and_loops() {
   std::vector<Standing> all = standings();
   all.insert(all.end(), looped().begin(), looped().end());
+  all.insert(all.end(), rolling().begin(), rolling().end());
   return all;
 }
 
@@ -145,9 +165,11 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
     scene.constraints.back().rows = standing.feet[static_cast<std::size_t>(i)];
   }
   for (const Rows& rows : standing.loops) {
-    scene.loops.push_back(
-        draw_loop(rng, options, c.made, "loop_" + std::to_string(scene.loops.size())));
+    const std::size_t i = scene.loops.size();
+    scene.loops.push_back(draw_loop(rng, options, c.made, "loop_" + std::to_string(i)));
     scene.loops.back().second.rows = rows;
+    if (i < standing.rolling.size()) scene.loops.back().rolling = standing.rolling[i];
+    if (standing.on_world) scene.loops.back().second.link = kWorldEnd;
   }
   draw_couplings(rng, standing.couplings, c.made);
   int left = standing.task_rows;

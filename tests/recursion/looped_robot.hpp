@@ -22,15 +22,17 @@ namespace treeline::tests {
 /// A robot with loops that moves by the emitted recursion, in double.
 class LoopedRobot {
  public:
-  LoopedRobot(const std::string& urdf, const std::string& scene_text) {
+  /// A robot from a file of tests/data/written.
+  LoopedRobot(const std::string& urdf, const std::string& scene_text)
+      : LoopedRobot(read_written(urdf), scene_text) {}
+
+  LoopedRobot(const Robot& robot, const std::string& scene_text) {
     Diagnostics diagnostics;
-    const auto robot = read_urdf(data_file("written/" + urdf), diagnostics);
-    if (!robot) throw std::runtime_error("the robot or its scene cannot be read");
-    const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
-    if (!scene) throw std::runtime_error("the robot or its scene cannot be read");
-    model_ = model_from_robot<double>(*robot, *scene);
-    loops_ = loops_from_scene(model_, *robot, *scene);
-    const Mechanism seen = with_constraints_only(reduced_mechanism(*robot, *scene));
+    const auto scene = parse_scene(scene_text, "scene.yaml", robot, diagnostics);
+    if (!scene) throw std::runtime_error("the scene cannot be read");
+    model_ = model_from_robot<double>(robot, *scene);
+    loops_ = loops_from_scene(model_, robot, *scene);
+    const Mechanism seen = with_constraints_only(reduced_mechanism(robot, *scene));
     tree_ = tree_of<double>(seen);
     rule_ = TaskLaws(seen).find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {})->rule;
   }
@@ -64,8 +66,14 @@ class LoopedRobot {
   [[nodiscard]] ConstrainedMotion<double> motion(const interpreter::Vector<double>& q,
                                                  const interpreter::Vector<double>& qd,
                                                  const std::vector<double>& gains) const {
+    return motion(q, qd, gains, interpreter::Vector<double>::Zero(qd.size()));
+  }
+  [[nodiscard]] ConstrainedMotion<double> motion(const interpreter::Vector<double>& q,
+                                                 const interpreter::Vector<double>& qd,
+                                                 const std::vector<double>& gains,
+                                                 const interpreter::Vector<double>& forces) const {
     const std::vector<double> at(q.begin(), q.end()), rates(qd.begin(), qd.end());
-    const std::vector<double> tau(rates.size());
+    const std::vector<double> tau(forces.begin(), forces.end());
     const auto X = joint_transforms<double>(tree_, at);
     return looped_forward_dynamics<double>(tree_, X, {at, rates, tau, gains, {}, {}}, rule_);
   }
@@ -94,6 +102,13 @@ class LoopedRobot {
   }
 
  private:
+  static Robot read_written(const std::string& urdf) {
+    Diagnostics diagnostics;
+    auto robot = read_urdf(data_file("written/" + urdf), diagnostics);
+    if (!robot) throw std::runtime_error("the robot cannot be read");
+    return *robot;
+  }
+
   interpreter::Model<double> model_;
   interpreter::Loops<double> loops_;
   Tree<double> tree_;
