@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -48,6 +49,20 @@ struct SafetyLimits {
     torque.fill(kInfinity);
   }
 };
+
+/// The limits that a generated NAME_joints.hpp lists: of positions, speeds and torques.
+template <std::size_t nq, std::size_t nv>
+SafetyLimits<static_cast<int>(nq), static_cast<int>(nv)> limits_of(const double (&lower)[nq],
+                                                                   const double (&upper)[nq],
+                                                                   const double (&velocity)[nv],
+                                                                   const double (&torque)[nv]) {
+  SafetyLimits<static_cast<int>(nq), static_cast<int>(nv)> limits;
+  std::copy(lower, lower + nq, limits.lower.begin());
+  std::copy(upper, upper + nq, limits.upper.begin());
+  std::copy(velocity, velocity + nv, limits.velocity.begin());
+  std::copy(torque, torque + nv, limits.torque.begin());
+  return limits;
+}
 
 /// Returns a fault for the first measured number that is not finite or exceeds its limit.
 template <int nq, int nv>

@@ -12,8 +12,8 @@
 #include "puma560_joints.hpp"
 #include "servo/clock.hpp"
 #include "servo/integrate.hpp"
-#include "servo/limits_of.hpp"
 #include "servo/run_for.hpp"
+#include "servo/safety.hpp"
 
 namespace treeline::experiments {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/command_laws.hpp"
 #include "samm_pair_joints.hpp"
 #include "servo/clock.hpp"
-#include "servo/limits_of.hpp"
 #include "servo/run_for.hpp"
+#include "servo/safety.hpp"
 #include "servo/simulated_robot.hpp"
 
 namespace treeline::experiments {

@@ -13,8 +13,8 @@
 #include "humanoid24_wall_joints.hpp"
 #include "servo/clock.hpp"
 #include "servo/integrate.hpp"
-#include "servo/limits_of.hpp"
 #include "servo/run_for.hpp"
+#include "servo/safety.hpp"
 
 namespace treeline::experiments {
 namespace {

@@ -12,8 +12,8 @@
 #include "humanoid_pair_joints.hpp"
 #include "object_task_controller.hpp"
 #include "robot_with_object.hpp"
-#include "servo/limits_of.hpp"
 #include "servo/loop.hpp"
+#include "servo/safety.hpp"
 #include "servo/simulated_robot.hpp"
 
 namespace treeline::experiments {
