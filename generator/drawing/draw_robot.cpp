@@ -16,6 +16,7 @@ constexpr double kHeight = 280;   // of the strip above the captions, at most
 constexpr double kCaptions = 28;  // height of the captions
 constexpr double kMargin = 10;    // around the robot
 constexpr double kLongest = 0.3;  // edge of a face, of the robot's size
+constexpr int kMostCuts = 6;      // of a face, each in halves
 
 constexpr const char* kStyle =
     "<style>.paper{fill:#fff}.ground{fill:#ecebe6}text{fill:#1c1c1c}"
@@ -88,12 +89,14 @@ std::string print_points(const Camera& camera, const std::vector<Eigen::Vector3d
 }
 
 /// Cuts a face of four corners across its longer edges until none is longer than `limit` (m), for
-/// the middle of a long face says little about which of its parts is near. Other faces stay whole.
-void cut_face(const Face& face, double limit, std::vector<Face>& pieces) {
+/// the middle of a long face says little about which of its parts is near. A face is in at most
+/// 2^`cuts` pieces. Those without four corners stay whole.
+void cut_face(const Face& face, double limit, int cuts, std::vector<Face>& pieces) {
   const auto edge = [&](std::size_t i) {
     return (face.corners[(i + 1) % 4] - face.corners[i]).norm();
   };
-  if (face.corners.size() != 4 || std::max({edge(0), edge(1), edge(2), edge(3)}) <= limit) {
+  if (cuts == 0 || face.corners.size() != 4 ||
+      std::max({edge(0), edge(1), edge(2), edge(3)}) <= limit) {
     pieces.push_back(face);
     return;
   }
@@ -101,8 +104,8 @@ void cut_face(const Face& face, double limit, std::vector<Face>& pieces) {
   const auto corner = [&](std::size_t i) { return face.corners[(first + i) % 4]; };
   const Eigen::Vector3d near = 0.5 * (corner(0) + corner(1));
   const Eigen::Vector3d far = 0.5 * (corner(2) + corner(3));
-  cut_face({{corner(0), near, far, corner(3)}, face.normal, face.color}, limit, pieces);
-  cut_face({{near, corner(1), corner(2), far}, face.normal, face.color}, limit, pieces);
+  cut_face({{corner(0), near, far, corner(3)}, face.normal, face.color}, limit, cuts - 1, pieces);
+  cut_face({{near, corner(1), corner(2), far}, face.normal, face.color}, limit, cuts - 1, pieces);
 }
 
 /// Something to draw. The nearest is drawn last.
@@ -123,7 +126,7 @@ Item draw_face(const Camera& camera, const Face& face) {
 std::string draw_solids(const Camera& camera, const Solids& solids, double longest) {
   std::vector<Face> seen;
   for (const Face& face : solids.faces) {
-    if (camera.sees(face.normal)) cut_face(face, longest, seen);
+    if (camera.sees(face.normal)) cut_face(face, longest, kMostCuts, seen);
   }
   std::vector<Item> items;
   for (const Face& face : seen) items.push_back(draw_face(camera, face));

@@ -181,6 +181,17 @@ TEST(DrawRobot, LongFacesAreCutBeforeTheyAreSorted) {
   EXPECT_TRUE(std::regex_search(near.suffix().str(), red));
 }
 
+// Would catch: a picture that grows without bound with a hall's floor, or a state that is no
+// number.
+TEST(DrawRobot, AFaceIsCutIntoFewPieces) {
+  const Arm arm;
+  Solids hall;
+  add_box({1e4, 1e4, 1e4}, Eigen::Isometry3d::Identity(), {0, 1, 0}, hall);
+  const std::string svg =
+      draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, hall}}, {});
+  EXPECT_EQ(count(svg, "<polygon"), 9U + 11U + 3U * 64U);  // no floor below ground
+}
+
 // An object in the hand, whose frame is a quarter turn and 0.3 m off it. Would catch: a grasp taken
 // the wrong way round, and another hand's.
 TEST(DrawRobot, ObjectsAreInTheirFirstHand) {
