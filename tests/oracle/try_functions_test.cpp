@@ -112,7 +112,8 @@ TEST(TryFunctions, OfABodyThatBalancesButForNoise) {
       "<mass value='6'/><inertia ixx='27.03' ixy='0' ixz='6.7e-5' iyy='27.16' iyz='0' "
       "izz='27.13'/></inertial></link>",
       "base: floating\n"
-      "operational_points: [{name: body, link: body, rows: [x, y, z, rx, ry, rz]}]\n");
+      "operational_points: [{name: body, link: body, rows: [x, y, z, rx, ry, rz]}]\n"
+      "functions: [lambda_inverse]\n");
   EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{});
 }
 
