@@ -52,8 +52,8 @@ void expect_decomposes(const Square& A) {
   expect_decomposes_in<N, float>(A);  // in fewer sweeps
 }
 
-/// Three diagonals that come apart: repeated entries, couplings down to far below a rounding. Sweeps
-/// whose shift serves one block only, or that lose it at a gap, do not end on these.
+/// Three diagonals that come apart: repeated entries, couplings down to far below a rounding.
+/// Sweeps whose shift serves one block only, or that lose it at a gap, do not end on these.
 template <int N>
 void expect_decomposes_blocks(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform;
