@@ -17,6 +17,26 @@ void add(OperationCount& count, int times, int additions, int products, int quot
   count.div += times * quotients;
 }
 
+/// `steps::diagonalise` of an n x n matrix. Returns how many square roots that takes.
+int add_diagonalisation(OperationCount& count, int n, bool single_precision) {
+  add(count, 1, 0, n * (n + 1) / 2, 1);  // scaled to 1
+  for (int m = n - 1; m >= 2; --m) {     // a reflection of m entries
+    add(count, m, 1, 1, 0);              // their length
+    add(count, 1, 2, 1, 1);              // v
+    add(count, m * m, 1, 1, 0);          // A v
+    add(count, m, 2, 3, 0);              // w
+    add(count, 1, 0, 2, 0);
+    add(count, m * (m + 1) / 2, 2, 2, 0);  // A
+    add(count, m, 2 * m, 2 * m + 1, 0);    // V
+  }
+  const int sweeps = single_precision ? core::ql_sweeps<float>(n) : core::ql_sweeps<double>(n);
+  add(count, n > 1 ? 1 : 0, 0, 1, 0);                      // what is negligible
+  add(count, sweeps, 6, 4, 1);                             // shift, and the ends
+  add(count, sweeps * (n - 1), 7 + 2 * n, 11 + 4 * n, 1);  // rotations
+  add(count, n, 0, 1, 0);                                  // scaled back
+  return (n > 2 ? n - 2 : 0) + sweeps * n;
+}
+
 }  // namespace
 
 bool is_called_by_damped(const std::string& function) {
@@ -27,25 +47,23 @@ bool is_called_by_damped(const std::string& function) {
 
 DampedCost cost_of_damped_solve(int n, int velocities, bool single_precision) {
   const int pairs = n * (n - 1) / 2;
-  const int sweeps =
-      single_precision ? core::jacobi_sweeps<float>(n) : core::jacobi_sweeps<double>(n);
-  const int rotations = sweeps * pairs;
+  const int triangle = n + pairs;
   DampedCost cost;
   OperationCount& count = cost.count;
-  cost.square_roots = n + 2 * rotations;
-  add(count, n, 1 + velocities, velocities, 0);          // F = xdd_cmd - bias - J qdd_0
-  add(count, n * (n + 1) / 2, 0, 2, 0);                  // S Lambda^-1 S
-  add(count, rotations, 4, 5, 2);                        // sine and cosine of a rotation
-  add(count, rotations * 3 * n, 2, 4, 0);                // its rows and columns
-  add(count, 1, 0, 2, 0);                                // border
-  add(count, n, 1, 3, 1);                                // delta of each ease
-  add(count, n * n * n, 1, 2, 2);                        // A += Delta
-  add(count, pairs, 1, 2, 1);                            // pivots of L D L^T, and L
-  add(count, n * (n - 1) * (n - 2) / 6, 1, 1, 0);        // what is below them
-  add(count, pairs, 2, 2, 0);                            // both triangles
-  add(count, n, 0, 0, 1);                                // and D
-  add(count, n * velocities, 1, 1, 0);                   // tau += J^T F
-  cost.values = 4 * n * n + n * velocities + 6 * n + 8;  // of which 8 in a rotation
+  add(count, n, 1 + velocities, velocities, 0);  // F = xdd_cmd - bias - J qdd_0
+  add(count, triangle, 0, 2, 0);                 // S Lambda^-1 S
+  cost.square_roots = n + add_diagonalisation(count, n, single_precision);
+  add(count, 1, 0, 2, 0);                                 // border
+  add(count, n, 1, 3, 1);                                 // delta of each ease
+  add(count, n, 0, 0, 1);                                 // S^-1
+  add(count, n * n, 0, 2, 0);                             // S^-1 v_k, times delta
+  add(count, n * triangle, 1, 1, 0);                      // A += Delta
+  add(count, pairs, 1, 2, 1);                             // pivots of L D L^T, and L
+  add(count, n * (n - 1) * (n - 2) / 6, 1, 1, 0);         // what is below them
+  add(count, pairs, 2, 2, 0);                             // both triangles
+  add(count, n, 0, 0, 1);                                 // and D
+  add(count, n * velocities, 1, 1, 0);                    // tau += J^T F
+  cost.values = 5 * n * n + n * velocities + 7 * n + 14;  // of which 14 in a sweep
   return cost;
 }
 

@@ -25,6 +25,11 @@ inline long double steps::root(long double x) noexcept {
   return x > 0 ? std::sqrt(x) : 0;
 }
 
+template <>
+inline long double steps::root_of_squares(long double x) noexcept {
+  return std::sqrt(x);
+}
+
 }  // namespace core
 
 namespace {

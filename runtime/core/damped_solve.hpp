@@ -42,10 +42,11 @@ constexpr Real damping_of(Real ease, Real border) noexcept {
   return border * lack * lack * lack;
 }
 
-/// damped = A + Delta; `damped` may be `A`. `A`, row-major, symmetric, positive semidefinite, is
-/// Lambda^-1; `heaviest` are positive. Returns the least ease: 1 and more where nothing was added.
-/// Eases above 1e13 (1e5 in float) leave no digit to those near 1; then the border rises with them
-/// so that A stays positive definite.
+/// damped = A + Delta, of which only the lower triangle is written; `damped` may be `A`. The lower
+/// triangle of `A`, row-major, symmetric, positive semidefinite, is Lambda^-1; `heaviest` are
+/// positive. Returns the least ease: 1 and more where nothing was added. Eases above 1e13 (1e5 in
+/// float) leave no digit to those near 1; then the border rises with them so that A stays positive
+/// definite.
 template <int N, int NN, class Real>
 inline Real add_damping_by_directions(const Real (&heaviest)[N], const Real (&A)[NN],
                                       Real (&damped)[NN]) noexcept {
@@ -54,28 +55,38 @@ inline Real add_damping_by_directions(const Real (&heaviest)[N], const Real (&A)
   for (int i = 0; i < N; ++i) {
     roots[i] = steps::root(heaviest[i]);
   }
-  Real scaled[NN];
+  Real scaled[NN];  // of which the lower triangle is read
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j <= i; ++j) {
       scaled[i * N + j] = roots[i] * A[i * N + j] * roots[j];
-      scaled[j * N + i] = scaled[i * N + j];
     }
   }
-  SymmetricEigen<N, Real> eigen;
-  steps::diagonalise(scaled, jacobi_sweeps<Real>(N), eigen.values, eigen.vectors);
-  const Real resolved = Real(64) * Format<Real>::kEpsilon * eigen.values[0];
+  Real eases[N];
+  Real directions[NN];
+  steps::diagonalise<N>(scaled, eases, directions);
+  Real least = eases[0];
+  Real most = eases[0];
+  for (int k = 1; k < N; ++k) {
+    least = eases[k] < least ? eases[k] : least;
+    most = eases[k] > most ? eases[k] : most;
+  }
+  const Real resolved = Real(64) * Format<Real>::kEpsilon * most;
   const Real border = resolved > Real(1) ? resolved : Real(1);
+  for (int i = 0; i < N; ++i) {
+    roots[i] = Real(1) / roots[i];
+  }
   for (int k = 0; k < N; ++k) {
-    const Real delta = damping_of(eigen.values[k], border);
+    const Real delta = damping_of(eases[k], border);
     const Real(&sum)[NN] = k == 0 ? A : damped;
     for (int i = 0; i < N; ++i) {
-      for (int j = 0; j < N; ++j) {
-        damped[i * N + j] = sum[i * N + j] + delta * (eigen.vectors[k * N + i] / roots[i]) *
-                                                 (eigen.vectors[k * N + j] / roots[j]);
+      directions[k * N + i] = directions[k * N + i] * roots[i];
+      const Real added = delta * directions[k * N + i];
+      for (int j = 0; j <= i; ++j) {
+        damped[i * N + j] = sum[i * N + j] + added * directions[k * N + j];
       }
     }
   }
-  return eigen.values[N - 1];
+  return least;
 }
 
 /// Turns `x`, which holds the accelerations b that are missing, into the forces F of

@@ -77,8 +77,10 @@ inline SingularDirections<rows, nv, Real> singular_directions(
   }
   SingularDirections<rows, nv, Real> found;
   Real squares[nv];
-  steps::diagonalise(JtJ, jacobi_sweeps<Real>(nv), squares, found.motions);
-  steps::diagonalise(JJt, jacobi_sweeps<Real>(rows), found.values, found.directions);
+  steps::diagonalise<nv>(JtJ, squares, found.motions);
+  steps::sort_descending(squares, found.motions);
+  steps::diagonalise<rows>(JJt, found.values, found.directions);
+  steps::sort_descending(found.values, found.directions);
   for (int i = 0; i < rows; ++i) {
     found.values[i] = steps::root(found.values[i]);
     found.shares[i] = smooth_step((found.values[i] - region.inner) / (region.outer - region.inner));

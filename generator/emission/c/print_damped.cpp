@@ -96,12 +96,15 @@ std::string print_square_root(const EmissionContext& context) {
 std::string print_damped_solve(const EmissionContext& context) {
   const bool single = context.single_precision;
   const int rows = context.task_rows;
-  const int sweeps = single ? core::jacobi_sweeps<float>(rows) : core::jacobi_sweeps<double>(rows);
+  const int sweeps = single ? core::ql_sweeps<float>(rows) : core::ql_sweeps<double>(rows);
   return fill_template(templates::kDampedSolve, {{"name", context.name},
                                                  {"real", single ? "float" : "double"},
                                                  {"rows", std::to_string(rows)},
                                                  {"sweeps", std::to_string(sweeps)},
                                                  {"resolution", single ? "0x1p-17F" : "0x1p-46"},
+                                                 {"negligible", single ? "0x1p-21F" : "0x1p-50"},
+                                                 {"lost", single ? "1e-30F" : "1e-280"},
+                                                 {"half", number(context, "0.5")},
                                                  {"zero", number(context, "0.0")},
                                                  {"one", number(context, "1.0")},
                                                  {"two", number(context, "2.0")}});
