@@ -6,8 +6,7 @@
 
 // Wheels and balls that roll, by the emitted recursion in double, against closed forms of
 // textbooks. Would catch: a lever that does not move with the contact, a contact that moves with
-// the wheel's matter, rows along wrong axes, a wheel that may slip or lift, and energy that
-// appears.
+// the wheel's matter, rows along wrong axes, and a wheel that may slip or lift.
 
 namespace treeline::tests {
 namespace {
