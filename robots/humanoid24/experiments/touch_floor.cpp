@@ -77,6 +77,8 @@ experiments::Findings run(const Options& options) {
       !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
     return experiments::bad_input(error);
   }
+  plan.spring = options.spring > 0.0 ? options.spring : plan.spring;
+  if (!(plan.spring > 0.0)) return experiments::bad_input(options.plan + " has no springs");
   plan.rate = options.rate > 0.0 ? options.rate : plan.rate;
   plan.duration = options.duration > 0.0 ? options.duration : plan.duration;
   const auto outcome = touch_floor(options, plan, limits);
@@ -97,30 +99,4 @@ int main(int argc, char** argv) {
   Options options;
   declare(app, options);
   return experiments::run_experiment(app, argc, argv, [&options] { return run(options); });
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  experiments::Plan plan;
-  experiments::JointLimits limits;
-  std::string error;
-  if (!experiments::read_plan(options.plan, plan, error) ||
-      !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
-    fmt::print(stderr, "touch_floor: {}\n", error);
-    return 1;
-  }
-  if (plan.joints.size() != static_cast<std::size_t>(Humanoid24::kVelocities)) {
-    fmt::print(stderr, "touch_floor: {} lists {} joints, the robot has {}\n", options.plan,
-               plan.joints.size(), Humanoid24::kVelocities);
-    return 1;
-  }
-  plan.spring = options.spring > 0.0 ? options.spring : plan.spring;
-  if (!(plan.spring > 0.0)) {
-    fmt::print(stderr, "touch_floor: {} has no springs\n", options.plan);
-    return 1;
-  }
-  plan.rate = options.rate > 0.0 ? options.rate : plan.rate;
-  plan.duration = options.duration > 0.0 ? options.duration : plan.duration;
-  return report(options, plan, run(options, plan, limits));
 }

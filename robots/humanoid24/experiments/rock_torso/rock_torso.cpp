@@ -25,6 +25,7 @@ struct Humanoid24 {
   static constexpr auto& jacobian = humanoid24::jacobian;
   static constexpr auto& control_torque = humanoid24::control_torque;
 };
+static_assert(Humanoid24::kVelocities == kRockingJoints);
 using Robot = servo::SimulatedRobot<Humanoid24>;
 using Controller = servo::PoseTaskController<Humanoid24>;
 

@@ -7,6 +7,9 @@
 
 namespace treeline::experiments {
 
+/// Joints of the robot.
+inline constexpr int kRockingJoints = 24;
+
 /// Both hands hold their poses while the advised posture rocks the waist from side to side about
 /// two of its axes. A front end sends the advice.
 struct RockPlan {
