@@ -172,11 +172,16 @@ Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* c
   // All three components of a balanced body's h may be residue. They have cancelled from mass times
   // the radius of gyration.
   const Exact balanced = abs(inertia.mass) * most;
-  const Exact least = kResidue * Exact(inertia.h.cwiseAbs().maxCoeff());
+  const Exact largest = inertia.h.cwiseAbs().maxCoeff();
+  const Exact least = kResidue * largest;
+  // What is small beside the radius of gyration alone is not noise: the torque of gravity has no
+  // other terms.
+  const Exact noise =
+      std::max(Exact(abs(inertia.mass) * resolution.length), Exact(share * largest));
   for (int i = 0; i < 3; ++i) {
     Exact& h = result.h(i);
     const Exact bound = inertia.mass * Sigma(i, i);
-    if (h != 0 && is_small(h, share, bound)) {
+    if (h != 0 && is_within(h, noise) && is_small(h, share, bound)) {
       drop(h, bound, change);
     } else if (is_within(h, least) || is_small(h, kResidue, balanced)) {
       h = 0;

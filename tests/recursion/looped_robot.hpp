@@ -4,6 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "data/list_data.hpp"
@@ -84,21 +85,22 @@ class LoopedRobot {
            interpreter::potential_energy<double>(model(), q);
   }
 
-  /// One step of fourth order, of second order where there are quaternions.
-  /// `gains` lead the loops back: 1/s and 1/s^2.
+  /// One step of fourth order. `gains` lead the loops back: 1/s and 1/s^2.
   void step(double h, const std::vector<double>& gains, interpreter::Vector<double>& q,
             interpreter::Vector<double>& qd) const {
-    const auto rate = [&](const interpreter::Vector<double>& x,
-                          const interpreter::Vector<double>& v) {
+    using V = interpreter::Vector<double>;
+    const auto rate = [&](const V& x, const V& v) -> std::pair<V, V> {
       const auto qdd = motion(x, v, gains).qdd;
-      return interpreter::Vector<double>(interpreter::Vector<double>::Map(qdd.data(), v.size()));
+      return {interpreter::position_derivative<double>(model(), x, v),
+              V::Map(qdd.data(), v.size())};
     };
-    const interpreter::Vector<double> v1 = qd, a1 = rate(q, v1);
-    const interpreter::Vector<double> v2 = qd + h / 2 * a1, a2 = rate(moved(q, v1, h / 2), v2);
-    const interpreter::Vector<double> v3 = qd + h / 2 * a2, a3 = rate(moved(q, v2, h / 2), v3);
-    const interpreter::Vector<double> v4 = qd + h * a3, a4 = rate(moved(q, v3, h), v4);
-    q = moved(q, (v1 + 2 * v2 + 2 * v3 + v4) / 6, h);
+    const auto [v1, a1] = rate(q, qd);
+    const auto [v2, a2] = rate(q + h / 2 * v1, qd + h / 2 * a1);
+    const auto [v3, a3] = rate(q + h / 2 * v2, qd + h / 2 * a2);
+    const auto [v4, a4] = rate(q + h * v3, qd + h * a3);
+    q += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
     qd += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    q = moved(q, qd, 0);  // quaternions of length one
   }
 
  private:
