@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "interpreter/instances.hpp"
@@ -65,7 +66,7 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
   bias_ = with_loops<VectorXd>(terms_.bias(state.qd), loops_.bias, anchored_);
   condition_ = std::numeric_limits<double>::infinity();
   step_forces_ = VectorXd::Zero(M_inverse.rows());
-  if (!M_inverse.allFinite()) return;
+  if (!M_inverse.allFinite() || !std::isfinite(loops_.condition)) return;
   const auto q = vector_of<double>(state.q);
   const std::vector<double>& step = values_of(state, Quantity::step);
   const bool is_stepped = tasks == Tasks::none && !step.empty();

@@ -34,6 +34,8 @@ class ConstraintSizes {
   /// Scales of J of all rows, and of how far loops are from closed.
   [[nodiscard]] const Eigen::MatrixXd& jacobian() const { return J_; }
   [[nodiscard]] const Eigen::VectorXd& loop_errors() const { return loops_.errors; }
+  /// Condition of the rows of loops: infinite where they have no value.
+  [[nodiscard]] double loop_condition() const { return loops_.condition; }
   /// Condition number of Lambda^-1, scaled to a unit diagonal.
   [[nodiscard]] double condition() const { return condition_; }
 

@@ -35,25 +35,25 @@ VectorXd velocities_between(const interpreter::Model<double>& model, int first, 
 }
 
 /// Largest factors by which terms of a contact exceed its lever: from the divisions by the distance
-/// of two balls, and by the height of a disc's centre.
+/// of two balls, and by the sine between a disc's axis and the normal.
 struct LeverSizes {
   double r = 0;       ///< from the centre to the contact, m
   double growth = 1;  ///< of a relative change of the displacement
 };
 
-LeverSizes lever_sizes(const interpreter::Rolling<double>& rolling, double way, double height) {
+LeverSizes lever_sizes(const interpreter::Rolling<double>& rolling, double way, double sine) {
   if (rolling.on_radius) {
     const double distance = std::abs(rolling.radius + *rolling.on_radius);
     return {rolling.radius * way / distance, way / distance};
   }
   if (!rolling.axis) return {rolling.radius, 1};
-  return {2 * rolling.radius * rolling.radius / height, way / height};
+  return {2 * way / sine, 2 / sine};
 }
 
 /// The rows of a loop that rolls, from those of its first frame.
-void roll(const interpreter::Rolling<double>& rolling, double way, double height,
+void roll(const interpreter::Rolling<double>& rolling, double way, double sine,
           const VectorXd& speeds, LoopSizes& sizes) {
-  const LeverSizes lever = lever_sizes(rolling, way, height);
+  const LeverSizes lever = lever_sizes(rolling, way, sine);
   const double moving = (sizes.J.topRows(3) * speeds).maxCoeff();
   const double turning = (sizes.J.bottomRows(3) * speeds).maxCoeff();
   const double rate = lever.r * lever.growth * (turning + moving / way);
@@ -61,17 +61,22 @@ void roll(const interpreter::Rolling<double>& rolling, double way, double height
       2 * lever.r * sizes.bias.tail(3) + VectorXd::Constant(3, 2 * turning * rate);
   const MatrixXd turned = 2 * lever.r * lever.growth * sizes.J.bottomRows(3);
   sizes.J.topRows(3) += turned.colwise().maxCoeff().replicate(3, 1);
-  sizes.errors << VectorXd::Constant(3, way + lever.r * lever.growth), VectorXd::Ones(3);
+  const double error =
+      rolling.axis ? way * way / rolling.radius + rolling.radius : way + lever.r * lever.growth;
+  sizes.errors << VectorXd::Constant(3, error), VectorXd::Ones(3);
+  if (rolling.axis) sizes.condition = 1 / (sine * sine);
 }
 
-/// Height of the first frame's origin over the plane of the second, m.
-double height_of(const Subject<double>& subject, const State& state,
-                 const interpreter::Loop<double>& loop) {
+/// Sine of the angle between a disc's axis and the normal of the plane that it rolls on. 1 for
+/// balls.
+double sine_of(const Subject<double>& subject, const State& state,
+               const interpreter::Loop<double>& loop) {
+  if (!loop.rolling->axis) return 1;
   const auto q = vector_of<double>(state.q);
   const auto k =
       interpreter::kinematics<double>(subject.model, q, VectorXd::Zero(subject.model.nv));
   const interpreter::detail::LoopState<double> at(loop, k);
-  return std::abs(at.R.col(2).dot(at.d));
+  return at.R.col(2).cross(at.R_first * *loop.rolling->axis).norm();
 }
 
 /// Sizes of the six rows of one loop.
@@ -93,7 +98,7 @@ LoopSizes sizes_of(const Subject<double>& subject, const State& state,
   sizes.bias << VectorXd::Constant(3, 4 * turning * moving),
       VectorXd::Constant(3, 2 * turning * turning);
   sizes.errors << VectorXd::Constant(3, way), VectorXd::Ones(3);
-  if (loop.rolling) roll(*loop.rolling, way, height_of(subject, state, loop), speeds, sizes);
+  if (loop.rolling) roll(*loop.rolling, way, sine_of(subject, state, loop), speeds, sizes);
   return sizes;
 }
 
@@ -106,6 +111,7 @@ LoopSizes loop_sizes(const Subject<double>& subject, const State& state) {
   Eigen::Index row = 0;
   for (const auto& loop : subject.loops.frames) {
     const LoopSizes all = sizes_of(subject, state, loop);
+    sizes.condition = std::max(sizes.condition, all.condition);
     for (const int held : interpreter::controlled_rows<double>({loop.second})) {
       sizes.J.row(row) = all.J.row(held);
       sizes.bias(row) = all.bias(held);

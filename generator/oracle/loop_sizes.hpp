@@ -13,6 +13,7 @@ struct LoopSizes {
   Eigen::MatrixXd J;       ///< rows x nv
   Eigen::VectorXd bias;    ///< of Jd qd
   Eigen::VectorXd errors;  ///< of how far they are from closed
+  double condition = 1;    ///< of J: infinite where a disc lies flat
 };
 
 LoopSizes loop_sizes(const Subject<double>& subject, const State& state);

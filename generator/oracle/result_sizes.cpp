@@ -100,9 +100,11 @@ double ResultSizes::condition(Function function, const std::optional<LawSizes>& 
     return std::max(yielding ? yielding->condition : objects_->condition(), M_condition_);
   }
   if (needs_constraints(function) && solve_of(function) != Solve::none) {
-    const double own = yielding ? yielding->condition : of_constraints(function).condition();
-    return std::max(own, M_condition_);
+    const ConstraintSizes& constraints = of_constraints(function);
+    const double own = yielding ? yielding->condition : constraints.condition();
+    return std::max({own, M_condition_, constraints.loop_condition()});
   }
+  if (function == Function::constraint_jacobian) return constrained_->loop_condition();
   if (yielding) return std::max(yielding->condition, M_condition_);
   switch (solve_of(function)) {
     case Solve::mass_matrix:

@@ -3,8 +3,7 @@
 #include "recursion/tree.hpp"
 
 // Graphs have no square root. None is needed: while the contact is held, the distance of two balls
-// is the sum of their radii, and the height of a disc's centre is the radius times the sine of its
-// lean.
+// is the sum of their radii, and a disc's line of steepest descent ends at the plane.
 
 namespace treeline {
 
@@ -26,20 +25,23 @@ RollingLever<Scalar> lever_on_ball(const TreeRolling<Scalar>& rolling, const Vec
   return {d * share, v * share, d * gap};
 }
 
-/// A disc on a plane with the normal z. The contact is the lowest point of its rim, below the
-/// centre by d.z: r = -radius^2 (z - (z . a) a) / d.z, a: axis.
+/// A disc on a plane with the normal z. The contact is where the line of steepest descent from its
+/// centre meets the plane: r = -d.z (z - (z . a) a) / s^2, a: axis, s: sine of the angle between z
+/// and a. A disc that lies flat, s = 0, has no such line. The error is (d.z^2 - (s radius)^2) / 2
+/// radius, s times the gap.
 template <class Scalar>
 RollingLever<Scalar> lever_of_disc(const Scalar& radius, const Vector3<Scalar>& d,
                                    const Vector3<Scalar>& a, const Vector3<Scalar>& v,
                                    const Vector3<Scalar>& w) {
-  const Scalar squared = radius * radius;
-  const Scalar inverse = Scalar(1.0) / d.z;
+  const Scalar squared = a.x * a.x + a.y * a.y;  // s^2
+  const Scalar inverse = Scalar(1.0) / squared;
+  const Scalar share = d.z * inverse;
+  const Vector3<Scalar> down{a.z * a.x, a.z * a.y, -squared};
   const Vector3<Scalar> turned = cross(w, a);
-  const Vector3<Scalar> down{a.z * a.x, a.z * a.y, a.z * a.z - Scalar(1.0)};
-  const Vector3<Scalar> r = down * (squared * inverse);
-  const Vector3<Scalar> moved = a * turned.z + turned * a.z;
-  const Scalar gap = (d.z - squared * (Scalar(1.0) - a.z * a.z) * inverse) * Scalar(0.5);
-  return {r, moved * (squared * inverse) - r * (v.z * inverse), {Scalar(0.0), Scalar(0.0), gap}};
+  const Vector3<Scalar> moved = a * turned.z + turned * a.z;  // rate of `down`
+  const Scalar share_rate = (v.z + share * moved.z) * inverse;
+  const Scalar gap = (d.z * d.z - squared * (radius * radius)) * (Scalar(0.5) / radius);
+  return {down * share, moved * share + down * share_rate, {Scalar(0.0), Scalar(0.0), gap}};
 }
 
 /// `d`: from the second origin to the first; `a`: axis of a disc; `v`, `w`: velocities of the first

@@ -133,9 +133,9 @@ Matrix<Scalar> rows_from(const Model<Scalar>& model, const OperationalPoint<Scal
   return J;
 }
 
-/// From the first origin to where the first body touches, in the world: to the lowest point of a
-/// disc's rim, or toward the other centre. Lengths that the contact fixes are taken from it: of the
-/// distance of two balls, and of a leaning disc's height.
+/// From the first origin to where the first body touches, in the world: along a disc's line of
+/// steepest descent as far as the plane, or toward the other centre, whose distance is taken as the
+/// sum of the radii.
 template <class Scalar>
 Vector3<Scalar> to_contact(const Rolling<Scalar>& rolling, const LoopState<Scalar>& at) {
   const Scalar R = rolling.radius;
@@ -144,11 +144,12 @@ Vector3<Scalar> to_contact(const Rolling<Scalar>& rolling, const LoopState<Scala
   if (!rolling.axis) return -R * normal;
   const Vector3<Scalar> axis = at.R_first * *rolling.axis;
   const Vector3<Scalar> up = normal - normal.dot(axis) * axis;
-  return -R * R / Scalar(normal.dot(at.d)) * up;
+  return -normal.dot(at.d) / Scalar(up.squaredNorm()) * up;
 }
 
 /// How far a contact is from touching: (s^2 - d^2) / 2d along the normal, which is s - d to first
-/// order; s: distance or height at hand, d: as it is to be. Seen from the second frame.
+/// order; s: distance or height at hand, d: as it is to be. Of a disc, whose height is to be that
+/// sine of its lean times the radius R, (s^2 - d^2) / 2R. Seen from the second frame.
 template <class Scalar>
 Vector3<Scalar> contact_gap(const Rolling<Scalar>& rolling, const LoopState<Scalar>& at) {
   const Vector3<Scalar> d = at.R.transpose() * at.d;
@@ -161,7 +162,7 @@ Vector3<Scalar> contact_gap(const Rolling<Scalar>& rolling, const LoopState<Scal
   gap(2) = d(2) - R;
   if (rolling.axis) {
     const Scalar lean = at.R.col(2).dot(Vector3<Scalar>(at.R_first * *rolling.axis));
-    gap(2) = (d(2) * d(2) - R * R * (Scalar(1) - lean * lean)) / Scalar(Scalar(2) * d(2));
+    gap(2) = (d(2) * d(2) - R * R * (Scalar(1) - lean * lean)) / Scalar(Scalar(2) * R);
   }
   return gap;
 }

@@ -8,13 +8,17 @@
 namespace treeline::tests {
 namespace {
 
-Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
-  Diagnostics diagnostics;
-  const auto robot = read_urdf(urdf, diagnostics);
+Subjects with_scene(const std::optional<Robot>& robot, const std::string& scene_text) {
   if (!robot) throw std::runtime_error("the robot cannot be read");
+  Diagnostics diagnostics;
   const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
   if (!scene) throw std::runtime_error("the scene cannot be read");
   return {*robot, *scene, generate(*robot, *scene)};
+}
+
+Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
+  Diagnostics diagnostics;
+  return with_scene(read_urdf(urdf, diagnostics), scene_text);
 }
 
 void expect_right(const Subjects& subjects, std::size_t functions, int states = 24) {
@@ -120,6 +124,38 @@ TEST(LoopsCheck, StewartPlatform) {
                         "operational_points: [{name: plate, link: plate}]\npassive: [" + passive +
                             ", rim]\n" + kLoops),
                4, 6);
+}
+
+/// A floating body of 1.5 kg with the moments of a disc about y, whose contact with the world
+/// rolls.
+Subjects roller(const std::string& rolling, const std::string& more) {
+  Diagnostics diagnostics;
+  return with_scene(
+      parse_urdf("<robot name='roller'><link name='body'><inertial><mass value='1.5'/><inertia "
+                 "ixx='0.015' iyy='0.03' izz='0.015' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+                 "</robot>",
+                 "roller.urdf", diagnostics),
+      "base: floating\nconstraints: [{name: ground, between: [body, world], rolling: " + rolling +
+          "}]\n" + more + kLoops);
+}
+
+// Drawn states lift it, sink it and lean it any way: would catch results that are finite only
+// where the contact is held.
+TEST(RollingCheck, DiscOnTheGround) {
+  expect_right(roller("{radius: 0.2, axis: [0, 1, 0]}", ""), 4, 60);
+}
+
+// It lies flat where all coordinates are 0, where it has no contact point.
+TEST(RollingCheck, DiscThatStartsFlat) {
+  expect_right(roller("{radius: 0.2, axis: [0, 0, 1]}", ""), 4, 60);
+}
+
+TEST(RollingCheck, BallOnTheGroundInC) {
+  expect_right(roller("{radius: 0.2}", "language: c\n"), 4, 40);
+}
+
+TEST(RollingCheck, BallInABowlInFloat) {
+  expect_right(roller("{radius: 0.2, on_radius: -1.1}", "real: float\n"), 4, 40);
 }
 
 }  // namespace
