@@ -8,24 +8,13 @@
 #include <iostream>
 #include <random>
 
-#include "humanoid24.hpp"
+#include "humanoid24_functions.hpp"
 #include "servo/clock.hpp"
 #include "touch_floor.hpp"
 
 namespace treeline::experiments {
 namespace {
 
-struct Humanoid24 {
-  static constexpr int kCoordinates = humanoid24::kCoordinates;
-  static constexpr int kVelocities = humanoid24::kVelocities;
-  static constexpr int kTaskRows = humanoid24::kTaskRows;
-  static constexpr auto& inverse_dynamics = humanoid24::inverse_dynamics;
-  static constexpr auto& forward_dynamics = humanoid24::forward_dynamics;
-  static constexpr auto& forward_kinematics = humanoid24::forward_kinematics;
-  static constexpr auto& jacobian = humanoid24::jacobian;
-  static constexpr auto& mass_matrix = humanoid24::mass_matrix;
-  static constexpr auto& control_torque = humanoid24::control_torque;
-};
 constexpr int kJoints = Humanoid24::kVelocities;
 constexpr int kRows = Humanoid24::kTaskRows;
 

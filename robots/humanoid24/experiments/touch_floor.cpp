@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "command_line/run_experiment.hpp"
-#include "humanoid24.hpp"
+#include "humanoid24_functions.hpp"
 #include "outcome.hpp"
 #include "plan.hpp"
 #include "servo/realtime.hpp"
@@ -16,19 +16,6 @@
 namespace {
 
 using namespace treeline;  // NOLINT: a program, not a header
-
-/// The generated functions in the form that the servo library expects.
-struct Humanoid24 {
-  static constexpr int kCoordinates = humanoid24::kCoordinates;
-  static constexpr int kVelocities = humanoid24::kVelocities;
-  static constexpr int kTaskRows = humanoid24::kTaskRows;
-  static constexpr auto& inverse_dynamics = humanoid24::inverse_dynamics;
-  static constexpr auto& forward_dynamics = humanoid24::forward_dynamics;
-  static constexpr auto& forward_kinematics = humanoid24::forward_kinematics;
-  static constexpr auto& jacobian = humanoid24::jacobian;
-  static constexpr auto& mass_matrix = humanoid24::mass_matrix;
-  static constexpr auto& control_torque = humanoid24::control_torque;
-};
 
 struct Options {
   std::string plan = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
@@ -58,14 +45,14 @@ experiments::Outcome touch_floor(const Options& options, const experiments::Plan
                                  const experiments::JointLimits& limits) {
   if (!options.realtime) {
     servo::SimulatedClock clock;
-    return experiments::touch_floor<Humanoid24>(plan, options.run, limits, clock);
+    return experiments::touch_floor<experiments::Humanoid24>(plan, options.run, limits, clock);
   }
   const std::string refused = servo::request_realtime();
   if (!refused.empty()) {
     fmt::print(stderr, "touch_floor: {}\n", refused);
   }
   servo::SteadyClock clock;
-  return experiments::touch_floor<Humanoid24>(plan, options.run, limits, clock);
+  return experiments::touch_floor<experiments::Humanoid24>(plan, options.run, limits, clock);
 }
 
 experiments::Findings run(const Options& options) {
@@ -73,7 +60,7 @@ experiments::Findings run(const Options& options) {
   experiments::JointLimits limits;
   std::string error;
   if (!experiments::read_plan(options.plan, plan, error) ||
-      !experiments::count_joints(options.plan, plan, Humanoid24::kVelocities, error) ||
+      !experiments::count_joints(options.plan, plan, experiments::Humanoid24::kVelocities, error) ||
       !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
     return experiments::bad_input(error);
   }

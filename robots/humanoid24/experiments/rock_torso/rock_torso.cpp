@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "humanoid24.hpp"
+#include "humanoid24_functions.hpp"
 #include "joint_panel.hpp"
 #include "servo/clock.hpp"
 #include "servo/run_for.hpp"
@@ -15,16 +15,6 @@
 namespace treeline::experiments {
 namespace {
 
-struct Humanoid24 {
-  static constexpr int kCoordinates = humanoid24::kCoordinates;
-  static constexpr int kVelocities = humanoid24::kVelocities;
-  static constexpr int kTaskRows = humanoid24::kTaskRows;
-  static constexpr auto& inverse_dynamics = humanoid24::inverse_dynamics;
-  static constexpr auto& forward_dynamics = humanoid24::forward_dynamics;
-  static constexpr auto& forward_kinematics = humanoid24::forward_kinematics;
-  static constexpr auto& jacobian = humanoid24::jacobian;
-  static constexpr auto& control_torque = humanoid24::control_torque;
-};
 static_assert(Humanoid24::kVelocities == kRockingJoints);
 using Robot = servo::SimulatedRobot<Humanoid24>;
 using Controller = servo::PoseTaskController<Humanoid24>;
