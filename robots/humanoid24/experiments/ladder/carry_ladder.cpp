@@ -111,9 +111,7 @@ LadderOutcome carry_ladder(const LadderPlan& plan) {
       servo::limits_of(humanoid_pair::kLowerLimits, humanoid_pair::kUpperLimits,
                        humanoid_pair::kVelocityLimits, humanoid_pair::kEffortLimits);
   const double total = 2.0 * plan.lead + plan.duration;
-  LadderOutcome outcome{
-      make_outcome({"squeeze_first", "squeeze_second", "squeeze_commanded", "internal_error"},
-                   total, plan.rate)};
+  LadderOutcome outcome{make_outcome(column_names(), total, plan.rate)};
   const auto commanded = commanded_internal(plan);
   const Script script = {
       {plan.lead, move_object<Humanoids>(start, plan.shift, plan.turn, plan.duration)},
