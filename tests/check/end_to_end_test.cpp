@@ -58,7 +58,7 @@ TEST(Check, ExternalForce) {
 
 TEST(Check, Contacts) {
   const auto wall = check_or_throw(load("humanoid24", "scene_hit_wall.yaml"), quick_options(40));
-  expect_passed(wall, 7);
+  expect_passed(wall, 8);
   const auto free = check_or_throw(load("tumbler"), quick_options(40));
   expect_passed(free, 6);
 }
