@@ -23,8 +23,8 @@ constexpr double kIndependent = 0.03;
 constexpr double kRounding = 1e-7;
 
 /// Draws a value within a coordinate's limits, or within one turn or 1 m if it has none.
-double draw(const Coordinate& coordinate, Rng& rng) {
-  if (coordinate.is_of_quaternion()) return coordinate.neutral();
+double draw(const std::vector<Coordinate>& all, const Coordinate& coordinate, Rng& rng) {
+  if (turns_what_floats(all, coordinate)) return coordinate.neutral();
   const auto [lower, upper] = coordinate.ordinary_range();
   return rng.within(lower, upper);
 }
@@ -43,7 +43,7 @@ Matrices draw_jacobians(const Robot& robot, const Scene& scene,
   for (int state = 0; state < kRowStates; ++state) {
     interpreter::Vector<double> q(model.nq);
     for (int i = 0; i < model.nq; ++i) {
-      q[i] = draw(mechanism.coordinates[static_cast<std::size_t>(i)], rng);
+      q[i] = draw(mechanism.coordinates, mechanism.coordinates[static_cast<std::size_t>(i)], rng);
     }
     jacobians.push_back(interpreter::jacobian<double>(model, places, q));
   }

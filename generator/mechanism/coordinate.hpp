@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "joint/coordinate_kind.hpp"
 
@@ -31,5 +32,12 @@ struct Coordinate {
     return {std::max(lower, -ordinary_reach()), std::min(upper, ordinary_reach())};
   }
 };
+
+/// Whether a coordinate is of the quaternion of a floating base or joint, and not of a ball joint.
+inline bool turns_what_floats(const std::vector<Coordinate>& all, const Coordinate& coordinate) {
+  return coordinate.is_of_quaternion() && std::ranges::any_of(all, [&](const Coordinate& other) {
+           return other.joint == coordinate.joint && !other.is_of_quaternion();
+         });
+}
 
 }  // namespace treeline

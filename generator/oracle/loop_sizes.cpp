@@ -67,16 +67,18 @@ void roll(const interpreter::Rolling<double>& rolling, double way, double sine,
   if (rolling.axis) sizes.condition = 1 / (sine * sine);
 }
 
+interpreter::detail::LoopState<double> place(const Subject<double>& subject, const State& state,
+                                             const interpreter::Loop<double>& loop) {
+  const auto q = vector_of<double>(state.q);
+  return {loop,
+          interpreter::kinematics<double>(subject.model, q, VectorXd::Zero(subject.model.nv))};
+}
+
 /// Sine of the angle between a disc's axis and the normal of the plane that it rolls on. 1 for
 /// balls.
-double sine_of(const Subject<double>& subject, const State& state,
-               const interpreter::Loop<double>& loop) {
-  if (!loop.rolling->axis) return 1;
-  const auto q = vector_of<double>(state.q);
-  const auto k =
-      interpreter::kinematics<double>(subject.model, q, VectorXd::Zero(subject.model.nv));
-  const interpreter::detail::LoopState<double> at(loop, k);
-  return at.R.col(2).cross(at.R_first * *loop.rolling->axis).norm();
+double sine_of(const interpreter::Rolling<double>& rolling,
+               const interpreter::detail::LoopState<double>& at) {
+  return rolling.axis ? at.R.col(2).cross(at.R_first * *rolling.axis).norm() : 1;
 }
 
 /// Sizes of the six rows of one loop.
@@ -88,9 +90,11 @@ LoopSizes sizes_of(const Subject<double>& subject, const State& state,
   const MatrixXd both = TermSizes(seen, state.q).jacobian() * between.asDiagonal();
   const VectorXd speeds = magnitudes(state.qd);
   const MatrixXd turns = both.middleRows(3, 3).cwiseMax(both.middleRows(9, 3));
-  // The first frame is seen from the second along the links between them.
+  // The first frame is seen from the second along the links between them. What lies before the
+  // first joint is in no lever, but in the displacement.
+  const auto at = place(subject, state, loop);
   const double way = both.middleRows(0, 3).maxCoeff() + both.middleRows(6, 3).maxCoeff() +
-                     loop.first.p.norm() + loop.second.p.norm();
+                     loop.first.p.norm() + loop.second.p.norm() + at.d.norm();
   LoopSizes sizes{MatrixXd(6, both.cols()), VectorXd(6), VectorXd(6)};
   sizes.J << both.middleRows(0, 3) + both.middleRows(6, 3) + way * both.middleRows(9, 3), turns;
   const double turning = (turns * speeds).maxCoeff();
@@ -98,7 +102,11 @@ LoopSizes sizes_of(const Subject<double>& subject, const State& state,
   sizes.bias << VectorXd::Constant(3, 4 * turning * moving),
       VectorXd::Constant(3, 2 * turning * turning);
   sizes.errors << VectorXd::Constant(3, way), VectorXd::Ones(3);
-  if (loop.rolling) roll(*loop.rolling, way, sine_of(subject, state, loop), speeds, sizes);
+  if (loop.rolling) {
+    // A centre in the plane has no way to it.
+    roll(*loop.rolling, way + std::abs(loop.rolling->radius), sine_of(*loop.rolling, at), speeds,
+         sizes);
+  }
   return sizes;
 }
 

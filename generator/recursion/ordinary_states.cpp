@@ -45,8 +45,9 @@ std::vector<double> ordinary_state(const Mechanism& mechanism, int state) {
   int prime = 1;
   for (const Coordinate& coordinate : mechanism.coordinates) {
     prime = prime_after(prime);
-    q.push_back(coordinate.is_of_quaternion() ? coordinate.neutral()
-                                              : ordinary_coordinate(coordinate, prime, state));
+    q.push_back(turns_what_floats(mechanism.coordinates, coordinate)
+                    ? coordinate.neutral()
+                    : ordinary_coordinate(coordinate, prime, state));
   }
   return q;
 }
@@ -69,6 +70,10 @@ double median(std::vector<double> values) {
 
 double rounded_border(double border) {
   return border > 0 && std::isfinite(border) ? std::exp2(std::round(std::log2(border))) : 0x1p-40;
+}
+
+double rounded_border(double ordinary, const YieldShape& shape) {
+  return std::max(rounded_border(shape.share * ordinary), shape.least);
 }
 
 void OrdinaryPivots::add(const DenseMatrix<double>& A) {
@@ -98,10 +103,10 @@ bool OrdinaryPivots::has_dependent() const {
   return false;
 }
 
-std::vector<double> OrdinaryPivots::borders(double share) const {
+std::vector<double> OrdinaryPivots::borders(const YieldShape& shape) const {
   std::vector<double> borders;
   for (std::size_t k = 0; k < rows(); ++k) {
-    borders.push_back(rounded_border(share * (is_dependent(k) ? diagonal(k) : median(pivots_[k]))));
+    borders.push_back(rounded_border(is_dependent(k) ? diagonal(k) : median(pivots_[k]), shape));
   }
   return borders;
 }

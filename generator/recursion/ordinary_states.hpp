@@ -14,7 +14,8 @@ namespace treeline {
 /// Ordinary states at which pivots are looked at. An odd number has a median.
 inline constexpr int kOrdinaryStates = 15;
 
-/// Coordinates spread evenly over the limits, of angles over a turn at most.
+/// Coordinates spread evenly over the limits, of angles over a turn at most. What floats keeps its
+/// axes: its rows can be moved in any.
 std::vector<double> ordinary_state(const Mechanism& mechanism, int state);
 
 /// A mechanism at a state, its points those of a law.
@@ -56,6 +57,7 @@ double median(std::vector<double> values);
 
 /// A power of two: short in the code, and the same on every host.
 double rounded_border(double border);
+double rounded_border(double ordinary, const YieldShape& shape);
 
 /// What is left of the rows of a symmetric matrix A when LDL^T eliminates those before them, state
 /// after state: their pivots, beside their diagonal entries.
@@ -68,9 +70,9 @@ class OrdinaryPivots {
   [[nodiscard]] std::size_t rows() const { return pivots_.size(); }
   [[nodiscard]] double diagonal(std::size_t row) const { return median(diagonals_[row]); }
   [[nodiscard]] bool has_dependent() const;
-  /// For each row a share of the median of its pivots; of its diagonal entries if it depends on
+  /// For each row the share of the median of its pivots; of its diagonal entries if it depends on
   /// rows before it.
-  [[nodiscard]] std::vector<double> borders(double share) const;
+  [[nodiscard]] std::vector<double> borders(const YieldShape& shape) const;
 
  private:
   [[nodiscard]] bool is_dependent(std::size_t row) const;

@@ -17,6 +17,7 @@ namespace treeline {
 struct YieldShape {
   int power;     ///< 4, 6 or 8
   double share;  ///< border as a share of the pivot in an ordinary state
+  double least;  ///< border whose power is a normal number: less would be 0, and 0 / 0 at c = 0
 };
 
 /// Shape for pivots of Lambda^-1, which fall as the square of the distance from a singularity. The
@@ -25,12 +26,12 @@ struct YieldShape {
 /// singularity. The larger power costs one operation; in float it would exceed the range of numbers
 /// for small robots.
 constexpr YieldShape inverse_inertia_shape(Real real) {
-  return real == Real::float32 ? YieldShape{4, 0x1p-11} : YieldShape{6, 0x1p-17};
+  return real == Real::float32 ? YieldShape{4, 0x1p-11, 0x1p-31} : YieldShape{6, 0x1p-17, 0x1p-170};
 }
 
 /// Shape for pivots of a Jacobian, which fall as the distance from a singularity.
 constexpr YieldShape jacobian_shape(Real real) {
-  return real == Real::float32 ? YieldShape{6, 0x1p-7} : YieldShape{8, 0x1p-10};
+  return real == Real::float32 ? YieldShape{6, 0x1p-7, 0x1p-21} : YieldShape{8, 0x1p-10, 0x1p-127};
 }
 
 /// c^(power - 1) / (c^power + border^power).

@@ -80,11 +80,11 @@ SupportRules support_rules(const Mechanism& mechanism) {
   rules.held = states.held();
   const OrdinaryPivots forces = states.forces();
   rules.passive_moves = !mechanism.passive.empty() && (rules.held == 0 || forces.has_dependent());
-  if (rules.held > 0) rules.forces = {shape.power, forces.borders(shape.share)};
+  if (rules.held > 0) rules.forces = {shape.power, forces.borders(shape)};
   if (rules.passive_moves && rules.held > 0) {
-    rules.locked = {shape.power, states.locked().borders(shape.share)};
+    rules.locked = {shape.power, states.locked().borders(shape)};
   }
-  rules.rows = {shape.power, states.rows(rules).borders(shape.share)};
+  rules.rows = {shape.power, states.rows(rules).borders(shape)};
   const auto free = always_free(states.tree());
   for (std::size_t k = 0; k < rules.rows.borders.size(); ++k) {
     const bool exact = mechanism.singular == SingularTasks::exact;

@@ -62,11 +62,11 @@ std::vector<bool> first_grasps(const std::vector<TreeObject<double>>& objects) {
 }
 
 std::vector<double> row_borders(const Mechanism& mechanism, TaskLaw::Kind kind, LawPoints points,
-                                TaskBasis basis, double share) {
+                                TaskBasis basis, const YieldShape& shape) {
   const auto posed = pose<double>(mechanism, points, ordinary_state(mechanism, 0));
   const auto free =
       kind == TaskLaw::Kind::grasp_forces ? first_grasps(posed.objects) : always_free(posed.tree);
-  auto borders = ordinary_pivots(mechanism, kind, points, basis).borders(share);
+  auto borders = ordinary_pivots(mechanism, kind, points, basis).borders(shape);
   for (std::size_t k = 0; k < borders.size(); ++k) {
     if (k < free.size() && free[k]) borders[k] = 0;  // rows of loops follow, which are not free
   }
@@ -74,13 +74,13 @@ std::vector<double> row_borders(const Mechanism& mechanism, TaskLaw::Kind kind, 
 }
 
 /// One for each contact: a share of the mean of its three diagonal entries.
-std::vector<double> normal_borders(const Mechanism& mechanism, double share) {
+std::vector<double> normal_borders(const Mechanism& mechanism, const YieldShape& shape) {
   const auto pivots =
       ordinary_pivots(mechanism, TaskLaw::Kind::normals, LawPoints::contacts, TaskBasis{});
   std::vector<double> borders;
   for (std::size_t row = 0; row < pivots.rows(); row += 3) {
     const double sum = pivots.diagonal(row) + pivots.diagonal(row + 1) + pivots.diagonal(row + 2);
-    borders.push_back(rounded_border(share * sum / 3));
+    borders.push_back(rounded_border(sum / 3, shape));
   }
   return borders;
 }
@@ -105,7 +105,7 @@ std::vector<double> mobility_floors(const Mechanism& mechanism) {
 
 /// Borders of the pivots of J; of those that are constant 0.
 std::vector<double> jacobian_borders(const TaskLaw& law, const std::vector<bool>& constant,
-                                     double share) {
+                                     const YieldShape& shape) {
   std::vector<std::vector<double>> sizes(6);
   const auto [lone, a, b] = law.arm.rows();
   const std::vector<Pivot> last(law.pivots.begin() + 3, law.pivots.end());
@@ -124,7 +124,7 @@ std::vector<double> jacobian_borders(const TaskLaw& law, const std::vector<bool>
   std::vector<double> borders;
   for (std::size_t k = 0; k < 6; ++k) {
     const bool bare = k == 1 || (k >= 3 && constant[k - 3]);
-    borders.push_back(bare ? 0 : rounded_border(share * median(sizes[k])));
+    borders.push_back(bare ? 0 : rounded_border(median(sizes[k]), shape));
   }
   return borders;
 }
@@ -238,11 +238,11 @@ std::shared_ptr<const TaskLaw> TaskLaws::find(TaskLaw::Kind kind, LawPoints poin
   law.basis = basis;
   law.rule.power = shape.power;
   if (kind == TaskLaw::Kind::normals) {
-    law.rule.borders = normal_borders(*mechanism_, shape.share);
+    law.rule.borders = normal_borders(*mechanism_, shape);
   } else if (kind == TaskLaw::Kind::priorities) {
     law.rule.borders = mobility_floors(*mechanism_);
   } else {
-    law.rule.borders = row_borders(*mechanism_, kind, points, basis, shape.share);
+    law.rule.borders = row_borders(*mechanism_, kind, points, basis, shape);
   }
   return found = std::make_shared<const TaskLaw>(std::move(law));
 }
@@ -261,7 +261,7 @@ std::shared_ptr<const TaskLaw> TaskLaws::resolved(int axes_link) {
   law.arm = {*lone_row, inverse_square};
   law.pivots = {{2, 0}, {1, 2}, {0, 1}};
   law.pivots.insert(law.pivots.end(), wrist->order.begin(), wrist->order.end());
-  law.rule = {shape.power, jacobian_borders(law, wrist->constant, shape.share)};
+  law.rule = {shape.power, jacobian_borders(law, wrist->constant, shape)};
   return std::make_shared<const TaskLaw>(std::move(law));
 }
 

@@ -118,6 +118,44 @@ TEST(TryFunctions, OfABodyThatBalancesButForNoise) {
   EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{});
 }
 
+constexpr const char* kBody =
+    "<inertial><origin xyz='0.02 -0.01 0.1'/><mass value='0.4'/><inertia ixx='0.002' ixy='0' "
+    "ixz='0' iyy='0.003' iyz='0' izz='0.0025'/></inertial>";
+
+std::string one_joint(const std::string& type, const std::string& origin) {
+  return std::string("<link name='base'/><link name='arm'>") + kBody +
+         "</link><joint name='first' type='" + type + "'><origin xyz='" + origin +
+         "'/><parent link='base'/><child link='arm'/></joint>";
+}
+
+// Would catch sizes of a contact from levers of joints alone: a disc that turns about its centre
+// has none, and what is finite was called infinite.
+TEST(TryFunctions, OfADiscWhoseCentreRests) {
+  for (const char* origin : {"0.2 0 0", "0.2 0 0.3"}) {
+    const Subjects subjects =
+        read(one_joint("continuous", origin),
+             "constraints: [{name: rim, between: [arm, world], rolling: {radius: 0.1, axis: [0, 1, "
+             "0]}}]\n"
+             "functions: [constrained_forward_dynamics, constraint_jacobian, constraint_errors]\n");
+    EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{}) << origin;
+  }
+}
+
+// Would catch rows of a ball joint judged in one pose, where x cannot move, and a border whose
+// power is 0 in float: 0 / 0.
+TEST(TryFunctions, OfABallJointWithMoreRowsThanFreedoms) {
+  for (const char* real : {"float", "double"}) {
+    const Subjects subjects =
+        read(one_joint("ball", "0 0 0.2"),
+             std::string("real: ") + real +
+                 "\noperational_points:\n"
+                 "  - {name: tip, link: arm, origin: {xyz: [0.1, 0, 0]}, rows: [x, y, z]}\n"
+                 "  - {name: hub, link: arm, rows: [x, y, z]}\n"
+                 "functions: [lambda, control_torque, null_space_projector]\n");
+    EXPECT_EQ(failing(subjects, subjects.generation), std::vector<std::string>{}) << real;
+  }
+}
+
 // Reduced from the iris of example-robot-data. Its rotors have limits of 1e16 rad.
 TEST(TryFunctions, OfARotorWhoseLimitsMeanNone) {
   const Subjects subjects = read(

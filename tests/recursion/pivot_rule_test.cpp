@@ -56,6 +56,20 @@ TEST(BoundedInverse, OfFloatStaysInItsRange) {
   }
 }
 
+// A row that no joint moves has the pivot 0. Would catch 0 / 0.
+TEST(BoundedInverse, OfZeroIsZeroAtTheLeastBorder) {
+  for (const YieldShape& shape :
+       {inverse_inertia_shape(Real::float32), jacobian_shape(Real::float32)}) {
+    EXPECT_EQ(bounded_inverse(0.0F, shape.least, shape.power), 0);
+    EXPECT_GE(std::pow(shape.least, shape.power), std::numeric_limits<float>::min());
+  }
+  for (const YieldShape& shape :
+       {inverse_inertia_shape(Real::float64), jacobian_shape(Real::float64)}) {
+    EXPECT_EQ(bounded_inverse(0.0, shape.least, shape.power), 0);
+    EXPECT_GE(std::pow(shape.least, shape.power), std::numeric_limits<double>::min());
+  }
+}
+
 TEST(PivotRule, WithoutBordersInvertsAsItIs) {
   EXPECT_EQ(PivotRule{}(3, 4.0), 0.25);
   EXPECT_EQ((PivotRule{6, {0, 1e-3}}(0, 4.0)), 0.25);
