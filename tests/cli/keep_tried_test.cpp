@@ -24,11 +24,11 @@ GeneratedInputs make(const InputOptions& options) {
   return generate_from_files(options, diagnostics).value();
 }
 
-/// Changes the function by one part in a million.
-void spoil(GeneratedFunction& generated) {
+/// Multiplies the function's results by `factor`.
+void spoil(GeneratedFunction& generated, double factor = 1 + 1e-6) {
   const Graph::Scope scope(generated.program.graph);
   for (Result& result : generated.program.results) {
-    for (Expression& value : result.values) value = value * Expression(1 + 1e-6);
+    for (Expression& value : result.values) value = value * Expression(factor);
   }
 }
 
@@ -73,6 +73,30 @@ TEST(KeepTried, LeavesOutWhatFailed) {
   EXPECT_NE(error.fault.find("is not written"), std::string::npos) << error.fault;
   EXPECT_NE(error.remedy.find("--functions mass_matrix --first"), std::string::npos)
       << error.remedy;
+}
+
+// Bounds are estimates. Would catch correct code that is refused because it rounds a little worse
+// than they say.
+TEST(KeepTried, WarnsWhereRoundingIsWorseThanExpected) {
+  const InputOptions options = planar3r();
+  GeneratedInputs made = make(options);
+  const std::size_t files = made.generation.files.size();
+  for (GeneratedFunction& each : made.generation.functions) {
+    if (each.function == Function::mass_matrix) spoil(each, 1 + 100 * 0x1p-52);
+  }
+  bool failed = true;
+  Diagnostics diagnostics;
+  const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
+  EXPECT_FALSE(failed);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->generation.files.size(), files);
+  EXPECT_FALSE(diagnostics.has_errors());
+  ASSERT_FALSE(diagnostics.list().empty());
+  const Diagnostic& warning = diagnostics.list().back();
+  EXPECT_EQ(warning.severity, Severity::warning);
+  EXPECT_EQ(warning.element, "mass_matrix");
+  EXPECT_NE(warning.fault.find("ulp of its scale, where rounding was"), std::string::npos)
+      << warning.fault;
 }
 
 TEST(KeepTried, LeavesNothingWhereAllFailed) {
