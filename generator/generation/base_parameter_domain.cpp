@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recursion/base_parameters.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 
 namespace treeline {
 namespace {

@@ -10,7 +10,7 @@
 #include "generation/count_by_link.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/count_operations.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

@@ -10,7 +10,7 @@
 #include "passes/canonicalize.hpp"
 #include "passes/run_passes.hpp"
 #include "passes/take_sines.hpp"
-#include "recursion/trace_together.hpp"
+#include "recursion/routes/trace_together.hpp"
 
 namespace treeline {
 namespace {

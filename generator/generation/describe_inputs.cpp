@@ -8,7 +8,7 @@
 
 #include "description/noise.hpp"
 #include "program/format_literal.hpp"
-#include "recursion/base_parameters.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 
 namespace treeline {
 namespace {

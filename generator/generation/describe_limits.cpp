@@ -11,8 +11,8 @@
 
 #include "generation/describe_scene.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/ordinary_states.hpp"
-#include "recursion/passive_joints.hpp"
+#include "recursion/methods/ordinary_states.hpp"
+#include "recursion/methods/passive_joints.hpp"
 
 namespace treeline {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "recursion/base_parameters.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 
 namespace treeline {
 namespace {

@@ -9,7 +9,7 @@
 #include "description/scene_inputs.hpp"
 #include "generation/choose_axes.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "recursion/base_parameters.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 
 namespace treeline {
 namespace {

@@ -7,7 +7,7 @@
 #include "mechanism/find_limbs.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/take_sines.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

@@ -8,7 +8,7 @@
 #include "inspect/align_columns.hpp"
 #include "inspect/wrap_words.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "recursion/base_parameters.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 
 namespace treeline {
 namespace {

@@ -9,7 +9,7 @@
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_constraints.hpp"
-#include "recursion/pivot_rule.hpp"
+#include "recursion/algebra/pivot_rule.hpp"
 
 namespace treeline {
 namespace {

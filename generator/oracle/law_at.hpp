@@ -5,7 +5,7 @@
 
 #include "interpreter/digits50.hpp"
 #include "interpreter/task_law.hpp"
-#include "recursion/task_law.hpp"
+#include "recursion/methods/task_law.hpp"
 
 namespace treeline {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "interpreter/instances.hpp"
-#include "recursion/pivot_rule.hpp"
+#include "recursion/algebra/pivot_rule.hpp"
 
 namespace treeline {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "description/find_joint.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "recursion/model_parameter.hpp"
+#include "recursion/parameters/model_parameter.hpp"
 
 namespace treeline {
 

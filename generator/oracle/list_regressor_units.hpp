@@ -7,7 +7,7 @@
 #include "description/scene.hpp"
 #include "interpreter/regressor.hpp"
 #include "mechanism/mechanism.hpp"
-#include "recursion/model_parameter.hpp"
+#include "recursion/parameters/model_parameter.hpp"
 
 namespace treeline {
 

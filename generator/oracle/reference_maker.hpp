@@ -8,7 +8,7 @@
 #include "oracle/graph_run.hpp"
 #include "oracle/reference.hpp"
 #include "oracle/result_sizes.hpp"
-#include "recursion/task_law.hpp"
+#include "recursion/methods/task_law.hpp"
 
 namespace treeline {
 

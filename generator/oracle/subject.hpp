@@ -14,7 +14,7 @@
 #include "oracle/entries.hpp"
 #include "oracle/list_regressor_units.hpp"
 #include "oracle/model_from_robot.hpp"
-#include "recursion/base_parameters.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 
 namespace treeline {
 

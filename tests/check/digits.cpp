@@ -19,7 +19,7 @@
 #include "oracle/reference.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/choose.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline::tests {
 namespace {

@@ -9,7 +9,7 @@
 #include "oracle/interpret.hpp"
 #include "oracle/law_at.hpp"
 #include "oracle/result_sizes.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Functions that solve for task forces, where rows cannot be moved: always for tasks with more rows
 // than freedoms, and at singularities. Every route is compared with the interpreter, which borders

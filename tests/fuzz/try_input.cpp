@@ -10,7 +10,7 @@
 #include "description/read_urdf.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "mutate_text.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline::fuzz {
 namespace {

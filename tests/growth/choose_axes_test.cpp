@@ -6,7 +6,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
 #include "random_mechanism.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "scenes_of_robots.hpp"
 
 // Chosen axes make code shorter: never longer as traced, and shorter by a tenth if axes are

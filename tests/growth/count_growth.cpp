@@ -8,8 +8,8 @@
 #include "mechanism/build_mechanism.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
-#include "recursion/control_torque.hpp"
-#include "recursion/link_inverse_inertias.hpp"
+#include "recursion/methods/control_torque.hpp"
+#include "recursion/methods/link_inverse_inertias.hpp"
 
 namespace treeline::growth {
 namespace {

@@ -74,6 +74,11 @@ const std::vector<Layer> kLayers = {
       "bench",        "packaging", "certify",     "safety"}},
 };
 
+/// Folders of `recursion` from the bottom up: headers include their own folder and those before it.
+/// A source may call what stands above: base parameters about mimics are told apart by energies.
+const std::vector<std::string> kRecursionFolders = {"algebra", "parameters", "tree", "methods",
+                                                    "routes"};
+
 bool is_source(const fs::path& path) {
   return path.extension() == ".cpp" || path.extension() == ".hpp";
 }
@@ -132,6 +137,30 @@ TEST(Layers, AreThoseOfTheSources) {
     for (const std::string& folder : layer.includes) {
       EXPECT_TRUE(seen.contains(folder)) << layer.folder << " no longer includes " << folder;
     }
+  }
+}
+
+TEST(Layers, HeadersOfTheRecursionsIncludeOnlyWhatStandsBefore) {
+  constexpr std::string_view kInclude = "#include \"recursion/";
+  const fs::path recursion = find_folder("recursion");
+  std::set<std::string> before;
+  for (const std::string& folder : kRecursionFolders) {
+    before.insert(folder);
+    ASSERT_TRUE(has_sources(recursion / folder)) << folder;
+    for (const auto& entry : fs::directory_iterator(recursion / folder)) {
+      if (entry.path().extension() != ".hpp") continue;
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) {
+        if (!line.starts_with(kInclude)) continue;
+        const auto length = line.find('/', kInclude.size()) - kInclude.size();
+        const std::string included = line.substr(kInclude.size(), length);
+        EXPECT_TRUE(before.contains(included)) << entry.path() << " includes " << included;
+      }
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(recursion)) {
+    if (!entry.is_directory()) continue;
+    EXPECT_TRUE(before.contains(entry.path().filename().string())) << entry.path() << " has no row";
   }
 }
 

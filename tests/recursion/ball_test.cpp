@@ -6,11 +6,11 @@
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
-#include "recursion/coriolis_matrix.hpp"
-#include "recursion/forward_dynamics.hpp"
-#include "recursion/inverse_dynamics_derivatives.hpp"
-#include "recursion/kinetic_energy.hpp"
-#include "recursion/potential_energy.hpp"
+#include "recursion/methods/coriolis_matrix.hpp"
+#include "recursion/methods/forward_dynamics.hpp"
+#include "recursion/methods/inverse_dynamics_derivatives.hpp"
+#include "recursion/methods/kinetic_energy.hpp"
+#include "recursion/methods/potential_energy.hpp"
 
 // Ball joints by what physics says of them; the other files of this folder compare them with the
 // interpreter, among joints of all types. Would catch: axes of a joint that turn at a wrong rate,

@@ -11,13 +11,13 @@
 #include "description/find_joint.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/base_parameters.hpp"
 #include "recursion/checked_programs.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/inverse_dynamics_regressor.hpp"
+#include "recursion/methods/inverse_dynamics_regressor.hpp"
+#include "recursion/parameters/base_parameters.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/seeded.hpp"
 #include "recursion/template_results.hpp"
-#include "recursion/trace_function.hpp"
 
 namespace treeline::tests {
 namespace {

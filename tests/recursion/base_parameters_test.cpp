@@ -1,6 +1,6 @@
 // Base parameters that are known by hand or from the literature. Would catch: a combination with
 // another coefficient, name or order, and weight that is felt where no gravity acts along.
-#include "recursion/base_parameters.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 
 #include <gtest/gtest.h>
 

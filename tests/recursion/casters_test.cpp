@@ -5,7 +5,7 @@
 
 #include "description/read_text_file.hpp"
 #include "looped_robot.hpp"
-#include "recursion/supported_control_torque.hpp"
+#include "recursion/methods/supported_control_torque.hpp"
 
 // SAMM on four powered casters, by the emitted recursion in double: its tool and base draw circles
 // by torques of the casters and of the arm alone. Would catch: wheels that slip or fight each

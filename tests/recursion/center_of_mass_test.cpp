@@ -1,12 +1,12 @@
-#include "recursion/center_of_mass.hpp"
+#include "recursion/methods/center_of_mass.hpp"
 
 #include <gtest/gtest.h>
 
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/seeded.hpp"
-#include "recursion/trace_function.hpp"
 
 // The centre of mass and its Jacobian of reduced mechanisms, compared with the interpreter for the
 // robot as written in the files. Would catch: matter that regrouping loses at the fixed base or

@@ -3,11 +3,11 @@
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/centroidal_momentum.hpp"
-#include "recursion/deferred_rotations.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/methods/centroidal_momentum.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/seeded.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/tree/deferred_rotations.hpp"
 
 // Momentum about the centre of mass and the matter of subtrees on reduced mechanisms, compared with
 // the interpreter for the robot as written in the files. Would catch: momentum that regrouping

@@ -11,7 +11,7 @@
 #include "mechanism/find_limbs.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline::tests {
 

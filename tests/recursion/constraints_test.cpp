@@ -8,10 +8,10 @@
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/supported_control_torque.hpp"
-#include "recursion/supported_mechanism.hpp"
-#include "recursion/task_law.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/methods/supported_control_torque.hpp"
+#include "recursion/methods/task_law.hpp"
+#include "recursion/routes/trace_function.hpp"
+#include "recursion/tree/supported_mechanism.hpp"
 
 // The functions about constraints and passive joints, every route, for random robots, compared with
 // the interpreter's KKT systems in 50 digits. Would catch: a wrong formula, sign, axes or order of

@@ -6,10 +6,10 @@
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/contacts.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/link_inverse_inertias.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/methods/contacts.hpp"
+#include "recursion/methods/link_inverse_inertias.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Every route of every function about contacts, compared with the interpreter in 50 digits for the
 // robot as written in the files; and their cost, which must be proportional to the number of links.

@@ -4,13 +4,13 @@
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/coriolis_matrix.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/kinetic_energy.hpp"
-#include "recursion/mass_matrix.hpp"
-#include "recursion/potential_energy.hpp"
+#include "recursion/methods/coriolis_matrix.hpp"
+#include "recursion/methods/kinetic_energy.hpp"
+#include "recursion/methods/mass_matrix.hpp"
+#include "recursion/methods/potential_energy.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/seeded.hpp"
-#include "recursion/trace_function.hpp"
 
 // Coriolis matrix and energies on reduced mechanisms against the interpreter on the robot as it is
 // in the files, and against their definitions. Would catch: a C that takes velocities to the right

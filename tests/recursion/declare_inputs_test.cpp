@@ -1,5 +1,5 @@
 // Would catch: a contract that gives joints the unit of others, or an argument without one.
-#include "recursion/declare_inputs.hpp"
+#include "recursion/tree/declare_inputs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "recursion/deferred_rotations.hpp"
+#include "recursion/tree/deferred_rotations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/central_differences.hpp"
-#include "recursion/forward_dynamics_derivatives.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/methods/forward_dynamics_derivatives.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Derivatives of inverse and forward dynamics, compared with central differences of the interpreter
 // in 50 digits for the robot as written in the files. Would catch: a wrong term of the recursion

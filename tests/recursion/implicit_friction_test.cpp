@@ -13,7 +13,7 @@
 #include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline::tests {
 namespace {

@@ -14,7 +14,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline::tests {
 namespace {

@@ -14,9 +14,9 @@
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/seeded.hpp"
 #include "recursion/template_results.hpp"
-#include "recursion/trace_function.hpp"
 
 namespace treeline::tests {
 namespace {

@@ -8,7 +8,7 @@
 #include "oracle/chain_from_scene.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Objects in the hands of several robots of one scene. The truth is a chain of separate robots, as
 // somebody couples them by hand (Chang 7.2.2), and the whole as one linear system. Would catch: a

@@ -5,9 +5,9 @@
 
 #include "joined_mechanisms.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "recursion/constrained_forward_dynamics.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/supported_mechanism.hpp"
+#include "recursion/methods/constrained_forward_dynamics.hpp"
+#include "recursion/tree/supported_mechanism.hpp"
 
 // Hands of two robots that are welded together by a constraint of the scene. Would catch: hands
 // that come apart, and forces of a weld that do not reach one of the robots. The hands' motion is

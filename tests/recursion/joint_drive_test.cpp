@@ -3,7 +3,7 @@
 // from its rest, either of them in a function that shall have none or missing in one that shall
 // have it, and a joint that mimics whose coordinate feels too much. The other files of this folder
 // compare all functions on random robots with the interpreter.
-#include "recursion/joint_drive.hpp"
+#include "recursion/tree/joint_drive.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "recursion/lift_tree.hpp"
+#include "recursion/tree/lift_tree.hpp"
 
 #include <gtest/gtest.h>
 
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "random_mechanism.hpp"
-#include "recursion/pruned_algorithms.hpp"
+#include "recursion/routes/pruned_algorithms.hpp"
 
 // Would catch: a constant of a tree that is lost or mixed up in the conversion from double, choices
 // within links that have no effect, isomorphic limbs that are not marked, and coordinates of an

@@ -5,7 +5,7 @@
 #include "passes/count_operations.hpp"
 #include "passes/run_passes.hpp"
 #include "recursion/read_robots.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Would catch: traces of limbs that become different because a constant or sign vanishes in one of
 // them, or because a pass treats one limb differently. The results are tested together with all

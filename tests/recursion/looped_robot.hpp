@@ -14,9 +14,9 @@
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
-#include "recursion/constrained_forward_dynamics.hpp"
-#include "recursion/supported_mechanism.hpp"
-#include "recursion/task_law.hpp"
+#include "recursion/methods/constrained_forward_dynamics.hpp"
+#include "recursion/methods/task_law.hpp"
+#include "recursion/tree/supported_mechanism.hpp"
 
 namespace treeline::tests {
 

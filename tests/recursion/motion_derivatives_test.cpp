@@ -4,12 +4,12 @@
 #include "mechanism/find_limbs.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/central_differences.hpp"
-#include "recursion/centroidal_derivatives.hpp"
 #include "recursion/checked_programs.hpp"
-#include "recursion/deferred_rotations.hpp"
-#include "recursion/kinetic_energy_derivatives.hpp"
-#include "recursion/point_motion_derivatives.hpp"
+#include "recursion/methods/centroidal_derivatives.hpp"
+#include "recursion/methods/kinetic_energy_derivatives.hpp"
+#include "recursion/methods/point_motion_derivatives.hpp"
 #include "recursion/seeded.hpp"
+#include "recursion/tree/deferred_rotations.hpp"
 
 // Derivatives of the motion of points, of the momentum about the centre of mass and of the kinetic
 // energy on reduced mechanisms, compared with central differences of the interpreter in 50 digits

@@ -10,8 +10,8 @@
 #include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/object_forward_dynamics.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/methods/object_forward_dynamics.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // The functions about objects, every route, for random robots with random objects, compared with
 // the interpreter's Chang chapter 7 in 50 digits; also in states that do not close the chain, since

@@ -7,7 +7,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
 #include "recursion/read_robots.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Operation counts do not vary. Bounds for two robots; and what a scene does not need must not cost
 // anything. Would catch: a reduction, a simplification or a cheap route that is lost.

@@ -1,13 +1,13 @@
-#include "recursion/operational_quantities.hpp"
+#include "recursion/methods/operational_quantities.hpp"
 
 #include <gtest/gtest.h>
 
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"
-#include "recursion/deferred_rotations.hpp"
-#include "recursion/point_motion.hpp"
+#include "recursion/methods/point_motion.hpp"
 #include "recursion/seeded.hpp"
+#include "recursion/tree/deferred_rotations.hpp"
 
 // Velocities, accelerations and Khatib's quantities of operational points on reduced mechanisms, by
 // every route, compared with the interpreter for the robot as written in the files. Would catch: a

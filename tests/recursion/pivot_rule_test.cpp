@@ -1,11 +1,11 @@
-#include "recursion/pivot_rule.hpp"
+#include "recursion/algebra/pivot_rule.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "recursion/resolved_by_pivots.hpp"
+#include "recursion/methods/resolved_by_pivots.hpp"
 
 // Relaxed pivots, elimination by given pivots, and rotations of quaternions of any length. Would
 // catch: a pole near zero, an inverse that is inaccurate for ordinary pivots, a jump, an unknown in

@@ -16,12 +16,12 @@
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/exact_from_file.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/base_parameters.hpp"
-#include "recursion/energy_regressor.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/inverse_dynamics.hpp"
+#include "recursion/methods/energy_regressor.hpp"
+#include "recursion/methods/inverse_dynamics.hpp"
+#include "recursion/parameters/base_parameters.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/seeded.hpp"
-#include "recursion/trace_function.hpp"
 
 namespace treeline::tests {
 namespace {

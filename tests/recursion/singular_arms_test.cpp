@@ -10,7 +10,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "random_mechanism.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Typical arms with a tool of six rows: every function by every route is finite at q = 0, at all
 // limits, folded, stretched, and near such states. Would catch: a division without a law, a law

@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
-#include "recursion/center_of_mass.hpp"
-#include "recursion/control_torque.hpp"
-#include "recursion/coriolis_matrix.hpp"
-#include "recursion/deferred_rotations.hpp"
-#include "recursion/forward_dynamics.hpp"
 #include "recursion/function_results.hpp"
-#include "recursion/kinetic_energy.hpp"
-#include "recursion/potential_energy.hpp"
-#include "recursion/resolved_acceleration.hpp"
+#include "recursion/methods/center_of_mass.hpp"
+#include "recursion/methods/control_torque.hpp"
+#include "recursion/methods/coriolis_matrix.hpp"
+#include "recursion/methods/forward_dynamics.hpp"
+#include "recursion/methods/kinetic_energy.hpp"
+#include "recursion/methods/potential_energy.hpp"
+#include "recursion/methods/resolved_acceleration.hpp"
+#include "recursion/tree/deferred_rotations.hpp"
 
 /// The recursions without a graph, in any `Scalar`. In 50 digits the constants of the mechanism are
 /// not rounded, so results that are equal in theory agree in 40 digits.

@@ -15,7 +15,7 @@
 #include "oracle/result_sizes.hpp"
 #include "passes/canonicalize.hpp"
 #include "program/evaluate.hpp"
-#include "recursion/trace_function.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline::stress {
 namespace {

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <vector>
+
+#include "recursion/algebra/dense_matrix.hpp"
+#include "recursion/methods/forward_kinematics.hpp"
+
+namespace treeline {
+
+/// Share of the robot's mass in everything beyond a joint, and the first moment of that share at
+/// the link's frame. Regrouping moves matter only along joint axes, which does not affect the
+/// centre of mass or its motion.
+template <class Scalar>
+struct MassShare {
+  Scalar mass{};
+  Vector3<Scalar> h;
+};
+
+template <class Scalar>
+MassShare<Scalar> to_parent(const JointTransform<Scalar>& X, const MassShare<Scalar>& share) {
+  return {share.mass, X.to_parent(share.h) + X.p * share.mass};
+}
+
+template <class Scalar>
+std::vector<MassShare<Scalar>> composite_shares(const Tree<Scalar>& tree,
+                                                const std::vector<JointTransform<Scalar>>& X) {
+  std::vector<MassShare<Scalar>> shares;
+  for (const TreeLink<Scalar>& link : tree.links) {
+    shares.push_back(
+        {link.inertia.mass * tree.inverse_total_mass, link.inertia.h * tree.inverse_total_mass});
+  }
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "first moment");
+    if (link.parent < 0) {
+      continue;
+    }
+    MassShare<Scalar>& parent = shares[static_cast<std::size_t>(link.parent)];
+    const MassShare<Scalar> moved = to_parent(X[i], shares[i]);
+    parent = {parent.mass + moved.mass, parent.h + moved.h};
+  }
+  return shares;
+}
+
+/// Centre of mass of all links in the world, including links that do not move, m.
+template <class Scalar>
+Vector3<Scalar> center_of_mass(const Tree<Scalar>& tree,
+                               const std::vector<JointTransform<Scalar>>& X) {
+  const auto shares = composite_shares(tree, X);
+  Vector3<Scalar> center = tree.world_moment * tree.inverse_total_mass;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    if (tree.links[i].parent < 0) {
+      center = center + to_parent(X[i], shares[i]).h;
+    }
+  }
+  return center;
+}
+
+/// Jacobian of the centre of mass, 3 x nv, world axes. A joint moves everything beyond it: a
+/// revolute joint by the cross product of its axis with the first moment, a prismatic joint along
+/// its axis by the mass.
+template <class Scalar>
+DenseMatrix<Scalar> center_of_mass_jacobian(const Tree<Scalar>& tree,
+                                            const std::vector<JointTransform<Scalar>>& X) {
+  const auto shares = composite_shares(tree, X);
+  const auto poses = world_poses(tree, X);
+  const Scalar zero(0.0);
+  const Scalar one(1.0);
+  const Vector3<Scalar> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  DenseMatrix<Scalar> J(3, static_cast<std::size_t>(tree.nv));
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "motion of the centre of mass");
+    for (int k = 0; k < link.velocities(); ++k) {
+      const Vector3<Scalar>& e = axes[link.axis(k)];
+      const Vector3<Scalar> own = link.is_angular(k) ? cross(e, shares[i].h) : e * shares[i].mass;
+      const Vector3<Scalar> moved = poses[i].R * (own * link.multiplier);
+      const auto column = static_cast<std::size_t>(link.v_index + k);
+      J(0, column) = J(0, column) + moved.x;
+      J(1, column) = J(1, column) + moved.y;
+      J(2, column) = J(2, column) + moved.z;
+    }
+  }
+  return J;
+}
+
+}  // namespace treeline

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "recursion/methods/articulated_inertia.hpp"
+#include "recursion/methods/factor_mass_matrix.hpp"
+#include "recursion/methods/jacobian.hpp"
+#include "recursion/methods/mass_matrix.hpp"
+
+namespace treeline {
+
+/// A unit force of one task row on its way to the base: the row's index and what is left of the
+/// force.
+template <class Scalar>
+struct PropagatedForce {
+  std::size_t row;
+  Wrench<Scalar> K;
+};
+
+/// Adds work_r work_s inverse_D for all pairs of forces to the lower triangle of Lambda^-1.
+template <class Scalar>
+void add_outer_product(const std::vector<PropagatedForce<Scalar>>& forces,
+                       const std::vector<Scalar>& work, const Scalar& inverse_D,
+                       DenseMatrix<Scalar>& Lambda_inv) {
+  for (std::size_t r = 0; r < forces.size(); ++r) {
+    const Scalar scaled = work[r] * inverse_D;
+    for (std::size_t s = 0; s < forces.size(); ++s) {
+      if (forces[s].row <= forces[r].row) {
+        Scalar& entry = Lambda_inv(forces[r].row, forces[s].row);
+        entry = entry + scaled * work[s];
+      }
+    }
+  }
+}
+
+/// Aligns the forces of all rows at one link, on which the same operations are done: one lane per
+/// row.
+template <class Scalar>
+void align_lanes(std::vector<PropagatedForce<Scalar>>& forces, std::size_t rows) {
+  constexpr std::array<Scalar Vector3<Scalar>::*, 3> kParts{
+      &Vector3<Scalar>::x, &Vector3<Scalar>::y, &Vector3<Scalar>::z};
+  for (const auto triple : {&Wrench<Scalar>::f, &Wrench<Scalar>::n}) {
+    for (const auto part : kParts) {
+      std::vector<Scalar> lanes(rows, Scalar(0.0));
+      for (const PropagatedForce<Scalar>& force : forces) {
+        lanes[force.row] = force.K.*triple.*part;
+      }
+      align_lanes(lanes);
+      for (PropagatedForce<Scalar>& force : forces) {
+        force.K.*triple.*part = lanes[force.row];
+      }
+    }
+  }
+}
+
+/// Removes unit forces that reach a floating joint, which passes none on. Lambda^-1 gains K^T IA^-1
+/// K.
+template <class Scalar>
+void absorb_in_floating_joint(const LdltFactor<Scalar>& IA,
+                              std::vector<PropagatedForce<Scalar>>& forces,
+                              DenseMatrix<Scalar>& Lambda_inv) {
+  std::vector<std::vector<Scalar>> Y;
+  for (const PropagatedForce<Scalar>& force : forces) {
+    const Wrench<Scalar>& K = force.K;
+    Y.push_back(solve_lower(IA, {K.f.x, K.f.y, K.f.z, K.n.x, K.n.y, K.n.z}));
+  }
+  for (std::size_t k = 0; k < 6; ++k) {
+    std::vector<Scalar> work;
+    for (const std::vector<Scalar>& y : Y) {
+      work.push_back(y[k]);
+    }
+    add_outer_product(forces, work, IA.inverse_D[k], Lambda_inv);
+  }
+  forces.clear();
+}
+
+/// The part K - U D^-1 (S^T K) of a force that the joint passes on. Its component along the joint
+/// is what the rotor holds, without a rotor an exact zero.
+template <class Scalar>
+Wrench<Scalar> without_work(JointKind kind, const JointProjection<Scalar>& joint,
+                            const Wrench<Scalar>& K) {
+  const Scalar work = along_axis(kind, K.f, K.n);
+  Wrench<Scalar> left = K - Wrench<Scalar>{joint.u.f * work, joint.u.n * work};
+  along_axis(kind, left.f, left.n) = joint.held * work;
+  return left;
+}
+
+/// Removes from unit forces the part that moves the joint, and adds its work to Lambda^-1.
+template <class Scalar>
+void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
+                     std::vector<PropagatedForce<Scalar>>& forces,
+                     DenseMatrix<Scalar>& Lambda_inv) {
+  std::vector<Scalar> work;
+  for (const PropagatedForce<Scalar>& force : forces) {
+    work.push_back(along_axis(kind, force.K.f, force.K.n));
+  }
+  add_outer_product(forces, work, joint.inverse_D, Lambda_inv);
+  for (PropagatedForce<Scalar>& force : forces) {
+    force.K = without_work(kind, joint, force.K);
+  }
+}
+
+/// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K), where K are the unit forces of the rows,
+/// propagated inward (PV-OSIM: Sathya et al. 2023).
+template <class Scalar>
+DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
+                                                  const std::vector<JointTransform<Scalar>>& X,
+                                                  const std::vector<TaskPoint<Scalar>>& tasks,
+                                                  std::size_t rows) {
+  const ArticulatedTree<Scalar> bodies = articulate(tree, X);
+  std::vector<std::vector<PropagatedForce<Scalar>>> forces(tree.links.size());
+  std::size_t row = 0;
+  for (const TaskPoint<Scalar>& task : tasks) {
+    for (const TaskRow<Scalar>& direction : task.rows) {
+      if (task.link >= 0) {
+        forces[static_cast<std::size_t>(task.link)].push_back({row, unit_wrench(task, direction)});
+      }
+      ++row;
+    }
+  }
+  DenseMatrix<Scalar> Lambda_inv(rows, rows);
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "force propagation");
+    align_lanes(forces[i], rows);
+    if (link.is_floating()) {
+      absorb_in_floating_joint(bodies.floating[i], forces[i], Lambda_inv);
+    } else {
+      absorb_in_joint(link.kind, bodies.joints[i], forces[i], Lambda_inv);
+    }
+    if (link.parent >= 0) {
+      for (const PropagatedForce<Scalar>& force : forces[i]) {
+        forces[static_cast<std::size_t>(link.parent)].push_back(
+            {force.row, to_parent(X[i], force.K)});
+      }
+    }
+    align_lower_columns(Lambda_inv, 0);
+  }
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t s = 0; s < r; ++s) {
+      Lambda_inv(s, r) = Lambda_inv(r, s);
+    }
+  }
+  return Lambda_inv;
+}
+
+/// Lambda^-1 = (J L^-1) D^-1 (J L^-1)^T with M = L^T D L (Featherstone 2010).
+template <class Scalar>
+DenseMatrix<Scalar> lambda_inverse_by_factors(const Tree<Scalar>& tree,
+                                              const std::vector<JointTransform<Scalar>>& X,
+                                              const DenseMatrix<Scalar>& J) {
+  return inverse_inertia_in_rows(factor_ltdl(mass_matrix(tree, X)), J);
+}
+
+}  // namespace treeline

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "recursion/methods/forward_kinematics.hpp"
+#include "recursion/methods/inverse_dynamics.hpp"
+
+namespace treeline {
+
+/// Coordinates in which the rows of operational points are computed.
+struct TaskBasis {
+  bool in_link_axes = false;    ///< link's axes instead of those of the scene
+  bool at_link_origin = false;  ///< link's origin instead of the point
+  int axes_link = -1;           ///< axes of this link for all points; -1: not used
+};
+
+/// One row of a task. The unit force (or moment) e at `r` does work at the rate of the row's
+/// velocity. Everything is in the axes of the point's link.
+template <class Scalar>
+struct TaskRow {
+  bool angular = false;
+  Vector3<Scalar> e;
+  int axis = 0;  ///< index of x y z of the task's axes
+};
+
+/// Rows of one operational point, in the order of the scene.
+template <class Scalar>
+struct TaskPoint {
+  int link = -1;
+  Vector3<Scalar> r;  ///< reference point of linear rows, in the link's axes
+  std::vector<TaskRow<Scalar>> rows;
+  bool along_poses = false;  ///< the rows' axes are those from which the poses are seen
+};
+
+template <class Scalar>
+bool has_whole_triples(const TreePoint<Scalar>& point) {
+  const auto& on = point.rows;
+  return on[0] == on[1] && on[1] == on[2] && on[3] == on[4] && on[4] == on[5];
+}
+template <class Scalar>
+bool has_all_rows(const TreePoint<Scalar>& point) {
+  return has_whole_triples(point) && point.rows[0] && point.rows[3];
+}
+
+/// Whether the tree permits this basis. Axes other than the scene's need whole triples of rows (all
+/// of x y z or none), the link's origin needs all six rows.
+template <class Scalar>
+bool permits(const Tree<Scalar>& tree, TaskBasis basis) {
+  return std::all_of(tree.operational_points.begin(), tree.operational_points.end(),
+                     [basis](const TreePoint<Scalar>& point) {
+                       const bool asked = !basis.in_link_axes && basis.axes_link < 0;
+                       return (asked || has_whole_triples(point)) &&
+                              (!basis.at_link_origin || has_all_rows(point));
+                     });
+}
+
+/// R_task_link, whose rows are the task's axes in the link's coordinates. `poses` are seen from
+/// `basis.axes_link`.
+template <class Scalar>
+Matrix3<Scalar> task_from_link(const TreePoint<Scalar>& point, TaskBasis basis,
+                               const std::vector<WorldPose<Scalar>>& poses) {
+  if (basis.in_link_axes) {
+    return identity3<Scalar>();
+  }
+  if (point.axes == Axes::world || basis.axes_link >= 0) {
+    return point.link < 0 ? identity3<Scalar>() : poses[static_cast<std::size_t>(point.link)].R;
+  }
+  return transposed(point.R);
+}
+
+template <class Scalar>
+TaskPoint<Scalar> task_point(const TreePoint<Scalar>& point, TaskBasis basis,
+                             const std::vector<WorldPose<Scalar>>& poses) {
+  const Matrix3<Scalar> E = task_from_link(point, basis, poses);
+  const Vector3<Scalar> unit[3] = {E.row_x, E.row_y, E.row_z};
+  TaskPoint<Scalar> task{point.link, basis.at_link_origin ? Vector3<Scalar>{} : point.p, {}};
+  task.along_poses = basis.axes_link >= 0 || (point.axes == Axes::world && !basis.in_link_axes);
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (point.rows[k]) {
+      task.rows.push_back({k >= 3, unit[k % 3], static_cast<int>(k % 3)});
+    }
+  }
+  return task;
+}
+
+template <class Scalar>
+std::vector<TaskPoint<Scalar>> task_points(const Tree<Scalar>& tree, TaskBasis basis,
+                                           const std::vector<WorldPose<Scalar>>& poses) {
+  std::vector<TaskPoint<Scalar>> tasks;
+  for (const TreePoint<Scalar>& point : tree.operational_points) {
+    tasks.push_back(task_point(point, basis, poses));
+  }
+  return tasks;
+}
+
+/// Wrench of a unit force along the row.
+template <class Scalar>
+Wrench<Scalar> unit_wrench(const TaskPoint<Scalar>& task, const TaskRow<Scalar>& row) {
+  return row.angular ? Wrench<Scalar>{{}, row.e} : wrench_at(row.e, Vector3<Scalar>{}, task.r);
+}
+
+/// Appends the acceleration along each row of a point, from the motion of its link.
+template <class Scalar>
+void append_accelerations(const TaskPoint<Scalar>& task,
+                          const std::vector<LinkMotion<Scalar>>& motions,
+                          std::vector<Scalar>& accelerations) {
+  const LinkMotion<Scalar> motion =
+      task.link < 0 ? LinkMotion<Scalar>{} : motions[static_cast<std::size_t>(task.link)];
+  const Vector3<Scalar> linear = acceleration_at(motion, task.r);
+  for (const TaskRow<Scalar>& row : task.rows) {
+    accelerations.push_back(dot(row.e, row.angular ? motion.wd : linear));
+  }
+}
+
+/// Jd qd of all rows, by one outward pass with qdd = 0 and no gravity (Chang eq. 6.11, 6.12).
+template <class Scalar>
+std::vector<Scalar> bias_acceleration(const Tree<Scalar>& tree,
+                                      const std::vector<JointTransform<Scalar>>& X,
+                                      const std::vector<TaskPoint<Scalar>>& tasks,
+                                      std::span<const Scalar> qd) {
+  const auto motions = outward_motion(tree, X, {qd, {}}, Vector3<Scalar>{});
+  std::vector<Scalar> bias;
+  for (const TaskPoint<Scalar>& task : tasks) {
+    append_accelerations(task, motions, bias);
+  }
+  return bias;
+}
+
+}  // namespace treeline

@@ -1,0 +1,284 @@
+#include "recursion/parameters/felt_motion.hpp"
+
+#include <array>
+
+namespace treeline {
+namespace {
+
+constexpr int kInertiaNumbers = 10;
+/// Numbers 4..9 are these entries of the second moment.
+constexpr std::array<std::array<int, 2>, 6> kMoments = {
+    {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+
+using NumberMatrix = ExactRows;
+
+ExactVector3 unit_vector(int axis) {
+  ExactVector3 unit = ExactVector3::Zero();
+  unit(axis) = 1;
+  return unit;
+}
+
+ExactMatrix3 cross_matrix(const ExactVector3& a) {
+  ExactMatrix3 A = ExactMatrix3::Zero();
+  A(2, 1) = a(0);
+  A(0, 2) = a(1);
+  A(1, 0) = a(2);
+  return A - ExactMatrix3(A.transpose());
+}
+
+ExactVector3 crossed(const ExactVector3& a, const ExactVector3& b) {
+  return cross_matrix(a) * b;
+}
+
+/// The matrix that does to columns of numbers what `change` does to inertias.
+template <class Change>
+NumberMatrix matrix_of(const Change& change) {
+  NumberMatrix matrix = NumberMatrix::Zero(kBodyNumbers, kBodyNumbers);
+  for (int k = 0; k < kInertiaNumbers; ++k) {
+    matrix.col(k) = numbers_of(change(unit_inertia(k))).transpose();
+  }
+  return matrix;
+}
+
+/// Velocity of a frame's origin and angular velocity, in the frame's axes.
+struct ExactTwist {
+  ExactVector3 v = ExactVector3::Zero(), w = ExactVector3::Zero();
+};
+
+ExactRow row_of(const ExactTwist& twist) {
+  ExactRow row(6);
+  row << twist.v.transpose(), twist.w.transpose();
+  return row;
+}
+ExactTwist twist_of(const ExactRow& row) {
+  return {row.head(3).transpose(), row.tail(3).transpose()};
+}
+
+/// One freedom of a joint: its axis in the link's frame.
+struct Freedom {
+  ExactTwist axis;
+
+  Freedom(const JointStep& step, int k) {
+    (step.is_angular(k) ? axis.w : axis.v) = unit_vector(step.axis(k));
+  }
+
+  /// Generator of what the coordinate does to numbers.
+  [[nodiscard]] NumberMatrix generator() const {
+    const ExactMatrix3 turn = cross_matrix(axis.w);
+    return matrix_of([&](const Inertia& inertia) {
+      Inertia rate;
+      rate.h = turn * inertia.h + axis.v * inertia.mass;
+      rate.Sigma = turn * inertia.Sigma - inertia.Sigma * turn + inertia.h * axis.v.transpose() +
+                   axis.v * inertia.h.transpose();
+      return rate;
+    });
+  }
+  /// What the coordinate does to a velocity of the link before, seen from the link.
+  [[nodiscard]] ExactTwist rate(const ExactTwist& twist) const {
+    return {crossed(twist.v, axis.w) + crossed(twist.w, axis.v), crossed(twist.w, axis.w)};
+  }
+};
+
+/// The kinetic energy that two motions have together, a^T I b, as a row.
+ExactRow kinetic_row(const ExactTwist& a, const ExactTwist& b) {
+  ExactRow row = ExactRow::Zero(kBodyNumbers);
+  row(0) = a.v.dot(b.v);
+  row.segment(1, 3) = (crossed(a.v, b.w) + crossed(b.v, a.w)).transpose();
+  const Exact trace = a.w.dot(b.w);
+  for (std::size_t k = 0; k < kMoments.size(); ++k) {
+    const auto [i, j] = kMoments[k];
+    const Exact product = a.w(i) * b.w(j);
+    row(4 + static_cast<Eigen::Index>(k)) =
+        i == j ? Exact(trace - product) : Exact(-product - a.w(j) * b.w(i));
+  }
+  return row;
+}
+
+/// All that is known of how a link moves.
+struct Reach {
+  explicit Reach(const Exact& tolerance) : twists(tolerance), felt(tolerance), moving(tolerance) {}
+
+  RowSpace twists;                ///< all its velocities
+  RowSpace felt;                  ///< kinetic energies, and differences of potential energy
+  std::vector<ExactRow> weights;  ///< potential energy with all coordinates at zero
+  RowSpace moving;                ///< what the steps of the joint so far have made felt
+};
+
+/// Of the base: at rest, with a potential energy for each direction that gravity may have.
+Reach reach_of_base(const Mechanism& mechanism, const Exact& tolerance) {
+  Reach base(tolerance);
+  std::vector<ExactVector3> directions;
+  if (mechanism.inputs.gravity) {
+    for (int axis = 0; axis < 3; ++axis) directions.push_back(unit_vector(axis));
+  } else {
+    const auto& g = mechanism.gravity;
+    const ExactVector3 gravity{Exact(g[0]), Exact(g[1]), Exact(g[2])};
+    const Exact size = sqrt(Exact(gravity.squaredNorm()));
+    if (size > 0) directions.emplace_back(gravity / size);
+  }
+  for (const ExactVector3& direction : directions) {
+    ExactRow weight = ExactRow::Zero(kBodyNumbers);
+    weight.segment(1, 3) = -direction.transpose();
+    base.weights.push_back(weight);
+  }
+  return base;
+}
+
+/// The same motion as that of a frame that is fixed to the link. The rotor is left behind.
+Reach seen_from(const ExactPose& placement, const Reach& link, bool continues,
+                const Exact& tolerance) {
+  const NumberMatrix back =
+      matrix_of([&](const Inertia& inertia) { return transformed(inertia, placement); });
+  const ExactMatrix3 Rt = placement.R.transpose();
+  Reach seen(tolerance);
+  for (const ExactRow& row : link.twists.basis()) {
+    const ExactTwist twist = twist_of(row);
+    seen.twists.add(row_of({Rt * (twist.v + crossed(twist.w, placement.p)), Rt * twist.w}));
+  }
+  for (const ExactRow& row : link.felt.basis()) seen.felt.add(row * back);
+  for (const ExactRow& row : link.weights) seen.weights.emplace_back(row * back);
+  if (!continues) return seen;
+  for (const ExactRow& row : link.moving.basis()) seen.moving.add(row * back);
+  return seen;
+}
+
+void make_felt(const ExactRow& row, Reach& reach) {
+  reach.moving.add(row);
+  reach.felt.add(row);
+}
+
+/// Lets the link move by one more freedom.
+void release(const Freedom& freedom, bool has_rotor, Reach& reach) {
+  const NumberMatrix generator = freedom.generator();
+  for (const ExactRow& weight : reach.weights) make_felt(weight * generator, reach);
+  for (std::size_t k = 0; k < reach.felt.basis().size(); ++k) {  // it grows
+    make_felt(ExactRow(reach.felt.basis()[k] * generator), reach);
+  }
+  for (std::size_t k = 0; k < reach.twists.basis().size(); ++k) {
+    const ExactTwist twist = twist_of(reach.twists.basis()[k]);
+    reach.twists.add(row_of(freedom.rate(twist)));
+    make_felt(kinetic_row(twist, freedom.axis), reach);
+  }
+  ExactRow own = kinetic_row(freedom.axis, freedom.axis);
+  if (has_rotor) own(kRotorNumber) = 1;
+  make_felt(own, reach);
+  reach.twists.add(row_of(freedom.axis));
+}
+
+ExactRows stacked(const std::vector<ExactRow>& rows) {
+  ExactRows matrix(static_cast<Eigen::Index>(rows.size()), kBodyNumbers);
+  for (std::size_t i = 0; i < rows.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = rows[i];
+  return matrix;
+}
+
+/// Goes outward, and keeps what each link needs for those behind it.
+class Outward {
+ public:
+  Outward(const Mechanism& mechanism, const FeltUnits& units, const std::set<int>& rotors)
+      : mechanism_(mechanism),
+        units_(units),
+        rotors_(rotors),
+        base_(reach_of_base(mechanism, units.tolerance)) {
+    frame_of_link_.assign(mechanism.links.size(), -1);
+    for (std::size_t f = 0; f < mechanism.link_frames.size(); ++f) {
+      frame_of_link_[static_cast<std::size_t>(mechanism.link_frames[f].link)] = static_cast<int>(f);
+    }
+  }
+
+  std::vector<FeltMotion> run() {
+    std::vector<FeltMotion> motions(mechanism_.link_frames.size());
+    for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
+      const MovingLink& link = mechanism_.links[i];
+      steps_.push_back(step_to(link));
+      if (frame_of_link_[i] < 0) continue;
+      const Step& step = steps_.back();
+      motions[static_cast<std::size_t>(frame_of_link_[i])] = {step.parent, step.placement,
+                                                              stacked(step.reach.moving.basis())};
+    }
+    return motions;
+  }
+
+ private:
+  struct Step {
+    Reach reach;
+    int parent = -1;      ///< the last link of the file before this step
+    ExactPose placement;  ///< in that link
+  };
+
+  [[nodiscard]] Step step_to(const MovingLink& link) const {
+    const ExactPose placement = in_units(link.placement, units_);
+    const auto parent = static_cast<std::size_t>(link.parent);
+    const bool on_base = link.parent < 0;
+    const bool continues = !on_base && frame_of_link_[parent] < 0;
+    Step step{
+        seen_from(placement, on_base ? base_ : steps_[parent].reach, continues, units_.tolerance),
+        -1, placement};
+    if (continues) {
+      step.parent = steps_[parent].parent;
+      step.placement = steps_[parent].placement * placement;
+    } else if (!on_base) {
+      step.parent = frame_of_link_[parent];
+    }
+    const bool has_rotor = !link.mimics && link.velocities() == 1 && rotors_.contains(link.v_index);
+    for (int k = 0; k < link.velocities(); ++k) release(Freedom(link, k), has_rotor, step.reach);
+    return step;
+  }
+
+  const Mechanism& mechanism_;
+  FeltUnits units_;
+  const std::set<int>& rotors_;
+  Reach base_;
+  std::vector<int> frame_of_link_;  ///< -1: a step within a joint
+  std::vector<Step> steps_;
+};
+
+}  // namespace
+
+FeltUnits felt_units(const Mechanism& mechanism) {
+  constexpr int kResolutions = 16;  // of several joints together
+  FeltUnits units;
+  Exact longest = 0;
+  const auto look_at = [&](const ExactVector3& p) {
+    const Exact length = sqrt(Exact(p.squaredNorm()));
+    if (length > longest) longest = length;
+  };
+  for (const MovingLink& link : mechanism.links) look_at(link.placement.p);
+  for (const MechanismPoint& frame : mechanism.link_frames) look_at(frame.pose.p);
+  if (longest > 0) units.length = longest;
+  const Exact least("1e-30");
+  units.tolerance = kResolutions * mechanism.resolution.angle;
+  if (units.tolerance < least) units.tolerance = least;
+  return units;
+}
+
+std::vector<FeltMotion> felt_motions(const Mechanism& mechanism, const FeltUnits& units,
+                                     const std::set<int>& rotors) {
+  return Outward(mechanism, units, rotors).run();
+}
+
+Inertia unit_inertia(int k) {
+  Inertia inertia;
+  if (k == 0) inertia.mass = 1;
+  if (k > 0 && k < 4) inertia.h(k - 1) = 1;
+  if (k > 3) {
+    const auto [i, j] = kMoments[static_cast<std::size_t>(k - 4)];
+    inertia.Sigma(i, j) = inertia.Sigma(j, i) = 1;
+  }
+  return inertia;
+}
+
+ExactRow numbers_of(const Inertia& inertia) {
+  ExactRow numbers = ExactRow::Zero(kBodyNumbers);
+  numbers(0) = inertia.mass;
+  numbers.segment(1, 3) = inertia.h.transpose();
+  for (std::size_t k = 0; k < kMoments.size(); ++k) {
+    numbers(4 + static_cast<Eigen::Index>(k)) = inertia.Sigma(kMoments[k][0], kMoments[k][1]);
+  }
+  return numbers;
+}
+
+ExactPose in_units(const ExactPose& pose, const FeltUnits& units) {
+  return {pose.R, pose.p / units.length};
+}
+
+}  // namespace treeline

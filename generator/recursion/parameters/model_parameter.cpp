@@ -1,0 +1,109 @@
+#include "recursion/parameters/model_parameter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "recursion/parameters/base_parameters.hpp"
+
+namespace treeline {
+namespace {
+
+using Kind = ModelParameter::Kind;
+
+void append_body(Kind kind, const std::string& link, std::size_t frame,
+                 std::vector<ModelParameter>& parameters) {
+  for (int entry = 0; entry < kInertialParameters; ++entry) {
+    parameters.push_back({kind, link, frame, entry});
+  }
+}
+
+void append_bodies(const Mechanism& mechanism, const SceneRegressor& asked,
+                   std::vector<ModelParameter>& parameters) {
+  const auto& links = asked.links;
+  for (std::size_t frame = 0; !asked.none && frame < mechanism.link_frames.size(); ++frame) {
+    const std::string& link = mechanism.link_frames[frame].name;
+    if (links.empty() || std::find(links.begin(), links.end(), link) != links.end()) {
+      append_body(Kind::inertial, link, frame, parameters);
+    }
+  }
+  for (std::size_t frame = 0; frame < asked.payloads.size(); ++frame) {
+    append_body(Kind::payload, asked.payloads[frame], frame, parameters);
+  }
+}
+
+/// Whether a motor turns or slides it by a coordinate of its own, and nothing else does.
+bool has_own_motor(const Mechanism& mechanism, const MovingLink& link) {
+  if (!link.has_one_coordinate() || link.mimics) return false;
+  const auto& links = mechanism.links;
+  return std::count_if(links.begin(), links.end(),
+                       [&](const MovingLink& other) { return other.joint == link.joint; }) == 1;
+}
+
+void append_of_joints(const Mechanism& mechanism, const SceneRegressor& asked, Kind kind,
+                      std::vector<ModelParameter>& parameters) {
+  for (const MovingLink& link : mechanism.links) {
+    if (!has_own_motor(mechanism, link)) continue;
+    ModelParameter parameter{kind, link.joint, 0, 0, link.v_index, !link.is_angular(0)};
+    if (kind == Kind::coulomb) {
+      const Exact& own = link.drive.sharpness;
+      parameter.sharpness = own > 0 ? own : Exact(1 / Exact(asked.width));
+    }
+    parameters.push_back(parameter);
+  }
+}
+
+}  // namespace
+
+std::string name_of(const ModelParameter& parameter) {
+  switch (parameter.kind) {
+    case Kind::rotor:
+      return parameter.owner + " rotor";
+    case Kind::viscous:
+      return parameter.owner + " viscous";
+    case Kind::coulomb:
+      return parameter.owner + " coulomb";
+    case Kind::inertial:
+    case Kind::payload:
+      break;
+  }
+  return fmt::format("{}{} {}", parameter.kind == Kind::payload ? "payload of " : "",
+                     parameter.owner, kInertialNames[static_cast<std::size_t>(parameter.entry)]);
+}
+
+const char* unit_of(const ModelParameter& parameter) {
+  switch (parameter.kind) {
+    case Kind::rotor:
+      return parameter.slides ? "kg" : "kg m^2";
+    case Kind::viscous:
+      return parameter.slides ? "N s/m" : "N m s/rad";
+    case Kind::coulomb:
+      return parameter.slides ? "N" : "N m";
+    case Kind::inertial:
+    case Kind::payload:
+      break;
+  }
+  return parameter.entry == 0 ? "kg" : parameter.entry < 4 ? "kg m" : "kg m^2";
+}
+
+std::vector<ModelParameter> list_model_parameters(const Mechanism& mechanism,
+                                                  const SceneRegressor& asked) {
+  std::vector<ModelParameter> parameters;
+  append_bodies(mechanism, asked, parameters);
+  if (asked.rotors) append_of_joints(mechanism, asked, Kind::rotor, parameters);
+  if (asked.friction) append_of_joints(mechanism, asked, Kind::viscous, parameters);
+  if (asked.coulomb) append_of_joints(mechanism, asked, Kind::coulomb, parameters);
+  return parameters;
+}
+
+std::vector<ModelParameter> regressor_columns(const Mechanism& mechanism) {
+  if (!mechanism.regressor.base) return list_model_parameters(mechanism, mechanism.regressor);
+  const auto found = base_parameters_of(mechanism);
+  std::vector<ModelParameter> columns;
+  for (const BaseParameter& each : found->base) {
+    columns.push_back(found->parameters[each.parameter]);
+  }
+  return columns;
+}
+
+}  // namespace treeline

@@ -1,0 +1,238 @@
+#include "recursion/routes/robot_routes.hpp"
+
+#include <array>
+
+#include "functions/function_table.hpp"
+#include "recursion/methods/coriolis_matrix.hpp"
+#include "recursion/methods/energy_regressor.hpp"
+#include "recursion/methods/forward_dynamics.hpp"
+#include "recursion/methods/kinetic_energy.hpp"
+#include "recursion/methods/point_motion.hpp"
+#include "recursion/methods/potential_energy.hpp"
+#include "recursion/routes/motion_derivative_routes.hpp"
+#include "recursion/routes/task_routes.hpp"
+#include "recursion/routes/trace_parts.hpp"
+
+namespace treeline {
+namespace {
+
+std::vector<Result> point_poses(const RobotTrace& trace) {
+  const auto poses = trace.poses();
+  std::vector<Expression> positions;
+  std::vector<Expression> rotations;
+  for (const TreePoint<Expression>& point : trace.tree.operational_points) {
+    const WorldPose<Expression> pose = point_pose(poses, point);
+    positions.insert(positions.end(), {pose.p.x, pose.p.y, pose.p.z});
+    for (const auto& row : {pose.R.row_x, pose.R.row_y, pose.R.row_z}) {
+      rotations.insert(rotations.end(), {row.x, row.y, row.z});
+    }
+  }
+  const int count = static_cast<int>(trace.tree.operational_points.size());
+  return {{{"position", 3 * count, 1, "positions in the world, m, one point after the other"},
+           positions},
+          {{"rotation", 9 * count, 1,
+            "rotation matrices, row-major, point's axes to world, one point after the other"},
+           rotations}};
+}
+
+std::vector<RobotRoute> jacobian_routes(const Tree<Expression>& tree) {
+  std::vector<RobotRoute> routes{
+      {{"inward", "rows carried inward from each point"}, [](const RobotTrace& trace) {
+         const auto poses = trace.poses();
+         const auto tasks = task_points(trace.tree, {}, poses);
+         return matrix_output("J", "Jacobian",
+                              jacobian_inward(trace.tree, trace.X, tasks, trace.rows, poses));
+       }}};
+  if (permits(tree, {}, LambdaRoute::factors_world)) {
+    routes.push_back({{"poses", "from the poses of all links"}, [](const RobotTrace& trace) {
+                        return matrix_output(
+                            "J", "Jacobian",
+                            jacobian_world(trace.tree, trace.poses(), {}, trace.rows));
+                      }});
+  }
+  return routes;
+}
+
+std::vector<Expression> net_forces(const RobotTrace& trace) {
+  const auto h = inverse_dynamics<Expression>(trace.tree, trace.X, {trace.qd, {}}, trace.applied());
+  std::vector<Expression> net = trace.tau;
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    net[i] = net[i] - h[i];
+  }
+  return net;
+}
+
+std::vector<RobotRoute> forward_dynamics_routes(const Tree<Expression>& tree) {
+  std::vector<RobotRoute> routes{
+      {{"ltdl", "M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)"},
+       [](const RobotTrace& trace) {
+         const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
+         return vector_output("qdd", trace.with_unit("joint accelerations", Quantity::qdd),
+                              solve(factor, net_forces(trace)));
+       }}};
+  if (!tree.has_mimics) {
+    routes.push_back({{"aba", "articulated bodies, Chang table 4.2"}, [](const RobotTrace& trace) {
+                        return vector_output(
+                            "qdd", trace.with_unit("joint accelerations", Quantity::qdd),
+                            solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
+                                              net_forces(trace)));
+                      }});
+  }
+  return routes;
+}
+
+std::vector<RobotRoute> newton_euler_route(const char* name) {
+  return {{{"rnea", "recursive Newton-Euler, Chang table 4.1"}, [name](const RobotTrace& trace) {
+             return vector_output(name, trace.with_unit("joint forces", Quantity::tau),
+                                  inverse_dynamics<Expression>(
+                                      trace.tree, trace.X, {trace.qd, trace.qdd}, trace.applied()));
+           }}};
+}
+
+std::vector<RobotRoute> coriolis_routes() {
+  return {{{"composite-bodies", "composite bodies, Echeandia & Wensing 2021"},
+           [](const RobotTrace& trace) {
+             return matrix_output("C", "Coriolis matrix",
+                                  coriolis_matrix<Expression>(trace.tree, trace.X, trace.qd));
+           }}};
+}
+
+std::vector<RobotRoute> kinetic_energy_routes() {
+  return {{{"outward", "outward recursion"}, [](const RobotTrace& trace) {
+             return vector_output("energy", "kinetic energy, J",
+                                  {kinetic_energy<Expression>(trace.tree, trace.X, trace.qd)});
+           }}};
+}
+
+std::vector<RobotRoute> potential_energy_routes() {
+  return {
+      {{"composite-moments", "first moments of the composite bodies"}, [](const RobotTrace& trace) {
+         return vector_output("energy", "potential energy, J",
+                              {potential_energy(trace.tree, trace.X)});
+       }}};
+}
+
+std::vector<RobotRoute> inverse_dynamics_regressor_routes() {
+  return {{{"unit-motions", "forces of unit parameters along the unit motions of the joints"},
+           [](const RobotTrace& trace) {
+             return matrix_output(
+                 "Y", "regressor of the joint forces",
+                 inverse_dynamics_regressor<Expression>(trace.tree, trace.X, {trace.qd, trace.qdd},
+                                                        regressor_columns(*trace.mechanism)));
+           }}};
+}
+
+std::vector<RobotRoute> energy_regressor_routes() {
+  return {{{"outward", "energies of unit parameters"}, [](const RobotTrace& trace) {
+             return matrix_output(
+                 "E", "regressor of kinetic over potential energy",
+                 energy_regressor<Expression>(trace.tree, trace.X, trace.qd,
+                                              regressor_columns(*trace.mechanism)));
+           }}};
+}
+
+std::vector<RobotRoute> pose_routes() {
+  return {{{"outward", "outward recursion"}, point_poses}};
+}
+
+std::vector<RobotRoute> point_velocity_routes() {
+  return {{{"outward", "outward recursion"}, [](const RobotTrace& trace) {
+             return vector_output("velocity",
+                                  "velocity over angular velocity, world axes, m/s, rad/s, one "
+                                  "point after the other",
+                                  point_velocities<Expression>(trace.tree, trace.X, trace.qd));
+           }}};
+}
+
+std::vector<RobotRoute> point_acceleration_routes() {
+  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
+             return vector_output(
+                 "acceleration",
+                 "acceleration over angular acceleration, world axes, m/s^2, rad/s^2, one point "
+                 "after the other",
+                 point_accelerations<Expression>(trace.tree, trace.X, {trace.qd, trace.qdd}));
+           }}};
+}
+
+std::vector<RobotRoute> bias_routes() {
+  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
+             const auto tasks = task_points(trace.tree, {}, trace.poses());
+             return vector_output(
+                 "bias", "accelerations of the task rows at qdd = 0, m/s^2, rad/s^2",
+                 bias_acceleration<Expression>(trace.tree, trace.X, tasks, trace.qd));
+           }}};
+}
+
+std::vector<RobotRoute> mass_matrix_routes() {
+  return {{{"crba", "composite rigid bodies, RBDA table 6.2"}, [](const RobotTrace& trace) {
+             return matrix_output("M", "joint-space inertia", mass_matrix(trace.tree, trace.X));
+           }}};
+}
+
+/// Whose routes are asked for.
+struct Traced {
+  const Mechanism& mechanism;
+  const Tree<Expression>& tree;
+  TaskLaws& laws;
+};
+
+struct RoutesOf {
+  Function function;
+  std::vector<RobotRoute> (*routes)(const Traced& of);
+};
+
+constexpr auto kRoutes = std::to_array<RoutesOf>({
+    {Function::forward_kinematics, [](const Traced&) { return pose_routes(); }},
+    {Function::jacobian, [](const Traced& of) { return jacobian_routes(of.tree); }},
+    {Function::bias_acceleration, [](const Traced&) { return bias_routes(); }},
+    {Function::inverse_dynamics, [](const Traced&) { return newton_euler_route("tau"); }},
+    {Function::gravity, [](const Traced&) { return newton_euler_route("g"); }},
+    {Function::nonlinear_effects, [](const Traced&) { return newton_euler_route("h"); }},
+    {Function::mass_matrix, [](const Traced&) { return mass_matrix_routes(); }},
+    {Function::forward_dynamics, [](const Traced& of) { return forward_dynamics_routes(of.tree); }},
+    {Function::coriolis_matrix, [](const Traced&) { return coriolis_routes(); }},
+    {Function::kinetic_energy, [](const Traced&) { return kinetic_energy_routes(); }},
+    {Function::kinetic_energy_derivatives,
+     [](const Traced&) { return kinetic_energy_derivative_routes(); }},
+    {Function::potential_energy, [](const Traced&) { return potential_energy_routes(); }},
+    {Function::inverse_dynamics_regressor,
+     [](const Traced&) { return inverse_dynamics_regressor_routes(); }},
+    {Function::energy_regressor, [](const Traced&) { return energy_regressor_routes(); }},
+    {Function::lambda_inverse,
+     [](const Traced& of) { return lambda_routes(of.tree, false, of.laws); }},
+    {Function::lambda, [](const Traced& of) { return lambda_routes(of.tree, true, of.laws); }},
+    {Function::control_torque,
+     [](const Traced& of) { return control_routes(of.mechanism, of.tree, of.laws); }},
+    {Function::point_velocity, [](const Traced&) { return point_velocity_routes(); }},
+    {Function::point_acceleration, [](const Traced&) { return point_acceleration_routes(); }},
+    {Function::point_velocity_derivatives,
+     [](const Traced&) { return point_velocity_derivative_routes(); }},
+    {Function::point_acceleration_derivatives,
+     [](const Traced&) { return point_acceleration_derivative_routes(); }},
+    {Function::dynamically_consistent_inverse,
+     [](const Traced& of) { return consistent_inverse_routes(of.tree, false, of.laws); }},
+    {Function::null_space_projector,
+     [](const Traced& of) { return consistent_inverse_routes(of.tree, true, of.laws); }},
+    {Function::operational_bias_force,
+     [](const Traced& of) { return operational_force_routes(of.tree, false, of.laws); }},
+    {Function::operational_gravity,
+     [](const Traced& of) { return operational_force_routes(of.tree, true, of.laws); }},
+});
+
+/// What is composed of other functions has no routes of its own.
+constexpr bool has_routes(const FunctionInfo& row) {
+  return is_nameable(row) && is_about<FunctionGroup::robot, FunctionGroup::points>(row);
+}
+static_assert(covers<has_routes>(kRoutes));
+
+}  // namespace
+
+std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechanism,
+                                     const Tree<Expression>& tree) {
+  const RoutesOf* const row = find_row(kRoutes, function);
+  if (row == nullptr) return {};
+  TaskLaws laws(mechanism);
+  return row->routes({mechanism, tree, laws});
+}
+
+}  // namespace treeline

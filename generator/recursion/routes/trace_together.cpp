@@ -1,0 +1,91 @@
+#include "recursion/routes/trace_together.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "recursion/routes/robot_routes.hpp"
+#include "recursion/routes/trace_parts.hpp"
+#include "recursion/tree/deferred_rotations.hpp"
+
+namespace treeline {
+namespace {
+
+/// The arguments of several functions, each once, joints before what is constant.
+std::vector<Argument> list_once(const std::vector<Argument>& arguments) {
+  std::vector<Argument> once;
+  for (const Quantity quantity : {Quantity::q, Quantity::qd}) {
+    for (const Argument& argument : arguments) {
+      if (argument.name != symbol_of(quantity)) continue;
+      once.push_back(argument);
+      break;
+    }
+  }
+  for (const Argument& argument : arguments) {
+    if (std::none_of(once.begin(), once.end(),
+                     [&](const Argument& listed) { return listed.name == argument.name; })) {
+      once.push_back(argument);
+    }
+  }
+  return once;
+}
+
+/// A trace in the open graph that knows the mechanism but no inputs.
+RobotTrace begin_trace(const Mechanism& mechanism) {
+  RobotTrace trace;
+  trace.mechanism = &mechanism;
+  trace.tree = constant_tree<Expression>(mechanism);
+  return trace;
+}
+
+/// Finds the transforms of all joints.
+void move_to(const std::vector<Expression>& q, RobotTrace& trace) {
+  trace.q = q;
+  trace.X = joint_transforms<Expression>(trace.tree, trace.q);
+  defer_rotations(trace.tree, trace.X);
+}
+
+}  // namespace
+
+Program trace_together(const Mechanism& mechanism, std::span<const Function> functions, int lanes) {
+  Program program;
+  program.graph = Graph::for_trace(lanes);
+  const Graph::Scope scope(program.graph);
+  RobotTrace trace = begin_trace(mechanism);
+  trace.rows = static_cast<std::size_t>(mechanism.task_rows());
+  std::vector<TracedInputs> inputs;
+  for (const Function function : functions) {
+    inputs.emplace_back(mechanism, function, program);
+    apply_inputs(mechanism, inputs.back(), trace.tree);
+  }
+  program.arguments = list_once(program.arguments);
+  move_to(inputs.front()[Quantity::q], trace);
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    trace.qd = inputs[i][Quantity::qd];
+    trace.qdd = inputs[i][Quantity::qdd];
+    const RobotRoute route = robot_routes(functions[i], mechanism, trace.tree).front();
+    for (Result& result : route.body(trace)) program.results.push_back(std::move(result));
+  }
+  return program;
+}
+
+Program trace_against_forces(const Mechanism& mechanism, int lanes) {
+  Program program;
+  program.graph = Graph::for_trace(lanes);
+  const Graph::Scope scope(program.graph);
+  RobotTrace trace = begin_trace(mechanism);
+  trace.tree.gravity = {};
+  const TracedInputs inputs(mechanism, Function::inverse_dynamics, program);
+  std::erase_if(program.arguments, [](const Argument& argument) {
+    return argument.name != symbol_of(Quantity::q) && argument.name != symbol_of(Quantity::f_ext);
+  });
+  trace.f_ext = inputs[Quantity::f_ext];
+  move_to(inputs[Quantity::q], trace);
+  std::vector<Wrench<Expression>> wrenches = trace.applied();
+  for (Wrench<Expression>& wrench : wrenches) wrench = Wrench<Expression>{} - wrench;
+  program.results = {vector_result("tau", trace.with_unit("joint forces", Quantity::tau),
+                                   inward_forces(trace.tree, trace.X, std::move(wrenches)))};
+  return program;
+}
+
+}  // namespace treeline

@@ -1,0 +1,88 @@
+#include "recursion/tree/lift_tree.hpp"
+
+namespace treeline {
+namespace {
+
+Vector3<Expression> lift(const Vector3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+
+Matrix3<Expression> lift(const Matrix3<double>& A) {
+  return {lift(A.row_x), lift(A.row_y), lift(A.row_z)};
+}
+
+Symmetric3<Expression> lift(const Symmetric3<double>& A) {
+  return {A.xx, A.xy, A.xz, A.yy, A.yz, A.zz};
+}
+
+PlanarRotation<Expression> lift(const PlanarRotation<double>& r) {
+  return {r.c, r.s};
+}
+
+Rotation<Expression> lift(const Rotation<double>& R) {
+  return {lift(R.a), lift(R.alpha), lift(R.b)};
+}
+
+TreeInertia<Expression> lift(const TreeInertia<double>& inertia) {
+  return {inertia.mass, lift(inertia.h), lift(inertia.Sigma), lift(inertia.J)};
+}
+
+TreeDrive<Expression> lift(const TreeDrive<double>& drive) {
+  return {drive.inertia,   drive.damping,   drive.friction,
+          drive.sharpness, drive.stiffness, drive.rest};
+}
+
+TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choices) {
+  return {link,
+          link.name,
+          link.parent,
+          link.q_index,
+          link.v_index,
+          link.multiplier,
+          link.offset,
+          lift(link.R),
+          lift(link.p),
+          lift(link.inertia),
+          choices.defers_rotation,
+          choices.carries_column,
+          choices.spins,
+          lift(link.drive)};
+}
+
+std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<double>>& points) {
+  std::vector<TreePoint<Expression>> lifted;
+  for (const TreePoint<double>& point : points) {
+    lifted.push_back({point.name, point.link, lift(point.R), lift(point.p), point.axes, point.rows,
+                      point.priority});
+  }
+  return lifted;
+}
+
+}  // namespace
+
+Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mechanism) {
+  Tree<Expression> tree;
+  for (std::size_t i = 0; i < constants.links.size(); ++i) {
+    tree.links.push_back(lift(constants.links[i], mechanism.links[i]));
+  }
+  tree.operational_points = lift(constants.operational_points);
+  tree.external_forces = lift(constants.external_forces);
+  tree.contacts = lift(constants.contacts);
+  tree.link_frames = lift(constants.link_frames);
+  tree.payload_frames = lift(constants.payload_frames);
+  for (const TreeMatter<double>& matter : constants.link_matter) {
+    tree.link_matter.push_back({matter.link, matter.mass, lift(matter.h)});
+  }
+  tree.world_moment = lift(constants.world_moment);
+  tree.total_mass = constants.total_mass;
+  tree.inverse_total_mass = constants.inverse_total_mass;
+  tree.gravity = lift(constants.gravity);
+  tree.nq = constants.nq;
+  tree.nv = constants.nv;
+  tree.has_mimics = constants.has_mimics;
+  tree.has_world_matter = constants.has_world_matter;
+  mark_limbs(mechanism, tree);
+  return tree;
+}
+
+}  // namespace treeline

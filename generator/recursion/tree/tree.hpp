@@ -1,0 +1,272 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "program/expression.hpp"
+#include "recursion/algebra/planar_rotation.hpp"
+#include "recursion/tree/mark_limbs.hpp"
+
+namespace treeline {
+
+/// Inertia of a link, rounded once from the mechanism to `Scalar`, in the form in which recursions
+/// use it.
+template <class Scalar>
+struct TreeInertia {
+  Scalar mass{};
+  Vector3<Scalar> h;         ///< first moment m c
+  Symmetric3<Scalar> Sigma;  ///< second moment about the frame's origin
+  Symmetric3<Scalar> J;      ///< rotational inertia about the frame's origin
+};
+
+/// What sits in a joint, see `JointDrive`.
+template <class Scalar>
+struct TreeDrive {
+  Scalar inertia{}, damping{}, friction{}, sharpness{}, stiffness{}, rest{};
+};
+
+template <class Scalar>
+struct TreeLink : JointStep {
+  std::string name;
+  int parent = -1;
+  int q_index = 0, v_index = 0;
+  Scalar multiplier{}, offset{};
+  Rotation<Scalar> R;  ///< rotation of the placement
+  Vector3<Scalar> p;   ///< origin of the placement, in the parent's axes
+  TreeInertia<Scalar> inertia;
+  bool defers_rotation = false, carries_column = false, spins = false;  ///< see `MovingLink`
+  TreeDrive<Scalar> drive;
+};
+
+template <class Scalar>
+struct TreePoint {
+  std::string name;
+  int link = -1;
+  Matrix3<Scalar> R;  ///< from point's axes to link's axes
+  Vector3<Scalar> p;  ///< in the link's axes
+  Axes axes = Axes::world;
+  std::array<bool, 6> rows{};
+  int priority = 1;
+};
+
+/// Mass and first moment of matter as in the file, about the origin of the link's frame.
+template <class Scalar>
+struct TreeMatter {
+  int link = -1;
+  Scalar mass{};
+  Vector3<Scalar> h;
+};
+
+/// A contact that rolls, see `MechanismRolling`.
+template <class Scalar>
+struct TreeRolling {
+  Scalar radius{};
+  std::optional<Vector3<Scalar>> axis;
+  std::optional<Scalar> on_radius;
+};
+
+/// Two frames of which rows are held relative to each other, see `MechanismLoop`.
+template <class Scalar>
+struct TreeLoop {
+  TreePoint<Scalar> first, second;
+  std::optional<TreeRolling<Scalar>> rolling = {};
+};
+
+template <class Scalar>
+struct Tree {
+  std::vector<TreeLink<Scalar>> links;
+  std::vector<TreePoint<Scalar>> operational_points, external_forces, contacts, link_frames;
+  std::vector<TreePoint<Scalar>> payload_frames;  ///< see `Mechanism`
+  std::vector<TreeLoop<Scalar>> loops;
+  std::vector<MechanismCoupling> couplings;
+  std::vector<TreeMatter<Scalar>> link_matter;  ///< of each of `link_frames`
+  Vector3<Scalar> gravity;
+  Vector3<Scalar> world_moment;  ///< first moment of matter fixed to the world
+  Scalar total_mass{};           ///< of all links
+  Scalar inverse_total_mass{};   ///< 0 if the robot has no mass
+  int nq = 0, nv = 0;
+  bool has_mimics = false;
+  bool has_world_matter = false;  ///< matter fixed to the world counts for the centre of mass
+};
+
+/// The nearest double, as in emitted code. For Digits50 the value itself, so that tests can show
+/// that reductions change nothing.
+template <class Scalar>
+Scalar rounded(const Exact& value) {
+  if constexpr (std::is_same_v<Scalar, Exact>) {
+    return value;
+  } else {
+    return Scalar(static_cast<double>(value));
+  }
+}
+template <class Scalar>
+Vector3<Scalar> rounded(const ExactVector3& v) {
+  return {rounded<Scalar>(v(0)), rounded<Scalar>(v(1)), rounded<Scalar>(v(2))};
+}
+template <class Scalar>
+Symmetric3<Scalar> rounded_symmetric(const ExactMatrix3& A) {
+  return {rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2)),
+          rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2)), rounded<Scalar>(A(2, 2))};
+}
+template <class Scalar>
+Matrix3<Scalar> rounded(const ExactMatrix3& A) {
+  return {{rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2))},
+          {rounded<Scalar>(A(1, 0)), rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2))},
+          {rounded<Scalar>(A(2, 0)), rounded<Scalar>(A(2, 1)), rounded<Scalar>(A(2, 2))}};
+}
+
+/// Rotation from cosine and sine, exact for quarter turns.
+template <class Scalar>
+PlanarRotation<Scalar> planar_rotation(const Exact& c, const Exact& s) {
+  return {rounded<Scalar>(snapped(c, Exact(1))), rounded<Scalar>(snapped(s, Exact(1)))};
+}
+
+/// Factors R = Rz(a) Rx(alpha) Rz(b). The third column of R is (sin a sin alpha, -cos a sin alpha,
+/// cos alpha), its third row (sin alpha sin b, sin alpha cos b, cos alpha).
+template <class Scalar>
+Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
+  const Exact sine = sqrt(Exact(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
+  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b may join the joint's angle
+    return {{},
+            planar_rotation<Scalar>(R(2, 2), Exact(0)),
+            planar_rotation<Scalar>(R(0, 0), Exact(-R(0, 1)))};
+  }
+  return {planar_rotation<Scalar>(Exact(-R(1, 2) / sine), Exact(R(0, 2) / sine)),
+          planar_rotation<Scalar>(R(2, 2), sine),
+          planar_rotation<Scalar>(Exact(R(2, 1) / sine), Exact(R(2, 0) / sine))};
+}
+
+template <class Scalar>
+TreeDrive<Scalar> tree_drive(const JointDrive& drive) {
+  return {rounded<Scalar>(drive.inertia),   rounded<Scalar>(drive.damping),
+          rounded<Scalar>(drive.friction),  rounded<Scalar>(drive.sharpness),
+          rounded<Scalar>(drive.stiffness), rounded<Scalar>(drive.rest)};
+}
+
+template <class Scalar>
+TreePoint<Scalar> tree_point(const MechanismPoint& point) {
+  return {point.name,
+          point.link,
+          rounded<Scalar>(point.pose.R),
+          rounded<Scalar>(point.pose.p),
+          point.axes,
+          point.rows,
+          point.priority};
+}
+
+template <class Scalar>
+std::optional<TreeRolling<Scalar>> tree_rolling(const std::optional<MechanismRolling>& from) {
+  if (!from) return std::nullopt;
+  TreeRolling<Scalar> rolling{Scalar(from->radius), {}, {}};
+  if (from->axis) rolling.axis = rounded<Scalar>(*from->axis);
+  if (from->on_radius) rolling.on_radius = Scalar(*from->on_radius);
+  return rolling;
+}
+
+/// What of the tree is constant: without inertias that are arguments, with the gravity and the
+/// points of the scene. See `tree_of`.
+template <class Scalar>
+Tree<Scalar> constant_tree(const Mechanism& mechanism) {
+  Tree<Scalar> tree;
+  for (const MovingLink& link : mechanism.links) {
+    const ExactMatrix3 J = rotational_inertia(link.inertia);
+    tree.links.push_back(
+        {link,
+         link.name,
+         link.parent,
+         link.q_index,
+         link.v_index,
+         Scalar(link.multiplier),
+         rounded<Scalar>(link.offset),
+         planar_factors<Scalar>(link.placement.R),
+         rounded<Scalar>(link.placement.p),
+         {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
+          rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
+         link.defers_rotation,
+         link.carries_column,
+         link.spins,
+         tree_drive<Scalar>(link.drive)});
+  }
+  for (const MechanismPoint& point : mechanism.operational_points) {
+    tree.operational_points.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismPoint& point : mechanism.external_forces) {
+    tree.external_forces.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismPoint& point : mechanism.contacts) {
+    tree.contacts.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismLoop& loop : mechanism.loops) {
+    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second),
+                          tree_rolling<Scalar>(loop.rolling)});
+  }
+  tree.couplings = mechanism.couplings;
+  for (const MechanismPoint& point : mechanism.link_frames) {
+    tree.link_frames.push_back(tree_point<Scalar>(point));
+  }
+  for (const MechanismPoint& point : mechanism.payload_frames) {
+    tree.payload_frames.push_back(tree_point<Scalar>(point));
+  }
+  for (std::size_t i = 0; i < mechanism.link_matter.size(); ++i) {
+    const MechanismPoint& frame = mechanism.link_frames[i];
+    const Inertia matter = transformed(mechanism.link_matter[i], frame.pose);
+    tree.link_matter.push_back(
+        {frame.link, rounded<Scalar>(matter.mass), rounded<Scalar>(matter.h)});
+  }
+  Exact mass = mechanism.world.mass;
+  for (const MovingLink& link : mechanism.links) mass += link.inertia.mass;
+  tree.world_moment = rounded<Scalar>(mechanism.world.h);
+  tree.total_mass = rounded<Scalar>(mass);
+  tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Exact(1 / mass) : Exact(0));
+  const auto& g = mechanism.gravity;
+  tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};
+  tree.nq = mechanism.nq();
+  tree.nv = mechanism.nv();
+  tree.has_mimics = mechanism.has_mimics();
+  tree.has_world_matter = mechanism.world.mass != 0 || !mechanism.world.h.isZero(0);
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    mark_limbs(mechanism, tree);
+  }
+  return tree;
+}
+
+/// Suggests the name `symbol + link number [+ _suffix]` for a traced value. Numbers count links
+/// from 1, as in the emitted contract. Does nothing for other scalars.
+template <class Scalar>
+void label(const Scalar& value, const char* symbol, std::size_t link, const char* suffix = "") {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    if (Graph::current().keeps_names()) {
+      Graph::current().name(value, symbol + std::to_string(link + 1) + suffix);
+    }
+  }
+}
+template <class Scalar>
+void label(const Vector3<Scalar>& v, const char* symbol, std::size_t link) {
+  label(v.x, symbol, link, "_x");
+  label(v.y, symbol, link, "_y");
+  label(v.z, symbol, link, "_z");
+}
+/// Declares in a trace that these values may share lanes, see `Graph::align_lanes`.
+template <class Scalar>
+void align_lanes(std::vector<Scalar>& values) {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    Graph::current().align_lanes(values);
+  }
+}
+/// Declares that the following part of the trace belongs to this link. It becomes a comment in
+/// emitted code.
+template <class Scalar>
+void section(const TreeLink<Scalar>& link, std::size_t index, const char* pass) {
+  if constexpr (std::is_same_v<Scalar, Expression>) {
+    if (Graph::current().keeps_names()) {
+      Graph::current().begin_section("link " + std::to_string(index + 1) + " (" + link.name +
+                                     "), " + pass);
+    }
+  }
+}
+
+}  // namespace treeline

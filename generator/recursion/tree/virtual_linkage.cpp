@@ -1,0 +1,119 @@
+#include "recursion/tree/virtual_linkage.hpp"
+
+#include <Eigen/LU>
+
+namespace treeline {
+namespace {
+
+using Vector = Eigen::Matrix<Exact, Eigen::Dynamic, 1>;
+
+ExactVector3 cross(const ExactVector3& a, const ExactVector3& b) {
+  return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
+}
+
+ExactVector3 unit(const ExactVector3& v) {
+  return v / Exact(sqrt(Exact(v.dot(v))));
+}
+
+/// The forces of one hand are the resultant, moved to its point.
+Vector split_over_one(const std::vector<ExactVector3>& r, const Vector& wanted) {
+  Vector forces = wanted;
+  forces.tail<3>() -= cross(r[0], wanted.head<3>());
+  return forces;
+}
+
+/// Half of the force each; the moment about the middle that the hands' own moments leave is borne
+/// by a couple of forces across the line between them and, about the line, by both hands alike.
+Vector split_over_two(const std::vector<ExactVector3>& r, const Vector& wanted) {
+  const ExactVector3 arm = r[1] - r[0];
+  const Exact length = sqrt(Exact(arm.dot(arm)));
+  const ExactVector3 x = arm / length;
+  const bool along_z = abs(x(2)) > Exact(9) / 10;
+  const ExactVector3 y = unit(along_z ? cross(ExactVector3::UnitX(), x)  //
+                                      : cross(ExactVector3::UnitZ(), x));
+  const ExactVector3 z = cross(x, y);
+  const ExactVector3 F = wanted.segment<3>(0);
+  const ExactVector3 M = wanted.segment<3>(3) - cross(ExactVector3((r[0] + r[1]) / 2), F);
+  const Exact tension = wanted(6), torsion = wanted(7), twist = M.dot(x) / 2;
+  const ExactVector3 bend_1 = wanted(8) * y + wanted(9) * z;
+  const ExactVector3 bend_2 = wanted(10) * y + wanted(11) * z;
+  const ExactVector3 across = M - x * M.dot(x) - bend_1 - bend_2;
+  const ExactVector3 couple = cross(across, x) / length;
+  Vector forces(12);
+  forces << F / 2 - couple - tension * x, bend_1 + (twist - torsion) * x,
+      F / 2 + couple + tension * x, bend_2 + (twist + torsion) * x;
+  return forces;
+}
+
+/// Unit vectors of the rods at each grasp: f_i gets -e_ij t, f_j gets +e_ij t.
+void add_tensions(const std::vector<ExactVector3>& r, const Vector& wanted, Vector& forces) {
+  Eigen::Index rod = 6;
+  const auto pull = [&](std::size_t i, std::size_t j) {
+    const ExactVector3 force = wanted(rod++) * unit(r[j] - r[i]);
+    forces.segment<3>(6 * static_cast<Eigen::Index>(i)) -= force;
+    forces.segment<3>(6 * static_cast<Eigen::Index>(j)) += force;
+  };
+  pull(0, 1);
+  pull(1, 2);
+  pull(2, 0);
+  for (std::size_t k = 3; k < r.size(); ++k) {
+    for (std::size_t base = 0; base < 3; ++base) {
+      pull(base, k);
+    }
+  }
+}
+
+/// Equal shares of the force, and forces phi x (r_i - middle) for the moment that the hands' own
+/// moments leave: the least forces that do it, orthogonal to those of the rods.
+Vector split_over_many(const std::vector<ExactVector3>& r, const Vector& wanted) {
+  const auto n = static_cast<Eigen::Index>(r.size());
+  ExactVector3 middle = ExactVector3::Zero();
+  for (const ExactVector3& point : r) {
+    middle += point / Exact(n);
+  }
+  const ExactVector3 F = wanted.segment<3>(0);
+  ExactVector3 M = wanted.segment<3>(3) - cross(middle, F);
+  ExactMatrix3 spread = ExactMatrix3::Zero();
+  Vector forces = Vector::Zero(6 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ExactVector3 arm = r[static_cast<std::size_t>(i)] - middle;
+    spread += Exact(arm.dot(arm)) * ExactMatrix3::Identity() - arm * arm.transpose();
+    forces.segment<3>(6 * i + 3) = wanted.segment<3>(6 + 3 * (n - 2) + 3 * i);
+    M -= forces.segment<3>(6 * i + 3);
+  }
+  const ExactVector3 phi = spread.fullPivLu().solve(M);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ExactVector3 arm = r[static_cast<std::size_t>(i)] - middle;
+    forces.segment<3>(6 * i) = F / Exact(n) + cross(phi, arm);
+  }
+  add_tensions(r, wanted, forces);
+  return forces;
+}
+
+void snap(VirtualLinkage::Matrix& A) {
+  const Exact scale = A.size() == 0 ? Exact(1) : Exact(A.cwiseAbs().maxCoeff());
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    for (Eigen::Index j = 0; j < A.cols(); ++j) {
+      A(i, j) = snapped(A(i, j), scale);
+    }
+  }
+}
+
+}  // namespace
+
+VirtualLinkage virtual_linkage(const std::vector<ExactVector3>& points) {
+  const auto n = static_cast<Eigen::Index>(points.size());
+  VirtualLinkage linkage{VirtualLinkage::Matrix(6 * n, 6 * n), {}};
+  for (Eigen::Index j = 0; j < 6 * n; ++j) {
+    const Vector one = Vector::Unit(6 * n, j);
+    linkage.split.col(j) = n == 1   ? split_over_one(points, one)
+                           : n == 2 ? split_over_two(points, one)
+                                    : split_over_many(points, one);
+  }
+  linkage.read = linkage.split.fullPivLu().inverse().bottomRows(6 * (n - 1));
+  snap(linkage.split);
+  snap(linkage.read);
+  return linkage;
+}
+
+}  // namespace treeline
