@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "recursion/algebra/align_lanes.hpp"
 #include "recursion/algebra/dense_matrix.hpp"
-#include "recursion/algebra/vector3.hpp"
 
 namespace treeline {
 

@@ -8,6 +8,7 @@
 
 #include "mechanism/mechanism.hpp"
 #include "program/expression.hpp"
+#include "recursion/algebra/align_lanes.hpp"
 #include "recursion/algebra/planar_rotation.hpp"
 #include "recursion/tree/mark_limbs.hpp"
 
@@ -249,13 +250,6 @@ void label(const Vector3<Scalar>& v, const char* symbol, std::size_t link) {
   label(v.x, symbol, link, "_x");
   label(v.y, symbol, link, "_y");
   label(v.z, symbol, link, "_z");
-}
-/// Declares in a trace that these values may share lanes, see `Graph::align_lanes`.
-template <class Scalar>
-void align_lanes(std::vector<Scalar>& values) {
-  if constexpr (std::is_same_v<Scalar, Expression>) {
-    Graph::current().align_lanes(values);
-  }
 }
 /// Declares that the following part of the trace belongs to this link. It becomes a comment in
 /// emitted code.
