@@ -38,13 +38,8 @@ AnymalState initial_state() {
 
 /// Those of the joints. The base has no motor: any torque at it is a fault.
 Limits limits_of_anymal() {
-  Limits limits;
-  std::copy(std::begin(robot::kLowerLimits), std::end(robot::kLowerLimits), limits.lower.begin());
-  std::copy(std::begin(robot::kUpperLimits), std::end(robot::kUpperLimits), limits.upper.begin());
-  std::copy(std::begin(robot::kVelocityLimits), std::end(robot::kVelocityLimits),
-            limits.velocity.begin());
-  std::copy(std::begin(robot::kEffortLimits), std::end(robot::kEffortLimits),
-            limits.torque.begin());
+  Limits limits = servo::limits_of(robot::kLowerLimits, robot::kUpperLimits, robot::kVelocityLimits,
+                                   robot::kEffortLimits);
   std::fill_n(limits.torque.begin(), 6, 0.0);
   return limits;
 }
@@ -85,30 +80,10 @@ class Trotting {
 
  private:
   void look_at(const servo::Report<AnymalOnFeet>& report) {
-    look_at_command(report);
+    run_.figures.add(controller_.last().within);
     if (controller_.last().phase.step < 0) start_ = report.state;
     look_at_robot(report.state);
     if (cycles_++ % kRecordEvery == 0) record(report);
-  }
-
-  void look_at_command(const servo::Report<AnymalOnFeet>& report) {
-    TrotFigures& figures = run_.figures;
-    const TrotCommand& command = controller_.last();
-    torque_ = 0.0;
-    for (int i = 0; i < kRates; ++i) {
-      const double torque = std::fabs(report.tau[i]);
-      if (i < 6) {
-        figures.base_torque = std::max(figures.base_torque, torque);
-      } else {
-        torque_ = std::max(torque_, torque / robot::kEffortLimits[i]);
-      }
-    }
-    figures.torque = std::max(figures.torque, torque_);
-    figures.beyond = std::max(figures.beyond, command.beyond);
-    figures.slack = std::max(figures.slack, command.slack);
-    figures.limited += command.limited ? 1 : 0;
-    figures.unsolved += command.solved ? 0 : 1;
-    figures.iterations = std::max(figures.iterations, command.iterations);
   }
 
   void look_at_robot(const AnymalState& state) {
@@ -150,8 +125,8 @@ class Trotting {
                                way_at(plan_, since).position[0],
                                report.state.qd[0],
                                tilt_,
-                               torque_,
-                               static_cast<double>(controller_.last().iterations)};
+                               controller_.last().within.torque,
+                               static_cast<double>(controller_.last().within.iterations)};
     for (std::size_t foot = 0; foot < feet_.size(); ++foot) {
       row.push_back(loads_[foot][2]);
       row.push_back(feet_[foot][2]);
@@ -166,7 +141,7 @@ class Trotting {
   TrotRun run_;
   AnymalState start_{};
   AnymalOnFeet::Vectors feet_{}, loads_{};
-  double torque_ = 0.0, tilt_ = 0.0;
+  double tilt_ = 0.0;
   int counted_ = -1;
   long cycles_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "command_line/limit_figures.hpp"
 #include "servo/plot.hpp"
 #include "servo/safety.hpp"
 #include "servo/table.hpp"
@@ -11,16 +12,7 @@
 /// only pushes. Its base has no motor. Torques and forces stay within their limits in every cycle.
 namespace treeline::experiments {
 
-struct TrotFigures {
-  // What the controller commands, of all cycles.
-  double base_torque = 0.0;  ///< largest entry of tau at the base, N or N m
-  double torque = 0.0;       ///< largest torque of a motor as a share of its limit
-  double beyond = -1e9;      ///< most by which forces are beyond a cone, N
-  double slack = 0.0;        ///< most by which cones were widened, N
-  int limited = 0;           ///< cycles in which a limit was reached
-  int unsolved = 0;          ///< cycles whose program was not solved
-  int iterations = 0;        ///< most of a cycle
-  // What becomes of the robot.
+struct TrotFigures : LimitFigures {
   int steps = 0;             ///< in which both swinging feet had left the ground
   double speed = 0.0;        ///< largest speed of a joint as a share of its limit
   double tilt = 0.0;         ///< largest angle of the body with the ground, rad

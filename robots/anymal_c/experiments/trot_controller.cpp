@@ -159,16 +159,7 @@ void TrotController::obey(const Law& law, const Limits& limits, Limited& limited
     if (carries(command_.phase.support, foot)) f_wanted[3 * at++ + 2] = wanted_load(foot);
   }
   law(state.q, state.qd, qdd_0, xdd, f_wanted, tau, f, limited, limits);
-  command_.beyond = -1e9;
-  for (const auto& cone : limits.cones) {
-    double value = -cone.bound;
-    for (int k = 0; k < cone.count; ++k) value += cone.coefficients[k] * f[cone.first + k];
-    command_.beyond = std::max(command_.beyond, value);
-  }
-  command_.slack = limited.slack;
-  command_.limited = limited.limited;
-  command_.solved = limited.status == decltype(limited.status)::solved;
-  command_.iterations = limited.iterations;
+  command_.within = limit_figures(tau, robot::kEffortLimits, f, limits, limited);
 }
 
 void TrotController::stand(const double (&body)[6], const AnymalState& state,

@@ -4,6 +4,7 @@
 #include "anymal_on_feet.hpp"
 #include "anymal_right_limited.hpp"
 #include "anymal_stand_limited.hpp"
+#include "command_line/limit_figures.hpp"
 #include "core/spline.hpp"
 #include "servo/message.hpp"
 #include "trot_plan.hpp"
@@ -16,11 +17,7 @@ double weight_of_anymal() noexcept;
 /// What a cycle of the controller came to.
 struct TrotCommand {
   TrotPhase phase;
-  double beyond = -1e9;  ///< most by which forces of feet that carry are beyond a cone, N
-  double slack = 0.0;    ///< by which cones were widened, N
-  bool limited = false;  ///< whether a limit was reached
-  bool solved = true;    ///< whether the program was
-  int iterations = 0;
+  LimitFigures within;       ///< torques and forces
   double away[3] = {};       ///< of the body from its path, m
   double swing_error = 0.0;  ///< largest distance of a swinging foot from its path, m
 };

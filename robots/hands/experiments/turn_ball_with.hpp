@@ -70,13 +70,8 @@ class BallTurning {
 
   /// The ball has no motor: any torque at it is a fault.
   static Limits limits_of_hand() {
-    Limits limits;
-    std::copy(std::begin(Hand::kLowerLimits), std::end(Hand::kLowerLimits), limits.lower.begin());
-    std::copy(std::begin(Hand::kUpperLimits), std::end(Hand::kUpperLimits), limits.upper.begin());
-    std::copy(std::begin(Hand::kVelocityLimits), std::end(Hand::kVelocityLimits),
-              limits.velocity.begin());
-    std::copy(std::begin(Hand::kEffortLimits), std::end(Hand::kEffortLimits),
-              limits.torque.begin());
+    Limits limits = servo::limits_of(Hand::kLowerLimits, Hand::kUpperLimits, Hand::kVelocityLimits,
+                                     Hand::kEffortLimits);
     std::fill(limits.torque.end() - 6, limits.torque.end(), 0.0);
     return limits;
   }
