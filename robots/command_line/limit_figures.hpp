@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "servo/safety.hpp"
+
 namespace treeline::experiments {
 
 /// What a controller with `limited_control_torque` commands, of all cycles.
@@ -24,6 +26,21 @@ struct LimitFigures {
 
 /// Three lines for a summary.
 std::string describe_limits(const LimitFigures& figures);
+
+/// A fault in words, with the joint that it is about: of a coordinate, of a velocity or of neither,
+/// by the lists of NAME_joints.hpp.
+template <std::size_t nq, std::size_t nv>
+std::string describe_fault(const servo::Fault& fault, const char* const (&coordinate_joints)[nq],
+                           const char* const (&velocity_joints)[nv]) {
+  const char* joint = "";
+  if (fault.kind == servo::FaultKind::position_limit) {
+    joint = coordinate_joints[fault.index];
+  } else if (fault.kind == servo::FaultKind::velocity_limit ||
+             fault.kind == servo::FaultKind::torque_limit) {
+    joint = velocity_joints[fault.index];
+  }
+  return servo::describe(fault, joint);
+}
 
 /// The largest torque of a motor as a share of its limit; the first six entries are of a base
 /// without motors.

@@ -22,11 +22,9 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 
 std::string trot_summary(const TrotPlan& plan, const TrotRun& run) {
   const TrotFigures& f = run.figures;
-  const int index = run.fault.index;
-  const std::string end =
-      run.fault
-          ? servo::describe(run.fault, index >= 0 ? anymal_simulated::kVelocityJoints[index] : "")
-          : "no fault";
+  const std::string end = run.fault ? describe_fault(run.fault, anymal_simulated::kCoordinateJoints,
+                                                     anymal_simulated::kVelocityJoints)
+                                    : "no fault";
   return fmt::format(
       "ANYmal C stands, trots in place and walks {} m by {} steps\n\n"
       "ends                      after {:.2f} s, {}\n"

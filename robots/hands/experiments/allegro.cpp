@@ -25,6 +25,7 @@ struct AllegroHand {
   static constexpr auto& kUpperLimits = apart::kUpperLimits;
   static constexpr auto& kVelocityLimits = apart::kVelocityLimits;
   static constexpr auto& kEffortLimits = apart::kEffortLimits;
+  static constexpr auto& kCoordinateJoints = apart::kCoordinateJoints;
   static constexpr auto& kVelocityJoints = apart::kVelocityJoints;
   static constexpr auto& forward_kinematics = apart::forward_kinematics;
   static constexpr auto& point_velocity = apart::point_velocity;

@@ -37,7 +37,7 @@ struct BallRun {
   servo::Table table;
   BallFigures figures;
   servo::Fault fault;
-  std::string fault_text;  ///< why it ended, empty where it did not
+  std::string fault_text;  ///< the fault in words
 };
 
 /// Thumb, index and middle finger of an Allegro hand.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ball_controller.hpp"
+#include "command_line/limit_figures.hpp"
 #include "hand_with_ball.hpp"
 #include "servo/run_for.hpp"
 #include "turn_ball.hpp"
@@ -27,15 +28,16 @@ class BallTurning {
       : plan_(plan), plant_(start_state(), kSubsteps, kMaterial), controller_(plan) {}
 
   BallRun run() {
-    BallRun result{Hand::kName,
-                   plan_,
-                   Plant::kFingers,
-                   kMaterial.friction,
-                   servo::Table(column_names(), kRows + static_cast<std::size_t>(
-                                                            plan_.duration() * 1e3 / kRecordEvery)),
-                   {},
-                   {},
-                   {}};
+    BallRun result{
+        Hand::kName,
+        plan_,
+        Plant::kFingers,
+        kMaterial.friction,
+        servo::Table(column_names(),
+                     static_cast<std::size_t>(plan_.duration() * 1e3) / kRecordEvery + 2),
+        {},
+        {},
+        {}};
     servo::SimulatedClock clock;
     servo::Mailbox mailbox;
     const auto watch = [this, &result](const servo::Report<Hand>& report) {
@@ -47,18 +49,13 @@ class BallTurning {
                              controller_, clock, mailbox, watch);
     result.figures.slipped = plant_.slipped();
     result.fault = end.fault;
-    if (end.fault) {
-      const int index = end.fault.index;
-      result.fault_text =
-          servo::describe(end.fault, index >= 0 ? Hand::kVelocityJoints[index] : "");
-    }
+    result.fault_text = describe_fault(end.fault, Hand::kCoordinateJoints, Hand::kVelocityJoints);
     return result;
   }
 
  private:
   static constexpr int kSubsteps = 8;
   static constexpr int kRecordEvery = 10;  ///< cycles
-  static constexpr std::size_t kRows = 2;
   static constexpr servo::BallMaterial kMaterial{};
 
   static State start_state() {

@@ -26,11 +26,9 @@ enum Column : std::size_t {
 
 std::string describe(const PushRun& run) {
   const PushFigures& f = run.figures;
-  const int index = run.fault.index;
-  const std::string end =
-      run.fault
-          ? servo::describe(run.fault, index >= 0 ? humanoid24_push::kVelocityJoints[index] : "")
-          : "no fault";
+  const std::string end = run.fault ? describe_fault(run.fault, humanoid24_push::kCoordinateJoints,
+                                                     humanoid24_push::kVelocityJoints)
+                                    : "no fault";
   return fmt::format(
       "ends                      after {:.3f} s, {}\n"
       "{}"
