@@ -57,7 +57,7 @@ constexpr CycleCosts kTwoInOrder{
     1,   12, 22, "assumed: a core that starts two instructions a cycle in order, as a Cortex-A53"};
 
 // What operations cost, in sums. Where they are emulated: fitted to the instructions that PUMA's
-// eleven functions take in QEMU, weighted by cycles as above, which they give within 2 %.
+// eleven functions take in QEMU, weighted by cycles as above, which they give within 3 %.
 constexpr const char* kEmulated = "fitted to emulated operations in QEMU";
 constexpr OperationCosts kFloatOnM0{1.3, 2.6, 39, 0, 1, kEmulated};
 constexpr OperationCosts kDoubleOnM0{2.4, 2.5, 86, 0, 1, kEmulated};

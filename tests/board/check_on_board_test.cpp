@@ -146,6 +146,24 @@ TEST(OnBoard, RunsC) {
   }
 }
 
+// Would catch: a choice that does not ask what operations cost on the target. A Cortex-M4F does not
+// wait for operands, so that the route of fewer operations wins there, though its chain is longer.
+TEST(OnBoard, CostsOfTheTargetDecide) {
+  const auto chosen = [](const char* target) {
+    Subjects subjects = load("samm");
+    subjects.scene.target = target;
+    subjects.scene.real = Real::float32;
+    subjects.scene.functions = {Function::lambda_inverse};
+    subjects.scene.lanes = 1;
+    return generate(subjects.robot, subjects.scene).functions.front().chosen;
+  };
+  const Cost generic = chosen("generic");
+  const Cost small = chosen("cortex-m4f");
+  EXPECT_NE(key_of(small.route), key_of(generic.route));
+  EXPECT_LT(small.count.flops(), generic.count.flops());
+  EXPECT_EQ(small.count.div, generic.count.div);
+}
+
 TEST(OnBoard, HoldsContractionToTheBound) {
   CheckOptions options = board_options(40);
   options.compile.flags = "-O2";

@@ -45,8 +45,8 @@ TEST(Choose, CostsAreThoseOfTheProcessor) {
     EXPECT_LT(choice->chosen.weighted, choice->rejected.front().weighted);
     return choice->chosen.route.algorithm;
   };
-  EXPECT_EQ(algorithm({.quotient = 1, .waiting = 0}), "divides");  // 3 + 3 against 10
-  EXPECT_EQ(algorithm({.quotient = 3, .waiting = 0}), "adds");     // 9 + 3
+  EXPECT_EQ(algorithm({.quotient = 1, .waiting = 0}), "divides");  // 3 against 10
+  EXPECT_EQ(algorithm({.quotient = 4, .waiting = 0}), "adds");     // 12
 }
 
 TEST(Choose, FirstOfEqualsWins) {
