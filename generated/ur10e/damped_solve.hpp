@@ -43,28 +43,13 @@ constexpr Real damping_of(Real ease, Real border) noexcept {
   return border * lack * lack * lack;
 }
 
-/// damped = A + Delta, of which only the lower triangle is written; `damped` may be `A`. The lower
-/// triangle of `A`, row-major, symmetric, positive semidefinite, is Lambda^-1; `heaviest` are
-/// positive. Returns the least ease: 1 and more where nothing was added. Eases above 1e13 (1e5 in
-/// float) leave no digit to those near 1; then the border rises with them so that A stays positive
-/// definite.
-template <int N, int NN, class Real>
-inline Real add_damping_by_directions(const Real (&heaviest)[N], const Real (&A)[NN],
-                                      Real (&damped)[NN]) noexcept {
-  static_assert(NN == N * N, "A holds N x N numbers");
-  Real roots[N];
-  for (int i = 0; i < N; ++i) {
-    roots[i] = steps::root(heaviest[i]);
-  }
-  Real scaled[NN];  // of which the lower triangle is read
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      scaled[i * N + j] = roots[i] * A[i * N + j] * roots[j];
-    }
-  }
-  Real eases[N];
-  Real directions[NN];
-  steps::diagonalise<N>(scaled, eases, directions);
+namespace steps {
+
+/// x <- 1 / (s + delta(s)) x for each ease s. Returns the least ease; `yields` says whether any
+/// delta is not 0. Eases above 1e13 (1e5 in float) leave no digit to those near 1; then the border
+/// rises with them so that no quotient is one of rounding alone.
+template <int N, class Real>
+constexpr Real divide_by_eases(const Real (&eases)[N], Real (&x)[N], bool& yields) noexcept {
   Real least = eases[0];
   Real most = eases[0];
   for (int k = 1; k < N; ++k) {
@@ -73,31 +58,50 @@ inline Real add_damping_by_directions(const Real (&heaviest)[N], const Real (&A)
   }
   const Real resolved = Real(64) * Format<Real>::kEpsilon * most;
   const Real border = resolved > Real(1) ? resolved : Real(1);
-  for (int i = 0; i < N; ++i) {
-    roots[i] = Real(1) / roots[i];
-  }
+  yields = least < border;
   for (int k = 0; k < N; ++k) {
-    const Real delta = damping_of(eases[k], border);
-    const Real(&sum)[NN] = k == 0 ? A : damped;
-    for (int i = 0; i < N; ++i) {
-      directions[k * N + i] = directions[k * N + i] * roots[i];
-      const Real added = delta * directions[k * N + i];
-      for (int j = 0; j <= i; ++j) {
-        damped[i * N + j] = sum[i * N + j] + added * directions[k * N + j];
-      }
-    }
+    x[k] = x[k] / (eases[k] + damping_of(eases[k], border));
   }
   return least;
 }
 
+}  // namespace steps
+
 /// Turns `x`, which holds the accelerations b that are missing, into the forces F of
-/// (A + Delta) F = b. Returns the least ease.
+/// (A + Delta) F = b. The lower triangle of `A`, row-major, symmetric, positive semidefinite, is
+/// Lambda^-1; `heaviest` are positive. Returns the least ease: 1 and more where nothing was added.
 template <int N, int NN, class Real>
 inline Real damped_solve(const Real (&A)[NN], const Real (&heaviest)[N], Real (&x)[N]) noexcept {
-  Real damped[NN];
-  const Real ease = add_damping_by_directions(heaviest, A, damped);
-  ldlt_factor<N>(damped);
-  ldlt_solve(damped, x);
+  static_assert(NN == N * N, "A holds N x N numbers");
+  Real roots[N];
+  Real turned[N];
+  for (int i = 0; i < N; ++i) {
+    roots[i] = steps::root(heaviest[i]);
+    turned[i] = roots[i] * x[i];
+  }
+  steps::Turns<N, Real> turns;  // of S A S
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      turns.reflections[i * N + j] = roots[i] * A[i * N + j] * roots[j];
+    }
+  }
+  Real eases[N];
+  steps::diagonalise(turns, eases);
+  steps::turn(turns, turned);
+  bool yields = false;
+  const Real ease = steps::divide_by_eases(eases, turned, yields);
+  steps::turn_back(turns, turned);
+  // A, or where directions yield a matrix that has an inverse.
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      turns.reflections[i * N + j] = !yields ? A[i * N + j] : i == j ? Real(1) : Real(0);
+    }
+  }
+  ldlt_factor<N>(turns.reflections);
+  ldlt_solve(turns.reflections, x);
+  for (int i = 0; i < N; ++i) {
+    x[i] = yields ? roots[i] * turned[i] : x[i];
+  }
   return ease;
 }
 

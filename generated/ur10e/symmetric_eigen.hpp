@@ -30,6 +30,16 @@ constexpr int ql_sweeps(int n) noexcept {
 
 namespace steps {
 
+/// How eigenvectors turn vectors: reflections, then rotations of neighbouring entries. To turn a
+/// vector takes fewer operations than to write the eigenvectors out.
+template <int N, class Real>
+struct Turns {
+  static constexpr int kSweeps = ql_sweeps<Real>(N);
+  Real reflections[N * N];  ///< column k below the diagonal: v of I - scales[k] v v^T
+  Real scales[N];
+  Real rotations[kSweeps > 0 ? 2 * (N - 1) * kSweeps : 1];  ///< c, s in the order of the sweeps
+};
+
 /// Square root; 0 for what rounding has made negative.
 template <class Real>
 inline Real root(Real x) noexcept {
@@ -59,13 +69,6 @@ constexpr void exchange_if(bool condition, Real& a, Real& b) noexcept {
   b = condition ? kept : b;
 }
 
-template <class Real>
-constexpr void turn_pair(Real c, Real s, Real& a, Real& b) noexcept {
-  const Real kept = a;
-  a = c * a - s * b;
-  b = s * kept + c * b;
-}
-
 /// Divides `A` by its largest entry, which is returned.
 template <int N, class Real>
 constexpr Real scale_to_one(Real (&A)[N * N]) noexcept {
@@ -86,79 +89,70 @@ constexpr Real scale_to_one(Real (&A)[N * N]) noexcept {
 }
 
 /// Turns column k of `A` below the diagonal onto its first entry by I - scale v v^T, with v in
-/// entries k + 1 to N - 1. Returns that entry; `scale` is 0 where nothing is to be turned.
+/// entries k + 1 to N - 1, where it replaces the column. Returns that entry; `scale` is 0 where
+/// nothing is to be turned.
 template <int N, class Real>
-inline Real reflect_column(int k, const Real (&A)[N * N], Real (&v)[N], Real& scale) noexcept {
+inline Real reflect_column(int k, Real (&A)[N * N], Real& scale) noexcept {
   Real square = Real(0);
   for (int i = k + 2; i < N; ++i) {
-    v[i] = A[i * N + k];
-    square += v[i] * v[i];
+    square += A[i * N + k] * A[i * N + k];
   }
   const Real first = A[(k + 1) * N + k];
   const Real length = root_of_squares(first * first + square);
   const bool turns = square > kLostSquare<Real>;
-  v[k + 1] = first < Real(0) ? first - length : first + length;
+  A[(k + 1) * N + k] = first < Real(0) ? first - length : first + length;
   scale = turns ? Real(1) / (turns ? length * (length + absolute(first)) : Real(1)) : Real(0);
   return !turns ? first : first < Real(0) ? length : -length;
 }
 
-/// A <- H A H in the lower triangle of rows from k + 1, with H = I - scale v v^T.
+/// A <- H A H in the lower triangle of rows from k + 1, with H = I - scale v v^T and v in column k.
 template <int N, class Real>
-constexpr void apply_reflection(int k, const Real (&v)[N], Real scale, Real (&A)[N * N]) noexcept {
+constexpr void apply_reflection(int k, Real scale, Real (&A)[N * N]) noexcept {
   Real w[N];
   for (int i = k + 1; i < N; ++i) {
     w[i] = Real(0);
     for (int j = k + 1; j < i; ++j) {
-      w[i] += A[i * N + j] * v[j];
-      w[j] += A[i * N + j] * v[i];
+      w[i] += A[i * N + j] * A[j * N + k];
+      w[j] += A[i * N + j] * A[i * N + k];
     }
-    w[i] += A[i * N + i] * v[i];
+    w[i] += A[i * N + i] * A[i * N + k];
   }
   Real along = Real(0);
   for (int i = k + 1; i < N; ++i) {
     w[i] = scale * w[i];
-    along += w[i] * v[i];
+    along += w[i] * A[i * N + k];
   }
   const Real part = Real(0.5) * scale * along;
   for (int i = k + 1; i < N; ++i) {
-    w[i] -= part * v[i];
+    w[i] -= part * A[i * N + k];
     for (int j = k + 1; j <= i; ++j) {
-      A[i * N + j] -= v[i] * w[j] + w[i] * v[j];
+      A[i * N + j] -= A[i * N + k] * w[j] + w[i] * A[j * N + k];
     }
   }
 }
 
-/// V <- V H in rows from k + 1, where all before column k + 1 is 0.
+/// x <- H x with the reflection k that `tridiagonalise` left in `A`.
 template <int N, class Real>
-constexpr void turn_vectors(int k, const Real (&v)[N], Real scale, Real (&V)[N * N]) noexcept {
-  for (int row = k + 1; row < N; ++row) {
-    Real sum = Real(0);
-    for (int i = k + 1; i < N; ++i) {
-      sum += V[row * N + i] * v[i];
-    }
-    sum = scale * sum;
-    for (int i = k + 1; i < N; ++i) {
-      V[row * N + i] -= sum * v[i];
-    }
+constexpr void reflect(int k, const Real (&A)[N * N], Real scale, Real* x) noexcept {
+  Real sum = Real(0);
+  for (int i = k + 1; i < N; ++i) {
+    sum += A[i * N + k] * x[i];
+  }
+  sum = scale * sum;
+  for (int i = k + 1; i < N; ++i) {
+    x[i] -= sum * A[i * N + k];
   }
 }
 
-/// T = V A V^T with the diagonal `d` and `e[i]` between d[i] and d[i + 1]. Reads the lower triangle
-/// of `A` and uses it up.
+/// T = H A H^T with the diagonal `d` and `e[i]` between d[i] and d[i + 1], where H is the product
+/// of reflections N - 3 to 0. Reads the lower triangle of `A` and leaves the reflections in its
+/// columns.
 template <int N, class Real>
-inline void tridiagonalise(Real (&A)[N * N], Real (&d)[N], Real (&e)[N],
-                           Real (&V)[N * N]) noexcept {
-  for (int i = 0; i < N * N; ++i) {
-    V[i] = i % (N + 1) == 0 ? Real(1) : Real(0);
-  }
-  Real v[N][N];
-  Real scales[N];
+inline void tridiagonalise(Real (&A)[N * N], Real (&scales)[N], Real (&d)[N],
+                           Real (&e)[N]) noexcept {
   for (int k = 0; k < N - 2; ++k) {
-    e[k] = reflect_column<N>(k, A, v[k], scales[k]);
-    apply_reflection<N>(k, v[k], scales[k], A);
-  }
-  for (int k = N - 3; k >= 0; --k) {
-    turn_vectors<N>(k, v[k], scales[k], V);
+    e[k] = reflect_column<N>(k, A, scales[k]);
+    apply_reflection<N>(k, scales[k], A);
   }
   for (int k = 0; k < N; ++k) {
     d[k] = A[k * N + k];
@@ -183,10 +177,10 @@ inline Real shift_of(const Real (&d)[N], const Real (&e)[N], Real negligible) no
   return d[top] - beside * (beside / (length > Real(0) ? sum : Real(1)));
 }
 
-/// One sweep of implicit QL over all blocks, rows of `V` with it. Where an `e` is negligible it
-/// becomes 0, the rotation nothing, and the next block begins.
+/// One sweep of implicit QL over all blocks. Where an `e` is negligible it becomes 0, the rotation
+/// nothing, and the next block begins. Writes the rotations of entries i and i + 1, the last first.
 template <int N, class Real>
-inline void sweep_up(Real (&d)[N], Real (&e)[N], Real negligible, Real (&V)[N * N]) noexcept {
+inline void sweep_up(Real (&d)[N], Real (&e)[N], Real negligible, Real* rotations) noexcept {
   const Real shift = shift_of(d, e, negligible);
   Real c = Real(1);
   Real s = Real(1);
@@ -213,9 +207,8 @@ inline void sweep_up(Real (&d)[N], Real (&e)[N], Real negligible, Real (&V)[N * 
     left = c * r - b;
     const Real anew = d[i] - shift;
     g = splits ? anew : left;
-    for (int k = 0; k < N; ++k) {
-      turn_pair(c, s, V[i * N + k], V[(i + 1) * N + k]);
-    }
+    *rotations++ = c;
+    *rotations++ = s;
     s = splits ? Real(1) : s;
     begins = splits;
   }
@@ -223,21 +216,90 @@ inline void sweep_up(Real (&d)[N], Real (&e)[N], Real negligible, Real (&V)[N * 
   e[0] = left;
 }
 
-/// Eigenvalues and unit vectors as rows in no order; reads the lower triangle of `A` and uses it
-/// up.
+/// The eigenvalues, in no order, of the matrix whose lower triangle is in `turns.reflections`.
 template <int N, class Real>
-inline void diagonalise(Real (&A)[N * N], Real (&values)[N], Real (&vectors)[N * N]) noexcept {
-  const Real largest = scale_to_one<N>(A);
+inline void diagonalise(Turns<N, Real>& turns, Real (&values)[N]) noexcept {
+  const Real largest = scale_to_one<N>(turns.reflections);
   Real beside[N];
-  tridiagonalise<N>(A, values, beside, vectors);
+  tridiagonalise<N>(turns.reflections, turns.scales, values, beside);
   if constexpr (N > 1) {
     const Real negligible = Real(4) * Format<Real>::kEpsilon;
-    for (int sweep = 0; sweep < ql_sweeps<Real>(N); ++sweep) {
-      sweep_up(values, beside, negligible, vectors);
+    for (int sweep = 0; sweep < turns.kSweeps; ++sweep) {
+      sweep_up(values, beside, negligible, &turns.rotations[sweep * 2 * (N - 1)]);
     }
   }
   for (int i = 0; i < N; ++i) {
     values[i] = largest * values[i];
+  }
+}
+
+/// Turns `x` into the axes of the eigenvectors.
+template <int N, class Real>
+constexpr void turn(const Turns<N, Real>& turns, Real (&x)[N]) noexcept {
+  for (int k = 0; k < N - 2; ++k) {
+    reflect<N>(k, turns.reflections, turns.scales[k], x);
+  }
+  const Real* rotation = turns.rotations;
+  for (int sweep = 0; sweep < turns.kSweeps; ++sweep) {
+    Real last = x[N - 1];
+    for (int i = N - 2; i >= 0; --i) {
+      const Real c = *rotation++;
+      const Real s = *rotation++;
+      x[i + 1] = s * x[i] + c * last;
+      last = c * x[i] - s * last;
+    }
+    x[0] = last;
+  }
+}
+
+/// Turns `x` back from the axes of the eigenvectors.
+template <int N, class Real>
+constexpr void turn_back(const Turns<N, Real>& turns, Real (&x)[N]) noexcept {
+  const Real* rotation = turns.rotations + 2 * (N - 1) * turns.kSweeps;
+  for (int sweep = 0; sweep < turns.kSweeps; ++sweep) {
+    Real first = x[0];
+    for (int i = 0; i < N - 1; ++i) {
+      const Real s = *--rotation;
+      const Real c = *--rotation;
+      x[i] = c * first + s * x[i + 1];
+      first = c * x[i + 1] - s * first;
+    }
+    x[N - 1] = first;
+  }
+  for (int k = N - 3; k >= 0; --k) {
+    reflect<N>(k, turns.reflections, turns.scales[k], x);
+  }
+}
+
+/// Eigenvalues and unit vectors as rows, in no order, of `A`, whose lower triangle is read.
+template <int N, class Real>
+inline void decompose(const Real (&A)[N * N], Real (&values)[N], Real (&vectors)[N * N]) noexcept {
+  Turns<N, Real> turns;
+  for (int j = 0; j < N; ++j) {
+    for (int i = j; i < N; ++i) {  // by columns: of rows compilers make calls of memcpy
+      turns.reflections[i * N + j] = A[i * N + j];
+    }
+  }
+  for (int i = 0; i < N * N; ++i) {
+    vectors[i] = i % (N + 1) == 0 ? Real(1) : Real(0);
+  }
+  diagonalise(turns, values);
+  for (int k = N - 3; k >= 0; --k) {
+    for (int row = k + 1; row < N; ++row) {
+      reflect<N>(k, turns.reflections, turns.scales[k], &vectors[row * N]);
+    }
+  }
+  const Real* rotation = turns.rotations;
+  for (int sweep = 0; sweep < turns.kSweeps; ++sweep) {
+    for (int i = N - 2; i >= 0; --i) {
+      const Real c = *rotation++;
+      const Real s = *rotation++;
+      for (int k = i * N; k < (i + 1) * N; ++k) {
+        const Real kept = vectors[k];
+        vectors[k] = c * kept - s * vectors[k + N];
+        vectors[k + N] = s * kept + c * vectors[k + N];
+      }
+    }
   }
 }
 
@@ -263,15 +325,8 @@ constexpr void sort_descending(Real (&values)[N], Real (&vectors)[N * N]) noexce
 template <int N, int NN, class Real>
 inline SymmetricEigen<N, Real> symmetric_eigen(const Real (&A)[NN]) noexcept {
   static_assert(NN == N * N, "A holds N x N numbers");
-  // Its transpose, which is A: of a plain copy compilers make a call of memcpy.
-  Real work[NN];
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j < N; ++j) {
-      work[i * N + j] = A[j * N + i];
-    }
-  }
   SymmetricEigen<N, Real> eigen;
-  steps::diagonalise<N>(work, eigen.values, eigen.vectors);
+  steps::decompose<N>(A, eigen.values, eigen.vectors);
   steps::sort_descending(eigen.values, eigen.vectors);
   return eigen;
 }

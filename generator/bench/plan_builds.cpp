@@ -87,7 +87,7 @@ class Planner {
     FunctionMechanisms mechanisms(robot, scene, inertias);
     for (const Function function : scene.functions) {
       functions.push_back(
-          generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos));
+          generate_function(mechanisms.of(function), function, route_options(scene)));
     }
     return functions;
   }

@@ -96,12 +96,14 @@ bool run_job(const BoardJob& job, const BoardSelection& selection,
              Diagnostics& diagnostics) {
   const Real real = job.scene.real;
   const auto& functions = selection.functions;
-  if (!write_harness(job.scene.name, functions, states_of(references), real, job.target, job.work,
+  if (!write_harness(functions, states_of(references), job.scene, job.target, job.work,
                      diagnostics)) {
     return false;
   }
-  const auto objects = cross_compile(job.sources, functions, job.target, job.tools,
-                                     job.options.compile, job.work, diagnostics);
+  CompileOptions compile = job.options.compile;
+  compile.language = job.scene.language;
+  const auto objects =
+      cross_compile(job.sources, functions, job.target, job.tools, compile, job.work, diagnostics);
   if (!objects) return false;
   const auto program = link_program(*objects, job.target, job.tools, diagnostics);
   if (!program) return false;
@@ -130,12 +132,6 @@ std::optional<BoardReport> check_on_board(const Robot& robot, const Scene& scene
                                           const Generation& generation, const CheckOptions& options,
                                           Diagnostics& diagnostics) {
   const Target& target = *find_target(scene.target);
-  if (scene.language == Language::c) {
-    diagnostics.add({Severity::error, scene.file, 0, "language",
-                     "boards run C++ only, whose bits are those of C",
-                     "Check it with --language c++, and C on this machine without --target."});
-    return std::nullopt;
-  }
   const auto work = make_temporary_folder(diagnostics);
   if (!work) return std::nullopt;
   const auto tools = find_tools(target, work->path(), diagnostics);

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "emission/backend/backend.hpp"
 #include "emission/describe_program.hpp"
 
 namespace treeline {
@@ -18,6 +19,8 @@ namespace fs = std::filesystem;
 constexpr const char* kFreestanding =
     "-std=c++17 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics "
     "-fno-asynchronous-unwind-tables -fno-pie";
+constexpr const char* kFreestandingC =
+    "-std=c99 -ffreestanding -fno-asynchronous-unwind-tables -fno-pie";
 
 void append_words(Command& command, const std::string& words) {
   for (std::string& word : split_words(words)) command.push_back(std::move(word));
@@ -35,27 +38,39 @@ bool board_succeeded(const CommandOutcome& outcome, const fs::path& file, const 
   return false;
 }
 
-/// Sources to compile, each with its flags.
+/// Sources to compile, each with its language and flags.
 struct Sources {
   std::vector<fs::path> files;
+  std::vector<Language> languages;
   std::vector<std::string> stems, flags;
-  void add(const fs::path& folder, const std::string& stem, std::string with) {
-    files.push_back(fs::absolute(folder / (stem + ".cpp")));
+  void add(const fs::path& folder, const std::string& stem, Language language, std::string with) {
+    files.push_back(fs::absolute(folder / (stem + std::string(backend_of(language).source))));
+    languages.push_back(language);
     stems.push_back(stem);
     flags.push_back(std::move(with));
   }
 };
+
+/// Compiler and flags for a language and a target.
+std::string compiler_for(Language language, const Target& target, const Tools& tools) {
+  const bool c = language == Language::c;
+  return fmt::format("{} {} {}", c ? tools.c_compiler : tools.compiler,
+                     c ? kFreestandingC : kFreestanding, target.flags);
+}
 
 Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction>& functions,
                      const CompileOptions& options, const fs::path& work) {
   Sources sources;
   for (const GeneratedFunction& generated : functions) {
     const bool long_one = !options.long_flags.empty() && is_long(generated.program);
+    const bool in_header = is_composed(generated) && options.language == Language::cpp;
     sources.add(
-        is_composed(generated) ? work : folder, source_stem(generated),
+        in_header ? work : folder, source_stem(generated), options.language,
         (long_one ? options.long_flags : options.flags) + " -fstack-usage -fcallgraph-info=su");
   }
-  for (const char* stem : {kMainStem, kEmptyStem, kStartStem}) sources.add(work, stem, "-O2");
+  for (const char* stem : {kMainStem, kEmptyStem, kStartStem}) {
+    sources.add(work, stem, Language::cpp, "-O2");
+  }
   return sources;
 }
 
@@ -70,8 +85,8 @@ std::optional<BoardObjects> cross_compile(const fs::path& sources,
   const Sources list = list_sources(sources, functions, options, work);
   std::vector<Command> commands;
   for (std::size_t i = 0; i < list.files.size(); ++i) {
-    Command command{tools.compiler};
-    append_words(command, fmt::format("{} {} {}", kFreestanding, target.flags, list.flags[i]));
+    Command command;
+    append_words(command, compiler_for(list.languages[i], target, tools) + " " + list.flags[i]);
     command.insert(command.end(), {"-I", fs::absolute(sources), "-I", work, "-c", list.files[i],
                                    "-o", work / (list.stems[i] + ".o")});
     commands.push_back(std::move(command));
@@ -82,12 +97,11 @@ std::optional<BoardObjects> cross_compile(const fs::path& sources,
     all = board_succeeded(outcomes[i], list.files[i], "does not compile", diagnostics) && all;
   }
   if (!all) return std::nullopt;
-  BoardObjects objects{work, {}, {}, {}, 0};
+  BoardObjects objects{work, {}, {}, options.language, {}, 0};
   for (std::size_t i = 0; i < list.stems.size(); ++i) {
     (i < functions.size() ? objects.stems : objects.harness).push_back(list.stems[i]);
   }
-  objects.command =
-      fmt::format("{} {} {} {}", tools.compiler, kFreestanding, target.flags, options.flags);
+  objects.command = compiler_for(options.language, target, tools) + " " + options.flags;
   objects.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return objects;
 }

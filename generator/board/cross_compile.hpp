@@ -17,6 +17,7 @@ struct BoardObjects {
   std::filesystem::path folder;
   std::vector<std::string> stems;    ///< of the functions, in their order
   std::vector<std::string> harness;  ///< of all others
+  Language language;                 ///< of the functions
   std::string command;               ///< compiler and flags
   double seconds = 0;
 };

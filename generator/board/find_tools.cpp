@@ -26,7 +26,11 @@ std::optional<std::string> ask_version(const std::string& program, const char* p
 std::optional<Tools> find_tools(const Target& target, const std::filesystem::path& work,
                                 Diagnostics& diagnostics) {
   const Board& board = target.board;
-  Tools tools{std::string(target.prefix) + "g++", target.prefix, {}, {}};
+  Tools tools{std::string(target.prefix) + "g++",
+              std::string(target.prefix) + "gcc",
+              target.prefix,
+              {},
+              {}};
   const auto version = ask_version(tools.compiler, target.package, target, work, diagnostics);
   const auto simulator = ask_version(board.simulator, board.package, target, work, diagnostics);
   if (!version || !simulator) return std::nullopt;

@@ -12,7 +12,8 @@ namespace treeline {
 
 /// Programs for a target, which start.
 struct Tools {
-  std::string compiler;          ///< the program
+  std::string compiler;          ///< the program, for C++
+  std::string c_compiler;        ///< the same for C
   std::string prefix;            ///< of the names of nm, size and objdump
   std::string compiler_version;  ///< first line that it prints
   Command simulator;             ///< QEMU with the options that every run has

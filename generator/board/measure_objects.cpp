@@ -12,8 +12,12 @@
 namespace treeline {
 namespace {
 
-/// Symbol of a function in a namespace, up to its arguments.
-std::string mangled_beginning(const std::string& space, const std::string& function) {
+/// Symbol of a function, in C++ up to its arguments.
+std::string beginning_of_symbol(Language language, const std::string& name,
+                                const GeneratedFunction& generated) {
+  const std::string& function = generated.program.name;
+  if (language == Language::c) return fmt::format("{}_{}", name, function);
+  const std::string space = is_composed(generated) ? "composed" : name;
   return fmt::format("_ZN{}{}{}{}E", space.size(), space, function.size(), function);
 }
 
@@ -113,8 +117,8 @@ std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const st
     function.text_bytes = bytes.text;
     function.constant_bytes = bytes.constants;
     function.static_bytes = bytes.variables;
-    const std::string space = is_composed(functions[i]) ? "composed" : name;
-    function.stack_bytes = stack_of(graph, mangled_beginning(space, functions[i].program.name));
+    function.stack_bytes =
+        stack_of(graph, beginning_of_symbol(objects.language, name, functions[i]));
     sort_symbols(symbols[i], graph, function);
     function.cycles = mean_cycles(listings[i], target.cycles);
   }

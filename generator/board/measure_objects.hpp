@@ -25,7 +25,7 @@ bool is_arithmetic(const std::string& symbol);
 std::vector<std::string> list_undefined(std::string_view listing);
 
 /// Measures the compiled functions: code, stack, symbols. `cycles` of each is the mean of its
-/// instructions. `name` is the namespace.
+/// instructions. `name` is the namespace, or the prefix in C.
 std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const std::string& name,
                                            const std::vector<GeneratedFunction>& functions,
                                            const Target& target, const Tools& tools);

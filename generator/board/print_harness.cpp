@@ -59,6 +59,38 @@ std::string print_call_arguments(const GeneratedFunction& generated,
   return list;
 }
 
+/// The functions that do nothing.
+std::string declare_empty(const std::string& name,
+                          const std::vector<GeneratedFunction>& functions) {
+  std::string text = fmt::format("namespace empty {{\nusing {}::Real;\n", name);
+  for (const GeneratedFunction& generated : functions) {
+    text += fmt::format("void {}({}) noexcept;\n", generated.program.name,
+                        print_types(generated, false));
+  }
+  return text + "}\n\n";
+}
+
+/// Names of a function's arguments, for a call.
+std::string list_names(const GeneratedFunction& generated) {
+  std::string names;
+  for (const Argument& argument : generated.program.arguments) names += argument.name + ", ";
+  for (std::size_t i = 0; i < count_written(generated); ++i) {
+    names += (i == 0 ? "" : ", ") + generated.program.results[i].argument.name;
+  }
+  return names;
+}
+
+/// Calls a function in C, whose arrays are pointers. Compiled into the caller, as if that called it
+/// itself.
+std::string print_c_call(const std::string& name, const GeneratedFunction& generated) {
+  const bool composed = is_composed(generated);
+  return fmt::format(
+      "__attribute__((always_inline)) inline {} {}({}) noexcept {{\n  {}{}_{}({}{});\n}}\n",
+      composed ? "Real" : "void", generated.program.name, print_types(generated, true),
+      composed ? "return " : "", name, generated.program.name, list_names(generated),
+      composed ? fmt::format(", {}_heaviest", name) : "");
+}
+
 std::string print_case(const std::string& name, const GeneratedFunction& generated,
                        const std::vector<StatePlace>& places) {
   const std::string before =
@@ -98,17 +130,28 @@ std::vector<StatePlace> place_arguments(const std::vector<GeneratedFunction>& fu
 
 std::string print_functions_header(const std::string& name,
                                    const std::vector<GeneratedFunction>& functions) {
-  std::string empty, composed;
+  std::string composed;
   for (const GeneratedFunction& generated : functions) {
-    const std::string types = print_types(generated, false);
-    empty += fmt::format("void {}({}) noexcept;\n", generated.program.name, types);
     if (!is_composed(generated)) continue;
-    composed += fmt::format("Real {}({}) noexcept;\n", generated.program.name, types);
+    composed += fmt::format("Real {}({}) noexcept;\n", generated.program.name,
+                            print_types(generated, false));
   }
   return fmt::format(
-      "#pragma once\n#include \"{0}.hpp\"\n\nnamespace empty {{\nusing {0}::Real;\n{1}}}\n\n"
-      "namespace composed {{\nusing {0}::Real;\n{2}}}\n",
-      name, empty, composed);
+      "#pragma once\n#include \"{0}.hpp\"\n\n{1}namespace composed {{\nusing {0}::Real;\n{2}}}\n",
+      name, declare_empty(name, functions), composed);
+}
+
+std::string print_c_functions_header(const std::string& name,
+                                     const std::vector<GeneratedFunction>& functions, Real real) {
+  std::string plain, composed;
+  for (const GeneratedFunction& generated : functions) {
+    (is_composed(generated) ? composed : plain) += print_c_call(name, generated);
+  }
+  return fmt::format(
+      "#pragma once\n#include \"{0}{1}.h\"\n\nnamespace {0} {{\nusing Real = {2};\n{3}}}\n\n"
+      "{4}namespace composed {{\nusing {0}::Real;\n{5}}}\n",
+      name, composed.empty() ? "" : "_damped", real == Real::float32 ? "float" : "double", plain,
+      declare_empty(name, functions), composed);
 }
 
 std::string print_empty_functions(const std::vector<GeneratedFunction>& functions) {
@@ -121,15 +164,10 @@ std::string print_empty_functions(const std::vector<GeneratedFunction>& function
 }
 
 std::string print_composed_function(const std::string& name, const GeneratedFunction& generated) {
-  std::string names;
-  for (const Argument& argument : generated.program.arguments) names += argument.name + ", ";
-  for (std::size_t i = 0; i < count_written(generated); ++i) {
-    names += (i == 0 ? "" : ", ") + generated.program.results[i].argument.name;
-  }
   return fmt::format(
       "#include \"functions.hpp\"\n#include \"{0}_damped.hpp\"\n\nnamespace composed {{\n"
       "Real {1}({2}) noexcept {{\n  return {0}::{1}({3});\n}}\n}}\n",
-      name, generated.program.name, print_types(generated, true), names);
+      name, generated.program.name, print_types(generated, true), list_names(generated));
 }
 
 std::string print_main(const std::string& name, const std::vector<GeneratedFunction>& functions,

@@ -92,24 +92,27 @@ std::nullopt_t fail_run(const Command& command, std::string fault, Diagnostics& 
 
 }  // namespace
 
-bool write_harness(const std::string& name, const std::vector<GeneratedFunction>& functions,
-                   const std::vector<State>& states, Real real, const Target& target,
+bool write_harness(const std::vector<GeneratedFunction>& functions,
+                   const std::vector<State>& states, const Scene& scene, const Target& target,
                    const fs::path& work, Diagnostics& diagnostics) {
+  const std::string& name = scene.name;
+  const bool c = scene.language == Language::c;
   const HarnessFiles files{work / kStatesFile, work / kResultsFile,
                            static_cast<int>(states.size())};
   const auto write = [&](const std::string& file, const std::string& text) {
     return write_work_file(work / file, text, diagnostics);
   };
   const auto source = [](const char* stem) { return std::string(stem) + ".cpp"; };
-  bool written = write(kStatesFile, pack_states(functions, states, real)) &&
+  bool written = write(kStatesFile, pack_states(functions, states, scene.real)) &&
                  write("board.hpp", std::string(board_templates::kBoard)) &&
                  write(kLinkerScript, std::string(board_templates::kLinkerScript)) &&
-                 write("functions.hpp", print_functions_header(name, functions)) &&
+                 write("functions.hpp", c ? print_c_functions_header(name, functions, scene.real)
+                                          : print_functions_header(name, functions)) &&
                  write(source(kMainStem), print_main(name, functions, files)) &&
                  write(source(kEmptyStem), print_empty_functions(functions)) &&
                  write(source(kStartStem), print_start(target.board));
   for (const GeneratedFunction& generated : functions) {
-    if (!is_composed(generated)) continue;
+    if (c || !is_composed(generated)) continue;
     written =
         written && write(source_stem(generated) + ".cpp", print_composed_function(name, generated));
   }

@@ -18,8 +18,8 @@ struct BoardCalls {
 
 /// Writes the sources of the program that calls the functions at the states, and the states, to
 /// `work`. Returns false and reports an error if that fails.
-bool write_harness(const std::string& name, const std::vector<GeneratedFunction>& functions,
-                   const std::vector<State>& states, Real real, const Target& target,
+bool write_harness(const std::vector<GeneratedFunction>& functions,
+                   const std::vector<State>& states, const Scene& scene, const Target& target,
                    const std::filesystem::path& work, Diagnostics& diagnostics);
 
 /// Runs the linked program and reads what it has written. Errors: QEMU fails, the program stops

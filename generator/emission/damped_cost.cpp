@@ -17,8 +17,9 @@ void add(OperationCount& count, int times, int additions, int products, int quot
   count.div += times * quotients;
 }
 
-/// `steps::diagonalise` of an n x n matrix. Returns how many square roots that takes.
-int add_diagonalisation(OperationCount& count, int n, bool single_precision) {
+/// `steps::diagonalise` of an n x n matrix in so many sweeps. Returns how many square roots that
+/// takes.
+int add_diagonalisation(OperationCount& count, int n, int sweeps) {
   add(count, 1, 0, n * (n + 1) / 2, 1);  // scaled to 1
   for (int m = n - 1; m >= 2; --m) {     // a reflection of m entries
     add(count, m, 1, 1, 0);              // their length
@@ -27,14 +28,18 @@ int add_diagonalisation(OperationCount& count, int n, bool single_precision) {
     add(count, m, 2, 3, 0);              // w
     add(count, 1, 0, 2, 0);
     add(count, m * (m + 1) / 2, 2, 2, 0);  // A
-    add(count, m, 2 * m, 2 * m + 1, 0);    // V
   }
-  const int sweeps = single_precision ? core::ql_sweeps<float>(n) : core::ql_sweeps<double>(n);
-  add(count, n > 1 ? 1 : 0, 0, 1, 0);                      // what is negligible
-  add(count, sweeps, 6, 4, 1);                             // shift, and the ends
-  add(count, sweeps * (n - 1), 7 + 2 * n, 11 + 4 * n, 1);  // rotations
-  add(count, n, 0, 1, 0);                                  // scaled back
+  add(count, n > 1 ? 1 : 0, 0, 1, 0);      // what is negligible
+  add(count, sweeps, 6, 4, 1);             // shift, and the ends
+  add(count, sweeps * (n - 1), 7, 11, 1);  // rotations
+  add(count, n, 0, 1, 0);                  // scaled back
   return (n > 2 ? n - 2 : 0) + sweeps * n;
+}
+
+/// `steps::turn`, or `steps::turn_back`.
+void add_turn(OperationCount& count, int n, int sweeps) {
+  for (int m = n - 1; m >= 2; --m) add(count, 1, 2 * m, 2 * m + 1, 0);
+  add(count, sweeps * (n - 1), 2, 4, 0);
 }
 
 }  // namespace
@@ -46,24 +51,26 @@ bool is_called_by_damped(const std::string& function) {
 }
 
 DampedCost cost_of_damped_solve(int n, int velocities, bool single_precision) {
+  const int sweeps = single_precision ? core::ql_sweeps<float>(n) : core::ql_sweeps<double>(n);
   const int pairs = n * (n - 1) / 2;
-  const int triangle = n + pairs;
   DampedCost cost;
   OperationCount& count = cost.count;
   add(count, n, 1 + velocities, velocities, 0);  // F = xdd_cmd - bias - J qdd_0
-  add(count, triangle, 0, 2, 0);                 // S Lambda^-1 S
-  cost.square_roots = n + add_diagonalisation(count, n, single_precision);
-  add(count, 1, 0, 2, 0);                                 // border
-  add(count, n, 1, 3, 1);                                 // delta of each ease
-  add(count, n, 0, 0, 1);                                 // S^-1
-  add(count, n * n, 0, 2, 0);                             // S^-1 v_k, times delta
-  add(count, n * triangle, 1, 1, 0);                      // A += Delta
-  add(count, pairs, 1, 2, 1);                             // pivots of L D L^T, and L
-  add(count, n * (n - 1) * (n - 2) / 6, 1, 1, 0);         // what is below them
-  add(count, pairs, 2, 2, 0);                             // both triangles
-  add(count, n, 0, 0, 1);                                 // and D
-  add(count, n * velocities, 1, 1, 0);                    // tau += J^T F
-  cost.values = 5 * n * n + n * velocities + 7 * n + 14;  // of which 14 in a sweep
+  add(count, n, 0, 1, 0);                        // S b
+  add(count, n + pairs, 0, 2, 0);                // S Lambda^-1 S
+  cost.square_roots = n + add_diagonalisation(count, n, sweeps);
+  add_turn(count, n, sweeps);
+  add_turn(count, n, sweeps);
+  add(count, 1, 0, 2, 0);                          // border
+  add(count, n, 2, 3, 2);                          // delta of each ease, and the quotient
+  add(count, n, 0, 1, 0);                          // S x
+  add(count, pairs, 1, 2, 1);                      // pivots of L D L^T, and L
+  add(count, n * (n - 1) * (n - 2) / 6, 1, 1, 0);  // what is below them
+  add(count, pairs, 2, 2, 0);                      // both triangles
+  add(count, n, 0, 0, 1);                          // and D
+  add(count, n * velocities, 1, 1, 0);             // tau += J^T F
+  // Of which 14 in a sweep.
+  cost.values = 2 * n * n + n * velocities + 7 * n + 2 * sweeps * (n - 1) + 14;
   return cost;
 }
 

@@ -66,9 +66,9 @@ Program trace_kinematics(const Robot& robot, const Scene& scene) {
 
 Program trace_torque(const Robot& robot, const Scene& scene, Function function, const char* name) {
   FunctionMechanisms mechanisms(robot, scene);
-  return named(
-      generate_function(mechanisms.of(function), function, scene.lanes, Sines::given).program,
-      name);
+  RouteOptions options = route_options(scene);
+  options.sin_cos = Sines::given;
+  return named(generate_function(mechanisms.of(function), function, options).program, name);
 }
 
 std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& scene,

@@ -18,7 +18,7 @@ std::map<std::string, std::vector<EmissionContext::InputCost>> count_inputs(
       const Function function = generated.function;
       if (!takes_input(scene, function, row.quantity)) continue;
       const GeneratedFunction other =
-          generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos);
+          generate_function(mechanisms.of(function), function, route_options(scene));
       costs[generated.program.name].push_back(
           {row.symbol,
            count_operations(generated.program).flops() - count_operations(other.program).flops()});

@@ -91,15 +91,16 @@ bool is_called(const RouteId& route, const std::string& name) {
 }
 
 /// Moves the candidate of that name out of `routes`; nothing when there is none.
-std::optional<Choice> take_chosen(const std::string& name, Routes& routes) {
+std::optional<Choice> take_chosen(const std::string& name, const OperationCosts& costs,
+                                  Routes& routes) {
   const auto at = std::find_if(routes.candidates.begin(), routes.candidates.end(),
                                [&](const Program& each) { return is_called(each.route, name); });
   if (at == routes.candidates.end()) return std::nullopt;
   std::vector<Program> one{std::move(*at)};
   routes.candidates.erase(at);
-  Choice choice = *choose(std::move(one));
+  Choice choice = *choose(std::move(one), costs);
   if (!routes.candidates.empty()) {
-    Choice others = *choose(std::move(routes.candidates));
+    Choice others = *choose(std::move(routes.candidates), costs);
     choice.rejected = std::move(others.rejected);
     choice.rejected.insert(choice.rejected.begin(), std::move(others.chosen));
   }
@@ -117,10 +118,10 @@ GeneratedFunction generated_from(Function function, Choice choice, Routes& route
   return generated;
 }
 
-std::string list_routes(const Mechanism& mechanism, Function function, int lanes, Sines sin_cos) {
+std::string list_routes(const Mechanism& mechanism, Function function, RouteOptions options) {
+  options.prune_above = kAllRoutes;
   std::string text;
-  for (const Program& candidate :
-       run_routes(mechanism, function, {lanes, sin_cos, kAllRoutes}).candidates) {
+  for (const Program& candidate : run_routes(mechanism, function, options).candidates) {
     text += fmt::format("{}`{}`", text.empty() ? "" : ", ", key_of(candidate.route));
   }
   return text;
@@ -128,25 +129,23 @@ std::string list_routes(const Mechanism& mechanism, Function function, int lanes
 
 /// The function by the route that is chosen for it, else by the one of least cost.
 std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, Function function,
-                                                    int scene_lanes, Sines sin_cos,
+                                                    RouteOptions options,
                                                     const std::map<Function, RouteChoice>& choices,
                                                     Diagnostics& diagnostics) {
   const auto choice = choices.find(function);
-  if (choice == choices.end()) {
-    return generate_function(mechanism, function, scene_lanes, sin_cos);
-  }
-  const int lanes = choice->second.lanes > 0 ? choice->second.lanes : scene_lanes;
-  auto generated = generate_chosen(mechanism, function, choice->second.route, lanes, sin_cos);
+  if (choice == choices.end()) return generate_function(mechanism, function, options);
+  const int scene_lanes = options.lanes;
+  if (choice->second.lanes > 0) options.lanes = choice->second.lanes;
+  auto generated = generate_chosen(mechanism, function, choice->second.route, options);
   if (!generated) {
-    diagnostics.add(
-        {Severity::error, "", 0, function_name(function),
-         fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
-                     "robot's and scene's",
-                     choice->second.route, lanes),
-         fmt::format("Choose one of {}.", list_routes(mechanism, function, lanes, sin_cos))});
+    diagnostics.add({Severity::error, "", 0, function_name(function),
+                     fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
+                                 "robot's and scene's",
+                                 choice->second.route, options.lanes),
+                     fmt::format("Choose one of {}.", list_routes(mechanism, function, options))});
     return std::nullopt;
   }
-  generated->other_lanes = lanes == scene_lanes ? 0 : lanes;
+  generated->other_lanes = options.lanes == scene_lanes ? 0 : options.lanes;
   return generated;
 }
 
@@ -164,14 +163,14 @@ bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, cons
                        scene.functions.size()));
     }
     const Mechanism& mechanism = mechanisms.of(function);
-    auto plain = generate_by_choice(mechanism, function, scene.lanes, scene.sin_cos, choices.plain,
-                                    diagnostics);
+    auto plain =
+        generate_by_choice(mechanism, function, route_options(scene), choices.plain, diagnostics);
     if (!plain) return false;
     bound(*plain);
     generation.functions.push_back(std::move(*plain));
     if (scene.batch == 0) continue;
-    auto batch =
-        generate_by_choice(mechanism, function, 1, scene.sin_cos, choices.batch, diagnostics);
+    auto batch = generate_by_choice(mechanism, function, route_options(scene, true), choices.batch,
+                                    diagnostics);
     if (!batch) return false;
     batch->batch = scene.batch;
     bound(*batch);
@@ -188,32 +187,32 @@ std::vector<Program> programs_of(const std::vector<GeneratedFunction>& functions
 
 }  // namespace
 
-GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
-                                    Sines sin_cos) {
-  Routes routes = run_routes(mechanism, function, {lanes, sin_cos});
-  Choice choice = *choose(std::move(routes.candidates));  // there is at least one route
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function,
+                                    const RouteOptions& options) {
+  Routes routes = run_routes(mechanism, function, options);
+  // There is at least one route.
+  Choice choice = *choose(std::move(routes.candidates), options.costs);
   return generated_from(function, std::move(choice), routes);
 }
 
 std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Function function,
-                                                 const std::string& route, int lanes,
-                                                 Sines sin_cos) {
-  RouteOptions options{lanes, sin_cos};
+                                                 const std::string& route, RouteOptions options) {
   Routes routes = run_routes(mechanism, function, options);
-  auto choice = take_chosen(route, routes);
+  auto choice = take_chosen(route, options.costs, routes);
   if (!choice) {
     options.prune_above = kAllRoutes;
     routes = run_routes(mechanism, function, options);
-    choice = take_chosen(route, routes);
+    choice = take_chosen(route, options.costs, routes);
   }
   if (!choice) return std::nullopt;
   return generated_from(function, std::move(*choice), routes);
 }
 
-GeneratedFunction generated_from(Function function, Program candidate) {
+GeneratedFunction generated_from(Function function, Program candidate,
+                                 const OperationCosts& costs) {
   GeneratedFunction generated;
   generated.function = function;
-  generated.chosen = cost_of(candidate);
+  generated.chosen = cost_of(candidate, costs);
   generated.program = std::move(candidate);
   return generated;
 }

@@ -11,6 +11,7 @@
 #include "description/scene.hpp"
 #include "emission/emit.hpp"
 #include "generation/choices.hpp"
+#include "generation/run_routes.hpp"
 #include "mechanism/mechanism.hpp"
 #include "passes/choose.hpp"
 #include "passes/run_passes.hpp"
@@ -49,7 +50,8 @@ struct GeneratedFunction {
 
 /// Converts a candidate of `run_routes` to an emitted function, except for the order of its
 /// operations.
-GeneratedFunction generated_from(Function function, Program candidate);
+GeneratedFunction generated_from(Function function, Program candidate,
+                                 const OperationCosts& costs = {});
 
 /// Name of the function's source file without `.cpp`; of the batch function if `batch` is not 0.
 std::string source_stem(Function function, int batch);
@@ -99,16 +101,13 @@ std::vector<GeneratedFunction> all_functions(const Generation& generation);
 /// Lists all functions that can be called: plain, batch, and composed ones.
 std::vector<GeneratedFunction> all_callable(const Generation& generation);
 
-/// Generates one function by the route that is cheapest after the passes. For `lanes` and `sin_cos`
-/// see `Scene`.
-GeneratedFunction generate_function(const Mechanism& mechanism, Function function, int lanes,
-                                    Sines sin_cos = Sines::computed);
+/// Generates one function by the route that is cheapest after the passes.
+GeneratedFunction generate_function(const Mechanism& mechanism, Function function,
+                                    const RouteOptions& options);
 
 /// Generates one function by the route of that key (or of those words, which earlier manifests
-/// keep) with `lanes` lanes, like a candidate of `run_routes`. Returns nothing if there is no such
-/// route.
+/// keep), like a candidate of `run_routes`. Returns nothing if there is no such route.
 std::optional<GeneratedFunction> generate_chosen(const Mechanism& mechanism, Function function,
-                                                 const std::string& route, int lanes,
-                                                 Sines sin_cos = Sines::computed);
+                                                 const std::string& route, RouteOptions options);
 
 }  // namespace treeline

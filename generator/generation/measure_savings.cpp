@@ -64,7 +64,7 @@ Savings measure_savings(const Robot& robot, const Scene& scene) {
   Savings savings{scene.name, {}};
   for (const Function function : possible_functions(scene)) {
     const GeneratedFunction generated =
-        generate_function(mechanisms.of(function), function, scene.lanes, scene.sin_cos);
+        generate_function(mechanisms.of(function), function, route_options(scene));
     const std::size_t bytes = emitted_bytes(context, generated.program);
     const bool emitted = std::find(scene.functions.begin(), scene.functions.end(), function) !=
                          scene.functions.end();

@@ -4,10 +4,12 @@
 #include <limits>
 #include <utility>
 
+#include "description/follow_target.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/take_sines.hpp"
 #include "recursion/routes/trace_function.hpp"
+#include "target/target.hpp"
 
 namespace treeline {
 namespace {
@@ -26,7 +28,7 @@ class RouteRunner {
     std::vector<Program> programs = trace_function(mechanism, function_, options_.lanes);
     std::vector<Cost> costs;
     for (const Program& program : programs) {
-      costs.push_back(cost_of(program));
+      costs.push_back(cost_of(program, options_.costs));
     }
     const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
     for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -45,7 +47,7 @@ class RouteRunner {
     std::map<std::string, double> costs;
     double least = std::numeric_limits<double>::infinity();
     for (const Program& candidate : routes.candidates) {
-      const Cost cost = cost_of(candidate);
+      const Cost cost = cost_of(candidate, options_.costs);
       costs[key_of(cost.route)] = cost.weighted;
       least = std::min(least, cost.weighted);
     }
@@ -72,6 +74,14 @@ class RouteRunner {
 };
 
 }  // namespace
+
+RouteOptions route_options(const Scene& scene, bool batch) {
+  RouteOptions options;
+  options.lanes = batch ? 1 : scene.lanes;
+  options.sin_cos = scene.sin_cos;
+  options.costs = operation_costs(*find_target(scene.target), bytes_of(scene.real));
+  return options;
+}
 
 Routes run_routes(const Mechanism& mechanism, Function function, const RouteOptions& options) {
   const RouteRunner runner(function, options);

@@ -18,7 +18,11 @@ struct RouteOptions {
   /// Routes that cost more than the cheapest one by this factor, as traced, are pruned. Passes save
   /// only a few per cent, and lanes up to a quarter.
   double prune_above = 1.3;
+  OperationCosts costs = {};  ///< by which routes are compared
 };
+
+/// Options for a scene: its lanes, sines, and the costs of its target. A batch has no lanes.
+RouteOptions route_options(const Scene& scene, bool batch = false);
 
 /// Value of `RouteOptions::prune_above` with which no route is pruned.
 inline constexpr double kAllRoutes = 1e9;

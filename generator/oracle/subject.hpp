@@ -172,7 +172,7 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene,
   subject.passive = passive_velocities(subject.model, robot, scene);
   if (!scene.objects.empty()) subject.chain = chain_from_scene<Scalar>(robot, scene);
   subject.damping.heaviest = vector_of<Scalar>(heaviest_rows(scene));
-  // The values of `core::add_damping_by_directions`.
+  // The values of `core::damped_solve`.
   subject.damping.resolution = Scalar(scene.real == Real::float32 ? 0x1p-17 : 0x1p-46);
   subject.inputs = inputs_of(scene, subject.model);
   subject.regressor = regressor_from_scene(robot, scene, subject.model, mechanism);

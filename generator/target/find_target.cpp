@@ -21,6 +21,10 @@ int choose_lanes(const Target& target, int bytes_of_real) {
   return std::clamp(target.vector_bytes / bytes_of_real, 1, kMost);
 }
 
+const OperationCosts& operation_costs(const Target& target, int bytes_of_real) {
+  return bytes_of_real > 4 ? target.double_costs : target.float_costs;
+}
+
 bool emulates(const Target& target, int bytes_of_real) {
   return target.unit == FloatUnit::none ||
          (target.unit == FloatUnit::single_only && bytes_of_real > 4);

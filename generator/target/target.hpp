@@ -3,6 +3,8 @@
 #include <span>
 #include <string_view>
 
+#include "target/operation_costs.hpp"
+
 namespace treeline {
 
 /// Formats of numbers that a processor computes with by instructions. All others are emulated.
@@ -48,6 +50,7 @@ struct Target {
   bool contracts = true;
   Board board = {};
   CycleCosts cycles = {};
+  OperationCosts float_costs = {}, double_costs = {};
 };
 
 /// All targets; the first is `generic`, for any processor.
@@ -61,6 +64,9 @@ bool is_particular(const Target& target);
 
 /// Returns the number of lanes that suit the target for numbers of so many bytes: 1, 2, 4 or 8.
 int choose_lanes(const Target& target, int bytes_of_real);
+
+/// Returns what operations on numbers of so many bytes cost on the target.
+const OperationCosts& operation_costs(const Target& target, int bytes_of_real);
 
 /// Whether the target computes with numbers of so many bytes by calls of a library.
 bool emulates(const Target& target, int bytes_of_real);

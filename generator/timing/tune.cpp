@@ -73,10 +73,13 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
                                                const Scene& scene, bool batch, double reach) {
   std::vector<GeneratedFunction> all;
   for (const int lanes : lanes_to_try(scene, batch)) {
-    Routes routes = run_routes(mechanism, function, {lanes, scene.sin_cos});
+    RouteOptions options = route_options(scene);
+    options.lanes = lanes;
+    Routes routes = run_routes(mechanism, function, options);
     const std::size_t first = all.size();
     for (Program& candidate : routes.candidates) {
-      GeneratedFunction& made = all.emplace_back(generated_from(function, std::move(candidate)));
+      GeneratedFunction& made =
+          all.emplace_back(generated_from(function, std::move(candidate), options.costs));
       made.other_lanes = lanes;
       made.batch = batch ? scene.batch : 0;
     }

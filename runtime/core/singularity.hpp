@@ -77,9 +77,9 @@ inline SingularDirections<rows, nv, Real> singular_directions(
   }
   SingularDirections<rows, nv, Real> found;
   Real squares[nv];
-  steps::diagonalise<nv>(JtJ, squares, found.motions);
+  steps::decompose<nv>(JtJ, squares, found.motions);
   steps::sort_descending(squares, found.motions);
-  steps::diagonalise<rows>(JJt, found.values, found.directions);
+  steps::decompose<rows>(JJt, found.values, found.directions);
   steps::sort_descending(found.values, found.directions);
   for (int i = 0; i < rows; ++i) {
     found.values[i] = steps::root(found.values[i]);

@@ -31,7 +31,7 @@ TEST(GenerateRoutes, StartWithTheOneThatIsEmitted) {
   const Mechanism& mechanism = subjects.generation.mechanism;
   for (const Function function : {Function::forward_dynamics, Function::lambda}) {
     const auto routes = generate_routes(mechanism, function, 8, Sines::computed);
-    const GeneratedFunction emitted = generate_function(mechanism, function, 8);
+    const GeneratedFunction emitted = generate_function(mechanism, function, RouteOptions{8});
     EXPECT_EQ(key_of(routes.front().chosen.route), key_of(emitted.chosen.route));
     EXPECT_EQ(routes.front().chosen.count.flops(), emitted.chosen.count.flops());
     std::set<std::string> seen;

@@ -24,7 +24,7 @@ std::vector<int> count_operations_of(const Robot& robot, const std::string& scen
   for (const Function function :
        {Function::inverse_dynamics, Function::forward_dynamics, Function::mass_matrix}) {
     const GeneratedFunction generated =
-        generate_function(mechanisms.of(function), function, scene->lanes);
+        generate_function(mechanisms.of(function), function, route_options(*scene));
     counts.push_back(generated.chosen.count.flops());
   }
   return counts;

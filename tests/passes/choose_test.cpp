@@ -37,6 +37,18 @@ TEST(Choose, DivisionsWeighMore) {
   EXPECT_EQ(choice->chosen.route.algorithm, "adds");
 }
 
+// Would catch: costs of a processor that one of the parts of the choice does not know.
+TEST(Choose, CostsAreThoseOfTheProcessor) {
+  const auto algorithm = [](const OperationCosts& costs) {
+    const auto choice = choose({sum_of("divides", 3, true), sum_of("adds", 10, false)}, costs);
+    EXPECT_EQ(choice->rejected.size(), 1U);
+    EXPECT_LT(choice->chosen.weighted, choice->rejected.front().weighted);
+    return choice->chosen.route.algorithm;
+  };
+  EXPECT_EQ(algorithm({.quotient = 1, .waiting = 0}), "divides");  // 3 against 10
+  EXPECT_EQ(algorithm({.quotient = 4, .waiting = 0}), "adds");     // 12
+}
+
 TEST(Choose, FirstOfEqualsWins) {
   EXPECT_EQ(choose({sum_of("a", 3, false), sum_of("b", 3, false)})->chosen.route.algorithm, "a");
 }

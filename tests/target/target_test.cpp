@@ -56,6 +56,30 @@ TEST(Targets, HaveBoardsWithCosts) {
   EXPECT_EQ(boards, 9);
 }
 
+// Would catch: other code where no target is named, and a processor whose operations cost nothing.
+TEST(Targets, HaveCostsOfOperations) {
+  const OperationCosts common;
+  for (const Target& target : all_targets()) {
+    for (const int bytes : {4, 8}) {
+      const OperationCosts& costs = operation_costs(target, bytes);
+      EXPECT_STRNE(costs.source, "") << target.name;
+      if (target.board.kind == BoardKind::none) {
+        EXPECT_EQ(costs.quotient, common.quotient) << target.name;
+        EXPECT_EQ(costs.angle, common.angle) << target.name;
+        EXPECT_EQ(costs.waiting, common.waiting) << target.name;
+        EXPECT_EQ(costs.lanes, common.lanes) << target.name;
+        continue;
+      }
+      EXPECT_STRNE(costs.source, common.source) << target.name;
+      EXPECT_GT(costs.product, 0.2) << target.name;
+      EXPECT_LT(costs.product, 3) << target.name;
+      EXPECT_GT(costs.quotient, 2) << target.name;
+      EXPECT_GT(costs.angle, costs.product) << target.name;
+      EXPECT_EQ(costs.lanes, choose_lanes(target, bytes)) << target.name;
+    }
+  }
+}
+
 // Would catch: a test machine on which `check --target` finds no compiler or simulator.
 TEST(Targets, AreInTheListOfPackages) {
   std::ifstream stream(TREELINE_PACKAGES);
