@@ -66,8 +66,8 @@ void ReferenceMaker::complete(std::size_t i, const State& state,
   estimated = std::move(made);
 }
 
-/// Whether function `i` is a batch with the reference of the plain function before it. Its graph may
-/// be by another route. Where rows of a task yield, they yield in the axes of the route.
+/// Whether function `i` is a batch with the reference of the plain function before it. Its graph
+/// may be by another route. Where rows of a task yield, they yield in the axes of the route.
 bool ReferenceMaker::shares_reference(std::size_t i) const {
   if (functions_[i].batch == 0) return false;
   const GeneratedFunction& plain = functions_[i - plain_];

@@ -84,6 +84,15 @@ std::string refusal(RandomOptions options) {
   return why_not;
 }
 
+TEST(DescribeToPeers, RefusesWhatSitsInJoints) {
+  const RandomMechanism drawn = random_mechanism(1, open_to_peers());
+  Scene scene = drawn.scene;
+  scene.rotors[drawn.robot.joints.front().name] = {1e-4, 50, "", std::nullopt};
+  std::string why_not;
+  EXPECT_FALSE(describe_to_peers(drawn.robot, scene, why_not));
+  EXPECT_EQ(why_not, "the scene adds rotors, friction or springs to joints");
+}
+
 TEST(DescribeToPeers, RefusesWhatPeersCannotDo) {
   RandomOptions mimics = open_to_peers();
   mimics.locked = 0;

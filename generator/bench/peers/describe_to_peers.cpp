@@ -29,7 +29,8 @@ std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene
     why_not = "the robot has joints that mimic others";
     return std::nullopt;
   }
-  if (!scene.armature.empty() || !scene.joint_friction.empty() || !scene.joint_springs.empty()) {
+  if (!scene.armature.empty() || !scene.rotors.empty() || !scene.joint_friction.empty() ||
+      !scene.joint_springs.empty()) {
     why_not = "the scene adds rotors, friction or springs to joints";
     return std::nullopt;
   }
