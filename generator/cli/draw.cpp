@@ -209,7 +209,8 @@ void add_draw(CLI::App& app, int& exit_code) {
       app.add_subcommand("draw", "Draw a robot, or moments of its motion side by side, as SVG");
   add_options(*command, *options);
   command->footer(
-      "Boxes, cylinders and spheres of the URDF are drawn; rods stand for links with meshes only.\n"
+      "Boxes, cylinders and spheres of the URDF are drawn; where a link has meshes only, those by\n"
+      "which it collides, or rods if there are none.\n"
       "Examples:\n"
       "  treeline draw puma560.urdf --q 0,-0.7,0.7,0,0.5,0 --svg puma.svg\n"
       "  treeline simulate planar3r.urdf --csv swing.csv\n"

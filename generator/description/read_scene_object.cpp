@@ -52,7 +52,8 @@ void read_inertial(const SceneElement& element, const Fields& fields, Inertial& 
     if (value > 0) {
       inertial.mass = value;
     } else {
-      mass->error("the mass is not positive", "give the mass in kg");
+      mass->error("the mass is not positive",
+                  "give the mass in kg; an object without mass is constraints between its hands");
     }
   }
   if (const auto center = fields.find("center"); center != fields.end()) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -89,6 +90,44 @@ Color color_of(const XMLElement& visual, const std::map<std::string, Color>& mat
   return named == materials.end() ? kGrey : named->second;
 }
 
+/// The visuals of a link, without those that have no size.
+std::vector<Visual> visuals_of(const XMLElement& link, const std::string& file,
+                               const std::map<std::string, Color>& materials,
+                               Diagnostics& diagnostics) {
+  std::vector<Visual> visuals;
+  for (const XMLElement* element = link.FirstChildElement("visual"); element != nullptr;
+       element = element->NextSiblingElement("visual")) {
+    Visual visual;
+    visual.link = text_of(link, "name");
+    visual.pose = read_pose(element->FirstChildElement("origin"));
+    visual.color = color_of(*element, materials);
+    if (read_shape(element->FirstChildElement("geometry"), visual)) {
+      visuals.push_back(visual);
+    } else {
+      diagnostics.add({Severity::warning, file, element->GetLineNum(),
+                       fmt::format("robot/link[{}]/visual", visual.link),
+                       "is not drawn: no shape with a size",
+                       "Write a box, cylinder, sphere or mesh with positive sizes."});
+    }
+  }
+  return visuals;
+}
+
+/// The shapes by which a link collides, in the colour in which it is seen.
+void add_collisions(const XMLElement& link, const Color& color, std::vector<Visual>& visuals) {
+  for (const XMLElement* element = link.FirstChildElement("collision"); element != nullptr;
+       element = element->NextSiblingElement("collision")) {
+    Visual visual;
+    visual.link = text_of(link, "name");
+    visual.pose = read_pose(element->FirstChildElement("origin"));
+    visual.color = color;
+    if (read_shape(element->FirstChildElement("geometry"), visual) &&
+        visual.kind != VisualKind::mesh) {
+      visuals.push_back(visual);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Visual> read_visuals(const std::string& urdf, const std::string& file,
@@ -100,21 +139,12 @@ std::vector<Visual> read_visuals(const std::string& urdf, const std::string& fil
   std::vector<Visual> visuals;
   for (const XMLElement* link = robot->FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
-    for (const XMLElement* element = link->FirstChildElement("visual"); element != nullptr;
-         element = element->NextSiblingElement("visual")) {
-      Visual visual;
-      visual.link = text_of(*link, "name");
-      visual.pose = read_pose(element->FirstChildElement("origin"));
-      visual.color = color_of(*element, materials);
-      if (read_shape(element->FirstChildElement("geometry"), visual)) {
-        visuals.push_back(visual);
-      } else {
-        diagnostics.add({Severity::warning, file, element->GetLineNum(),
-                         fmt::format("robot/link[{}]/visual", visual.link),
-                         "is not drawn: no shape with a size",
-                         "Write a box, cylinder, sphere or mesh with positive sizes."});
-      }
-    }
+    std::vector<Visual> own = visuals_of(*link, file, materials, diagnostics);
+    const bool meshes = std::all_of(own.begin(), own.end(), [](const Visual& visual) {
+      return visual.kind == VisualKind::mesh;
+    });
+    if (!own.empty() && meshes) add_collisions(*link, own.front().color, own);
+    visuals.insert(visuals.end(), own.begin(), own.end());
   }
   return visuals;
 }

@@ -21,7 +21,8 @@ struct Visual {
 };
 
 /// The visuals of a URDF that can be read as one, in the file's order. A visual without a shape
-/// that has a size is left out, with a warning.
+/// that has a size is left out, with a warning. Where all visuals of a link are meshes, the boxes,
+/// cylinders and spheres by which it collides follow them.
 std::vector<Visual> read_visuals(const std::string& urdf, const std::string& file,
                                  Diagnostics& diagnostics);
 

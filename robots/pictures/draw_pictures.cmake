@@ -7,8 +7,9 @@ foreach(program ${PROGRAMS})
   list(GET parts 1 ${name})
 endforeach()
 set(pictures humanoid24/touch_floor humanoid24/rock_torso humanoid24/put_box humanoid24/carry_ladder
-  humanoid24/time_and_error samm/circles)
-file(MAKE_DIRECTORY ${FOLDER}/humanoid24 ${FOLDER}/samm ${FOLDER}/circles)
+  humanoid24/time_and_error samm/circles anymal_c/trot
+  hands/allegro hands/shadow)
+file(MAKE_DIRECTORY ${FOLDER}/anymal_c ${FOLDER}/hands ${FOLDER}/humanoid24 ${FOLDER}/samm ${FOLDER}/circles)
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -18,7 +19,7 @@ function(draw picture motion)
 endfunction()
 set(humanoid ${ROBOTS}/humanoid24)
 
-foreach(experiment touch_floor rock_torso put_box carry_ladder)
+foreach(experiment touch_floor rock_torso put_box carry_ladder trot_anymal)
   run(${${experiment}} --csv ${FOLDER}/${experiment}.csv)
 endforeach()
 run(${samm_circles} --output ${FOLDER}/circles)
@@ -34,6 +35,14 @@ draw(humanoid24/put_box ${FOLDER}/put_box.csv
   --times 0.25,1.75,2.75,3.75,5.25 --elevation 0.18)
 draw(humanoid24/carry_ladder ${FOLDER}/carry_ladder.csv ${humanoid}/ladder.yaml
   --times 0,1.5,2,4 --azimuth 1.3 --elevation 0.5)
+draw(anymal_c/trot ${FOLDER}/trot_anymal.csv
+  ${ROBOTS}/../tests/data/published/anymal_c.urdf ${ROBOTS}/anymal_c/scene_simulated.yaml
+  --times 4.65,5.05,5.45,5.85 --path left_fore --azimuth 1.2 --elevation 0.18)
+foreach(hand allegro shadow)
+  run(${turn_ball} --hand ${hand} --csv ${FOLDER}/turn_ball_${hand}.csv)
+  draw(hands/${hand} ${FOLDER}/turn_ball_${hand}.csv ${ROBOTS}/hands/${hand}_apart.yaml
+    --times 0.5,2,6.5,11 --azimuth 0.6 --elevation 0.2)
+endforeach()
 draw(samm/circles ${FOLDER}/circles/tool_and_base_ideal.csv
   ${ROBOTS}/samm/samm.urdf ${ROBOTS}/samm/scene.yaml
   --times 0.5,2,3,4,5 --path tool --azimuth 0.5 --elevation 0.3)

@@ -124,7 +124,6 @@ struct Refused {
 };
 
 TEST(ReadJointFriction, RefusesWhatIsNoFriction) {
-  constexpr auto kError = Severity::error;
   const Refused refused[] = {
       {"joint_friction: dry", {kError, 1, "joint_friction", "\"dry\"", ""}},
       {"joint_friction: {width: 1}",

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-// Would catch: a shape at another place, of another size or colour, and one that is dropped in
-// silence.
+// Would catch: a shape at another place, of another size or colour, one that is dropped in silence,
+// and a shape that is only to collide drawn beside one that is to be seen.
 namespace treeline {
 namespace {
 
@@ -42,6 +42,33 @@ TEST(ReadVisuals, HasPlaceSizeAndColour) {
   EXPECT_EQ(visuals[2].size[0], 0.5);
   EXPECT_EQ(visuals[3].kind, VisualKind::mesh);
   EXPECT_EQ(visuals[3].link, "b");
+}
+
+TEST(ReadVisuals, TakesCollisionsWhereALinkHasMeshesOnly) {
+  constexpr const char* kMeshes = R"(<robot name="arm">
+<link name="a">
+  <visual><geometry><mesh filename="a.stl"/></geometry>
+    <material name="own"><color rgba="0.2 0.4 0.6 1"/></material></visual>
+  <collision><origin xyz="1 2 3"/><geometry><sphere radius="0.5"/></geometry></collision>
+  <collision><geometry><mesh filename="a.stl"/></geometry></collision>
+</link>
+<link name="b">
+  <visual><geometry><box size="1 1 1"/></geometry></visual>
+  <visual><geometry><mesh filename="b.stl"/></geometry></visual>
+  <collision><geometry><box size="2 2 2"/></geometry></collision>
+</link>
+<link name="unseen"><collision><geometry><sphere radius="1"/></geometry></collision></link>
+</robot>)";
+  Diagnostics diagnostics;
+  const auto visuals = read_visuals(kMeshes, "arm.urdf", diagnostics);
+  ASSERT_EQ(visuals.size(), 4U);
+  EXPECT_EQ(visuals[1].link, "a");
+  EXPECT_EQ(visuals[1].kind, VisualKind::sphere);
+  EXPECT_EQ(visuals[1].size[0], 0.5);
+  EXPECT_EQ(visuals[1].pose.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(visuals[1].color, (Color{0.2, 0.4, 0.6}));
+  EXPECT_EQ(visuals[2].size, Eigen::Vector3d(1, 1, 1));
+  EXPECT_EQ(visuals[3].kind, VisualKind::mesh);
 }
 
 TEST(ReadVisuals, WarnsOfShapesWithoutASize) {

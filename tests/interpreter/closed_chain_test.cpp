@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/closed_chain_cases.hpp"
+#include "interpreter/constrained_forward_dynamics.hpp"
 
 // Closed chains (Chang chapter 7) compared with the dense equations of motion with every
 // constraint, and with physics. Would catch: a force with a wrong sign, axes or reference point, an
@@ -221,6 +222,37 @@ GraspedObject<Digits50> box(int grasps) {
     object.grasps.push_back(grasp);
   }
   return object;
+}
+
+// An object without mass only holds its hands to each other: constraints between the first hand and
+// the others, frames in the object's, are all that is left of it.
+TEST(ObjectWithoutMass, IsConstraintsBetweenItsHands) {
+  for (const int hands : {2, 3}) {
+    ChainCase c = chain_case(100, {.grasps = {hands}});
+    auto& object = c.chain.objects.front();
+    object.mass = 0;
+    object.inertia.setZero();
+    ConstrainedState<Digits50> state;
+    state.q = c.q.front();
+    state.qd = c.qd.front();
+    state.tau = c.tau.front();
+    const auto frames = object_points(c.chain, 0);
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+      state.loops.frames.push_back({frames[i], frames.front()});
+    }
+    const auto held = constrained_forward_dynamics<Digits50>(c.chain.robots.front(), {}, state);
+    const auto moving = object_forward_dynamics<Digits50>(c.chain, c.q, c.qd, c.tau, {});
+    const Vector50 qdd = moving.qdd.front();
+    EXPECT_LE(Digits50((held.qdd - qdd).cwiseAbs().maxCoeff()),
+              kAlgebra * c.condition * Digits50(1000) * qdd.cwiseAbs().maxCoeff())
+        << hands << " hands";
+    Vector50 sum = Vector50::Zero(3);  // of the hands' forces on what weighs nothing
+    for (int i = 0; i < hands; ++i) sum += moving.f_grasp.segment<3>(6 * i);
+    EXPECT_LE(Digits50(sum.cwiseAbs().maxCoeff()),
+              kAlgebra * c.condition * Digits50(1000) * moving.f_grasp.cwiseAbs().maxCoeff())
+        << hands << " hands";
+    EXPECT_GT(moving.f_grasp.cwiseAbs().maxCoeff(), Digits50("0.01"));
+  }
 }
 
 // Checks the definition in words, independently of the matrix: a squeeze of 7 N pushes each hand

@@ -16,9 +16,10 @@
 namespace treeline::tests {
 namespace {
 
-constexpr std::array kOfThisFile = {Function::center_of_mass, Function::center_of_mass_jacobian};
+constexpr std::array kCenterOfMassFunctions = {Function::center_of_mass,
+                                               Function::center_of_mass_jacobian};
 
-std::vector<Seeded> robots() {
+std::vector<Seeded> center_of_mass_robots() {
   std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
     for (int i = 0; i < seeds; ++i) all.push_back({300 + all.size(), options});
@@ -69,10 +70,10 @@ class CenterOfMass : public testing::TestWithParam<Seeded> {
   interpreter::Vector<Digits50> q_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Robots, CenterOfMass, testing::ValuesIn(robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, CenterOfMass, testing::ValuesIn(center_of_mass_robots()));
 
 TEST_P(CenterOfMass, TracedFunctionsAgreeWithTheInterpreter) {
-  for (const Function function : kOfThisFile) {
+  for (const Function function : kCenterOfMassFunctions) {
     for (const Program& program : trace_function(mechanism_, function)) {
       const auto results = evaluate<double>(program, {rounded_to<double>(listed(q_))});
       // A few roundings per link, and rounded coordinates.

@@ -19,7 +19,7 @@ namespace {
 
 namespace ip = interpreter;
 
-std::vector<Seeded> robots() {
+std::vector<Seeded> centroidal_robots() {
   std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
     for (int i = 0; i < seeds; ++i) all.push_back({1100 + all.size(), options});
@@ -38,7 +38,7 @@ std::vector<Seeded> robots() {
   return all;
 }
 
-constexpr std::array kOfThisFile = {
+constexpr std::array kCentroidalFunctions = {
     Function::centroidal_momentum_matrix, Function::centroidal_momentum, Function::centroidal_bias,
     Function::center_of_mass_bias_acceleration, Function::subtree_masses_and_centers};
 
@@ -120,14 +120,15 @@ class Centroidal : public testing::TestWithParam<Seeded> {
 
 class FloatingCentroidal : public Centroidal {};
 
-std::vector<Seeded> floating_robots() {
-  std::vector<Seeded> floating = robots();
+std::vector<Seeded> floating_centroidal_robots() {
+  std::vector<Seeded> floating = centroidal_robots();
   std::erase_if(floating, [](const Seeded& robot) { return !robot.options.floating_base; });
   return floating;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, Centroidal, testing::ValuesIn(robots()));
-INSTANTIATE_TEST_SUITE_P(Robots, FloatingCentroidal, testing::ValuesIn(floating_robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, Centroidal, testing::ValuesIn(centroidal_robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, FloatingCentroidal,
+                         testing::ValuesIn(floating_centroidal_robots()));
 
 // Only a formula can be wrong; with all joints turned late and with none, regrouped and not.
 TEST_P(Centroidal, RecursionsAgreeInFiftyDigits) {
@@ -137,7 +138,7 @@ TEST_P(Centroidal, RecursionsAgreeInFiftyDigits) {
   }
   const Mechanism kept = build_mechanism(made_.robot, made_.scene);
   for (const Mechanism* mechanism : std::array<const Mechanism*, 3>{&mechanism_, &late, &kept}) {
-    for (const Function function : kOfThisFile) {
+    for (const Function function : kCentroidalFunctions) {
       EXPECT_LT(relative_error(recursion(function, *mechanism), expected(function), 1), 1e-40)
           << function_name(function);
     }
@@ -149,7 +150,7 @@ TEST_P(Centroidal, TracedFunctionsAgreeWithTheInterpreter) {
   Mechanism in_lanes = mechanism_;
   in_lanes.limbs = find_limbs(mechanism_, 8);
   for (const Mechanism& mechanism : {mechanism_, in_lanes}) {
-    for (const Function function : kOfThisFile) {
+    for (const Function function : kCentroidalFunctions) {
       for (const Program& program : trace_function(mechanism, function)) {
         std::vector<std::vector<double>> arguments{rounded_to<double>(listed(q_))};
         if (takes(function, Quantity::qd)) arguments.push_back(rounded_to<double>(listed(qd_)));

@@ -8,6 +8,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
+#include "recursion/least_flops.hpp"
 #include "recursion/methods/supported_control_torque.hpp"
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/trace_function.hpp"
@@ -172,15 +173,6 @@ TEST_P(Constraints, ProgramsAgreeInDouble) {
   }
 }
 
-int flops(const RandomMechanism& made, Function function) {
-  int least = 1 << 30;
-  for (const Program& program :
-       trace_function(reduced_mechanism(made.robot, made.scene), function)) {
-    least = std::min(least, count_operations(program).flops());
-  }
-  return least;
-}
-
 // With as many rows as a control torque that controls feet and hands together, the support costs
 // the choice of forces: J_sp^T W J_sp (6 x 6, symmetric, a multiplication by the weight and two
 // operations per entry and row), its factor, three products with J_sp, and the joint forces of the
@@ -194,8 +186,8 @@ TEST(ConstraintCounts, ASupportAddsTheChoiceOfItsForces) {
                                   scene.constraints.end());
   for (ScenePoint& point : scene.operational_points) point.priority = 1;
   scene.constraints.clear();
-  const int with = flops(c.made, Function::supported_control_torque);
-  const int without = flops(together, Function::control_torque);
+  const int with = least_flops(c.made, Function::supported_control_torque);
+  const int without = least_flops(together, Function::control_torque);
   std::cout << "control_torque of the same rows " << without << ", supported_control_torque "
             << with << " flops\n";
   const int rows = 12, links = static_cast<int>(c.made.robot.links.size());

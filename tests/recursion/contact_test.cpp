@@ -7,6 +7,7 @@
 #include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/least_flops.hpp"
 #include "recursion/methods/contacts.hpp"
 #include "recursion/methods/link_inverse_inertias.hpp"
 #include "recursion/routes/trace_function.hpp"
@@ -49,7 +50,7 @@ Drawn draw(std::uint64_t seed, const RandomOptions& options, int count) {
 }
 
 /// Chains and trees, fixed and floating, with mimics and joints of several degrees of freedom.
-std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
+std::vector<std::pair<std::uint64_t, RandomOptions>> contact_robots() {
   std::vector<std::pair<std::uint64_t, RandomOptions>> all;
   const auto add = [&](RandomOptions options, int seeds) {
     for (int i = 0; i < seeds; ++i) all.emplace_back(100 + all.size(), options);
@@ -155,7 +156,7 @@ struct Tally {
 /// of 2^-52 times growth.
 Tally compare_all(Function function) {
   Tally tally;
-  for (const auto& [seed, options] : robots()) {
+  for (const auto& [seed, options] : contact_robots()) {
     SCOPED_TRACE(described(seed, options));
     const Drawn drawn = draw(seed, options, 3);
     if (drawn.contacts.empty()) continue;
@@ -199,7 +200,7 @@ struct InFiftyDigits {
 };
 
 TEST(ContactFunctions, AgreeInFiftyDigitsWithUnroundedConstants) {
-  for (const auto& [seed, options] : robots()) {
+  for (const auto& [seed, options] : contact_robots()) {
     SCOPED_TRACE(described(seed, options));
     const Drawn drawn = draw(seed, options, 2);
     if (drawn.contacts.empty()) continue;
@@ -221,14 +222,6 @@ TEST(ContactFunctions, AgreeInFiftyDigitsWithUnroundedConstants) {
     expect(impulse_response(run.tree, run.X, on_links), dqd);
     expect(link_inverse_inertias(run.tree, run.X), omegas);
   }
-}
-
-int flops(const Robot& robot, const Scene& scene, Function function) {
-  int least = std::numeric_limits<int>::max();
-  for (const Program& program : trace_function(reduced_mechanism(robot, scene), function)) {
-    least = std::min(least, count_operations(program).flops());
-  }
-  return least;
 }
 
 /// Hinges without a right angle among them and of equal cost, with one contact on the last link.
@@ -255,7 +248,7 @@ std::vector<double> counts_over_links(Function function, double branching, bool 
             << (floating ? ", floating" : "") << ':';
   for (const int links : {4, 8, 16, 32, 64}) {
     const RandomMechanism made = hinged(links, branching, floating);
-    counts.push_back(flops(made.robot, made.scene, function));
+    counts.push_back(least_flops(made.robot, made.scene, function));
     std::cout << ' ' << links << ": " << counts.back();
   }
   std::cout << '\n';
@@ -290,8 +283,8 @@ TEST(ContactFunctions, CostForAContactOnlyItsOwn) {
   two.contacts.push_back(two.contacts[0]);
   two.contacts[1].name = "beside";
   two.contacts[1].origin.xyz = {0, 0.1, 0.4};
-  const int one = flops(made.robot, made.scene, Function::impulse_response);
-  const int both = flops(made.robot, two, Function::impulse_response);
+  const int one = least_flops(made.robot, made.scene, Function::impulse_response);
+  const int both = least_flops(made.robot, two, Function::impulse_response);
   EXPECT_GT(both, one);
   EXPECT_LT(both, one + 40);  // turned into the link, its moment, added
 }

@@ -22,7 +22,7 @@ namespace {
 
 namespace ip = interpreter;
 
-std::vector<Seeded> robots() {
+std::vector<Seeded> coriolis_robots() {
   std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
     for (int i = 0; i < seeds; ++i) all.push_back({700 + all.size(), options});
@@ -40,8 +40,8 @@ std::vector<Seeded> robots() {
   return all;
 }
 
-constexpr std::array kOfThisFile = {Function::coriolis_matrix, Function::kinetic_energy,
-                                    Function::potential_energy};
+constexpr std::array kCoriolisFunctions = {Function::coriolis_matrix, Function::kinetic_energy,
+                                           Function::potential_energy};
 
 using Digits = std::vector<Digits50>;
 
@@ -92,11 +92,11 @@ class Coriolis : public testing::TestWithParam<Seeded> {
   Vector50 q_, qd_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Robots, Coriolis, testing::ValuesIn(robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, Coriolis, testing::ValuesIn(coriolis_robots()));
 
 // Only a formula can be wrong.
 TEST_P(Coriolis, RecursionsAgreeInFiftyDigits) {
-  for (const Function function : kOfThisFile) {
+  for (const Function function : kCoriolisFunctions) {
     const Results<Digits50> results{recursion(function, listed(q_), listed(qd_))};
     EXPECT_LT(relative_error(results, Results<Digits50>{expected(function, q_, qd_)}, 1), 1e-40)
         << function_name(function);
@@ -126,7 +126,7 @@ TEST_P(Coriolis, TracedFunctionsAgreeWithTheInterpreter) {
   Mechanism with_limbs = mechanism_;
   with_limbs.limbs = find_limbs(with_limbs, 8);
   for (const Mechanism* mechanism : {&mechanism_, &with_limbs}) {
-    for (const Function function : kOfThisFile) {
+    for (const Function function : kCoriolisFunctions) {
       const Results<Digits50> exact{expected(function, as_vector(q), as_vector(qd))};
       for (const Program& program : trace_function(*mechanism, function, 4)) {
         std::vector<std::vector<double>> arguments{q};

@@ -19,7 +19,7 @@ namespace {
 
 using interpreter::DynamicsDerivatives;
 
-std::vector<std::pair<std::uint64_t, RandomOptions>> robots() {
+std::vector<std::pair<std::uint64_t, RandomOptions>> derivatives_robots() {
   std::vector<std::pair<std::uint64_t, RandomOptions>> all;
   const auto add = [&](RandomOptions options, int seeds) {
     options.external_forces = 2;
@@ -95,7 +95,7 @@ class Derivatives : public testing::TestWithParam<std::pair<std::uint64_t, Rando
   Vector50 q_, qd_, qdd_, tau_, f_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Robots, Derivatives, testing::ValuesIn(robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, Derivatives, testing::ValuesIn(derivatives_robots()));
 
 TEST_P(Derivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
   const auto tree = tree_of<Digits50>(mechanism_);

@@ -154,7 +154,7 @@ ModelInputs<Digits50> model_inputs(const Changed& changed) {
   return inputs;
 }
 
-std::vector<Seeded> robots() {
+std::vector<Seeded> inputs_robots() {
   std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
     for (int i = 0; i < seeds; ++i) all.push_back({3100 + all.size(), options});
@@ -196,7 +196,7 @@ class ModelArguments : public testing::TestWithParam<Seeded> {
   Yardstick size_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Robots, ModelArguments, testing::ValuesIn(robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, ModelArguments, testing::ValuesIn(inputs_robots()));
 
 // Only a formula can be wrong.
 TEST_P(ModelArguments, AreWhatFilesWouldSay) {

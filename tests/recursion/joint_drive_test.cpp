@@ -145,27 +145,28 @@ TEST(JointDrive, DissipatesWhatFrictionTakes) {
     const RandomMechanism made = random_mechanism(seed, options);
     const auto model = model_from_robot<Digits50>(made.robot, made.scene);
     Rng rng(seed);
-    using V50 = interpreter::Vector<Digits50>;
-    const V50 q = random_position(rng, model, 2.0), qd = random_entries<Digits50>(rng, model.nv, 3);
+    using Numbers = interpreter::Vector<Digits50>;
+    const Numbers q = random_position(rng, model, 2.0),
+                  qd = random_entries<Digits50>(rng, model.nv, 3);
     const Digits50 h("1e-18");
-    const auto U = [&](const V50& at) {
+    const auto U = [&](const Numbers& at) {
       return interpreter::potential_energy<Digits50>(model, at);
     };
-    const auto T = [&](const V50& at, const V50& rate) {
+    const auto T = [&](const Numbers& at, const Numbers& rate) {
       return interpreter::kinetic_energy<Digits50>(model, at, rate);
     };
-    const V50 zero = V50::Zero(model.nv);
-    const V50 qdd = interpreter::forward_dynamics<Digits50>(model, q, qd, zero);
-    const V50 after = q + h * qd, before = q - h * qd;
-    const V50 faster = qd + h * qdd, slower = qd - h * qdd;
+    const Numbers zero = Numbers::Zero(model.nv);
+    const Numbers qdd = interpreter::forward_dynamics<Digits50>(model, q, qd, zero);
+    const Numbers after = q + h * qd, before = q - h * qd;
+    const Numbers faster = qd + h * qdd, slower = qd - h * qdd;
     const Digits50 weight = qd.dot(interpreter::gravity<Digits50>(model, q));
     EXPECT_LT(abs(Digits50((U(after) - U(before)) / (2 * h) - weight)), 1e-28 * (1 + abs(weight)));
     const Digits50 power = (T(after, faster) + U(after) - T(before, slower) - U(before)) / (2 * h);
     auto frictionless = model;
     for (auto& body : frictionless.bodies) body.damping = body.friction = 0;
     const Digits50 lost =
-        qd.dot(V50(interpreter::nonlinear_effects<Digits50>(model, q, qd) -
-                   interpreter::nonlinear_effects<Digits50>(frictionless, q, qd)));
+        qd.dot(Numbers(interpreter::nonlinear_effects<Digits50>(model, q, qd) -
+                       interpreter::nonlinear_effects<Digits50>(frictionless, q, qd)));
     EXPECT_GE(lost, 0);
     EXPECT_LT(abs(Digits50(power + lost)), 1e-28 * (1 + lost + abs(weight)));
   }

@@ -24,7 +24,7 @@ namespace {
 
 namespace ip = interpreter;
 
-std::vector<Seeded> robots() {
+std::vector<Seeded> motion_derivatives_robots() {
   std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
     options.operational_points = 2;
@@ -44,7 +44,7 @@ std::vector<Seeded> robots() {
   return all;
 }
 
-constexpr std::array kOfThisFile = {
+constexpr std::array kMotionDerivatives = {
     Function::point_velocity_derivatives, Function::point_acceleration_derivatives,
     Function::centroidal_momentum_derivatives, Function::centroidal_momentum_rate_derivatives,
     Function::kinetic_energy_derivatives};
@@ -160,17 +160,18 @@ class MotionDerivatives : public testing::TestWithParam<Seeded> {
 
 class FloatingMotionDerivatives : public MotionDerivatives {};
 
-std::vector<Seeded> floating_robots() {
-  std::vector<Seeded> floating = robots();
+std::vector<Seeded> floating_motion_derivatives_robots() {
+  std::vector<Seeded> floating = motion_derivatives_robots();
   std::erase_if(floating, [](const Seeded& robot) { return !robot.options.floating_base; });
   return floating;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, MotionDerivatives, testing::ValuesIn(robots()));
-INSTANTIATE_TEST_SUITE_P(Robots, FloatingMotionDerivatives, testing::ValuesIn(floating_robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, MotionDerivatives, testing::ValuesIn(motion_derivatives_robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, FloatingMotionDerivatives,
+                         testing::ValuesIn(floating_motion_derivatives_robots()));
 
 TEST_P(MotionDerivatives, InterpreterAgreesWithDifferencesInFiftyDigits) {
-  for (const Function function : kOfThisFile) {
+  for (const Function function : kMotionDerivatives) {
     EXPECT_LT(relative_error(interpreted(function), by_differences(function), 1), kDifference)
         << function_name(function);
   }
@@ -183,7 +184,7 @@ TEST_P(MotionDerivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
     link.defers_rotation = link.carries_column = link.has_one_coordinate();
   }
   const Mechanism kept = build_mechanism(made_.robot, made_.scene);
-  for (const Function function : kOfThisFile) {
+  for (const Function function : kMotionDerivatives) {
     const Results<Digits50> expected = by_differences(function);
     for (const Mechanism* mechanism : std::array<const Mechanism*, 3>{&mechanism_, &late, &kept}) {
       EXPECT_LT(relative_error(recursion(function, *mechanism), expected, 1), kDifference)
@@ -196,7 +197,7 @@ TEST_P(MotionDerivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
 TEST_P(MotionDerivatives, TracedFunctionsAgreeInDouble) {
   Mechanism in_lanes = mechanism_;
   in_lanes.limbs = find_limbs(mechanism_, 8);
-  for (const Function function : kOfThisFile) {
+  for (const Function function : kMotionDerivatives) {
     const Results<Digits50> expected = interpreted(function);
     for (const Mechanism& mechanism : {mechanism_, in_lanes}) {
       for (const Program& program : trace_function(mechanism, function)) {
@@ -231,7 +232,7 @@ TEST_P(FloatingMotionDerivatives, DoNotFeelThePlace) {
   Inputs<double> near = rounded_to<double>(in_);
   Inputs<double> far = near;
   for (std::size_t i = 0; i < 3; ++i) far.q[i] *= 1e9;
-  for (const Function function : kOfThisFile) {
+  for (const Function function : kMotionDerivatives) {
     const Program program = trace_function(mechanism_, function).front();
     EXPECT_EQ(evaluate<double>(program, CheckedPrograms::arguments(program, near)),
               evaluate<double>(program, CheckedPrograms::arguments(program, far)))

@@ -10,6 +10,7 @@
 #include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
+#include "recursion/least_flops.hpp"
 #include "recursion/methods/object_forward_dynamics.hpp"
 #include "recursion/routes/trace_function.hpp"
 
@@ -245,15 +246,6 @@ TEST_P(Objects, ProgramsAgreeInDouble) {
   }
 }
 
-int flops(const RandomMechanism& made, Function function) {
-  int least = 1 << 30;
-  for (const Program& program :
-       trace_function(reduced_mechanism(made.robot, made.scene), function)) {
-    least = std::min(least, count_operations(program).flops());
-  }
-  return least;
-}
-
 // An object adds its own cost and nothing else. Functions without it do not change. Its control
 // costs at most, in addition to the control of the same hands, a body's Newton-Euler step, the
 // rotation into the hands' axes (some 60 per hand), and W^-1 (6 N x 6 N, a multiplication and an
@@ -265,7 +257,8 @@ TEST(ObjectCounts, AnObjectAddsOnlyItsOwnCost) {
     RandomMechanism bare = c.made;
     bare.scene.objects.clear();
     for (const Function function : kDefaultFunctions) {
-      EXPECT_EQ(flops(c.made, function), flops(bare, function)) << function_name(function);
+      EXPECT_EQ(least_flops(c.made, function), least_flops(bare, function))
+          << function_name(function);
     }
     // The same hands as operational points at the object's origin.
     RandomMechanism points = bare;
@@ -273,8 +266,8 @@ TEST(ObjectCounts, AnObjectAddsOnlyItsOwnCost) {
       ScenePoint& point = points.scene.operational_points[static_cast<std::size_t>(i)];
       point.axes = Axes::world;
     }
-    const int with = flops(c.made, Function::object_control_torque);
-    const int without = flops(points, Function::control_torque);
+    const int with = least_flops(c.made, Function::object_control_torque);
+    const int without = least_flops(points, Function::control_torque);
     std::cout << held.name << ": control_torque " << without << ", object_control_torque " << with
               << " flops\n";
     EXPECT_LT(with - without, 2 * (6 * n) * (6 * n) + 150 + 120 * n) << held.name;
@@ -285,9 +278,9 @@ TEST(ObjectCounts, AnObjectAddsOnlyItsOwnCost) {
 // distribution, and the dynamics of the closed chain need no second factorization of M.
 TEST(ObjectCounts, ClosedChainDynamicsShareTheirFactorisation) {
   const ObjectCase c = draw_regular(3, {"two_hands", {2}});
-  const int closed = flops(c.made, Function::object_forward_dynamics);
-  const int open = flops(c.made, Function::forward_dynamics);
-  const int lambda_inv = flops(c.made, Function::lambda_inverse);
+  const int closed = least_flops(c.made, Function::object_forward_dynamics);
+  const int open = least_flops(c.made, Function::forward_dynamics);
+  const int lambda_inv = least_flops(c.made, Function::lambda_inverse);
   std::cout << "forward_dynamics " << open << ", lambda_inverse " << lambda_inv
             << ", object_forward_dynamics " << closed << " flops\n";
   EXPECT_LT(closed, 2 * open + lambda_inv + 1500);

@@ -6,6 +6,7 @@
 
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
+#include "recursion/least_flops.hpp"
 #include "recursion/read_robots.hpp"
 #include "recursion/routes/trace_function.hpp"
 
@@ -14,14 +15,6 @@
 
 namespace treeline::tests {
 namespace {
-
-int flops(const Robot& robot, const Scene& scene, Function function) {
-  int least = std::numeric_limits<int>::max();
-  for (const Program& program : trace_function(reduced_mechanism(robot, scene), function)) {
-    least = std::min(least, count_operations(program).flops());
-  }
-  return least;
-}
 
 Scene with_axes(Scene scene, Axes axes) {
   for (ScenePoint& point : scene.operational_points) point.axes = axes;
@@ -50,8 +43,8 @@ TEST_P(Counts, StayBelowTheirBounds) {
   const Scene world = with_axes(golden.scene, Axes::world);
   const Scene local = with_axes(golden.scene, Axes::local);
   const auto in_both = [&](Function function) {
-    const std::pair counts{flops(golden.robot, world, function),
-                           flops(golden.robot, local, function)};
+    const std::pair counts{least_flops(golden.robot, world, function),
+                           least_flops(golden.robot, local, function)};
     std::cout << GetParam().robot << " " << function_name(function) << ": " << counts.first
               << " flops in world axes, " << counts.second << " in local axes\n";
     return std::min(counts.first, counts.second);
@@ -80,10 +73,11 @@ TEST(Specialised, NoGravityCostsLess) {
   weightless.gravity = {0, 0, 0};
   for (const Function function :
        {Function::inverse_dynamics, Function::nonlinear_effects, Function::forward_dynamics}) {
-    EXPECT_LT(flops(made.robot, weightless, function), flops(made.robot, made.scene, function))
+    EXPECT_LT(least_flops(made.robot, weightless, function),
+              least_flops(made.robot, made.scene, function))
         << function_name(function);
   }
-  EXPECT_EQ(flops(made.robot, weightless, Function::gravity), 0);
+  EXPECT_EQ(least_flops(made.robot, weightless, Function::gravity), 0);
 }
 
 TEST(Specialised, FewerRowsCostLess) {
@@ -96,21 +90,21 @@ TEST(Specialised, FewerRowsCostLess) {
   for (const Function function :
        {Function::jacobian, Function::bias_acceleration, Function::lambda_inverse, Function::lambda,
         Function::control_torque}) {
-    const int all = flops(made.robot, made.scene, function);
-    const int three = flops(made.robot, linear, function);
+    const int all = least_flops(made.robot, made.scene, function);
+    const int three = least_flops(made.robot, linear, function);
     if (function != Function::jacobian) {  // whose angular rows are the joints' axes, needed anyway
       EXPECT_LT(three, all) << function_name(function);
     }
-    EXPECT_LT(flops(made.robot, one, function), three) << function_name(function);
+    EXPECT_LT(least_flops(made.robot, one, function), three) << function_name(function);
   }
 }
 
 TEST(Specialised, GravityAndMassMatrixKnowNoVelocities) {
   const RandomMechanism made = arm();
-  const int all = flops(made.robot, made.scene, Function::inverse_dynamics);
-  const int without_qdd = flops(made.robot, made.scene, Function::nonlinear_effects);
+  const int all = least_flops(made.robot, made.scene, Function::inverse_dynamics);
+  const int without_qdd = least_flops(made.robot, made.scene, Function::nonlinear_effects);
   EXPECT_LT(without_qdd, all);
-  EXPECT_LT(flops(made.robot, made.scene, Function::gravity), without_qdd / 2);
+  EXPECT_LT(least_flops(made.robot, made.scene, Function::gravity), without_qdd / 2);
 }
 
 // A point on the trunk is not carried through the branches beyond it, and a function of points does
@@ -121,7 +115,8 @@ TEST(Specialised, LinksBeyondThePointCostKinematicsNothing) {
   near.operational_points[0].link = "link_2";
   for (const Function function :
        {Function::forward_kinematics, Function::jacobian, Function::bias_acceleration}) {
-    EXPECT_LT(flops(made.robot, near, function), flops(made.robot, made.scene, function))
+    EXPECT_LT(least_flops(made.robot, near, function),
+              least_flops(made.robot, made.scene, function))
         << function_name(function);
   }
 }
@@ -130,10 +125,10 @@ TEST(Specialised, AbsentExternalForcesCostNothing) {
   const RandomMechanism made = arm();
   Scene pushed = made.scene;
   pushed.external_forces = {made.scene.operational_points[0]};
-  EXPECT_LT(flops(made.robot, made.scene, Function::inverse_dynamics),
-            flops(made.robot, pushed, Function::inverse_dynamics));
-  EXPECT_EQ(flops(made.robot, made.scene, Function::gravity),
-            flops(made.robot, pushed, Function::gravity));
+  EXPECT_LT(least_flops(made.robot, made.scene, Function::inverse_dynamics),
+            least_flops(made.robot, pushed, Function::inverse_dynamics));
+  EXPECT_EQ(least_flops(made.robot, made.scene, Function::gravity),
+            least_flops(made.robot, pushed, Function::gravity));
 }
 
 TEST(Specialised, ALockedJointCostsLessThanAMovingOne) {
@@ -142,7 +137,8 @@ TEST(Specialised, ALockedJointCostsLessThanAMovingOne) {
   held.locked["joint_3"] = 0.3;
   for (const Function function : {Function::inverse_dynamics, Function::mass_matrix,
                                   Function::forward_dynamics, Function::jacobian}) {
-    EXPECT_LT(flops(made.robot, held, function), flops(made.robot, made.scene, function))
+    EXPECT_LT(least_flops(made.robot, held, function),
+              least_flops(made.robot, made.scene, function))
         << function_name(function);
   }
 }

@@ -18,7 +18,7 @@ namespace {
 
 namespace ip = interpreter;
 
-std::vector<Seeded> robots() {
+std::vector<Seeded> operational_quantities_robots() {
   std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
     for (int i = 0; i < seeds; ++i) all.push_back({2100 + all.size(), options});
@@ -39,12 +39,12 @@ std::vector<Seeded> robots() {
   return all;
 }
 
-constexpr std::array kOfThisFile = {Function::point_velocity,
-                                    Function::point_acceleration,
-                                    Function::dynamically_consistent_inverse,
-                                    Function::null_space_projector,
-                                    Function::operational_bias_force,
-                                    Function::operational_gravity};
+constexpr std::array kOperationalQuantities = {Function::point_velocity,
+                                               Function::point_acceleration,
+                                               Function::dynamically_consistent_inverse,
+                                               Function::null_space_projector,
+                                               Function::operational_bias_force,
+                                               Function::operational_gravity};
 
 /// Solved as it is: what yields is compared by `check`.
 Scene solved_exactly(Scene scene) {
@@ -53,7 +53,7 @@ Scene solved_exactly(Scene scene) {
 }
 
 /// A robot with inputs at which it can do its task.
-struct Drawn {
+struct DrawnQuantities {
   RandomMechanism made;
   Oracle<Digits50> oracle;
   Inputs<Digits50> in;
@@ -61,7 +61,7 @@ struct Drawn {
 };
 
 /// The first from the seed on.
-Drawn draw(Seeded robot) {
+DrawnQuantities draw(Seeded robot) {
   while (true) {
     const RandomMechanism made = random_mechanism(robot.seed, robot.options);
     const Oracle<Digits50> oracle(made.robot, made.scene);
@@ -76,7 +76,7 @@ Drawn draw(Seeded robot) {
 
 class OperationalQuantities : public testing::TestWithParam<Seeded> {
  protected:
-  explicit OperationalQuantities(const Drawn& drawn = draw(GetParam()))
+  explicit OperationalQuantities(const DrawnQuantities& drawn = draw(GetParam()))
       : mechanism_(reduced_mechanism(drawn.made.robot, solved_exactly(drawn.made.scene))),
         oracle_(drawn.oracle),
         points_(points_from_scene(oracle_.model(), drawn.made.scene.operational_points)),
@@ -120,7 +120,8 @@ class OperationalQuantities : public testing::TestWithParam<Seeded> {
   Yardstick size_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Robots, OperationalQuantities, testing::ValuesIn(robots()));
+INSTANTIATE_TEST_SUITE_P(Robots, OperationalQuantities,
+                         testing::ValuesIn(operational_quantities_robots()));
 
 // Only a formula can be wrong.
 TEST_P(OperationalQuantities, RecursionsAgreeInFiftyDigits) {
@@ -148,7 +149,7 @@ TEST_P(OperationalQuantities, RecursionsAgreeInFiftyDigits) {
 }
 
 TEST_P(OperationalQuantities, TracedFunctionsAgreeWithTheInterpreter) {
-  for (const Function function : kOfThisFile) {
+  for (const Function function : kOperationalQuantities) {
     const Results<Digits50> reference{expected(function)};
     for (const Program& program : trace_function(mechanism_, function)) {
       const auto results =

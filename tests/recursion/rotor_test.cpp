@@ -16,7 +16,7 @@ namespace {
 
 using V = interpreter::Vector<double>;
 
-Robot robot_from(const std::string& urdf) {
+Robot parsed_robot(const std::string& urdf) {
   Diagnostics diagnostics;
   const auto robot = parse_urdf(urdf, "r.urdf", diagnostics);
   EXPECT_TRUE(robot);
@@ -46,7 +46,7 @@ Lagrange lagrange(double angle, double rate) {
 }
 
 TEST(Rotors, AddToTheirJointsAlone) {
-  const Robot robot = robot_from(kCart);
+  const Robot robot = parsed_robot(kCart);
   Scene scene;
   scene.armature = {{"slide", 4}, {"swing", 0.25}};
   const auto model = model_from_robot<double>(robot, scene);

@@ -50,13 +50,8 @@ HumanoidState initial_state() {
 
 /// Those of the joints. The base has no motor: any torque at it is a fault.
 Limits limits_of_humanoid() {
-  Limits limits;
-  std::copy(std::begin(robot::kLowerLimits), std::end(robot::kLowerLimits), limits.lower.begin());
-  std::copy(std::begin(robot::kUpperLimits), std::end(robot::kUpperLimits), limits.upper.begin());
-  std::copy(std::begin(robot::kVelocityLimits), std::end(robot::kVelocityLimits),
-            limits.velocity.begin());
-  std::copy(std::begin(robot::kEffortLimits), std::end(robot::kEffortLimits),
-            limits.torque.begin());
+  Limits limits = servo::limits_of(robot::kLowerLimits, robot::kUpperLimits, robot::kVelocityLimits,
+                                   robot::kEffortLimits);
   std::fill_n(limits.torque.begin(), 6, 0.0);
   return limits;
 }
@@ -93,27 +88,6 @@ Stance look_at_soles(const Robot& simulated, const HumanoidState& state) {
   return stance;
 }
 
-void look_at_commands(const PushController& controller, const double (&tau)[kRates],
-                      PushFigures& figures) {
-  for (int i = 0; i < 6; ++i) {
-    figures.base_torque = std::max(figures.base_torque, std::fabs(tau[i]));
-  }
-  for (int i = 6; i < kRates; ++i) {
-    figures.torque = std::max(figures.torque, std::fabs(tau[i]) / robot::kEffortLimits[i]);
-  }
-  const double(&f)[kHeldRows] = controller.forces();
-  for (const auto& cone : robot::kTorqueLimits.cones) {
-    double value = -cone.bound;
-    for (int k = 0; k < cone.count; ++k) value += cone.coefficients[k] * f[cone.first + k];
-    figures.beyond = std::max(figures.beyond, value);
-  }
-  const robot::LimitedTorque& limited = controller.limited();
-  figures.slack = std::max(figures.slack, limited.slack);
-  figures.limited += limited.limited ? 1 : 0;
-  figures.unsolved += limited.status == decltype(limited.status)::solved ? 0 : 1;
-  figures.iterations = std::max(figures.iterations, limited.iterations);
-}
-
 void look_at_robot(double time, const PushController& controller, const HumanoidState& state,
                    const Stance& stance, const double (&rest)[3], PushFigures& figures) {
   const bool pushed = time >= kPushes[0].time;
@@ -133,14 +107,6 @@ void look_at_robot(double time, const PushController& controller, const Humanoid
   for (const double rate : state.qd) {
     figures.end_speed = std::max(figures.end_speed, std::fabs(rate));
   }
-}
-
-double largest_share(const double (&tau)[kRates]) {
-  double most = 0.0;
-  for (int i = 6; i < kRates; ++i) {
-    most = std::max(most, std::fabs(tau[i]) / robot::kEffortLimits[i]);
-  }
-  return most;
 }
 
 /// The experiment around the loop.
@@ -180,7 +146,8 @@ class Pushing {
     const double(&com)[3] = controller_.center_of_mass();
     if (run_.table.rows() == 0) std::copy(std::begin(com), std::end(com), rest_);
     const Stance stance = look_at_soles(simulated_, report.state);
-    look_at_commands(controller_, report.tau, run_.figures);
+    run_.figures.add(limit_figures(report.tau, robot::kEffortLimits, controller_.forces(),
+                                   robot::kTorqueLimits, controller_.limited()));
     look_at_robot(report.time, controller_, report.state, stance, rest_, run_.figures);
     const std::array<double, 3> push = push_at(report.time);
     const double row[] = {report.time,
@@ -191,7 +158,7 @@ class Pushing {
                           stance.loads[0],
                           stance.loads[1],
                           controller_.hand_error(),
-                          largest_share(report.tau),
+                          largest_share(report.tau, robot::kEffortLimits),
                           push[0] + push[1],
                           stance.tilt,
                           static_cast<double>(controller_.limited().iterations)};

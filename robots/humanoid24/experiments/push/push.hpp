@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "command_line/limit_figures.hpp"
 #include "servo/plot.hpp"
 #include "servo/safety.hpp"
 #include "servo/table.hpp"
@@ -11,16 +12,7 @@
 /// within their limits, so that it recovers. With the unlimited law it falls.
 namespace treeline::experiments {
 
-struct PushFigures {
-  // What the controller commands, of all cycles.
-  double base_torque = 0.0;  ///< largest entry of tau at the base, N or N m
-  double torque = 0.0;       ///< largest torque of a motor as a share of its limit
-  double beyond = -1e9;      ///< most by which forces are beyond a cone, N
-  double slack = 0.0;        ///< most by which cones were widened, N
-  int limited = 0;           ///< cycles in which a limit was reached
-  int unsolved = 0;          ///< cycles whose program was not solved
-  int iterations = 0;        ///< most of a cycle
-  // What becomes of the robot.
+struct PushFigures : LimitFigures {
   double tilt = 0.0;         ///< largest angle of the soles with the ground, rad
   double lifted = 0.0;       ///< largest height of a corner of a sole, m
   double slipped = 0.0;      ///< way that corners slid, all together, m

@@ -26,23 +26,19 @@ enum Column : std::size_t {
 
 std::string describe(const PushRun& run) {
   const PushFigures& f = run.figures;
-  const int index = run.fault.index;
-  const std::string end =
-      run.fault
-          ? servo::describe(run.fault, index >= 0 ? humanoid24_push::kVelocityJoints[index] : "")
-          : "no fault";
+  const std::string end = run.fault ? describe_fault(run.fault, humanoid24_push::kCoordinateJoints,
+                                                     humanoid24_push::kVelocityJoints)
+                                    : "no fault";
   return fmt::format(
       "ends                      after {:.3f} s, {}\n"
-      "torque                    at the base {} N m; of a motor {:.3f} of its limit, largest\n"
-      "forces beyond a cone      {:.1e} N, largest; cones widened by {:.1e} N\n"
-      "limits reached            in {} cycles, {} not solved, at most {} iterations\n"
+      "{}"
       "share of the left foot    {:.3f} to {:.3f}, unpushed\n"
       "soles                     tilted by {:.2e} rad, lifted by {:.2e} m, slid {:.2e} m\n"
       "left hand off its path    {:.2e} m before, {:.2e} m while pushed\n"
       "centre of mass            {:.3f} m away, pushed; in the end {:.1e} m, joints {:.1e} rad/s\n",
-      run.table.at(run.table.rows() - 1, kTime), end, f.base_torque, f.torque, f.beyond, f.slack,
-      f.limited, f.unsolved, f.iterations, f.least_share, f.most_share, f.tilt, f.lifted, f.slipped,
-      f.hand_error, f.hand_pushed, f.away, f.end_away, f.end_speed);
+      run.table.at(run.table.rows() - 1, kTime), end, describe_limits(f), f.least_share,
+      f.most_share, f.tilt, f.lifted, f.slipped, f.hand_error, f.hand_pushed, f.away, f.end_away,
+      f.end_speed);
 }
 
 /// A column of a run that may have ended early, as long as the other's.
@@ -105,8 +101,7 @@ servo::Plot push_figure(const PushRun& limited, const PushRun& unlimited) {
 
 bool push_claim_holds(const PushRun& limited, const PushRun& unlimited) {
   const PushFigures& f = limited.figures;
-  const bool kept = !limited.fault && f.base_torque == 0.0 && f.torque <= 1.0 && f.beyond < 1e-8 &&
-                    f.slack == 0.0 && f.unsolved == 0;
+  const bool kept = !limited.fault && f.kept();
   const bool moved = f.least_share < 0.4 && f.most_share > 0.6 && f.away > 0.05 && f.limited > 0;
   const bool stood = f.tilt < 0.01 && f.lifted < 3e-3 && f.slipped < 0.02 && f.hand_error < 1e-4 &&
                      f.hand_pushed < 5e-3 && f.end_away < 5e-3 && f.end_speed < 0.02;

@@ -1,0 +1,86 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <vector>
+
+#include "anymal_simulated_joints.hpp"
+#include "trot.hpp"
+
+namespace treeline::experiments {
+namespace {
+
+enum Column : std::size_t { kTime, kWantedWay, kSpeed, kTilt, kTorque, kIterations, kFirstFoot };
+constexpr std::size_t kWay = kFirstFoot + 8;
+constexpr const char* kFootNames[] = {"left fore", "right fore", "left hind", "right hind"};
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+}  // namespace
+
+std::string trot_summary(const TrotPlan& plan, const TrotRun& run) {
+  const TrotFigures& f = run.figures;
+  const std::string end = run.fault ? describe_fault(run.fault, anymal_simulated::kCoordinateJoints,
+                                                     anymal_simulated::kVelocityJoints)
+                                    : "no fault";
+  return fmt::format(
+      "ANYmal C stands, trots in place and walks {} m by {} steps\n\n"
+      "ends                      after {:.2f} s, {}\n"
+      "{}"
+      "steps                     {} with both feet in the air\n"
+      "speed of a joint          {:.3f} of its limit, largest\n"
+      "body                      tilted by {:.4f} rad, {:.4f} m off its height and {:.4f} m off "
+      "its "
+      "path\n"
+      "feet                      {:.1e} m off their paths, slid {:.1e} m all together\n"
+      "in the end                {:.4f} m ahead, {:.1e} m aside, {:.1e} rad/s\n",
+      plan.way, plan.steps(), run.table.at(run.table.rows() - 1, kTime), end, describe_limits(f),
+      f.steps, f.speed, f.tilt, f.height, f.away, f.swing_error, f.slipped, f.way, f.aside,
+      f.end_speed);
+}
+
+servo::Plot trot_figure(const TrotRun& run) {
+  const servo::Table& table = run.table;
+  servo::Plot plot;
+  plot.title = "ANYmal C stands, trots in place and walks ten metres";
+  plot.x_label = "time (s)";
+  plot.x = table.column(kTime);
+  plot.panels.push_back(
+      {"Way of the body",
+       "way (m)",
+       {{"body", table.column(kWay), false}, {"wanted", table.column(kWantedWay), true}},
+       0.0});
+  plot.panels.push_back(
+      {"Speed of the body", "speed (m/s)", {{"ahead", table.column(kSpeed), false}}, 0.0});
+  servo::PlotPanel loads{"Load of the feet", "force (N)", {}, 0.0};
+  servo::PlotPanel heights{"Height of the feet", "height (mm)", {}, 0.0};
+  for (std::size_t foot = 0; foot < 4; ++foot) {
+    const std::size_t column = kFirstFoot + 2 * foot;
+    loads.lines.push_back({kFootNames[foot], table.column(column), false});
+    heights.lines.push_back({kFootNames[foot], scaled(table.column(column + 1), 1e3), false});
+  }
+  plot.panels.push_back(loads);
+  plot.panels.push_back(heights);
+  plot.panels.push_back({"Largest torque of a motor as a share of its limit",
+                         "share",
+                         {{"torque", table.column(kTorque), false}},
+                         0.0});
+  plot.panels.push_back({"Tilt of the body",
+                         "angle (mrad)",
+                         {{"tilt", scaled(table.column(kTilt), 1e3), false}},
+                         0.0});
+  return plot;
+}
+
+bool trot_claim_holds(const TrotPlan& plan, const TrotRun& run) {
+  const TrotFigures& f = run.figures;
+  const bool kept = !run.fault && f.kept() && f.speed <= 1.0;
+  const bool walked = f.steps == plan.steps() && std::fabs(f.way - plan.way) < 0.02 &&
+                      std::fabs(f.aside) < 0.02 && f.end_speed < 0.02;
+  const bool upright = f.tilt < 0.1 && f.height < 0.03 && f.away < 0.08;
+  return kept && walked && upright;
+}
+
+}  // namespace treeline::experiments

@@ -1,0 +1,98 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <vector>
+
+#include "turn_ball.hpp"
+
+namespace treeline::experiments {
+namespace {
+
+enum Column : std::size_t {
+  kTime,
+  kWantedPlace,
+  kWantedTurn = kWantedPlace + 3,
+  kPlace = kWantedTurn + 3,
+  kTurn = kPlace + 3,
+  kTorque = kTurn + 3,
+  kFrictionChosen,
+  kFrictionFelt,
+  kPressures
+};
+constexpr double kFrictionAllowed = 0.6;  ///< of the forces that are chosen
+
+/// Three coordinates over those that are wanted.
+servo::PlotPanel path_panel(const servo::Table& table, const char* title, const char* label,
+                            std::size_t actual, std::size_t wanted) {
+  constexpr const char* kAxes[] = {"x", "y", "z"};
+  servo::PlotPanel panel{title, label, {}, 0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<double> values = table.column(actual + i), goals = table.column(wanted + i);
+    for (double& value : values) value *= 1e3;
+    for (double& goal : goals) goal *= 1e3;
+    panel.lines.push_back({kAxes[i], values, false});
+    panel.lines.push_back({i == 0 ? "wanted" : "", goals, true});
+  }
+  return panel;
+}
+
+}  // namespace
+
+std::string ball_summary(const BallRun& run) {
+  const BallFigures& f = run.figures;
+  return fmt::format(
+      "{} fingers of the {} hand turn a ball by {} rad and lead it by {} mm\n\n"
+      "ends                      after {:.2f} s, {}\n"
+      "torque                    at the ball {} N m; of a motor {:.3f} of its limit, largest\n"
+      "forces chosen             pressure {:.2f} N, least; {:.3f} of it across, largest\n"
+      "forces felt               pressure {:.2f} N, least; {:.3f} of it across, largest, of {}\n"
+      "contacts                  slipped {:.1e} m, rolled by {:.4f} m\n"
+      "speed of a joint          {:.3f} of its limit, largest\n"
+      "ball off its path         {:.1e} m, {:.1e} rad; in the end {:.1e} m, {:.1e} rad\n",
+      run.fingers, run.hand, run.plan.turn, 1e3 * run.plan.way,
+      run.table.at(run.table.rows() - 1, kTime), run.fault ? run.fault_text : "no fault",
+      f.ball_torque, f.torque, f.least_pressure, f.friction, f.least_felt, f.friction_felt,
+      run.friction, f.slipped, f.rolled, f.speed, f.away, f.turned_away, f.end_away,
+      f.end_turned_away);
+}
+
+servo::Plot ball_figure(const BallRun& run) {
+  const servo::Table& table = run.table;
+  servo::Plot plot;
+  plot.title = fmt::format("{} fingers of the {} hand turn a ball", run.fingers, run.hand);
+  plot.x_label = "time (s)";
+  plot.x = table.column(kTime);
+  plot.panels.push_back(
+      path_panel(table, "Turn of the ball", "rotation vector (mrad)", kTurn, kWantedTurn));
+  plot.panels.push_back(path_panel(table, "Way of the ball", "way (mm)", kPlace, kWantedPlace));
+  servo::PlotPanel pressures{"Pressure of the fingertips", "force (N)", {}, 0.0};
+  for (int i = 0; i < run.fingers; ++i) {
+    pressures.lines.push_back({i == run.fingers - 1 ? "thumb" : fmt::format("finger {}", i + 1),
+                               table.column(kPressures + static_cast<std::size_t>(i)), false});
+  }
+  plot.panels.push_back(pressures);
+  const std::vector<double> limit(table.rows(), run.friction);
+  plot.panels.push_back({"Largest force across, as a share of the pressure",
+                         "share",
+                         {{"felt", table.column(kFrictionFelt), false},
+                          {"chosen", table.column(kFrictionChosen), false},
+                          {"friction", limit, true}},
+                         0.0});
+  plot.panels.push_back({"Largest torque of a motor as a share of its limit",
+                         "share",
+                         {{"torque", table.column(kTorque), false}},
+                         0.0});
+  return plot;
+}
+
+bool ball_claim_holds(const BallRun& run) {
+  const BallFigures& f = run.figures;
+  const bool kept = !run.fault && f.ball_torque == 0.0 && f.torque <= 1.0 && f.speed <= 1.0 &&
+                    f.least_pressure > 0.5 && f.friction < kFrictionAllowed;
+  const bool held = f.least_felt > 0.5 && f.friction_felt < run.friction && f.slipped < 1e-6;
+  const bool moved = f.rolled > 0.002 && f.away < 1e-4 && f.turned_away < 3e-3 &&
+                     f.end_away < 5e-5 && f.end_turned_away < 1e-3;
+  return kept && held && moved;
+}
+
+}  // namespace treeline::experiments
