@@ -9,10 +9,9 @@
 namespace treeline {
 namespace {
 
-/// An entry below this share of the size of its terms counts as zero. The interpreter in 50 digits
-/// leaves 1e-45 where a sum should vanish, and sines of the smallest doubles that are drawn leave
-/// 1e-24.
-constexpr double kZero = 1e-30;
+/// An entry below this share of the size of its terms counts as zero: no double tells it from 0.
+/// Pivots of relaxed tasks leave such entries in 1 - Jbar J of an arm without a null space.
+constexpr double kZero = 0x1p-53;
 
 double share(double error, double whole) {
   if (error == 0) return 0;

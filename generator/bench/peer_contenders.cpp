@@ -30,6 +30,10 @@ std::string beyond_peers(const Scene& scene, const GeneratedFunction& function) 
     return "external forces";
   }
   if (!scene.inputs.empty()) return "inputs";
+  if (function.function == Function::inverse_dynamics_regressor &&
+      scene.regressor != SceneRegressor{}) {
+    return "columns other than the parameters of all links";
+  }
   if (function.function == Function::control_torque && has_priorities(scene.operational_points)) {
     return "priorities";
   }

@@ -57,13 +57,22 @@ StateReference ReferenceMaker::estimate(int index) const {
 
 void ReferenceMaker::complete(std::size_t i, const State& state,
                               FunctionReference& estimated) const {
-  const std::size_t plain = functions_[i].batch > 0 ? i - plain_ : i;
+  const std::size_t like = shares_reference(i) ? i - plain_ : i;
   const SubjectAt subject(space_.subject, state);
   const ResultSizes sizes(*subject, state);
-  FunctionReference made = interpret_at(plain, state, sizes, Digits::fifty);
+  FunctionReference made = interpret_at(like, state, sizes, Digits::fifty);
   made.graph = std::move(estimated.graph);
   made.computed_angles = estimated.computed_angles;
   estimated = std::move(made);
+}
+
+/// Whether function `i` is a batch with the reference of the plain function before it. Its graph
+/// may be by another route. Where rows of a task yield, they yield in the axes of the route.
+bool ReferenceMaker::shares_reference(std::size_t i) const {
+  if (functions_[i].batch == 0) return false;
+  const GeneratedFunction& plain = functions_[i - plain_];
+  return functions_[i].program.law == nullptr ||
+         key_of(functions_[i].chosen.route) == key_of(plain.chosen.route);
 }
 
 StateReference ReferenceMaker::make(int index, Digits digits) const {
@@ -71,9 +80,8 @@ StateReference ReferenceMaker::make(int index, Digits digits) const {
   const SubjectAt subject(space_.subject, made.state);
   const ResultSizes sizes(*subject, made.state);
   for (std::size_t i = 0; i < functions_.size(); ++i) {
-    // A batch function has a different graph than the plain function, but the same reference.
-    made.functions.push_back(functions_[i].batch > 0 ? made.functions[i - plain_]
-                                                     : interpret_at(i, made.state, sizes, digits));
+    made.functions.push_back(shares_reference(i) ? made.functions[i - plain_]
+                                                 : interpret_at(i, made.state, sizes, digits));
     FunctionReference& reference = made.functions.back();
     if (is_composed(functions_[i])) {
       compose_graph(made);

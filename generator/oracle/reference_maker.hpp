@@ -34,6 +34,7 @@ class ReferenceMaker {
   enum class Digits { in_real, fifty };
 
   [[nodiscard]] StateReference make(int index, Digits digits) const;
+  [[nodiscard]] bool shares_reference(std::size_t i) const;
   void compose_graph(StateReference& made) const;
   [[nodiscard]] FunctionReference interpret_at(std::size_t i, const State& state,
                                                const ResultSizes& sizes, Digits digits) const;

@@ -84,6 +84,23 @@ std::string refusal(RandomOptions options) {
   return why_not;
 }
 
+TEST(DescribeToPeers, RefusesWhatSitsInJoints) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(R"(<robot name="one">
+      <link name="a"/><link name="b"/>
+      <joint name="first" type="continuous">
+        <parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+      </joint></robot>)",
+                                "one.urdf", diagnostics);
+  ASSERT_TRUE(robot);
+  Scene scene;
+  std::string why_not;
+  EXPECT_TRUE(describe_to_peers(*robot, scene, why_not)) << why_not;
+  scene.rotors["first"] = {1e-4, 50, "", std::nullopt};
+  EXPECT_FALSE(describe_to_peers(*robot, scene, why_not));
+  EXPECT_EQ(why_not, "the scene adds rotors, friction or springs to joints");
+}
+
 TEST(DescribeToPeers, RefusesWhatPeersCannotDo) {
   RandomOptions mimics = open_to_peers();
   mimics.locked = 0;

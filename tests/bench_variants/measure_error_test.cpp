@@ -41,6 +41,14 @@ TEST(MeasureError, MeasuresByTermsWhereTheTruthIsZero) {
   EXPECT_DOUBLE_EQ(error.norm, 2e-16);
 }
 
+// 1 - Jbar J of an arm without a null space is what its relaxed rows leave, not 0.
+TEST(MeasureError, MeasuresByTermsWhatRelaxedRowsLeave) {
+  const FunctionReference reference = truth({1e-16, -1e-18}, {0, 0});
+  const AnswerError error = measure_error({1e-15 + 1e-16, 0}, reference, {2});
+  EXPECT_NEAR(error.component, 1e-16, 1e-25);
+  EXPECT_NEAR(error.norm, 1e-16, 1e-25);
+}
+
 TEST(MeasureError, IsInfiniteWhereAnAnswerIsNone) {
   const FunctionReference reference = truth({1, 2}, {0, 0});
   const AnswerError error =

@@ -65,6 +65,20 @@ TEST(CheckInputs, InFloatInBatchesAndDamped) {
   expect_right(subjects, 40);
 }
 
+// A heavy payload lets rows yield, in the axes of the route: the batch has another route than the
+// function of one state here.
+TEST(CheckInputs, YieldsByTheRouteOfTheBatch) {
+  Subjects subjects = load("puma560");
+  subjects.scene.operational_points.front().axes = Axes::local;
+  subjects.scene.inputs.payloads = {{"tool", 10, 0.5}};
+  subjects.scene.batch = 4;
+  subjects.scene.functions = {Function::control_torque};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  ASSERT_NE(key_of(subjects.generation.functions.front().chosen.route),
+            key_of(subjects.generation.batch.front().chosen.route));
+  expect_right(subjects, 40);
+}
+
 TEST(CheckInputs, InC) {
   Subjects subjects = load("puma560");
   subjects.scene.inputs = inputs_of_puma();

@@ -12,14 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Places of our coordinates in the file. The file's joints are in alphabetical order within a
-/// link, ours in the order of the URDF. For a continuous joint the file has cosine and sine of its
-/// angle.
-struct Order {
-  std::vector<int> q, v;
-  std::vector<bool> angle_from_cosine_and_sine;  ///< of each of our q
-};
-
 DoubleVector read_vector(const Json& json) {
   const auto values = json.get<std::vector<double>>();
   return Eigen::Map<const DoubleVector>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -34,7 +26,7 @@ DoubleMatrix read_matrix(const Json& json) {
   return m;
 }
 
-void append_joint(const Json& joint, Order& order) {
+void append_joint(const Json& joint, GoldenOrder& order) {
   const int nq = joint.at("nq").get<int>();
   const int nv = joint.at("nv").get<int>();
   const bool cosine_and_sine = nq == 2 && nv == 1;
@@ -46,7 +38,7 @@ void append_joint(const Json& joint, Order& order) {
 }
 
 /// Appends joints depth-first in the URDF's order.
-void append_joints_of(const Robot& robot, int link, const Json& joints, Order& order) {
+void append_joints_of(const Robot& robot, int link, const Json& joints, GoldenOrder& order) {
   for (const Joint& joint : robot.joints) {
     if (joint.parent != link) continue;
     for (const Json& listed : joints) {
@@ -56,7 +48,7 @@ void append_joints_of(const Robot& robot, int link, const Json& joints, Order& o
   }
 }
 
-DoubleVector position(const Json& json, const Order& order) {
+DoubleVector position(const Json& json, const GoldenOrder& order) {
   const DoubleVector theirs = read_vector(json);
   DoubleVector q = theirs(order.q);
   for (Eigen::Index i = 0; i < q.size(); ++i) {
@@ -68,7 +60,7 @@ DoubleVector position(const Json& json, const Order& order) {
   return q;
 }
 
-GoldenPoint read_point(const Json& json, const Order& order) {
+GoldenPoint read_point(const Json& json, const GoldenOrder& order) {
   return {read_vector(json.at("p")),
           read_matrix(json.at("R")),
           read_matrix(json.at("J_local"))(Eigen::all, order.v),
@@ -77,7 +69,7 @@ GoldenPoint read_point(const Json& json, const Order& order) {
           read_vector(json.at("bias_lwa"))};
 }
 
-GoldenState read_state(const Json& json, const Order& order) {
+GoldenState read_state(const Json& json, const GoldenOrder& order) {
   const auto velocity_like = [&](const char* key) {
     return DoubleVector(read_vector(json.at(key))(order.v));
   };
@@ -130,7 +122,7 @@ GoldenRobot read_golden(const std::string& name) {
     point.name = point.link = frame;
     golden.scene.operational_points.push_back(point);
   }
-  Order order;
+  GoldenOrder& order = golden.order;
   if (floats) append_joint(json.at("joints").at(0), order);
   append_joints_of(golden.robot, golden.robot.root, json.at("joints"), order);
   for (const Json& state : json.at("states")) {

@@ -29,10 +29,19 @@ struct GoldenState {
   DoubleVector control_torque;              ///< empty where the task is singular; world axes
 };
 
+/// Places of our coordinates in the file. The file's joints are in alphabetical order within a
+/// link, ours in the order of the URDF. For a continuous joint the file has cosine and sine of its
+/// angle.
+struct GoldenOrder {
+  std::vector<int> q, v;
+  std::vector<bool> angle_from_cosine_and_sine;  ///< of each of our q
+};
+
 struct GoldenRobot {
   Robot robot;  ///< without mimic tags, which these figures ignore
   Scene scene;  ///< operational points as listed, all rows, world axes
   std::vector<GoldenState> states;
+  GoldenOrder order;
 };
 
 /// Reads NAME.json and NAME.urdf of tests/data/golden. All conversions of conventions are done

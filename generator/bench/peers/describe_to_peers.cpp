@@ -24,13 +24,14 @@ bool has_joints_of(const interpreter::Model<double>& model, interpreter::JointKi
 
 std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene& scene,
                                                  std::string& why_not) {
+  if (!scene.armature.empty() || !scene.rotors.empty() || !scene.joint_friction.empty() ||
+      !scene.joint_springs.empty()) {
+    why_not = "the scene adds rotors, friction or springs to joints";
+    return std::nullopt;
+  }
   const auto model = model_from_robot<double>(robot, scene);
   if (model.has_mimics()) {
     why_not = "the robot has joints that mimic others";
-    return std::nullopt;
-  }
-  if (!scene.armature.empty() || !scene.joint_friction.empty() || !scene.joint_springs.empty()) {
-    why_not = "the scene adds rotors, friction or springs to joints";
     return std::nullopt;
   }
   if (has_joints_of(model, interpreter::JointKind::planar) ||

@@ -24,6 +24,10 @@ TREELINE_BENCH_CALL(lambda_inverse_by_minverse)
 TREELINE_BENCH_CALL(lambda_inverse_by_efpa)
 TREELINE_BENCH_CALL(lambda_inverse_by_pv)
 TREELINE_BENCH_CALL(control_torque)
+TREELINE_BENCH_CALL(regressor)
+TREELINE_BENCH_CALL(centroidal_map)
+TREELINE_BENCH_CALL(centroidal_momentum)
+TREELINE_BENCH_CALL(kinetic_energy)
 #undef TREELINE_BENCH_CALL
 
 std::shared_ptr<void> make_contact_solver(const Solver<double>& solver);

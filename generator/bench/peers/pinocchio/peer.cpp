@@ -1,5 +1,5 @@
-// Pinocchio: recursive Newton-Euler, articulated bodies, M, M^-1, derivatives, and every route to J
-// M^-1 J^T.
+// Pinocchio: recursive Newton-Euler, articulated bodies, M, M^-1, derivatives, the regressor,
+// momentum about the centre of mass, and every route to J M^-1 J^T.
 #include <pinocchio/config.hpp>
 
 #include "bench/peers/make_peer.hpp"
@@ -47,6 +47,34 @@ void finish_derivatives(void* solver, double* out) {
   finish_symmetric(solver, out + 2 * n * n);
 }
 
+/// The ten columns of each moving link, by rows. Every joint but that of a floating base has one
+/// velocity, so places of velocities tell those of joints.
+void finish_regressor(void* solver, double* out) {
+  const auto& s = *static_cast<const Solver<double>*>(solver);
+  const Eigen::Index joints = s.model.njoints - 1;
+  const Eigen::MatrixXd theirs = Eigen::Map<const Eigen::MatrixXd>(out, s.model.nv, 10 * joints);
+  const Eigen::Index before = s.floating ? 5 : 0;
+  Eigen::Map<Rows> ours(out, s.model.nv, 10 * joints);
+  for (Eigen::Index i = 0; i < s.model.nv; ++i) {
+    const Eigen::Index row = s.place[static_cast<std::size_t>(i)];
+    for (Eigen::Index joint = 0; joint < joints; ++joint) {
+      const bool base = s.floating && joint == 0;
+      const Eigen::Index from =
+          base ? 0 : s.place[static_cast<std::size_t>(joint + before)] - before;
+      ours.block<1, 10>(i, 10 * joint) = theirs.block<1, 10>(row, 10 * from);
+    }
+  }
+}
+
+void finish_centroidal_map(void* solver, double* out) {
+  const auto& s = *static_cast<const Solver<double>*>(solver);
+  const Eigen::MatrixXd theirs = Eigen::Map<const Eigen::MatrixXd>(out, 6, s.model.nv);
+  Eigen::Map<Rows> ours(out, 6, s.model.nv);
+  for (Eigen::Index k = 0; k < s.model.nv; ++k) {
+    ours.col(k) = theirs.col(s.place[static_cast<std::size_t>(k)]);
+  }
+}
+
 /// Describes a point. Returns false if it has other rows or axes than the routes support.
 bool describe(const peer::Point& point, std::vector<Point>& points) {
   if (!point.world_axes) return false;
@@ -85,7 +113,11 @@ void add_dynamics(Solver<double>& s, std::vector<Routine>& routines) {
       {"mass_matrix", "in world axes", &s, call_crba_in_world_axes, finish_symmetric},
       {"mass_matrix_inverse", "", &s, call_minverse, finish_symmetric},
       {"inverse_dynamics_derivatives", "", &s, call_rnea_derivatives, finish_derivatives},
-      {"forward_dynamics_derivatives", "", &s, call_aba_derivatives, finish_derivatives}};
+      {"forward_dynamics_derivatives", "", &s, call_aba_derivatives, finish_derivatives},
+      {"inverse_dynamics_regressor", "", &s, call_regressor, finish_regressor},
+      {"centroidal_momentum_matrix", "", &s, call_centroidal_map, finish_centroidal_map},
+      {"centroidal_momentum", "", &s, call_centroidal_momentum, nullptr},
+      {"kinetic_energy", "", &s, call_kinetic_energy, nullptr}};
   routines.insert(routines.end(), std::begin(all), std::end(all));
 }
 
