@@ -127,9 +127,21 @@ std::vector<SceneTool> read_places(const SceneElement& element, const Places& pl
   return read;
 }
 
+/// `[gravity, base_parameters]`, for what is an input as a whole.
+void read_names_of_inputs(const SceneElement& element, SceneInputs& inputs) {
+  for (const SceneElement& item : element.items()) {
+    const auto name = item.choice({"gravity", "base_parameters"});
+    if (!name) continue;
+    bool& listed = *name == 0 ? inputs.gravity : inputs.base_parameters;
+    if (listed) item.error("this input is listed twice", "list it once");
+    listed = true;
+  }
+}
+
 }  // namespace
 
 void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& scene) {
+  if (element.is_list()) return read_names_of_inputs(element, scene.inputs);
   const Fields fields =
       element.fields({"gravity", "payload", "parameters", "base_parameters", "tool", "contact"});
   if (const auto gravity = fields.find("gravity"); gravity != fields.end()) {

@@ -128,6 +128,11 @@ std::optional<std::string> SceneElement::text() const {
 }
 
 std::optional<std::size_t> SceneElement::choice(const std::vector<std::string>& choices) const {
+  if (!node_.IsScalar()) {
+    error(fmt::format("one word is expected here, not {}", kind()),
+          fmt::format("the choices are {}", list_names(choices)));
+    return std::nullopt;
+  }
   const auto given = text();
   if (!given) return std::nullopt;
   for (std::size_t i = 0; i < choices.size(); ++i) {

@@ -88,8 +88,21 @@ TEST(ReadInputs, TakesOneForAList) {
   EXPECT_EQ(scene->inputs.tools.at(0).point, "a");
 }
 
+TEST(ReadInputs, TakesNamesOfWholeInputs) {
+  Diagnostics diagnostics;
+  const auto scene =
+      parse_scene("inputs: [base_parameters, gravity]\n", "s.yaml", make_robot(), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_TRUE(scene->inputs.gravity);
+  EXPECT_TRUE(scene->inputs.base_parameters);
+}
+
 TEST(ReadInputs, SaysWhatIsWrong) {
   expect_told({
+      {"inputs: {gravity: [0, 0, -9.81]}",
+       {Severity::error, 1, "inputs/gravity", "one word is expected here, not a list", "true"}},
+      {"inputs: [payload]", {Severity::error, 1, "inputs[0]", "\"payload\"", "gravity"}},
+      {"inputs: [gravity, gravity]", {Severity::error, 1, "inputs[1]", "listed twice", "once"}},
       {"inputs: {wind: true}", {Severity::error, 1, "inputs/wind", "unknown", "gravity"}},
       {"inputs: {gravity: 9.81}", {Severity::error, 1, "inputs/gravity", "9.81", "true"}},
       {"inputs: {payload: tol}",
