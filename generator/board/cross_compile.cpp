@@ -97,7 +97,9 @@ std::optional<BoardObjects> cross_compile(const fs::path& sources,
     all = board_succeeded(outcomes[i], list.files[i], "does not compile", diagnostics) && all;
   }
   if (!all) return std::nullopt;
-  BoardObjects objects{work, {}, {}, options.language, {}, 0};
+  BoardObjects objects;
+  objects.folder = work;
+  objects.language = options.language;
   for (std::size_t i = 0; i < list.stems.size(); ++i) {
     (i < functions.size() ? objects.stems : objects.harness).push_back(list.stems[i]);
   }

@@ -32,11 +32,10 @@ bool is_scene(const Path& path) {
   return path.extension() == ".yaml" && path.stem().string().rfind("scene", 0) == 0;
 }
 
-/// Whether the folder belongs to a robot. Another one has the programs that draw pictures.
-bool is_of_a_robot(const Path& folder) {
-  if (!std::filesystem::is_directory(folder)) return false;
-  const std::vector<Path> files = sorted_entries(folder);
-  return std::any_of(files.begin(), files.end(), is_scene);
+/// The file of a folder's own robot. Other folders have programs, or scenes of robots that others
+/// publish.
+Path own_urdf(const Path& folder) {
+  return folder / (folder.filename().string() + ".urdf");
 }
 
 }  // namespace
@@ -44,10 +43,10 @@ bool is_of_a_robot(const Path& folder) {
 std::vector<RobotInScene> read_robots() {
   std::vector<RobotInScene> robots;
   for (const Path& folder : sorted_entries(TREELINE_ROBOTS_DIR)) {
-    if (!is_of_a_robot(folder)) continue;
+    if (!std::filesystem::exists(own_urdf(folder))) continue;
     const std::string name = folder.filename().string();
     Diagnostics diagnostics;
-    const auto robot = read_urdf((folder / (name + ".urdf")).string(), diagnostics);
+    const auto robot = read_urdf(own_urdf(folder).string(), diagnostics);
     if (!robot) fail(diagnostics);
     for (const Path& file : sorted_entries(folder)) {
       if (!is_scene(file)) continue;

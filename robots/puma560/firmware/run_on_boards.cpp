@@ -93,7 +93,8 @@ std::optional<BoardObjects> compile(const Target& target, const Tools& tools,
                                     Diagnostics& diagnostics) {
   std::vector<fs::path> files = list_sources(sources);
   files.push_back(work / (std::string(kStartStem) + ".cpp"));
-  BoardObjects objects{work, {}, {}, {}, 0};
+  BoardObjects objects;
+  objects.folder = work;
   std::vector<Command> commands;
   for (const fs::path& file : files) {
     Command command = make_command(tools.compiler, sources, work);
