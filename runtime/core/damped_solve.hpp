@@ -90,9 +90,10 @@ inline Real damped_solve(const Real (&A)[NN], const Real (&heaviest)[N], Real (&
   bool yields = false;
   const Real ease = steps::divide_by_eases(eases, turned, yields);
   steps::turn_back(turns, turned);
-  // A, or where directions yield a matrix that has an inverse.
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j <= i; ++j) {
+  // A, or where directions yield a matrix that has an inverse. By columns: of rows compilers make
+  // calls of memcpy.
+  for (int j = 0; j < N; ++j) {
+    for (int i = j; i < N; ++i) {
       turns.reflections[i * N + j] = !yields ? A[i * N + j] : i == j ? Real(1) : Real(0);
     }
   }
