@@ -6,7 +6,6 @@
 
 #include "interpreter/supported_cases.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/least_flops.hpp"
 #include "recursion/methods/supported_control_torque.hpp"

@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <limits>
 
 #include "mechanism/build_mechanism.hpp"
-#include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/least_flops.hpp"

@@ -7,7 +7,6 @@
 #include "interpreter/object_forward_dynamics.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/chain_from_scene.hpp"
-#include "passes/count_operations.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/least_flops.hpp"
