@@ -68,6 +68,11 @@ std::vector<double> candidates(const drive::DrivenCoordinate& coordinate) {
 
 }  // namespace
 
+bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                  const std::vector<double>& q) {
+  return !(Overload(library, robot)(q, 1.0) > 0);
+}
+
 std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary& library,
                                                        const drive::RobotDescription& robot,
                                                        const std::vector<double>& start) {

@@ -7,6 +7,7 @@
 #include "description/follow_target.hpp"
 #include "description/join_robots.hpp"
 #include "description/total_mass.hpp"
+#include "launch/assume_damping.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 
@@ -92,10 +93,11 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
                  Function::constraint_jacobian};
   }
   if (!scene.operational_points.empty()) {
-    functions.insert(functions.end(),
-                     {Function::forward_kinematics, Function::jacobian, Function::control_torque});
+    functions.insert(functions.end(), {Function::forward_kinematics, Function::jacobian});
     if (scene.damped) {
       functions.insert(functions.end(), kDampedFunctions.begin(), kDampedFunctions.end());
+    } else {
+      functions.push_back(Function::control_torque);
     }
   }
   if (total_mass(robot) > 0) functions.push_back(Function::center_of_mass);
@@ -119,6 +121,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.constraints.clear();
   if (!has_loops(scene)) control.passive.clear();  // of a tree every joint is moved
   leave_out_points(control, diagnostics);
+  assume_damping(robot, control, diagnostics);
   control.remove_limits();
   control.controller.reset();
   control.external_forces.clear();

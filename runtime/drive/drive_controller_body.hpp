@@ -252,26 +252,42 @@ void DriveController<F>::push_from_limits(const State& state, double (&qdd)[nv])
       [](int, int, int) {});
 }
 
-/// Bounds the accelerations of joints that a hand leads, however hard it pulls: so that each comes
-/// to rest before its limit of position, and stays below 60 % of its limit of speed.
+/// Bounds the accelerations of joints that a hand or a task leads, however hard: so that each comes
+/// to rest before its limit of position, and stays below a share of its limit of speed. Returns
+/// whether one was changed.
 template <class F>
-void DriveController<F>::stay_within_limits(const State& state, double (&qdd)[nv]) const noexcept {
-  constexpr double kMargin = 0.03;  // rad or m, at most a tenth of the range
+bool DriveController<F>::stay_within(const JointBounds& bounds, const State& state,
+                                     double (&qdd)[nv]) const noexcept {
   const double rate = std::fmin(30.0, 0.1 / settings_.period);  // 1/s
+  bool changed = false;
   for_each_joint(
       [&](int iq, int iv) {
         const double range = settings_.upper[at(iq)] - settings_.lower[at(iq)];
-        const double margin = std::fmin(kMargin, 0.1 * range);
+        const double margin = std::fmin(bounds.margin, 0.1 * range);
         const double q = state.q[iq];
         const double qd = state.qd[iv];
-        const double fastest = 0.6 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
+        const double fastest = bounds.share * std::fmin(settings_.velocity[at(iv)], bounds.fastest);
         const double to_upper = rate * rate * (settings_.upper[at(iq)] - margin - q);
         const double to_lower = rate * rate * (settings_.lower[at(iq)] + margin - q);
         const double most = std::fmin(to_upper - 2.0 * rate * qd, 2.0 * rate * (fastest - qd));
         const double least = std::fmax(to_lower - 2.0 * rate * qd, 2.0 * rate * (-fastest - qd));
-        qdd[iv] = std::fmax(least, std::fmin(most, qdd[iv]));
+        const double bounded = std::fmax(least, std::fmin(most, qdd[iv]));
+        changed = changed || bounded != qdd[iv];
+        qdd[iv] = bounded;
       },
       [](int, int, int) {});
+  return changed;
+}
+
+/// Bounds what a task asks of the joints, so that no goal, singular or out of reach, makes a joint
+/// exceed a limit. The task then errs.
+template <class F>
+void DriveController<F>::bound_task(const State& state, double (&tau)[nv]) const noexcept {
+  double qdd[nv];
+  F::forward_dynamics(state.q, state.qd, tau, qdd);
+  if (stay_within(kTaskBounds, state, qdd)) {
+    F::inverse_dynamics(state.q, state.qd, qdd, tau);
+  }
 }
 
 /// Gravity compensation: joints are hardly damped, a hand may pull, and limits are kept.
@@ -287,7 +303,7 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
     F::forward_dynamics(state.q, state.qd, tau, qdd);
   }
   avoid_obstacles(state, qdd);
-  stay_within_limits(state, qdd);
+  stay_within(kHandBounds, state, qdd);
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
 }
 
