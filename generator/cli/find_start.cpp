@@ -1,9 +1,12 @@
 #include "cli/find_start.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "cli/loop_handle.hpp"
 
@@ -26,6 +29,17 @@ class Overload {
   }
 
   double operator()(const std::vector<double>& q, double permitted = 0.7) {
+    double sum = 0;
+    for_each_force(q, [&](const drive::DrivenCoordinate& coordinate, double force) {
+      const double share = force / coordinate.effort;
+      sum += share > permitted ? (share - permitted) * (share - permitted) : 0;
+    });
+    return sum;
+  }
+
+  /// Calls visit(coordinate, |force|) for each joint with a limit.
+  template <class Visit>
+  void for_each_force(const std::vector<double>& q, Visit&& visit) {
     drive::LoopOptions options = options_for(robot_, numbers_, q);
     options.real_time = false;
     void* const loop = library_.create(&options);
@@ -33,14 +47,11 @@ class Overload {
     drive::ReportHead head;
     library_.receive(loop, &head, report_.data());
     library_.destroy(loop);
-    double sum = 0;
     for (const drive::DrivenCoordinate& coordinate : robot_.coordinates) {
       if (!drive::is_single(coordinate) || !std::isfinite(coordinate.effort)) continue;
       const int index = layout_.tau + coordinate.velocity_index;
-      const double share = std::fabs(report_[static_cast<std::size_t>(index)]) / coordinate.effort;
-      sum += share > permitted ? (share - permitted) * (share - permitted) : 0;
+      visit(coordinate, std::fabs(report_[static_cast<std::size_t>(index)]));
     }
-    return sum;
   }
 
  private:
@@ -71,6 +82,30 @@ std::vector<double> candidates(const drive::DrivenCoordinate& coordinate) {
 bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
                   const std::vector<double>& q) {
   return !(Overload(library, robot)(q, 1.0) > 0);
+}
+
+std::string describe_overload(const drive::RobotLibrary& library,
+                              const drive::RobotDescription& robot, const std::vector<double>& q) {
+  constexpr std::size_t kMostNames = 4;
+  std::vector<std::pair<double, std::string>> joints;  // by share of the limit
+  Overload(library, robot)
+      .for_each_force(q, [&](const drive::DrivenCoordinate& coordinate, double force) {
+        if (!(force > coordinate.effort)) return;
+        joints.emplace_back(
+            force / coordinate.effort,
+            fmt::format("{} needs {:.3g} of {:g} {}", coordinate.name, force, coordinate.effort,
+                        drive::is_angle(coordinate) ? "N m" : "N"));
+      });
+  std::stable_sort(joints.begin(), joints.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(joints.size(), kMostNames); ++i) {
+    text += (i == 0 ? "" : ", ") + joints[i].second;
+  }
+  if (joints.size() > kMostNames) {
+    text += fmt::format(", and {} more", joints.size() - kMostNames);
+  }
+  return text;
 }
 
 std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary& library,

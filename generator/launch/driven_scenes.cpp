@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "description/follow_target.hpp"
-#include "description/join_robots.hpp"
 #include "description/total_mass.hpp"
 #include "launch/assume_damping.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -37,16 +36,6 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   if (left.empty()) return;
   diagnostics.add(
       {Severity::note, scene.file, 0, "", "left out while the robot is driven: " + left, ""});
-}
-
-/// No command and no reference of the control loop turns a quaternion other than the base's.
-void refuse_ball_joints(const Robot& robot, Diagnostics& diagnostics) {
-  for (const Joint& joint : robot.joints) {
-    if (joint.type != JointType::ball) continue;
-    diagnostics.add({Severity::error, file_of(robot, joint.name), joint.line,
-                     fmt::format("robot/joint[{}]", joint.name), "ball joints cannot be driven yet",
-                     "Write three revolute joints in its place, or hold it: type=\"fixed\"."});
-  }
 }
 
 bool has_loops(const Scene& scene) {
@@ -109,7 +98,6 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
 }  // namespace
 
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
-  refuse_ball_joints(robot, diagnostics);
   note_left_out(scene, diagnostics);
   check_constraints(robot, scene, diagnostics);
   Scene control = scene;
