@@ -74,7 +74,7 @@ struct Step {
 /// Every step of one joint from `from`, the most helpful first.
 std::vector<Step> list_steps(Task& task, const drive::RobotDescription& robot,
                              const std::vector<double>& start, const std::vector<double>& from) {
-  constexpr double kMargin = 0.05;    // of a joint's range
+  constexpr double kMargin = 0.15;    // of a joint's range
   constexpr double kCostOfWay = 0.3;  // per rad that a joint is away from where it began
   const double now = task.at(from).sum;
   std::vector<Step> steps;
