@@ -69,9 +69,10 @@ class Task {
 struct Step {
   std::vector<double> q;
   double gain = 0;
+  double height = 0;  ///< of the operational points, m; of the most helpful steps alone
 };
 
-/// Every step of one joint from `from`, the most helpful first.
+/// Every step of one joint from `from` that helps, the most helpful first.
 std::vector<Step> list_steps(Task& task, const drive::RobotDescription& robot,
                              const std::vector<double>& start, const std::vector<double>& from) {
   constexpr double kMargin = 0.15;    // of a joint's range
@@ -84,7 +85,7 @@ std::vector<Step> list_steps(Task& task, const drive::RobotDescription& robot,
     const double range = coordinate.upper - coordinate.lower;
     const double margin = std::isfinite(range) ? kMargin * range : 0;
     for (const double angle : {0.4, -0.4, 0.8, -0.8, 1.2, -1.2}) {
-      Step step{from, 0};
+      Step step{from};
       step.q[i] = start[i] + angle;
       if (step.q[i] < coordinate.lower + margin || step.q[i] > coordinate.upper - margin) continue;
       const double further = std::fabs(angle) - std::fabs(from[i] - start[i]);
@@ -95,6 +96,21 @@ std::vector<Step> list_steps(Task& task, const drive::RobotDescription& robot,
   std::stable_sort(steps.begin(), steps.end(),
                    [](const Step& a, const Step& b) { return a.gain > b.gain; });
   return steps;
+}
+
+/// Of steps that help nearly alike, as bending an elbow up or down, up is tried first: a table may
+/// be below.
+void put_highest_first(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                       std::vector<Step>& steps) {
+  constexpr double kAlike = 0.8;
+  const auto end = std::find_if(steps.begin(), steps.end(), [&](const Step& step) {
+    return step.gain < kAlike * steps.front().gain;
+  });
+  for (auto step = steps.begin(); step != end; ++step) {
+    step->height = height_of_points(library, robot, step->q);
+  }
+  std::stable_sort(steps.begin(), end,
+                   [](const Step& a, const Step& b) { return a.height > b.height; });
 }
 
 }  // namespace
@@ -110,7 +126,8 @@ std::optional<std::vector<double>> find_bent_start(const drive::RobotLibrary& li
   const bool must_hold = holds_weight(library, robot, start);
   std::vector<double> best = start;
   for (std::size_t i = 0; i < 2 * start.size() && task.at(best).least < kFine; ++i) {
-    const std::vector<Step> steps = list_steps(task, robot, start, best);
+    std::vector<Step> steps = list_steps(task, robot, start, best);
+    put_highest_first(library, robot, steps);
     const auto step = std::find_if(steps.begin(), steps.end(), [&](const Step& each) {
       return !must_hold || holds_weight(library, robot, each.q);
     });

@@ -40,13 +40,7 @@ class Overload {
   /// Calls visit(coordinate, |force|) for each joint with a limit.
   template <class Visit>
   void for_each_force(const std::vector<double>& q, Visit&& visit) {
-    drive::LoopOptions options = options_for(robot_, numbers_, q);
-    options.real_time = false;
-    void* const loop = library_.create(&options);
-    library_.step(loop);
-    drive::ReportHead head;
-    library_.receive(loop, &head, report_.data());
-    library_.destroy(loop);
+    rest_at(q);
     for (const drive::DrivenCoordinate& coordinate : robot_.coordinates) {
       if (!drive::is_single(coordinate) || !std::isfinite(coordinate.effort)) continue;
       const int index = layout_.tau + coordinate.velocity_index;
@@ -54,7 +48,28 @@ class Overload {
     }
   }
 
+  /// z of the operational points together, m.
+  double height(const std::vector<double>& q) {
+    rest_at(q);
+    double sum = 0;
+    for (int k = 0; k < library_.points; ++k) {
+      sum += report_[static_cast<std::size_t>(layout_.point_poses + 7 * k + 2)];
+    }
+    return sum;
+  }
+
  private:
+  /// Fills the report with that of a first cycle at `q`, in which the robot holds its weight.
+  void rest_at(const std::vector<double>& q) {
+    drive::LoopOptions options = options_for(robot_, numbers_, q);
+    options.real_time = false;
+    void* const loop = library_.create(&options);
+    library_.step(loop);
+    drive::ReportHead head;
+    library_.receive(loop, &head, report_.data());
+    library_.destroy(loop);
+  }
+
   const drive::RobotLibrary& library_;
   const drive::RobotDescription& robot_;
   LoopNumbers numbers_;
@@ -82,6 +97,11 @@ std::vector<double> candidates(const drive::DrivenCoordinate& coordinate) {
 bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
                   const std::vector<double>& q) {
   return !(Overload(library, robot)(q, 1.0) > 0);
+}
+
+double height_of_points(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                        const std::vector<double>& q) {
+  return Overload(library, robot).height(q);
 }
 
 std::string describe_overload(const drive::RobotLibrary& library,

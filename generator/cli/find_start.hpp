@@ -13,6 +13,10 @@ namespace treeline {
 bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
                   const std::vector<double>& q);
 
+/// z of the operational points together, m.
+double height_of_points(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                        const std::vector<double>& q);
+
 /// The joints whose effort limits are too low to hold the weight at rest at `q`, those that lack
 /// most first: "elbow needs 31 of 28 N m, ...". Empty: there are none.
 std::string describe_overload(const drive::RobotLibrary& library,
