@@ -39,6 +39,8 @@ std::string read_end(const UrdfElement& element, const char* end) {
   return found->required_text("link", remedy).value_or("");
 }
 
+}  // namespace
+
 std::array<double, 3> read_axis(const UrdfElement& joint) {
   const std::array<double, 3> by_default{1, 0, 0};
   const auto element = joint.child("axis");
@@ -72,6 +74,8 @@ std::array<double, 3> read_axis(const UrdfElement& joint) {
   }
   return *axis;
 }
+
+namespace {
 
 /// Few joints turn more than twice and have an end; 1000 and more mean that there is none.
 void warn_of_degrees(const UrdfElement& element, const Limits& limits) {
