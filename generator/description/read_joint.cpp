@@ -38,6 +38,8 @@ std::string read_end(const UrdfElement& element, const char* end) {
   return found->required_text("link", remedy).value_or("");
 }
 
+}  // namespace
+
 std::array<double, 3> read_axis(const UrdfElement& joint) {
   const std::array<double, 3> by_default{1, 0, 0};
   const auto element = joint.child("axis");
@@ -71,6 +73,8 @@ std::array<double, 3> read_axis(const UrdfElement& joint) {
   }
   return *axis;
 }
+
+namespace {
 
 void read_range(const UrdfElement& element, JointType type, Limits& limits) {
   const auto lower = element.number("lower", true);

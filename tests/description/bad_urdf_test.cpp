@@ -170,10 +170,16 @@ const Case kRobots[] = {
     {"LoopJoint",
      with_robot("<loop_joint/>"),
      {kError, 3, "robot/loop_joint", "changes the mechanism", "constraints in the scene"}},
-    {"LoopJointOfAHinge",
-     with_robot("<loop_joint name='l' type='revolute'><link1 link='a'/><link2 link='b'/>"
+    {"LoopJointOfAnotherKind",
+     with_robot("<loop_joint name='l' type='planar'><link1 link='a'/><link2 link='b'/>"
                 "</loop_joint>"),
-     {kError, 3, "robot/loop_joint[l]", "along which axes", "constraints in the scene"}},
+     {kError, 3, "robot/loop_joint[l]", "\"planar\" of a joint that closes a loop is not known",
+      "constraints in the scene"}},
+    {"LoopJointWithALimit",
+     with_robot("<loop_joint name='l' type='fixed'><link1 link='a'/><link2 link='b'/>"
+                "<limit lower='0' upper='1'/></loop_joint>"),
+     {kWarning, 3, "robot/loop_joint[l]", "<limit> is not part of URDF and is ignored",
+      "remove it"}},
     {"LoopJointWithoutAnEnd",
      with_robot("<loop_joint name='l' type='fixed'><link1 link='a'/></loop_joint>"),
      {kError, 3, "robot/loop_joint[l]", "<link2> is missing", "write <link1"}},
