@@ -118,7 +118,7 @@ void put_highest_first(const drive::RobotLibrary& library, const drive::RobotDes
 std::optional<std::vector<double>> find_bent_start(const drive::RobotLibrary& library,
                                                    const drive::RobotDescription& robot,
                                                    const std::vector<double>& start) {
-  constexpr double kSingular = 0.02;  // below it, a goal may ask for fifty times the usual speed
+  constexpr double kSingular = 0.05;  // below it, goals may ask for twenty times the usual speed
   constexpr double kFine = 0.1;
   if (library.jacobian == nullptr) return std::nullopt;
   Task task(library, robot);

@@ -91,38 +91,44 @@ void DriveController<F>::bound_joints(const State& state, double (&tau)[nv]) con
 /// Bounds what a task asks of the joints, so that no goal, singular or out of reach, makes a joint
 /// exceed a limit. Where one would be too fast, all give way to braking, as far as it takes: the
 /// robot then follows more slowly, on the way that the task means. If each were cut by itself,
-/// joints that are coupled would run away.
+/// joints that are coupled would run away. Those that do not move the points, by the Jacobian `J`,
+/// are cut by themselves, as fingers are: the others need not wait for them.
 template <class F>
-void DriveController<F>::bound_task(const State& state, double (&tau)[nv]) noexcept {
+void DriveController<F>::bound_task(const State& state, const double* J,
+                                    double (&tau)[nv]) noexcept {
   constexpr double kBraking = 10.0;  // 1/s
   double qdd[nv];
   F::forward_dynamics(state.q, state.qd, tau, qdd);
   double braking[nv];
   std::copy_n(qdd, nv, braking);
+  bool shares[nv] = {};
   double share = 1.0;
   for_each_joint(
       [&](int, int iv) {
+        for (int row = 0; row < F::kTaskRows; ++row) {
+          shares[iv] = shares[iv] || J[row * nv + iv] != 0.0;
+        }
         const auto [least, most] = speed_range(kTaskBounds, state, iv);
         braking[iv] = -kBraking * state.qd[iv];
         qdd[iv] = std::isfinite(qdd[iv]) ? qdd[iv] : braking[iv];
-        share = std::fmin(share, share_within(least, most, braking[iv], qdd[iv]));
+        if (shares[iv]) share = std::fmin(share, share_within(least, most, braking[iv], qdd[iv]));
       },
       [](int, int, int) {});
   blend_numbers(share, braking, qdd);
   if (stay_within(kTaskBounds, state, qdd) || share < 1.0) {
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }
-  share_torque(state, braking, tau);
+  share_torque(state, braking, shares, tau);
 }
 
-/// Where a joint would need more than its limit of torque, all give way to `braking`, which are
-/// accelerations.
+/// Where one of the joints that share would need more than its limit of torque, all give way to
+/// `braking`, which are accelerations.
 template <class F>
 void DriveController<F>::share_torque(const State& state, const double (&braking)[nv],
-                                      double (&tau)[nv]) noexcept {
+                                      const bool (&shares)[nv], double (&tau)[nv]) noexcept {
   slowed_ = false;
   for (int i = 0; i < nv; ++i) {
-    slowed_ = slowed_ || std::fabs(tau[i]) > settings_.torque[at(i)];
+    slowed_ = slowed_ || (shares[i] && std::fabs(tau[i]) > settings_.torque[at(i)]);
   }
   if (!slowed_) {
     return;
@@ -132,7 +138,7 @@ void DriveController<F>::share_torque(const State& state, const double (&braking
   double share = 1.0;
   for (int i = 0; i < nv; ++i) {
     const double limit = settings_.torque[at(i)];
-    share = std::fmin(share, share_within(-limit, limit, rest[i], tau[i]));
+    if (shares[i]) share = std::fmin(share, share_within(-limit, limit, rest[i], tau[i]));
   }
   blend_numbers(share, rest, tau);
 }

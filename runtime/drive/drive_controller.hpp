@@ -186,8 +186,9 @@ class DriveController {
                                     int iv) const noexcept;
   bool stay_within(const JointBounds& bounds, const State& state, double (&qdd)[nv]) const noexcept;
   void bound_joints(const State& state, double (&tau)[nv]) const noexcept;
-  void bound_task(const State& state, double (&tau)[nv]) noexcept;
-  void share_torque(const State& state, const double (&braking)[nv], double (&tau)[nv]) noexcept;
+  void bound_task(const State& state, const double* J, double (&tau)[nv]) noexcept;
+  void share_torque(const State& state, const double (&braking)[nv], const bool (&shares)[nv],
+                    double (&tau)[nv]) noexcept;
   void yield_to_hand(const State& state, double (&tau)[nv]) noexcept;
   void measure_points(double time, const State& state, double* rotations, double* errors) noexcept;
   double command_row(int row, const double* rotations, const double* errors,

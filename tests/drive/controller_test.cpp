@@ -141,6 +141,27 @@ TEST(DriveController, GoalsOutOfReachKeepLimits) {
   EXPECT_NEAR(std::sin(rig.q(0)) + std::sin(rig.q(0) + rig.q(1)), 1.1, 1e-5);
 }
 
+// A motion asks for more torque than there is. It comes late, and arrives.
+TEST(DriveController, ATaskBeyondTheTorqueArrivesLater) {
+  const std::array<double, 2> velocity{3.0, 3.0};
+  const std::array<double, 2> torque{30.0, 8.0};  // 23.2 and 4.5 N m hold the arm
+  const auto change = [&](LoopOptions& options) {
+    options.velocity = velocity.data();
+    options.torque = torque.data();
+  };
+  Rig<Arm> rig({0.3, 0.8}, change, 3.0);
+  rig.send(Instruction::move_point, {0, 0, 1.0, 0, 1.5}, 0.2);
+  bool saturated = false;
+  for (int i = 0; i < 4000; ++i) {
+    rig.step();
+    saturated = saturated || rig.head().saturated;
+  }
+  EXPECT_TRUE(saturated);  // else nothing was tried
+  EXPECT_EQ(rig.head().fault_kind, 0);
+  EXPECT_NEAR(std::cos(rig.q(0)) + std::cos(rig.q(0) + rig.q(1)), 1.0, 1e-4);
+  EXPECT_NEAR(std::sin(rig.q(0)) + std::sin(rig.q(0) + rig.q(1)), 1.5, 1e-4);
+}
+
 // A point is led along a circle around the base until the first joint is at its limit.
 TEST(DriveController, ATaskEndsAtALimitOfPosition) {
   Rig<Arm> rig({0.3, 0.8}, {}, 1.2);
