@@ -64,7 +64,7 @@ TEST(LimitsCheck, ArmAtAWallInFloat) {
 
 // Twelve forces of which six carry nothing, a base without motors.
 TEST(LimitsCheck, QuadrupedOnFourFeet) {
-  expect_certified(quadruped(), 40, 10);
+  expect_certified(quadruped(), 20, 10);
 }
 
 // Would catch a check that does not look: another order of levels stays within all limits and obeys
