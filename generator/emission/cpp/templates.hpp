@@ -27,6 +27,7 @@ extern const std::string_view kLanes;
 extern const std::string_view kLdlt;
 extern const std::string_view kLimited;
 extern const std::string_view kLimitedTorque;
+extern const std::string_view kLookup;
 extern const std::string_view kMode;
 extern const std::string_view kNamedCall;
 extern const std::string_view kOptimize;
