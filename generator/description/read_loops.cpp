@@ -24,7 +24,7 @@ RobotLoop::End read_end(const UrdfElement& element, const char* name, const Robo
     element.error(fmt::format("<{}> is missing", name), kEnds);
     return end;
   }
-  found->only_attributes({"link", "xyz", "rpy"});
+  found->holds_only_attributes({"link", "xyz", "rpy"});
   const auto link = found->required_text("link", kEnds);
   end.origin.xyz = found->three_numbers("xyz").value_or(end.origin.xyz);
   end.origin.rpy = found->three_numbers("rpy").value_or(end.origin.rpy);
