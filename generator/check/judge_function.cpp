@@ -56,8 +56,9 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
               report);
     if (function.singular && function.stays_finite && !are_finite(result.entries)) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      note_error({reference.state.index, kInfinity, Bound::kFloorUlp, function.condition}, report,
-                 errors);
+      note_error({reference.state.index, kInfinity, Bound::kFloorUlp, function.condition,
+                  function.amplification},
+                 report, errors);
       continue;
     }
     if (function.singular) {
@@ -66,7 +67,7 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
     }
     report.interpreter_worst = std::max(report.interpreter_worst, function.interpreter_error);
     note_error({reference.state.index, error_in_ulp(result.entries, function, unit_of(real)),
-                report.bound.at(function), function.condition},
+                report.bound.at(function), function.condition, function.amplification},
                report, errors);
     calls.push_back({&reference.state, function.condition, function.size, std::move(result)});
   }

@@ -24,11 +24,12 @@ Json to_json(const ErrorAt& at) {
           {"class", state_class_name(class_of_state(at.state))},
           {"error", finite(at.error)},
           {"bound", finite(at.bound)},
-          {"condition", finite(at.condition)}};
+          {"condition", finite(at.condition)},
+          {"amplification", finite(at.amplification)}};
 }
 
 Json to_json(const Bound& bound) {
-  const std::string of = matrix_symbol(bound.solve);
+  const std::string of = matrix_symbols(bound.solve);
   return {{"floor", Bound::kFloorUlp},
           {"interpreter_factor", Bound::kInterpreterFactor},
           {"interpreter", bound.interpreter},

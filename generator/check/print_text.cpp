@@ -31,7 +31,7 @@ std::string state_name(int index) {
 std::string print_bound(const Bound& bound) {
   const std::string factor = bound.solve == Solve::none
                                  ? std::string()
-                                 : fmt::format(" x condition of {}", matrix_symbol(bound.solve));
+                                 : fmt::format(" x condition of {}", matrix_symbols(bound.solve));
   return fmt::format("{:.0f} + {}{}", Bound::kFloorUlp,
                      number(Bound::kInterpreterFactor * bound.interpreter), factor);
 }

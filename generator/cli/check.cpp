@@ -27,6 +27,7 @@ constexpr const char* kHowToReadCheck =
     "  interp      the interpreter's own worst error, computed in the same Real\n"
     "  bound       allowed: 8 ulp + 16 x the interpreter's worst; where a matrix is solved with,\n"
     "              the latter per condition of that matrix (scaled to a unit diagonal), times it;\n"
+    "              what is made with M^-1 multiplies the condition of M by its own;\n"
     "              and for each angle that is computed as q + offset its magnitude in rad.\n"
     "              damped_control_torque solves with Lambda^-1 + Delta: what is large beside the\n"
     "              heaviest motions counts, a singularity does not\n"

@@ -25,6 +25,7 @@
 #include "description/read_text_file.hpp"
 #include "drive/find_meshes.hpp"
 #include "launch/launch.hpp"
+#include "launch/split_ball_joints.hpp"
 
 namespace treeline {
 namespace {
@@ -64,19 +65,25 @@ std::vector<drive::ServedMesh> find_all_meshes(const RobotFiles& files, const Pa
   return meshes;
 }
 
+/// What is driven, and shown: a ball joint is three hinges.
+std::string driven_urdf(const RobotFiles& files) {
+  return split_ball_joints(shown_urdf(files));
+}
+
 /// The robot of these files, ready to be driven; `meshes` is set to those that pictures of it need.
 std::optional<LaunchedRobot> launch_from(const InputOptions& options, const Packages& packages,
                                          std::vector<drive::ServedMesh>& meshes,
                                          Diagnostics& diagnostics) {
   auto inputs = read_inputs(options, diagnostics);
   if (!inputs) return std::nullopt;
+  split_ball_joints(inputs->robot, inputs->scene, diagnostics);
   meshes = find_all_meshes(inputs->files, packages);
   const auto tell = [](const std::string& what) {
     if (is_watched()) show_progress("  " + what);
   };
   auto surroundings = surroundings_of(inputs->files.scene_text, inputs->robot);
   auto robot =
-      launch({std::move(inputs->robot), std::move(inputs->scene), shown_urdf(inputs->files),
+      launch({std::move(inputs->robot), std::move(inputs->scene), driven_urdf(inputs->files),
               inputs->files.scene_text, std::move(surroundings)},
              tell, diagnostics);
   if (is_watched()) show_progress("");
@@ -133,7 +140,7 @@ int run_replay(const DriveOptions& options) {
   const auto inputs = packages ? read_inputs(options.inputs, diagnostics) : std::nullopt;
   bool shown = false;
   if (inputs) {
-    const std::string urdf = shown_urdf(inputs->files);
+    const std::string urdf = driven_urdf(inputs->files);
     PageSettings page{options.drive.listen, options.drive.port, urdf,
                       find_all_meshes(inputs->files, *packages)};
     warn_of_listeners(options.drive, diagnostics);
@@ -189,9 +196,9 @@ int run(DriveOptions options) {
     return acted ? kOk : kBadInput;
   }
   if (options.measures_latency) {
-    const bool measured = measure_latency(*robot, drive, options.latency, of_drive);
+    const ExitCode exit_code = measure_latency(*robot, drive, options.latency, of_drive);
     print_diagnostics(of_drive, options.inputs.warnings);
-    return measured ? kOk : kBadInput;
+    return exit_code;
   }
   const auto outcome = run_drive(*robot, drive, of_drive);
   print_diagnostics(of_drive, options.inputs.warnings);
@@ -239,7 +246,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
       ->capture_default_str();
   command.add_option("--act-as-robot", options.act_as_robot,
                      "HOST:PORT: be the simulated robot of a drive in another process");
-  command.add_option("--q", drive.start, "Where it starts, separated by commas; else at 0")
+  command.add_option("--q", drive.start, "Where it starts, separated by commas; else near 0")
       ->delimiter(',')
       ->check(any_number());
   add_simulation_options(command, options.simulation);

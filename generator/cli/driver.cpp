@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
 
+#include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
 #include "cli/page_server.hpp"
 #include "cli/rehearsals.hpp"
@@ -100,7 +100,6 @@ class Driver {
   void tell_front_ends();
   drive::ServerHandlers handlers();
   void receive();
-  void warn_of_weight() const;
   void obey_script();
   void obey_line(const drive::Script::Line& line);
   void obey_local(const drive::Command& command);
@@ -167,24 +166,10 @@ void Driver::record_line(const std::string& line, const drive::Answer& answer) {
   record_ << drive::print_command(line, time(), answer) << '\n';
 }
 
-/// In the first cycle the robot holds its weight. A joint whose force is cut then cannot, with the
-/// limit that its URDF states.
-void Driver::warn_of_weight() const {
-  for (const drive::DrivenCoordinate& coordinate : session_.robot().coordinates) {
-    if (!drive::is_single(coordinate)) continue;
-    const int index = session_.layout().tau + coordinate.velocity_index;
-    const double force = session_.report().numbers[static_cast<std::size_t>(index)];
-    if (std::fabs(force) < coordinate.effort) continue;
-    say(fmt::format("warning: {} cannot hold the weight here: its effort limit is {:g} {}",
-                    coordinate.name, coordinate.effort, drive::is_angle(coordinate) ? "N m" : "N"));
-  }
-}
-
 void Driver::receive() {
   drive::ReportHead head;
   while (loop_.receive(head, numbers_.data())) {
     session_.take_report(head, numbers_.data());
-    if (head.cycle == 0) warn_of_weight();
     record_state();
   }
   rehearsals_.attend([this](const std::string& text) {
@@ -368,6 +353,16 @@ DriveOutcome Driver::run() {
   return outcome_;
 }
 
+/// Joints whose forces are cut cannot hold the robot, with the limits that its URDF states.
+void warn_of_weight(const LaunchedRobot& robot, const std::vector<double>& start) {
+  const std::string joints = describe_overload(robot.library.functions(), robot.description, start);
+  if (joints.empty()) return;
+  say(
+      fmt::format("warning: the robot cannot hold its weight here and will sink: {}; --q chooses "
+                  "another place, an effort of 0 in the URDF sets no limit",
+                  joints));
+}
+
 }  // namespace
 
 std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
@@ -380,6 +375,7 @@ std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSet
     if (!external) return std::nullopt;
     std::copy_n(external->state().begin(), start.size(), start.begin());
   }
+  warn_of_weight(robot, start);
   asked_to_end = false;
   answer_signals([] { asked_to_end = true; });
   Driver driver(robot, settings, start, external ? external->functions() : drive::ExternalRobot{});

@@ -1,9 +1,12 @@
 #include "cli/find_start.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "cli/loop_handle.hpp"
 
@@ -26,6 +29,38 @@ class Overload {
   }
 
   double operator()(const std::vector<double>& q, double permitted = 0.7) {
+    double sum = 0;
+    for_each_force(q, [&](const drive::DrivenCoordinate& coordinate, double force) {
+      const double share = force / coordinate.effort;
+      sum += share > permitted ? (share - permitted) * (share - permitted) : 0;
+    });
+    return sum;
+  }
+
+  /// Calls visit(coordinate, |force|) for each joint with a limit.
+  template <class Visit>
+  void for_each_force(const std::vector<double>& q, Visit&& visit) {
+    rest_at(q);
+    for (const drive::DrivenCoordinate& coordinate : robot_.coordinates) {
+      if (!drive::is_single(coordinate) || !std::isfinite(coordinate.effort)) continue;
+      const int index = layout_.tau + coordinate.velocity_index;
+      visit(coordinate, std::fabs(report_[static_cast<std::size_t>(index)]));
+    }
+  }
+
+  /// z of the operational points together, m.
+  double height(const std::vector<double>& q) {
+    rest_at(q);
+    double sum = 0;
+    for (int k = 0; k < library_.points; ++k) {
+      sum += report_[static_cast<std::size_t>(layout_.point_poses + 7 * k + 2)];
+    }
+    return sum;
+  }
+
+ private:
+  /// Fills the report with that of a first cycle at `q`, in which the robot holds its weight.
+  void rest_at(const std::vector<double>& q) {
     drive::LoopOptions options = options_for(robot_, numbers_, q);
     options.real_time = false;
     void* const loop = library_.create(&options);
@@ -33,17 +68,8 @@ class Overload {
     drive::ReportHead head;
     library_.receive(loop, &head, report_.data());
     library_.destroy(loop);
-    double sum = 0;
-    for (const drive::DrivenCoordinate& coordinate : robot_.coordinates) {
-      if (!drive::is_single(coordinate) || !std::isfinite(coordinate.effort)) continue;
-      const int index = layout_.tau + coordinate.velocity_index;
-      const double share = std::fabs(report_[static_cast<std::size_t>(index)]) / coordinate.effort;
-      sum += share > permitted ? (share - permitted) * (share - permitted) : 0;
-    }
-    return sum;
   }
 
- private:
   const drive::RobotLibrary& library_;
   const drive::RobotDescription& robot_;
   LoopNumbers numbers_;
@@ -67,6 +93,40 @@ std::vector<double> candidates(const drive::DrivenCoordinate& coordinate) {
 }
 
 }  // namespace
+
+bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                  const std::vector<double>& q) {
+  return !(Overload(library, robot)(q, 1.0) > 0);
+}
+
+double height_of_points(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                        const std::vector<double>& q) {
+  return Overload(library, robot).height(q);
+}
+
+std::string describe_overload(const drive::RobotLibrary& library,
+                              const drive::RobotDescription& robot, const std::vector<double>& q) {
+  constexpr std::size_t kMostNames = 4;
+  std::vector<std::pair<double, std::string>> joints;  // by share of the limit
+  Overload(library, robot)
+      .for_each_force(q, [&](const drive::DrivenCoordinate& coordinate, double force) {
+        if (!(force > coordinate.effort)) return;
+        joints.emplace_back(
+            force / coordinate.effort,
+            fmt::format("{} needs {:.3g} of {:g} {}", coordinate.name, force, coordinate.effort,
+                        drive::is_angle(coordinate) ? "N m" : "N"));
+      });
+  std::stable_sort(joints.begin(), joints.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(joints.size(), kMostNames); ++i) {
+    text += (i == 0 ? "" : ", ") + joints[i].second;
+  }
+  if (joints.size() > kMostNames) {
+    text += fmt::format(", and {} more", joints.size() - kMostNames);
+  }
+  return text;
+}
 
 std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary& library,
                                                        const drive::RobotDescription& robot,

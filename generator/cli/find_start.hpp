@@ -1,12 +1,26 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "drive/robot_description.hpp"
 #include "drive/robot_library.hpp"
 
 namespace treeline {
+
+/// Whether the robot can hold its weight at rest at `q`.
+bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                  const std::vector<double>& q);
+
+/// z of the operational points together, m.
+double height_of_points(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
+                        const std::vector<double>& q);
+
+/// The joints whose effort limits are too low to hold the weight at rest at `q`, those that lack
+/// most first: "elbow needs 31 of 28 N m, ...". Empty: there are none.
+std::string describe_overload(const drive::RobotLibrary& library,
+                              const drive::RobotDescription& robot, const std::vector<double>& q);
 
 /// Where a robot can hold its weight with 70 % of its effort limits, found by moving one joint
 /// after the other from `start`, from the base on; the best that was found where there is no such

@@ -12,28 +12,7 @@
 namespace treeline {
 namespace {
 
-/// Bounds follow from the interpreter's rounding at some states. Where a matrix is solved with they
-/// are estimates, and correct code has been seen at 3.5 of them. Faults are off by far more.
-bool is_wrong(const FailedTrial& failed) {
-  constexpr double kEstimate = 16;
-  return !(failed.error <= kEstimate * failed.bound);
-}
-
-Diagnostic describe_rounding(const FailedTrial& failed, const InputOptions& options) {
-  return {Severity::warning,
-          "",
-          0,
-          failed.name,
-          fmt::format("at state {} ({}) a result is off by {:.2g} ulp of its scale, where rounding "
-                      "was expected to leave {:.2g}",
-                      failed.state.index, state_class_name(failed.state.kind), failed.error,
-                      failed.bound),
-          fmt::format("`treeline check {} {}` says how many digits are left, and where",
-                      options.urdf, options.scene)};
-}
-
 Diagnostic describe(const FailedTrial& failed, const InputOptions& options) {
-  if (!is_wrong(failed)) return describe_rounding(failed, options);
   const std::string error = failed.error <= 1e300
                                 ? fmt::format("off by {:.2g} ulp of its scale", failed.error)
                                 : std::string("not finite");
@@ -66,14 +45,11 @@ std::optional<GeneratedInputs> keep_tried(const InputOptions& options, Generated
                                           bool& failed, Diagnostics& diagnostics) {
   const std::vector<FailedTrial> found =
       try_functions(made.inputs.robot, made.inputs.scene, made.generation);
-  failed = std::any_of(found.begin(), found.end(), is_wrong);
-  for (const FailedTrial& each : found) {
-    if (is_wrong(each)) remove(each.function, made.inputs.scene);
-  }
+  failed = !found.empty();
+  if (!failed) return made;
+  for (const FailedTrial& each : found) remove(each.function, made.inputs.scene);
   std::optional<GeneratedInputs> kept;
-  if (!failed) {
-    kept = std::move(made);
-  } else if (!made.inputs.scene.functions.empty()) {
+  if (!made.inputs.scene.functions.empty()) {
     kept = generate_from_inputs(options, std::move(made.inputs), made.choices, diagnostics);
   }
   for (const FailedTrial& each : found) diagnostics.add(describe(each, options));

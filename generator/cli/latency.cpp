@@ -93,10 +93,11 @@ void run(LoopHandle& loop, drive::Session& session, const LatencySettings& setti
     }
     const double passed =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (asked || (passed < settings.seconds && !asked_to_finish)) continue;
+    report.fault = session.fault();
+    const bool goes_on = passed < settings.seconds && !asked_to_finish && report.fault.empty();
+    if (asked || goes_on) continue;
     asked = true;
     report.seconds = passed;
-    report.fault = session.fault();
     send(loop, servo::MessageKind::disconnect);
   }
   servo.join();
@@ -104,10 +105,10 @@ void run(LoopHandle& loop, drive::Session& session, const LatencySettings& setti
 
 }  // namespace
 
-bool measure_latency(const LaunchedRobot& robot, const DriveSettings& drive,
-                     const LatencySettings& settings, Diagnostics& diagnostics) {
+ExitCode measure_latency(const LaunchedRobot& robot, const DriveSettings& drive,
+                         const LatencySettings& settings, Diagnostics& diagnostics) {
   const std::vector<double> start = start_of(robot, drive.start, diagnostics);
-  if (start.empty()) return false;
+  if (start.empty()) return kBadInput;
   LoopHandle loop(robot.library.functions(), robot.description,
                   {drive.rate, true, start, {}, drive.simulation.options(), {}, {}});
   drive::Session session(robot.description, drive.rate, false,
@@ -126,9 +127,12 @@ bool measure_latency(const LaunchedRobot& robot, const DriveSettings& drive,
   answer_signals(nullptr);
   getloadavg(&report.load_average, 1);
   fmt::print("{}", print_text(report));
-  if (settings.report.empty()) return true;
-  return write_output_file(settings.report + ".json", print_json(report), diagnostics) &&
-         write_output_file(settings.report + ".svg", print_svg(report), diagnostics);
+  const ExitCode exit_code = report.fault.empty() ? kOk : kMismatch;
+  if (settings.report.empty()) return exit_code;
+  const bool written =
+      write_output_file(settings.report + ".json", print_json(report), diagnostics) &&
+      write_output_file(settings.report + ".svg", print_svg(report), diagnostics);
+  return written ? exit_code : kBadInput;
 }
 
 }  // namespace treeline

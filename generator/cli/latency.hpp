@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/driver.hpp"
+#include "cli/exit_code.hpp"
 #include "description/diagnostic.hpp"
 #include "launch/launch.hpp"
 
@@ -16,8 +17,9 @@ struct LatencySettings {
 };
 
 /// Runs the control loop of a simulated robot in real time, as `drive` does, and prints period,
-/// jitter and control time. Errors: `start` of another length, files that cannot be written.
-bool measure_latency(const LaunchedRobot& robot, const DriveSettings& drive,
-                     const LatencySettings& settings, Diagnostics& diagnostics);
+/// jitter and control time. A fault of the loop ends it: `kMismatch`. Errors: `start` of another
+/// length, files that cannot be written.
+ExitCode measure_latency(const LaunchedRobot& robot, const DriveSettings& drive,
+                         const LatencySettings& settings, Diagnostics& diagnostics);
 
 }  // namespace treeline

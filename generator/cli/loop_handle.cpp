@@ -60,11 +60,20 @@ LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDes
   loop_.reset(library.create(&options));
 }
 
+namespace {
+
+/// So near to a limit tasks push a joint away, see `DriveController`; rad or m.
+double from_limit(double range) {
+  return std::min(0.08, 0.1 * range);
+}
+
+}  // namespace
+
 std::vector<double> default_start(const drive::RobotDescription& robot) {
   std::vector<double> start;
   for (const DrivenCoordinate& coordinate : robot.coordinates) {
     const double range = coordinate.upper - coordinate.lower;
-    const double margin = std::isfinite(range) ? 0.05 * range : 0.0;
+    const double margin = std::isfinite(range) ? std::max(0.05 * range, from_limit(range)) : 0.0;
     start.push_back(coordinate.measure == drive::Measure::qw
                         ? 1.0
                         : std::clamp(0.0, coordinate.lower + margin, coordinate.upper - margin));

@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "cli/find_bent_start.hpp"
 #include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
 #include "description/printable.hpp"
@@ -31,19 +32,32 @@ std::vector<double> closed(const LaunchedRobot& robot, std::vector<double> start
   return {};
 }
 
+/// Where all joints are at 0, or as near as the robot can hold its weight and move its points.
+std::vector<double> choose_start(const LaunchedRobot& robot) {
+  const drive::RobotLibrary& library = robot.library.functions();
+  std::vector<double> start = default_start(robot.description);
+  if (const auto better = find_holdable_start(library, robot.description, start)) {
+    fmt::print(stderr,
+               "with all joints at 0 the robot cannot hold its weight: it starts elsewhere; --q "
+               "chooses the place\n");
+    start = *better;
+  }
+  if (const auto better = find_bent_start(library, robot.description, start)) {
+    fmt::print(stderr,
+               "with its joints near 0 the robot cannot move its points in every direction: it "
+               "starts bent; --q chooses the place\n");
+    start = *better;
+  }
+  return start;
+}
+
 }  // namespace
 
 std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
                              Diagnostics& diagnostics) {
   const std::size_t size = robot.description.coordinates.size();
   if (given.empty()) {
-    const std::vector<double> start = default_start(robot.description);
-    const auto better = find_holdable_start(robot.library.functions(), robot.description, start);
-    if (!better) return closed(robot, start, diagnostics);
-    fmt::print(stderr,
-               "where all joints are at rest the robot cannot hold its weight: it starts "
-               "elsewhere; --q chooses the place\n");
-    return closed(robot, *better, diagnostics);
+    return closed(robot, choose_start(robot), diagnostics);
   }
   if (given.size() == size) return closed(robot, given, diagnostics);
   diagnostics.add({Severity::error, "", 0, "--q",

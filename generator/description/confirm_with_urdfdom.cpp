@@ -10,6 +10,7 @@
 #include <mutex>
 #include <set>
 
+#include "description/read_link.hpp"
 #include "description/read_number.hpp"
 #include "description/rotation.hpp"
 
@@ -151,8 +152,8 @@ bool same(const Link& ours, const urdf::Link& theirs) {
   if (!ours.inertial) return true;
   const Inertial& a = *ours.inertial;
   const urdf::Inertial& b = *theirs.inertial;
-  return a.mass == b.mass && a.ixx == b.ixx && a.ixy == b.ixy && a.ixz == b.ixz && a.iyy == b.iyy &&
-         a.iyz == b.iyz && a.izz == b.izz && same(a.origin, b.origin);
+  return a.mass == counted_mass(b.mass) && a.ixx == b.ixx && a.ixy == b.ixy && a.ixz == b.ixz &&
+         a.iyy == b.iyy && a.iyz == b.iyz && a.izz == b.izz && same(a.origin, b.origin);
 }
 
 int type_of(JointType type) {

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "description/bound_xml.hpp"
 #include "description/describe_stray_text.hpp"
 #include "description/find_misread_tag.hpp"
 #include "description/find_open_element.hpp"
+#include "description/scan_xml.hpp"
 
 namespace treeline {
 namespace {
@@ -18,6 +20,14 @@ using tinyxml2::XMLElement;
 int line_at(const std::string& text, std::size_t at) {
   const auto breaks = std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
   return 1 + static_cast<int>(breaks);
+}
+
+std::size_t start_of_line(const std::string& text, int line) {
+  std::size_t at = 0;
+  for (int before = 1; before < line && at < text.size(); ++before) {
+    at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  }
+  return at;
 }
 
 /// Where the XML declaration starts after white space and comments; npos when there is none.
@@ -79,6 +89,34 @@ std::string describe(const tinyxml2::XMLDocument& document) {
   }
 }
 
+/// The attribute that is given twice in a tag that reaches into this line; empty if none is.
+std::string find_repeated_attribute(const std::string& text, int line) {
+  const std::size_t begin = start_of_line(text, line), end = start_of_line(text, line + 1);
+  for (std::size_t at = 0; at < end;) {
+    const auto tag = next_tag(text, at);
+    if (!tag) break;
+    if (at <= begin) continue;
+    std::set<std::string_view> names;
+    for (const XmlAttribute& attribute : tag->attributes) {
+      if (names.insert(attribute.name).second) continue;
+      return fmt::format("the attribute \"{}\" is given twice in <{}>", attribute.name, tag->name);
+    }
+  }
+  return {};
+}
+
+/// What says the same as `describe` of this text more exactly; empty if nothing does.
+std::string describe_in_text(const tinyxml2::XMLDocument& document, const std::string& text) {
+  const int line = document.ErrorLineNum();
+  if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE) {
+    return find_repeated_attribute(text, line);
+  }
+  if (document.ErrorID() != tinyxml2::XML_ERROR_PARSING_DECLARATION) return {};
+  const std::size_t at = text.find("<?", start_of_line(text, line));
+  const bool declares = at == std::string::npos || text.compare(at, 6, "<?xml ") == 0;
+  return declares ? "" : "a processing instruction, <?...?>, stands inside an element";
+}
+
 /// Which tags do not fit together, with the lines of both; or where in the file the fault is.
 void complain_of_xml(const tinyxml2::XMLDocument& document, const std::string& text,
                      const Complaint& complain) {
@@ -97,13 +135,31 @@ void complain_of_xml(const tinyxml2::XMLDocument& document, const std::string& t
              remedy);
     return;
   }
-  std::string fault = describe(document);
+  std::string fault = describe_in_text(document, text);
+  if (fault.empty()) fault = describe(document);
   if (id != tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED && id != tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
     if (const auto open = find_open_element(text, document.ErrorLineNum())) {
       fault += fmt::format(", inside {} of line {}", open->tag, open->line);
     }
   }
   complain(document.ErrorLineNum(), "", fault, remedy);
+}
+
+/// Where a DOCTYPE before the root element declares entities of its own; npos if it does not.
+std::size_t find_own_entities(std::string_view text) {
+  std::size_t at = text.find('<');
+  while (at != std::string_view::npos) {
+    const std::string_view rest = text.substr(at);
+    const bool comment = rest.starts_with("<!--");
+    if (rest.starts_with("<!DOCTYPE")) {
+      const std::size_t subset = rest.find_first_of("[>");
+      return subset != std::string_view::npos && rest[subset] == '[' ? at : std::string_view::npos;
+    }
+    if (!comment && !rest.starts_with("<?")) break;
+    at = text.find(comment ? "-->" : "?>", at);
+    if (at != std::string_view::npos) at = text.find('<', at);
+  }
+  return std::string_view::npos;
 }
 
 bool check_bytes(const std::string& text, const Complaint& complain) {
@@ -114,6 +170,11 @@ bool check_bytes(const std::string& text, const Complaint& complain) {
   }
   if (const auto stray = describe_stray_text(text)) {
     complain(1, "", stray->fault, stray->remedy);
+    return false;
+  }
+  if (const auto at = find_own_entities(text); at != std::string::npos) {
+    complain(line_at(text, at), "", "the DOCTYPE has declarations of its own, which are not read",
+             "write out what its entities stand for: xmllint --noent FILE, and remove the DOCTYPE");
     return false;
   }
   if (const auto excess = find_excess(text)) {

@@ -168,7 +168,7 @@ void read_constraints(const SceneElement& element, const Robot& robot, Scene& sc
 void add_loops_of_robot(const Robot& robot, Scene& scene) {
   for (const RobotLoop& loop : robot.loops) {
     ScenePoint first{identifier_from(loop.name), loop.first.link, loop.first.origin};
-    first.rows = {true, true, true, loop.holds_turns, loop.holds_turns, loop.holds_turns};
+    first.rows = loop.rows;
     ScenePoint second = first;
     second.link = loop.second.link;
     second.origin = loop.second.origin;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "description/read_number.hpp"
 #include "description/suggest_name.hpp"
 
 namespace treeline {
@@ -34,15 +35,17 @@ std::string read_end(const UrdfElement& element, const char* end) {
   if (const auto* second = found->xml().NextSiblingElement(end)) {
     element.as_child(*second).error(fmt::format("the joint has two <{}>", end), "keep one");
   }
-  found->only_attributes({"link"});
+  found->holds_only_attributes({"link"});
   return found->required_text("link", remedy).value_or("");
 }
+
+}  // namespace
 
 std::array<double, 3> read_axis(const UrdfElement& joint) {
   const std::array<double, 3> by_default{1, 0, 0};
   const auto element = joint.child("axis");
   if (!element) return by_default;
-  element->only_attributes({"xyz"});
+  element->holds_only_attributes({"xyz"});
   if (!element->required_text("xyz",
                               "write <axis xyz=\"0 0 1\"/>, or remove <axis>: then it is x")) {
     return by_default;
@@ -72,6 +75,20 @@ std::array<double, 3> read_axis(const UrdfElement& joint) {
   return *axis;
 }
 
+namespace {
+
+/// Few joints turn more than twice and have an end; 1000 and more mean that there is none.
+void warn_of_degrees(const UrdfElement& element, const Limits& limits) {
+  constexpr double kTwoTurns = 12.6, kDegrees = 720;  // rad, and the degrees of as many turns
+  const double most = std::max(std::abs(limits.lower), std::abs(limits.upper));
+  if (most <= kTwoTurns || most > kDegrees) return;
+  element.reading().pass_over(
+      Severity::warning, "limits in degrees", element.line(), element.path(),
+      fmt::format("the limits {} and {} rad let the joint turn more than twice", limits.lower,
+                  limits.upper),
+      kRadiansForDegrees);
+}
+
 void read_range(const UrdfElement& element, JointType type, Limits& limits) {
   const auto lower = element.number("lower", true);
   const auto upper = element.number("upper", true);
@@ -91,6 +108,7 @@ void read_range(const UrdfElement& element, JointType type, Limits& limits) {
   }
   limits.lower = lower.value_or(0);
   limits.upper = upper.value_or(0);
+  if (type == JointType::revolute) warn_of_degrees(element, limits);
 }
 
 double read_bound(const UrdfElement& element, const char* name) {
@@ -118,7 +136,7 @@ std::optional<Limits> read_limits(const UrdfElement& joint, JointType type) {
     }
     return std::nullopt;
   }
-  element->only_attributes(
+  element->holds_only_attributes(
       {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"});
   Limits limits;
   read_range(*element, type, limits);
@@ -143,7 +161,7 @@ void ignore_axis_and_limits(const UrdfElement& joint, const JointTypeInfo& type)
 void read_dynamics(const UrdfElement& joint, Joint& result) {
   const auto element = joint.child("dynamics");
   if (!element) return;
-  element->only_attributes({"damping", "friction", "armature"});
+  element->holds_only_attributes({"damping", "friction", "armature"});
   if (const auto armature = element->number("armature")) {
     if (*armature < 0) {
       element->error(fmt::format("armature={} is negative", *armature), "give a positive one");
@@ -173,7 +191,7 @@ void read_mimic(const UrdfElement& joint, NamedJoint& result) {
                   "remove it");
     return;
   }
-  element->only_attributes({"joint", "multiplier", "offset"});
+  element->holds_only_attributes({"joint", "multiplier", "offset"});
   if (!info_of(result.joint.type).has_one_freedom()) {
     element->error("only a joint of one degree of freedom can mimic", "remove <mimic>");
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -20,5 +21,8 @@ struct NamedJoint {
 /// that a lone `lower` or `upper` has the other at 0, as the URDF specification says. A mimic on a
 /// fixed or floating joint is dropped with a warning.
 NamedJoint read_joint(const UrdfElement& element);
+
+/// Reads `<axis xyz>` of a joint as a unit vector in the joint's frame; x where there is none.
+std::array<double, 3> read_axis(const UrdfElement& joint);
 
 }  // namespace treeline

@@ -6,7 +6,7 @@ namespace treeline {
 namespace {
 
 void read_moments(const UrdfElement& inertia, Inertial& inertial) {
-  inertia.only_attributes({"ixx", "ixy", "ixz", "iyy", "iyz", "izz", "iyx", "izx", "izy"});
+  inertia.holds_only_attributes({"ixx", "ixy", "ixz", "iyy", "iyz", "izz", "iyx", "izx", "izy"});
   for (const char* name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
     if (inertia.has(name)) continue;
     inertia.error(fmt::format("the attribute \"{}\" is missing", name),
@@ -35,19 +35,16 @@ void read_moments(const UrdfElement& inertia, Inertial& inertial) {
   }
 }
 
-/// The reciprocal of a smaller one may leave the range of double.
-constexpr double kSmallestMass = 1e-100;
-
 Inertial read_inertial(const UrdfElement& element) {
   element.only_attributes({});
   element.only_children({"origin", "mass", "inertia"});
   Inertial inertial;
   inertial.origin = element.origin();
   if (const auto mass = element.child("mass")) {
-    mass->only_attributes({"value"});
+    mass->holds_only_attributes({"value"});
     if (!mass->has("value")) (void)mass->required_text("value", "give the mass in kg");
     inertial.mass = mass->number("value").value_or(0);
-    if (inertial.mass > 0 && inertial.mass < kSmallestMass) {
+    if (inertial.mass > 0 && counted_mass(inertial.mass) == 0) {
       mass->warn(
           fmt::format("the mass {} kg is too small to compute with and counts as 0", inertial.mass),
           fmt::format("give at least {} kg, or 0", kSmallestMass));
@@ -84,6 +81,10 @@ void warn_of_stray_inertia(const UrdfElement& element) {
 }
 
 }  // namespace
+
+double counted_mass(double mass) {
+  return mass > 0 && mass < kSmallestMass ? 0 : mass;
+}
 
 Link read_link(const UrdfElement& element) {
   Link link;

@@ -8,4 +8,10 @@ namespace treeline {
 /// Reads `<link>`: its name and its first `<inertial>`. Shapes and materials do not matter.
 Link read_link(const UrdfElement& element);
 
+/// The reciprocal of a smaller mass may leave the range of double.
+inline constexpr double kSmallestMass = 1e-100;  ///< kg
+
+/// The mass that a link with this one has: 0 where it is too small to compute with.
+double counted_mass(double mass);
+
 }  // namespace treeline

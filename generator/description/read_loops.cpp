@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "description/list_links.hpp"
+#include "description/read_joint.hpp"
+#include "description/rotation.hpp"
 
 namespace treeline {
 namespace {
@@ -19,7 +24,7 @@ RobotLoop::End read_end(const UrdfElement& element, const char* name, const Robo
     element.error(fmt::format("<{}> is missing", name), kEnds);
     return end;
   }
-  found->only_attributes({"link", "xyz", "rpy"});
+  found->holds_only_attributes({"link", "xyz", "rpy"});
   const auto link = found->required_text("link", kEnds);
   end.origin.xyz = found->three_numbers("xyz").value_or(end.origin.xyz);
   end.origin.rpy = found->three_numbers("rpy").value_or(end.origin.rpy);
@@ -32,6 +37,61 @@ RobotLoop::End read_end(const UrdfElement& element, const char* name, const Robo
   return end;
 }
 
+/// What each kind of joint holds when its axis is z, in the order x y z rx ry rz.
+struct LoopKind {
+  const char* type;
+  std::array<bool, 6> rows;
+  bool has_axis;
+};
+constexpr std::array kKinds{LoopKind{"spherical", {true, true, true, false, false, false}, false},
+                            LoopKind{"fixed", {true, true, true, true, true, true}, false},
+                            LoopKind{"revolute", {true, true, true, true, true, false}, true},
+                            LoopKind{"continuous", {true, true, true, true, true, false}, true},
+                            LoopKind{"prismatic", {true, true, false, true, true, true}, true}};
+
+/// The rotation by which z becomes the axis, put behind that of the pose.
+void turn_z_to(const std::array<double, 3>& axis, Pose& pose) {
+  const double yaw = std::atan2(axis[1], axis[0]);
+  const double pitch = std::atan2(std::hypot(axis[0], axis[1]), axis[2]);
+  const Eigen::Matrix3d R =
+      rotation_from_rpy<double>(pose.rpy) * rotation_from_rpy<double>({0, pitch, yaw});
+  pose.rpy = {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
+              std::atan2(R(1, 0), R(0, 0))};
+}
+
+/// Rows along the axes of both frames. Where the joint's axis is one of these, the frames stay as
+/// the file has them, exactly.
+void hold(const LoopKind& kind, const std::array<double, 3>& axis, RobotLoop& loop) {
+  loop.rows = kind.rows;
+  if (!kind.has_axis) return;
+  const auto along = std::find_if(axis.begin(), axis.end(),
+                                  [](double component) { return std::abs(component) == 1; });
+  if (along == axis.end()) {
+    turn_z_to(axis, loop.first.origin);
+    turn_z_to(axis, loop.second.origin);
+    return;
+  }
+  const auto k = static_cast<std::size_t>(along - axis.begin());
+  std::swap(loop.rows[k], loop.rows[2]);
+  std::swap(loop.rows[k + 3], loop.rows[5]);
+}
+
+void read_kind(const UrdfElement& element, RobotLoop& loop) {
+  const char* const remedy =
+      "write type=\"spherical\", \"fixed\", \"revolute\", \"continuous\" or \"prismatic\"; other "
+      "rows can be held under constraints in the scene";
+  const auto type = element.required_text("type", remedy);
+  if (!type) return;
+  const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                 [&](const LoopKind& each) { return *type == each.type; });
+  if (kind == kKinds.end()) {
+    element.error(fmt::format("type=\"{}\" of a joint that closes a loop is not known", *type),
+                  remedy);
+    return;
+  }
+  hold(*kind, read_axis(element), loop);
+}
+
 }  // namespace
 
 bool is_loop_joint(const UrdfElement& element) {
@@ -40,16 +100,12 @@ bool is_loop_joint(const UrdfElement& element) {
 
 void read_loop_joint(const UrdfElement& element, Robot& robot) {
   element.only_attributes({"name", "type"});
+  element.only_children({"axis", "link1", "link2"});
   RobotLoop loop;
   loop.name = element.required_name("give it a name");
-  const auto type = element.required_text("type", "write type=\"spherical\" or type=\"fixed\"");
-  loop.holds_turns = type == "fixed";
-  if (type && *type != "spherical" && *type != "fixed") {
-    element.error(fmt::format("type=\"{}\" does not say along which axes it holds", *type),
-                  "remove it here, and write it under constraints in the scene, with rows");
-  }
   loop.first = read_end(element, "link1", robot);
   loop.second = read_end(element, "link2", robot);
+  read_kind(element, loop);
   const auto same = [&](const RobotLoop& other) { return other.name == loop.name; };
   if (std::any_of(robot.loops.begin(), robot.loops.end(), same)) {
     element.error("a loop of this name is already there", "give each loop a name of its own");

@@ -9,6 +9,7 @@
 #include "description/identifier.hpp"
 #include "description/list_links.hpp"
 #include "description/list_rows.hpp"
+#include "description/read_number.hpp"
 
 namespace treeline {
 
@@ -167,6 +168,9 @@ Pose read_origin(const SceneElement& element) {
   }
   if (const auto rpy = fields.find("rpy"); rpy != fields.end()) {
     pose.rpy = rpy->second.three_numbers(true).value_or(pose.rpy);
+    if (std::any_of(pose.rpy.begin(), pose.rpy.end(), is_beyond_a_turn)) {
+      rpy->second.warn("this is more than a whole turn", kRadiansForDegrees);
+    }
   }
   return pose;
 }

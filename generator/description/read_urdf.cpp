@@ -61,7 +61,7 @@ bool changes_mechanism(std::string_view name) {
   return foreign && (local == "joint" || local == "link");
 }
 
-void read_other(const UrdfElement& element) {
+void read_other(const UrdfElement& robot, const UrdfElement& element) {
   constexpr std::array<std::string_view, 8> kSilent = {
       "material", "transmission", "sensor", "frame", "group", "ros2_control", "mujoco", "gazebo"};
   const std::string_view name = element.name();
@@ -77,10 +77,7 @@ void read_other(const UrdfElement& element) {
                  "be sure that the open tree is the robot you mean");
   }
   if (std::find(kSilent.begin(), kSilent.end(), name) != kSilent.end()) return;
-  element.reading().pass_over(
-      Severity::warning, fmt::format("robot/{}", name), element.line(), element.path(),
-      fmt::format("<{}> is not part of URDF and is ignored", name),
-      "remove it if it was meant to change the robot's motion", Minor::element);
+  robot.pass_over_child(element, {"link", "joint"});
 }
 
 /// Drake writes joints that are not of URDF under a name of its own.
@@ -100,23 +97,26 @@ Elements list_elements(const UrdfElement& robot) {
     } else if (is_loop_joint(element)) {
       elements.loops.push_back(element);
     } else {
-      read_other(element);
+      read_other(robot, element);
     }
   }
   return elements;
 }
 
-template <class Named>
-void check_unique(const std::vector<Named>& items, const std::vector<UrdfElement>& elements,
-                  const char* what) {
+/// False, with an error, if two of these elements have one name: joints then name no one link.
+bool have_own_names(const std::vector<UrdfElement>& elements, const char* what) {
   std::map<std::string_view, int> lines;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (items[i].name.empty()) continue;
-    const auto [first, is_new] = lines.try_emplace(items[i].name, items[i].line);
+  bool own = true;
+  for (const UrdfElement& element : elements) {
+    const char* const name = element.xml().Attribute("name");
+    if (name == nullptr || *name == '\0') continue;
+    const auto [first, is_new] = lines.try_emplace(name, element.line());
     if (is_new) continue;
-    elements[i].error(fmt::format("a {} of this name is already in line {}", what, first->second),
-                      fmt::format("give each {} a name of its own", what));
+    own = false;
+    element.error(fmt::format("a {} of this name is already in line {}", what, first->second),
+                  fmt::format("give each {} a name of its own", what));
   }
+  return own;
 }
 
 void read_head(const UrdfElement& robot, Robot& result) {
@@ -151,10 +151,11 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   for (const UrdfElement& link : elements.links) robot.links.push_back(read_link(link));
   std::vector<NamedJoint> joints;
   for (const UrdfElement& joint : elements.joints) joints.push_back(read_joint(joint));
+  const bool own_links = have_own_names(elements.links, "link");
+  const bool own_joints = have_own_names(elements.joints, "joint");
+  if (!own_links || !own_joints) return std::nullopt;
   connect_tree(joints, elements.links, robot, reading);
   for (const UrdfElement& loop : elements.loops) read_loop_joint(loop, robot);
-  check_unique(robot.links, elements.links, "link");
-  check_unique(robot.joints, elements.joints, "joint");
   if (reading.failed()) return std::nullopt;
   if (!resolve_mimics(joints, robot)) return std::nullopt;
   read_rotors(element, robot.joints);

@@ -65,8 +65,8 @@ struct Joint {
   int line = 0;
 };
 
-/// A joint that closes a loop, beside the tree: origins of two frames coincide, and if
-/// `holds_turns` their axes too.
+/// A joint that closes a loop, beside the tree: `rows` of the relative motion of two frames are
+/// held, along the axes of the second.
 struct RobotLoop {
   struct End {
     std::string link;
@@ -74,7 +74,7 @@ struct RobotLoop {
   };
   std::string name;
   End first, second;
-  bool holds_turns = false;
+  std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
 };
 
 /// One of the robots that a scene joins at the world, see `join_robots`.

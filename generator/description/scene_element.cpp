@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "description/note_odd_character.hpp"
 #include "description/read_number.hpp"
 #include "description/suggest_name.hpp"
 
@@ -100,7 +101,7 @@ std::map<std::string, SceneElement> SceneElement::fields(
     if (std::find(known.begin(), known.end(), key) != known.end()) {
       fields.emplace(key, value);
     } else {
-      value.error(fmt::format("the key \"{}\" is unknown", key),
+      value.error(fmt::format("the key \"{}\" is unknown{}", key, note_odd_character(key)),
                   suggest_name(key, known, "the keys here are"));
     }
   }
@@ -155,7 +156,8 @@ std::optional<double> SceneElement::number(bool angle) const {
                 : fmt::format("give a number of at most {} in SI units", kLargestNumber));
     return std::nullopt;
   }
-  error(fmt::format("a finite number is expected here, not {}", kind()),
+  error(fmt::format("a finite number is expected here, not {}{}", kind(),
+                    node_.IsScalar() ? note_odd_character(node_.Scalar()) : ""),
         "write one decimal number with a point and without quotes, such as 0.25");
   return std::nullopt;
 }

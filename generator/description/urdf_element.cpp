@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "description/code_point.hpp"
+#include "description/note_odd_character.hpp"
 #include "description/read_number.hpp"
 
 namespace treeline {
@@ -94,6 +95,8 @@ std::string UrdfElement::required_name(const std::string& remedy) const {
   } else if (text->size() > kLongestName) {
     error(fmt::format("the name has {} bytes, more than {}", text->size(), kLongestName),
           "shorten it");
+  } else if (const std::string blank = name_outer_blank(*text); !blank.empty()) {
+    warn(fmt::format("the name begins or ends with {}, which counts", blank), "remove it");
   }
   return *text;
 }
@@ -104,11 +107,12 @@ std::optional<double> UrdfElement::number(const char* attribute, bool may_be_inf
   const auto value = read_number(text);
   if (value && (may_be_infinite || std::isfinite(*value))) {
     if (!may_be_infinite) refuse_large(attribute, *value);
+    warn_if_lost(attribute, text, *value);
     return value;
   }
-  error(
-      fmt::format("{}=\"{}\" is not a {}number", attribute, text, may_be_infinite ? "" : "finite "),
-      "write one decimal number with a point, such as 0.25 or 2.5e-1");
+  error(fmt::format("{}=\"{}\" is not a {}number{}", attribute, text,
+                    may_be_infinite ? "" : "finite ", note_odd_character(text)),
+        "write one decimal number with a point, such as 0.25 or 2.5e-1");
   return std::nullopt;
 }
 
@@ -119,13 +123,16 @@ std::optional<std::array<double, 3>> UrdfElement::three_numbers(const char* attr
   if (values && values->size() == 3) {
     // Of an axis the direction counts alone.
     const bool has_size = name() != "axis";
-    for (const double value : *values) {
-      if (has_size) refuse_large(attribute, value);
+    const auto words = split_words(text);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (has_size) refuse_large(attribute, (*values)[i]);
+      warn_if_lost(attribute, words[i], (*values)[i]);
     }
     return std::array{(*values)[0], (*values)[1], (*values)[2]};
   }
   const std::string count = values ? fmt::format(" but {}", values->size()) : "";
-  error(fmt::format("{}=\"{}\" is not three finite numbers{}", attribute, text, count),
+  error(fmt::format("{}=\"{}\" is not three finite numbers{}{}", attribute, text, count,
+                    note_odd_character(text)),
         "write three decimal numbers with spaces between them, such as \"0 0.5 1\"");
   return std::nullopt;
 }
@@ -136,6 +143,13 @@ void UrdfElement::refuse_large(const char* attribute, double value) const {
   error(fmt::format("{} in \"{}\" is too large to compute with", value, attribute),
         angle ? fmt::format("give angles of at most {} rad", kLargestAngle)
               : fmt::format("give numbers of at most {} in SI units", kLargestNumber));
+}
+
+void UrdfElement::warn_if_lost(const char* attribute, std::string_view text, double value) const {
+  if (value != 0 || !rounds_to_zero(text)) return;
+  warn(fmt::format("{} in \"{}\" is nearer to 0 than any number of double and counts as 0", text,
+                   attribute),
+       "write 0", Minor::form);
 }
 
 UrdfElement UrdfElement::as_child(const tinyxml2::XMLElement& xml) const {
@@ -156,58 +170,19 @@ std::optional<UrdfElement> UrdfElement::child(const char* name) const {
   return as_child(*first);
 }
 
-std::string UrdfElement::kind() const {
-  std::string kind;
-  for (const tinyxml2::XMLNode* node = xml_; node != nullptr && node->ToElement();
-       node = node->Parent()) {
-    kind = std::string("/") + node->Value() + kind;
-  }
-  return kind;
-}
-
-void UrdfElement::only_attributes(std::initializer_list<std::string_view> known) const {
-  for (const auto* attribute = xml_->FirstAttribute(); attribute; attribute = attribute->Next()) {
-    const std::string_view name = attribute->Name();
-    // A prefix says that the attribute is another program's own.
-    const bool foreign = name == "xmlns" || name.find(':') != std::string_view::npos;
-    if (foreign || std::find(known.begin(), known.end(), name) != known.end()) continue;
-    reading_->pass_over(
-        Severity::warning, fmt::format("{}@{}", kind(), name), attribute->GetLineNum(), path_,
-        fmt::format("the attribute \"{}\" is not part of URDF and is ignored", name),
-        "remove it if it was meant to change the robot's motion", Minor::attribute);
-  }
-}
-
-void UrdfElement::only_children(std::initializer_list<std::string_view> known) const {
-  no_text();
-  for (const auto* element = xml_->FirstChildElement(); element != nullptr;
-       element = element->NextSiblingElement()) {
-    const std::string_view name = element->Name();
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    reading_->pass_over(Severity::warning, fmt::format("{}/{}", kind(), name),
-                        element->GetLineNum(), path_,
-                        fmt::format("<{}> is not part of URDF and is ignored", name),
-                        "remove it if it was meant to change the robot's motion", Minor::element);
-  }
-}
-
-void UrdfElement::no_text() const {
-  for (const auto* node = xml_->FirstChild(); node != nullptr; node = node->NextSibling()) {
-    const auto* text = node->ToText();
-    if (text == nullptr || trimmed(text->Value()).empty()) continue;
-    reading_->pass_over(Severity::warning, kind() + "#text", node->GetLineNum(), path_,
-                        "text stands between the elements and is ignored", "remove it",
-                        Minor::text);
-  }
-}
-
 Pose UrdfElement::origin() const {
   const auto origin = child("origin");
   if (!origin) return {};
-  origin->only_attributes({"xyz", "rpy"});
-  origin->only_children({});
-  return {origin->three_numbers("xyz").value_or(std::array<double, 3>{}),
-          origin->three_numbers("rpy").value_or(std::array<double, 3>{})};
+  origin->holds_only_attributes({"xyz", "rpy"});
+  const Pose pose{origin->three_numbers("xyz").value_or(std::array<double, 3>{}),
+                  origin->three_numbers("rpy").value_or(std::array<double, 3>{})};
+  if (std::any_of(pose.rpy.begin(), pose.rpy.end(), is_beyond_a_turn)) {
+    reading_->pass_over(
+        Severity::warning, "more than a turn", origin->line(), origin->path(),
+        fmt::format("rpy=\"{}\" is more than a whole turn", origin->xml().Attribute("rpy")),
+        kRadiansForDegrees);
+  }
+  return pose;
 }
 
 }  // namespace treeline

@@ -83,10 +83,17 @@ class UrdfElement {
   [[nodiscard]] std::optional<UrdfElement> child(const char* name) const;
   [[nodiscard]] UrdfElement as_child(const tinyxml2::XMLElement& xml) const;
 
-  /// Warns of attributes and child elements that are not among these, and of stray text.
+  /// Warns of attributes and child elements that are not among these, and of stray text. An error
+  /// where capitals are all that makes the difference: what the file's author meant would be lost.
   void only_attributes(std::initializer_list<std::string_view> known) const;
   void only_children(std::initializer_list<std::string_view> known) const;
+  /// Likewise of one child element that is not among `known`.
+  void pass_over_child(const UrdfElement& child,
+                       std::initializer_list<std::string_view> known) const;
   void no_text() const;
+  /// The same of an element that has attributes and nothing inside. An error if inside stands what
+  /// would be one of these attributes, or a number.
+  void holds_only_attributes(std::initializer_list<std::string_view> known) const;
 
   /// Position and orientation of a child `<origin>`; zero where absent.
   [[nodiscard]] Pose origin() const;
@@ -94,6 +101,7 @@ class UrdfElement {
  private:
   [[nodiscard]] std::string kind() const;
   void refuse_large(const char* attribute, double value) const;
+  void warn_if_lost(const char* attribute, std::string_view text, double value) const;
 
   const tinyxml2::XMLElement* xml_;
   std::string path_;

@@ -16,4 +16,9 @@ const char* matrix_symbol(Solve solve) {
   return "";
 }
 
+std::string matrix_symbols(Solve solve) {
+  const bool made_with_M = solve == Solve::lambda_inverse || solve == Solve::damped;
+  return std::string(made_with_M ? "M and " : "") + matrix_symbol(solve);
+}
+
 }  // namespace treeline

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "description/follow_target.hpp"
-#include "description/join_robots.hpp"
 #include "description/total_mass.hpp"
+#include "launch/assume_damping.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 
@@ -36,16 +36,6 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   if (left.empty()) return;
   diagnostics.add(
       {Severity::note, scene.file, 0, "", "left out while the robot is driven: " + left, ""});
-}
-
-/// No command and no reference of the control loop turns a quaternion other than the base's.
-void refuse_ball_joints(const Robot& robot, Diagnostics& diagnostics) {
-  for (const Joint& joint : robot.joints) {
-    if (joint.type != JointType::ball) continue;
-    diagnostics.add({Severity::error, file_of(robot, joint.name), joint.line,
-                     fmt::format("robot/joint[{}]", joint.name), "ball joints cannot be driven yet",
-                     "Write three revolute joints in its place, or hold it: type=\"fixed\"."});
-  }
 }
 
 bool has_loops(const Scene& scene) {
@@ -92,10 +82,11 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
                  Function::constraint_jacobian};
   }
   if (!scene.operational_points.empty()) {
-    functions.insert(functions.end(),
-                     {Function::forward_kinematics, Function::jacobian, Function::control_torque});
+    functions.insert(functions.end(), {Function::forward_kinematics, Function::jacobian});
     if (scene.damped) {
       functions.insert(functions.end(), kDampedFunctions.begin(), kDampedFunctions.end());
+    } else {
+      functions.push_back(Function::control_torque);
     }
   }
   if (total_mass(robot) > 0) functions.push_back(Function::center_of_mass);
@@ -107,7 +98,6 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
 }  // namespace
 
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
-  refuse_ball_joints(robot, diagnostics);
   note_left_out(scene, diagnostics);
   check_constraints(robot, scene, diagnostics);
   Scene control = scene;
@@ -119,6 +109,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   control.constraints.clear();
   if (!has_loops(scene)) control.passive.clear();  // of a tree every joint is moved
   leave_out_points(control, diagnostics);
+  assume_damping(robot, control, diagnostics);
   control.remove_limits();
   control.controller.reset();
   control.external_forces.clear();

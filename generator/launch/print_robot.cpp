@@ -159,6 +159,7 @@ std::vector<GeneratedFile> runtime_headers() {
           file("servo/statistics.hpp", t::kServoStatistics),
           file("drive/avoidance.hpp", t::kDriveAvoidance),
           file("drive/closed_loops.hpp", t::kDriveClosedLoops),
+          file("drive/drive_bounds.hpp", t::kDriveBounds),
           file("drive/drive_controller.hpp", t::kDriveController),
           file("drive/drive_controller_body.hpp", t::kDriveControllerBody),
           file("drive/drive_goals.hpp", t::kDriveGoals),

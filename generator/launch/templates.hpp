@@ -26,6 +26,7 @@ extern const std::string_view kServoStateMachine;
 extern const std::string_view kServoStatistics;
 extern const std::string_view kDriveAvoidance;
 extern const std::string_view kDriveClosedLoops;
+extern const std::string_view kDriveBounds;
 extern const std::string_view kDriveController;
 extern const std::string_view kDriveControllerBody;
 extern const std::string_view kDriveGoals;

@@ -10,7 +10,7 @@ Bound find_bound(std::size_t i, Function function, const std::vector<StateRefere
   bound.solve = solve_of(function);
   for (const StateReference& reference : references) {
     const FunctionReference& at = reference.functions[i];
-    const double error = at.interpreter_error / at.condition;
+    const double error = at.interpreter_error / at.amplification;
     // If the interpreter itself fails at a state, that state says nothing about the tolerance.
     if (!at.singular && std::isfinite(error)) {
       bound.interpreter = std::max(bound.interpreter, error);

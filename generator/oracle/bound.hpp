@@ -13,13 +13,13 @@ struct ErrorAt {
   int state = 0;
   double error = 0;
   double bound = 0;
-  double condition = 1;
+  double condition = 1, amplification = 1;  ///< see `FunctionReference`
 };
 
 /// Largest error that a function's outputs may have, in ulp of their scale: kFloorUlp + angles +
-/// condition * kInterpreterFactor * interpreter. Here `angles` is
-/// FunctionReference::computed_angles, and `interpreter` the largest ratio of error to condition
-/// number that the interpreter, run in Real, had at any state.
+/// amplification * kInterpreterFactor * interpreter. Here `angles` is
+/// FunctionReference::computed_angles, and `interpreter` the largest ratio of error to
+/// amplification that the interpreter, run in Real, had at any state.
 struct Bound {
   static constexpr double kFloorUlp = 8;
   static constexpr double kInterpreterFactor = 16;
@@ -28,7 +28,7 @@ struct Bound {
 
   [[nodiscard]] double at(const FunctionReference& reference) const {
     return kFloorUlp + reference.computed_angles +
-           reference.condition * kInterpreterFactor * interpreter;
+           reference.amplification * kInterpreterFactor * interpreter;
   }
 };
 

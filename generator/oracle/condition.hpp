@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace treeline {
 
@@ -13,5 +14,18 @@ namespace treeline {
 /// the units of the coordinates. It is at least 1 if no d_i is less than A_ii, and infinite if A is
 /// not positive definite in double.
 double scaled_condition(const Eigen::MatrixXd& A, const Eigen::VectorXd& d);
+
+/// Condition numbers of two solves, where the matrix of the second is made of the first one's
+/// result, as Lambda^-1 is of M^-1.
+struct Conditions {
+  double first = 1, second = 1;
+
+  /// How near to singular the worse of the matrices is.
+  [[nodiscard]] double largest() const { return std::max(first, second); }
+  /// By which rounding errors may grow: the first solve leaves up to `first` roundings in each
+  /// entry of the second matrix, and the second solve multiplies these by up to `second`, unless
+  /// all are errors of one M near the given one, as by L^T D L but not by inertia propagation.
+  [[nodiscard]] double amplification() const { return first * second; }
+};
 
 }  // namespace treeline

@@ -5,7 +5,7 @@ namespace {
 
 using interpreter::Digits50;
 
-interpreter::Matrix3<Digits50> matrix_of(const ExactRows& rows) {
+interpreter::Matrix3<Digits50> matrix_of(const LawAxes& rows) {
   interpreter::Matrix3<Digits50> R;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

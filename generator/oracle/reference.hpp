@@ -21,8 +21,9 @@ struct FunctionReference {
   /// unknown.
   std::vector<double> graph;
   /// Condition number of the matrix that the function solves with, scaled to a unit diagonal and so
-  /// independent of units. 1 for functions without a solve.
+  /// independent of units; the larger one where it solves twice. 1 for functions without a solve.
   double condition = 1;
+  double amplification = 1;  ///< of rounding errors by its solves, see `Conditions`
   /// The condition number leaves no correct digit in Real. The reference result is absent then.
   bool singular = false;
   /// For a singular solve: rows of the task are relaxed and the interpreter's result in Real is

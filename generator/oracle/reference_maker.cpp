@@ -123,7 +123,9 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   const auto size_law = interpreter::cast<double>(law_at(size_laws_[i].get(), state.q, tools));
   FunctionReference reference;
   const auto yielding = sizes.yielding(function, size_law);
-  reference.condition = sizes.condition(function, yielding);
+  const Conditions conditions = sizes.conditions(function, yielding);
+  reference.condition = conditions.largest();
+  reference.amplification = conditions.amplification();
   // If rows are relaxed, every state has a reference, however fast the result changes there, unless
   // M itself is singular.
   const bool yields =
@@ -148,7 +150,7 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
 
 /// Whether a solve with M leaves digits in Real.
 bool ReferenceMaker::is_regular(const ResultSizes& sizes) const {
-  return sizes.condition(Function::forward_dynamics) < kSingular / unit_of(real_);
+  return sizes.conditions(Function::forward_dynamics).largest() < kSingular / unit_of(real_);
 }
 
 /// Whether the result must be finite. It must if rows are relaxed and the robot itself is not

@@ -9,7 +9,6 @@
 #include "description/noise.hpp"
 #include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
-#include "oracle/condition.hpp"
 #include "oracle/contact_sizes.hpp"
 #include "oracle/entries.hpp"
 
@@ -94,30 +93,31 @@ std::optional<LawSizes> ResultSizes::yielding(Function function,
                         law);
 }
 
-double ResultSizes::condition(Function function, const std::optional<LawSizes>& yielding) const {
-  const bool about_hands = needs_objects(function) && solve_of(function) != Solve::none;
-  if (about_hands) {
-    return std::max(yielding ? yielding->condition : objects_->condition(), M_condition_);
+Conditions ResultSizes::conditions(Function function,
+                                   const std::optional<LawSizes>& yielding) const {
+  if (function == Function::constraint_jacobian) return {constrained_->loop_condition()};
+  const Solve solve = solve_of(function);
+  if (needs_objects(function) && solve != Solve::none) {
+    return {M_condition_, yielding ? yielding->condition : objects_->condition()};
   }
-  if (needs_constraints(function) && solve_of(function) != Solve::none) {
+  if (needs_constraints(function) && solve != Solve::none) {
     const ConstraintSizes& constraints = of_constraints(function);
-    const double own = yielding ? yielding->condition : constraints.condition();
-    return std::max({own, M_condition_, constraints.loop_condition()});
+    return {std::max(M_condition_, constraints.loop_condition()),
+            yielding ? yielding->condition : constraints.condition()};
   }
-  if (function == Function::constraint_jacobian) return constrained_->loop_condition();
-  if (yielding) return std::max(yielding->condition, M_condition_);
-  switch (solve_of(function)) {
+  if (yielding) return {M_condition_, yielding->condition};
+  switch (solve) {
     case Solve::mass_matrix:
-      return M_condition_;
+      return {M_condition_};
     case Solve::lambda_inverse:
-      return std::max(function == Function::control_torque ? control_condition_ : Lambda_condition_,
-                      M_condition_);
+      return {M_condition_,
+              function == Function::control_torque ? control_condition_ : Lambda_condition_};
     case Solve::damped:
-      return damped_ ? std::max(damped_->condition, M_condition_) : M_condition_;
+      return {M_condition_, damped_ ? damped_->condition : 1};
     case Solve::none:
       break;
   }
-  return 1;
+  return {};
 }
 
 /// What the solve of a function adds to the terms: its result, the law that relaxes rows, what is

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/condition.hpp"
 #include "oracle/constraint_sizes.hpp"
 #include "oracle/damped_sizes.hpp"
 #include "oracle/law_sizes.hpp"
@@ -28,9 +29,9 @@ class ResultSizes {
       Function function, const std::vector<double>& result,
       const interpreter::TaskLaw<double>& law = {},
       const std::optional<LawSizes>& yielding = std::nullopt) const;
-  /// Condition number of the matrix that the function solves with; 1 if there is none.
-  [[nodiscard]] double condition(Function function,
-                                 const std::optional<LawSizes>& yielding = std::nullopt) const;
+  /// Condition numbers of the matrices that the function solves with; 1 where there is none.
+  [[nodiscard]] Conditions conditions(Function function,
+                                      const std::optional<LawSizes>& yielding = std::nullopt) const;
 
  private:
   struct Solved;

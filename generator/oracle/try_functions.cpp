@@ -70,7 +70,7 @@ class Trial {
       FunctionReference& at = references_[*open].functions[i];
       maker_.complete(i, references_[*open].state, at);
       is_known[*open] = true;
-      const double own = at.interpreter_error / at.condition;
+      const double own = at.interpreter_error / at.amplification;
       if (own <= std::numeric_limits<double>::max()) {
         bound.interpreter = std::max(bound.interpreter, own);
       }

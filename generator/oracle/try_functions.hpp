@@ -6,7 +6,7 @@
 
 #include "functions/function.hpp"
 #include "generation/generate_code.hpp"
-#include "oracle/draw_state.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 
@@ -18,7 +18,9 @@ inline constexpr std::array kTrialStates = {0, 20, 1, 4, 2, 7, 11, 3, 5, 6, 19, 
 /// States at which functions are tried.
 struct TrialOptions {
   std::vector<int> states{kTrialStates.begin(), kTrialStates.end()};
-  int confirm = 200;  ///< number of first states at which failures are tried again
+  /// Number of first states at which failures are tried again: those of `check`, whose verdict on
+  /// the same code is then the same.
+  int confirm = ReferenceOptions{}.states;
   std::uint64_t seed = 1;
 };
 
@@ -35,7 +37,7 @@ struct FailedTrial {
 /// relaxed, the result must be finite. Nothing is compiled. Returns the functions that fail, each
 /// with the state at which it exceeds its bound the most. The bound depends on the interpreter's
 /// errors in Real, which a few states may underestimate. So a function that fails at the few states
-/// is judged again at many.
+/// is judged again at all states of `check`.
 ///
 /// The 50 digits are computed only where they can change the verdict, which is almost nowhere. The
 /// bound is 8 ulp plus 16 times the interpreter's own error in Real. So a graph within 8 ulp of the

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/command_laws.hpp"
 #include "core/orientation.hpp"
@@ -106,6 +108,15 @@ class DriveController {
   static constexpr double kGrip = 0.05;          ///< s in which a hand takes hold and lets go
   static constexpr double kHandFilter = 25.0;    ///< 1/s, of where the hand is
 
+  /// How near to its limits a joint is led by something else than a goal of its own.
+  struct JointBounds {
+    double margin;   ///< to the limits of position, rad or m, at most a tenth of the range
+    double share;    ///< of the limit of speed
+    double fastest;  ///< what counts as the limit of joints that have none or a higher one
+  };
+  static constexpr JointBounds kHandBounds{0.03, 0.6, 5.0 * kSpeed};
+  static constexpr JointBounds kTaskBounds{0.0, 0.9, std::numeric_limits<double>::infinity()};
+
   /// Calls single(coordinate, velocity) or floating(which, coordinate, velocity) for each joint.
   template <class Single, class Floating>
   static void for_each_joint(Single&& single, Floating&& floating) noexcept {
@@ -169,7 +180,15 @@ class DriveController {
   void accelerate_floating(const core::Gains<double>& gains, const SmoothPose& goal,
                            const double* q, const double* qd, double* qdd) const noexcept;
   void push_from_limits(const State& state, double (&qdd)[nv]) const noexcept;
-  void stay_within_limits(const State& state, double (&qdd)[nv]) const noexcept;
+  /// 1/s: how sharply joints are led to a limit.
+  double limit_rate() const noexcept { return std::fmin(30.0, 0.1 / settings_.period); }
+  std::array<double, 2> speed_range(const JointBounds& bounds, const State& state,
+                                    int iv) const noexcept;
+  bool stay_within(const JointBounds& bounds, const State& state, double (&qdd)[nv]) const noexcept;
+  void bound_joints(const State& state, double (&tau)[nv]) const noexcept;
+  void bound_task(const State& state, const double* J, double (&tau)[nv]) noexcept;
+  void share_torque(const State& state, const double (&braking)[nv], const bool (&shares)[nv],
+                    double (&tau)[nv]) noexcept;
   void yield_to_hand(const State& state, double (&tau)[nv]) noexcept;
   void measure_points(double time, const State& state, double* rotations, double* errors) noexcept;
   double command_row(int row, const double* rotations, const double* errors,
@@ -201,6 +220,7 @@ class DriveController {
   double blend_start_ = -1.0;
   double blend_from_[nv] = {};
   bool saturated_ = false;
+  bool slowed_ = false;  ///< the task would have needed more torque than there is
   bool pulled_ = false;
   double pull_until_ = 0.0;
   int pull_link_ = 0;
@@ -215,6 +235,7 @@ class DriveController {
 
 }  // namespace treeline::drive
 
+#include "drive/drive_bounds.hpp"
 #include "drive/drive_controller_body.hpp"
 #include "drive/drive_goals.hpp"
 #include "drive/drive_task_law.hpp"

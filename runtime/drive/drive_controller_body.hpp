@@ -230,50 +230,6 @@ void DriveController<F>::accelerate_joints(const core::Gains<double>& gains, con
       });
 }
 
-/// Accelerates joints away from limits that they come close to, as a damped spring would.
-template <class F>
-void DriveController<F>::push_from_limits(const State& state, double (&qdd)[nv]) const noexcept {
-  constexpr double kZone = 0.08;  // rad or m, at most a tenth of the range
-  const double stiffness = std::fmin(3000.0, 0.01 / (settings_.period * settings_.period));
-  const double damping = 2.0 * std::sqrt(stiffness);
-  for_each_joint(
-      [&](int iq, int iv) {
-        const double lower = settings_.lower[at(iq)];
-        const double upper = settings_.upper[at(iq)];
-        const double zone = std::fmin(kZone, 0.1 * (upper - lower));
-        const double low = lower + zone - state.q[iq];
-        const double high = state.q[iq] - upper + zone;
-        if (low > 0.0 || high > 0.0) {
-          const double depth = low > 0.0 ? low : -high;
-          const double away = state.qd[iv] * depth;  // positive: it leaves the limit already
-          qdd[iv] += stiffness * depth - (away < 0.0 ? damping * state.qd[iv] : 0.0);
-        }
-      },
-      [](int, int, int) {});
-}
-
-/// Bounds the accelerations of joints that a hand leads, however hard it pulls: so that each comes
-/// to rest before its limit of position, and stays below 60 % of its limit of speed.
-template <class F>
-void DriveController<F>::stay_within_limits(const State& state, double (&qdd)[nv]) const noexcept {
-  constexpr double kMargin = 0.03;  // rad or m, at most a tenth of the range
-  const double rate = std::fmin(30.0, 0.1 / settings_.period);  // 1/s
-  for_each_joint(
-      [&](int iq, int iv) {
-        const double range = settings_.upper[at(iq)] - settings_.lower[at(iq)];
-        const double margin = std::fmin(kMargin, 0.1 * range);
-        const double q = state.q[iq];
-        const double qd = state.qd[iv];
-        const double fastest = 0.6 * std::fmin(settings_.velocity[at(iv)], 5.0 * kSpeed);
-        const double to_upper = rate * rate * (settings_.upper[at(iq)] - margin - q);
-        const double to_lower = rate * rate * (settings_.lower[at(iq)] + margin - q);
-        const double most = std::fmin(to_upper - 2.0 * rate * qd, 2.0 * rate * (fastest - qd));
-        const double least = std::fmax(to_lower - 2.0 * rate * qd, 2.0 * rate * (-fastest - qd));
-        qdd[iv] = std::fmax(least, std::fmin(most, qdd[iv]));
-      },
-      [](int, int, int) {});
-}
-
 /// Gravity compensation: joints are hardly damped, a hand may pull, and limits are kept.
 template <class F>
 void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) noexcept {
@@ -287,7 +243,7 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
     F::forward_dynamics(state.q, state.qd, tau, qdd);
   }
   avoid_obstacles(state, qdd);
-  stay_within_limits(state, qdd);
+  stay_within(kHandBounds, state, qdd);
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
 }
 
@@ -308,11 +264,12 @@ void DriveController<F>::blend(double time, double (&tau)[nv]) noexcept {
   for (int i = 0; i < nv; ++i) {
     tau[i] += share * blend_from_[i];
   }
+  bound_joints(state_, tau);
 }
 
 template <class F>
 void DriveController<F>::cut(double (&tau)[nv]) noexcept {
-  saturated_ = false;
+  saturated_ = slowed_;
   for (int i = 0; i < nv; ++i) {
     const double limit = settings_.torque[at(i)];
     if (std::fabs(tau[i]) > limit) {
@@ -325,6 +282,7 @@ void DriveController<F>::cut(double (&tau)[nv]) noexcept {
 template <class F>
 void DriveController<F>::control(double time, const State& state, double (&tau)[nv]) noexcept {
   state_ = state;
+  slowed_ = false;
   advance(time);
   if (control_ == Control::gravity) {
     yield_to_hand(state, tau);

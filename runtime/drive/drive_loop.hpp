@@ -298,6 +298,22 @@ class LoneRobot {
   ImperfectRobot<F> robot_;
 };
 
+/// Writes the Jacobian of the task; null for robots without one.
+template <class F>
+constexpr auto jacobian_of() noexcept -> void (*)(const double*, double*) {
+  if constexpr (F::kPoints > 0) {
+    return [](const double* q, double* J) {
+      double coordinates[F::kCoordinates];
+      double entries[F::kTaskRows * F::kVelocities];
+      std::copy_n(q, F::kCoordinates, coordinates);
+      F::jacobian(coordinates, entries);
+      std::copy_n(entries, F::kTaskRows * F::kVelocities, J);
+    };
+  } else {
+    return nullptr;
+  }
+}
+
 /// The functions of a library for a robot F.
 template <class F>
 const RobotLibrary* library_of() noexcept {
@@ -341,7 +357,9 @@ const RobotLibrary* library_of() noexcept {
           (void)q;
           return 0.0;
         }
-      }};
+      },
+      F::kTaskRows,
+      jacobian_of<F>()};
   return &kLibrary;
 }
 

@@ -97,6 +97,7 @@ void DriveController<F>::command_task(double time, const State& state, double (&
     if (avoidance_.pushes()) {
       add_acceleration(state, aside, tau);
     }
+    bound_task(state, J, tau);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace treeline::drive {
 
 /// Grows whenever a struct below changes: the program refuses a library of another version.
-inline constexpr int kLibraryVersion = 2;
+inline constexpr int kLibraryVersion = 3;
 
 /// A robot outside the library, instead of the simulated one. None of the functions may wait.
 struct ExternalRobot {
@@ -149,6 +149,9 @@ struct RobotLibrary {
   /// Closes the loops of the robot's own near `q`; returns the largest error that is left, m or
   /// rad. 0, and nothing changes, where there are none.
   double (*close_loops)(double* q) = nullptr;
+  int task_rows = 0;
+  /// The task's Jacobian at `q`: task_rows x velocities numbers. Null where there is no task.
+  void (*jacobian)(const double* q, double* J) = nullptr;
 };
 
 /// The library's only symbol, of type `const RobotLibrary* (*)()`.

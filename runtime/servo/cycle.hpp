@@ -42,14 +42,19 @@ class Cycle {
 
   /// Records the end of the work and waits for the next tick in the future.
   void end_cycle() {
-    const std::int64_t now = clock_.now();
-    timing_.busy = now - begin_;
-    timing_.slack = tick_ + period_ - now;
-    timing_.skipped = timing_.slack < 0 ? (-timing_.slack + period_ - 1) / period_ : 0;
-    busy_.record(timing_.busy);
-    slacks_.record(timing_.slack);
-    skips_ += static_cast<std::uint64_t>(timing_.skipped);
-    tick_ += (1 + timing_.skipped) * period_;
+    finish();
+    clock_.sleep_until(tick_);
+  }
+
+  /// The same, but wakes `lead` nanoseconds before the tick for `prepare()`, if so much time is
+  /// left.
+  template <class Prepare>
+  void end_cycle(std::int64_t lead, Prepare&& prepare) {
+    finish();
+    if (clock_.now() < tick_ - lead) {
+      clock_.sleep_until(tick_ - lead);
+      prepare();
+    }
     clock_.sleep_until(tick_);
   }
 
@@ -65,6 +70,17 @@ class Cycle {
   std::int64_t period() const noexcept { return period_; }
 
  private:
+  void finish() {
+    const std::int64_t now = clock_.now();
+    timing_.busy = now - begin_;
+    timing_.slack = tick_ + period_ - now;
+    timing_.skipped = timing_.slack < 0 ? (-timing_.slack + period_ - 1) / period_ : 0;
+    busy_.record(timing_.busy);
+    slacks_.record(timing_.slack);
+    skips_ += static_cast<std::uint64_t>(timing_.skipped);
+    tick_ += (1 + timing_.skipped) * period_;
+  }
+
   ClockType& clock_;
   std::int64_t period_;
   bool started_ = false;

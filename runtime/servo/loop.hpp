@@ -17,7 +17,9 @@ namespace treeline::servo {
 
 /// Requirements of the loop on a controller. Times are in s since the loop began. `start` is called
 /// when control begins, with the initial state; `apply` with every message that does not concern
-/// the loop itself; `control` once per cycle while running. None of them may allocate or block.
+/// the loop itself; `control` once per cycle while running. If there is a `prepare()`, it is called
+/// where the loop waits, shortly before the next cycle: it may load code and data into caches. None
+/// of them may allocate or block.
 template <class C, class F>
 concept Controller = requires(C& controller, double time, const StateOf<F>& state,
                               const Message& message, double (&tau)[F::kVelocities]) {
@@ -31,6 +33,7 @@ struct LoopSettings {
   double braking = 20.0;         ///< 1/s: qdd = -braking qd in every mode except running
   double rest_speed = 1e-3;      ///< largest |qd| that counts as at rest, rad/s or m/s
   double longest_braking = 5.0;  ///< s until the loop ends after a disconnect, even if not at rest
+  double prepare_lead = 1e-4;    ///< s before a cycle at which its controller prepares for it
   int messages_per_cycle = 4;    ///< largest number of messages applied in one cycle
 };
 
@@ -87,7 +90,7 @@ class ServoLoop {
     observe(report_);
     const double period = 1e-9 * static_cast<double>(cycle_.period());
     robot_.pass_time(period);
-    cycle_.end_cycle();
+    wait();
     const std::int64_t skipped = cycle_.timing().skipped;
     if (skipped > 0) {
       robot_.pass_time(period * static_cast<double>(skipped));
@@ -117,6 +120,16 @@ class ServoLoop {
   std::uint64_t dropped_messages() const noexcept { return dropped_; }
 
  private:
+  /// Waits for the next tick. A controller may prepare for it, a moment before.
+  void wait() {
+    if constexpr (requires { controller_.prepare(); }) {
+      cycle_.end_cycle(static_cast<std::int64_t>(std::llround(1e9 * settings_.prepare_lead)),
+                       [this] { controller_.prepare(); });
+    } else {
+      cycle_.end_cycle();
+    }
+  }
+
   void raise(const Fault& fault) noexcept {
     if (report_.mode != Mode::faulted) {
       report_.fault = fault;

@@ -80,6 +80,20 @@ TEST(Condition, TakesRoundingForZero) {
   EXPECT_GT(scaled_condition(A, Eigen::Vector2d(1, 1)), 1e16);
 }
 
+// A matrix whose entries were computed with errors of `first` roundings, as the inverse of another.
+// The oracle is the inverse of a 2 by 2 matrix, 1 / (1 - c^2) on the diagonal.
+TEST(Condition, OfTwoSolvesMultiply) {
+  constexpr long double kRounding = 0x1p-53L;
+  constexpr double kFirst = 50;
+  const long double c = 1 - 1e-3L;
+  const long double off = c + kFirst * kRounding;
+  const Eigen::Matrix2d A{{1, static_cast<double>(c)}, {static_cast<double>(c), 1}};
+  const Conditions conditions{kFirst, scaled_condition(A, A.diagonal())};
+  const auto change = static_cast<double>((1 - c * c) / (1 - off * off) - 1);
+  EXPECT_NEAR(change, conditions.amplification() * 0x1p-53, 0.01 * change);
+  EXPECT_GT(change, 10 * conditions.largest() * 0x1p-53);
+}
+
 std::vector<StateReference> references_with(const std::vector<FunctionReference>& functions) {
   std::vector<StateReference> references;
   for (const FunctionReference& function : functions) references.push_back({{}, {function}});
@@ -90,7 +104,7 @@ TEST(Bound, IsTheWorstOfTheInterpreterPerCondition) {
   FunctionReference good;
   good.interpreter_error = 2;
   FunctionReference bad;
-  bad.condition = 1000;
+  bad.amplification = 1000;
   bad.interpreter_error = 500;
   FunctionReference singular;
   singular.singular = true;

@@ -44,16 +44,21 @@ class DriveTest : public test::OwnFolder {
                                const std::string& script) const {
     const Outcome outcome = drive(urdf + " " + scene, script);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    Arrival arrival{json::parse(outcome.out), {}};
+    const json state = json::parse(outcome.out);
+    return {state, poses_at(urdf, scene, state)};
+  }
+
+  /// Where the scene's points are at the coordinates of `state`, by the interpreter.
+  [[nodiscard]] static std::vector<interpreter::PointPose<double>> poses_at(
+      const std::string& urdf, const std::string& scene, const json& state) {
     Diagnostics diagnostics;
     const auto robot = read_urdf(urdf, diagnostics);
     const auto read = read_scene(scene, *robot, diagnostics);
     const auto model = model_from_robot<double>(*robot, *read);
-    const auto q = arrival.state["q"].get<std::vector<double>>();
-    arrival.poses = interpreter::forward_kinematics<double>(
+    const auto q = state["q"].get<std::vector<double>>();
+    return interpreter::forward_kinematics<double>(
         model, points_from_scene(model, read->operational_points),
         interpreter::Vector<double>::Map(q.data(), static_cast<Eigen::Index>(q.size())));
-    return arrival;
   }
 };
 

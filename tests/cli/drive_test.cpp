@@ -10,6 +10,7 @@
 #include "description/read_urdf.hpp"
 #include "drive_fixture.hpp"
 #include "interpreter/instances.hpp"
+#include "launch/split_ball_joints.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {
@@ -162,17 +163,78 @@ TEST_F(DriveTest, SaysWhatWentWrong) {
   EXPECT_EQ(drive(robot, "start\n", "--package arm").exit_code, 1);
 }
 
-// No command turns a ball joint yet: its four coordinates must not be taken for four angles.
-TEST_F(DriveTest, RefusesBallJoints) {
+// A published arm that is stretched at q = 0, where hardly any goal can be followed. Would catch: a
+// start from there, a goal that a joint cannot follow, a task that misses it.
+TEST_F(DriveTest, StretchedArmsStartBentAndArrive) {
+  const std::string urdf = kRobots + "/../tests/data/published/ur5.urdf";
+  write("scene.yaml", "operational_points: [{name: tip, link: tool0}]\n");
+  const std::string scene = (root_ / "scene.yaml").string();
+  const Outcome outcome = drive(
+      urdf + " " + scene, "start\nmove tip by -0.1 0.05 0.1\nwait\nturn tip by 0 0 30 deg\nwait\n",
+      "--record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("it starts bent"), std::string::npos) << outcome.err;
+  std::istringstream lines(test::read_file(root_ / "record.jsonl"));
+  std::string first;
+  while (std::getline(lines, first) && json::parse(first)["type"] != "state") {
+  }
+  const auto pose_at = [&](const json& state) { return poses_at(urdf, scene, state).at(0); };
+  const auto before = pose_at(json::parse(first));
+  const auto after = pose_at(json::parse(outcome.out));
+  EXPECT_LT(distance(after, before.position + Eigen::Vector3d(-0.1, 0.05, 0.1)), 1e-3);
+  const Eigen::Matrix3d turned =
+      Eigen::AngleAxisd(std::numbers::pi / 6, Eigen::Vector3d::UnitZ()) * before.rotation;
+  EXPECT_LT((after.rotation - turned).norm(), 2e-3);
+}
+
+// A joint that is too weak is named before anything moves, with what it would need.
+TEST_F(DriveTest, NamesJointsThatAreTooWeak) {
+  write("weak.urdf", R"(<robot name="weak"><link name="world"/>
+<link name="rod"><inertial><mass value="2"/><origin xyz="0.5 0 0"/>
+<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+<joint name="hinge" type="revolute"><parent link="world"/><child link="rod"/><axis xyz="0 1 0"/>
+<limit lower="-0.2" upper="0.2" effort="3" velocity="5"/></joint></robot>)");
+  const Outcome outcome = drive("weak.urdf", "start\nwait 1 s\n");
+  // 2 kg at 0.5 m: 9.81 cos(0.18) = 9.65 N m where it starts, near its limit
+  EXPECT_NE(outcome.err.find("will sink: hinge needs 9.6"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("of 3 N m"), std::string::npos) << outcome.err;
+  const Outcome measured =
+      test::run_program(root_, "drive weak.urdf --latency --seconds 20 --load 0 --q 0");
+  EXPECT_EQ(measured.exit_code, 3);
+  EXPECT_NE(measured.out.find("ended in a fault: hinge is at"), std::string::npos) << measured.out;
+}
+
+// Four coordinates must not be taken for four angles: a ball joint is three hinges. Its orientation
+// is Rx(a) Ry(b) Rz(c), by hand.
+TEST_F(DriveTest, ABallJointIsDrivenAsThreeHinges) {
   write("ball.urdf", R"(<robot name="pendulum"><link name="world"/>
 <link name="bob"><inertial><mass value="1"/><origin xyz="0 0 -0.3"/>
 <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
-<joint name="swivel" type="ball"><parent link="world"/><child link="bob"/></joint></robot>)");
-  const Outcome outcome = drive("ball.urdf", "start\n");
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("robot/joint[swivel]: ball joints cannot be driven yet"),
-            std::string::npos)
-      << outcome.err;
+<joint name="swivel" type="ball"><origin xyz="0 0 1"/><parent link="world"/><child link="bob"/>
+</joint></robot>)");
+  write("scene.yaml",
+        "operational_points: [{name: tip, link: bob, origin: {xyz: [0, 0, -0.5]}}]\n");
+  const Outcome outcome = drive("ball.urdf scene.yaml",
+                                "start\njoint swivel.x to 0.4\njoint swivel.y to -0.3\n"
+                                "joint swivel.z to 0.7\nwait\n",
+                                "--record record.jsonl");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("driven as hinges swivel.x, swivel.y and swivel.z"),
+            std::string::npos);
+  const json state = json::parse(outcome.out);
+  EXPECT_EQ(state["fault"], "");
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX()) *
+                                Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()))
+                                   .toRotationMatrix();
+  const Eigen::Vector3d tip = Eigen::Vector3d(0, 0, 1) + turn * Eigen::Vector3d(0, 0, -0.5);
+  const auto at = state["points"][0]["at"].get<std::vector<double>>();
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(at[static_cast<std::size_t>(i)], tip[i], 1e-4) << i;
+  // What the page shows has the same joints.
+  write("shown.urdf", std::string(split_ball_joints(test::read_file(root_ / "ball.urdf"))));
+  const Outcome again = drive("shown.urdf scene.yaml", "start\n");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out)["q"].size(), 3U);
 }
 
 // In real time one second lasts one second, a record has what happened, and a signal ends it.

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "oracle/bound.hpp"
+#include "oracle/reference.hpp"
+
 // A fault is planted into a generated function. Would catch: a function that is written although it
 // failed, others that are lost with it, a failure that looks like success, and a diagnostic without
 // the state.
@@ -75,28 +78,34 @@ TEST(KeepTried, LeavesOutWhatFailed) {
       << error.remedy;
 }
 
-// Bounds are estimates. Would catch correct code that is refused because it rounds a little worse
-// than they say.
-TEST(KeepTried, WarnsWhereRoundingIsWorseThanExpected) {
+// The bound is that of `check`. Would catch code that is written and then fails `check`.
+TEST(KeepTried, LeavesOutWhatIsBeyondTheBoundOfCheck) {
   const InputOptions options = planar3r();
-  GeneratedInputs made = make(options);
-  const std::size_t files = made.generation.files.size();
-  for (GeneratedFunction& each : made.generation.functions) {
-    if (each.function == Function::mass_matrix) spoil(each, 1 + 100 * 0x1p-52);
+  for (const double ulp : {4, 100}) {
+    GeneratedInputs made = make(options);
+    for (GeneratedFunction& each : made.generation.functions) {
+      if (each.function == Function::mass_matrix) spoil(each, 1 + ulp * 0x1p-52);
+    }
+    const std::vector<StateReference> references =
+        make_references(made.inputs.robot, made.inputs.scene, made.generation, {});
+    const std::vector<GeneratedFunction> functions = all_callable(made.generation);
+    std::size_t i = 0;
+    while (functions[i].function != Function::mass_matrix) ++i;
+    const Bound bound = find_bound(i, Function::mass_matrix, references);
+    const bool beyond =
+        std::any_of(references.begin(), references.end(), [&](const StateReference& reference) {
+          const FunctionReference& at = reference.functions[i];
+          return error_in_ulp(at.graph, at, 0x1p-52) > bound.at(at);
+        });
+    EXPECT_EQ(beyond, ulp == 100);
+    bool failed = !beyond;
+    Diagnostics diagnostics;
+    const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
+    EXPECT_EQ(failed, beyond);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(has(kept->generation.files, "mass_matrix.cpp"), !beyond);
+    EXPECT_EQ(diagnostics.has_errors(), beyond);
   }
-  bool failed = true;
-  Diagnostics diagnostics;
-  const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
-  EXPECT_FALSE(failed);
-  ASSERT_TRUE(kept);
-  EXPECT_EQ(kept->generation.files.size(), files);
-  EXPECT_FALSE(diagnostics.has_errors());
-  ASSERT_FALSE(diagnostics.list().empty());
-  const Diagnostic& warning = diagnostics.list().back();
-  EXPECT_EQ(warning.severity, Severity::warning);
-  EXPECT_EQ(warning.element, "mass_matrix");
-  EXPECT_NE(warning.fault.find("ulp of its scale, where rounding was"), std::string::npos)
-      << warning.fault;
 }
 
 TEST(KeepTried, LeavesNothingWhereAllFailed) {

@@ -64,7 +64,7 @@ TEST_F(PackageTest, CMakeFindsAndLinksIt) {
 TEST_F(PackageTest, ZephyrCompilesItsModule) {
   ASSERT_EQ(generate("--package zephyr --target cortex-m4f --real float").exit_code, 0);
   EXPECT_NE(read("lib/zephyr/module.yml").find("cmake: zephyr\n"), std::string::npos);
-  EXPECT_NE(read("lib/zephyr/Kconfig").find("config ARM\n\tbool"), std::string::npos);
+  EXPECT_NE(read("lib/zephyr/Kconfig").find("config TREELINE_ARM\n\tbool"), std::string::npos);
   EXPECT_NE(read("lib/zephyr/Kconfig").find("\tdepends on CPP\n"), std::string::npos);
   write("CMakeLists.txt", R"(cmake_minimum_required(VERSION 3.20)
 project(app LANGUAGES CXX)
@@ -81,7 +81,7 @@ endmacro()
 macro(zephyr_library_compile_options)
   target_compile_options(${library} PRIVATE ${ARGN})
 endmacro()
-set(CONFIG_ARM y)
+set(CONFIG_TREELINE_ARM y)
 add_subdirectory(lib/zephyr)
 )");
   EXPECT_TRUE(run("cmake -S . -B build -DCMAKE_CXX_COMPILER=" + cxx_ +

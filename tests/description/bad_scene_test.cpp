@@ -83,6 +83,13 @@ const Case kCases[] = {
     {"QuotedNumber",
      "gravity: [0, 0, '1']",
      {kError, 1, "gravity[2]", "finite number", "without quotes"}},
+    {"MinusSignOfAWordProcessor",
+     "gravity: [0, 0, \xE2\x88\x92"
+     "9.81]",
+     {kError, 1, "gravity[2]", "U+2212, a minus sign", "decimal number"}},
+    {"OrientationInDegrees",
+     "operational_points: [{name: p, link: tool, rows: [x], origin: {rpy: [0, 90, 0]}}]",
+     {kWarning, 1, "operational_points[0]/origin/rpy", "more than a whole turn", "degrees"}},
     {"InfiniteNumber", "gravity: [0, 0, inf]", {kError, 1, "gravity[2]", "finite number", ""}},
     {"YamlInfinity", "gravity: [0, 0, .inf]", {kError, 1, "gravity[2]", "finite number", ""}},
     {"UnknownKeyLikeNone",

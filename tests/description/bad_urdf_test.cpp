@@ -43,6 +43,17 @@ const Case kXml[] = {
     {"BadAttributeInside",
      "<robot name='r'>\n<link name='a'>\n<inertial mass=3/></link></robot>",
      {kError, 3, "", "an attribute is not of the form", "mend"}},
+    {"AttributeTwiceInATagOfTwoLines",
+     "<robot name='r'>\n<link name='a'><inertial><mass value='1'\nvalue='2'/></inertial></link>"
+     "</robot>",
+     {kError, 3, "", "\"value\" is given twice in <mass>", "mend"}},
+    {"OwnEntities",
+     "<?xml version='1.0'?>\n<!-- m -->\n<!DOCTYPE robot [<!ENTITY m '3'>]>\n<robot name='r'><link "
+     "name='a'><inertial><mass value='&m;'/></inertial></link></robot>",
+     {kError, 3, "", "the DOCTYPE has declarations of its own", "xmllint --noent"}},
+    {"ProcessingInstruction",
+     "<robot name='r'>\n<?edit fold?><link name='a'/></robot>",
+     {kError, 2, "", "a processing instruction, <?...?>, stands inside", "mend"}},
     {"BadAttributeSaysInWhat",
      "<robot name='r'>\n<link name='a'>\n<inertial mass=3/></link></robot>",
      {kError, 3, "", "inside <link name=\"a\"> of line 2", "mend"}},
@@ -170,10 +181,16 @@ const Case kRobots[] = {
     {"LoopJoint",
      with_robot("<loop_joint/>"),
      {kError, 3, "robot/loop_joint", "changes the mechanism", "constraints in the scene"}},
-    {"LoopJointOfAHinge",
-     with_robot("<loop_joint name='l' type='revolute'><link1 link='a'/><link2 link='b'/>"
+    {"LoopJointOfAnotherKind",
+     with_robot("<loop_joint name='l' type='planar'><link1 link='a'/><link2 link='b'/>"
                 "</loop_joint>"),
-     {kError, 3, "robot/loop_joint[l]", "along which axes", "constraints in the scene"}},
+     {kError, 3, "robot/loop_joint[l]", "\"planar\" of a joint that closes a loop is not known",
+      "constraints in the scene"}},
+    {"LoopJointWithALimit",
+     with_robot("<loop_joint name='l' type='fixed'><link1 link='a'/><link2 link='b'/>"
+                "<limit lower='0' upper='1'/></loop_joint>"),
+     {kWarning, 3, "robot/loop_joint[l]", "<limit> is not part of URDF and is ignored",
+      "remove it"}},
     {"LoopJointWithoutAnEnd",
      with_robot("<loop_joint name='l' type='fixed'><link1 link='a'/></loop_joint>"),
      {kError, 3, "robot/loop_joint[l]", "<link2> is missing", "write <link1"}},
@@ -186,7 +203,7 @@ const Case kRobots[] = {
      {kError, 3, "robot/drake:joint[j]", "changes the mechanism", "links and joints of URDF"}},
     {"UnknownElement",
      "<robot name='r'>\n<link name='a'/>\n<thruster/><thruster/></robot>",
-     {kWarning, 3, "robot/thruster", "<thruster> is not part of URDF and is ignored (and 1 more",
+     {kWarning, 3, "robot", "<thruster> is not part of URDF and is ignored (and 1 more",
       "remove it"}},
     {"GazeboJoint",
      "<robot name='r'>\n<link name='a'/>\n<gazebo><joint name='j'/></gazebo></robot>",
@@ -316,6 +333,108 @@ const Case kJoints[] = {
      {kWarning, 5, "robot/joint[j]", "<gear_ratio> is not part of URDF", "motion"}},
 };
 INSTANTIATE_TEST_SUITE_P(Joints, BadUrdf, testing::ValuesIn(kJoints), name_of);
+
+// What another reader would drop without a word, and what a person cannot see.
+const Case kContent[] = {
+    {"MimicsMultiplierAsAnElement",
+     with_joint("continuous", "<mimic joint='j'>\n<multiplier>2</multiplier></mimic>"),
+     {kError, 6, "robot/joint[j]/mimic/multiplier", "URDF has it as an attribute",
+      "write <mimic multiplier="}},
+    {"MimicsMultiplierAsText",
+     with_joint("continuous", "<mimic joint='j'>2</mimic>"),
+     {kError, 5, "robot/joint[j]/mimic", "2 stands inside <mimic>", "<mimic joint="}},
+    {"MassInOtherCapitals",
+     with_link("<inertial><mass value='1'>\n<Value>2</Value></mass></inertial>"),
+     {kError, 4, "robot/link[a]/inertial/mass/Value", "as an attribute", "write <mass value="}},
+    {"OriginAsText",
+     with_joint("continuous", "<origin>0 0 1</origin>"),
+     {kError, 5, "robot/joint[j]/origin", "0 0 1 stands inside <origin>", "<origin xyz="}},
+    {"WordsInALimit",
+     with_joint("revolute", "<limit lower='-1' upper='1' effort='1' velocity='1'>wide</limit>"),
+     {kWarning, 5, "robot/joint[j]/limit", "text stands between", "remove"}},
+    {"ElementInALimit",
+     with_joint("revolute", "<limit lower='-1' upper='1' effort='1' velocity='1'><soft/></limit>"),
+     {kWarning, 5, "robot/joint[j]/limit", "<soft> is not part of URDF", "remove"}},
+    {"LimitInsideAxis",
+     with_joint("continuous", "<axis xyz='0 0 1'><limit lower='1'/></axis>"),
+     {kWarning, 5, "robot/joint[j]/axis", "<limit> has no place inside <axis>", "move it"}},
+    {"JointInsideLink",
+     with_link("<joint name='j' type='fixed'/>"),
+     {kWarning, 3, "robot/link[a]", "<joint> has no place inside <link>", "move it"}},
+    {"CapitalOfAnAttribute",
+     with_joint("continuous", "<mimic joint='j' Multiplier='2'/>"),
+     {kError, 5, "robot/joint[j]/mimic", "\"Multiplier\" is not the attribute \"multiplier\"",
+      "write multiplier=\"2\""}},
+    {"CapitalOfAnElement",
+     with_joint("continuous", "<Origin xyz='0 0 1'/>"),
+     {kError, 5, "robot/joint[j]", "<Origin> is not <origin>: capitals", "write <origin>"}},
+    {"CapitalOfALink",
+     "<robot name='r'><link name='a'/>\n<Link name='b'/></robot>",
+     {kError, 2, "robot", "<Link> is not <link>: capitals", "write <link>"}},
+    {"SlipInAnAttribute",
+     with_joint("continuous", "<axis xyz='0 0 1' xzy='1 0 0'/>"),
+     {kWarning, 5, "robot/joint[j]/axis", "\"xzy\" is not part of URDF", "did you mean \"xyz\"?"}},
+    {"SlipInAnElement",
+     with_link(kBody + "\n<intertial/>"),
+     {kWarning, 4, "robot/link[a]", "<intertial> is not part of URDF",
+      "did you mean \"inertial\"?"}},
+    {"BlankInAName",
+     with_robot("<joint name='j ' type='fixed'><parent link='a'/><child link='b'/></joint>"),
+     {kWarning, 3, "robot/joint[j ]", "begins or ends with U+0020, a space", "remove it"}},
+    {"NoBreakSpace",
+     with_joint("continuous",
+                "<origin xyz='0\xC2\xA0"
+                "0 1'/>"),
+     {kError, 5, "robot/joint[j]/origin", "it has U+00A0, a no-break space", "spaces"}},
+    {"MinusSign",
+     with_joint("revolute",
+                "<limit lower='\xE2\x88\x92"
+                "1' upper='1' effort='1' velocity='1'/>"),
+     {kError, 5, "robot/joint[j]/limit", "it has U+2212, a minus sign", "decimal"}},
+    {"FullWidth",
+     with_link("<inertial><mass value='\xEF\xBC\x91'/></inertial>"),
+     {kError, 3, "robot/link[a]/inertial/mass", "it has U+FF11, a character of full width",
+      "decimal"}},
+    {"LatinByte",
+     with_link("<inertial><mass value='1\xA0'/></inertial>"),
+     {kError, 3, "robot/link[a]/inertial/mass", "it has byte 0xA0, which is not UTF-8", "decimal"}},
+    {"NumberNearZero",
+     with_joint("continuous", "<origin xyz='1e-400 0 1'/>"),
+     {kWarning, 5, "robot/joint[j]/origin", "1e-400 in \"xyz\" is nearer to 0", "write 0"}},
+    {"MassNearZero",
+     inertia("ixx='0' ixy='0' ixz='0' iyy='0' iyz='0' izz='-1e-400'"),
+     {kWarning, 4, "robot/link[a]/inertial/inertia", "-1e-400 in \"izz\"", "write 0"}},
+    {"MassTooSmall",
+     with_link("<inertial><mass value='4e-320'/></inertial>"),
+     {kWarning, 3, "robot/link[a]/inertial/mass", "too small to compute with and counts as 0",
+      "1e-100"}},
+    {"AnglesInDegrees",
+     with_joint("continuous", "<origin rpy='0 90 0'/>"),
+     {kWarning, 5, "robot/joint[j]/origin", "rpy=\"0 90 0\" is more than a whole turn", "degrees"}},
+    {"LimitsInDegrees",
+     with_joint("revolute", "<limit lower='-170' upper='170' effort='1' velocity='1'/>"),
+     {kWarning, 5, "robot/joint[j]/limit", "-170 and 170 rad let the joint turn more than twice",
+      "degrees"}},
+};
+INSTANTIATE_TEST_SUITE_P(Content, BadUrdf, testing::ValuesIn(kContent), name_of);
+
+/// What must pass without a word: a robot with `inside` in a joint of this type.
+void expect_silent(const std::string& type, const std::string& inside) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(parse_urdf(with_joint(type, inside), "r.urdf", diagnostics)) << inside;
+  EXPECT_TRUE(diagnostics.list().empty()) << to_string(diagnostics);
+}
+
+// Would catch: a warning of what is in order.
+TEST(BadUrdfText, SaysNothingOfWholeTurnsAndRangesWithoutEnd) {
+  expect_silent("continuous", "<origin rpy='6.2832 -6.28319 0'/>");
+  expect_silent("continuous", "<axis xyz='0 0 1'>\n<!-- up -->\n</axis>");
+  expect_silent("continuous", "<origin xyz='0\t0\n1'/>");
+  for (const char* range : {"lower='-12.566371' upper='12.566371'", "lower='-1e16' upper='1e16'"}) {
+    expect_silent("revolute", std::string("<limit effort='1' velocity='1' ") + range + "/>");
+  }
+  expect_silent("prismatic", "<limit lower='-170' upper='170' effort='1' velocity='1'/>");
+}
 
 const Case kMimics[] = {
     {"NoJoint",

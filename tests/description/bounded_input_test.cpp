@@ -162,7 +162,8 @@ TEST(BoundedNumbers, BeyondComputing) {
   expect_urdf(robot("rpy='0 1e9 0'", "1"), "accepted");
   expect_urdf(robot("rpy='0 1.1e9 0'", "1"), "at most 1000000000 rad");
   expect_urdf(robot("xyz='5e-324 0 -1e-310'", "1e-99"), "accepted");
-  expect_urdf(robot("xyz='0 0 0'", "2e-320"), "too small to compute with");
+  expect_urdf(robot("xyz='0 0 0'", "2e-320"), "accepted");  // with a warning, as 0
+  expect_urdf(robot("xyz='1e-400 0 0'", "1e-400"), "accepted");
   expect_urdf(robot("xyz='nan 0 0'", "1"), "not three finite numbers");
   expect_urdf(robot("xyz='0 inf 0'", "1"), "not three finite numbers");
 }

@@ -2,6 +2,7 @@
 // is not a number but accepted as one.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <locale>
 
@@ -24,6 +25,24 @@ TEST(Number, IsReadWhole) {
                            "--1", "+-1", "+ 1", "1e", "1d3", "1.0f", "1_000"}) {
     EXPECT_FALSE(read_number(text)) << text;
   }
+}
+
+// The oracle is the position of the first digit, counted by hand.
+TEST(Number, BelowEveryDoubleIsZero) {
+  for (const char* text : {"1e-400", "-1e-400", "0.0001e-399", "1e-99999999999999999999",
+                           "1000e-403", ".0e-400", "0.00e5"}) {
+    ASSERT_TRUE(read_number(text)) << text;
+    EXPECT_EQ(*read_number(text), 0) << text;
+    EXPECT_EQ(std::signbit(*read_number(text)), text[0] == '-') << text;
+  }
+  EXPECT_EQ(read_number("0." + std::string(400, '0') + "1"), 0);
+  EXPECT_EQ(read_number("0." + std::string(400, '0') + "1e401"), 1);
+  for (const char* text : {"1e400", "1e+400", "0.001e312", "-1e99999999999999999999"}) {
+    EXPECT_FALSE(read_number(text)) << text;
+  }
+  EXPECT_FALSE(read_number("1" + std::string(400, '0') + "."));
+  EXPECT_TRUE(rounds_to_zero("-1e-400"));
+  EXPECT_FALSE(rounds_to_zero("0.00e5"));
 }
 
 class DecimalComma : public std::numpunct<char> {

@@ -117,6 +117,61 @@ TEST(DriveController, PointsArrive) {
   EXPECT_NEAR(std::sin(rig.q(0)) + std::sin(rig.q(0) + rig.q(1)), 1.1, 1e-5);
 }
 
+// A goal beyond the arm's reach leads it into its singularity, where the law above divides by 0.
+TEST(DriveController, GoalsOutOfReachKeepLimits) {
+  constexpr double kSpeed = 2.0;  // rad/s
+  const std::array<double, 2> velocity{kSpeed, kSpeed};
+  Rig<Arm> rig(
+      {0.3, 0.8}, [&](LoopOptions& options) { options.velocity = velocity.data(); }, 3.0);
+  rig.send(Instruction::move_point, {0, 0, 2.5, 0, 0.5}, 0.5);
+  double fastest = 0;
+  for (int i = 0; i < 3000; ++i) {
+    rig.step();
+    fastest = std::max({fastest, std::fabs(rig.qd(0)), std::fabs(rig.qd(1))});
+  }
+  EXPECT_GT(fastest, 0.5 * kSpeed);  // else nothing was tried
+  EXPECT_LT(fastest, kSpeed);
+  EXPECT_EQ(rig.head().fault_kind, 0);
+  rig.send(Instruction::move_joint, {0, 0, 0.3});
+  rig.send(Instruction::move_joint, {1, 0, 0.8});
+  rig.run(4.0);
+  rig.send(Instruction::move_point, {0, 0, 0.9, 0, 1.1}, 1.0);
+  rig.run(1.5);
+  EXPECT_NEAR(std::cos(rig.q(0)) + std::cos(rig.q(0) + rig.q(1)), 0.9, 1e-5);
+  EXPECT_NEAR(std::sin(rig.q(0)) + std::sin(rig.q(0) + rig.q(1)), 1.1, 1e-5);
+}
+
+// A motion asks for more torque than there is. It comes late, and arrives.
+TEST(DriveController, ATaskBeyondTheTorqueArrivesLater) {
+  const std::array<double, 2> velocity{3.0, 3.0};
+  const std::array<double, 2> torque{30.0, 8.0};  // 23.2 and 4.5 N m hold the arm
+  const auto change = [&](LoopOptions& options) {
+    options.velocity = velocity.data();
+    options.torque = torque.data();
+  };
+  Rig<Arm> rig({0.3, 0.8}, change, 3.0);
+  rig.send(Instruction::move_point, {0, 0, 1.0, 0, 1.5}, 0.2);
+  bool saturated = false;
+  for (int i = 0; i < 4000; ++i) {
+    rig.step();
+    saturated = saturated || rig.head().saturated;
+  }
+  EXPECT_TRUE(saturated);  // else nothing was tried
+  EXPECT_EQ(rig.head().fault_kind, 0);
+  EXPECT_NEAR(std::cos(rig.q(0)) + std::cos(rig.q(0) + rig.q(1)), 1.0, 1e-4);
+  EXPECT_NEAR(std::sin(rig.q(0)) + std::sin(rig.q(0) + rig.q(1)), 1.5, 1e-4);
+}
+
+// A point is led along a circle around the base until the first joint is at its limit.
+TEST(DriveController, ATaskEndsAtALimitOfPosition) {
+  Rig<Arm> rig({0.3, 0.8}, {}, 1.2);
+  rig.send(Instruction::move_point, {0, 0, -0.2, 0, 1.9}, 1.0);  // asks for q0 = 1.38
+  rig.run(4.0);
+  EXPECT_EQ(rig.head().fault_kind, 0);
+  EXPECT_NEAR(rig.q(0), 1.2, 0.02);
+  EXPECT_LT(rig.q(0), 1.2 + 1e-3);
+}
+
 TEST(DriveController, AFloatingBaseMovesAndTurns) {
   auto rig = make_rig<Body>({0, 0, 0, 0, 0, 0, 1});
   rig.send(Instruction::move_point, {-1, 1, 0.5, -0.2, 0.3}, 1.0);

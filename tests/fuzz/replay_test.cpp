@@ -20,15 +20,22 @@ namespace fs = std::filesystem;
 
 struct Target {
   const char* name;
+  const char* corpus;  ///< folder of the inputs
+  int new_inputs;
   std::string (*attempt)(const std::string&);
   std::string (*mutate)(std::string, Random&);
 };
 
+std::string mutate_either(std::string text, Random& random) {
+  return mutate_both(text, random);
+}
+
 const std::vector<Target> kTargets = {
-    {"urdf", try_urdf, mutate_urdf},
-    {"scene", try_scene, mutate_scene},
-    {"drive", try_drive, mutate_drive},
-    {"both", try_both, [](std::string text, Random& random) { return mutate_both(text, random); }}};
+    {"urdf", "urdf", 300, try_urdf, mutate_urdf},
+    {"scene", "scene", 300, try_scene, mutate_scene},
+    {"drive", "drive", 300, try_drive, mutate_drive},
+    {"both", "both", 300, try_both, mutate_either},
+    {"generate", "both", 60, try_generate, mutate_either}};
 
 std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -47,7 +54,7 @@ std::vector<fs::path> files_of(const char* folder, const char* target) {
 class Replay : public testing::TestWithParam<Target> {};
 
 TEST_P(Replay, Corpus) {
-  const auto files = files_of("corpus", GetParam().name);
+  const auto files = files_of("corpus", GetParam().corpus);
   ASSERT_FALSE(files.empty()) << "the corpus is missing";
   for (const fs::path& file : files) EXPECT_EQ(GetParam().attempt(read_file(file)), "") << file;
 }
@@ -60,11 +67,10 @@ TEST_P(Replay, WhatOnceBroke) {
 
 TEST_P(Replay, NewInputs) {
   constexpr unsigned kSeed = 20261122;
-  constexpr int kInputs = 300;
-  const auto files = files_of("corpus", GetParam().name);
+  const auto files = files_of("corpus", GetParam().corpus);
   ASSERT_FALSE(files.empty()) << "the corpus is missing";
   Random random(kSeed);
-  for (int i = 0; i < kInputs; ++i) {
+  for (int i = 0; i < GetParam().new_inputs; ++i) {
     std::string text = read_file(files[random() % files.size()]);
     for (unsigned changes = 1 + random() % 4; changes > 0; --changes) {
       text = GetParam().mutate(std::move(text), random);

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <utility>
 
 #include "description/find_inertia_tags.hpp"
 #include "description/read_number.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "generation/generate_code.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "mutate_text.hpp"
 #include "recursion/routes/trace_function.hpp"
@@ -158,6 +160,38 @@ const Robot& robot_of_all_joints() {
   return robot;
 }
 
+struct RobotAndScene {
+  Robot robot;
+  Scene scene;
+};
+
+/// Nothing if either is refused, or breaks a rule, which `fault` then states.
+std::optional<RobotAndScene> read_both(const std::string& text, std::string& fault) {
+  const std::size_t mark = text.find(kSceneMark);
+  if (mark == std::string::npos) return std::nullopt;
+  auto robot = read_urdf_text(text.substr(0, mark), fault);
+  if (!robot || !fault.empty()) return std::nullopt;
+  auto scene = read_scene_text(text.substr(mark + kSceneMark.size()), *robot, fault);
+  if (!scene || !fault.empty()) return std::nullopt;
+  return RobotAndScene{std::move(*robot), std::move(*scene)};
+}
+
+std::string find_fault(const Generation& generation, const Diagnostics& diagnostics) {
+  if (diagnostics.has_errors()) return "code comes with an error";
+  if (generation.files.empty()) return "neither a file nor an error";
+  for (const GeneratedFile& file : generation.files) {
+    if (file.name.empty() || file.text.empty()) return "file '" + file.name + "' is empty";
+  }
+  for (const GeneratedFunction& function : generation.functions) {
+    if (auto fault = find_fault(function.program); !fault.empty()) return fault;
+  }
+  return find_fault(diagnostics);
+}
+
+std::string find_fault_of_refusal(const Diagnostics& diagnostics) {
+  return diagnostics.has_errors() ? find_fault(diagnostics) : "no code, and no error";
+}
+
 /// Returns what `work` returns, or the message of what it throws.
 template <class Work>
 std::string guarded(const Work& work) {
@@ -190,13 +224,20 @@ std::string try_scene(const std::string& text) {
 
 std::string try_both(const std::string& text) {
   return guarded([&] {
-    const std::size_t mark = text.find(kSceneMark);
-    if (mark == std::string::npos) return std::string();
     std::string fault;
-    const auto robot = read_urdf_text(text.substr(0, mark), fault);
-    if (!robot || !fault.empty()) return fault;
-    const auto scene = read_scene_text(text.substr(mark + kSceneMark.size()), *robot, fault);
-    return scene && fault.empty() ? find_fault(*robot, *scene) : fault;
+    const auto both = read_both(text, fault);
+    return both ? find_fault(both->robot, both->scene) : fault;
+  });
+}
+
+std::string try_generate(const std::string& text) {
+  return guarded([&] {
+    std::string fault;
+    const auto both = read_both(text, fault);
+    if (!both || both->robot.links.size() > kMostLinksTraced) return fault;
+    Diagnostics diagnostics;
+    const auto generation = generate_code(both->robot, both->scene, {}, diagnostics);
+    return generation ? find_fault(*generation, diagnostics) : find_fault_of_refusal(diagnostics);
   });
 }
 

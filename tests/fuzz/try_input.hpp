@@ -19,4 +19,9 @@ std::string try_scene(const std::string& text);
 /// everything is right.
 std::string try_both(const std::string& text);
 
+/// Generates all code for both in one text, if they are accepted and the robot is small. Returns a
+/// description of the fault; empty if everything is right. Required: nothing is thrown. The result
+/// is either files or an error, never both or neither. No file is empty, no constant is not finite.
+std::string try_generate(const std::string& text);
+
 }  // namespace treeline::fuzz

@@ -37,11 +37,11 @@ const kFiles = {'package://arm/red.stl': kStl, 'green.obj': kObj, 'meshes/yellow
   'broken.stl': 'no mesh'};
 const kColors = {'package://arm/red.stl': '1 0 0 1', 'green.obj': '0 0.8 0 1'};
 
-/** Links that slide apart, each with a mesh half a metre long. */
-function write_urdf(files) {
+/** Links that slide apart, each with a mesh half a metre long, and with `collision` each. */
+function write_urdf(files, collision) {
   const links = files.map((file, i) => `<link name="l${i}"><visual><geometry>
     <mesh filename="${file}" scale="0.5 0.5 0.5"/></geometry>
-    <material name="m${i}"><color rgba="${kColors[file] ?? '1 1 1 1'}"/></material></visual></link>
+    <material name="m${i}"><color rgba="${kColors[file] ?? '1 1 1 1'}"/></material></visual>${collision}</link>
     <joint name="j${i}" type="revolute"><parent link="${i === 0 ? 'base' : `l${i - 1}`}"/>
     <child link="l${i}"/><origin xyz="0.7 0 0"/><axis xyz="0 0 1"/>
     <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>`);
@@ -74,8 +74,8 @@ before(async () => { browser = await launch_browser(); });
 after(() => browser.close());
 
 /** The page of a robot with all meshes of kFiles, of which `served` are there. */
-async function show(t, served) {
-  const server = new MockServer(write_urdf(Object.keys(kFiles)),
+async function show(t, served, collision = '') {
+  const server = new MockServer(write_urdf(Object.keys(kFiles), collision),
     Object.fromEntries(served.map((file) => [file, kFiles[file]])));
   server.robot.q = server.robot.q.map(() => 0);
   await server.listen();
@@ -111,6 +111,13 @@ test('a missing mesh leaves the others', async (t) => {
   const counts = await count_hues(await show(t, ['green.obj']));
   assert.ok(counts.green > 800 && counts.red < 50 && counts.yellow < 50,
     JSON.stringify(counts));
+});
+
+test('shapes of collision stand in for missing meshes alone', async (t) => {
+  const box = `<collision><geometry><box size="0.3 0.3 0.3"/></geometry>
+    <material name="c"><color rgba="1 0.9 0 1"/></material></collision>`;
+  const counts = await count_hues(await show(t, ['green.obj', 'package://arm/red.stl'], box));
+  assert.ok(counts.yellow > 800 && counts.green > 800 && counts.red > 800, JSON.stringify(counts));
 });
 
 test('a broken mesh is said, and leaves the others', async (t) => {

@@ -24,6 +24,8 @@ struct Swing {
   double centre[2] = {};
   double spoil = 0.0;  ///< added to the first torque
   int applied = 0;
+  int prepared = 0;
+  void prepare() { ++prepared; }
   void start(double time, const RobotState<2, 2>& state) {
     begin = time;
     centre[0] = state.q[0];
@@ -76,6 +78,12 @@ struct Rig {
     return now;
   }
 };
+
+TEST(ServoLoop, ControllerPreparesForEveryCycle) {
+  Rig rig;
+  rig.cycles(7);
+  EXPECT_EQ(rig.controller.prepared, 7);
+}
 
 TEST(ServoLoop, IdleHoldsTheArmAgainstGravity) {
   Rig rig;

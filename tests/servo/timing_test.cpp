@@ -108,6 +108,22 @@ TEST(Cycle, LatenessDoesNotAccumulate) {
   EXPECT_EQ(cycle.skips(), 0U);
 }
 
+// Would catch: preparations in the time of the next cycle, or none although there is time.
+TEST(Cycle, PreparesBeforeTheTickWhereThereIsTime) {
+  SimulatedClock clock;
+  Cycle cycle(clock, 1'000'000);
+  std::vector<std::int64_t> prepared;
+  const auto prepare = [&] { prepared.push_back(clock.now()); };
+  for (const std::int64_t busy : {300'000, 950'000, 100'000}) {
+    cycle.begin_cycle();
+    EXPECT_EQ(cycle.timing().jitter, 0);
+    clock.advance(busy);
+    cycle.end_cycle(100'000, prepare);
+  }
+  EXPECT_EQ(prepared, (std::vector<std::int64_t>{900'000, 2'900'000}));
+  EXPECT_EQ(clock.now(), 3'000'000);
+}
+
 // The test assumes nothing about timing beyond what a monotonic clock guarantees.
 TEST(Cycle, SteadyClockNeverWakesEarly) {
   SteadyClock clock;

@@ -108,7 +108,7 @@ struct Bench::Impl {
 
   std::vector<Loss> measure(Function function, const State& state, const ResultSizes& sizes) const {
     FunctionReference reference;
-    reference.condition = sizes.condition(function);
+    reference.condition = sizes.conditions(function).largest();
     for (const Digits50& x : interpret<Digits50>(function, exact, state)) {
       reference.high.push_back(static_cast<double>(x));
       reference.low.push_back(static_cast<double>(Digits50(x - Digits50(reference.high.back()))));

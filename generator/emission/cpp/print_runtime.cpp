@@ -1,6 +1,7 @@
 #include "emission/cpp/print_runtime.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "emission/controller_unit.hpp"
 #include "emission/cpp/print_controller.hpp"
@@ -23,6 +24,23 @@ std::string print_header(const EmissionContext& context, std::string_view header
   replace_all("treeline::core", context.name + "::detail");
   replace_all("#include \"core/", "#include \"");
   return text;
+}
+
+/// What NAME_limited.hpp includes.
+void append_limit_headers(const EmissionContext& context, std::vector<GeneratedFile>& files) {
+  const std::pair<const char*, std::string_view> headers[] = {
+      {"limited_torque.hpp", templates::kLimitedTorque},
+      {"limit_coordinates.hpp", templates::kLimitCoordinates},
+      {"limit_program.hpp", templates::kLimitProgram},
+      {"force_basis.hpp", templates::kForceBasis},
+      {"torque_limits.hpp", templates::kTorqueLimits},
+      {"quadratic_program.hpp", templates::kQuadraticProgram},
+      {"enter_violated_rows.hpp", templates::kEnterViolatedRows},
+      {"active_row_factors.hpp", templates::kActiveRowFactors},
+      {"dual_active_set.hpp", templates::kDualActiveSet},
+      {"quadratic_rows.hpp", templates::kQuadraticRows},
+      {"quadratic_sums.hpp", templates::kQuadraticSums}};
+  for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
 }
 
 }  // namespace
@@ -59,10 +77,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"ldlt.hpp", print_header(context, templates::kLdlt)});
     files.push_back({"symmetric_eigen.hpp", print_header(context, templates::kSymmetricEigen)});
   }
-  if (limited) {
-    files.push_back({"limited_torque.hpp", print_header(context, templates::kLimitedTorque)});
-    files.push_back({"quadratic_program.hpp", print_header(context, templates::kQuadraticProgram)});
-  }
+  if (limited) append_limit_headers(context, files);
   if (damped || limited || controlled) {
     files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
   }

@@ -81,14 +81,14 @@ class OrdinaryPivots {
 
   [[nodiscard]] std::size_t rows() const { return pivots_.size(); }
   [[nodiscard]] double diagonal(std::size_t row) const { return median(diagonals_[row]); }
+  /// Whether the row depends on rows before it in ordinary states.
+  [[nodiscard]] bool is_dependent(std::size_t row) const;
   [[nodiscard]] bool has_dependent() const;
   /// For each row the share of the median of its pivots; of its diagonal entries if it depends on
   /// rows before it.
   [[nodiscard]] std::vector<double> borders(const YieldShape& shape) const;
 
  private:
-  [[nodiscard]] bool is_dependent(std::size_t row) const;
-
   std::vector<std::vector<double>> pivots_, diagonals_;
 };
 

@@ -137,7 +137,7 @@ double inverse_square_of_forearm(const Mechanism& mechanism) {
   return square > 0 ? static_cast<double>(Exact(1 / square)) : 0;
 }
 
-ExactRows rows_of(const Matrix3<Exact>& A) {
+LawAxes rows_of(const Matrix3<Exact>& A) {
   return {{{A.row_x.x, A.row_x.y, A.row_x.z},
            {A.row_y.x, A.row_y.y, A.row_y.z},
            {A.row_z.x, A.row_z.y, A.row_z.z}}};

@@ -2,8 +2,10 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
+#include "recursion/methods/eliminated_forward_dynamics.hpp"
 #include "recursion/methods/operational_quantities.hpp"
 #include "recursion/methods/supported_control_torque.hpp"
 #include "recursion/methods/task_law.hpp"
@@ -29,23 +31,36 @@ using ConstraintBody = std::function<std::vector<Result>(const ConstraintTrace&)
 struct ConstraintRoute {
   RouteId id;
   ConstraintBody body;
+  std::string singular = {};  ///< for users; empty: what the law says
 };
 
-std::vector<Result> trace_constrained_motion(const ConstraintTrace& trace,
-                                             const LambdaChoice& choice, const PivotRule& rule) {
-  const ConstrainedInputs<Expression> inputs{
-      trace.q, trace.qd, trace.tau, trace.stabilisation, trace.drift, trace.applied};
-  const auto motion = has_loops(trace.tree)
-                          ? looped_forward_dynamics<Expression>(trace.tree, trace.X, inputs, rule)
-                          : constrained_forward_dynamics<Expression>(
-                                trace.tree, trace.X, inputs, choice,
-                                [&](const std::vector<Expression>& forces) {
-                                  return accelerate(trace.tree, trace.X, choice.route, forces);
-                                },
-                                rule);
+ConstrainedInputs<Expression> motion_inputs(const ConstraintTrace& trace) {
+  return {trace.q, trace.qd, trace.tau, trace.stabilisation, trace.drift, trace.applied};
+}
+
+std::vector<Result> motion_results(const ConstrainedMotion<Expression>& motion) {
   return {vector_result("qdd", "joint accelerations", motion.qdd),
           vector_result("f", "forces of the constraints on the robot, in their rows, N, N m",
                         motion.f)};
+}
+
+std::vector<Result> trace_constrained_motion(const ConstraintTrace& trace,
+                                             const LambdaChoice& choice, const PivotRule& rule) {
+  const auto inputs = motion_inputs(trace);
+  return motion_results(has_loops(trace.tree)
+                            ? looped_forward_dynamics<Expression>(trace.tree, trace.X, inputs, rule)
+                            : constrained_forward_dynamics<Expression>(
+                                  trace.tree, trace.X, inputs, choice,
+                                  [&](const std::vector<Expression>& forces) {
+                                    return accelerate(trace.tree, trace.X, choice.route, forces);
+                                  },
+                                  rule));
+}
+
+std::vector<Result> trace_eliminated_motion(const ConstraintTrace& trace,
+                                            const CoupledVelocities& coupled) {
+  return motion_results(
+      eliminated_forward_dynamics<Expression>(trace.tree, trace.X, motion_inputs(trace), coupled));
 }
 
 std::vector<Result> trace_supported_torque(const ConstraintTrace& trace, const LambdaChoice& choice,
@@ -130,7 +145,20 @@ class ConstraintTracer {
                           }});
       }
     }
+    if (!supports_) append_elimination(routes);
     return routes;
+  }
+
+  /// Rows that are constant may give velocities in place of forces.
+  void append_elimination(std::vector<ConstraintRoute>& routes) const {
+    const auto coupled = choose_dependents(seen_);
+    if (!coupled) return;
+    routes.push_back({{"eliminated", "joints that couplings move eliminated, M = L^T D L"},
+                      [coupled = *coupled](const ConstraintTrace& trace) {
+                        return trace_eliminated_motion(trace, coupled);
+                      },
+                      "finite everywhere; couplings hold exactly, and one that depends on those "
+                      "before it has force 0."});
   }
 
   [[nodiscard]] Program trace(const ConstraintRoute& route) const {
@@ -144,7 +172,7 @@ class ConstraintTracer {
     trace.tree = constant_tree<Expression>(seen_);
     take_inputs(program, trace);
     program.law = law_;
-    if (law_) program.singular = describe(*law_);
+    if (law_) program.singular = route.singular.empty() ? describe(*law_) : route.singular;
     program.results = route.body(trace);
     return program;
   }

@@ -1,5 +1,6 @@
 // The command line: history, completion, and what the server answers.
 import {element} from '../element.js';
+import {is_movable} from '../view/handles.js';
 import {accept, complete, shared_beginning} from './complete.js';
 
 const kLongestLog = 200;
@@ -42,9 +43,11 @@ export class CommandLine {
   greet(hello) {
     this.hello = hello;
     const point = hello.points[0]?.name;
-    const joint = hello.coordinates.find((one) => one.kind === 'angle')?.name;
+    const joint = hello.coordinates.find(is_movable);
     if (point) this.input.placeholder = `move ${point} by 0 0 -0.1 in 2 s`;
-    else if (joint) this.input.placeholder = `joint ${joint} to 20 deg in 2 s`;
+    else if (joint?.unit === 'm') this.input.placeholder = `joint ${joint.name} by 0.01 in 2 s`;
+    else if (joint) this.input.placeholder = `joint ${joint.name} to 20 deg in 2 s`;
+    else if (hello.base === 'floating') this.input.placeholder = 'move base by 0 0 0.1 in 2 s';
   }
 
   /** Shows a line of text; `kind` is `sent`, `good`, `bad` or `note`. */

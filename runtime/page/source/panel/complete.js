@@ -2,10 +2,11 @@
 
 /** Words that may stand for NAME and the like, from the server's hello. */
 function names_of(hello) {
-  const one_freedom = hello.coordinates.filter((one) => !/^q?[xyzw]$/.test(one.kind));
+  const movable = hello.coordinates.filter((one) =>
+    !one.passive && !/^q?[xyzw]$/.test(one.kind));
   const points = hello.points.map((point) => point.name);
   if (hello.base === 'floating' && !points.includes('base')) points.push('base');
-  return {NAME: one_freedom.map((one) => one.name), POINT: points, LINK: hello.links ?? []};
+  return {NAME: movable.map((one) => one.name), POINT: points, LINK: hello.links ?? []};
 }
 
 /** Words of a usage as {choices, skip}; `skip` words in brackets may be left out together. */

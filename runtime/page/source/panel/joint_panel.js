@@ -2,7 +2,7 @@
 import {button, element, set_text, toggle} from '../element.js';
 import {drag_joint_line, joint_line, posture_line} from '../lines.js';
 import {say, show_degrees, sign_of, to_shown, unit_of, write_value} from '../units.js';
-import {is_one_freedom} from '../view/handles.js';
+import {is_movable} from '../view/handles.js';
 import {Lease} from '../view/lease.js';
 
 const kFreeReach = {angle: Math.PI, length: 1};  // rad, m: sliders of joints without limits
@@ -114,16 +114,18 @@ export class JointPanel {
     root.append(element('div', {className: 'tools'}, units, posture,
       button('Home', 'All joints to where the robot began',
         () => run(`posture home${duration() > 0 ? ` in ${duration()} s` : ''}`))), this.list,
-    element('p', {className: 'hint'},
-      'Drag a slider, or type a number and press Enter. Arrow keys step a slider.'));
+    this.hint = element('p', {className: 'hint'}));
   }
 
   greet(hello) {
     for (const row of this.rows) row.lease.end();
     this.rows = hello.coordinates.map((coordinate, index) => ({coordinate, index}))
-      .filter(({coordinate}) => is_one_freedom(coordinate))
+      .filter(({coordinate}) => is_movable(coordinate))
       .map(({coordinate, index}) => new JointRow(coordinate, index, this));
     this.list.replaceChildren(...this.rows.map((row) => row.row));
+    this.hint.textContent = this.rows.length > 0
+      ? 'Drag a slider, or type a number and press Enter. Arrow keys step a slider.'
+      : 'No joint of this robot turns or slides. Move it under Points.';
   }
 
   update(state) {

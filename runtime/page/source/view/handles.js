@@ -16,8 +16,10 @@ function axis_of(coordinate, joint) {
   return joint.axis.clone();
 }
 
-export function is_one_freedom(coordinate) {
-  return ['angle', 'length', 'planar_x', 'planar_y', 'planar_theta'].includes(coordinate.kind);
+/** Whether a slider or a handle can move it: one freedom of a joint that has a motor. */
+export function is_movable(coordinate) {
+  return !coordinate.passive &&
+    ['angle', 'length', 'planar_x', 'planar_y', 'planar_theta'].includes(coordinate.kind);
 }
 
 function is_angle(coordinate) {
@@ -92,7 +94,7 @@ export class Handles {
   #add_joints(hello) {
     this.model.updateMatrixWorld(true);
     hello.coordinates.forEach((coordinate, index) => {
-      if (!is_one_freedom(coordinate) || !this.model.joints[coordinate.joint]) return;
+      if (!is_movable(coordinate) || !this.model.joints[coordinate.joint]) return;
       const kind = is_angle(coordinate) ? 'disk' : 'rail';
       this.#add({kind, name: `${kind}:${coordinate.name}`, coordinate, index,
         share: this.#share_of(this.model.joints[coordinate.joint]),

@@ -22,29 +22,42 @@ function trim_numbers(robot) {
   }
 }
 
+/** Where a link's visuals are missing, the simple shapes by which it collides are drawn. */
+function draw_collisions(link) {
+  for (const collision of link.querySelectorAll(':scope > collision')) {
+    const shape = collision.querySelector('geometry')?.children[0]?.nodeName;
+    if (!['box', 'cylinder', 'sphere'].includes(shape)) continue;
+    const visual = link.ownerDocument.createElement('visual');
+    visual.append(...collision.childNodes);
+    link.append(visual);
+  }
+}
+
 /**
  * Drops what the loader cannot read, parts that no picture needs, and visuals with meshes that are
  * not served. Returns the names of those meshes.
  */
 function drop_unreadable(robot, meshes) {
-  for (const node of robot.querySelectorAll('collision, inertial, texture, transmission')) {
-    node.remove();
-  }
+  for (const node of robot.querySelectorAll('inertial, texture, transmission')) node.remove();
   const missing = new Set();
   for (const visual of robot.querySelectorAll('visual')) {
     const shape = visual.querySelector('geometry')?.children[0];
     const file = shape?.getAttribute('filename');
     const is_missing = shape?.nodeName === 'mesh' && !meshes[file];
     if (is_missing) missing.add(file);
-    if (!shape || is_missing) visual.remove();
+    if (shape && !is_missing) continue;
+    const link = visual.parentElement;
+    visual.remove();
+    if (!link.querySelector(':scope > visual')) draw_collisions(link);
   }
+  for (const node of robot.querySelectorAll('collision')) node.remove();
   return [...missing];
 }
 
 function report_missing(files, report) {
   if (files.length === 0) return;
   const others = files.length > 1 ? ` and ${files.length - 1} other meshes are` : ' is';
-  report(`${files[0]}${others} missing, and drawn as sticks. The option ` +
+  report(`${files[0]}${others} missing; simple shapes or sticks stand in. The option ` +
     '--package NAME=DIR of treeline drive says where package://NAME/ lies.');
 }
 
