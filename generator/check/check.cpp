@@ -7,6 +7,7 @@
 #include "check/find_sources.hpp"
 #include "check/generated_library.hpp"
 #include "check/judge_function.hpp"
+#include "check/judge_limits.hpp"
 #include "check/run_commands.hpp"
 #include "check/temporary_folder.hpp"
 #include "emission/backend/backend.hpp"
@@ -131,7 +132,7 @@ CheckReport judge(const Scene& scene, const Generation& generation,
 }  // namespace
 
 bool CheckReport::passed() const {
-  return stale.empty() &&
+  return stale.empty() && (!limits || limits->passed()) &&
          std::all_of(functions.begin(), functions.end(),
                      [](const FunctionReport& function) { return function.passed(); });
 }
@@ -156,13 +157,20 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
   if (!work) return std::nullopt;
   const auto sources = find_sources(scene, generation, options, work->path(), diagnostics);
   if (!sources) return std::nullopt;
+  CompileOptions compile = options.compile;
+  compile.more = limited_sources(scene, generation);
   const auto libraries =
-      build_libraries(*sources, scene, generation, options.compile, work->path(), diagnostics);
+      build_libraries(*sources, scene, generation, compile, work->path(), diagnostics);
   if (!libraries) return std::nullopt;
   const auto start = std::chrono::steady_clock::now();
   const auto references = make_references(robot, scene, generation, options.references);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   CheckReport report = judge(scene, generation, references, options, *libraries);
+  if (scene.has_limits()) {
+    report.limits = judge_limits(robot, scene, generation, references, *libraries->accurate,
+                                 options.references.threads);
+    report.limits->compiled = libraries->compilation.functions.at(kLimitedName);
+  }
   report.robot = robot.name;
   report.reference_seconds = taken.count();
   return report;

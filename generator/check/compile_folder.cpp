@@ -114,6 +114,9 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
     add(stem, fs::absolute(place / source_name(stem, options.language)),
         flags_of(generated, options));
   }
+  for (const WorkSource& more : options.more) {
+    add(more.stem, work / source_name(more.stem, options.language), options.flags);
+  }
   add(kEntryStem, work / source_name(kEntryStem, options.language), options.flags);
   objects.outcomes = run_largest_first(commands, sources, options, work);
   bool all = true;
@@ -244,6 +247,10 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   const auto compiler = find_compiler(options, work, diagnostics);
   if (!compiler) return std::nullopt;
   if (!write_entries(name, functions, options.language, work, diagnostics)) return std::nullopt;
+  for (const WorkSource& more : options.more) {
+    const fs::path file = work / source_name(more.stem, options.language);
+    if (!write_work_file(file, more.text, diagnostics)) return std::nullopt;
+  }
   const auto start = Clock::now();
   const auto objects = compile_objects(*compiler, folder, functions, options, work, diagnostics);
   if (!objects) return std::nullopt;

@@ -13,6 +13,11 @@
 
 namespace treeline {
 
+/// A source that is compiled and linked with a folder's.
+struct WorkSource {
+  std::string stem, text;
+};
+
 struct CompileOptions {
   /// Added to the language's standard and a library's flags.
   std::string flags = "-O2 -ffp-contract=off";
@@ -21,6 +26,7 @@ struct CompileOptions {
   std::function<void(int, int)> progress = {};  ///< receives number of sources done and of all
   std::string compiler = {};                    ///< empty: see `find_compiler`
   Language language = Language::cpp;            ///< of the sources
+  std::vector<WorkSource> more = {};            ///< see `WorkSource`
 };
 
 /// Properties of one compiled function.

@@ -83,28 +83,40 @@ std::optional<GeneratedLibrary> GeneratedLibrary::load(
 }
 
 CallResult GeneratedLibrary::call(std::size_t i, const State& state) const {
-  return real_ == Real::float32 ? call_in<float>(functions_[i], state)
-                                : call_in<double>(functions_[i], state);
+  std::vector<std::size_t> sizes;
+  for (const Result& result : functions_[i].program.results) sizes.push_back(result.values.size());
+  return call_entry(functions_[i].entry, i, state, sizes);
+}
+
+CallResult GeneratedLibrary::call_entry(CompiledEntry entry, std::size_t i, const State& state,
+                                        const std::vector<std::size_t>& sizes) const {
+  const Program& program = functions_[i].program;
+  return real_ == Real::float32 ? call_in<float>(entry, program, state, sizes)
+                                : call_in<double>(entry, program, state, sizes);
+}
+
+CompiledEntry GeneratedLibrary::find_entry(const std::string& name) const {
+  return reinterpret_cast<CompiledEntry>(dlsym(handle_.get(), entry_symbol(name).c_str()));
 }
 
 template <class T>
-CallResult GeneratedLibrary::call_in(const LoadedFunction& function, const State& state) const {
+CallResult GeneratedLibrary::call_in(CompiledEntry entry, const Program& program,
+                                     const State& state,
+                                     const std::vector<std::size_t>& sizes) const {
   std::vector<Fenced<T>> inputs;
   std::vector<Fenced<T>> outputs;
-  for (const auto* argument : arguments_of(function.program, state)) {
+  for (const auto* argument : arguments_of(program, state)) {
     Fenced<T>& input = inputs.emplace_back(argument->size());
     for (std::size_t k = 0; k < argument->size(); ++k) {
       input.data()[k] = static_cast<T>((*argument)[k]);
     }
   }
-  for (const Result& result : function.program.results) {
-    outputs.emplace_back(result.values.size());
-  }
+  for (const std::size_t size : sizes) outputs.emplace_back(size);
   std::vector<const void*> in;
   std::vector<void*> out;
   for (auto& input : inputs) in.push_back(input.data());
   for (auto& output : outputs) out.push_back(output.data());
-  function.entry(in.data(), out.data());
+  entry(in.data(), out.data());
   CallResult result;
   for (auto& output : outputs) {
     result.entries.insert(result.entries.end(), output.data(), output.data() + output.size());

@@ -37,6 +37,13 @@ class GeneratedLibrary {
   /// object lives.
   [[nodiscard]] CompiledEntry raw_entry(std::size_t i) const { return functions_[i].raw; }
 
+  /// Calls an entry that is no function's, such as that of limited torques, with the arguments of
+  /// function `i` and results of these sizes.
+  [[nodiscard]] CallResult call_entry(CompiledEntry entry, std::size_t i, const State& state,
+                                      const std::vector<std::size_t>& sizes) const;
+  /// The entry of a name; null if there is none.
+  [[nodiscard]] CompiledEntry find_entry(const std::string& name) const;
+
  private:
   struct LoadedFunction {
     Program program;
@@ -48,7 +55,8 @@ class GeneratedLibrary {
   };
 
   template <class T>
-  [[nodiscard]] CallResult call_in(const LoadedFunction& function, const State& state) const;
+  [[nodiscard]] CallResult call_in(CompiledEntry entry, const Program& program, const State& state,
+                                   const std::vector<std::size_t>& sizes) const;
 
   std::unique_ptr<void, Closer> handle_;
   std::vector<LoadedFunction> functions_;

@@ -112,6 +112,14 @@ std::string print_composed_entry(const std::string& name, const GeneratedFunctio
                                                  {"functions", print_plain(name, generated)}});
 }
 
+std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported) {
+  return fill_template(
+      check_templates::kLimited,
+      {{"name", name},
+       {"arguments",
+        print_arguments(supported.program, supported.program.results.size(), "", "") + ", "}});
+}
+
 std::string entry_symbol(const std::string& function) {
   return "treeline_check_" + function;
 }

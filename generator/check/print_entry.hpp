@@ -17,6 +17,10 @@ std::string print_entry(const std::string& name, const std::vector<GeneratedFunc
 /// compiles if the header declares the functions with as many arguments.
 std::string print_c_entry(const std::string& name, const std::vector<GeneratedFunction>& functions);
 
+/// Prints the source file with the entry of limited_control_torque, from NAME_limited.hpp;
+/// `supported` has the arguments that it takes.
+std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported);
+
 /// Prints the source file with the entry of a composed function, from NAME_damped.hpp.
 std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated);
 

@@ -128,6 +128,31 @@ Json list(const std::vector<T>& items) {
   return json;
 }
 
+Json to_json(const LimitsReport& limits) {
+  const bool any = limits.certified > 0;
+  return {{"passed", limits.passed()},
+          {"states", limits.states},
+          {"singular", limits.singular},
+          {"limited", limits.limited},
+          {"certified", limits.certified},
+          {"irregular", limits.irregular},
+          {"uncertain", limits.uncertain},
+          {"unsolved", limits.unsolved},
+          {"beyond_limits", limits.beyond_limits},
+          {"changed", limits.changed},
+          {"out_of_bounds", limits.out_of_bounds},
+          {"other_limits", limits.corrected},
+          {"median", any ? finite(limits.median) : Json(nullptr)},
+          {"worst", any ? finite(limits.worst) : Json(nullptr)},
+          {"worst_of", any ? Json(limits.worst_of) : Json(nullptr)},
+          {"worst_state", any ? Json(limits.worst_state) : Json(nullptr)},
+          {"worst_sensitivity", any ? finite(limits.worst_sensitivity) : Json(nullptr)},
+          {"of_bound", finite(limits.of_bound)},
+          {"code_bytes", optional(limits.compiled.code_bytes)},
+          {"stack_bytes", optional(limits.compiled.stack_bytes)},
+          {"compile_seconds", limits.compiled.seconds}};
+}
+
 Json list_functions(const CheckReport& report) {
   Json json = Json::array();
   for (const FunctionReport& f : report.functions) {
@@ -160,6 +185,7 @@ std::string print_json(const CheckReport& report) {
       {"stale", list(report.stale)},
       {"domain", report.domain},
       {"functions", list_functions(report)},
+      {"limited_control_torque", report.limits ? to_json(*report.limits) : Json(nullptr)},
       {"named_states", list(report.named_states)}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

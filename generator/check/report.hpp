@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bounds/bound_rounding.hpp"
+#include "check/compile_folder.hpp"
 #include "emission/compare_files.hpp"
 #include "oracle/bound.hpp"
 #include "oracle/draw_state.hpp"
@@ -55,6 +57,33 @@ struct FunctionReport {
   }
 };
 
+/// Verdict on `limited_control_torque`. Where a limit is exceeded its result is compared with the
+/// optimum that KKT conditions certify in 50 digits; where none is, with the unlimited law's bits.
+struct LimitsReport {
+  int states = 0;
+  int singular = 0;       ///< states at which the unlimited law has no value
+  int limited = 0;        ///< states at which something was changed
+  int certified = 0;      ///< of these, those whose optimum was certified and compared
+  int irregular = 0;      ///< those looked at that have other freedoms than ordinary states
+  int uncertain = 0;      ///< those looked at whose conditions could not be met
+  int unsolved = 0;       ///< states at which the iterations were used up or numbers did not fit
+  int beyond_limits = 0;  ///< states with a torque beyond its limit
+  int changed = 0;        ///< states within limits with other bits than the unlimited law
+  int out_of_bounds = 0;  ///< states at which it wrote beyond its outputs
+  int corrected = 0;      ///< of the certified, those in which other limits are reached
+  double median = 0, worst = 0;      ///< errors in ulp of the scale
+  std::array<double, 4> worst_of{};  ///< of tau, f, slack, and what the task loses
+  int worst_state = -1;
+  double worst_sensitivity = 0;  ///< there, what rounding of M, J_s, J_t, tau and f alone does
+  double of_bound = 0;           ///< largest ratio of an error to what is allowed
+  CompiledFunction compiled = {};
+
+  [[nodiscard]] bool passed() const {
+    return beyond_limits == 0 && changed == 0 && out_of_bounds == 0 && uncertain == 0 &&
+           of_bound <= 1;
+  }
+};
+
 /// Complete result of `treeline check`.
 struct CheckReport {
   std::string name, robot;
@@ -69,7 +98,8 @@ struct CheckReport {
   std::vector<FileDifference> stale;  ///< its differences from the code generated now
   std::string domain;                 ///< domain of inputs in which the rounding bounds hold
   std::vector<FunctionReport> functions;
-  std::vector<State> named_states;  ///< states named in the reports of functions, each once
+  std::optional<LimitsReport> limits;  ///< if the scene limits torques or forces
+  std::vector<State> named_states;     ///< states named in the reports of functions, each once
 
   [[nodiscard]] bool passed() const;
 };

@@ -11,5 +11,6 @@ extern const std::string_view kCEntry;
 extern const std::string_view kCFunction;
 extern const std::string_view kEntry;
 extern const std::string_view kFunction;
+extern const std::string_view kLimited;
 
 }  // namespace treeline::check_templates

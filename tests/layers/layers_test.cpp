@@ -52,7 +52,7 @@ const std::vector<Layer> kLayers = {
     // What tries, judges and explains it.
     {"oracle",
      {"functions", "interpreter", "description", "mechanism", "program", "recursion", "bounds",
-      "generation"}},
+      "emission", "generation"}},
     {"inspect", {"interpreter", "description", "mechanism", "recursion", "bounds", "oracle"}},
     {"drawing", {"interpreter", "description", "mechanism", "oracle"}},
     {"comparison", {"interpreter", "description", "bounds", "oracle", "inspect"}},

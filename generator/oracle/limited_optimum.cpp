@@ -1,0 +1,321 @@
+#include "oracle/limited_optimum.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "interpreter/instances.hpp"
+#include "oracle/entries.hpp"
+#include "oracle/subject_at.hpp"
+
+namespace treeline {
+namespace {
+
+using Matrix50 = interpreter::Matrix<Digits50>;
+using Vector50 = interpreter::Vector<Digits50>;
+using Dense50 = Eigen::Matrix<Digits50, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Held rows that depend on each other share their multiplier by this; it moves no digit of double.
+const Digits50 kRegularisation("1e-24");
+/// What counts as 0 of a multiplier or a violation, relative to what it is compared with.
+const Digits50 kResidue("1e-18");
+
+Digits50 largest(const Vector50& x) {
+  return x.size() == 0 ? Digits50(0) : Digits50(x.cwiseAbs().maxCoeff());
+}
+
+Eigen::Index rank_of(const Matrix50& A) {
+  if (A.size() == 0) return 0;
+  const Eigen::MatrixXd in_double =
+      A.unaryExpr([](const Digits50& x) { return static_cast<double>(x); });
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(in_double);
+  factors.setThreshold(1e-9);
+  return factors.rank();
+}
+
+/// The program in y = (d_qdd, d_f, slack): least 1/2 y^T H y + h^T y with E y = 0 and the limits.
+class DenseProgram {
+ public:
+  DenseProgram(const LimitProblem& problem, const LimitFacts& facts)
+      : problem_(problem),
+        facts_(facts),
+        nv_(problem.M.rows()),
+        held_(problem.f.size()),
+        size_(nv_ + held_ + 1) {
+    set_cost();
+    set_equations();
+    set_limits();
+  }
+
+  /// H y + h = E^T lambda + B^T mu with the sides' rows of B at their limits.
+  void solve(const LimitSides& sides);
+  /// Changes one side that violates a condition; false where there is none.
+  [[nodiscard]] bool correct(LimitSides& sides) {
+    solve(sides);
+    return drop_wrong(sides) || add_missed(sides);
+  }
+
+  [[nodiscard]] LimitedOptimum optimum(const LimitSides& sides) const {
+    const Vector50 d_qdd = y_.head(nv_), d_f = y_.segment(nv_, held_);
+    return {Vector50(problem_.tau + problem_.M * d_qdd - problem_.J_s.transpose() * d_f),
+            Vector50(problem_.f + d_f),
+            Vector50(problem_.J_t * d_qdd),
+            lost_size(d_qdd, d_f),
+            y_(size_ - 1),
+            0,
+            sides};
+  }
+
+ private:
+  void set_cost();
+  void set_equations();
+  void set_limits();
+  void add_limit(const Vector50& row, const Digits50& lower, const Digits50& upper, bool has_lower,
+                 bool has_upper);
+  [[nodiscard]] Matrix50 free_forces() const;
+  [[nodiscard]] Digits50 lost_size(const Vector50& d_qdd, const Vector50& d_f) const;
+  [[nodiscard]] bool drop_wrong(LimitSides& sides) const;
+  [[nodiscard]] bool add_missed(LimitSides& sides) const;
+
+  const LimitProblem& problem_;
+  const LimitFacts& facts_;
+  Eigen::Index nv_, held_, size_;
+  Matrix50 H_, E_, B_;
+  Vector50 h_, lower_, upper_;
+  std::vector<bool> has_lower_, has_upper_;
+  Vector50 y_, multipliers_;
+};
+
+/// The part of d_f over its weights that balances no passive joint.
+Matrix50 DenseProgram::free_forces() const {
+  Vector50 weights(held_);
+  for (Eigen::Index i = 0; i < held_; ++i) {
+    weights(i) = facts_.force_weights[static_cast<std::size_t>(i)];
+  }
+  Matrix50 left = Matrix50::Identity(held_, held_);
+  if (!facts_.passive.empty() && held_ > 0) {
+    const Dense50 G = weights.asDiagonal() * problem_.J_s(Eigen::all, facts_.passive);
+    Eigen::CompleteOrthogonalDecomposition<Dense50> factors(G.rows(), G.cols());
+    factors.setThreshold(Digits50("1e-9"));
+    factors.compute(G);
+    left -= G * factors.pseudoInverse();
+  }
+  return left * weights.cwiseInverse().asDiagonal();
+}
+
+/// Of J_t M^-1 (tau + J_s^T f), whose difference before and after is what the task loses.
+Digits50 DenseProgram::lost_size(const Vector50& d_qdd, const Vector50& d_f) const {
+  const Matrix50 M_inverse = interpreter::inverse_of_positive_definite<Digits50>(problem_.M);
+  const Vector50 forces =
+      problem_.tau.cwiseAbs() + (problem_.M * d_qdd).cwiseAbs() +
+      problem_.J_s.transpose().cwiseAbs() * (problem_.f.cwiseAbs() + d_f.cwiseAbs());
+  return largest(problem_.J_t.cwiseAbs() * Vector50(M_inverse.cwiseAbs() * forces));
+}
+
+void DenseProgram::set_cost() {
+  const Digits50 k2 = Digits50(problem_.hierarchy) * problem_.hierarchy;
+  const Digits50 heaviest = problem_.M.diagonal().maxCoeff();
+  H_ = Matrix50::Zero(size_, size_);
+  h_ = Vector50::Zero(size_);
+  H_.topLeftCorner(nv_, nv_) = problem_.M;
+  const Matrix50 M_inverse = interpreter::inverse_of_positive_definite<Digits50>(problem_.M);
+  for (Eigen::Index t = 0; t < problem_.J_t.rows(); ++t) {
+    const Vector50 row = problem_.J_t.row(t).transpose();
+    const Digits50 mobility = row.dot(Vector50(M_inverse * row));
+    if (mobility == 0) continue;
+    const Digits50 weight = k2 * facts_.task_weights[static_cast<std::size_t>(t)] / mobility;
+    H_.topLeftCorner(nv_, nv_) += weight * row * row.transpose();
+  }
+  const Matrix50 free = free_forces();
+  H_.block(nv_, nv_, held_, held_) = free.transpose() * free / Digits50(k2 * heaviest);
+  const Digits50 penalty = 10000 * k2;
+  H_(size_ - 1, size_ - 1) = penalty / Digits50(10 * heaviest);
+  h_(size_ - 1) = penalty;
+}
+
+void DenseProgram::set_equations() {
+  const auto passive = static_cast<Eigen::Index>(facts_.passive.size());
+  E_ = Matrix50::Zero(held_ + passive, size_);
+  E_.topLeftCorner(held_, nv_) = problem_.J_s;
+  E_.block(held_, 0, passive, nv_) = problem_.M(facts_.passive, Eigen::all);
+  E_.block(held_, nv_, passive, held_) = -problem_.J_s(Eigen::all, facts_.passive).transpose();
+}
+
+void DenseProgram::add_limit(const Vector50& row, const Digits50& lower, const Digits50& upper,
+                             bool has_lower, bool has_upper) {
+  const auto at = static_cast<Eigen::Index>(has_lower_.size());
+  B_.row(at) = row.transpose();
+  lower_(at) = lower;
+  upper_(at) = upper;
+  has_lower_.push_back(has_lower);
+  has_upper_.push_back(has_upper);
+}
+
+void DenseProgram::set_limits() {
+  const auto motors = nv_ - static_cast<Eigen::Index>(facts_.passive.size());
+  const auto count = motors + static_cast<Eigen::Index>(facts_.cones.size()) + 1;
+  B_ = Matrix50::Zero(count, size_);
+  lower_ = upper_ = Vector50::Zero(count);
+  for (Eigen::Index v = 0; v < nv_; ++v) {
+    if (std::count(facts_.passive.begin(), facts_.passive.end(), static_cast<int>(v)) > 0) continue;
+    Vector50 row = Vector50::Zero(size_);
+    row.head(nv_) = problem_.M.row(v).transpose();
+    row.segment(nv_, held_) = -problem_.J_s.col(v);
+    const double most = facts_.torque[static_cast<std::size_t>(v)];
+    const bool limited = std::isfinite(most);
+    const Digits50 limit = limited ? most : 0;
+    add_limit(row, -limit - problem_.tau(v), limit - problem_.tau(v), limited, limited);
+  }
+  for (const LimitFacts::Row& cone : facts_.cones) {
+    Vector50 row = Vector50::Zero(size_);
+    Digits50 room = cone.bound;
+    for (std::size_t i = 0; i < cone.coefficients.size(); ++i) {
+      const auto force = cone.first + static_cast<Eigen::Index>(i);
+      row(nv_ + force) = cone.coefficients[i];
+      room -= cone.coefficients[i] * problem_.f(force);
+    }
+    row(size_ - 1) = -1;
+    add_limit(row, 0, room, false, true);
+  }
+  add_limit(Vector50::Unit(size_, size_ - 1), 0, 0, true, false);
+}
+
+void DenseProgram::solve(const LimitSides& sides) {
+  std::vector<Eigen::Index> active;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (sides[i] != 0) active.push_back(static_cast<Eigen::Index>(i));
+  }
+  const auto equations = E_.rows();
+  const auto count = static_cast<Eigen::Index>(active.size());
+  Dense50 K = Dense50::Zero(size_ + equations + count, size_ + equations + count);
+  Vector50 b = Vector50::Zero(K.rows());
+  K.topLeftCorner(size_, size_) = H_;
+  K.block(0, size_, size_, equations) = -E_.transpose();
+  K.block(size_, 0, equations, size_) = E_;
+  K.block(size_, size_, equations, equations).diagonal().setConstant(kRegularisation);
+  b.head(size_) = -h_;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index row = active[static_cast<std::size_t>(i)];
+    const Eigen::Index at = size_ + equations + i;
+    K.col(at).head(size_) = -B_.row(row).transpose();
+    K.row(at).head(size_) = B_.row(row);
+    b(at) = sides[static_cast<std::size_t>(row)] < 0 ? lower_(row) : upper_(row);
+  }
+  const Vector50 x = K.partialPivLu().solve(b);
+  y_ = x.head(size_);
+  multipliers_ = Vector50::Zero(B_.rows());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    multipliers_(active[static_cast<std::size_t>(i)]) = x(size_ + equations + i);
+  }
+}
+
+/// Gives up the limit whose multiplier has the wrong sign the most.
+bool DenseProgram::drop_wrong(LimitSides& sides) const {
+  Digits50 worst = -kResidue * largest(multipliers_);
+  std::size_t wrong = sides.size();
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Digits50 inward = -sides[i] * multipliers_(static_cast<Eigen::Index>(i));
+    if (!(inward < worst)) continue;
+    worst = inward;
+    wrong = i;
+  }
+  if (wrong == sides.size()) return false;
+  sides[wrong] = 0;
+  return true;
+}
+
+/// Takes in the limit that is exceeded the most, in proportion to its terms.
+bool DenseProgram::add_missed(LimitSides& sides) const {
+  Digits50 worst = kResidue;
+  std::size_t missed = sides.size();
+  int side = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (sides[i] != 0) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const Digits50 value = B_.row(row).dot(y_.transpose());
+    const Digits50 terms =
+        1 + abs(lower_(row)) + abs(upper_(row)) + largest(B_.row(row).transpose()) * largest(y_);
+    const auto consider = [&](const Digits50& beyond, int which) {
+      if (!(beyond / terms > worst)) return;
+      worst = beyond / terms;
+      missed = i;
+      side = which;
+    };
+    if (has_lower_[i]) consider(lower_(row) - value, -1);
+    if (has_upper_[i]) consider(value - upper_(row), 1);
+  }
+  if (missed == sides.size()) return false;
+  sides[missed] = side;
+  return true;
+}
+
+}  // namespace
+
+LimitProblem limit_problem(const Subject<Digits50>& subject, const State& state,
+                           const std::vector<double>& tau, const std::vector<double>& f,
+                           double hierarchy) {
+  const SubjectAt<Digits50> at(subject, state);
+  const auto q = vector_of<Digits50>(state.q);
+  return {
+      interpreter::mass_matrix<Digits50>((*at).model, q),
+      interpreter::detail::held_jacobian<Digits50>((*at).model, (*at).constraints, (*at).loops, q),
+      interpreter::jacobian<Digits50>((*at).model, (*at).points, q),
+      vector_of<Digits50>(tau),
+      vector_of<Digits50>(f),
+      hierarchy};
+}
+
+LimitProblem perturbed(const LimitProblem& problem, double unit, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  const auto drawn = [&] {
+    const auto bits = static_cast<double>(engine() >> 11);
+    return Digits50(unit * (bits * 0x1p-52 - 1));
+  };
+  const Eigen::Index nv = problem.M.rows();
+  // In the unit of a velocity by which its inertia is 1.
+  Vector50 scales(nv);
+  for (Eigen::Index v = 0; v < nv; ++v) scales(v) = sqrt(problem.M(v, v));
+  const auto change = [&] {
+    Matrix50 T = Matrix50::Identity(nv, nv);
+    for (Eigen::Index i = 0; i < nv; ++i) {
+      for (Eigen::Index j = 0; j < nv; ++j) T(i, j) += drawn() * scales(j) / scales(i);
+    }
+    return T;
+  };
+  LimitProblem changed = problem;
+  const Matrix50 of_inertia = change();
+  changed.M = of_inertia.transpose() * problem.M * of_inertia;
+  changed.J_s = problem.J_s * change();
+  changed.J_t = problem.J_t * change();
+  for (Digits50& each : changed.tau) each *= 1 + drawn();
+  for (Digits50& each : changed.f) each *= 1 + drawn();
+  return changed;
+}
+
+LimitedOptimum point_at_limits(const LimitProblem& problem, const LimitFacts& facts,
+                               const LimitSides& sides) {
+  DenseProgram program(problem, facts);
+  program.solve(sides);
+  return program.optimum(sides);
+}
+
+bool has_ordinary_freedoms(const LimitProblem& problem, const LimitFacts& facts) {
+  const auto passive = static_cast<Eigen::Index>(facts.passive.size());
+  return problem.M.rows() + problem.f.size() - passive - rank_of(problem.J_s) == facts.freedoms;
+}
+
+std::optional<LimitedOptimum> find_limited_optimum(const LimitProblem& problem,
+                                                   const LimitFacts& facts, LimitSides sides,
+                                                   int most) {
+  DenseProgram program(problem, facts);
+  for (int corrections = 0; corrections <= most; ++corrections) {
+    if (program.correct(sides)) continue;
+    LimitedOptimum optimum = program.optimum(sides);
+    optimum.corrections = corrections;
+    return optimum;
+  }
+  return std::nullopt;
+}
+
+}  // namespace treeline

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "emission/limit_facts.hpp"
+#include "interpreter/digits50.hpp"
+#include "interpreter/types.hpp"
+#include "oracle/draw_state.hpp"
+#include "oracle/subject.hpp"
+
+namespace treeline {
+
+/// Torques and forces of an unlimited law at a state, and what limits them: the program of
+/// core/limited_torque.hpp in the velocities and forces themselves, without its coordinates.
+struct LimitProblem {
+  interpreter::Matrix<Digits50> M, J_s, J_t;
+  interpreter::Vector<Digits50> tau, f;
+  double hierarchy = 1;  ///< k of the cost
+};
+
+/// The problem at a state; `tau` and `f` as the generated code has computed them.
+LimitProblem limit_problem(const Subject<Digits50>& subject, const State& state,
+                           const std::vector<double>& tau, const std::vector<double>& f,
+                           double hierarchy);
+
+/// Which side of a limit is reached: -1 the lower, 1 the upper, 0 none. Limits are those of motors
+/// in the order of velocities, of cones, and the least slack, 0.
+using LimitSides = std::vector<int>;
+
+/// The point of least cost within limits.
+struct LimitedOptimum {
+  interpreter::Vector<Digits50> tau, f;
+  interpreter::Vector<Digits50> lost;  ///< accelerations that task rows lose
+  Digits50 lost_size;                  ///< size of the terms of these
+  Digits50 slack;
+  int corrections = 0;  ///< how often the sides that were given first had to be changed
+  LimitSides sides;     ///< the limits that are reached
+};
+
+/// The same problem with M, J_s and J_t for velocities that differ by about `unit` of themselves,
+/// and tau and f by as much: what rounding of these numbers alone does. Relations between rows
+/// stay. The same seed gives the same problem.
+LimitProblem perturbed(const LimitProblem& problem, double unit, std::uint64_t seed);
+
+/// The point of least cost with these limits reached, whatever the others are.
+LimitedOptimum point_at_limits(const LimitProblem& problem, const LimitFacts& facts,
+                               const LimitSides& sides);
+
+/// Whether as many changes keep the equations as in ordinary states, whose freedoms the generated
+/// code has. Held rows that depend on each other only here leave more.
+bool has_ordinary_freedoms(const LimitProblem& problem, const LimitFacts& facts);
+
+/// Solves the KKT system of the limits that are reached in 50 digits, and changes these until all
+/// conditions hold: no limit is exceeded, and no multiplier has the wrong sign. The cost is
+/// strictly convex in what the equations leave free, so that this certifies the point. Nothing
+/// where `most` changes do not do.
+std::optional<LimitedOptimum> find_limited_optimum(const LimitProblem& problem,
+                                                   const LimitFacts& facts, LimitSides sides,
+                                                   int most = 60);
+
+}  // namespace treeline

@@ -1,0 +1,120 @@
+#include "data/list_data.hpp"
+#include "fixture.hpp"
+#include "oracle/limited_optimum.hpp"
+
+// limited_control_torque in `check`. Would catch: limits that `check` passes over in silence, a
+// result that is within limits and not the optimum, an optimum that is not what the cost of the
+// page has, a certificate that takes the generated code's word for which limits are reached, and
+// torques that change where nothing is limited.
+
+namespace treeline::tests {
+namespace {
+
+Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(urdf, diagnostics);
+  if (!robot) throw std::runtime_error("the robot cannot be read");
+  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
+  if (!scene) throw std::runtime_error(to_string(diagnostics.list().front()));
+  return {*robot, *scene, generate(*robot, *scene)};
+}
+
+/// An arm whose hand slides along a wall at most as friction permits.
+Subjects arm(const std::string& more = "") {
+  return in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf",
+                  "operational_points: [{name: tool, link: wrist_1, rows: [x, y]}]\n"
+                  "constraints: [{name: wall, between: [tool, world], rows: [x, y, z], "
+                  "friction: 0.5, least_force: 2}]\n"
+                  "torque_limits: urdf\nfunctions: [supported_control_torque, mass_matrix, "
+                  "constraint_jacobian, jacobian]\n" +
+                      more);
+}
+
+Subjects quadruped() {
+  std::string scene =
+      "base: floating\noperational_points:\n  - {name: trunk, link: base}\ntorque_limits: urdf\n"
+      "functions: [supported_control_torque, mass_matrix, constraint_jacobian, jacobian]\n"
+      "constraints:\n";
+  for (const char* foot : {"LF", "RF", "LH", "RH"}) {
+    scene += "  - {name: " + std::string(foot) + ", between: [" + foot +
+             "_FOOT, world], rows: [x, y, z], friction: 0.7, sides: 8}\n";
+  }
+  return in_scene(data_file("published/anymal_c.urdf"), scene);
+}
+
+void expect_certified(const Subjects& subjects, int states, int least) {
+  const auto report = check_or_throw(subjects, quick_options(states));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  ASSERT_TRUE(report.limits);
+  EXPECT_EQ(report.limits->states, states);
+  EXPECT_GE(report.limits->certified, least) << print_text(report);
+  EXPECT_NE(print_text(report).find("KKT conditions certify"), std::string::npos);
+  std::cout << report.limits->certified << " of " << report.limits->limited << " certified, worst "
+            << report.limits->worst << " ulp, " << 100 * report.limits->of_bound
+            << " % of what is allowed" << '\n';
+}
+
+TEST(LimitsCheck, ArmAtAWall) {
+  expect_certified(arm(), 40, 10);
+}
+
+TEST(LimitsCheck, ArmAtAWallInFloat) {
+  expect_certified(arm("real: float\n"), 40, 10);
+}
+
+// Twelve forces of which six carry nothing, a base without motors.
+TEST(LimitsCheck, QuadrupedOnFourFeet) {
+  expect_certified(quadruped(), 40, 10);
+}
+
+// Would catch a check that does not look: another order of levels stays within all limits and obeys
+// the equations of motion.
+TEST(LimitsCheck, AnotherCostIsFound) {
+  const Subjects subjects = arm();
+  const TemporaryFolder temporary;
+  CheckOptions options = quick_options(40);
+  options.folder = temporary.path() / "ur10e";
+  write_folder(options.folder, subjects.generation);
+  const auto header = options.folder / "torque_limits.hpp";
+  std::string text = read_file(header);
+  const std::string from = "kHierarchy = Real(1000)";
+  const auto at = text.find(from);
+  ASSERT_NE(at, std::string::npos);
+  write_file(header, text.replace(at, from.size(), "kHierarchy = Real(10)"));
+  const auto report = check_or_throw(subjects, options);
+  ASSERT_TRUE(report.limits);
+  EXPECT_FALSE(report.limits->passed());
+  EXPECT_GT(report.limits->of_bound, 1);
+  EXPECT_EQ(report.limits->beyond_limits, 0);
+  EXPECT_NE(print_text(report).find("beyond its bound"), std::string::npos);
+}
+
+/// One motor of mass 2 that shall push with 7 and may with 3, and a cone that does not matter.
+TEST(LimitedOptimum, IsFoundFromAnyLimits) {
+  LimitProblem problem;
+  problem.M = interpreter::Matrix<Digits50>::Constant(1, 1, 2);
+  problem.J_s.resize(0, 1);
+  problem.J_t = interpreter::Matrix<Digits50>::Constant(1, 1, 4);
+  problem.tau = interpreter::Vector<Digits50>::Constant(1, 7);
+  problem.f.resize(0);
+  problem.hierarchy = 1000;
+  LimitFacts facts;
+  facts.torque = {3};
+  facts.task_weights = {1};
+  facts.freedoms = 1;
+  EXPECT_TRUE(has_ordinary_freedoms(problem, facts));
+  for (const int side : {-1, 0, 1}) {
+    for (const int slack : {0, -1}) {
+      const auto optimum = find_limited_optimum(problem, facts, {side, slack});
+      ASSERT_TRUE(optimum);
+      // Of 7 N 4 are missing: the mass is accelerated by 2 less, its row by 8.
+      EXPECT_LT(abs(optimum->tau(0) - 3), Digits50("1e-20"));
+      EXPECT_LT(abs(optimum->lost(0) + 8), Digits50("1e-20"));
+      EXPECT_LT(abs(optimum->slack), Digits50("1e-20"));
+      EXPECT_EQ(optimum->corrections > 0, side != 1 || slack == 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
