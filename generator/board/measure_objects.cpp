@@ -73,10 +73,10 @@ SectionBytes add_sections(std::string_view listing) {
   std::istringstream lines{std::string(listing)};
   for (std::string line; std::getline(lines, line);) {
     const auto words = split_words(line);  // name, size, address
-    if (words.size() != 3 || !words[0].starts_with(".")) continue;
+    if (words.size() != 3) continue;
     const int size = std::atoi(words[1].c_str());
     const auto is = [&](const char* section) { return words[0].starts_with(section); };
-    if (is(".text")) bytes.text += size;
+    if (is(".text") || is("treeline_")) bytes.text += size;  // the latter of `prefetch`
     if (is(".rodata") || is(".srodata")) bytes.constants += size;
     if (is(".data") || is(".sdata") || is(".bss") || is(".sbss")) bytes.variables += size;
   }

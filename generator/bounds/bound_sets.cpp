@@ -1,7 +1,9 @@
 #include "bounds/bound_sets.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -33,6 +35,15 @@ struct SetBounds::Turn {
     return static_cast<std::size_t>(std::find(leaves.begin(), leaves.end(), leaf) - leaves.begin());
   }
 };
+
+std::size_t SetBounds::Hash::operator()(const Set& set) const {
+  std::uint64_t hash = set.size();
+  for (const Member& member : set) {
+    hash = (hash ^ member.node ^ std::bit_cast<std::uint64_t>(member.weight)) * 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
 
 SetBounds::SetBounds(const Graph& graph, InputSizes inputs, double unit)
     : graph_(graph),

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <map>
+#include <cstddef>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "bounds/bound_forms.hpp"
@@ -62,7 +63,10 @@ class SetBounds {
   std::vector<std::uint32_t> divisions_;  ///< by node without bound
   std::vector<int> height_;               ///< number of operations on the longest path to an input
   std::vector<Angle> turns_;              ///< see `find_turn`
-  std::map<Set, Bounded> known_;
+  struct Hash {
+    std::size_t operator()(const Set& set) const;
+  };
+  std::unordered_map<Set, Bounded, Hash> known_;
 };
 
 }  // namespace treeline::bounds

@@ -1,23 +1,38 @@
 #include "bounds/norm_memo.hpp"
 
+#include <bit>
+
 namespace treeline::bounds {
 namespace {
 
-/// Entries of the matrix without their angle, on which no norm depends.
-std::vector<double> key_of(const TrigMatrix& A) {
-  std::vector<double> key;
-  key.reserve(2 + 7 * A.entries.size());
-  key.push_back(static_cast<double>(A.rows));
-  key.push_back(static_cast<double>(A.columns));
+/// Entries of the matrix without their angle, on which no norm depends. Of each its place, which of
+/// its coefficients are not 0, and these.
+std::vector<std::uint64_t> key_of(const TrigMatrix& A) {
+  std::vector<std::uint64_t> key;
+  key.reserve(1 + 4 * A.entries.size());
+  key.push_back(std::uint64_t{A.rows} << 32 | A.columns);
   for (const MatrixEntry& entry : A.entries) {
-    key.push_back(static_cast<double>(entry.row));
-    key.push_back(static_cast<double>(entry.column));
-    key.insert(key.end(), entry.value.c.begin(), entry.value.c.end());
+    const std::size_t head = key.size();
+    key.push_back(std::uint64_t{entry.row} << 36 | std::uint64_t{entry.column} << 8);
+    for (std::size_t i = 0; i < entry.value.c.size(); ++i) {
+      if (entry.value.c[i] == 0) continue;
+      key[head] |= std::uint64_t{1} << i;
+      key.push_back(std::bit_cast<std::uint64_t>(entry.value.c[i]));
+    }
   }
   return key;
 }
 
 }  // namespace
+
+std::size_t NormMemo::Hash::operator()(const Key& key) const {
+  std::uint64_t hash = key.size();
+  for (const std::uint64_t part : key) {
+    hash = (hash ^ part) * 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
 
 const NormMemo::Norms& NormMemo::of(const TrigMatrix& A) {
   const auto [at, is_new] = found_.try_emplace(key_of(A));

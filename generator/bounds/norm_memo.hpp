@@ -1,6 +1,8 @@
 #pragma once
 
-#include <map>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "bounds/operator_norm.hpp"
@@ -19,7 +21,11 @@ class NormMemo {
   const Norms& of(const TrigMatrix& A);
 
  private:
-  std::map<std::vector<double>, Norms> found_;  ///< by everything that the norms depend on
+  using Key = std::vector<std::uint64_t>;  ///< everything that the norms depend on
+  struct Hash {
+    std::size_t operator()(const Key& key) const;
+  };
+  std::unordered_map<Key, Norms, Hash> found_;
 };
 
 }  // namespace treeline::bounds

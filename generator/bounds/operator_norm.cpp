@@ -47,8 +47,16 @@ Matrix value_at(const TrigMatrix& A, int sample, int samples) {
 /// Products of the rows, or of the columns if they are fewer. The largest eigenvalue of this matrix
 /// is the square of A's norm.
 Matrix gram(const Matrix& A) {
-  if (A.rows() <= A.cols()) return A.lazyProduct(A.transpose());
-  return A.transpose().lazyProduct(A);
+  if (A.rows() > A.cols()) return A.transpose().lazyProduct(A);
+  Matrix G(A.rows(), A.rows());
+  for (Eigen::Index j = 0; j < A.rows(); ++j) {
+    for (Eigen::Index i = j; i < A.rows(); ++i) {
+      double sum = 0;
+      for (Eigen::Index k = 0; k < A.cols(); ++k) sum += A(i, k) * A(j, k);
+      G(i, j) = G(j, i) = sum;
+    }
+  }
+  return G;
 }
 
 /// Whether all eigenvalues of G are below `most`. In that case most 1 - G has a factorization L D
@@ -147,9 +155,10 @@ double operator_norm(const TrigMatrix& A, const std::vector<double>& scale) {
   };
   const Matrix first = gram_at(0, kFew);
   const int step = is_of_first_degree(A) ? 2 : 1;
+  const double nearly = 1e-12 * first.cwiseAbs().maxCoeff();
   bool same = true;
   for (int i = step; same && i < kFew; i += step) {
-    same = (gram_at(i, kFew) - first).cwiseAbs().maxCoeff() <= 1e-12 * first.cwiseAbs().maxCoeff();
+    same = (gram_at(i, kFew) - first).cwiseAbs().maxCoeff() <= nearly;
   }
   if (same) return std::sqrt(largest_eigenvalue(first)) * kRounding;
   std::vector<Matrix> grams;

@@ -128,11 +128,25 @@ void ErrorPropagation::evaluate(const std::vector<States>& inputs) {
   }
 }
 
+/// Lists in `cone_` the nodes that the node depends on, users before their operands.
+void ErrorPropagation::find_cone(std::uint32_t node) {
+  if (!cone_.empty() && cone_.front() == node) return;
+  cone_.clear();
+  std::vector<std::uint8_t> inside(std::size_t{node} + 1, 0);
+  inside[node] = 1;
+  for (std::uint32_t i = node; i > 0; --i) {
+    if (inside[i] == 0) continue;
+    cone_.push_back(i);
+    inside[left(graph_.nodes()[i])] = inside[right(graph_.nodes()[i])] = 1;
+  }
+}
+
 const States& ErrorPropagation::bound(std::uint32_t node) {
-  std::fill_n(derivatives_.begin(), node, States{});
+  find_cone(node);
+  for (const std::uint32_t i : cone_) derivatives_[i].fill(0);
   derivatives_[node].fill(1);
   bound_ = {};
-  for (std::size_t i = node; i > 0; --i) {
+  for (const std::uint32_t i : cone_) {
     const States& g = derivatives_[i];
     if (g == States{}) continue;
     const Node& at = graph_.nodes()[i];

@@ -37,10 +37,13 @@ class ErrorPropagation {
   [[nodiscard]] const States& sampled(std::uint32_t node) const { return samples_[node]; }
 
  private:
+  void find_cone(std::uint32_t node);
+
   const Graph& graph_;
   double underflow_;          ///< smallest positive number, in rounding units
   std::vector<bool> rounds_;  ///< by node, whether its operation rounds
   std::vector<States> values_, derivatives_, samples_;
+  std::vector<std::uint32_t> cone_;  ///< of the node that was bounded last
   States bound_{};
 };
 

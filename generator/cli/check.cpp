@@ -40,7 +40,7 @@ constexpr const char* kHowToReadCheck =
     "              expression graph to the bit\n"
     "  code, stack bytes of the function with its sines and cosines, of damped_control_torque\n"
     "              without the functions that it calls; cc: seconds to compile it; of more than\n"
-    "              12000 operations with -O1, unless --flags says how\n"
+    "              12000 operations with -O0, which is larger, unless --flags says how\n"
     "State classes: neutral, random (within limits), large (angles of many turns), fast, tiny,\n"
     "aligned (joints at or next to quarter turns, where arms are singular), limits (joints at "
     "their\n"
@@ -168,7 +168,11 @@ void add_check(CLI::App& app, int& exit_code) {
     if (states->empty() && is_for_board(*options)) {
       options->check.references.states = kStatesOnBoard;
     }
-    if (flags->empty()) options->check.compile.long_flags = "-O1 -ffp-contract=off";
+    // Bits are the same at any level, and compiling long functions takes most of the time.
+    if (flags->empty()) {
+      options->check.compile.long_flags =
+          fmt::format("{} -ffp-contract=off", is_for_board(*options) ? "-O1" : "-O0");
+    }
     exit_code = run(*options);
   });
 }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <memory>
 
 #include "cli/exit_code.hpp"
@@ -18,6 +19,7 @@
 #include "drawing/draw_robot.hpp"
 #include "drawing/recorded_motion.hpp"
 #include "drawing/scene_solids.hpp"
+#include "launch/split_ball_joints.hpp"
 
 namespace treeline {
 namespace {
@@ -82,6 +84,14 @@ std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnos
   auto surroundings = surroundings_of(read->files.scene_text, read->robot);
   return Drawn{std::move(read->robot), std::move(*scene), std::move(visuals),
                std::move(surroundings)};
+}
+
+/// In a record of `treeline drive` ball joints are the hinges that were driven.
+void split_if_driven(const DrawOptions& options, Drawn& drawn) {
+  std::ifstream motion(options.motion);
+  if (options.motion.empty() || motion.peek() != '{') return;
+  Diagnostics said_while_driven;
+  split_ball_joints(drawn.robot, drawn.scene, said_while_driven);
 }
 
 /// Index of the point whose path is drawn; nothing, with an error, if the scene has none such.
@@ -157,8 +167,9 @@ std::optional<std::vector<Moment>> choose_moments(const DrawOptions& options, co
 }
 
 int draw(const DrawOptions& options, Diagnostics& diagnostics) {
-  const auto drawn = read_files(options, diagnostics);
+  auto drawn = read_files(options, diagnostics);
   if (!drawn) return kBadInput;
+  split_if_driven(options, *drawn);
   const LinkPlacer placer(drawn->robot, drawn->scene);
   auto moments = choose_moments(options, *drawn, placer, diagnostics);
   if (!moments) return kBadInput;

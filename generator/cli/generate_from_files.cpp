@@ -25,6 +25,7 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
   text += options.name.empty() ? "" : " --name " + options.name;
   text += options.real.empty() ? "" : " --real " + options.real;
   text += options.language.empty() ? "" : " --language " + options.language;
+  text += options.profile.empty() ? "" : " --profile " + options.profile;
   text += options.target.empty() ? "" : " --target " + options.target;
   if (!options.functions.empty()) {
     text += fmt::format(" --functions {}", fmt::join(options.functions, ","));

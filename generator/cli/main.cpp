@@ -8,6 +8,10 @@
 #include <system_error>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "cli/bench.hpp"
 #include "cli/certify.hpp"
 #include "cli/check.hpp"
@@ -35,6 +39,17 @@ std::vector<std::string> read_arguments(int argc, char** argv) {
   arguments.erase(arguments.begin());
   arguments.emplace_back("--help");
   return arguments;
+}
+
+/// Keeps memory that is freed: traces take and free megabytes, hundreds of times, and glibc would
+/// hand them back to the kernel and ask for them again.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kBytes = 64 << 20;
+  (void)mallopt(M_TRIM_THRESHOLD, kBytes);
+  (void)mallopt(M_TOP_PAD, kBytes);
+  (void)mallopt(M_MMAP_THRESHOLD, kBytes / 2);
+#endif
 }
 
 void add_commands(CLI::App& app, int& exit_code) {
@@ -86,6 +101,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   treeline::clean_up_on_signals();
   try {
     return run(argc, argv);

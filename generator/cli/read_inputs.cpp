@@ -55,6 +55,9 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
   if (!options.language.empty()) {
     scene.language = options.language == "c" ? Language::c : Language::cpp;
   }
+  if (!options.profile.empty()) {
+    scene.profile = options.profile == "misra" ? Profile::misra : Profile::plain;
+  }
   if (!options.target.empty()) scene.target = options.target;
   follow_target(scene);
   warn_of_target(scene, diagnostics);
@@ -81,6 +84,11 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 void add_language_option(CLI::App& command, InputOptions& options) {
   command.add_option("--language", options.language, "Of the code, instead of the scene's")
       ->check(one_of({"c", "c++"}));
+  command
+      .add_option(
+          "--profile", options.profile,
+          "How the code is written, instead of the scene's: misra follows rules for safe code")
+      ->check(one_of({"plain", "misra"}));
 }
 
 std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {

@@ -35,7 +35,8 @@ int bytes_of(Real real) {
 void follow_target(Scene& scene) {
   if (scene.asks_for_lanes) return;
   const bool is_c = scene.language == Language::c;
-  scene.lanes = is_c ? 1 : choose_lanes(target_of(scene), bytes_of(scene.real));
+  const bool scalar = is_c || scene.profile == Profile::misra;
+  scene.lanes = scalar ? 1 : choose_lanes(target_of(scene), bytes_of(scene.real));
 }
 
 void warn_of_target(const Scene& scene, Diagnostics& diagnostics) {
@@ -51,6 +52,13 @@ void warn_of_target(const Scene& scene, Diagnostics& diagnostics) {
          can_single ? "write real: float, which it computes with instructions"
                     : "see what a call takes with treeline check --target, or take another target",
          diagnostics);
+  }
+  if (scene.prefetch && !target.contracts) {
+    diagnostics.add({Severity::error, scene.file, 0, "prefetch",
+                     fmt::format("code is loaded into caches where an operating system runs other "
+                                 "programs, not on {}",
+                                 target.name),
+                     "leave out prefetch; TREELINE_CODE_SECTION places code in fast memory"});
   }
   const int most = choose_lanes(target, bytes);
   if (is_particular(target) && scene.lanes > most) {

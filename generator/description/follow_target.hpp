@@ -14,12 +14,13 @@ std::vector<std::string> target_names();
 /// Bytes of one number of this type.
 int bytes_of(Real real);
 
-/// Sets what follows from the scene's language and target: its lanes, if the author does not ask
-/// for any. C has lanes only through an extension of GCC and Clang, and gets none unasked.
+/// Sets what follows from the scene's language, profile and target: its lanes, if the author does
+/// not ask for any. C has lanes only through an extension of GCC and Clang, and gets none unasked.
 void follow_target(Scene& scene);
 
 /// Warns if the target emulates the scene's `real`, and what that costs, or has no registers for
-/// lanes that the author has chosen.
+/// lanes that the author has chosen. An error: code to be loaded into caches that a
+/// microcontroller does not have.
 void warn_of_target(const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace treeline

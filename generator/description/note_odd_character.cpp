@@ -17,7 +17,6 @@ struct Named {
 };
 
 constexpr std::array kNamed = {
-    Named{'\t', '\t', "a tab", true},
     Named{' ', ' ', "a space", true},
     Named{0xA0, 0xA0, "a no-break space", true},
     Named{0xAD, 0xAD, "a soft hyphen", true},

@@ -18,6 +18,10 @@ enum class Axes { world, local };
 enum class Real { float32, float64 };
 /// Of the emitted code: C++17 or C99.
 enum class Language { cpp, c };
+/// How the emitted code is written: as compilers like it best, or as rules for safe code ask.
+enum class Profile { plain, misra };
+/// What to prefer where code can be shorter at the cost of time: by function where `balanced`.
+enum class Optimize { speed, size, balanced };
 /// Whether functions compute the sines and cosines of q or take them as arguments.
 enum class Sines { computed, given };
 /// What to prefer where operations can be saved at the cost of digits.
@@ -227,6 +231,9 @@ struct Scene {
   std::vector<Function> functions;  ///< sorted, unique
   Real real = Real::float64;
   Language language = Language::cpp;
+  Profile profile = Profile::plain;
+  Optimize optimize = Optimize::speed;
+  bool prefetch = false;  ///< asks for NAME_prefetch, which loads the functions' code into caches
   Sines sin_cos = Sines::computed;
   Accuracy accuracy = Accuracy::balanced;
   /// Angles of the files that are quarter turns rounded to a few digits are taken as exact

@@ -146,6 +146,18 @@ void read_language(const SceneElement& element, Scene& scene) {
   scene.language = element.choice({"c++", "c"}) == 1 ? Language::c : Language::cpp;
 }
 
+void read_profile(const SceneElement& element, Scene& scene) {
+  scene.profile = element.choice({"plain", "misra"}) == 1 ? Profile::misra : Profile::plain;
+}
+
+void read_optimize(const SceneElement& element, Scene& scene) {
+  scene.optimize = static_cast<Optimize>(element.choice({"speed", "size", "balanced"}).value_or(0));
+}
+
+void read_prefetch(const SceneElement& element, Scene& scene) {
+  scene.prefetch = element.choice({"false", "true"}) == 1;
+}
+
 void read_target(const SceneElement& element, Scene& scene) {
   const std::vector<std::string> names = target_names();
   scene.target = names[element.choice(names).value_or(0)];
@@ -187,6 +199,9 @@ const std::vector<SceneKey>& scene_keys() {
       {"noise", without_robot<read_noise>},
       {"lanes", without_robot<read_lanes>},
       {"language", without_robot<read_language>},
+      {"profile", without_robot<read_profile>},
+      {"optimize", without_robot<read_optimize>},
+      {"prefetch", without_robot<read_prefetch>},
       {"target", without_robot<read_target>},
       {"batch", without_robot<read_batch>},
       {"singular", without_robot<read_singular>},

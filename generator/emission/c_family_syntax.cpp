@@ -13,6 +13,14 @@ namespace {
 std::string float_literal(double value) {
   return format_literal(static_cast<float>(value));
 }
+
+/// With its suffix in capitals.
+std::string safe_float_literal(double value) {
+  std::string text = float_literal(value);
+  text.back() = 'F';
+  return text;
+}
+
 std::string double_literal(double value) {
   return format_literal(value);
 }
@@ -57,6 +65,11 @@ Syntax make_c_family_syntax(bool single_precision) {
   syntax.store = assign;
   syntax.read = read_plainly;
   return syntax;
+}
+
+void follow_misra(bool single_precision, Syntax& syntax) {
+  syntax.parentheses = Parentheses::all;
+  if (single_precision) syntax.literal = safe_float_literal;
 }
 
 std::string in_capitals(std::string name) {

@@ -11,6 +11,9 @@ namespace treeline {
 /// constants. Numbers, lanes and sines are left to fill in.
 Syntax make_c_family_syntax(bool single_precision);
 
+/// What rules for safe code ask of these: suffixes in capitals, all parentheses.
+void follow_misra(bool single_precision, Syntax& syntax);
+
 std::string in_capitals(std::string name);
 /// The robot's name in capitals, as constants and macros begin: `PUMA560`.
 std::string name_in_capitals(const EmissionContext& context);

@@ -6,6 +6,7 @@
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_parts.hpp"
 #include "emission/print_target.hpp"
 #include "program/format_literal.hpp"
 
@@ -100,6 +101,15 @@ std::string describe_input_costs(const EmissionContext& context, const Program& 
   return wrap_text(text + ".", 95) + "\n";
 }
 
+/// `13 values live at once, 104 bytes`
+std::string describe_stack(const EmissionContext& context, const Program& program) {
+  const int live = count_live_values(program);
+  const int shared = context.misra ? static_cast<int>(count_shared_values(program)) : 0;
+  return fmt::format("{} values live at once{}, {} bytes", live,
+                     shared > 0 ? fmt::format(", {} are shared by parts", shared) : "",
+                     (live + shared) * (context.single_precision ? 4 : 8));
+}
+
 }  // namespace
 
 std::string describe_function(const EmissionContext& context, const Program& program) {
@@ -112,10 +122,8 @@ std::string describe_function(const EmissionContext& context, const Program& pro
   for (const Result& result : program.results) {
     text += describe_argument(result.argument, "out");
   }
-  const int live = count_live_values(program);
-  text += fmt::format("Cost: {}.\n{}Stack, an estimate: {} values live at once, {} bytes.\n",
-                      describe_cost(program), describe_input_costs(context, program), live,
-                      live * (context.single_precision ? 4 : 8));
+  text += fmt::format("Cost: {}.\n{}Stack, an estimate: {}.\n", describe_cost(program),
+                      describe_input_costs(context, program), describe_stack(context, program));
   if (!program.singular.empty()) {
     text += wrap_text("Singularities: " + program.singular, 95) + "\n";
   }

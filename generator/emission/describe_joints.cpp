@@ -68,6 +68,11 @@ std::vector<std::string> name_task_rows(const EmissionContext& context) {
 
 }  // namespace
 
+double largest_number(bool single_precision) {
+  return single_precision ? static_cast<double>(std::numeric_limits<float>::max())
+                          : std::numeric_limits<double>::max();
+}
+
 JointArrays describe_joints(const EmissionContext& context, const Syntax& syntax,
                             const std::string& unlimited) {
   std::vector<std::string> joints, meanings, movers, names;
@@ -92,9 +97,7 @@ JointArrays describe_joints(const EmissionContext& context, const Syntax& syntax
   return {{{"robot", context.robot},
            {"name", context.name},
            {"real", context.single_precision ? "float" : "double"},
-           {"unlimited", syntax.literal(context.single_precision
-                                            ? static_cast<double>(std::numeric_limits<float>::max())
-                                            : std::numeric_limits<double>::max())},
+           {"unlimited", syntax.literal(largest_number(context.single_precision))},
            {"nq", std::to_string(joints.size())},
            {"nv", std::to_string(names.size())},
            {"coordinate_joints", print_strings(joints)},

@@ -16,6 +16,9 @@ struct JointArrays {
   std::string task_row_names;
 };
 
+/// The largest finite number, which stands for limits that there are not.
+double largest_number(bool single_precision);
+
 /// A limit that the URDF does not state is written as `unlimited`.
 JointArrays describe_joints(const EmissionContext& context, const Syntax& syntax,
                             const std::string& unlimited);

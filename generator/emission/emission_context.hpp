@@ -23,7 +23,11 @@ struct EmissionContext {
   std::string command;  ///< that regenerates the folder, file names without directories
   Language language = Language::cpp;
   bool single_precision = false;
-  std::string target = "generic";    ///< processor, see `find_target`
+  bool misra = false;              ///< written as rules for safe code ask
+  std::string target = "generic";  ///< processor, see `find_target`
+  Optimize optimize = Optimize::speed;
+  bool prefetch = false;             ///< asks for NAME_prefetch
+  int lanes = 1;                     ///< numbers that the code may compute together
   int batch = 0;                     ///< states a call of the functions in NAME_batch.hpp; 0: none
   std::vector<double> heaviest;      ///< of each task row, for NAME_damped.hpp; empty: none
   bool limited = false;              ///< whether the scene asks for NAME_limited.hpp

@@ -10,6 +10,7 @@
 #include "emission/controller_unit.hpp"
 #include "emission/guard_headers.hpp"
 #include "emission/print_manifest.hpp"
+#include "emission/print_prefetch.hpp"
 
 namespace treeline {
 namespace {
@@ -50,15 +51,11 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
         {program.name + std::string(backend.source), backend.print_source(context, program)});
   }
   append(backend.print_more(context, programs, batch), files);
+  append(print_prefetch(context, programs), files);
   for (GeneratedFile& file : files) file.text = harmless(file.text);
   append(backend.print_runtime(context, programs, batch), files);
   guard_headers(context.name, files);
-  std::vector<std::string> names = {kManifestName};
-  for (const GeneratedFile& file : files) {
-    names.push_back(file.name);
-  }
-  std::sort(names.begin(), names.end());
-  files.push_back({kManifestName, print_manifest(context, programs, names)});
+  files.push_back({kManifestName, print_manifest(context, programs, files)});
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& a, const GeneratedFile& b) { return a.name < b.name; });
   return files;

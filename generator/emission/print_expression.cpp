@@ -11,7 +11,7 @@ bool ExpressionPrinter::is_atom(std::uint32_t node) const {
 
 std::string ExpressionPrinter::reference(std::uint32_t node) const {
   const Node& what = graph_.nodes()[node];
-  if (what.op == Op::constant) {
+  if (what.op == Op::constant && names_[node].empty()) {
     const std::string text = syntax_.literal(what.value);
     return what.value < 0 ? fmt::format("({})", text) : text;
   }
@@ -30,8 +30,9 @@ std::string ExpressionPrinter::operand(std::uint32_t node, Op user, bool is_righ
   const std::string text = reference(node);
   const bool user_is_sum = is_sum(user);
   const bool own_is_sum = is_sum(graph_.nodes()[node].op);
-  const bool binds = is_atom(node) || (user_is_sum && !own_is_sum && !syntax_.parenthesize) ||
-                     (user_is_sum == own_is_sum && !is_right);
+  const bool loose = user_is_sum && !own_is_sum && syntax_.parentheses == Parentheses::needed;
+  const bool alike = user_is_sum == own_is_sum && !is_right;
+  const bool binds = is_atom(node) || (syntax_.parentheses != Parentheses::all && (loose || alike));
   return binds ? text : fmt::format("({})", text);
 }
 

@@ -102,7 +102,8 @@ std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
       return pack_names_[p];
     }
     const bool own_is_sum = is_sum(op_of(p));
-    const bool loose = is_sum(user) && !own_is_sum && !expressions.syntax().parenthesize;
+    const bool loose =
+        is_sum(user) && !own_is_sum && expressions.syntax().parentheses == Parentheses::needed;
     const bool binds = loose || (is_sum(user) == own_is_sum && !is_right);
     return binds ? formula(p, expressions) : fmt::format("({})", formula(p, expressions));
   }

@@ -28,9 +28,12 @@ std::string print_list(const Range& range, Print print) {
   return list;
 }
 
+std::string print_digest(const std::string& file, const std::string& text) {
+  return fmt::format(R"({{"file": {}, "sha256": "{}"}})", quote_json(file), digest(text));
+}
+
 std::string print_input(const EmissionContext::Input& input) {
-  return fmt::format(R"({{"file": {}, "sha256": "{}"}})", quote_json(input.file),
-                     digest(input.text));
+  return print_digest(input.file, input.text);
 }
 
 /// The inputs that are files; a scene may be none.
@@ -148,7 +151,13 @@ std::string quote_json(std::string_view text) {
 }
 
 std::string print_manifest(const EmissionContext& context, std::span<const Program> programs,
-                           const std::vector<std::string>& files) {
+                           const std::vector<GeneratedFile>& files) {
+  std::vector<GeneratedFile> sorted = files;
+  std::sort(sorted.begin(), sorted.end(),
+            [](const GeneratedFile& a, const GeneratedFile& b) { return a.name < b.name; });
+  std::vector<std::string> names = {kManifestName};
+  for (const GeneratedFile& file : sorted) names.push_back(file.name);
+  std::sort(names.begin(), names.end());
   return fill_template(
       templates::kManifest,
       {{"generator", quote_json(fmt::format("treeline {}", generator_version()))},
@@ -156,6 +165,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"robot", quote_json(context.robot)},
        {"command", quote_json(context.command)},
        {"language", context.language == Language::c ? "  \"language\": \"c\",\n" : ""},
+       {"profile", context.misra ? "  \"profile\": \"misra\",\n" : ""},
        {"real", context.single_precision ? "\"float\"" : "\"double\""},
        {"target", print_target_line(context)},
        {"coordinates", std::to_string(context.coordinates)},
@@ -172,7 +182,9 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},
        {"choices", print_list(context.choices, print_choice)},
-       {"files", print_list(files, [](const std::string& f) { return quote_json(f); })}});
+       {"outputs",
+        print_list(sorted, [](const GeneratedFile& f) { return print_digest(f.name, f.text); })},
+       {"files", print_list(names, [](const std::string& f) { return quote_json(f); })}});
 }
 
 /// Reads only what `print_manifest` writes: one name a line below `"files": [`.

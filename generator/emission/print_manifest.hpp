@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emission/emission_context.hpp"
+#include "emission/generated_file.hpp"
 #include "program/program.hpp"
 
 namespace treeline {
@@ -15,10 +16,11 @@ inline constexpr const char* kManifestName = "manifest.json";
 /// `text` as a JSON string, with its quotes.
 std::string quote_json(std::string_view text);
 
-/// manifest.json: digests of the inputs, what each function costs, what was chosen, and
-/// the names of all files, which is how the next generation knows what is its own.
+/// manifest.json: digests of the inputs and of all other `files`, what each function costs, what
+/// was chosen, and the names of all files and its own, which is how the next generation knows what
+/// is its own.
 std::string print_manifest(const EmissionContext& context, std::span<const Program> programs,
-                           const std::vector<std::string>& files);
+                           const std::vector<GeneratedFile>& files);
 
 /// The files that a manifest lists; none when the text is not a manifest.
 std::vector<std::string> read_manifest_files(std::string_view manifest);

@@ -35,18 +35,18 @@ std::string describe_target(const EmissionContext& context) {
   const std::string made = wrap_text(fmt::format("Made for {}: {}. Flags: {}.{}", target->name,
                                                  target->about, target->flags, measure),
                                      95);
-  return fmt::format("\n{}\n{}", made, kSectionNote);
+  return fmt::format("\n{}\n{}", made, context.misra ? "" : kSectionNote);
 }
 
 std::string print_section_macro(const EmissionContext& context) {
-  if (particular_target(context) == nullptr) return {};
+  if (particular_target(context) == nullptr || context.misra) return {};
   return "\n#if !defined(TREELINE_CODE_SECTION)\n"
          "#define TREELINE_CODE_SECTION  // an attribute, to place the code in memory\n"
          "#endif\n";
 }
 
 std::string print_section(const EmissionContext& context) {
-  return particular_target(context) == nullptr ? "" : "TREELINE_CODE_SECTION\n";
+  return particular_target(context) == nullptr || context.misra ? "" : "TREELINE_CODE_SECTION\n";
 }
 
 std::string print_target_flags(const EmissionContext& context) {

@@ -250,7 +250,11 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.robot = robot.name;
   context.language = scene.language;
   context.single_precision = scene.real == Real::float32;
+  context.misra = scene.profile == Profile::misra;
   context.target = scene.target;
+  context.optimize = scene.optimize;
+  context.prefetch = scene.prefetch;
+  context.lanes = scene.lanes;
   context.batch = scene.batch;
   context.heaviest = heaviest_rows(scene);
   context.limited = scene.has_limits();

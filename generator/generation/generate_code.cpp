@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "generation/count_inputs.hpp"
 #include "generation/describe_limits.hpp"
 #include "generation/describe_scene.hpp"
+#include "generation/for_each_index.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
@@ -149,32 +151,53 @@ std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, 
   return generated;
 }
 
-/// Functions and batches of `generation`; false when a choice cannot be made.
+/// A function to generate, for one state or a batch, and what came of it.
+struct Job {
+  Function function;
+  bool batch = false;
+  const Mechanism* mechanism = nullptr;
+  std::optional<GeneratedFunction> generated = std::nullopt;
+  Diagnostics diagnostics = {};
+};
+
+std::vector<Job> list_jobs(FunctionMechanisms& mechanisms, const Scene& scene) {
+  std::vector<Job> jobs;
+  for (const Function function : scene.functions) {
+    const Mechanism& mechanism = mechanisms.of(function);
+    jobs.push_back({function, false, &mechanism});
+    if (scene.batch > 0) jobs.push_back({function, true, &mechanism});
+  }
+  return jobs;
+}
+
+void do_job(const Scene& scene, const Choices& choices, const Domain& domain, Job& job) {
+  job.generated = generate_by_choice(*job.mechanism, job.function, route_options(scene, job.batch),
+                                     job.batch ? choices.batch : choices.plain, job.diagnostics);
+  if (!job.generated) return;
+  if (job.batch) job.generated->batch = scene.batch;
+  job.generated->rounding =
+      bound_rounding(job.generated->program, domain, rounding_unit(scene), solve_of(job.function));
+}
+
+/// Functions and batches of `generation`; false when a choice cannot be made. They do not depend on
+/// each other, so several are generated at a time.
 bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, const Choices& choices,
                         const TellFunction& tell, Generation& generation,
                         Diagnostics& diagnostics) {
-  const auto bound = [&](GeneratedFunction& generated) {
-    generated.rounding = bound_rounding(generated.program, generation.domain, rounding_unit(scene),
-                                        solve_of(generated.function));
-  };
-  for (const Function function : scene.functions) {
+  std::vector<Job> jobs = list_jobs(mechanisms, scene);
+  std::mutex telling;
+  std::size_t begun = 0;
+  for_each_index(jobs.size(), [&](std::size_t i) {
     if (tell) {
-      tell(fmt::format("{} ({} of {})", function_name(function), generation.functions.size() + 1,
-                       scene.functions.size()));
+      const std::lock_guard lock(telling);
+      tell(fmt::format("{} ({} of {})", function_name(jobs[i].function), ++begun, jobs.size()));
     }
-    const Mechanism& mechanism = mechanisms.of(function);
-    auto plain =
-        generate_by_choice(mechanism, function, route_options(scene), choices.plain, diagnostics);
-    if (!plain) return false;
-    bound(*plain);
-    generation.functions.push_back(std::move(*plain));
-    if (scene.batch == 0) continue;
-    auto batch = generate_by_choice(mechanism, function, route_options(scene, true), choices.batch,
-                                    diagnostics);
-    if (!batch) return false;
-    batch->batch = scene.batch;
-    bound(*batch);
-    generation.batch.push_back(std::move(*batch));
+    do_job(scene, choices, generation.domain, jobs[i]);
+  });
+  for (Job& job : jobs) {
+    for (const Diagnostic& each : job.diagnostics.list()) diagnostics.add(each);
+    if (!job.generated) return false;
+    (job.batch ? generation.batch : generation.functions).push_back(std::move(*job.generated));
   }
   return true;
 }

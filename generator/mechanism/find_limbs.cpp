@@ -47,6 +47,10 @@ Subtree subtree_at(const Mechanism& mechanism, const Children& children, int roo
 /// Appends the families among the children of a link, then those farther out.
 void append_families(const Mechanism& mechanism, const Children& children, std::size_t parent,
                      std::size_t most, std::vector<LimbFamily>& families) {
+  if (children[parent].size() == 1) {  // alone, whatever its shape
+    const auto only = static_cast<std::size_t>(children[parent].front());
+    return append_families(mechanism, children, only, most, families);
+  }
   std::map<std::string, LimbFamily> by_shape;
   for (const int child : children[parent]) {
     Subtree subtree = subtree_at(mechanism, children, child);

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
+#include "mechanism/absorb_turn.hpp"
 #include "mechanism/build_mechanism.hpp"
 
 // A link's frame may be turned about its joint axis and slid along it (a prismatic link's frame may
@@ -19,58 +21,15 @@ namespace {
 /// lengths that cancel again lose at most two bits compared with the file's.
 constexpr int kFarthestSizes = 4;
 
-bool is_trivial(const Exact& entry) {
-  return entry == 0 || entry == 1 || entry == -1;
-}
-
-/// Number of operations to rotate a vector by a constant rotation.
-int rotation_cost(const ExactMatrix3& R) {
-  int multiplications = 0;
-  int terms = 0;
-  for (int i = 0; i < 9; ++i) {
-    const Exact& entry = R(i / 3, i % 3);
-    multiplications += is_trivial(entry) ? 0 : 1;
-    terms += entry == 0 ? 0 : 1;
-  }
-  return multiplications + terms - 3;
-}
-
-int nonzeros(const ExactVector3& v) {
-  return (v(0) != 0 ? 1 : 0) + (v(1) != 0 ? 1 : 0) + (v(2) != 0 ? 1 : 0);
-}
-
-// Number of vectors rotated and products taken per joint, in RNEA and the articulated-body
-// recursions together.
-constexpr int kRotationWeight = 8;
-constexpr int kPositionWeight = 12;
-
-int pose_cost(const ExactPose& pose) {
-  return kRotationWeight * rotation_cost(pose.R) + kPositionWeight * nonzeros(pose.p);
-}
-
-int link_cost(const MovingLink& link) {
-  const int offset = link.turns_by_angle() && link.offset != 0 ? 1 : 0;
-  // On a fixed base, nothing but gravity needs to be rotated, and gravity is constant.
-  return link.parent < 0 ? offset + nonzeros(link.placement.p) : offset + pose_cost(link.placement);
-}
-
 /// Cost of a link's inertia. The second moment of a prismatic link moves to its parent.
-int inertia_cost(const MovingLink& link) {
-  const int first = 10 * nonzeros(link.inertia.h);
+int inertia_cost(const MovingLink& link, const Inertia& inertia) {
+  const int first = 10 * nonzeros(inertia.h);
   if (link.kind == JointKind::prismatic) {
     return first;
   }
-  const auto& Sigma = link.inertia.Sigma;
+  const auto& Sigma = inertia.Sigma;
   return first + 5 * (Sigma(0, 1) != 0 ? 1 : 0) + 6 * (Sigma(0, 2) != 0 ? 1 : 0) +
          6 * (Sigma(1, 2) != 0 ? 1 : 0);
-}
-
-Exact folded_to_quarter(const Exact& angle) {
-  return angle - half_pi() * round(angle / half_pi());
-}
-
-bool is_parallel(const ExactMatrix3& R) {
-  return R(0, 2) == 0 && R(1, 2) == 0;
 }
 
 /// Decomposes R = Rz(a) Rx(alpha) Rz(b) and returns a. Returns false if alpha is a multiple of pi.
@@ -80,36 +39,6 @@ bool left_turn(const ExactMatrix3& R, Exact& a) {
   }
   a = atan2(R(0, 2), Exact(-R(1, 2)));
   return true;
-}
-Exact right_turn(const ExactMatrix3& R) {
-  if (R(2, 0) == 0 && R(2, 1) == 0) {
-    return atan2(R(1, 0), R(0, 0));
-  }
-  return atan2(R(2, 0), R(2, 1));
-}
-
-/// Moves the rotation about z at the end of a revolute link's placement to the joint angle, if that
-/// is cheaper.
-void absorb_turn(MovingLink& link, const Resolution& resolution, Change* change) {
-  if (!link.turns_by_angle()) {
-    return;
-  }
-  const ExactMatrix3& R = link.placement.R;
-  const bool is_quarter =
-      is_parallel(R) ? R(0, 0) == 0 || R(1, 0) == 0 : R(2, 0) == 0 || R(2, 1) == 0;
-  if (is_quarter) {
-    return;
-  }
-  const Exact turn = folded_to_quarter(right_turn(R));
-  MovingLink absorbed = link;
-  Change by_turn;
-  absorbed.placement = resolved(link.placement * ExactPose{rotation_z(-turn), ExactVector3::Zero()},
-                                resolution, change ? &by_turn : nullptr);
-  absorbed.offset = resolved(Exact(link.offset + turn), resolution);
-  if (link_cost(absorbed) < link_cost(link)) {
-    link = absorbed;
-    if (change) change->angle = std::max(change->angle, by_turn.angle);
-  }
 }
 
 /// A link with everything that depends on its frame.
@@ -122,7 +51,7 @@ struct Neighbourhood {
   ExactPose files_frame;  ///< pose of the file's frame in the present frame
 
   [[nodiscard]] int cost() const {
-    int sum = link_cost(link) + inertia_cost(link);
+    int sum = link_cost(link) + inertia_cost(link, link.inertia);
     for (const MovingLink& child : children) {
       sum += link_cost(child);
     }
@@ -148,6 +77,23 @@ struct Neighbourhood {
     }
     result.files_frame = back * files_frame;
     return result;
+  }
+
+  /// The cost of `placed_by`, or any cost that is not below `limit` if that is not. What costs the
+  /// most time comes last.
+  [[nodiscard]] int cost_below(int limit, const ExactPose& placement) const {
+    const ExactPose back = inverse(placement);
+    int sum = absorbed_cost(link, resolved(link.placement * placement, resolution), resolution);
+    for (const MovingLink& child : children) {
+      if (sum >= limit) return sum;
+      sum += absorbed_cost(child, resolved(back * child.placement, resolution), resolution);
+    }
+    for (const ExactPose& point : points) {
+      if (sum >= limit) return sum;
+      sum += pose_cost(resolved(back * point, resolution));
+    }
+    if (sum >= limit) return sum;
+    return sum + inertia_cost(link, resolved(transformed(link.inertia, back), resolution));
   }
 
   [[nodiscard]] bool is_near(const ExactVector3& shift) const {
@@ -248,7 +194,7 @@ std::vector<ExactVector3> origin_candidates(const Neighbourhood& around) {
 
 ExactPose best_placement(const Neighbourhood& around) {
   ExactPose best;
-  int best_cost = around.placed_by({}).cost();
+  int best_cost = around.cost_below(std::numeric_limits<int>::max(), {});
   const std::vector<ExactVector3> shifts = origin_candidates(around);
   std::vector<Exact> tried;
   for (const Exact& turn : turn_candidates(around)) {
@@ -256,7 +202,7 @@ ExactPose best_placement(const Neighbourhood& around) {
     tried.push_back(turn);
     const ExactMatrix3 R = rotation_z(turn);
     for (const ExactVector3& shift : shifts) {
-      const int cost = around.placed_by({R, shift}).cost();
+      const int cost = around.cost_below(best_cost, {R, shift});
       if (cost < best_cost) {
         best = {R, shift};
         best_cost = cost;
@@ -323,11 +269,14 @@ class FramePlacer {
       farthest_.push_back(kFarthestSizes * size_of(neighbourhood(mechanism, static_cast<int>(i))));
     }
     files_frames_.resize(mechanism.links.size());
+    is_settled_.resize(mechanism.links.size(), false);
   }
 
   /// Moves the frame of link `index` to the best candidate. Returns whether the cost decreased.
   bool place_link(int index) {
     const auto i = static_cast<std::size_t>(index);
+    if (is_settled_[i]) return false;
+    is_settled_[i] = true;
     Neighbourhood around = neighbourhood(mechanism_, index);
     around.farthest = farthest_[i];
     around.files_frame = files_frames_[i];
@@ -339,6 +288,7 @@ class FramePlacer {
                   mechanism_.noise);
     take(index, best, placement);
     files_frames_[i] = best.files_frame;
+    unsettle(index);
     return true;
   }
 
@@ -358,9 +308,21 @@ class FramePlacer {
     }
   }
 
+  /// Placing the link may now pay, as may placing those next to it.
+  void unsettle(int index) {
+    is_settled_[static_cast<std::size_t>(index)] = false;
+    for (std::size_t i = 0; i < is_settled_.size(); ++i) {
+      const bool is_child = mechanism_.links[i].parent == index;
+      const bool is_parent =
+          mechanism_.links[static_cast<std::size_t>(index)].parent == static_cast<int>(i);
+      if (is_child || is_parent) is_settled_[i] = false;
+    }
+  }
+
   Mechanism& mechanism_;
   std::vector<Exact> farthest_;
   std::vector<ExactPose> files_frames_;
+  std::vector<bool> is_settled_;  ///< the best candidate is known not to pay
 };
 
 }  // namespace

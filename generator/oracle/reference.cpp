@@ -6,7 +6,7 @@
 #include <map>
 #include <mutex>
 
-#include "oracle/for_each_index.hpp"
+#include "generation/for_each_index.hpp"
 #include "oracle/reference_maker.hpp"
 
 namespace treeline {

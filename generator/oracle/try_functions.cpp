@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "generation/for_each_index.hpp"
 #include "oracle/bound.hpp"
-#include "oracle/for_each_index.hpp"
 #include "oracle/reference.hpp"
 #include "oracle/reference_maker.hpp"
 

@@ -25,6 +25,7 @@ bool is_header(const std::string& file) {
 /// without fused operations, so that the bits are those of every other machine.
 std::vector<std::string> flags_of(const Scene& scene) {
   std::vector<std::string> flags = {"-fno-fast-math"};
+  if (scene.optimize == Optimize::size) flags.emplace_back("-Os");
   if (scene.language == Language::cpp) flags.emplace_back("-std=gnu++17");
   const Target* const target = find_target(scene.target);
   if (target != nullptr && !target->contracts) flags.emplace_back("-ffp-contract=off");

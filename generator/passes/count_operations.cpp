@@ -1,14 +1,18 @@
 #include "passes/count_operations.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "passes/rebuild.hpp"
 
 namespace treeline {
 namespace {
 
+/// By node. Bytes, because bits take three times as long.
+using Marks = std::vector<std::uint8_t>;
+
 /// Adds the operation of `node` to `count`. `angle_seen` marks the angles that have been counted.
-void count_node(const Node& node, std::vector<bool>& angle_seen, OperationCount& count) {
+void count_node(const Node& node, Marks& angle_seen, OperationCount& count) {
   switch (node.op) {
     case Op::add:
     case Op::sub:
@@ -22,8 +26,8 @@ void count_node(const Node& node, std::vector<bool>& angle_seen, OperationCount&
       break;
     case Op::sin:
     case Op::cos:
-      count.sin_cos += angle_seen[node.a] ? 0 : 1;
-      angle_seen[node.a] = true;
+      count.sin_cos += angle_seen[node.a] != 0 ? 0 : 1;
+      angle_seen[node.a] = 1;
       break;
     case Op::neg:  // flips a bit, as does the sign of a result
     case Op::constant:
@@ -42,13 +46,17 @@ SectionCount& entry(std::vector<SectionCount>& counts, const std::string& title)
 
 OperationCount count_operations(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
-  const std::vector<bool> live = find_live(program);
-  std::vector<bool> angle_seen(nodes.size(), false);
+  Marks live(nodes.size(), 0), angle_seen(nodes.size(), 0);
+  for (const Result& result : program.results) {
+    for (const Expression& value : result.values) live[value.node()] = 1;
+  }
   OperationCount total;
-  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-    if (live[i] && operation(nodes[i].op).operands > 0) {
-      count_node(nodes[i], angle_seen, total);
-    }
+  for (std::size_t i = nodes.size(); i-- > 0;) {  // users before their operands
+    const int operands = operation(nodes[i].op).operands;
+    if (live[i] == 0 || operands == 0) continue;
+    live[nodes[i].a] = 1;
+    if (operands == 2) live[nodes[i].b] = 1;
+    count_node(nodes[i], angle_seen, total);
   }
   return total;
 }
@@ -56,7 +64,7 @@ OperationCount count_operations(const Program& program) {
 std::vector<SectionCount> count_sections(const Program& program) {
   const Graph& graph = program.graph;
   const std::vector<bool> live = find_live(program);
-  std::vector<bool> angle_seen(graph.nodes().size(), false);
+  Marks angle_seen(graph.nodes().size(), 0);
   std::vector<SectionCount> counts;
   std::string title;
   auto section = graph.sections().begin();

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -34,11 +35,27 @@ std::vector<std::uint32_t> distinct(const LanePack& lanes) {
   return nodes;
 }
 
+struct HashOfLanes {
+  std::size_t operator()(const LanePack& lanes) const {
+    std::uint64_t hash = lanes.size();
+    for (const std::uint32_t node : lanes) {
+      hash = (hash ^ node) * 0x9e3779b97f4a7c15U;
+      hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+/// By node. Bytes, because bits take three times as long.
+using Marks = std::vector<std::uint8_t>;
+
 class Packer {
  public:
-  explicit Packer(const Program& program)
+  /// `isomorphic`: see `find_isomorphic_operations`.
+  Packer(const Program& program, const std::vector<LanePack>& isomorphic)
       : program_(program),
         nodes_(program.graph.nodes()),
+        isomorphic_(isomorphic),
         live_(find_live(program)),
         pack_of_(nodes_.size(), kNoPack),
         lane_of_(nodes_.size(), 0) {}
@@ -47,18 +64,17 @@ class Packer {
   enum class First { columns, limbs };
 
   void run(First first) {
-    const std::vector<LanePack> groups = find_isomorphic_operations(program_);
     if (first == First::columns) {
       pack_columns();
       resolve_packs();
     }
-    pack_isomorphic(groups);
+    pack_isomorphic();
     resolve_packs();
     if (first == First::limbs) {
       pack_columns();
       resolve_packs();
     }
-    pack_isomorphic(groups);  // operations of packs that were taken apart
+    pack_isomorphic();  // operations of packs that were taken apart
     resolve_packs();
   }
 
@@ -94,8 +110,8 @@ class Packer {
     }
   }
 
-  void pack_isomorphic(const std::vector<LanePack>& groups) {
-    for (const LanePack& group : groups) {
+  void pack_isomorphic() {
+    for (const LanePack& group : isomorphic_) {
       add(group, 2);
     }
   }
@@ -223,8 +239,8 @@ class Packer {
   }
 
   /// Returns for every node whether scalar code reads it.
-  [[nodiscard]] std::vector<bool> find_scalar_reads() const;
-  [[nodiscard]] int count_extractions(const LanePack& pack, const std::vector<bool>& read) const;
+  [[nodiscard]] Marks find_scalar_reads() const;
+  [[nodiscard]] int count_extractions(const LanePack& pack, const Marks& read) const;
 
   /// Number of packs that read certain lanes as they stand, indexed by `number_of` these lanes.
   using Readers = std::vector<int>;
@@ -232,11 +248,12 @@ class Packer {
   /// Number of instructions that bring values into lanes or take them out.
   [[nodiscard]] int count_moves() const;
   /// Number of instructions added by taking pack `p` apart; negative if that saves some.
-  [[nodiscard]] int cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
+  [[nodiscard]] int cost_of_dissolving(std::size_t p, const Marks& read,
                                        const Readers& readers) const;
 
   const Program& program_;
   const std::vector<Node>& nodes_;
+  const std::vector<LanePack>& isomorphic_;
   std::vector<bool> live_;
   std::vector<int> pack_of_;
   std::vector<std::size_t> lane_of_;
@@ -245,7 +262,7 @@ class Packer {
     int own = 0, a = 0, b = 0;  ///< numbers of the pack's own lanes and of those that it reads
   };
   std::vector<Reading> readings_;  // by pack
-  std::map<LanePack, int> numbers_;
+  std::unordered_map<LanePack, int, HashOfLanes> numbers_;
   struct Readable {
     LanePack lanes;
     std::vector<std::uint32_t> values;  ///< without repetition
@@ -254,21 +271,22 @@ class Packer {
   std::vector<Readable> readable_;  // by number
 };
 
-std::vector<bool> Packer::find_scalar_reads() const {
-  std::vector<bool> read(nodes_.size(), false);
+Marks Packer::find_scalar_reads() const {
+  Marks read(nodes_.size(), 0);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const int operands = operation(nodes_[i].op).operands;
     if (live_[i] && pack_of_[i] == kNoPack && operands >= 1) {
-      read[nodes_[i].a] = true;
-      read[operands == 2 ? nodes_[i].b : nodes_[i].a] = true;
+      read[nodes_[i].a] = 1;
+      read[operands == 2 ? nodes_[i].b : nodes_[i].a] = 1;
     }
   }
   return read;
 }
 
-int Packer::count_extractions(const LanePack& pack, const std::vector<bool>& read) const {
-  return static_cast<int>(std::count_if(
-      pack.begin(), pack.end(), [&](std::uint32_t node) { return node != kNoNode && read[node]; }));
+int Packer::count_extractions(const LanePack& pack, const Marks& read) const {
+  return static_cast<int>(std::count_if(pack.begin(), pack.end(), [&](std::uint32_t node) {
+    return node != kNoNode && read[node] != 0;
+  }));
 }
 
 Packer::Readers Packer::find_readers() const {
@@ -282,8 +300,7 @@ Packer::Readers Packer::find_readers() const {
   return readers;
 }
 
-int Packer::cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
-                               const Readers& readers) const {
+int Packer::cost_of_dissolving(std::size_t p, const Marks& read, const Readers& readers) const {
   const LanePack& pack = packs_[p];
   int cost = count_lanes(pack) - 1 - count_extractions(pack, read);
   for (const int number : {readings_[p].a, readings_[p].b}) {
@@ -294,7 +311,7 @@ int Packer::cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
     const std::vector<std::uint32_t>& values = readable(number).values;
     if (gather == 0 && values.size() > 1) {  // scalar code will read these values
       for (const std::uint32_t node : values) {
-        cost += pack_of_[node] != kNoPack && !read[node] ? 1 : 0;
+        cost += pack_of_[node] != kNoPack && read[node] == 0 ? 1 : 0;
       }
     }
   }
@@ -303,7 +320,7 @@ int Packer::cost_of_dissolving(std::size_t p, const std::vector<bool>& read,
 }
 
 int Packer::count_moves() const {
-  const std::vector<bool> read = find_scalar_reads();
+  const Marks read = find_scalar_reads();
   int moves = 0;
   for (const LanePack& pack : packs_) {
     moves += count_extractions(pack, read);
@@ -316,7 +333,7 @@ int Packer::count_moves() const {
 }
 
 bool Packer::dissolve_losses() {
-  const std::vector<bool> read = find_scalar_reads();
+  const Marks read = find_scalar_reads();
   const Readers readers = find_readers();
   bool found = false;
   for (std::size_t p = 0; p < packs_.size(); ++p) {
@@ -342,10 +359,11 @@ Program pack_lanes(const Program& program) {
   if (program.graph.lane_width() == 1) {
     return packed;
   }
-  Packer best(program);
+  const std::vector<LanePack> isomorphic = find_isomorphic_operations(program);
+  Packer best(program, isomorphic);
   best.run(Packer::First::columns);
   if (!program.graph.limb_inputs().empty()) {
-    Packer limbs_first(program);
+    Packer limbs_first(program, isomorphic);
     limbs_first.run(Packer::First::limbs);
     if (limbs_first.count_instructions() < best.count_instructions()) {
       limbs_first.deliver(packed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstdint>
 #include <iterator>
 #include <set>
 #include <tuple>
@@ -19,23 +20,30 @@ namespace {
 struct Item {
   std::uint32_t id = 0;
   bool negative = false;
-  auto operator<=>(const Item&) const = default;
 };
 
 /// Two items, the one with the smaller id first. A common sign is taken out, so the first item is
-/// positive.
-struct Pair {
-  bool is_product = false;
-  Item a, b;
-  auto operator<=>(const Pair&) const = default;
-};
+/// positive. Pairs are compared and sorted so often that they are one number: whether they are a
+/// product, the ids (of less than 31 bits), and the sign of the second.
+class Pair {
+ public:
+  Pair(bool is_product, Item a, Item b)
+      : bits_((is_product ? kProduct : 0) | std::uint64_t{std::min(a.id, b.id)} << 32 |
+              std::uint64_t{std::max(a.id, b.id)} << 1 | (a.negative != b.negative ? 1U : 0U)) {}
 
-Pair make_pair_of(bool is_product, Item a, Item b) {
-  if (b.id < a.id) {
-    std::swap(a, b);
+  [[nodiscard]] bool is_product() const { return (bits_ & kProduct) != 0; }
+  [[nodiscard]] Item a() const { return {static_cast<std::uint32_t>(bits_ >> 32) & kId, false}; }
+  [[nodiscard]] Item b() const {
+    return {static_cast<std::uint32_t>(bits_ >> 1) & kId, (bits_ & 1U) != 0};
   }
-  return {is_product, {a.id, false}, {b.id, a.negative != b.negative}};
-}
+  auto operator<=>(const Pair&) const = default;
+
+ private:
+  static constexpr std::uint64_t kProduct = std::uint64_t{1} << 63;
+  static constexpr std::uint32_t kId = 0x7fffffff;
+
+  std::uint64_t bits_;
+};
 
 /// A sum or product as a whole, across the nodes that make it up.
 struct Group {
@@ -45,7 +53,7 @@ struct Group {
 };
 
 /// Occurrences of pairs: (pair, index of the group), sorted.
-using Occurrences = std::vector<std::pair<Pair, std::size_t>>;
+using Occurrences = std::vector<std::pair<Pair, std::uint32_t>>;
 
 /// All groups, and the pairs that occur in several of them. A group gains pairs only through a
 /// substitution, which introduces a new item. So the groups of a pair are searched once, and after
@@ -56,7 +64,8 @@ class PairTable {
       : groups_(std::move(groups)), first_pair_(first_pair) {
     Occurrences found;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
-      for_each_pair(i, [&](const Pair& pair) { found.emplace_back(pair, i); });
+      for_each_pair(
+          i, [&](const Pair& pair) { found.emplace_back(pair, static_cast<std::uint32_t>(i)); });
     }
     queue_frequent(std::move(found));
   }
@@ -90,7 +99,7 @@ class PairTable {
     const std::vector<Item>& items = groups_[group].items;
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        visit(make_pair_of(groups_[group].is_product, items[i], items[j]));
+        visit(Pair(groups_[group].is_product, items[i], items[j]));
       }
     }
   }
@@ -125,8 +134,8 @@ class PairTable {
     for (const std::size_t group : where) {
       substitute(groups_[group].items, pair, shared);
       for_each_pair(group, [&](const Pair& other) {
-        if (other.b.id == shared.id || other == pair) {
-          found.emplace_back(other, group);
+        if (other.b().id == shared.id || other == pair) {
+          found.emplace_back(other, static_cast<std::uint32_t>(group));
         }
       });
     }
@@ -138,7 +147,7 @@ class PairTable {
   static void substitute(std::vector<Item>& items, const Pair& pair, Item shared) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        if (make_pair_of(pair.is_product, items[i], items[j]) == pair) {
+        if (Pair(pair.is_product(), items[i], items[j]) == pair) {
           shared.negative = (items[i].id <= items[j].id ? items[i] : items[j]).negative;
           items[i] = shared;
           items.erase(items.begin() + static_cast<std::ptrdiff_t>(j));
@@ -226,7 +235,7 @@ class GroupBuilder {
       value = rewriter_.value(item.id);
     } else {
       const Pair& pair = table_.pairs()[item.id - first_pair_];
-      value = join(pair.is_product, build(pair.a), build(pair.b));
+      value = join(pair.is_product(), build(pair.a()), build(pair.b()));
     }
     return item.negative ? -value : value;
   }

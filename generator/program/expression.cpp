@@ -39,13 +39,21 @@ struct Multiple {
   Expression base;
 };
 
-Multiple as_multiple(Expression e) {
-  const Node node = look(e);
+/// Sums and differences take most of the time that a trace takes. This is what they call most.
+Multiple as_multiple(const std::vector<Node>& nodes, Expression e) {
+  const Node& node = nodes[e.node()];
   const double sign = e.negative() ? -1 : 1;
-  if (node.op == Op::mul && is_ordinary_constant({node.a, false})) {
-    return {sign * Expression(node.a, false).constant(), {node.b, false}};
+  if (node.op == Op::mul) {
+    const Node& factor = nodes[node.a];
+    if (factor.op == Op::constant && limb_constant(factor).slot == 0) {
+      return {sign * factor.value, {node.b, false}};
+    }
   }
   return {sign, unsigned_of(e)};
+}
+
+Multiple as_multiple(Expression e) {
+  return as_multiple(Graph::current().nodes(), e);
 }
 
 /// The two signed terms of a sum or difference.
@@ -58,18 +66,18 @@ bool is_sum(Expression e) {
 }
 
 Terms terms_of(Expression e) {
-  const Node node = look(e);
+  const Node& node = look(e);
   return {{node.a, e.negative()}, {node.b, e.negative() != (node.op == Op::sub)}};
 }
 
 /// If `e` is the square of a sine or cosine (as `function` says), returns the node of its angle,
 /// else 0.
 std::uint32_t angle_of_square(Expression e, Op function) {
-  const Node node = look(e);
+  const Node& node = look(e);
   if (node.op != Op::mul || node.a != node.b) {
     return 0;
   }
-  const Node factor = look({node.a, false});
+  const Node& factor = look({node.a, false});
   return factor.op == function ? factor.a : 0;
 }
 
@@ -79,26 +87,31 @@ bool is_pythagorean(Expression a, Expression b) {
   return angle != 0 && angle == angle_of_square(b, Op::cos);
 }
 
+/// A term that is to be added, and what it is a multiple of.
+struct Added {
+  Expression term;
+  Multiple multiple;
+};
+
 /// Adds two terms if that takes no operation: (x - x), constants, (2 x - x). Returns false
 /// otherwise.
-bool add_for_free(Expression a, Expression b, Expression& result) {
-  if (a.is_constant() && b.is_constant()) {
-    result = fold_sum(a, b);
+bool add_for_free(Expression a, const Added& b, Expression& result) {
+  const std::vector<Node>& nodes = Graph::current().nodes();
+  if (nodes[a.node()].op == Op::constant && nodes[b.term.node()].op == Op::constant) {
+    result = fold_sum(a, b.term);
     return true;
   }
-  const Multiple m = as_multiple(a);
-  const Multiple n = as_multiple(b);
-  const double coefficient = m.coefficient + n.coefficient;
-  if (m.base != n.base || (coefficient != 0 && std::fabs(coefficient) != 1)) {
-    return false;
-  }
+  const Multiple m = as_multiple(nodes, a);
+  if (m.base != b.multiple.base) return false;
+  const double coefficient = m.coefficient + b.multiple.coefficient;
+  if (coefficient != 0 && std::fabs(coefficient) != 1) return false;
   result = Expression(coefficient) * m.base;
   return true;
 }
 
 /// Adds `term` to `sum` if it merges with one of the sum's terms: (x - y) + y -> x; (x + c) + d ->
 /// x + (c + d); (x + 2 y) - y -> x + y. Returns false otherwise.
-bool merge_into_sum(Expression sum, Expression term, Expression& merged) {
+bool merge_into_sum(Expression sum, const Added& term, Expression& merged) {
   if (!is_sum(sum)) {
     return false;
   }
@@ -249,7 +262,7 @@ Expression operator+(Expression a, Expression b) {
     return {m.coefficient};  // c sin^2 x + c cos^2 x -> c
   }
   Expression merged;
-  if (merge_into_sum(a, b, merged) || merge_into_sum(b, a, merged) ||
+  if (merge_into_sum(a, {b, n}, merged) || merge_into_sum(b, {a, m}, merged) ||
       cancel_between_sums(a, b, merged)) {
     return merged;
   }
@@ -270,8 +283,8 @@ Expression operator*(Expression a, Expression b) {
   if (a.is_constant()) {
     return with_sign(scale(a, b), negative);
   }
-  const Node left = look(a);
-  const Node right = look(b);
+  const Node& left = look(a);
+  const Node& right = look(b);
   if (left.op == Op::div && left.b == b.node()) {  // (x / y) y -> x
     return {left.a, negative};
   }

@@ -118,12 +118,11 @@ void Graph::begin_section(std::string title) {
 // heads, and the next node in its own chain.
 
 void NodeIndex::reserve(const std::vector<Node>& nodes, std::size_t count) {
-  grow(nodes, 0);
-  places_.reserve(kChains + kSlots * count);
+  grow(nodes, kSlots * (std::max(count, nodes.size()) - nodes.size()));
 }
 
 std::uint32_t NodeIndex::find_or_add(std::vector<Node>& nodes, const Node& node) {
-  grow(nodes, kSlots);
+  if (places_.size() < kChains + kSlots * (nodes.size() + 1)) grow(nodes, places_.size());
   std::uint32_t& place = places_[slot_of(nodes, node)];
   if (place == kNone) {
     place = static_cast<std::uint32_t>(nodes.size());
@@ -143,9 +142,10 @@ std::size_t NodeIndex::slot_of(const std::vector<Node>& nodes, const Node& node)
   return slot;
 }
 
-/// Makes `places_` large enough for `nodes` and for `slots` further entries.
+/// Makes `places_` large enough for `nodes` and for `slots` further entries, at least those of one
+/// node.
 void NodeIndex::grow(const std::vector<Node>& nodes, std::size_t slots) {
-  const std::size_t wanted = kChains + kSlots * nodes.size() + slots;
+  const std::size_t wanted = kChains + kSlots * nodes.size() + std::max(slots, kSlots);
   if (places_.size() < wanted) places_.resize(wanted, kNone);
 }
 

@@ -6,6 +6,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
 #include "emission/generator_version.hpp"
+#include "safety/describe_deviations.hpp"
 
 namespace treeline {
 namespace {
@@ -26,22 +27,6 @@ constexpr const char* kLimited =
     "- `limited_control_torque` is not straight-line: it calls the functions above and solves a "
     "quadratic\n  program, whose most iterations and operations its header tells. Its time depends "
     "on its inputs,\n  and it keeps the active limits of the last cycle in the caller's object.\n";
-
-constexpr const char* kMisraC =
-    "`cppcheck --addon=misra` finds violations of four advisory rules and of no other. cppcheck\n"
-    "does not check all rules of the standard.\n\n"
-    "| rule | deviation | reason |\n|---|---|---|\n"
-    "| 2.3 (advisory) | the type `NAME_real` is not used by the code itself | it is for callers |\n"
-    "| 2.4 (advisory) | enumerations without a name count as unused tags | cppcheck counts them; "
-    "they are integer constants |\n"
-    "| 2.5 (advisory) | the macro of a square-root instruction may be unused | the portable root "
-    "was asked for |\n"
-    "| 19.2 (advisory) | a union takes the bits of a number | a copy by `memcpy` needs a library "
-    "|\n";
-
-constexpr const char* kMisraCpp =
-    "The code is C++17 and was not compared with MISRA C++. `language: c` gives C99 with the same\n"
-    "bits, which was compared with MISRA C:2012.\n";
 
 constexpr const char* kNotCovered =
     "- Whether URDF and scene describe the real robot: masses, limits, frames, gravity.\n"
@@ -167,7 +152,7 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
               "estimate, the values that live at once; compilers take more. Measured figures are "
               "below, where a report has them. \"Searched\" bounds are four times the worst that a "
               "search met.\n");
-  section("Coding rules", is_c ? kMisraC : kMisraCpp);
+  section("Coding rules", describe_deviations(scene));
   section("Evidence", print_evidence(evidence));
   section("Not covered", kNotCovered);
   return text;

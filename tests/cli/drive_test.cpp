@@ -230,6 +230,9 @@ TEST_F(DriveTest, ABallJointIsDrivenAsThreeHinges) {
   const Eigen::Vector3d tip = Eigen::Vector3d(0, 0, 1) + turn * Eigen::Vector3d(0, 0, -0.5);
   const auto at = state["points"][0]["at"].get<std::vector<double>>();
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(at[static_cast<std::size_t>(i)], tip[i], 1e-4) << i;
+  const Outcome drawn =
+      test::run_program(root_, "draw ball.urdf --motion record.jsonl --svg a.svg");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   // What the page shows has the same joints.
   write("shown.urdf", std::string(split_ball_joints(test::read_file(root_ / "ball.urdf"))));
   const Outcome again = drive("shown.urdf scene.yaml", "start\n");

@@ -1,4 +1,4 @@
-// Writes the sample folder: emit_sample DIRECTORY NAME double|float c++|c.
+// Writes the sample folder: emit_sample DIRECTORY NAME double|float c++|c [misra].
 #include <cstdio>
 #include <string>
 
@@ -8,7 +8,8 @@
 #include "emission/write_files.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
+  const bool misra = argc == 6 && std::string(argv[5]) == "misra";
+  if (argc != 5 && !misra) {
     return 2;
   }
   treeline::Diagnostics diagnostics;
@@ -17,9 +18,12 @@ int main(int argc, char** argv) {
   const auto language = is_c ? treeline::Language::c : treeline::Language::cpp;
   treeline::EmissionContext context =
       treeline::test::sample_context(argv[2], single_precision, language);
-  context.batch = is_c ? 0 : treeline::test::kSampleBatch;
-  const auto programs = treeline::test::sample_programs();
-  std::vector<treeline::Program> batch = is_c ? std::vector<treeline::Program>{} : programs;
+  context.misra = misra;
+  context.prefetch = !misra && !single_precision;
+  context.batch = is_c || misra ? 0 : treeline::test::kSampleBatch;
+  const auto programs = misra ? treeline::test::safe_programs() : treeline::test::sample_programs();
+  std::vector<treeline::Program> batch;
+  if (context.batch > 0) batch = programs;
   for (treeline::Program& program : batch) program.packs.clear();
   auto files = treeline::emit(context, programs, diagnostics, batch);
   if (is_c) {  // the loops of damped control, which these functions do without

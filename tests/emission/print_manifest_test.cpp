@@ -4,20 +4,25 @@
 
 #include "emission/sample.hpp"
 
-// Would catch: a manifest that is not JSON, or that does not read back its own list of files.
+// Would catch: a manifest that is not JSON, that does not read back its own list of files, or
+// digests of other bytes.
 namespace treeline {
 namespace {
 
 TEST(PrintManifest, ListsWhatItWasGiven) {
   const auto programs = test::sample_programs();
-  const std::string manifest =
-      print_manifest(test::sample_context("arm", false), programs, {"a.cpp", "b.hpp"});
-  EXPECT_EQ(read_manifest_files(manifest), (std::vector<std::string>{"a.cpp", "b.hpp"}));
-  for (const char* part :
-       {R"("robot": "Two links \"2R\"")",
-        R"("chosen": {"route": "textbook", "method": "by the textbook", "flops": 40})",
-        R"("rejected": [{"route": "recursion", "method": "by recursion", "flops": 55}])",
-        R"("file": "arm.yaml")"}) {
+  const std::string manifest = print_manifest(test::sample_context("arm", false), programs,
+                                              {{"b.hpp", ""}, {"a.cpp", "abc"}});
+  EXPECT_EQ(read_manifest_files(manifest),
+            (std::vector<std::string>{"a.cpp", "b.hpp", "manifest.json"}));
+  for (
+      const char* part :
+      {R"("robot": "Two links \"2R\"")",
+       R"("chosen": {"route": "textbook", "method": "by the textbook", "flops": 40})",
+       R"("rejected": [{"route": "recursion", "method": "by recursion", "flops": 55}])",
+       R"("file": "arm.yaml")",
+       // FIPS 180-4, example 1: the digest of "abc".
+       R"({"file": "a.cpp", "sha256": "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"})"}) {
     EXPECT_NE(manifest.find(part), std::string::npos) << part;
   }
 }

@@ -44,6 +44,25 @@ inline Program trace_corner_cases() {
   return program;
 }
 
+/// 2700 values, each of two before it: more than fit functions of bounded length, and more of these
+/// than one may call. Angles that one call of sines and cosines does not take, at its end.
+inline Program trace_long_chain() {
+  Program program;
+  program.name = "long_chain";
+  program.arguments = {{"q", 20, 1, "angles, rad"}};
+  const Graph::Scope scope(program.graph);
+  const auto q = input_vector("q", 20);
+  std::vector<Expression> chain = {q[0], q[1]};
+  for (int i = 0; i < 2700; ++i) {
+    const double factor = 0.5 + 1e-5 * (i * 37 % 201 - 100);  // neither grows nor fades
+    chain.push_back(chain[chain.size() - 2] * 0.5 - chain.back() * factor);
+  }
+  Expression turned = chain.back();
+  for (const Expression& angle : q) turned += sin(angle) * chain[900] + cos(angle);
+  program.results = {{{"out", 3, 1, "various"}, {turned, chain[1300] + chain[40], -chain.back()}}};
+  return program;
+}
+
 inline constexpr int kSampleBatch = 4;  ///< states a call of the batch functions
 
 /// Programs of the sample folders.
@@ -51,6 +70,14 @@ inline std::vector<Program> sample_programs() {
   std::vector<PassReport> log;
   return {put_in_order(reduce_operations(trace_two_link_arm(), log), log),
           put_in_order(reduce_operations(trace_corner_cases(), log), log)};
+}
+
+/// Programs of the sample folders in the profile of rules for safe code.
+inline std::vector<Program> safe_programs() {
+  std::vector<Program> programs = sample_programs();
+  programs.push_back(trace_long_chain());
+  for (Program& program : programs) program.packs.clear();
+  return programs;
 }
 
 inline EmissionContext sample_context(const std::string& name, bool single_precision,

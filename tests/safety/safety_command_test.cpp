@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "check/temporary_folder.hpp"
 #include "cli/run_program.hpp"
@@ -64,6 +65,33 @@ TEST_F(SafetyNotes, TellProvenBoundsFromOthers) {
   EXPECT_EQ(row[1], "proven");
   ASSERT_TRUE(std::regex_search(text, row, std::regex("\\| `forward_dynamics` .*\\| (.*) \\|\n")));
   EXPECT_EQ(row[1], "searched, not proven");
+}
+
+// Would catch: a table of the other language or profile, which names rules that the code keeps or
+// leaves out some that it does not.
+TEST_F(SafetyNotes, NameTheRulesThatTheCodeDeviatesFrom) {
+  struct Case {
+    const char* options;
+    const char* standard;
+    std::vector<const char*> deviations, kept;
+  };
+  const std::vector<Case> cases = {
+      {"--language c", "MISRA C:2012", {"| 2.3 ", "| 2.5 ", "| 19.2 "}, {"8.2.5"}},
+      {"--language c --profile misra", "MISRA C:2012", {"| 2.3 ", "| 2.4 "}, {"| 2.5 ", "| 19.2 "}},
+      {"", "MISRA C++:2023", {"| 11.3.1 ", "| 8.2.5 ", "| 19.0.2 "}, {"| 19.2 "}},
+      {"--profile misra", "MISRA C++:2023", {"| 11.3.1 ", "| 11.6.1 "}, {"required)", "| 19."}}};
+  for (const Case& each : cases) {
+    ASSERT_EQ(generate(each.options).exit_code, 0) << each.options;
+    const std::string text = notes();
+    const std::string rules = text.substr(text.find("## Coding rules"));
+    EXPECT_NE(rules.find(each.standard), std::string::npos) << each.options;
+    for (const char* rule : each.deviations) {
+      EXPECT_NE(rules.find(rule), std::string::npos) << each.options << ": " << rule;
+    }
+    for (const char* rule : each.kept) {
+      EXPECT_EQ(rules.find(rule), std::string::npos) << each.options << ": " << rule;
+    }
+  }
 }
 
 TEST_F(SafetyNotes, TakeReportsAsTheyAre) {

@@ -9,13 +9,16 @@
 
 namespace treeline {
 
+/// Which operations within others stand in parentheses: where the language needs them, products in
+/// sums as well, or all.
+enum class Parentheses { needed, products, all };
+
 /// How a language writes what stands in the body of a function: numbers, expressions, statements.
 struct Syntax {
   std::string number;        ///< type of a local number: `Real`
   std::string prefix;        ///< of names at file scope; empty where namespaces keep robots apart
   std::string_view comment;  ///< what a comment begins with: `//`
-  /// Whether a product in a sum stands in parentheses, as rules for safe code ask.
-  bool parenthesize = false;
+  Parentheses parentheses = Parentheses::needed;
 
   /// A number without its sign.
   std::string (*literal)(double value);

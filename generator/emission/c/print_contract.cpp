@@ -1,5 +1,7 @@
 #include "emission/c/print_contract.hpp"
 
+#include <fmt/format.h>
+
 #include "emission/c/print_source.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
@@ -9,6 +11,21 @@
 #include "emission/wrap_line.hpp"
 
 namespace treeline::c {
+namespace {
+
+std::string print_array_macro(const EmissionContext& context) {
+  if (context.misra) return {};
+  return fmt::format(
+      "/// An array argument of so many elements: other languages than C99 see a pointer.\n"
+      "#if defined(__cplusplus) || defined(_MSC_VER)\n"
+      "#define TREELINE_{0}_ARRAY(size) (size)\n"
+      "#else\n"
+      "#define TREELINE_{0}_ARRAY(size) restrict static (size)\n"
+      "#endif\n\n",
+      name_in_capitals(context));
+}
+
+}  // namespace
 
 std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
   std::string declarations;
@@ -22,6 +39,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   const bool single = context.single_precision;
   auto values = describe_contract(context);
   values.insert({{"NAME", name_in_capitals(context)},
+                 {"array", print_array_macro(context)},
                  {"macros", single ? "FLT" : "DBL"},
                  {"exponent", single ? "128" : "1024"},
                  {"declarations", declarations}});

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/symmetric_eigen.hpp"
+#include "emission/c/print_runtime.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
@@ -34,22 +35,19 @@ std::string print_damped_calls(const EmissionContext& context,
 std::string print_damped_head(const EmissionContext& context,
                               const std::vector<Argument>& arguments) {
   const char* const real = context.single_precision ? "float" : "double";
-  const std::string capitals = name_in_capitals(context);
-  const auto array = [&](const char* qualifier, const std::string& name, int size) {
-    return fmt::format("{}{} {}[TREELINE_{}_ARRAY({})]", qualifier, real, name, capitals, size);
-  };
   std::string list;
   for (const Argument& argument : arguments) {
-    list += array("const ", argument.name, argument.rows * argument.cols) + ", ";
+    list += print_array(context, "const ", argument.name, argument.rows * argument.cols) + ", ";
   }
   return fmt::format("{} {}_damped_control_torque({}{}, {})", real, context.name, list,
-                     array("", "tau", context.velocities),
-                     array("const ", "heaviest", context.task_rows));
+                     print_array(context, "", "tau", context.velocities),
+                     print_array(context, "const ", "heaviest", context.task_rows));
 }
 
 /// What chooses the target's instruction for a square root: the lines of preprocessor in the
 /// header of the runtime, but those for the other number type.
 std::string lift_instructions(const EmissionContext& context) {
+  if (context.misra) return {};
   const std::string own =
       fmt::format("TREELINE_ROOT_OF_{}", context.single_precision ? "FLOAT" : "DOUBLE");
   const std::string_view header = cpp::templates::kSquareRoot;
@@ -71,6 +69,17 @@ std::string lift_instructions(const EmissionContext& context) {
   return lifted;
 }
 
+/// The end of the function that takes a root: by the instruction where there is one.
+std::string print_root(const EmissionContext& context) {
+  const std::string portable =
+      fmt::format("return {}_portable_square_root(positive);\n", context.name);
+  if (context.misra) return "  " + portable;
+  return fmt::format(
+      "#if defined(TREELINE_{0}_ROOT)\n  {1} root;\n  TREELINE_{0}_ROOT(root, positive);\n"
+      "  return root;\n#else\n  {2}#endif\n",
+      name_in_capitals(context), context.single_precision ? "float" : "double", portable);
+}
+
 /// A number of the context's type, as a literal of C.
 std::string number(const EmissionContext& context, const char* digits) {
   return std::string(digits) + (context.single_precision ? "F" : "");
@@ -78,19 +87,23 @@ std::string number(const EmissionContext& context, const char* digits) {
 
 std::string print_square_root(const EmissionContext& context) {
   const bool single = context.single_precision;
-  return fill_template(templates::kSquareRoot, {{"name", context.name},
-                                                {"real", single ? "float" : "double"},
-                                                {"NAME", name_in_capitals(context)},
-                                                {"bits", single ? "uint32_t" : "uint64_t"},
-                                                {"fraction", single ? "23" : "52"},
-                                                {"turns", single ? "24" : "53"},
-                                                {"quiet", single ? "22" : "51"},
-                                                {"bias", single ? "127" : "1023"},
-                                                {"sign", single ? "31" : "63"},
-                                                {"infinity", single ? "255" : "2047"},
-                                                {"raised", single ? "24" : "54"},
-                                                {"zero", number(context, "0.0")},
-                                                {"instructions", lift_instructions(context)}});
+  return fill_template(
+      templates::kSquareRoot,
+      {{"name", context.name},
+       {"real", single ? "float" : "double"},
+       {"bits", single ? "uint32_t" : "uint64_t"},
+       {"fraction", single ? "23" : "52"},
+       {"turns", single ? "24" : "53"},
+       {"quiet", single ? "22" : "51"},
+       {"bias", single ? "127" : "1023"},
+       {"sign", single ? "31" : "63"},
+       {"infinity", single ? "255" : "2047"},
+       {"raised", single ? "24" : "54"},
+       {"zero", number(context, "0.0")},
+       {"include", context.misra ? "#include <stdint.h>" : "#include \"sin_cos.h\""},
+       {"number", context.misra ? print_number(context) + "\n" : std::string()},
+       {"instructions", lift_instructions(context)},
+       {"root", print_root(context)}});
 }
 
 std::string print_damped_solve(const EmissionContext& context) {

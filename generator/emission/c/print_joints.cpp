@@ -13,8 +13,16 @@ namespace treeline::c {
 
 std::string print_joints(const EmissionContext& context) {
   const std::string capitals = name_in_capitals(context);
-  JointArrays arrays = describe_joints(context, make_syntax(context), capitals + "_UNLIMITED");
-  arrays.holes["NAME"] = capitals;
+  const Syntax syntax = make_syntax(context);
+  const std::string largest = syntax.literal(largest_number(context.single_precision));
+  const std::string name = capitals + "_UNLIMITED";
+  // Without macros each array has the number itself: C takes no named constant there.
+  JointArrays arrays = describe_joints(context, syntax, context.misra ? largest : name);
+  arrays.holes.erase("unlimited");
+  arrays.holes["define_unlimited"] =
+      context.misra
+          ? fmt::format("static const {} {}_unlimited = {};", syntax.number, context.name, largest)
+          : fmt::format("#define {} {}", name, largest);
   arrays.holes["task_rows"] =
       arrays.task_rows == 0
           ? ""

@@ -3,6 +3,7 @@
 #include "emission/c/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_optimize.hpp"
 #include "emission/print_target.hpp"
 
 namespace treeline::c {
@@ -30,12 +31,15 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   std::string sources;
   for (const Program& program : programs) sources += program.name + ".c\n";
   if (!context.heaviest.empty()) sources += "damped_control_torque.c\n";
-  return fill_template(templates::kCMakeLists, {{"robot", context.robot},
-                                                {"name", context.name},
-                                                {"sources", sources},
-                                                {"contraction", contraction_default(context)},
-                                                {"target_flags", print_target_flags(context)},
-                                                {"optimize", print_optimize(programs)}});
+  if (context.prefetch) sources += "prefetch.c\n";
+  return fill_template(
+      templates::kCMakeLists,
+      {{"robot", context.robot},
+       {"name", context.name},
+       {"sources", sources},
+       {"contraction", contraction_default(context)},
+       {"target_flags", print_target_flags(context)},
+       {"optimize", print_optimize(programs) + print_small_code(context, programs)}});
 }
 
 }  // namespace treeline::c

@@ -11,11 +11,13 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/misra/print_sin_cos.hpp"
 
 namespace treeline::c {
 namespace {
 
 std::string print_sin_cos(const EmissionContext& context) {
+  if (context.misra) return misra::print_sin_cos(context);
   const bool single = context.single_precision;
   auto steps = lift_steps(cpp::templates::kSinCos, context.name, single);
   steps["name"] = context.name;
@@ -23,7 +25,7 @@ std::string print_sin_cos(const EmissionContext& context) {
       templates::kSinCos,
       {{"name", context.name},
        {"real", single ? "float" : "double"},
-       {"bits", single ? "uint32_t" : "uint64_t"},
+       {"number", print_number(context)},
        {"accurate", single ? "4000" : "1e5"},
        {"largest", single ? "2^20" : "2^32"},
        {"steps",
@@ -46,6 +48,13 @@ std::string print_lanes(const EmissionContext& context, std::span<const Program>
 }
 
 }  // namespace
+
+std::string print_number(const EmissionContext& context) {
+  const bool single = context.single_precision;
+  return fill_template(templates::kNumber, {{"name", context.name},
+                                            {"real", single ? "float" : "double"},
+                                            {"bits", single ? "uint32_t" : "uint64_t"}});
+}
 
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,

@@ -11,6 +11,8 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_parts.hpp"
+#include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -19,9 +21,7 @@ namespace {
 
 std::string parameter(const EmissionContext& context, const Argument& argument,
                       const char* qualifier) {
-  return fmt::format("{}{} {}[TREELINE_{}_ARRAY({})]", qualifier,
-                     context.single_precision ? "float" : "double", argument.name,
-                     name_in_capitals(context), argument.rows * argument.cols);
+  return print_array(context, qualifier, argument.name, argument.rows * argument.cols);
 }
 
 std::string print_includes(const Program& program) {
@@ -39,7 +39,69 @@ std::string print_unread(const Program& program) {
   return statements;
 }
 
+/// The head of a function that computes a part.
+std::string print_part_head(const EmissionContext& context, const Program& program,
+                            const BodyPart& part) {
+  const std::string values = fmt::format(
+      "{}{}_{}_values *values", part.writes_values ? "" : "const ", context.name, program.name);
+  const std::string list =
+      list_arguments(program, part, values, [&](const Argument& argument, const char* qualifier) {
+        return parameter(context, argument, qualifier);
+      });
+  return wrap_line(fmt::format("static void {}_{}({}) {{", context.name, part.name, list), 0);
+}
+
+/// `values` is how the caller passes what parts share.
+std::string print_part_call(const EmissionContext& context, const Program& program,
+                            const BodyPart& part, const char* values) {
+  const std::string list = list_arguments(
+      program, part, values, [](const Argument& argument, const char*) { return argument.name; });
+  return wrap_line(fmt::format("{}_{}({});", context.name, part.name, list), 2);
+}
+
+struct Body {
+  std::string parts;       ///< what stands before the function
+  std::string statements;  ///< its own
+};
+
+Body print_body_of(const EmissionContext& context, const Program& program,
+                   std::set<std::string> taken) {
+  const Syntax syntax = make_syntax(context);
+  if (!context.misra) return {"", print_body(program, syntax, taken)};
+  taken.insert("values");
+  const PartedBody body = print_parts(program, syntax, taken, "values->");
+  if (body.parts.empty()) return {"", body.statements};
+  Body text;
+  if (!body.values.empty()) {
+    text.parts += "/* What one part computes and others read. */\ntypedef struct {\n";
+    for (const std::string& value : body.values) {
+      text.parts += fmt::format("  {} {};\n", syntax.number, value);
+    }
+    text.parts += fmt::format("}} {}_{}_values;\n\n", context.name, program.name);
+    text.statements += fmt::format("  {}_{}_values values;\n", context.name, program.name);
+  }
+  for (const BodyPart& part : body.parts) {
+    text.parts += print_part_head(context, program, part) + part.statements;
+    for (const std::size_t called : part.calls) {
+      text.parts += print_part_call(context, program, body.parts[called], "values");
+    }
+    text.parts += "}\n\n";
+  }
+  for (const std::size_t called : body.calls) {
+    text.statements += print_part_call(context, program, body.parts[called], "&values");
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string print_array(const EmissionContext& context, const char* qualifier,
+                        const std::string& name, int size) {
+  const char* const real = context.single_precision ? "float" : "double";
+  return context.misra ? fmt::format("{}{} {}[{}]", qualifier, real, name, size)
+                       : fmt::format("{}{} {}[TREELINE_{}_ARRAY({})]", qualifier, real, name,
+                                     name_in_capitals(context), size);
+}
 
 std::string print_signature(const EmissionContext& context, const Program& program) {
   std::string list;
@@ -56,16 +118,19 @@ std::string print_source(const EmissionContext& context, const Program& program)
   const std::set<std::string> taken =
       find_taken_names(program, {context.name, fmt::format("{}_{}", context.name, program.name),
                                  fmt::format("{}_sin_cos", context.name)});
-  return fill_template(templates::kFunction,
-                       {{"head", describe_source(program)},
-                        {"cost", describe_cost(program)},
-                        {"name", context.name},
-                        {"includes", print_includes(program)},
-                        {"section", print_section_macro(context)},
-                        {"signature", print_section(context) +
-                                          wrap_line(print_signature(context, program) + " {", 0)},
-                        {"unread", print_unread(program)},
-                        {"body", print_body(program, make_syntax(context), taken)}});
+  const Body body = print_body_of(context, program, taken);
+  return fill_template(
+      templates::kFunction,
+      {{"head", describe_source(program)},
+       {"cost", describe_cost(program)},
+       {"name", context.name},
+       {"includes", print_includes(program)},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"parts", body.parts},
+       {"signature", print_section(context) + print_prefetch_section(context) +
+                         wrap_line(print_signature(context, program) + " {", 0)},
+       {"unread", print_unread(program)},
+       {"body", body.statements}});
 }
 
 }  // namespace treeline::c

@@ -10,6 +10,10 @@ namespace treeline::c {
 /// `void NAME_gravity(const double q[TREELINE_NAME_ARRAY(6)], ...)`: alike in header and source.
 std::string print_signature(const EmissionContext& context, const Program& program);
 
+/// A parameter that is an array of so many elements.
+std::string print_array(const EmissionContext& context, const char* qualifier,
+                        const std::string& name, int size);
+
 /// The source file that defines the program's function.
 std::string print_source(const EmissionContext& context, const Program& program);
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "emission/misra/refuse.hpp"
+
 namespace treeline::c {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr std::array<std::string_view, 31> kHeaders = {
 }  // namespace
 
 void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
+  misra::refuse(context, diagnostics);
   if (context.batch > 0) {
     diagnostics.add({Severity::error, "", 0, "batch",
                      "functions of several states in one call cannot be had in C yet",

@@ -27,9 +27,10 @@ std::vector<std::string> call_sin_cos(const Syntax& own, const std::string& suff
 
 Syntax make_syntax(const EmissionContext& context) {
   Syntax syntax = make_c_family_syntax(context.single_precision);
+  syntax.parentheses = Parentheses::products;
+  if (context.misra) follow_misra(context.single_precision, syntax);
   syntax.number = context.single_precision ? "float" : "double";
   syntax.prefix = context.name;
-  syntax.parenthesize = true;
   syntax.lanes = name_lanes;
   syntax.make_lanes = make_vector;
   syntax.take_sines = call_sin_cos;

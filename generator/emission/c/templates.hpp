@@ -14,6 +14,7 @@ extern const std::string_view kDeclaration;
 extern const std::string_view kFunction;
 extern const std::string_view kJoints;
 extern const std::string_view kLanes;
+extern const std::string_view kNumber;
 extern const std::string_view kSinCos;
 extern const std::string_view kSquareRoot;
 extern const std::string_view kStepsInDouble;

@@ -14,13 +14,12 @@
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/misra/refuse.hpp"
+#include "emission/print_optimize.hpp"
 #include "emission/print_target.hpp"
 
 namespace treeline::cpp {
 namespace {
-
-/// Whatever a scene may ask for can be had.
-void refuse_nothing(const EmissionContext&, Diagnostics&) {}
 
 std::set<std::string> reserved_names(const EmissionContext& context) {
   return {context.name,       "detail",         "eigen", "calls", "index_of",
@@ -36,23 +35,27 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   for (const Program& program : batch) {
     sources += "batch_" + program.name + ".cpp\n";
   }
+  if (context.prefetch) sources += "prefetch.cpp\n";
   if (context.controller) {
     for (const Program* const program : context.controller->programs()) {
       sources += program->name + ".cpp\n";
     }
     sources += "controller.cpp\n";
   }
-  return fill_template(templates::kCMakeLists, {{"robot", context.robot},
-                                                {"name", context.name},
-                                                {"contraction", contraction_default(context)},
-                                                {"target_flags", print_target_flags(context)},
-                                                {"sources", sources}});
+  return fill_template(
+      templates::kCMakeLists,
+      {{"robot", context.robot},
+       {"name", context.name},
+       {"contraction", contraction_default(context)},
+       {"target_flags", print_target_flags(context) + print_small_code(context, programs)},
+       {"sources", sources}});
 }
 
 /// Other ways to call, functions of several states at once, damped and limited control.
 std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> batch) {
+  if (context.misra) return {};  // neither templates nor libraries
   std::vector<GeneratedFile> files = {
       {context.name + "_calls.hpp", print_calls(context, programs)},
       {context.name + "_eigen.hpp", print_eigen(context, programs)}};
@@ -83,7 +86,7 @@ Backend make_backend() {
   backend.name = "C++";
   backend.header = ".hpp";
   backend.source = ".cpp";
-  backend.refuse = refuse_nothing;
+  backend.refuse = misra::refuse;
   backend.reserved = reserved_names;
   backend.syntax = make_syntax;
   backend.print_source = print_source;

@@ -1,5 +1,7 @@
 #include "emission/cpp/print_contract.hpp"
 
+#include <fmt/format.h>
+
 #include "emission/comment.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
@@ -7,6 +9,13 @@
 #include "emission/fill_template.hpp"
 
 namespace treeline::cpp {
+namespace {
+
+constexpr const char* kBeside =
+    "//   {0}_calls.hpp: the functions with named inputs, std::array and pointers\n"
+    "//   {0}_eigen.hpp: the functions for Eigen\n";
+
+}  // namespace
 
 std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
   std::string declarations;
@@ -18,7 +27,10 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   }
   const bool single = context.single_precision;
   auto values = describe_contract(context);
-  values.insert({{"bytes", single ? "4" : "8"},
+  values.insert({{"beside", context.misra ? "" : fmt::format(kBeside, context.name)},
+                 {"includes", context.misra ? "\n#include <cstdint>" : ""},
+                 {"integer", context.misra ? "std::int32_t" : "int"},
+                 {"bytes", single ? "4" : "8"},
                  {"fraction", single ? "23" : "52"},
                  {"least", single ? "149" : "1074"},
                  {"f", single ? "F" : ""},

@@ -18,6 +18,7 @@ std::string print_joints(const EmissionContext& context) {
                 "\n/// Of each task row: its point, and along or about which axis it is.\n"
                 "inline constexpr const char* kTaskRowNames[{}] = {{\n    {}}};",
                 arrays.task_rows, arrays.task_row_names);
+  arrays.holes["lookup"] = context.misra ? std::string() : std::string(templates::kLookup) + "\n";
   return fill_template(templates::kJoints, arrays.holes);
 }
 

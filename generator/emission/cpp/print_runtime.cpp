@@ -7,6 +7,7 @@
 #include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/misra/print_sin_cos.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -55,7 +56,8 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   std::vector<GeneratedFile> files;
   if (has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
-    files.push_back({"sin_cos.hpp", print_header(context, templates::kSinCos)});
+    files.push_back({"sin_cos.hpp", context.misra ? misra::print_sin_cos(context)
+                                                  : print_header(context, templates::kSinCos)});
   }
   bool lanes = has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes);
   if (controlled) {

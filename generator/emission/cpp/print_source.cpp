@@ -7,7 +7,10 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_parts.hpp"
+#include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -19,18 +22,18 @@ std::string parameter(const Argument& argument, const char* qualifier, const std
 }
 
 /// The definition's head: restrict-qualified, and without names for arguments that the function
-/// does not read.
-std::string print_head(const Program& program) {
+/// does not read. `restrict` stands before the names.
+std::string print_head(const Program& program, const std::string& restrict) {
   std::string list;
   for (const Argument& argument : program.arguments) {
     list += (list.empty() ? "" : ", ") + parameter(argument, "const ",
                                                    reads(program, argument)
-                                                       ? "TREELINE_RESTRICT " + argument.name
+                                                       ? restrict + argument.name
                                                        : "/*" + argument.name + "*/");
   }
   for (const Result& result : program.results) {
     list += (list.empty() ? "" : ", ") +
-            parameter(result.argument, "", "TREELINE_RESTRICT " + result.argument.name);
+            parameter(result.argument, "", restrict + result.argument.name);
   }
   return fmt::format("void {}({}) noexcept", program.name, list);
 }
@@ -49,6 +52,60 @@ std::string print_lanes_type(const Program& program) {
                              : "";
 }
 
+/// The head of a function that computes a part.
+std::string print_part_head(const Program& program, const BodyPart& part) {
+  const std::string list =
+      list_arguments(program, part, part.writes_values ? "Values& values" : "const Values& values",
+                     [](const Argument& argument, const char* qualifier) {
+                       return parameter(argument, qualifier, argument.name);
+                     });
+  return wrap_line(fmt::format("void {}({}) noexcept {{", part.name, list), 0);
+}
+
+std::string print_part_call(const Program& program, const BodyPart& part) {
+  const std::string list = list_arguments(
+      program, part, "values", [](const Argument& argument, const char*) { return argument.name; });
+  return wrap_line(fmt::format("{}({});", part.name, list), 2);
+}
+
+std::string print_parts_of(const Program& program, const PartedBody& body) {
+  if (body.parts.empty()) return {};
+  std::string text = "namespace {\n\n";
+  if (!body.values.empty()) {
+    text += "/// What one part computes and others read.\nstruct Values {\n";
+    for (const std::string& value : body.values) text += fmt::format("  Real {};\n", value);
+    text += "};\n\n";
+  }
+  for (const BodyPart& part : body.parts) {
+    text += print_part_head(program, part) + part.statements;
+    for (const std::size_t called : part.calls) {
+      text += print_part_call(program, body.parts[called]);
+    }
+    text += "}\n\n";
+  }
+  return text + "}  // namespace\n\n";
+}
+
+/// For `profile: misra`.
+std::string print_safe_source(const EmissionContext& context, const Program& program) {
+  std::set<std::string> taken = find_taken(context, program);
+  taken.insert({"values", "Values"});
+  const PartedBody body = print_parts(program, make_syntax(context), taken, "values.");
+  std::string statements = body.values.empty() ? "" : "  Values values;\n";
+  statements += body.statements;
+  for (const std::size_t called : body.calls) {
+    statements += print_part_call(program, body.parts[called]);
+  }
+  return fill_template(misra::templates::kFunction,
+                       {{"head", describe_source(program)},
+                        {"cost", describe_cost(program)},
+                        {"name", context.name},
+                        {"includes", print_includes(program)},
+                        {"parts", print_parts_of(program, body)},
+                        {"signature", wrap_line(print_head(program, "") + " {", 0)},
+                        {"body", statements}});
+}
+
 }  // namespace
 
 std::string print_declaration(const Program& program) {
@@ -63,6 +120,7 @@ std::string print_declaration(const Program& program) {
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
+  if (context.misra) return print_safe_source(context, program);
   return fill_template(
       templates::kFunction,
       {{"head", describe_source(program)},
@@ -71,8 +129,9 @@ std::string print_source(const EmissionContext& context, const Program& program)
        {"optimize", print_optimize(program)},
        {"includes", print_includes(program)},
        {"lanes", print_lanes_type(program)},
-       {"section", print_section_macro(context)},
-       {"signature", print_section(context) + wrap_line(print_head(program) + " {", 0)},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"signature", print_section(context) + print_prefetch_section(context) +
+                         wrap_line(print_head(program, "TREELINE_RESTRICT ") + " {", 0)},
        {"body", print_body(program, make_syntax(context), find_taken(context, program))}});
 }
 

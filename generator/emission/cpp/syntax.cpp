@@ -41,7 +41,9 @@ Syntax make_syntax(bool single_precision) {
 }
 
 Syntax make_syntax(const EmissionContext& context) {
-  return make_syntax(context.single_precision);
+  Syntax syntax = make_syntax(context.single_precision);
+  if (context.misra) follow_misra(context.single_precision, syntax);
+  return syntax;
 }
 
 Syntax make_states_syntax(const EmissionContext& context) {

@@ -33,6 +33,7 @@ extern const std::string_view kLimitCoordinates;
 extern const std::string_view kLimitProgram;
 extern const std::string_view kLimited;
 extern const std::string_view kLimitedTorque;
+extern const std::string_view kLookup;
 extern const std::string_view kMode;
 extern const std::string_view kNamedCall;
 extern const std::string_view kOptimize;

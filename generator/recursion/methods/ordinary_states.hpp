@@ -26,25 +26,37 @@ struct Posed {
   std::vector<JointTransform<Scalar>> X;
 };
 
+/// The mechanism as it is in no pose yet, for `pose` at several states: rounding its constants
+/// takes longer than a pose.
 template <class Scalar>
-Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vector<double>& q,
-                   const GivenTools& tools = {}) {
-  Posed<Scalar> posed;
+Posed<Scalar> unposed(const Mechanism& mechanism, LawPoints points, const GivenTools& tools = {}) {
+  Posed<Scalar> unposed;
   ModelInputs<Scalar> inputs;
   inputs.tools = triples(std::vector<Scalar>(tools.origins.begin(), tools.origins.end()));
   inputs.orientations =
       rotations(std::vector<Scalar>(tools.orientations.begin(), tools.orientations.end()));
-  posed.tree = tree_of<Scalar>(mechanism, inputs);
-  if (points == LawPoints::contacts) posed.tree.operational_points = posed.tree.contacts;
+  unposed.tree = tree_of<Scalar>(mechanism, inputs);
+  if (points == LawPoints::contacts) unposed.tree.operational_points = unposed.tree.contacts;
   if (points == LawPoints::grasps) {
-    posed.objects = objects_of<Scalar>(mechanism);
-    posed.tree = holding_tree(posed.tree, posed.objects);
+    unposed.objects = objects_of<Scalar>(mechanism);
+    unposed.tree = holding_tree(unposed.tree, unposed.objects);
   }
+  return unposed;
+}
+
+template <class Scalar>
+Posed<Scalar> pose(Posed<Scalar> posed, LawPoints points, const std::vector<double>& q) {
   const std::vector<Scalar> at(q.begin(), q.end());
   posed.X = joint_transforms<Scalar>(posed.tree, at);
   defer_rotations(posed.tree, posed.X);
   if (points == LawPoints::grasps) follow_points(posed.tree, posed.objects);
   return posed;
+}
+
+template <class Scalar>
+Posed<Scalar> pose(const Mechanism& mechanism, LawPoints points, const std::vector<double>& q,
+                   const GivenTools& tools = {}) {
+  return pose(unposed<Scalar>(mechanism, points, tools), points, q);
 }
 
 /// A row whose pivot is but rounding error of its diagonal depends on those before it.

@@ -44,8 +44,9 @@ DenseMatrix<double> matrix_at(const Posed<double>& posed, TaskLaw::Kind kind, Ta
 OrdinaryPivots ordinary_pivots(const Mechanism& mechanism, TaskLaw::Kind kind, LawPoints points,
                                TaskBasis basis) {
   OrdinaryPivots pivots;
+  const auto constants = unposed<double>(mechanism, points);
   for (int state = 0; state < kOrdinaryStates; ++state) {
-    const auto posed = pose<double>(mechanism, points, ordinary_state(mechanism, state));
+    const auto posed = pose(constants, points, ordinary_state(mechanism, state));
     pivots.add(matrix_at(posed, kind, basis));
   }
   return pivots;

@@ -40,12 +40,14 @@ class Tracer {
   Tracer(const Mechanism& mechanism, int lanes)
       : mechanism_(mechanism), constants_(constant_tree<double>(mechanism)), lanes_(lanes) {}
 
-  Program trace(Function function, const RobotRoute& route, Names names = Names::kept) const {
+  /// `nodes`: about as many as the graph will have.
+  Program trace(Function function, const RobotRoute& route, Names names, std::size_t nodes) const {
     Program program;
     program.name = function_name(function);
     program.equation = info_of(function).equation;
     program.route = route.id;
     program.graph = Graph::for_trace(lanes_);
+    program.graph.reserve(nodes);
     if (names == Names::forgotten) program.graph.forget_names();
     const Graph::Scope scope(program.graph);
     RobotTrace trace;
@@ -123,7 +125,8 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
   PrunedAlgorithms pruned;
   for (const RobotRoute& route : robot_routes(function, mechanism, tree)) {
     if (pruned.has(route.id)) continue;
-    programs.push_back(tracer.trace(function, route));
+    const std::size_t nodes = programs.empty() ? 0 : programs.back().graph.nodes().size();
+    programs.push_back(tracer.trace(function, route, Names::kept, nodes));
     pruned.look_at(programs.back());
   }
   return programs;
@@ -135,8 +138,11 @@ std::function<Program(Names)> prepare_route(const Mechanism& mechanism, Function
   const TracedTree tree = structure_in(scratch, mechanism, function);
   for (const RobotRoute& route : robot_routes(function, mechanism, tree)) {
     if (key_of(route.id) != key_of(id)) continue;
-    return [tracer = Tracer(mechanism, 1), function, route](Names names) {
-      return tracer.trace(function, route, names);
+    return [tracer = Tracer(mechanism, 1), function, route,
+            nodes = std::size_t{0}](Names names) mutable {
+      Program program = tracer.trace(function, route, names, nodes);
+      nodes = program.graph.nodes().size();
+      return program;
     };
   }
   return [&mechanism, function, id](Names) {  // of another kind

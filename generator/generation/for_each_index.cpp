@@ -1,4 +1,4 @@
-#include "oracle/for_each_index.hpp"
+#include "generation/for_each_index.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,0 +1,198 @@
+#include "emission/body_printer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "emission/choose_names.hpp"
+#include "emission/select_statements.hpp"
+#include "emission/wrap_line.hpp"
+
+namespace treeline {
+
+BodyPrinter::BodyPrinter(const Program& program, const Syntax& syntax,
+                         const std::set<std::string>& taken, std::size_t most_angles)
+    : syntax_(syntax),
+      graph_(program.graph),
+      most_angles_(most_angles),
+      selected_(select_statements(program)),
+      names_(choose_names(program, selected_, taken)),
+      kept_elsewhere_(selected_.size(), false),
+      lanes_(program, names_),
+      expressions_(graph_, names_, syntax),
+      stores_(graph_.nodes().size()) {
+  for (const Result& result : program.results) {
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
+      stores_[result.values[i].node()].push_back(
+          {result.argument.name, fmt::format("{}[{}]", result.argument.name, i), result.values[i]});
+    }
+  }
+}
+
+std::uint32_t BodyPrinter::count() const {
+  return static_cast<std::uint32_t>(graph_.nodes().size());
+}
+
+void BodyPrinter::keep_in(std::uint32_t node, const std::string& place) {
+  names_[node] = place;
+  kept_elsewhere_[node] = true;
+}
+
+std::string BodyPrinter::print(std::uint32_t first, std::uint32_t end) {
+  text_.clear();
+  printed_title_.clear();
+  batches_ = 0;
+  for (std::uint32_t i = first; i < end;) {
+    enter_sections(i);
+    if (begins_run(i)) {
+      const std::uint32_t behind = end_of_run(i);
+      print_trigonometry(i, behind);
+      i = behind;
+    } else {
+      print_node(i);
+      ++i;
+    }
+  }
+  return std::exchange(text_, std::string());
+}
+
+void BodyPrinter::enter_sections(std::uint32_t node) {
+  for (; next_section_ < graph_.sections().size() &&
+         graph_.sections()[next_section_].first_node <= node;
+       ++next_section_) {
+    title_ = graph_.sections()[next_section_].title;
+  }
+}
+
+/// Writes one statement, below its section's title when the last statement was of another.
+void BodyPrinter::print_statement(const std::string& statement) {
+  if (title_ != printed_title_ && !title_.empty()) {
+    text_ += fmt::format("{}  {} {}\n", text_.empty() ? "" : "\n", syntax_.comment, title_);
+    printed_title_ = title_;
+  }
+  text_ += wrap_line(statement, 2);
+}
+
+std::string BodyPrinter::define(std::uint32_t node, const std::string& value) const {
+  return kept_elsewhere_[node] ? syntax_.store(names_[node], value)
+                               : syntax_.keep(syntax_.number, names_[node], value);
+}
+
+void BodyPrinter::print_node(std::uint32_t node) {
+  if (lanes_.has_statement(node)) {
+    print_statement(lanes_.statement(node, expressions_));
+  } else if (selected_[node] && !lanes_.is_packed(node)) {
+    print_statement(define(node, expressions_.formula(node)));
+  }
+  print_stores(node);
+}
+
+void BodyPrinter::print_stores(std::uint32_t node) {
+  for (const Store& store : stores_[node]) {
+    print_statement(syntax_.store(store.target, expressions_.signed_reference(store.value)));
+  }
+}
+
+bool BodyPrinter::begins_run(std::uint32_t node) const {
+  return is_trigonometric(graph_.nodes()[node].op) && selected_[node];
+}
+
+/// The node behind the sines and cosines from `first` on that one call computes.
+std::uint32_t BodyPrinter::end_of_run(std::uint32_t first) const {
+  std::set<std::uint32_t> angles;
+  std::uint32_t end = first;
+  for (; end < count() && is_trigonometric(graph_.nodes()[end].op) && graph_.nodes()[end].a < first;
+       ++end) {
+    angles.insert(graph_.nodes()[end].a);
+    if (angles.size() > most_angles_) break;
+  }
+  return end;
+}
+
+std::vector<std::uint32_t> BodyPrinter::angles_of(std::uint32_t first, std::uint32_t end) const {
+  std::vector<std::uint32_t> angles;
+  for (std::uint32_t i = first; i < end; ++i) {
+    const std::uint32_t angle = graph_.nodes()[i].a;
+    if (std::find(angles.begin(), angles.end(), angle) == angles.end()) angles.push_back(angle);
+  }
+  return angles;
+}
+
+void BodyPrinter::print_trigonometry(std::uint32_t first, std::uint32_t end) {
+  const std::vector<std::uint32_t> angles = angles_of(first, end);
+  const std::string suffix = batches_++ == 0 ? "" : std::to_string(batches_);
+  print_call(angles, suffix);
+  for (std::uint32_t i = first; i < end; ++i) {
+    const Node& node = graph_.nodes()[i];
+    const auto lane = std::find(angles.begin(), angles.end(), node.a) - angles.begin();
+    enter_sections(i);
+    const std::string element =
+        fmt::format("{}{}[{}]", node.op == Op::sin ? "sines" : "cosines", suffix, lane);
+    text_ += wrap_line(define(i, syntax_.read(element)), 2);
+    print_stores(i);
+  }
+}
+
+void BodyPrinter::print_call(const std::vector<std::uint32_t>& angles, const std::string& suffix) {
+  std::string list;
+  for (const std::uint32_t angle : angles) {
+    list += (list.empty() ? "" : ", ") + syntax_.read(expressions_.reference(angle));
+  }
+  for (const std::string& statement : syntax_.take_sines(syntax_, suffix, angles.size(), list)) {
+    text_ += wrap_line(statement, 2);
+  }
+}
+
+/// What a reference to the node reads.
+void BodyPrinter::add_reads(std::uint32_t node, BodyUnit& unit) const {
+  const Node& what = graph_.nodes()[node];
+  if (what.op == Op::constant) {
+    unit.constants.insert(node);
+  } else if (what.op == Op::input) {
+    const std::string& input = graph_.inputs()[what.a];
+    unit.arguments.insert(input.substr(0, input.find('[')));
+  } else if (selected_[node]) {
+    unit.values.insert(node);
+  } else {
+    add_operands(node, unit);
+  }
+}
+
+void BodyPrinter::add_operands(std::uint32_t node, BodyUnit& unit) const {
+  const Node& what = graph_.nodes()[node];
+  const int operands = operation(what.op).operands;
+  if (operands >= 1) add_reads(what.a, unit);
+  if (operands == 2) add_reads(what.b, unit);
+}
+
+void BodyPrinter::add_stores(std::uint32_t node, BodyUnit& unit) const {
+  for (const Store& store : stores_[node]) {
+    ++unit.statements;
+    unit.results.insert(store.result);
+    add_reads(node, unit);
+  }
+}
+
+std::vector<BodyUnit> BodyPrinter::list_units() const {
+  constexpr int kOfCall = 4;  // three arrays, and the call itself
+  std::vector<BodyUnit> units;
+  for (std::uint32_t i = 0; i < count();) {
+    BodyUnit unit;
+    unit.first = i;
+    unit.end = begins_run(i) ? end_of_run(i) : i + 1;
+    unit.statements = begins_run(i) ? kOfCall : 0;
+    for (; i < unit.end; ++i) {
+      if (selected_[i]) {
+        ++unit.statements;
+        add_operands(i, unit);
+      }
+      add_stores(i, unit);
+    }
+    for (std::uint32_t own = unit.first; own < unit.end; ++own) unit.values.erase(own);
+    if (unit.statements > 0) units.push_back(std::move(unit));
+  }
+  return units;
+}
+
+}  // namespace treeline

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "emission/backend/syntax.hpp"
+#include "emission/print_expression.hpp"
+#include "emission/print_lanes.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// Statements that stay together, of nodes `first` up to `end`: those of one node, or of sines and
+/// cosines that are computed by one call.
+struct BodyUnit {
+  std::uint32_t first = 0, end = 0;
+  int statements = 0;
+  std::set<std::uint32_t> values;     ///< nodes with a name that they read
+  std::set<std::uint32_t> constants;  ///< that they read
+  std::set<std::string> arguments;    ///< that they read
+  std::set<std::string> results;      ///< that they write
+};
+
+/// Prints the statements of a function in the order of the program's nodes.
+class BodyPrinter {
+ public:
+  /// `taken` are identifiers that a local may not have; `most_angles` those of one call.
+  BodyPrinter(const Program& program, const Syntax& syntax, const std::set<std::string>& taken,
+              std::size_t most_angles);
+
+  /// All units with statements, in order.
+  [[nodiscard]] std::vector<BodyUnit> list_units() const;
+  /// The statements of these nodes, indented by two blanks.
+  std::string print(std::uint32_t first, std::uint32_t end);
+
+  [[nodiscard]] const std::string& name_of(std::uint32_t node) const { return names_[node]; }
+  [[nodiscard]] std::uint32_t count() const;
+  [[nodiscard]] double constant(std::uint32_t node) const { return graph_.nodes()[node].value; }
+  [[nodiscard]] bool has_statement(std::uint32_t node) const { return selected_[node]; }
+  /// From now on the constant is a local of this name.
+  void name_constant(std::uint32_t node, const std::string& name) { names_[node] = name; }
+  /// From now on the value is kept where `place` says, which is declared elsewhere.
+  void keep_in(std::uint32_t node, const std::string& place);
+
+ private:
+  struct Store {
+    std::string result;
+    std::string target;
+    Expression value;
+  };
+
+  void enter_sections(std::uint32_t node);
+  void print_statement(const std::string& statement);
+  [[nodiscard]] std::string define(std::uint32_t node, const std::string& value) const;
+  void print_node(std::uint32_t node);
+  void print_stores(std::uint32_t node);
+  [[nodiscard]] bool begins_run(std::uint32_t node) const;
+  [[nodiscard]] std::uint32_t end_of_run(std::uint32_t first) const;
+  void print_trigonometry(std::uint32_t first, std::uint32_t end);
+  void print_call(const std::vector<std::uint32_t>& angles, const std::string& suffix);
+  [[nodiscard]] std::vector<std::uint32_t> angles_of(std::uint32_t first, std::uint32_t end) const;
+  void add_reads(std::uint32_t node, BodyUnit& unit) const;
+  void add_operands(std::uint32_t node, BodyUnit& unit) const;
+  void add_stores(std::uint32_t node, BodyUnit& unit) const;
+
+  const Syntax& syntax_;
+  const Graph& graph_;
+  std::size_t most_angles_;
+  std::vector<bool> selected_;
+  std::vector<std::string> names_;
+  std::vector<bool> kept_elsewhere_;
+  LanePrinter lanes_;
+  ExpressionPrinter expressions_;
+  std::vector<std::vector<Store>> stores_;
+  std::string text_;
+  std::string title_, printed_title_;
+  std::size_t next_section_ = 0;
+  int batches_ = 0;
+};
+
+}  // namespace treeline

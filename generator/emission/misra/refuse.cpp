@@ -1,0 +1,42 @@
+#include "emission/misra/refuse.hpp"
+
+#include <string>
+
+namespace treeline::misra {
+
+void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
+  if (!context.misra) return;
+  const auto report = [&diagnostics](const char* key, const char* fault, const char* remedy) {
+    diagnostics.add({Severity::error, "", 0, key, fault, remedy});
+  };
+  if (context.lanes > 1) {
+    report("lanes", "lanes are vectors of the compiler, which `profile: misra` does not use",
+           "Leave `lanes` out.");
+  }
+  if (context.batch > 0) {
+    report("batch", "functions of several states are vectors, which `profile: misra` does not use",
+           "Leave `batch` out.");
+  }
+  if (context.prefetch) {
+    report("prefetch", "code is loaded by builtins, which `profile: misra` does not use",
+           "Leave `prefetch` out.");
+  }
+  if (context.language == Language::c) return;
+  if (!context.heaviest.empty()) {
+    report(
+        "damped", "damped control in C++ needs the bits of numbers, which `profile: misra` avoids",
+        "Leave `damped` out, or generate C (`language: c`), where SAFETY.md lists the deviation.");
+  }
+  if (context.limited) {
+    report("torque_limits, friction",
+           "limited_control_torque is written as templates, which `profile: misra` does not have",
+           "Leave the limits out.");
+  }
+  if (context.controlled) {
+    report("controller",
+           "controllers are written as templates, which `profile: misra` does not have",
+           "Leave `controller` out and call the functions.");
+  }
+}
+
+}  // namespace treeline::misra

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// Which rules of MISRA C:2012 or MISRA C++:2023 the code of the scene's language and profile
+/// deviates from, why, and how that is known, as Markdown.
+std::string describe_deviations(const Scene& scene);
+
+}  // namespace treeline

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include "emission/backend/backend.hpp"
+#include "emission/emit.hpp"
+#include "emission/print_parts.hpp"
+#include "emission/sample.hpp"
+
+// Would catch: code of `profile: misra` that has what the profile promises to leave out, or that is
+// longer than it promises; what cppcheck says of it is in tests/consumers.
+namespace treeline {
+namespace {
+
+std::vector<GeneratedFile> emit_safe(Language language, bool single_precision) {
+  EmissionContext context = test::sample_context("arm", single_precision, language);
+  context.misra = true;
+  Diagnostics diagnostics;
+  auto files = emit(context, test::safe_programs(), diagnostics);
+  EXPECT_TRUE(diagnostics.list().empty());
+  std::erase_if(files, [](const GeneratedFile& file) {
+    return file.name == "CMakeLists.txt" || file.name == "manifest.json";
+  });
+  return files;
+}
+
+/// Lines of code, without comments and strings.
+std::vector<std::string> code_of(const std::string& text) {
+  static const std::regex not_code(R"(//.*|/\*.*?\*/|"([^"\\]|\\.)*")");
+  std::istringstream lines(text);
+  std::vector<std::string> code;
+  for (std::string line; std::getline(lines, line);) {
+    code.push_back(std::regex_replace(line, not_code, "_"));
+  }
+  return code;
+}
+
+void expect_no(const std::string& pattern, const GeneratedFile& file) {
+  const std::regex expression(pattern);
+  for (const std::string& line : code_of(file.text)) {
+    EXPECT_FALSE(std::regex_search(line, expression)) << file.name << ": " << line;
+  }
+}
+
+TEST(Misra, HasNoMacrosBuiltinsAndSmallSuffixes) {
+  for (const Language language : {Language::c, Language::cpp}) {
+    for (const GeneratedFile& file : emit_safe(language, true)) {
+      expect_no("^#(define (?!TREELINE_ARM\\w*_H(PP)?$)|undef|pragma)", file);
+      expect_no("\\b[0-9][0-9a-fx.p+-]*[fulUL]*[ful]\\b", file);
+      expect_no(
+          "__(?!cplusplus|FAST_MATH__|ASSOCIATIVE_MATH__|RECIPROCAL_MATH__|"
+          "FINITE_MATH_ONLY__|FLT_EVAL_METHOD__)\\w|\\b(union|reinterpret_cast|restrict|"
+          "asm|goto)\\b",
+          file);
+      expect_no(";.*[^ }].*;(?!.*\\))", file);
+    }
+  }
+}
+
+/// The most statements of a function that begins at the margin.
+int longest_function(const std::string& text) {
+  int longest = 0;
+  int statements = 0;
+  bool inside = false;
+  for (const std::string& line : code_of(text)) {
+    const bool begins =
+        line.ends_with("{") && line.find(") ") != std::string::npos && !line.starts_with("  ");
+    if (begins) statements = 0;
+    inside = begins || (inside && line != "}");
+    statements += inside && line.find(';') != std::string::npos ? 1 : 0;
+    longest = std::max(longest, statements);
+  }
+  return longest;
+}
+
+TEST(Misra, BoundsTheLengthOfFunctions) {
+  for (const Language language : {Language::c, Language::cpp}) {
+    int longest = 0;
+    for (const GeneratedFile& file : emit_safe(language, false)) {
+      const int length = longest_function(file.text);
+      EXPECT_LE(length, kMostStatements) << file.name;
+      longest = std::max(longest, length);
+    }
+    EXPECT_GE(longest, kMostStatements - 5);  // or functions were not found
+  }
+}
+
+TEST(Misra, NamesConstants) {
+  for (const GeneratedFile& file : emit_safe(Language::cpp, false)) {
+    if (!file.name.ends_with(".cpp")) continue;
+    for (const std::string& line : code_of(file.text)) {
+      const bool has_number = std::regex_search(line, std::regex("[^\\w][0-9]+\\.[0-9e]"));
+      const bool is_plain = std::regex_search(line, std::regex("[^\\w](0\\.0|0\\.5|1\\.0|2\\.0)"));
+      EXPECT_TRUE(!has_number || is_plain || line.starts_with("  const Real constant_")) << line;
+    }
+  }
+}
+
+TEST(Misra, RefusesWhatItDoesNotHave) {
+  EmissionContext context = test::sample_context("arm", false, Language::cpp);
+  context.misra = true;
+  context.lanes = 4;
+  context.batch = 4;
+  context.heaviest = {10, 10};
+  context.limited = true;
+  context.controlled = true;
+  Diagnostics diagnostics;
+  backend_of(Language::cpp).refuse(context, diagnostics);
+  std::vector<std::string> keys;
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    keys.push_back(diagnostic.element);
+    EXPECT_FALSE(diagnostic.remedy.empty());
+  }
+  EXPECT_EQ(keys, (std::vector<std::string>{"lanes", "batch", "damped", "torque_limits, friction",
+                                            "controller"}));
+}
+
+}  // namespace
+}  // namespace treeline

@@ -1,0 +1,63 @@
+#include "mechanism/absorb_turn.hpp"
+
+#include <gtest/gtest.h>
+
+#include "random_mechanism.hpp"
+
+// The price by which frames are placed. Would catch: a price that differs from the cost of the link
+// as it then is built, which absorbs the turn by functions of angles in 50 digits.
+
+namespace treeline::tests {
+namespace {
+
+/// One of the 24 rotations by quarter turns, or about some axes by other angles too.
+ExactMatrix3 draw_rotation(Rng& rng) {
+  ExactMatrix3 cycle = ExactMatrix3::Zero();
+  cycle(0, 2) = cycle(1, 0) = cycle(2, 1) = 1;
+  ExactMatrix3 R = ExactMatrix3::Identity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Exact angle = Exact(rng.below(4)) * half_pi() +
+                        (rng.below(2) == 0 ? Exact(rng.uniform(-1.4, 1.4)) : Exact(0));
+    R = (cycle * rotation_z(angle) * R).eval();
+  }
+  return R;
+}
+
+MovingLink draw_link(Rng& rng) {
+  MovingLink link;
+  link.parent = rng.below(3) - 1;
+  for (int i = 0; i < 3; ++i) link.placement.p(i) = rng.below(2) * rng.uniform(-1, 1);
+  link.placement.R = draw_rotation(rng);
+  switch (rng.below(4)) {
+    case 0:  // the turn at the end and the offset cancel
+      link.offset = -right_turn(link.placement.R);
+      break;
+    case 1:
+      link.offset = rng.uniform(-3, 3);
+      break;
+    default:
+      break;
+  }
+  return link;
+}
+
+TEST(AbsorbTurn, ThePriceIsTheCostOfTheLinkAsItIsBuilt) {
+  Rng rng(1);
+  const Resolution resolution{Exact(4.4e-16), Exact(4.4e-16)};
+  int absorbed = 0;
+  for (int round = 0; round < 400; ++round) {
+    SCOPED_TRACE(round);
+    MovingLink link = draw_link(rng);
+    link.placement = resolved(link.placement, resolution);
+    const int before = link_cost(link);
+    const int price = absorbed_cost(link, link.placement, resolution);
+    absorb_turn(link, resolution, nullptr);
+    EXPECT_EQ(price, link_cost(link));
+    absorbed += price < before ? 1 : 0;
+  }
+  EXPECT_GT(absorbed, 40);  // links of both kinds were drawn
+  EXPECT_LT(absorbed, 360);
+}
+
+}  // namespace
+}  // namespace treeline::tests
