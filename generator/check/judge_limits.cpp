@@ -9,7 +9,7 @@
 #include "check/judge_function.hpp"
 #include "check/print_entry.hpp"
 #include "generation/describe_limits.hpp"
-#include "oracle/for_each_index.hpp"
+#include "generation/for_each_index.hpp"
 #include "oracle/limited_optimum.hpp"
 
 namespace treeline {
