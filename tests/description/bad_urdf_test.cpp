@@ -188,9 +188,9 @@ const Case kRobots[] = {
       "constraints in the scene"}},
     {"LoopJointWithALimit",
      with_robot("<loop_joint name='l' type='fixed'><link1 link='a'/><link2 link='b'/>"
-                "<limit lower='0' upper='1'/></loop_joint>"),
-     {kWarning, 3, "robot/loop_joint[l]", "<limit> is not part of URDF and is ignored",
-      "remove it"}},
+                "<limit lower='0' upper='1'/></loop_joint>"
+                "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>"),
+     {kWarning, 3, "robot/loop_joint[l]", "<limit> has no place inside <loop_joint>", "remove it"}},
     {"LoopJointWithoutAnEnd",
      with_robot("<loop_joint name='l' type='fixed'><link1 link='a'/></loop_joint>"),
      {kError, 3, "robot/loop_joint[l]", "<link2> is missing", "write <link1"}},
