@@ -64,13 +64,13 @@ void turn_z_to(const std::array<double, 3>& axis, Pose& pose) {
 void hold(const LoopKind& kind, const std::array<double, 3>& axis, RobotLoop& loop) {
   loop.rows = kind.rows;
   if (!kind.has_axis) return;
-  const auto along = std::find_if(axis.begin(), axis.end(),
-                                  [](double component) { return std::abs(component) == 1; });
-  if (along == axis.end()) {
+  if (std::count(axis.begin(), axis.end(), 0.0) != 2) {
     turn_z_to(axis, loop.first.origin);
     turn_z_to(axis, loop.second.origin);
     return;
   }
+  const auto along =
+      std::find_if(axis.begin(), axis.end(), [](double component) { return component != 0; });
   const auto k = static_cast<std::size_t>(along - axis.begin());
   std::swap(loop.rows[k], loop.rows[2]);
   std::swap(loop.rows[k + 3], loop.rows[5]);
