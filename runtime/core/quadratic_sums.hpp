@@ -3,6 +3,11 @@
 
 #include "core/sin_cos.hpp"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
 namespace treeline::core::steps {
 
 template <class Real>
@@ -69,3 +74,7 @@ template <class Real>
 inline constexpr Real kContradiction = Real(1 << 15) * Format<Real>::kEpsilon;
 
 }  // namespace treeline::core::steps
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -30,12 +30,11 @@ std::string mutate_either(std::string text, Random& random) {
   return mutate_both(text, random);
 }
 
-const std::vector<Target> kTargets = {
-    {"urdf", "urdf", 300, try_urdf, mutate_urdf},
-    {"scene", "scene", 300, try_scene, mutate_scene},
-    {"drive", "drive", 300, try_drive, mutate_drive},
-    {"both", "both", 300, try_both, mutate_either},
-    {"generate", "both", 60, try_generate, mutate_either}};
+const std::vector<Target> kTargets = {{"urdf", "urdf", 300, try_urdf, mutate_urdf},
+                                      {"scene", "scene", 300, try_scene, mutate_scene},
+                                      {"drive", "drive", 300, try_drive, mutate_drive},
+                                      {"both", "both", 300, try_both, mutate_either},
+                                      {"generate", "both", 60, try_generate, mutate_either}};
 
 std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
