@@ -117,10 +117,10 @@ class PoseTaskController {
     F::control_torque(state.q, state.qd, qdd_0, xdd_cmd, tau);
   }
 
-  /// Loads the functions of a cycle into the caches, where F has a `prefetch` that does so.
-  void prepare() const noexcept {
-    if constexpr (requires { F::prefetch(); }) F::prefetch();
-  }
+  /// Loads the functions of a cycle into the caches, where F has a `prefetch` that does so. Without
+  /// it the loop has no reason to wake earlier.
+  void prepare() const noexcept requires requires { F::prefetch(); }
+  { F::prefetch(); }
 
   const Tracking& tracking(int point) const noexcept {
     return tracking_[static_cast<std::size_t>(point)];
