@@ -24,9 +24,9 @@ struct OrdinaryInertia {
 OrdinaryInertia look_at_states(const Mechanism& mechanism) {
   OrdinaryInertia found;
   found.velocities.resize(static_cast<std::size_t>(mechanism.nv()));
+  const auto constants = unposed<double>(mechanism, LawPoints::operational);
   for (int state = 0; state < kOrdinaryStates; ++state) {
-    const auto posed =
-        pose<double>(mechanism, LawPoints::operational, ordinary_state(mechanism, state));
+    const auto posed = pose(constants, LawPoints::operational, ordinary_state(mechanism, state));
     const auto M = mass_matrix(posed.tree, posed.X);
     for (std::size_t v = 0; v < M.rows(); ++v) found.velocities[v].push_back(M(v, v));
     found.rows.add(

@@ -15,9 +15,9 @@ class SupportedStates {
   explicit SupportedStates(const Mechanism& mechanism) : passive_(mechanism.passive) {
     anchored_ = static_cast<std::size_t>(mechanism.anchored_rows());
     held_ = static_cast<std::size_t>(mechanism.held_rows());
+    const auto constants = unposed<double>(mechanism, LawPoints::operational);
     for (int state = 0; state < kOrdinaryStates; ++state) {
-      posed_.push_back(
-          pose<double>(mechanism, LawPoints::operational, ordinary_state(mechanism, state)));
+      posed_.push_back(pose(constants, LawPoints::operational, ordinary_state(mechanism, state)));
       rows_.push_back(jacobian_of(posed_.back()));
       columns_.push_back(columns_of(rows_.back(), passive_));
     }

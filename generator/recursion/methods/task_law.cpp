@@ -110,9 +110,10 @@ std::vector<double> jacobian_borders(const TaskLaw& law, const std::vector<bool>
   std::vector<std::vector<double>> sizes(6);
   const auto [lone, a, b] = law.arm.rows();
   const std::vector<Pivot> last(law.pivots.begin() + 3, law.pivots.end());
+  const auto constants = unposed<double>(*law.mechanism, LawPoints::operational);
   for (int state = 0; state < kOrdinaryStates; ++state) {
     const auto posed =
-        pose<double>(*law.mechanism, LawPoints::operational, ordinary_state(*law.mechanism, state));
+        pose(constants, LawPoints::operational, ordinary_state(*law.mechanism, state));
     const auto J = wrist_jacobian(posed.tree, posed.X, law.basis.axes_link);
     sizes[0].push_back(std::abs(J(lone, 0)));
     sizes[2].push_back(std::abs(J(a, 1) * J(b, 2) - J(b, 1) * J(a, 2)));
