@@ -11,6 +11,7 @@
 #include "bounds/operator_norm.hpp"
 #include "bounds/quaternion_scale.hpp"
 #include "bounds/turn_rounding.hpp"
+#include "program/hash_word.hpp"
 
 namespace treeline::bounds {
 namespace {
@@ -39,8 +40,7 @@ struct SetBounds::Turn {
 std::size_t SetBounds::Hash::operator()(const Set& set) const {
   std::uint64_t hash = set.size();
   for (const Member& member : set) {
-    hash = (hash ^ member.node ^ std::bit_cast<std::uint64_t>(member.weight)) * 0x9e3779b97f4a7c15U;
-    hash ^= hash >> 32;
+    hash = hash_word(hash, member.node ^ std::bit_cast<std::uint64_t>(member.weight));
   }
   return static_cast<std::size_t>(hash);
 }

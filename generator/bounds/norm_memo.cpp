@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "program/hash_word.hpp"
+
 namespace treeline::bounds {
 namespace {
 
@@ -27,10 +29,7 @@ std::vector<std::uint64_t> key_of(const TrigMatrix& A) {
 
 std::size_t NormMemo::Hash::operator()(const Key& key) const {
   std::uint64_t hash = key.size();
-  for (const std::uint64_t part : key) {
-    hash = (hash ^ part) * 0x9e3779b97f4a7c15U;
-    hash ^= hash >> 32;
-  }
+  for (const std::uint64_t part : key) hash = hash_word(hash, part);
   return static_cast<std::size_t>(hash);
 }
 

@@ -4,8 +4,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "description/list_links.hpp"
 #include "description/read_joint.hpp"

@@ -13,8 +13,8 @@ namespace treeline {
 /// `revolute`, `continuous`, `prismatic`.
 bool is_loop_joint(const UrdfElement& element);
 
-/// Reads it. An error for another type, for a link that the
-/// robot does not have, and for a name that is taken.
+/// Reads it. An error for another type, for a link that the robot does not have, and for a name
+/// that is taken.
 void read_loop_joint(const UrdfElement& element, Robot& robot);
 
 }  // namespace treeline

@@ -72,6 +72,10 @@ void follow_misra(bool single_precision, Syntax& syntax) {
   if (single_precision) syntax.literal = safe_float_literal;
 }
 
+std::string number_literal(const EmissionContext& context, const char* digits) {
+  return std::string(digits) + (context.single_precision ? "F" : "");
+}
+
 std::string in_capitals(std::string name) {
   for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return name;

@@ -42,7 +42,8 @@ class DenseProgram {
         facts_(facts),
         nv_(problem.M.rows()),
         held_(problem.f.size()),
-        size_(nv_ + held_ + 1) {
+        size_(nv_ + held_ + 1),
+        M_inverse_(interpreter::inverse_of_positive_definite<Digits50>(problem.M)) {
     set_cost();
     set_equations();
     set_limits();
@@ -81,6 +82,7 @@ class DenseProgram {
   const LimitProblem& problem_;
   const LimitFacts& facts_;
   Eigen::Index nv_, held_, size_;
+  Matrix50 M_inverse_;
   Matrix50 H_, E_, B_;
   Vector50 h_, lower_, upper_;
   std::vector<bool> has_lower_, has_upper_;
@@ -106,11 +108,10 @@ Matrix50 DenseProgram::free_forces() const {
 
 /// Of J_t M^-1 (tau + J_s^T f), whose difference before and after is what the task loses.
 Digits50 DenseProgram::lost_size(const Vector50& d_qdd, const Vector50& d_f) const {
-  const Matrix50 M_inverse = interpreter::inverse_of_positive_definite<Digits50>(problem_.M);
   const Vector50 forces =
       problem_.tau.cwiseAbs() + (problem_.M * d_qdd).cwiseAbs() +
       problem_.J_s.transpose().cwiseAbs() * (problem_.f.cwiseAbs() + d_f.cwiseAbs());
-  return largest(problem_.J_t.cwiseAbs() * Vector50(M_inverse.cwiseAbs() * forces));
+  return largest(problem_.J_t.cwiseAbs() * Vector50(M_inverse_.cwiseAbs() * forces));
 }
 
 void DenseProgram::set_cost() {
@@ -119,10 +120,9 @@ void DenseProgram::set_cost() {
   H_ = Matrix50::Zero(size_, size_);
   h_ = Vector50::Zero(size_);
   H_.topLeftCorner(nv_, nv_) = problem_.M;
-  const Matrix50 M_inverse = interpreter::inverse_of_positive_definite<Digits50>(problem_.M);
   for (Eigen::Index t = 0; t < problem_.J_t.rows(); ++t) {
     const Vector50 row = problem_.J_t.row(t).transpose();
-    const Digits50 mobility = row.dot(Vector50(M_inverse * row));
+    const Digits50 mobility = row.dot(Vector50(M_inverse_ * row));
     if (mobility == 0) continue;
     const Digits50 weight = k2 * facts_.task_weights[static_cast<std::size_t>(t)] / mobility;
     H_.topLeftCorner(nv_, nv_) += weight * row * row.transpose();

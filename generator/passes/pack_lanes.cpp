@@ -11,6 +11,7 @@
 #include "passes/lane_operands.hpp"
 #include "passes/pack_cycles.hpp"
 #include "passes/rebuild.hpp"
+#include "program/hash_word.hpp"
 
 namespace treeline {
 namespace {
@@ -38,10 +39,7 @@ std::vector<std::uint32_t> distinct(const LanePack& lanes) {
 struct HashOfLanes {
   std::size_t operator()(const LanePack& lanes) const {
     std::uint64_t hash = lanes.size();
-    for (const std::uint32_t node : lanes) {
-      hash = (hash ^ node) * 0x9e3779b97f4a7c15U;
-      hash ^= hash >> 32;
-    }
+    for (const std::uint32_t node : lanes) hash = hash_word(hash, node);
     return static_cast<std::size_t>(hash);
   }
 };

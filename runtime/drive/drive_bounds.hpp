@@ -126,7 +126,6 @@ void DriveController<F>::bound_task(const State& state, const double* J,
 template <class F>
 void DriveController<F>::share_torque(const State& state, const double (&braking)[nv],
                                       const bool (&shares)[nv], double (&tau)[nv]) noexcept {
-  slowed_ = false;
   for (int i = 0; i < nv; ++i) {
     slowed_ = slowed_ || (shares[i] && std::fabs(tau[i]) > settings_.torque[at(i)]);
   }

@@ -80,11 +80,6 @@ std::string print_root(const EmissionContext& context) {
       name_in_capitals(context), context.single_precision ? "float" : "double", portable);
 }
 
-/// A number of the context's type, as a literal of C.
-std::string number(const EmissionContext& context, const char* digits) {
-  return std::string(digits) + (context.single_precision ? "F" : "");
-}
-
 std::string print_square_root(const EmissionContext& context) {
   const bool single = context.single_precision;
   return fill_template(
@@ -99,7 +94,7 @@ std::string print_square_root(const EmissionContext& context) {
        {"sign", single ? "31" : "63"},
        {"infinity", single ? "255" : "2047"},
        {"raised", single ? "24" : "54"},
-       {"zero", number(context, "0.0")},
+       {"zero", number_literal(context, "0.0")},
        {"include", context.misra ? "#include <stdint.h>" : "#include \"sin_cos.h\""},
        {"number", context.misra ? print_number(context) + "\n" : std::string()},
        {"instructions", lift_instructions(context)},
@@ -117,10 +112,10 @@ std::string print_damped_solve(const EmissionContext& context) {
                                                  {"resolution", single ? "0x1p-17F" : "0x1p-46"},
                                                  {"negligible", single ? "0x1p-21F" : "0x1p-50"},
                                                  {"lost", single ? "1e-30F" : "1e-280"},
-                                                 {"half", number(context, "0.5")},
-                                                 {"zero", number(context, "0.0")},
-                                                 {"one", number(context, "1.0")},
-                                                 {"two", number(context, "2.0")}});
+                                                 {"half", number_literal(context, "0.5")},
+                                                 {"zero", number_literal(context, "0.0")},
+                                                 {"one", number_literal(context, "1.0")},
+                                                 {"two", number_literal(context, "2.0")}});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "emission/c/lift_steps.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/misra/templates.hpp"
@@ -51,9 +52,7 @@ std::string print_turn_head(const EmissionContext& context, bool is_c, const cha
 std::string print_steps(const EmissionContext& context, bool is_c) {
   const bool single = context.single_precision;
   const char* const real = single ? "float" : "double";
-  const auto number = [single](const char* digits) {
-    return std::string(digits) + (single ? "F" : "");
-  };
+  const auto number = [&](const char* digits) { return number_literal(context, digits); };
   const auto lifted = c::lift_steps(cpp::templates::kSinCos, context.name, single);
   return fill_template(
       templates::kSinCosSteps,
