@@ -142,8 +142,8 @@ Cooperation cooperate(const CarryPlan& plan, Law law, const Trouble& trouble) {
   Wanted before;
   Internal felt;
   std::size_t cycle = 0;
-  const auto law = [&](double time, const servo::StateOf<Pair>& measured,
-                       double(&tau)[Pair::kVelocities]) {
+  const auto step = [&](double time, const servo::StateOf<Pair>& measured,
+                        double(&tau)[Pair::kVelocities]) {
     const PairState state = Pair::state_of(measured.q, measured.qd);
     const Wanted wanted = wanted_at(plan, time);
     if (cycle == 0) {  // the hands squeeze as commanded when the run begins
@@ -164,7 +164,7 @@ Cooperation cooperate(const CarryPlan& plan, Law law, const Trouble& trouble) {
     before = wanted;
     return norm(error) < kLost;
   };
-  servo::run_law<Pair>(static_cast<double>(cycles - 1) / plan.rate, plan.rate, {}, robots, law);
+  servo::run_law<Pair>(static_cast<double>(cycles - 1) / plan.rate, plan.rate, {}, robots, step);
   return run;
 }
 
