@@ -7,9 +7,11 @@ foreach(program ${PROGRAMS})
   list(GET parts 1 ${name})
 endforeach()
 set(pictures humanoid24/touch_floor humanoid24/rock_torso humanoid24/put_box humanoid24/carry_ladder
-  humanoid24/time_and_error samm/circles anymal_c/trot
+  humanoid24/hit_wall humanoid24/time_and_error puma560/elbow_lock samm/carry_object samm/circles
+  anymal_c/trot
   hands/allegro hands/shadow)
-file(MAKE_DIRECTORY ${FOLDER}/anymal_c ${FOLDER}/hands ${FOLDER}/humanoid24 ${FOLDER}/samm ${FOLDER}/circles)
+file(MAKE_DIRECTORY ${FOLDER}/anymal_c ${FOLDER}/hands ${FOLDER}/humanoid24 ${FOLDER}/puma560 ${FOLDER}/samm
+  ${FOLDER}/circles ${FOLDER}/locks)
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -19,10 +21,11 @@ function(draw picture motion)
 endfunction()
 set(humanoid ${ROBOTS}/humanoid24)
 
-foreach(experiment touch_floor rock_torso put_box carry_ladder trot_anymal)
+foreach(experiment touch_floor rock_torso put_box hit_wall carry_object carry_ladder trot_anymal)
   run(${${experiment}} --csv ${FOLDER}/${experiment}.csv)
 endforeach()
 run(${samm_circles} --output ${FOLDER}/circles)
+run(${puma560_singularity} --output ${FOLDER}/locks)
 
 draw(humanoid24/touch_floor ${FOLDER}/touch_floor.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene.yaml
@@ -33,6 +36,14 @@ draw(humanoid24/rock_torso ${FOLDER}/rock_torso.csv
 draw(humanoid24/put_box ${FOLDER}/put_box.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene_box.yaml
   --times 0.25,1.75,2.75,3.75,5.25 --elevation 0.18)
+draw(humanoid24/hit_wall ${FOLDER}/hit_wall.csv
+  ${humanoid}/humanoid24.urdf ${humanoid}/scene_hit_wall.yaml
+  --times 0,0.4,0.8,1.2 --elevation 0.18)
+draw(samm/carry_object ${FOLDER}/carry_object.csv ${ROBOTS}/samm/pair.yaml
+  --times 0.5,3,5,8 --azimuth 0.6 --elevation 0.3)
+draw(puma560/elbow_lock ${FOLDER}/locks/elbow_lock_singular.csv
+  ${ROBOTS}/puma560/puma560.urdf ${ROBOTS}/puma560/scene.yaml
+  --times 0,1,2,3,4 --path tool)
 draw(humanoid24/carry_ladder ${FOLDER}/carry_ladder.csv ${humanoid}/ladder.yaml
   --times 0,1.5,2,4 --azimuth 1.3 --elevation 0.5)
 draw(anymal_c/trot ${FOLDER}/trot_anymal.csv

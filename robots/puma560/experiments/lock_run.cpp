@@ -38,7 +38,7 @@ std::vector<std::string> column_names() {
   std::vector<std::string> names{"time", "position_error", "rotation_error", "sigma"};
   for (const char* quantity : {"q", "qd", "tau"}) {
     for (int i = 1; i <= 6; ++i) {
-      names.push_back(fmt::format("{}{}", quantity, i));
+      names.push_back(fmt::format("{}_joint{}", quantity, i));
     }
   }
   names.emplace_back("share");
