@@ -8,7 +8,7 @@
 #include "core/link_functions.hpp"
 #include "program/link_loops.hpp"
 #include "recursion/methods/task_law.hpp"
-#include "recursion/routes/trace_parts.hpp"
+#include "recursion/routes/result_parts.hpp"
 #include "recursion/tree/counted.hpp"
 #include "recursion/tree/declare_inputs.hpp"
 #include "recursion/tree/plain_expression.hpp"
