@@ -134,8 +134,8 @@ std::string describe_stack(const EmissionContext& context, const Program& progra
 std::string describe_loops(const EmissionContext& context) {
   return fmt::format(
       "Branches are on the table in {}_links.hpp alone, so that every input takes the same "
-      "instructions. Rounding is that of the operations of the loops in their order, as the "
-      "generator traced them.",
+      "instructions where the target has some for Real. Rounding is that of the operations of the "
+      "loops in their order, as the generator traced them.",
       context.name);
 }
 

@@ -2,6 +2,7 @@
 // imitates. With --small: the table of small code in generator/README.md.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
 #include <optional>
 #include <string>
@@ -43,6 +44,7 @@ std::optional<BoardReport> run(const std::string& robots, const std::string& nam
     CheckOptions options;
     options.references.states = name == "puma560" ? 300 : 100;
     options.compile.long_flags = "-O1 -ffp-contract=off";
+    if (!functions.empty()) options.references.states = 10;
     if (optimize == Optimize::size) options.compile.flags = "-Os -ffp-contract=off";
     if (generation) report = check_on_board(*robot, *scene, *generation, options, diagnostics);
   }
@@ -110,7 +112,8 @@ bool report_small_code(const std::string& robots, const std::string& name, Real 
   const auto small = run(robots, name, target, real, Optimize::size, functions);
   if (!lines || !small) return false;
   fmt::print(
-      "\n| {}, {} | bytes: speed | size | share | stack | | instructions | |\n"
+      "\n| {}, {} | bytes: `speed` | `size` | share | stack: `speed` | `size` | "
+      "instructions: `speed` | `size` |\n"
       "|---|---|---|---|---|---|---|---|\n",
       name, real == Real::float32 ? "float" : "double");
   for (std::size_t i = 0; i < lines->functions.size(); ++i) {
@@ -122,6 +125,7 @@ bool report_small_code(const std::string& robots, const std::string& name, Real 
                100.0 * after / before, a.stack_bytes.value_or(-1), b.stack_bytes.value_or(-1),
                print_count(a), print_count(b));
   }
+  std::fflush(stdout);
   return lines->passed() && small->passed();
 }
 
