@@ -10,11 +10,18 @@
 namespace treeline {
 namespace {
 
-void note_bits(const CallResult& result, const StateReference& reference,
-               const FunctionReference& function, FunctionReport& report) {
+/// Loops over links add zeros that their graph leaves out, which makes zeros positive.
+bool same_or_zero(double a, double b) {
+  return same_bits(a, b) || (a == 0 && b == 0);
+}
+
+void note_bits(const GeneratedFunction& generated, const CallResult& result,
+               const StateReference& reference, const FunctionReference& function,
+               FunctionReport& report) {
   report.bits_known = report.bits_known && !function.graph.empty();
-  const bool same = std::equal(result.entries.begin(), result.entries.end(), function.graph.begin(),
-                               function.graph.end(), same_bits);
+  const bool same =
+      std::equal(result.entries.begin(), result.entries.end(), function.graph.begin(),
+                 function.graph.end(), generated.program.loops ? same_or_zero : same_bits);
   report.out_of_bounds += result.wrote_out_of_bounds ? 1 : 0;
   if (same || !report.bits_known) return;
   if (report.bits_differ++ == 0) report.first_bits_differ = reference.state.index;
@@ -52,8 +59,8 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
     const FunctionReference& function = reference.functions[i];
     ++report.states;
     CallResult result = accurate.call(i, reference.state);
-    note_bits(&accurate == &exact ? result : exact.call(i, reference.state), reference, function,
-              report);
+    note_bits(generated, &accurate == &exact ? result : exact.call(i, reference.state), reference,
+              function, report);
     if (function.singular && function.stays_finite && !are_finite(result.entries)) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       note_error({reference.state.index, kInfinity, Bound::kFloorUlp, function.condition,

@@ -15,6 +15,7 @@
 #include "cli/bench.hpp"
 #include "cli/certify.hpp"
 #include "cli/check.hpp"
+#include "cli/convert.hpp"
 #include "cli/describe_usage_error.hpp"
 #include "cli/diff.hpp"
 #include "cli/draw.hpp"
@@ -65,6 +66,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   treeline::add_bench(app, exit_code);
   treeline::add_inspect(app, exit_code);
   treeline::add_init_scene(app, exit_code);
+  treeline::add_convert(app, exit_code);
   treeline::add_diff(app, exit_code);
   treeline::add_simulate(app, exit_code);
   treeline::add_draw(app, exit_code);

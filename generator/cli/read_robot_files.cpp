@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "description/print_joined_urdf.hpp"
+#include "description/read_robot_text.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
@@ -46,12 +47,14 @@ std::optional<RobotWithFiles> read_robot_files(const std::string& first, const s
            diagnostics);
     return std::nullopt;
   }
-  auto robot = parse_urdf(*text, shown_path(first), diagnostics);
+  auto robot_text = as_robot_text(std::move(*text), first, diagnostics);
+  if (!robot_text) return std::nullopt;
+  auto robot = parse_urdf(robot_text->urdf, robot_text->shown, diagnostics);
   if (!robot) return std::nullopt;
   auto scene_text = second.empty() ? std::string() : read_text_file(second, diagnostics);
   if (!scene_text) return std::nullopt;
   return RobotWithFiles{std::move(*robot),
-                        {first, std::move(*text), second, std::move(*scene_text), {}}};
+                        {first, std::move(robot_text->urdf), second, std::move(*scene_text), {}}};
 }
 
 std::optional<Scene> parse_scene_of(const RobotWithFiles& read, Diagnostics& diagnostics,

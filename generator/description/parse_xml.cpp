@@ -207,22 +207,18 @@ const XMLElement* only_root(const tinyxml2::XMLDocument& document, const Complai
 }
 
 std::string other_format(std::string_view name) {
-  if (name == "sdf" || name == "gazebo" || name == "world" || name == "model") {
-    return "this looks like SDF, which is not read: export the robot as URDF";
+  if (name == "gazebo") return "this is SDF before version 1.3: let Gazebo save it again";
+  if (name == "sdf" || name == "world" || name == "model") {
+    return "this looks like a part of SDF: its root is <sdf>";
   }
   if (name == "mujoco") return "this is MJCF, which is not read: export the robot as URDF";
   if (name == "COLLADA") return "this is COLLADA: name the robot's URDF";
   return "the root element of a URDF is <robot>";
 }
 
-}  // namespace
-
-const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::string& file,
-                                           tinyxml2::XMLDocument& document,
-                                           Diagnostics& diagnostics) {
-  const Complaint complain{file, diagnostics};
-  if (!check_bytes(text, complain)) return nullptr;
-  const std::string mended = without_late_declaration(text, file, diagnostics);
+/// The root of whatever XML it is; nothing, and an error, where it is none.
+const XMLElement* parse_mended(const std::string& mended, tinyxml2::XMLDocument& document,
+                               const Complaint& complain) {
   if (document.Parse(mended.data(), mended.size()) != tinyxml2::XML_SUCCESS) {
     complain_of_xml(document, mended, complain);
     return nullptr;
@@ -231,7 +227,28 @@ const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::s
     complain(misread->line, "", misread->fault, misread->remedy);
     return nullptr;
   }
-  const XMLElement* root = only_root(document, complain);
+  return only_root(document, complain);
+}
+
+}  // namespace
+
+std::optional<std::string> well_formed_xml(const std::string& text, const std::string& file,
+                                           Diagnostics& diagnostics) {
+  const Complaint complain{file, diagnostics};
+  if (!check_bytes(text, complain)) return std::nullopt;
+  std::string mended = without_late_declaration(text, file, diagnostics);
+  tinyxml2::XMLDocument document;
+  if (parse_mended(mended, document, complain) == nullptr) return std::nullopt;
+  return mended;
+}
+
+const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::string& file,
+                                           tinyxml2::XMLDocument& document,
+                                           Diagnostics& diagnostics) {
+  const Complaint complain{file, diagnostics};
+  if (!check_bytes(text, complain)) return nullptr;
+  const std::string mended = without_late_declaration(text, file, diagnostics);
+  const XMLElement* root = parse_mended(mended, document, complain);
   if (root == nullptr) return nullptr;
   if (std::string_view(root->Name()) != "robot") {
     complain(root->GetLineNum(), root->Name(),

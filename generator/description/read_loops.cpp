@@ -11,6 +11,7 @@
 #include "description/list_links.hpp"
 #include "description/read_joint.hpp"
 #include "description/rotation.hpp"
+#include "description/rpy_from_rotation.hpp"
 
 namespace treeline {
 namespace {
@@ -50,18 +51,13 @@ constexpr std::array kKinds{LoopKind{"spherical", {true, true, true, false, fals
                             LoopKind{"continuous", {true, true, true, true, true, false}, true},
                             LoopKind{"prismatic", {true, true, false, true, true, true}, true}};
 
-/// The rotation by which z becomes the axis, put behind that of the pose. Near a pitch of a quarter
-/// turn the yaw is any; the roll that follows from it makes up for it.
+/// The rotation by which z becomes the axis, put behind that of the pose.
 void turn_z_to(const std::array<double, 3>& axis, Pose& pose) {
   const double azimuth = std::atan2(axis[1], axis[0]);
   const double polar = std::atan2(std::hypot(axis[0], axis[1]), axis[2]);
   const Eigen::Matrix3d R =
       rotation_from_rpy<double>(pose.rpy) * rotation_from_rpy<double>({0, polar, azimuth});
-  const double yaw = std::atan2(R(1, 0), R(0, 0));
-  const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
-  const double s = std::sin(yaw), c = std::cos(yaw);
-  const double roll = std::atan2(s * R(0, 2) - c * R(1, 2), c * R(1, 1) - s * R(0, 1));
-  pose.rpy = {roll, pitch, yaw};
+  pose.rpy = rpy_from_rotation(R);
 }
 
 /// Rows along the axes of both frames. Where the joint's axis is one of these, the frames stay as

@@ -10,6 +10,7 @@
 #include "description/default_base.hpp"
 #include "description/identifier.hpp"
 #include "description/parse_yaml.hpp"
+#include "description/read_robot_text.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
@@ -99,8 +100,8 @@ class Reader {
   std::optional<std::size_t> parse(const std::string& name, const std::string& path,
                                    const SceneElement& element) {
     if (failed_.contains(path)) return std::nullopt;
-    auto text = read_text_file(path, diagnostics_);
-    auto robot = text ? parse_urdf(*text, path, diagnostics_) : std::nullopt;
+    auto text = read_robot_text(path, diagnostics_);
+    auto robot = text ? parse_urdf(text->urdf, text->shown, diagnostics_) : std::nullopt;
     if (!robot) {
       failed_.insert(path);
       element.error("this robot cannot be read, see above",
@@ -109,7 +110,7 @@ class Reader {
     }
     const fs::path written = name;
     found_.files.push_back(
-        {written.is_absolute() ? written.filename().string() : name, path, std::move(*text)});
+        {written.is_absolute() ? written.filename().string() : name, path, std::move(text->urdf)});
     parsed_.push_back(std::move(*robot));
     return parsed_.size() - 1;
   }

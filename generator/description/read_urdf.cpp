@@ -16,8 +16,8 @@
 #include "description/read_joint.hpp"
 #include "description/read_link.hpp"
 #include "description/read_loops.hpp"
+#include "description/read_robot_text.hpp"
 #include "description/read_rotors.hpp"
-#include "description/read_text_file.hpp"
 #include "description/resolve_mimics.hpp"
 #include "description/urdf_element.hpp"
 
@@ -215,9 +215,9 @@ std::optional<Robot> parse_urdf(const std::string& text, const std::string& file
 }
 
 std::optional<Robot> read_urdf(const std::string& path, Diagnostics& diagnostics) {
-  const auto text = read_text_file(path, diagnostics);
+  const auto text = read_robot_text(path, diagnostics);
   if (!text) return std::nullopt;
-  return parse_urdf(*text, shown_path(path), diagnostics);
+  return parse_urdf(text->urdf, text->shown, diagnostics);
 }
 
 }  // namespace treeline

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "description/printable.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
@@ -9,6 +11,7 @@
 #include "emission/print_parts.hpp"
 #include "emission/print_target.hpp"
 #include "program/format_literal.hpp"
+#include "program/link_loops.hpp"
 
 namespace treeline {
 namespace {
@@ -101,13 +104,39 @@ std::string describe_input_costs(const EmissionContext& context, const Program& 
   return wrap_text(text + ".", 95) + "\n";
 }
 
+/// Numbers of the work space in `runtime/core/link_*.hpp`.
+std::size_t count_work(const LinkLoops& loops) {
+  const LinkTableData& table = loops.table;
+  const std::size_t links = table.links.size();
+  const auto slots = static_cast<std::size_t>(table.slots);
+  const auto rows = static_cast<std::size_t>(table.rows);
+  const std::size_t points = table.points.size();
+  std::size_t count = 9 * links + 9 * slots + 9 * std::max<std::size_t>(points, 1) + 9;
+  if (loops.uses_inertias) count += 7 * links + 27 * slots + (table.floats ? 36 : 1);
+  if (loops.uses_rows) count += 9 * points + (8 + rows) * rows;
+  return count;
+}
+
 /// `13 values live at once, 104 bytes`
 std::string describe_stack(const EmissionContext& context, const Program& program) {
+  if (program.loops) {
+    const std::size_t work = count_work(*program.loops);
+    return fmt::format("{} values of work space, {} bytes, and what calls take", work,
+                       work * (context.single_precision ? 4 : 8));
+  }
   const int live = count_live_values(program);
   const int shared = context.misra ? static_cast<int>(count_shared_values(program)) : 0;
   return fmt::format("{} values live at once{}, {} bytes", live,
                      shared > 0 ? fmt::format(", {} are shared by parts", shared) : "",
                      (live + shared) * (context.single_precision ? 4 : 8));
+}
+
+std::string describe_loops(const EmissionContext& context) {
+  return fmt::format(
+      "Branches are on the table in {}_links.hpp alone, so that every input takes the same "
+      "instructions. Rounding is that of the operations of the loops in their order, as the "
+      "generator traced them.",
+      context.name);
 }
 
 }  // namespace
@@ -116,6 +145,7 @@ std::string describe_function(const EmissionContext& context, const Program& pro
   std::string text = wrap_text(program.equation.empty() ? program.name : program.equation, 95);
   text += '\n';
   text += describe_method(program);
+  if (program.loops) text += wrap_text(describe_loops(context), 95) + "\n";
   for (const Argument& argument : program.arguments) {
     text += describe_argument(argument, "in ");
   }

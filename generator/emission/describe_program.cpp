@@ -11,7 +11,7 @@
 namespace treeline {
 bool is_long(const Program& program) {
   constexpr int kLong = 12000;
-  return count_operations(program).flops() > kLong;
+  return !program.loops && count_operations(program).flops() > kLong;
 }
 
 bool reads(const Program& program, const Argument& argument) {

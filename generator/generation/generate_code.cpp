@@ -11,6 +11,7 @@
 #include "emission/backend/backend.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
+#include "generation/choose_loops.hpp"
 #include "generation/compose_controller.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/count_inputs.hpp"
@@ -20,6 +21,7 @@
 #include "generation/function_mechanisms.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
+#include "recursion/routes/trace_loops.hpp"
 
 namespace treeline {
 namespace {
@@ -170,10 +172,24 @@ std::vector<Job> list_jobs(FunctionMechanisms& mechanisms, const Scene& scene) {
   return jobs;
 }
 
-void do_job(const Scene& scene, const Choices& choices, const Domain& domain, Job& job) {
+/// The function in whichever form is chosen: as straight lines, or as loops over links.
+void generate_in_form(const Scene& scene, const Choices& choices, Job& job) {
+  std::map<Function, RouteChoice> routes = job.batch ? choices.batch : choices.plain;
+  const auto choice = routes.find(job.function);
+  const bool chosen = choice != routes.end();
+  const bool loops = chosen && !job.batch && choice->second.route == kLoopsKey;
+  if (loops) routes.erase(choice);
   job.generated = generate_by_choice(*job.mechanism, job.function, route_options(scene, job.batch),
-                                     job.batch ? choices.batch : choices.plain, job.diagnostics);
-  if (!job.generated) return;
+                                     routes, job.diagnostics);
+  if (!job.generated || job.batch) return;
+  if (loops || (!chosen && prefers_loops(scene))) {
+    choose_loops(*job.mechanism, scene, loops, *job.generated, job.diagnostics);
+  }
+}
+
+void do_job(const Scene& scene, const Choices& choices, const Domain& domain, Job& job) {
+  generate_in_form(scene, choices, job);
+  if (!job.generated || job.diagnostics.has_errors()) return;
   if (job.batch) job.generated->batch = scene.batch;
   job.generated->rounding =
       bound_rounding(job.generated->program, domain, rounding_unit(scene), solve_of(job.function));
@@ -196,7 +212,7 @@ bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, cons
   });
   for (Job& job : jobs) {
     for (const Diagnostic& each : job.diagnostics.list()) diagnostics.add(each);
-    if (!job.generated) return false;
+    if (!job.generated || job.diagnostics.has_errors()) return false;
     (job.batch ? generation.batch : generation.functions).push_back(std::move(*job.generated));
   }
   return true;

@@ -8,6 +8,7 @@
 #include "description/list_rows.hpp"
 #include "description/rotation.hpp"
 #include "description/total_mass.hpp"
+#include "launch/print_closed_loops.hpp"
 
 namespace treeline {
 namespace {
@@ -87,17 +88,19 @@ drive::RobotDescription describe_robot(const Robot& robot, const Scene& control,
                                        const Mechanism& mechanism) {
   drive::RobotDescription description;
   description.name = robot.name;
-  description.floating = control.base == Base::floating;
+  description.held = control.base == Base::floating && is_held_to_world(control);
+  description.floating = control.base == Base::floating && !description.held;
   description.velocities = mechanism.nv();
   description.coordinates.resize(static_cast<std::size_t>(mechanism.nq()));
+  const std::vector<int> passive = unmotored_velocities(control, mechanism);
   std::string last;
   int axis = 0;
   for (const MovingLink& link : mechanism.links) {
     if (link.mimics) continue;
     axis = link.joint == last ? axis + 1 : 0;
     last = link.joint;
-    const bool is_passive = std::find(control.passive.begin(), control.passive.end(), link.joint) !=
-                            control.passive.end();
+    const bool is_passive =
+        std::find(passive.begin(), passive.end(), link.v_index) != passive.end();
     describe_link(robot, mechanism, link, axis, is_passive, description);
   }
   for (const ScenePoint& point : control.operational_points) {

@@ -7,6 +7,7 @@
 #include "description/follow_target.hpp"
 #include "description/total_mass.hpp"
 #include "launch/assume_damping.hpp"
+#include "launch/print_closed_loops.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 
@@ -38,52 +39,55 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
       {Severity::note, scene.file, 0, "", "left out while the robot is driven: " + left, ""});
 }
 
-bool has_loops(const Scene& scene) {
-  return !scene.loops.empty() || !scene.couplings.empty();
+/// What holds the robot to the world is looked at where its links are, and needs their frames.
+void check_held_links(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
+  if (scene.constraints.empty()) return;
+  if (robot.links.size() > kMostLinks) {
+    diagnostics.add({Severity::error, scene.file, 0, "constraints",
+                     fmt::format("a robot of more than {} links that is held to the world cannot "
+                                 "be driven",
+                                 kMostLinks),
+                     "remove links behind fixed joints, or the constraints"});
+  }
+  const std::string& root = robot.links[static_cast<std::size_t>(robot.root)].name;
+  for (const ScenePoint& point : scene.constraints) {
+    if (scene.base != Base::fixed || point.link != root) continue;
+    diagnostics.add({Severity::error, scene.file, 0, "constraints/" + point.name,
+                     fmt::format("\"{}\" stands still already", point.link),
+                     "remove the constraint, or write `base: floating`"});
+  }
 }
 
-/// Loops of the robot's own can be driven by the motors of their joints. What holds the robot to
-/// the world, or leads a task across a loop, cannot yet.
 void check_constraints(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
-  const auto refuse = [&](const char* element, const char* fault, const char* remedy) {
-    diagnostics.add({Severity::error, scene.file, 0, element, fault, remedy});
-  };
-  if (!scene.constraints.empty()) {
-    refuse(
-        "constraints", "a robot that is held to the world cannot be driven yet",
-        "remove the constraints to the world: `base: fixed` holds it, and a floating base is held "
-        "by ideal forces");
+  if (!is_closed(scene)) return;
+  check_held_links(robot, scene, diagnostics);
+  if (scene.passive.empty() && !(scene.loops.empty() && scene.couplings.empty())) {
+    diagnostics.add(
+        {Severity::note, scene.file, 0, "passive",
+         "every joint of the closed loops has a motor: where goals of joints contradict "
+         "each other they meet in the middle",
+         "list joints without a motor, and the loops lead them"});
   }
-  if (!has_loops(scene)) return;
   const Mechanism mechanism = build_mechanism(robot, scene);
-  if (mechanism.nq() != mechanism.nv()) {
-    refuse("constraints", "closed loops of a robot with a quaternion cannot be driven yet",
-           "write `base: fixed`, or remove the loops");
-  }
-  if (static_cast<int>(scene.passive.size()) == mechanism.nv()) {
-    refuse("passive", "no joint has a motor", "leave out the joints that motors move");
-  }
-}
-
-/// Task control knows the tree alone.
-void leave_out_points(Scene& control, Diagnostics& diagnostics) {
-  if (!has_loops(control) || control.operational_points.empty()) return;
-  control.operational_points.clear();
-  control.damped.reset();
-  diagnostics.add({Severity::warning, control.file, 0, "operational_points",
-                   "the points are not driven: their task does not know the closed loops",
-                   "move the motors by `joint`, or remove the loops"});
+  if (static_cast<int>(unmotored_velocities(scene, mechanism).size()) < mechanism.nv()) return;
+  diagnostics.add({Severity::error, scene.file, 0, "passive", "no joint has a motor",
+                   "leave out the joints that motors move"});
 }
 
 std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
   std::vector<Function> functions = {Function::inverse_dynamics, Function::forward_dynamics};
-  if (has_loops(scene)) {
-    functions = {Function::constrained_forward_dynamics, Function::constraint_errors,
+  if (is_closed(scene)) {
+    functions = {Function::inverse_dynamics, Function::constrained_forward_dynamics,
                  Function::constraint_jacobian};
+    if (!scene.loops.empty() || !scene.couplings.empty()) {
+      functions.push_back(Function::constraint_errors);
+    }
   }
   if (!scene.operational_points.empty()) {
     functions.insert(functions.end(), {Function::forward_kinematics, Function::jacobian});
-    if (scene.damped) {
+    if (is_closed(scene)) {
+      functions.insert(functions.end(), {Function::mass_matrix, Function::bias_acceleration});
+    } else if (scene.damped) {
       functions.insert(functions.end(), kDampedFunctions.begin(), kDampedFunctions.end());
     } else {
       functions.push_back(Function::control_torque);
@@ -106,9 +110,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   follow_target(control);
   control.objects.clear();
   control.contacts.clear();
-  control.constraints.clear();
-  if (!has_loops(scene)) control.passive.clear();  // of a tree every joint is moved
-  leave_out_points(control, diagnostics);
+  if (!is_closed(scene)) control.passive.clear();  // of a tree every joint is moved
   assume_damping(robot, control, diagnostics);
   control.remove_limits();
   control.controller.reset();
@@ -132,6 +134,7 @@ Scene link_scene(const Robot& robot, const Scene& control) {
   Scene scene = control;
   scene.name = control.name + "_links";
   scene.damped.reset();
+  scene.constraints.clear();
   scene.loops.clear();
   scene.couplings.clear();
   scene.passive.clear();

@@ -13,6 +13,7 @@
 #include "launch/describe_robot.hpp"
 #include "launch/describe_surroundings.hpp"
 #include "launch/driven_scenes.hpp"
+#include "launch/print_closed_loops.hpp"
 #include "launch/print_robot.hpp"
 
 namespace treeline {
@@ -37,7 +38,9 @@ std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
   const auto tell_function = [&tell](const std::string& function) {
     tell("generating " + function);
   };
-  auto made = generate_code(input.robot, parts.control, {}, diagnostics, {}, tell_function);
+  Scene generated = parts.control;
+  if (is_closed(generated)) generated.damped.reset();  // `drive::ClosedLoops` damps by itself
+  auto made = generate_code(input.robot, generated, {}, diagnostics, {}, tell_function);
   if (!made) return std::nullopt;
   parts.control_code = std::move(*made);
   if (parts.links.operational_points.empty()) return parts;

@@ -7,6 +7,7 @@
 #include "description/printable.hpp"
 #include "emission/fill_template.hpp"
 #include "launch/describe_robot.hpp"
+#include "launch/print_closed_loops.hpp"
 #include "launch/templates.hpp"
 
 namespace treeline {
@@ -49,55 +50,29 @@ bool has(const Generation& generation, Function function) {
                      [function](const GeneratedFunction& f) { return f.function == function; });
 }
 
-/// The robot's dynamics with its loops closed, under the names that a tree's have.
-std::string print_closed_loops(const Scene& scene, const Mechanism& mechanism) {
-  std::size_t rows = scene.couplings.size();
-  for (const SceneLoop& loop : scene.loops) {
-    rows += static_cast<std::size_t>(
-        std::count(loop.second.rows.begin(), loop.second.rows.end(), true));
+/// Functions of the tree that `drive::ClosedLoops` builds on, and what it makes of them.
+std::string print_closed(const Scene& control, const Generation& generation, const Scene& links) {
+  std::string text = print_alias("tree_inverse_dynamics", control.name, "inverse_dynamics");
+  for (const Function function :
+       {Function::mass_matrix, Function::constrained_forward_dynamics,
+        Function::constraint_jacobian, Function::constraint_errors, Function::bias_acceleration}) {
+    if (!has(generation, function)) continue;
+    text += print_alias(function_name(function), control.name, function_name(function));
   }
-  std::vector<int> motors;
-  std::vector<std::string> passive(static_cast<std::size_t>(mechanism.nv()), "false");
-  for (const MovingLink& link : mechanism.links) {
-    if (link.mimics) continue;
-    const bool has_motor =
-        std::find(scene.passive.begin(), scene.passive.end(), link.joint) == scene.passive.end();
-    if (has_motor) {
-      motors.push_back(link.v_index);
-    } else {
-      passive[static_cast<std::size_t>(link.v_index)] = "true";
-    }
-  }
-  std::string text = fmt::format(
-      "  static constexpr int kHeldRows = {};\n  static constexpr int kMotorCount = {};\n"
-      "  static constexpr int kMotors[] = {{{}}};\n  static constexpr bool kPassive[] = {{{}}};\n",
-      rows, motors.size(), fmt::join(motors, ", "), fmt::join(passive, ", "));
-  for (const char* function :
-       {"constrained_forward_dynamics", "constraint_errors", "constraint_jacobian"}) {
-    text += print_alias(function, scene.name, function);
-  }
-  for (const char* function : {"inverse_dynamics", "forward_dynamics"}) {
-    text += fmt::format(
-        "  static void {0}(const double (&q)[kVelocities], const double (&qd)[kVelocities],\n"
-        "                  const double (&input)[kVelocities], double (&output)[kVelocities]) "
-        "noexcept {{\n"
-        "    treeline::drive::ClosedLoops<Robot>::{0}(q, qd, input, output);\n  }}\n",
-        function);
-  }
-  return text;
+  return text + print_closed_loops(control, generation.mechanism, links);
 }
 
 std::string print_functions(const Scene& control, const Generation& generation,
                             const Scene& links) {
-  const bool is_closed = !control.loops.empty() || !control.couplings.empty();
-  std::string text = is_closed
-                         ? print_closed_loops(control, generation.mechanism)
+  std::string text = is_closed(control)
+                         ? print_closed(control, generation, links)
                          : print_alias("inverse_dynamics", control.name, "inverse_dynamics") +
                                print_alias("forward_dynamics", control.name, "forward_dynamics");
   if (!control.operational_points.empty()) {
     text += print_rows(control) +
             print_alias("forward_kinematics", control.name, "forward_kinematics") +
-            print_alias("jacobian", control.name, "jacobian") + print_control_torque(control);
+            print_alias("jacobian", control.name, "jacobian");
+    if (!is_closed(control)) text += print_control_torque(control);
   }
   if (has(generation, Function::center_of_mass)) {
     text += print_alias("center_of_mass", control.name, "center_of_mass");
@@ -115,7 +90,8 @@ std::string print_functions(const Scene& control, const Generation& generation,
 std::string print_robot(const Robot& robot, const Scene& control, const Generation& generation,
                         const Scene& links) {
   std::string includes = fmt::format("#include \"{}.hpp\"", control.name);
-  if (control.damped) includes += fmt::format("\n#include \"{}_damped.hpp\"", control.name);
+  const bool is_damped = control.damped && !is_closed(control);
+  if (is_damped) includes += fmt::format("\n#include \"{}_damped.hpp\"", control.name);
   if (!links.operational_points.empty()) {
     includes += fmt::format("\n#include \"{}.hpp\"", links.name);
   }
@@ -140,12 +116,14 @@ std::vector<GeneratedFile> runtime_headers() {
     return GeneratedFile{name, std::string(text)};
   };
   return {file("core/command_laws.hpp", t::kCoreCommandLaws),
+          file("core/damped_solve.hpp", t::kCoreDampedSolve),
           file("core/ldlt.hpp", t::kCoreLdlt),
           file("core/message_queue.hpp", t::kCoreMessageQueue),
           file("core/mode.hpp", t::kCoreMode),
           file("core/orientation.hpp", t::kCoreOrientation),
           file("core/sin_cos.hpp", t::kCoreSinCos),
           file("core/square_root.hpp", t::kCoreSquareRoot),
+          file("core/symmetric_eigen.hpp", t::kCoreSymmetricEigen),
           file("servo/clock.hpp", t::kServoClock),
           file("servo/cycle.hpp", t::kServoCycle),
           file("servo/integrate.hpp", t::kServoIntegrate),
@@ -163,6 +141,8 @@ std::vector<GeneratedFile> runtime_headers() {
           file("drive/drive_controller.hpp", t::kDriveController),
           file("drive/drive_controller_body.hpp", t::kDriveControllerBody),
           file("drive/drive_goals.hpp", t::kDriveGoals),
+          file("drive/end_stops.hpp", t::kDriveEndStops),
+          file("drive/held_places.hpp", t::kDriveHeldPlaces),
           file("drive/imperfect_robot.hpp", t::kDriveImperfectRobot),
           file("drive/imperfect_robot_body.hpp", t::kDriveImperfectRobotBody),
           file("drive/link_forces.hpp", t::kDriveLinkForces),

@@ -7,12 +7,14 @@ namespace treeline::launch_templates {
 // A file of templates/ and headers of runtime/, embedded when the generator is built.
 extern const std::string_view kRobot;
 extern const std::string_view kCoreCommandLaws;
+extern const std::string_view kCoreDampedSolve;
 extern const std::string_view kCoreLdlt;
 extern const std::string_view kCoreMessageQueue;
 extern const std::string_view kCoreMode;
 extern const std::string_view kCoreOrientation;
 extern const std::string_view kCoreSinCos;
 extern const std::string_view kCoreSquareRoot;
+extern const std::string_view kCoreSymmetricEigen;
 extern const std::string_view kServoClock;
 extern const std::string_view kServoCycle;
 extern const std::string_view kServoIntegrate;
@@ -30,6 +32,8 @@ extern const std::string_view kDriveBounds;
 extern const std::string_view kDriveController;
 extern const std::string_view kDriveControllerBody;
 extern const std::string_view kDriveGoals;
+extern const std::string_view kDriveEndStops;
+extern const std::string_view kDriveHeldPlaces;
 extern const std::string_view kDriveImperfectRobot;
 extern const std::string_view kDriveImperfectRobotBody;
 extern const std::string_view kDriveLinkForces;

@@ -1,12 +1,13 @@
 # treeline_generate(LIBRARY [URDF file] [SCENE file] [NAME identifier] [REAL float|double]
-#                   [LANGUAGE c|c++] [FUNCTIONS function...] [TARGET processor] [CHOICES file])
+#                   [LANGUAGE c|c++] [PROFILE plain|misra] [FUNCTIONS function...]
+#                   [TARGET processor] [CHOICES file])
 #
 # Makes the static library LIBRARY from a robot and a scene (without one: functions of the joints
 # alone), or from a scene that lists its robots and no URDF (CMake 3.20), while building: link it and
 # include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp", "NAME_joints.hpp", or "NAME_batch.hpp"
-# where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless given; REAL, LANGUAGE, FUNCTIONS and TARGET go before what
-# the scene says. In C the headers are "NAME.h" and "NAME_joints.h", and the project has to have the
-# language C. The processor's flags are used as in the emitted CMakeLists.txt: for another processor
+# where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless
+# given; REAL, LANGUAGE, PROFILE, FUNCTIONS and TARGET go before what the scene says. In C the headers
+# are "NAME.h" and "NAME_joints.h", and the project has to have the language C. The processor's flags are used as in the emitted CMakeLists.txt: for another processor
 # than this machine's where CMake cross-compiles, or as TREELINE_TARGET_FLAGS says. CHOICES is
 # the manifest.json that `treeline generate --tune` has written. The code is generated again when the
 # URDFs, the scene, the choices or the generator change, compiled again only where its text did.
@@ -23,7 +24,7 @@ option(TREELINE_FP_CONTRACT
   "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
 
 function(treeline_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;LANGUAGE;TARGET;CHOICES"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;LANGUAGE;PROFILE;TARGET;CHOICES"
     "FUNCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
@@ -75,6 +76,9 @@ function(treeline_generate target)
   endif()
   if(arg_LANGUAGE)
     list(APPEND options --language ${arg_LANGUAGE})
+  endif()
+  if(arg_PROFILE)
+    list(APPEND options --profile ${arg_PROFILE})
   endif()
   if(arg_FUNCTIONS)
     list(JOIN arg_FUNCTIONS , functions)

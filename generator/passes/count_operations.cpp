@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "passes/rebuild.hpp"
+#include "program/link_loops.hpp"
 
 namespace treeline {
 namespace {
@@ -42,6 +43,10 @@ SectionCount& entry(std::vector<SectionCount>& counts, const std::string& title)
 }  // namespace
 
 OperationCount count_operations(const Program& program) {
+  if (program.loops) {
+    const LinkLoops& loops = *program.loops;
+    return {loops.adds, loops.muls, loops.divs, loops.sines};
+  }
   const std::vector<Node>& nodes = program.graph.nodes();
   Marks live(nodes.size(), 0), angle_seen(nodes.size(), 0);
   for (const Result& result : program.results) {

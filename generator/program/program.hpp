@@ -34,6 +34,7 @@ struct ResultPlace {
 using LanePack = std::vector<std::uint32_t>;
 
 struct TaskLaw;
+struct LinkLoops;
 
 /// One function as an expression graph. Inputs of the graph are named `argument[i]`.
 struct Program {
@@ -52,6 +53,8 @@ struct Program {
   /// of its rows is relaxed.
   std::shared_ptr<const TaskLaw> law;
   std::string singular;  ///< a sentence on the results at singularities of the task; may be empty
+  /// If the function is emitted as loops over a table of links, of which the graph is the trace.
+  std::shared_ptr<const LinkLoops> loops;
 };
 
 /// Number of operations that the results need, as emitted. Sines and cosines are counted

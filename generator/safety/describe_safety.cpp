@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bounds/bound_rounding.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
@@ -18,6 +20,12 @@ constexpr const char* kBehaviour =
     "the\n"
     "  same instructions whatever its inputs.\n"
     "- Functions are reentrant and keep no state.\n";
+
+constexpr const char* kLooping =
+    "- Functions by loops over a table of links are not straight-line: they have loops of "
+    "constant\n"
+    "  length, branches on constants of that table alone, and calls of functions of the headers\n"
+    "  `link_*.hpp`. What is said of time and bits holds for them, too.\n";
 
 constexpr const char* kDamped =
     "- `damped_control_torque` is not straight-line: it calls the functions above and has loops, "
@@ -142,7 +150,10 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
     text += fmt::format("\n## {}\n\n{}", title, body);
   };
   section("Inputs and outputs", print_files(generation, provenance));
-  section("Behaviour of the code", std::string(kBehaviour) + (generation.damped ? kDamped : "") +
+  const bool loops = std::any_of(generation.functions.begin(), generation.functions.end(),
+                                 [](const auto& each) { return each.program.loops != nullptr; });
+  section("Behaviour of the code", std::string(kBehaviour) + (loops ? kLooping : "") +
+                                       (generation.damped ? kDamped : "") +
                                        (scene.has_limits() ? kLimited : ""));
   section("Assumptions that the surrounding program has to meet",
           print_assumptions(scene, generation));

@@ -216,6 +216,9 @@ const Digits50& half_pi() {
   return value;
 }
 
+template void strided_product<Digits50>(const ProductSize&, Strided<const Digits50>,
+                                        Strided<const Digits50>, Strided<Digits50>, Enter);
+
 }  // namespace treeline
 
 using treeline::Digits50;

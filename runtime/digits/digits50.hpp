@@ -8,6 +8,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "digits/strided_product.hpp"
+
 namespace treeline {
 
 /// A floating-point number of 50 decimal digits (168 bits): the precision of the references with
@@ -89,6 +91,11 @@ bool isinf(const Digits50& x) noexcept;
 std::ostream& operator<<(std::ostream& out, const Digits50& x);
 /// pi / 2.
 const Digits50& half_pi();
+
+template <>
+inline constexpr bool kHasStridedProducts<Digits50> = true;
+extern template void strided_product<Digits50>(const ProductSize&, Strided<const Digits50>,
+                                               Strided<const Digits50>, Strided<Digits50>, Enter);
 
 }  // namespace treeline
 

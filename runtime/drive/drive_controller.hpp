@@ -196,6 +196,7 @@ class DriveController {
   void add_acceleration(const State& state, const double (&qdd)[nv], double (&tau)[nv]) noexcept;
   void command_task(double time, const State& state, double (&tau)[nv]) noexcept;
   void add_pull(const State& state, double (&tau)[nv]) noexcept;
+  void leave_to_motors(const State& state, double (&tau)[nv]) const noexcept;
   void blend(double time, double (&tau)[nv]) noexcept;
   void cut(double (&tau)[nv]) noexcept;
 

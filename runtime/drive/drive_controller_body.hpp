@@ -165,11 +165,17 @@ void DriveController<F>::advance(double time) noexcept {
 /// Joints without motors go where the loops lead them: their goal is where they are.
 template <class F>
 void DriveController<F>::let_passive_follow(double time) noexcept {
-  for (int i = 0; i < nv; ++i) {
-    if (is_passive(i)) {  // of loops, whose coordinates are as many as their velocities
-      joints_[at(i)].begin(time, state_.q[i], 0.0);
-    }
-  }
+  for_each_joint(
+      [&](int iq, int iv) {
+        if (is_passive(iv)) joints_[at(iq)].begin(time, state_.q[iq], 0.0);
+      },
+      [&](int k, int iq, int iv) {
+        if (!is_passive(iv)) return;
+        const double* q = state_.q + iq;
+        double rotation[9];
+        core::rotation_from_quaternion({q[3], q[4], q[5], q[6]}, rotation);
+        floating_[at(k)].begin(time, {q[0], q[1], q[2]}, rotation, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+      });
 }
 
 template <class F>
@@ -178,7 +184,7 @@ bool DriveController<F>::moving(double time, double margin) const noexcept {
   bool any = reference_.playing();
   for_each_joint(
       [&](int iq, int iv) { any = any || (!is_passive(iv) && joints_[at(iq)].moving(then)); },
-      [&](int k, int, int) { any = any || floating_[at(k)].moving(then); });
+      [&](int k, int, int iv) { any = any || (!is_passive(iv) && floating_[at(k)].moving(then)); });
   for (int k = 0; k < kPoints && control_ == Control::task; ++k) {
     any = any || points_[at(k)].moving(then);
   }
@@ -247,6 +253,17 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
 }
 
+/// Forces of the motors alone that move the robot as forces of all joints do.
+template <class F>
+void DriveController<F>::leave_to_motors(const State& state, double (&tau)[nv]) const noexcept {
+  bool all_have_motors = true;
+  for (int i = 0; i < nv; ++i) all_have_motors = all_have_motors && !is_passive(i);
+  if (all_have_motors) return;
+  double qdd[nv];
+  F::forward_dynamics(state.q, state.qd, tau, qdd);
+  F::inverse_dynamics(state.q, state.qd, qdd, tau);
+}
+
 template <class F>
 void DriveController<F>::blend(double time, double (&tau)[nv]) noexcept {
   if (blend_asked_) {
@@ -296,6 +313,7 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
   }
   if (pulled() && control_ != Control::gravity) {
     add_pull(state, tau);
+    leave_to_motors(state, tau);
   }
   blend(time, tau);
   cut(tau);

@@ -264,7 +264,7 @@ class LoneRobot {
  public:
   explicit LoneRobot(const LoopOptions& options) noexcept
       : robot_(start_of(options), options.substeps, F::kFloating, options.simulation,
-               options.surroundings) {
+               options.surroundings, options.lower, options.upper) {
     robot_.can_follow_gears(1.0 / options.rate);
     std::copy_n(options.torque, F::kVelocities, limits_.torque.begin());
   }
@@ -298,16 +298,20 @@ class LoneRobot {
   ImperfectRobot<F> robot_;
 };
 
-/// Writes the Jacobian of the task; null for robots without one.
+/// Writes the Jacobian of the task, of the motions that are possible; null for robots without one.
 template <class F>
 constexpr auto jacobian_of() noexcept -> void (*)(const double*, double*) {
   if constexpr (F::kPoints > 0) {
     return [](const double* q, double* J) {
       double coordinates[F::kCoordinates];
-      double entries[F::kTaskRows * F::kVelocities];
       std::copy_n(q, F::kCoordinates, coordinates);
-      F::jacobian(coordinates, entries);
-      std::copy_n(entries, F::kTaskRows * F::kVelocities, J);
+      if constexpr (requires { F::kHeldRows; }) {
+        ClosedLoops<F>::free_jacobian(coordinates, J);
+      } else {
+        double entries[F::kTaskRows * F::kVelocities];
+        F::jacobian(coordinates, entries);
+        std::copy_n(entries, F::kTaskRows * F::kVelocities, J);
+      }
     };
   } else {
     return nullptr;

@@ -13,7 +13,8 @@ class DrivenRobot {
 
   DrivenRobot(const servo::StateOf<F>& start, const Floating& floating,
               const LoopOptions& options) noexcept
-      : simulated_(start, options.substeps, floating, options.simulation, options.surroundings),
+      : simulated_(start, options.substeps, floating, options.simulation, options.surroundings,
+                   options.lower, options.upper),
         external_(options.robot) {}
 
   bool connected() const noexcept {

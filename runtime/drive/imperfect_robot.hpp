@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
+#include "drive/end_stops.hpp"
+#include "drive/held_places.hpp"
 #include "drive/link_forces.hpp"
 #include "drive/robot_library.hpp"
 #include "servo/gear_backlash.hpp"
@@ -44,7 +47,9 @@ class Noise {
 /// the torque and the friction act on the rotor, and the encoder is at the motor, see
 /// `servo::gear_torque`. Where positions are measured with noise or in steps, speeds are their
 /// differences behind a low-pass filter with a time constant of 3 ms. Obstacles push guarded points
-/// out like springs with dampers, without friction.
+/// out like springs with dampers, without friction. Joints end at `EndStops`. A motion whose
+/// numbers are not finite any more is measured as such once; then the robot rests where it last
+/// was.
 template <class F>
 class ImperfectRobot {
  public:
@@ -54,8 +59,14 @@ class ImperfectRobot {
   using State = servo::StateOf<F>;
 
   ImperfectRobot(const State& start, int substeps, const Floating& floating,
-                 const SimulationOptions& simulation, const Surroundings& surroundings) noexcept
-      : links_(start), motors_(start), substeps_(substeps), floating_(floating) {
+                 const SimulationOptions& simulation, const Surroundings& surroundings,
+                 const double* lower = nullptr, const double* upper = nullptr) noexcept
+      : links_(start),
+        motors_(start),
+        substeps_(substeps),
+        floating_(floating),
+        places_(start.q),
+        stops_(floating, lower, upper, start.q) {
     find_coordinates();
     take_options(simulation);
     take_surroundings(surroundings);
@@ -65,7 +76,10 @@ class ImperfectRobot {
   /// Whether steps of `seconds` can follow the gears; takes more of them where that is needed.
   bool can_follow_gears(double seconds) noexcept;
 
-  void read(State& state) const noexcept { state = has_sensors_ ? measured_ : seen(); }
+  void read(State& state) const noexcept {
+    state = has_sensors_ ? measured_ : seen();
+    if (lost_) state.qd[0] = std::numeric_limits<double>::quiet_NaN();
+  }
   void write(const double (&tau)[nv]) noexcept {
     if (!written_) {  // what was commanded before is as good as this
       for (auto& entry : line_) copy(tau, entry);
@@ -76,7 +90,8 @@ class ImperfectRobot {
     copy(line_[static_cast<std::size_t>(next_)], tau_);
   }
   void pass_time(double seconds) noexcept {
-    for (int step = 0; step < substeps_; ++step) {
+    lost_ = false;
+    for (int step = 0; step < substeps_ && !lost_; ++step) {
       integrate(seconds / substeps_);
     }
     feel(links_);
@@ -124,12 +139,16 @@ class ImperfectRobot {
   void accelerations(const State& links, const State& motors, double (&of_links)[nv],
                      double (&of_motors)[nv]) noexcept;
   void integrate(double dt) noexcept;
+  void accept(const State& links, const State& motors) noexcept;
 
   State links_;
   State motors_;  ///< only where there are gears
   State measured_;
+  bool lost_ = false;  ///< the last step led to numbers that are not finite
   int substeps_;
   Floating floating_;
+  HeldPlaces<F> places_;
+  EndStops<F> stops_;
   std::array<Joint, static_cast<std::size_t>(nv)> joints_{};
   bool has_sensors_ = false;
   bool has_gears_ = false;

@@ -155,7 +155,11 @@ void ImperfectRobot<F>::accelerations(const State& links, const State& motors,
     }
   }
   add_contacts(links, torques);
-  F::forward_dynamics(links.q, links.qd, torques, of_links);
+  const auto moved = [&](const double(&tau)[nv], double(&qdd)[nv]) {
+    places_.forward_dynamics(links.q, links.qd, tau, qdd);
+  };
+  moved(torques, of_links);
+  stops_.push(links.q, links.qd, moved, torques, of_links);
 }
 
 /// One step of the classical fourth-order Runge-Kutta method. Where teeth meet or a point touches
@@ -191,8 +195,26 @@ void ImperfectRobot<F>::integrate(double dt) noexcept {
     if (has_gears_) move(motor_sum, kWeights[stage] * dt, motor_rates, of_motors);
   }
   servo::normalise_quaternions<nq, nv>(floating_, sum.q);
-  links_ = sum;
-  motors_ = motor_sum;
+  accept(sum, motor_sum);
+}
+
+/// Takes the state at the end of a step if it is one.
+template <class F>
+void ImperfectRobot<F>::accept(const State& links, const State& motors) noexcept {
+  const auto is_finite = [](const State& state) {
+    double sum = 0.0;  // not finite if one is not: finite numbers times 0 are 0
+    for (const double q : state.q) sum += 0.0 * q;
+    for (const double qd : state.qd) sum += 0.0 * qd;
+    return sum == 0.0;
+  };
+  lost_ = !is_finite(links) || (has_gears_ && !is_finite(motors));
+  if (lost_) {
+    for (int i = 0; i < nv; ++i) links_.qd[i] = motors_.qd[i] = 0.0;
+    return;
+  }
+  links_ = links;
+  motors_ = motors;
+  stops_.follow(links_.q);
 }
 
 }  // namespace treeline::drive

@@ -48,7 +48,8 @@ struct DrivenObstacle {
 struct RobotDescription {
   std::string name;
   std::string checksum;  ///< of the files that it was made of, 16 hexadecimal digits
-  bool floating = false;
+  bool floating = false;  ///< the base floats, held by ideal forces, and can be moved
+  bool held = false;      ///< the base floats, and constraints hold the robot to the world
   int velocities = 0;
   std::vector<DrivenCoordinate> coordinates;  ///< in the order of q
   std::vector<DrivenPoint> points;

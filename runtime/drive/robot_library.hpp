@@ -140,7 +140,7 @@ struct RobotLibrary {
   /// The oldest report that was not received, `ReportLayout::size` numbers; false: there is none.
   bool (*receive)(void* loop, ReportHead* head, double* numbers) = nullptr;
   /// The simulated robot without a loop, for a process of its own. Of the options only `start`,
-  /// `substeps`, `torque`, `simulation` and `surroundings` count. `tau` null: it brakes. `state`
+  /// `substeps`, `lower`, `upper`, `torque`, `simulation` and `surroundings` count. `tau` null: it brakes. `state`
   /// receives q and qd.
   void* (*create_robot)(const LoopOptions* options) = nullptr;
   void (*destroy_robot)(void* robot) = nullptr;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "digits/strided_product.hpp"
+
 namespace treeline::interpreter {
 
 /// A number and its derivative along one direction. Arithmetic on such numbers differentiates
@@ -64,6 +66,9 @@ struct Dual {
 };
 
 }  // namespace treeline::interpreter
+
+template <class T>
+inline constexpr bool treeline::kHasStridedProducts<treeline::interpreter::Dual<T>> = true;
 
 namespace Eigen {
 

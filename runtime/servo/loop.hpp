@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <iterator>
 
 #include "servo/clock.hpp"
 #include "servo/cycle.hpp"
@@ -82,7 +84,7 @@ class ServoLoop {
       observe(report_);
       return false;
     }
-    robot_.read(report_.state);
+    read_robot();
     apply_messages();
     command_torque();
     robot_.write(report_.tau);
@@ -120,6 +122,15 @@ class ServoLoop {
   std::uint64_t dropped_messages() const noexcept { return dropped_; }
 
  private:
+  /// Reads the robot. A state that is not finite goes no further: the last one that was stays in
+  /// the report.
+  void read_robot() {
+    const StateOf<F> last = report_.state;
+    robot_.read(report_.state);
+    unreadable_ = check_finite(report_.state);
+    if (unreadable_) report_.state = last;
+  }
+
   /// Waits for the next tick. A controller may prepare for it, a moment before.
   void wait() {
     if constexpr (requires { controller_.prepare(); }) {
@@ -188,7 +199,9 @@ class ServoLoop {
   /// Controls if the state is safe; brakes if it is not, or if the loop is not running.
   void command_torque() {
     report_.control_nanoseconds = 0;
-    if (const Fault fault = check_state(admitted_, report_.state)) {
+    if (unreadable_) {
+      raise(unreadable_);
+    } else if (const Fault fault = check_state(admitted_, report_.state)) {
       raise(fault);
     }
     follow_back(limits_, report_.state, admitted_);
@@ -196,7 +209,11 @@ class ServoLoop {
       control();
     }
     if (report_.mode != Mode::running) {
-      brake<F>(limits_, report_.state, settings_.braking, report_.tau);
+      if (unreadable_) {
+        std::fill(std::begin(report_.tau), std::end(report_.tau), 0.0);
+      } else {
+        brake<F>(limits_, report_.state, settings_.braking, report_.tau);
+      }
       if (report_.mode == Mode::stopping && rests()) {
         report_.mode = next_mode(report_.mode, Event::at_rest);
       }
@@ -217,6 +234,7 @@ class ServoLoop {
   }
 
   bool rests() const noexcept {
+    if (unreadable_) return false;
     for (const double speed : report_.state.qd) {
       if (!(std::fabs(speed) <= settings_.rest_speed)) {
         return false;
@@ -254,6 +272,7 @@ class ServoLoop {
   MessageQueue<64> queue_;
   DurationStatistics control_times_;
   Report<F> report_;
+  Fault unreadable_;  ///< a number of this cycle's measurement that is not finite
   std::int64_t ticks_ = 0;
   std::int64_t cycles_ = 0;
   std::uint64_t dropped_ = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 #include "servo/loop.hpp"
 
@@ -37,6 +38,43 @@ RunEnd run_for(double seconds, const LoopSettings& settings,
     }
   });
   return {loop->fault(), loop->control_times()};
+}
+
+/// A controller that is a function of time and state, for programs that send no messages:
+/// bool law(time, state, tau), false ends the run.
+template <RobotFunctions F, class Law>
+class LawController {
+ public:
+  explicit LawController(Law& law) noexcept : law_(law) {}
+  void start(double, const StateOf<F>&) noexcept {}
+  void apply(double, const Message&) noexcept {}
+  void control(double time, const StateOf<F>& state, double (&tau)[F::kVelocities]) {
+    goes_on_ = law_(time, state, tau) && goes_on_;
+  }
+  bool goes_on() const noexcept { return goes_on_; }
+
+ private:
+  Law& law_;
+  bool goes_on_ = true;
+};
+
+/// Lets a law control a robot `rate` times a second of simulated time, for `seconds`, both ends
+/// included, or until it ends
+/// the run or the loop faults.
+template <RobotFunctions F, RobotProxy<F> Proxy, class Law>
+RunEnd run_law(double seconds, double rate,
+               const SafetyLimits<F::kCoordinates, F::kVelocities>& limits, Proxy& robot,
+               Law&& law) {
+  LoopSettings settings;
+  settings.rate = rate;
+  settings.longest_braking = 0.0;  // what follows is of no interest
+  LawController<F, std::remove_reference_t<Law>> controller(law);
+  SimulatedClock clock;
+  Mailbox mailbox;
+  return run_for<F>(seconds, settings, limits, robot, controller, clock, mailbox,
+                    [&](const Report<F>&) {
+                      if (!controller.goes_on()) mailbox.push(message_of(MessageKind::disconnect));
+                    });
 }
 
 }  // namespace treeline::servo

@@ -18,9 +18,9 @@ std::string describe(const Fault& fault, const std::string& name) {
       return fmt::format("{} was commanded {:.6g}, beyond its limit {:.6g}", who, fault.value,
                          fault.limit);
     case FaultKind::state_not_finite:
-      return fmt::format("{} reads {}", who, fault.value);
+      return who + " reads a number that is not finite";
     case FaultKind::torque_not_finite:
-      return fmt::format("{} was commanded {}", who, fault.value);
+      return who + " was commanded a number that is not finite";
     case FaultKind::deadline:
       return fmt::format("{:.0f} cycles in a row missed their deadline, {:.0f} are allowed",
                          fault.value, fault.limit);

@@ -64,14 +64,23 @@ SafetyLimits<static_cast<int>(nq), static_cast<int>(nv)> limits_of(const double 
   return limits;
 }
 
-/// Returns a fault for the first measured number that is not finite or exceeds its limit.
+/// Returns a fault for the first measured number that is not finite.
+template <int nq, int nv>
+Fault check_finite(const RobotState<nq, nv>& state) noexcept {
+  for (int i = 0; i < nq; ++i) {
+    if (!std::isfinite(state.q[i])) return {FaultKind::state_not_finite, i};
+  }
+  for (int i = 0; i < nv; ++i) {
+    if (!std::isfinite(state.qd[i])) return {FaultKind::state_not_finite, i};
+  }
+  return {};
+}
+
+/// Returns a fault for the first measured number that exceeds its limit.
 template <int nq, int nv>
 Fault check_state(const SafetyLimits<nq, nv>& limits, const RobotState<nq, nv>& state) noexcept {
   for (int i = 0; i < nq; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (!std::isfinite(state.q[i])) {
-      return {FaultKind::state_not_finite, i, state.q[i], 0.0};
-    }
     if (state.q[i] < limits.lower[at] || state.q[i] > limits.upper[at]) {
       const bool low = state.q[i] < limits.lower[at];
       return {FaultKind::position_limit, i, state.q[i], low ? limits.lower[at] : limits.upper[at]};
@@ -79,9 +88,6 @@ Fault check_state(const SafetyLimits<nq, nv>& limits, const RobotState<nq, nv>& 
   }
   for (int i = 0; i < nv; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (!std::isfinite(state.qd[i])) {
-      return {FaultKind::state_not_finite, i, state.qd[i], 0.0};
-    }
     if (std::fabs(state.qd[i]) > limits.velocity[at]) {
       return {FaultKind::velocity_limit, i, state.qd[i], limits.velocity[at]};
     }
@@ -119,7 +125,7 @@ Fault check_torque(const SafetyLimits<nq, nv>& limits, const double (&tau)[nv]) 
   for (int i = 0; i < nv; ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (!std::isfinite(tau[i])) {
-      return {FaultKind::torque_not_finite, i, tau[i], 0.0};
+      return {FaultKind::torque_not_finite, i};
     }
     if (std::fabs(tau[i]) > limits.torque[at]) {
       return {FaultKind::torque_limit, i, tau[i], limits.torque[at]};

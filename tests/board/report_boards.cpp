@@ -1,5 +1,5 @@
 // Tables of README.md here: every function of PUMA and humanoid24 on every board that QEMU
-// imitates.
+// imitates. With --small: the table of small code in generator/README.md.
 #include <fmt/format.h>
 
 #include <exception>
@@ -22,9 +22,11 @@ void print_faults(const Diagnostics& diagnostics) {
   }
 }
 
-/// Runs a robot's scene for one target. Nothing where a program is missing.
+/// Runs a robot's scene for one target. Nothing where a program is missing. `functions`: instead of
+/// the scene's.
 std::optional<BoardReport> run(const std::string& robots, const std::string& name,
-                               const Target& target, Real real) {
+                               const Target& target, Real real, Optimize optimize = Optimize::speed,
+                               const std::vector<Function>& functions = {}) {
   Diagnostics diagnostics;
   const std::string folder = robots + "/" + name + "/";
   const auto robot = read_urdf(folder + name + ".urdf", diagnostics);
@@ -33,12 +35,15 @@ std::optional<BoardReport> run(const std::string& robots, const std::string& nam
   if (scene) {
     scene->target = target.name;
     scene->real = real;
+    scene->optimize = optimize;
+    if (!functions.empty()) scene->functions = functions;
     scene->asks_for_lanes = false;
     follow_target(*scene);
     const auto generation = generate_code(*robot, *scene, {name, "", "", ""}, diagnostics);
     CheckOptions options;
     options.references.states = name == "puma560" ? 300 : 100;
     options.compile.long_flags = "-O1 -ffp-contract=off";
+    if (optimize == Optimize::size) options.compile.flags = "-Os -ffp-contract=off";
     if (generation) report = check_on_board(*robot, *scene, *generation, options, diagnostics);
   }
   print_faults(diagnostics);
@@ -93,12 +98,45 @@ bool report_robot(const std::string& robots, const std::string& name, Real real)
   return passed;
 }
 
+/// What `optimize: size` gives in place of `speed`: bytes of code and constants, stack,
+/// instructions.
+bool report_small_code(const std::string& robots, const std::string& name, Real real) {
+  const std::vector<Function> functions = {
+      Function::inverse_dynamics, Function::gravity,          Function::nonlinear_effects,
+      Function::mass_matrix,      Function::forward_dynamics, Function::lambda_inverse,
+      Function::lambda,           Function::control_torque};
+  const Target& target = *find_target("cortex-m4f");
+  const auto lines = run(robots, name, target, real, Optimize::speed, functions);
+  const auto small = run(robots, name, target, real, Optimize::size, functions);
+  if (!lines || !small) return false;
+  fmt::print(
+      "\n| {}, {} | bytes: speed | size | share | stack | | instructions | |\n"
+      "|---|---|---|---|---|---|---|---|\n",
+      name, real == Real::float32 ? "float" : "double");
+  for (std::size_t i = 0; i < lines->functions.size(); ++i) {
+    const BoardFunction& a = lines->functions[i];
+    const BoardFunction& b = small->functions[i];
+    const int before = a.text_bytes + a.constant_bytes;
+    const int after = b.text_bytes + b.constant_bytes;
+    fmt::print("| `{}` | {} | {} | {:.0f} % | {} | {} | {} | {} |\n", a.name, before, after,
+               100.0 * after / before, a.stack_bytes.value_or(-1), b.stack_bytes.value_or(-1),
+               print_count(a), print_count(b));
+  }
+  return lines->passed() && small->passed();
+}
+
 }  // namespace
 }  // namespace treeline
 
 int main(int argc, char** argv) try {
   if (argc < 2) return 2;
   bool passed = true;
+  if (argc > 2 && std::string_view(argv[2]) == "--small") {
+    for (const treeline::Real real : {treeline::Real::float32, treeline::Real::float64}) {
+      passed = treeline::report_small_code(argv[1], "humanoid24", real) && passed;
+    }
+    return passed ? 0 : 1;
+  }
   for (const char* name : {"puma560", "humanoid24"}) {
     if (argc > 2 && std::string_view(argv[2]) != name) continue;
     for (const treeline::Real real : {treeline::Real::float32, treeline::Real::float64}) {

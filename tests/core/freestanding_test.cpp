@@ -8,6 +8,7 @@
 #include "core/coordinates.hpp"
 #include "core/damped_solve.hpp"
 #include "core/ldlt.hpp"
+#include "core/link_functions.hpp"
 #include "core/orientation.hpp"
 #include "core/posture_laws.hpp"
 #include "core/prioritized_solve.hpp"
@@ -42,6 +43,7 @@ struct Data {
   Real b9[9];
   Real a36[36];
   Real b36[36];
+  Real a64[64];
   Real hands[2][6];
   Real inertias[1][36];
   Real motions[1][6];
@@ -73,6 +75,7 @@ void use_spline(Data& data) noexcept;
 void use_orientation(Data& data) noexcept;
 bool use_small_solvers(Data& data) noexcept;
 void use_states(Data& data) noexcept;
+void use_link_loops(Data& data) noexcept;
 
 bool use_closed_chain(Data& data) noexcept {
   const bool apart = core::make_two_grasps(data.a3, data.b3, data.linkage);
@@ -114,6 +117,30 @@ void use_posture_laws(Data& data) noexcept {
       data.a6, data.b6);
   core::add_potential_by_differences([](const Real(&at)[6]) noexcept { return at[0] * at[5]; },
                                      data.x, data.a6, data.b6);
+}
+
+/// Six coordinates of a floating base and those of two joints, one of which slides.
+void use_link_loops(Data& data) noexcept {
+  namespace loops = core::loops;
+  static constexpr loops::Link<Real> kLinks[3] = {
+      {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, 0, 3, {}, {1, 0, 0, 1, 0, 1}},
+      {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, 0, 2, {}, {1, 0, 0, 1, 0, 1}},
+      {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, 0, 1, {}, {1, 0, 0, 1, 0, 1}}};
+  static constexpr loops::LinkPoint<Real> kPoint[1] = {
+      {2, true, {true, true, false, false, false, false}, {}, {}}};
+  static constexpr loops::LinkTable<Real, true, true> kTable = {kLinks, 3, 2, {0, 0, -10},
+                                                                kPoint, 1, 2};
+  loops::MotionWork<Real, 3, 2, 1> motions;
+  loops::InertiaWork<Real, 3, 2, true> inertias;
+  loops::RowWork<Real, 1, 2> rows;
+  const loops::ComputedSines sines;
+  const Real* const q = data.a9;
+  const Real* const qd = data.b9;
+  loops::mass_matrix(kTable, q, sines, &data.a64[0], motions, inertias);
+  loops::forward_dynamics(kTable, q, sines, qd, qd, data.b36 + 0, motions, inertias);
+  loops::lambda<4>(kTable, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
+  loops::control_torque<6>(kTable, data.a2 + 0, q, sines, qd, qd, data.b2 + 0, data.b36 + 0,
+                           motions, inertias, rows);
 }
 
 bool use_quadratic_program(Data& data) noexcept {

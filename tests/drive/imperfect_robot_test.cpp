@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "linked_robots.hpp"
@@ -212,6 +213,65 @@ TEST(ImperfectRobot, SaysWhenGearsAreTooStiff) {
 }
 
 // Pressed against a wall it rests where the wall pushes back as hard.
+/// The slide with end stops at +-0.1 m.
+ImperfectRobot<Slide> stopped_slide(double place, double speed) {
+  static constexpr double kLower[1] = {-0.1};
+  static constexpr double kUpper[1] = {0.1};
+  servo::StateOf<Slide> start;
+  start.q[0] = place;
+  start.qd[0] = speed;
+  return {start, 2, {}, {}, {}, kLower, kUpper};
+}
+
+servo::StateOf<Slide> after(ImperfectRobot<Slide>& robot, double force, int cycles) {
+  servo::StateOf<Slide> state;
+  for (int i = 0; i < cycles; ++i) {
+    robot.write({force});
+    robot.pass_time(kPeriod);
+  }
+  robot.read(state);
+  return state;
+}
+
+// A critically damped spring of w = 200 rad/s that only pushes lets a mass go v / (e w) beyond the
+// limit and leaves it v / e^2 on the way back, when it would have to pull; under a force the mass
+// rests at the limit. Would catch a stop that lets through, one that pulls, and one that throws
+// back.
+TEST(ImperfectRobot, RestsAtItsEndStops) {
+  auto robot = stopped_slide(0.099, 2.0);
+  double deepest = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    deepest = std::fmax(deepest, after(robot, 0.0, 1).q[0] - 0.1);
+  }
+  // In steps of half a millisecond; they meet the stop within one.
+  EXPECT_NEAR(deepest, 2.0 / (std::exp(1.0) * 200.0), 2e-4);
+  EXPECT_NEAR(after(robot, 0.0, 1).qd[0], -2.0 / std::exp(2.0), 0.02);
+  const auto held = after(robot, 50.0, 1000);
+  EXPECT_NEAR(held.q[0], 0.1, 1e-6);
+  EXPECT_NEAR(held.qd[0], 0.0, 1e-6);
+  EXPECT_LT(after(robot, -50.0, 100).q[0], 0.0);  // 25 m/s^2 for 0.1 s: free to leave
+}
+
+// One that is found beyond its limit is not thrown back; on its way back it takes the stop along.
+TEST(ImperfectRobot, TakesItsStopAlong) {
+  auto robot = stopped_slide(0.3, 0.0);
+  EXPECT_EQ(after(robot, 0.0, 100).q[0], 0.3);
+  const auto back = after(robot, -2.0, 300);  // -1 m/s^2 for 0.3 s
+  EXPECT_NEAR(back.q[0], 0.3 - 0.045, 1e-9);
+  const auto again = after(robot, 400.0, 500);
+  EXPECT_NEAR(again.q[0], 0.3 - 0.045, 0.02);  // v of 0.3 m/s the other way was taken first
+  EXPECT_NEAR(again.qd[0], 0.0, 1e-6);
+}
+
+// Would catch numbers that are not finite and stay in a robot or reach a report as if measured.
+TEST(ImperfectRobot, RecoversFromAMotionThatIsLost) {
+  auto robot = stopped_slide(0.05, 0.0);
+  EXPECT_TRUE(std::isnan(after(robot, std::numeric_limits<double>::infinity(), 1).qd[0]));
+  const auto then = after(robot, 0.0, 1);
+  EXPECT_EQ(then.q[0], 0.05);
+  EXPECT_EQ(then.qd[0], 0.0);
+}
+
 TEST(ImperfectRobot, AWallPushesBack) {
   Obstacle wall;
   wall.center[0] = 1.0;

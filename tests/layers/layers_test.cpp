@@ -41,7 +41,7 @@ const std::vector<Layer> kLayers = {
     {"description", {"functions", "joint", "target"}},
     {"mechanism", {"digits", "joint", "description"}},
     {"program", {"core"}},
-    {"recursion", {"functions", "description", "mechanism", "program"}},
+    {"recursion", {"functions", "core", "description", "mechanism", "program"}},
     {"passes", {"program", "target"}},
     {"bounds", {"functions", "description", "mechanism", "program"}},
     {"emission", {"core", "interruption", "target", "description", "program", "passes"}},

@@ -266,6 +266,8 @@ TEST(ServoLoop, NotANumberFromControllerOrRobot) {
   rig.loop.step([&](const Report<TwoLink>& report) {
     sent[0] = report.tau[0];
     sent[1] = report.tau[1];
+    EXPECT_TRUE(std::isfinite(report.state.qd[1]));
+    EXPECT_TRUE(std::isfinite(report.fault.value));
   });
   EXPECT_EQ(rig.loop.fault().kind, FaultKind::state_not_finite);
   EXPECT_EQ(rig.loop.fault().index, 1);

@@ -1,5 +1,7 @@
 #include "emission/cpp/backend.hpp"
 
+#include <utility>
+
 #include "emission/controller_unit.hpp"
 #include "emission/cpp/print_batch.hpp"
 #include "emission/cpp/print_calls.hpp"
@@ -9,6 +11,7 @@
 #include "emission/cpp/print_eigen.hpp"
 #include "emission/cpp/print_joints.hpp"
 #include "emission/cpp/print_limited.hpp"
+#include "emission/cpp/print_loops.hpp"
 #include "emission/cpp/print_runtime.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
@@ -59,6 +62,7 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   std::vector<GeneratedFile> files = {
       {context.name + "_calls.hpp", print_calls(context, programs)},
       {context.name + "_eigen.hpp", print_eigen(context, programs)}};
+  for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   if (!batch.empty()) {
     files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emission/comment.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
@@ -26,15 +28,20 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                                    {"signature", print_declaration(program)}});
   }
   const bool single = context.single_precision;
+  const bool loops = std::any_of(programs.begin(), programs.end(),
+                                 [](const Program& program) { return program.loops != nullptr; });
   auto values = describe_contract(context);
-  values.insert({{"beside", context.misra ? "" : fmt::format(kBeside, context.name)},
-                 {"includes", context.misra ? "\n#include <cstdint>" : ""},
-                 {"integer", context.misra ? "std::int32_t" : "int"},
-                 {"bytes", single ? "4" : "8"},
-                 {"fraction", single ? "23" : "52"},
-                 {"least", single ? "149" : "1074"},
-                 {"f", single ? "F" : ""},
-                 {"declarations", declarations}});
+  values.insert(
+      {{"beside", context.misra ? "" : fmt::format(kBeside, context.name)},
+       {"includes", context.misra ? "\n#include <cstdint>" : ""},
+       {"form", loops ? "loops over its links and straight-line code" : "straight-line code"},
+       {"branch", loops ? "no branch on data" : "no branch"},
+       {"integer", context.misra ? "std::int32_t" : "int"},
+       {"bytes", single ? "4" : "8"},
+       {"fraction", single ? "23" : "52"},
+       {"least", single ? "149" : "1074"},
+       {"f", single ? "F" : ""},
+       {"declarations", declarations}});
   return fill_template(templates::kContract, values);
 }
 

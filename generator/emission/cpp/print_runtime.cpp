@@ -44,6 +44,18 @@ void append_limit_headers(const EmissionContext& context, std::vector<GeneratedF
   for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
 }
 
+/// What functions include that loop over a table of links.
+void append_loop_headers(const EmissionContext& context, std::vector<GeneratedFile>& files) {
+  const std::pair<const char*, std::string_view> headers[] = {
+      {"link_factors.hpp", templates::kLinkFactors},
+      {"link_functions.hpp", templates::kLinkFunctions},
+      {"link_inertia.hpp", templates::kLinkInertia},
+      {"link_motion.hpp", templates::kLinkMotion},
+      {"link_rows.hpp", templates::kLinkRows},
+      {"link_table.hpp", templates::kLinkTable}};
+  for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
+}
+
 }  // namespace
 
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
@@ -53,8 +65,10 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   const bool has_batch = !batch.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
+  const bool loops = std::any_of(programs.begin(), programs.end(),
+                                 [](const Program& program) { return program.loops != nullptr; });
   std::vector<GeneratedFile> files;
-  if (has_batch || damped || limited || controlled ||
+  if (loops || has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", context.misra ? misra::print_sin_cos(context)
                                                   : print_header(context, templates::kSinCos)});
@@ -80,6 +94,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"symmetric_eigen.hpp", print_header(context, templates::kSymmetricEigen)});
   }
   if (limited) append_limit_headers(context, files);
+  if (loops) append_loop_headers(context, files);
   if (damped || limited || controlled) {
     files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "emission/comment.hpp"
+#include "emission/cpp/print_loops.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
@@ -106,6 +107,19 @@ std::string print_safe_source(const EmissionContext& context, const Program& pro
                         {"body", statements}});
 }
 
+std::string print_loop_source(const EmissionContext& context, const Program& program) {
+  return fill_template(
+      templates::kLoopFunction,
+      {{"head", describe_source(program)},
+       {"cost", describe_cost(program)},
+       {"name", context.name},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"yields", print_yields(context, program)},
+       {"signature", print_section(context) + print_prefetch_section(context) +
+                         wrap_line(print_head(program, "") + " {", 0)},
+       {"body", print_loop_body(context, program)}});
+}
+
 }  // namespace
 
 std::string print_declaration(const Program& program) {
@@ -120,6 +134,7 @@ std::string print_declaration(const Program& program) {
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
+  if (program.loops) return print_loop_source(context, program);
   if (context.misra) return print_safe_source(context, program);
   return fill_template(
       templates::kFunction,

@@ -10,13 +10,13 @@
 #include "recursion/methods/point_motion.hpp"
 #include "recursion/methods/potential_energy.hpp"
 #include "recursion/routes/motion_derivative_routes.hpp"
+#include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/task_routes.hpp"
-#include "recursion/routes/trace_parts.hpp"
 
 namespace treeline {
 namespace {
 
-std::vector<Result> point_poses(const RobotTrace& trace) {
+std::vector<Result> point_poses(const Trace& trace) {
   const auto poses = trace.poses();
   std::vector<Expression> positions;
   std::vector<Expression> rotations;
@@ -35,43 +35,44 @@ std::vector<Result> point_poses(const RobotTrace& trace) {
            rotations}};
 }
 
-std::vector<RobotRoute> jacobian_routes(const Tree<Expression>& tree) {
-  std::vector<RobotRoute> routes{
-      {{"inward", "rows carried inward from each point"}, [](const RobotTrace& trace) {
+std::vector<Route> jacobian_routes(const Tree<Expression>& tree) {
+  std::vector<Route> routes{
+      {{"inward", "rows carried inward from each point"}, [](const Trace& trace) {
          const auto poses = trace.poses();
          const auto tasks = task_points(trace.tree, {}, poses);
          return matrix_output("J", "Jacobian",
-                              jacobian_inward(trace.tree, trace.X, tasks, trace.rows, poses));
+                              jacobian_inward(trace.tree, trace.X, tasks, trace.rows(), poses));
        }}};
   if (permits(tree, {}, LambdaRoute::factors_world)) {
-    routes.push_back({{"poses", "from the poses of all links"}, [](const RobotTrace& trace) {
+    routes.push_back({{"poses", "from the poses of all links"}, [](const Trace& trace) {
                         return matrix_output(
                             "J", "Jacobian",
-                            jacobian_world(trace.tree, trace.poses(), {}, trace.rows));
+                            jacobian_world(trace.tree, trace.poses(), {}, trace.rows()));
                       }});
   }
   return routes;
 }
 
-std::vector<Expression> net_forces(const RobotTrace& trace) {
-  const auto h = inverse_dynamics<Expression>(trace.tree, trace.X, {trace.qd, {}}, trace.applied());
-  std::vector<Expression> net = trace.tau;
+std::vector<Expression> net_forces(const Trace& trace) {
+  const auto h =
+      inverse_dynamics<Expression>(trace.tree, trace.X, {trace.qd(), {}}, trace.applied());
+  std::vector<Expression> net = trace.tau();
   for (std::size_t i = 0; i < net.size(); ++i) {
     net[i] = net[i] - h[i];
   }
   return net;
 }
 
-std::vector<RobotRoute> forward_dynamics_routes(const Tree<Expression>& tree) {
-  std::vector<RobotRoute> routes{
+std::vector<Route> forward_dynamics_routes(const Tree<Expression>& tree) {
+  std::vector<Route> routes{
       {{"ltdl", "M = L^T D L by composite bodies, sparse solve (RBDA section 6.5)"},
-       [](const RobotTrace& trace) {
+       [](const Trace& trace) {
          const auto factor = factor_ltdl(mass_matrix(trace.tree, trace.X));
          return vector_output("qdd", trace.with_unit("joint accelerations", Quantity::qdd),
                               solve(factor, net_forces(trace)));
        }}};
   if (!tree.has_mimics) {
-    routes.push_back({{"aba", "articulated bodies, Chang table 4.2"}, [](const RobotTrace& trace) {
+    routes.push_back({{"aba", "articulated bodies, Chang table 4.2"}, [](const Trace& trace) {
                         return vector_output(
                             "qdd", trace.with_unit("joint accelerations", Quantity::qdd),
                             solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
@@ -81,90 +82,90 @@ std::vector<RobotRoute> forward_dynamics_routes(const Tree<Expression>& tree) {
   return routes;
 }
 
-std::vector<RobotRoute> newton_euler_route(const char* name) {
-  return {{{"rnea", "recursive Newton-Euler, Chang table 4.1"}, [name](const RobotTrace& trace) {
-             return vector_output(name, trace.with_unit("joint forces", Quantity::tau),
-                                  inverse_dynamics<Expression>(
-                                      trace.tree, trace.X, {trace.qd, trace.qdd}, trace.applied()));
+std::vector<Route> newton_euler_route(const char* name) {
+  return {{{"rnea", "recursive Newton-Euler, Chang table 4.1"}, [name](const Trace& trace) {
+             return vector_output(
+                 name, trace.with_unit("joint forces", Quantity::tau),
+                 inverse_dynamics<Expression>(trace.tree, trace.X, {trace.qd(), trace.qdd()},
+                                              trace.applied()));
            }}};
 }
 
-std::vector<RobotRoute> coriolis_routes() {
-  return {{{"composite-bodies", "composite bodies, Echeandia & Wensing 2021"},
-           [](const RobotTrace& trace) {
-             return matrix_output("C", "Coriolis matrix",
-                                  coriolis_matrix<Expression>(trace.tree, trace.X, trace.qd));
-           }}};
-}
-
-std::vector<RobotRoute> kinetic_energy_routes() {
-  return {{{"outward", "outward recursion"}, [](const RobotTrace& trace) {
-             return vector_output("energy", "kinetic energy, J",
-                                  {kinetic_energy<Expression>(trace.tree, trace.X, trace.qd)});
-           }}};
-}
-
-std::vector<RobotRoute> potential_energy_routes() {
+std::vector<Route> coriolis_routes() {
   return {
-      {{"composite-moments", "first moments of the composite bodies"}, [](const RobotTrace& trace) {
-         return vector_output("energy", "potential energy, J",
-                              {potential_energy(trace.tree, trace.X)});
+      {{"composite-bodies", "composite bodies, Echeandia & Wensing 2021"}, [](const Trace& trace) {
+         return matrix_output("C", "Coriolis matrix",
+                              coriolis_matrix<Expression>(trace.tree, trace.X, trace.qd()));
        }}};
 }
 
-std::vector<RobotRoute> inverse_dynamics_regressor_routes() {
-  return {{{"unit-motions", "forces of unit parameters along the unit motions of the joints"},
-           [](const RobotTrace& trace) {
-             return matrix_output(
-                 "Y", "regressor of the joint forces",
-                 inverse_dynamics_regressor<Expression>(trace.tree, trace.X, {trace.qd, trace.qdd},
-                                                        regressor_columns(*trace.mechanism)));
+std::vector<Route> kinetic_energy_routes() {
+  return {{{"outward", "outward recursion"}, [](const Trace& trace) {
+             return vector_output("energy", "kinetic energy, J",
+                                  {kinetic_energy<Expression>(trace.tree, trace.X, trace.qd())});
            }}};
 }
 
-std::vector<RobotRoute> energy_regressor_routes() {
-  return {{{"outward", "energies of unit parameters"}, [](const RobotTrace& trace) {
+std::vector<Route> potential_energy_routes() {
+  return {{{"composite-moments", "first moments of the composite bodies"}, [](const Trace& trace) {
+             return vector_output("energy", "potential energy, J",
+                                  {potential_energy(trace.tree, trace.X)});
+           }}};
+}
+
+std::vector<Route> inverse_dynamics_regressor_routes() {
+  return {{{"unit-motions", "forces of unit parameters along the unit motions of the joints"},
+           [](const Trace& trace) {
+             return matrix_output("Y", "regressor of the joint forces",
+                                  inverse_dynamics_regressor<Expression>(
+                                      trace.tree, trace.X, {trace.qd(), trace.qdd()},
+                                      regressor_columns(*trace.mechanism)));
+           }}};
+}
+
+std::vector<Route> energy_regressor_routes() {
+  return {{{"outward", "energies of unit parameters"}, [](const Trace& trace) {
              return matrix_output(
                  "E", "regressor of kinetic over potential energy",
-                 energy_regressor<Expression>(trace.tree, trace.X, trace.qd,
+                 energy_regressor<Expression>(trace.tree, trace.X, trace.qd(),
                                               regressor_columns(*trace.mechanism)));
            }}};
 }
 
-std::vector<RobotRoute> pose_routes() {
+std::vector<Route> pose_routes() {
   return {{{"outward", "outward recursion"}, point_poses}};
 }
 
-std::vector<RobotRoute> point_velocity_routes() {
-  return {{{"outward", "outward recursion"}, [](const RobotTrace& trace) {
+std::vector<Route> point_velocity_routes() {
+  return {{{"outward", "outward recursion"}, [](const Trace& trace) {
              return vector_output("velocity",
                                   "velocity over angular velocity, world axes, m/s, rad/s, one "
                                   "point after the other",
-                                  point_velocities<Expression>(trace.tree, trace.X, trace.qd));
+                                  point_velocities<Expression>(trace.tree, trace.X, trace.qd()));
            }}};
 }
 
-std::vector<RobotRoute> point_acceleration_routes() {
-  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
+std::vector<Route> point_acceleration_routes() {
+  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const Trace& trace) {
              return vector_output(
                  "acceleration",
                  "acceleration over angular acceleration, world axes, m/s^2, rad/s^2, one point "
                  "after the other",
-                 point_accelerations<Expression>(trace.tree, trace.X, {trace.qd, trace.qdd}));
+                 point_accelerations<Expression>(trace.tree, trace.X, {trace.qd(), trace.qdd()}));
            }}};
 }
 
-std::vector<RobotRoute> bias_routes() {
-  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const RobotTrace& trace) {
+std::vector<Route> bias_routes() {
+  return {{{"outward", "outward recursion, Chang eq. 6.11"}, [](const Trace& trace) {
              const auto tasks = task_points(trace.tree, {}, trace.poses());
              return vector_output(
                  "bias", "accelerations of the task rows at qdd = 0, m/s^2, rad/s^2",
-                 bias_acceleration<Expression>(trace.tree, trace.X, tasks, trace.qd));
+                 bias_acceleration<Expression>(trace.tree, trace.X, tasks, trace.qd()));
            }}};
 }
 
-std::vector<RobotRoute> mass_matrix_routes() {
-  return {{{"crba", "composite rigid bodies, RBDA table 6.2"}, [](const RobotTrace& trace) {
+std::vector<Route> mass_matrix_routes() {
+  return {{{"crba", "composite rigid bodies, RBDA table 6.2"}, [](const Trace& trace) {
              return matrix_output("M", "joint-space inertia", mass_matrix(trace.tree, trace.X));
            }}};
 }
@@ -178,7 +179,7 @@ struct Traced {
 
 struct RoutesOf {
   Function function;
-  std::vector<RobotRoute> (*routes)(const Traced& of);
+  std::vector<Route> (*routes)(const Traced& of);
 };
 
 constexpr auto kRoutes = std::to_array<RoutesOf>({
@@ -227,12 +228,11 @@ static_assert(covers<has_routes>(kRoutes));
 
 }  // namespace
 
-std::vector<RobotRoute> robot_routes(Function function, const Mechanism& mechanism,
-                                     const Tree<Expression>& tree) {
-  const RoutesOf* const row = find_row(kRoutes, function);
+std::vector<Route> robot_routes(const RouteQuery& query) {
+  const RoutesOf* const row = find_row(kRoutes, query.function);
   if (row == nullptr) return {};
-  TaskLaws laws(mechanism);
-  return row->routes({mechanism, tree, laws});
+  TaskLaws laws(query.mechanism);
+  return row->routes({query.mechanism, query.tree, laws});
 }
 
 }  // namespace treeline

@@ -5,25 +5,25 @@
 #include "recursion/methods/operational_quantities.hpp"
 #include "recursion/methods/resolved_by_pivots.hpp"
 #include "recursion/routes/describe_choice.hpp"
-#include "recursion/routes/trace_parts.hpp"
+#include "recursion/routes/result_parts.hpp"
 
 namespace treeline {
 namespace {
 
 /// As many joints as rows: by cofactors, or by pivots that may yield.
 void append_resolved_routes(const Mechanism& mechanism, const Tree<Expression>& tree,
-                            TaskLaws& laws, std::vector<RobotRoute>& routes) {
+                            TaskLaws& laws, std::vector<Route>& routes) {
   if (!permits_resolved_acceleration(tree)) {
     return;
   }
-  const auto inputs = [](const RobotTrace& trace) -> ControlInputs<Expression> {
-    return {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()};
+  const auto inputs = [](const Trace& trace) -> ControlInputs<Expression> {
+    return {{trace.qd(), trace.qdd()}, trace.in[Quantity::xdd_cmd], trace.applied()};
   };
   if (mechanism.singular == SingularTasks::exact) {
     for (const int link : axes_links(tree)) {
       routes.push_back({{"resolved", "resolved acceleration, spherical wrist", axes_key(link),
                          fmt::format("J in {}", axes_name(link, tree))},
-                        [link, inputs](const RobotTrace& trace) {
+                        [link, inputs](const Trace& trace) {
                           return vector_output("tau",
                                                trace.with_unit("joint forces", Quantity::tau),
                                                control_torque_by_resolved_acceleration<Expression>(
@@ -39,7 +39,7 @@ void append_resolved_routes(const Mechanism& mechanism, const Tree<Expression>& 
                        fmt::format("{}+{}", axes_key(link), axes_key(law->angular_axes_link)),
                        fmt::format("J in {} and {}", axes_name(link, tree),
                                    axes_name(law->angular_axes_link, tree))},
-                      [law, inputs](const RobotTrace& trace) {
+                      [law, inputs](const Trace& trace) {
                         return vector_output("tau", trace.with_unit("joint forces", Quantity::tau),
                                              control_torque_by_pivots<Expression>(
                                                  trace.tree, trace.X, inputs(trace), *law));
@@ -48,25 +48,25 @@ void append_resolved_routes(const Mechanism& mechanism, const Tree<Expression>& 
   }
 }
 
-DenseMatrix<Expression> jacobian_by(LambdaRoute route, const RobotTrace& trace) {
+DenseMatrix<Expression> jacobian_by(LambdaRoute route, const Trace& trace) {
   const auto poses = trace.poses();
   return route == LambdaRoute::factors_world
-             ? jacobian_world(trace.tree, poses, {}, trace.rows)
-             : jacobian_inward(trace.tree, trace.X, task_points(trace.tree, {}, poses), trace.rows,
-                               poses);
+             ? jacobian_world(trace.tree, poses, {}, trace.rows())
+             : jacobian_inward(trace.tree, trace.X, task_points(trace.tree, {}, poses),
+                               trace.rows(), poses);
 }
 
 }  // namespace
 
-std::vector<RobotRoute> lambda_routes(const Tree<Expression>& tree, bool invert, TaskLaws& laws) {
-  std::vector<RobotRoute> routes;
+std::vector<Route> lambda_routes(const Tree<Expression>& tree, bool invert, TaskLaws& laws) {
+  std::vector<Route> routes;
   const auto law =
       invert ? laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {}) : nullptr;
   for (const LambdaChoice& choice : lambda_choices(tree)) {
     routes.push_back({route_id(choice, tree),
-                      [choice, invert](const RobotTrace& trace) {
+                      [choice, invert](const Trace& trace) {
                         const auto Lambda_inv =
-                            lambda_inverse_as_asked(trace.tree, trace.X, choice, trace.rows);
+                            lambda_inverse_as_asked(trace.tree, trace.X, choice, trace.rows());
                         return invert
                                    ? matrix_output("Lambda", "operational-space inertia",
                                                    inverse(factor_ldlt(Lambda_inv, trace.rule)))
@@ -78,9 +78,9 @@ std::vector<RobotRoute> lambda_routes(const Tree<Expression>& tree, bool invert,
   return routes;
 }
 
-std::vector<RobotRoute> control_routes(const Mechanism& mechanism, const Tree<Expression>& tree,
-                                       TaskLaws& laws) {
-  std::vector<RobotRoute> routes;
+std::vector<Route> control_routes(const Mechanism& mechanism, const Tree<Expression>& tree,
+                                  TaskLaws& laws) {
+  std::vector<Route> routes;
   const auto kind =
       has_priorities(tree) ? TaskLaw::Kind::priorities : TaskLaw::Kind::inverse_inertia;
   for (const LambdaChoice& choice : control_choices(tree)) {
@@ -91,12 +91,13 @@ std::vector<RobotRoute> control_routes(const Mechanism& mechanism, const Tree<Ex
              ? on_top_of(route_id(choice, tree), "fused-by-priority",
                          "Chang table 6.1, fused, LDL^T in order of priority")
              : on_top_of(route_id(choice, tree), "fused", "Chang table 6.1, fused"),
-         [choice](const RobotTrace& trace) {
+         [choice](const Trace& trace) {
            return vector_output(
                "tau", trace.with_unit("joint forces", Quantity::tau),
-               control_torque<Expression>(trace.tree, trace.X,
-                                          {{trace.qd, trace.qdd}, trace.xdd_cmd, trace.applied()},
-                                          choice, trace.rows, trace.rule));
+               control_torque<Expression>(
+                   trace.tree, trace.X,
+                   {{trace.qd(), trace.qdd()}, trace.in[Quantity::xdd_cmd], trace.applied()},
+                   choice, trace.rows(), trace.rule));
          },
          solves ? laws.find(kind, LawPoints::operational, control_basis(tree, choice)) : nullptr});
   }
@@ -104,15 +105,15 @@ std::vector<RobotRoute> control_routes(const Mechanism& mechanism, const Tree<Ex
   return routes;
 }
 
-std::vector<RobotRoute> consistent_inverse_routes(const Tree<Expression>& tree, bool project,
-                                                  TaskLaws& laws) {
+std::vector<Route> consistent_inverse_routes(const Tree<Expression>& tree, bool project,
+                                             TaskLaws& laws) {
   const auto law = laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
-  std::vector<RobotRoute> routes;
+  std::vector<Route> routes;
   for (const LambdaRoute route : {LambdaRoute::factors_inward, LambdaRoute::factors_world}) {
     if (!permits(tree, {}, route)) continue;
     routes.push_back(
         {route_id(LambdaChoice{{}, route}, tree),
-         [route, project](const RobotTrace& trace) {
+         [route, project](const Trace& trace) {
            const auto J = jacobian_by(route, trace);
            const auto Jbar = dynamically_consistent_inverse(trace.tree, trace.X, J, trace.rule);
            return project ? matrix_output("N", "null-space projector 1 - Jbar J",
@@ -124,22 +125,22 @@ std::vector<RobotRoute> consistent_inverse_routes(const Tree<Expression>& tree, 
   return routes;
 }
 
-std::vector<RobotRoute> operational_force_routes(const Tree<Expression>& tree, bool of_gravity,
-                                                 TaskLaws& laws) {
+std::vector<Route> operational_force_routes(const Tree<Expression>& tree, bool of_gravity,
+                                            TaskLaws& laws) {
   const auto law = laws.find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
-  std::vector<RobotRoute> routes;
+  std::vector<Route> routes;
   for (const LambdaChoice& choice : lambda_choices(tree)) {
     routes.push_back(
         {on_top_of(route_id(choice, tree), "released",
                    "from the acceleration of the released task"),
-         [choice, of_gravity](const RobotTrace& trace) {
+         [choice, of_gravity](const Trace& trace) {
            return of_gravity ? vector_output("p", "forces of gravity in the task rows, N, N m",
                                              operational_gravity(trace.tree, trace.X, choice,
-                                                                 trace.rows, trace.rule))
+                                                                 trace.rows(), trace.rule))
                              : vector_output("mu", "forces of velocities in the task rows, N, N m",
                                              operational_bias_force<Expression>(
-                                                 trace.tree, trace.X, choice, trace.rows,
-                                                 trace.rule, trace.qd));
+                                                 trace.tree, trace.X, choice, trace.rows(),
+                                                 trace.rule, trace.qd()));
          },
          law});
   }

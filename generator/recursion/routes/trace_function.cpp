@@ -3,24 +3,52 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "recursion/routes/constraint_routes.hpp"
+#include "recursion/routes/contact_routes.hpp"
+#include "recursion/routes/derivative_routes.hpp"
+#include "recursion/routes/object_routes.hpp"
+#include "recursion/routes/posture_routes.hpp"
 #include "recursion/routes/pruned_algorithms.hpp"
+#include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/robot_routes.hpp"
-#include "recursion/routes/trace_constraint_function.hpp"
-#include "recursion/routes/trace_contacts.hpp"
-#include "recursion/routes/trace_derivatives.hpp"
-#include "recursion/routes/trace_object_function.hpp"
-#include "recursion/routes/trace_parts.hpp"
-#include "recursion/routes/trace_posture.hpp"
 #include "recursion/tree/deferred_rotations.hpp"
 #include "recursion/tree/lift_tree.hpp"
+#include "recursion/tree/supported_mechanism.hpp"
 
 namespace treeline {
 namespace {
 
 using TracedTree = Tree<Expression>;
+
+/// The mechanism as the function sees it: itself, or, for functions about constraints, a copy that
+/// has these as points.
+std::shared_ptr<const Mechanism> seen_by(Function function, const Mechanism& mechanism) {
+  if (info_of(function).group != FunctionGroup::constraints)
+    return {std::shared_ptr<const Mechanism>(), &mechanism};
+  if (function == Function::supported_control_torque) {
+    return std::make_shared<const Mechanism>(with_supports(mechanism));
+  }
+  Mechanism seen = with_constraints_only(mechanism);
+  // Rows of constraints may depend on each other, whatever the scene asks of tasks.
+  seen.singular = SingularTasks::smooth;
+  return std::make_shared<const Mechanism>(std::move(seen));
+}
+
+/// Derivatives put three values together.
+int lanes_of(Function function, int lanes) {
+  constexpr int kMostOfDerivatives = 4;
+  const bool few = info_of(function).group == FunctionGroup::derivatives;
+  return few ? std::min(lanes, kMostOfDerivatives) : lanes;
+}
+
+/// Whether the bare solve, for which a scene may ask, divides by what can vanish.
+bool may_divide_by_zero(Function function) {
+  return solve_of(function) == Solve::lambda_inverse || function == Function::effective_mass;
+}
 
 /// `, in strict priority: left_hand (1), right_hand (2)`, the most important first.
 std::string priorities_of(const TracedTree& tree) {
@@ -35,98 +63,134 @@ std::string priorities_of(const TracedTree& tree) {
   return text;
 }
 
-class Tracer {
- public:
-  Tracer(const Mechanism& mechanism, int lanes)
-      : mechanism_(mechanism), constants_(constant_tree<double>(mechanism)), lanes_(lanes) {}
-
-  /// `nodes`: about as many as the graph will have.
-  Program trace(Function function, const RobotRoute& route, Names names, std::size_t nodes) const {
-    Program program;
-    program.name = function_name(function);
-    program.equation = info_of(function).equation;
-    program.route = route.id;
-    program.graph = Graph::for_trace(lanes_);
-    program.graph.reserve(nodes);
-    if (names == Names::forgotten) program.graph.forget_names();
-    const Graph::Scope scope(program.graph);
-    RobotTrace trace;
-    trace.mechanism = &mechanism_;
-    trace.tree = lift_tree(constants_, mechanism_);
-    if (function == Function::control_torque && has_priorities(trace.tree)) {
-      program.equation += priorities_of(trace.tree);
-    }
-    trace.rows = static_cast<std::size_t>(mechanism_.task_rows());
-    take_inputs(function, program, trace);
-    trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-    defer_rotations(trace.tree, trace.X);
-    if (route.law) {
-      trace.rule = route.law->rule;
-      program.law = route.law;
-      program.singular = describe(*route.law);
-    } else if (mechanism_.singular == SingularTasks::exact && has_lambda(function)) {
-      program.singular = kBareSolve;
-    }
-    program.results = route.body(trace);
-    return program;
-  }
-
- private:
-  void take_inputs(Function function, Program& program, RobotTrace& trace) const {
-    const TracedInputs inputs(mechanism_, function, program);
-    apply_inputs(mechanism_, inputs, trace.tree);
-    trace.q = inputs[Quantity::q];
-    trace.qd = inputs[Quantity::qd];
-    trace.qdd = inputs[takes(function, Quantity::qdd_0) ? Quantity::qdd_0 : Quantity::qdd];
-    trace.tau = inputs[Quantity::tau];
-    trace.xdd_cmd = inputs[Quantity::xdd_cmd];
-    trace.f_ext = inputs[Quantity::f_ext];
-    if (const auto& step = inputs[Quantity::step]; !step.empty()) {
-      make_drives_implicit<Expression>(trace.qd, step.front(), trace.tree);
-      program.equation =
-          "(M + step D + step^2 K) qdd = tau - b - g - step K qd + J_ext^T f_ext" + kImplicitTerms;
-    }
-  }
-
-  const Mechanism& mechanism_;
-  Tree<double> constants_;
-  int lanes_;
-};
-
-/// Which routes there are depends on the tree's structure alone.
-TracedTree structure_in(Program& scratch, const Mechanism& mechanism, Function function) {
-  const Graph::Scope scope(scratch.graph);
-  return structure_of(mechanism, function, scratch);
+/// The equation with an argument `step`.
+std::string implicit_equation(Function function) {
+  const std::string equation =
+      info_of(function).group == FunctionGroup::constraints
+          ? "(M + step D + step^2 K) qdd + b + g + step K qd = tau + J_s^T f + J_ext^T f_ext, "
+            "J_s qdd + Jd_s qd = -stabilisation[0] J_s qd - stabilisation[1] drift"
+          : "(M + step D + step^2 K) qdd = tau - b - g - step K qd + J_ext^T f_ext";
+  return equation + kImplicitTerms;
 }
 
-}  // namespace
-
-std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes) {
-  switch (info_of(function).group) {
+std::vector<Route> list_routes(const RouteQuery& query) {
+  switch (info_of(query.function).group) {
     case FunctionGroup::contacts:
     case FunctionGroup::links:
-      return trace_contact_function(mechanism, function, lanes);
+      return contact_routes(query);
     case FunctionGroup::objects:
-      return trace_object_function(mechanism, function, lanes);
+      return object_routes(query);
     case FunctionGroup::constraints:
-      return trace_constraint_function(mechanism, function, lanes);
+      return constraint_routes(query);
     case FunctionGroup::center_of_mass:
-      return trace_posture_function(mechanism, function, lanes);
+      return posture_routes(query);
     case FunctionGroup::derivatives:
-      return trace_derivative_function(mechanism, function, lanes);
+      return derivative_routes(query);
     case FunctionGroup::robot:
     case FunctionGroup::points:
       break;
   }
-  Program scratch;
-  const TracedTree tree = structure_in(scratch, mechanism, function);
-  const Tracer tracer(mechanism, lanes);
+  return robot_routes(query);
+}
+
+/// Traces any function by any of its routes.
+class Tracer {
+ public:
+  Tracer(const Mechanism& mechanism, Function function, int lanes)
+      : mechanism_(mechanism),
+        function_(function),
+        lanes_(lanes_of(function, lanes)),
+        constants_(constant_tree<double>(*seen_by(function, mechanism))) {}
+
+  [[nodiscard]] std::vector<Route> routes() const {
+    Program scratch;  // to be thrown away: routes depend on the tree's structure alone
+    const Graph::Scope scope(scratch.graph);
+    const auto seen = seen_by(function_, mechanism_);
+    Trace trace = begin(*seen);
+    trace.in = TracedInputs(mechanism_, function_, scratch);
+    apply_inputs(*seen, trace.in, trace.tree);
+    return list_routes({function_, mechanism_, *seen, trace.tree});
+  }
+
+  /// `nodes`: about as many as the graph will have.
+  [[nodiscard]] Program trace(const Route& route, Names names, std::size_t nodes) const {
+    Program program;
+    program.name = function_name(function_);
+    program.equation = info_of(function_).equation;
+    program.route = route.id;
+    program.law = route.law;
+    program.graph = Graph::for_trace(lanes_);
+    program.graph.reserve(nodes);
+    if (names == Names::forgotten) program.graph.forget_names();
+    const Graph::Scope scope(program.graph);
+    const auto seen = seen_by(function_, mechanism_);
+    Trace trace = begin(*seen);
+    if (function_ == Function::control_torque && has_priorities(trace.tree)) {
+      program.equation += priorities_of(trace.tree);
+    }
+    take_inputs(*seen, program, trace);
+    move(trace);
+    describe_singular(route, program);
+    if (route.law) trace.rule = route.law->rule;
+    program.results = route.body(trace);
+    if (route.order) program.order = route.order(mechanism_, program.results.size());
+    return program;
+  }
+
+ private:
+  /// A trace in the open graph that knows no inputs.
+  [[nodiscard]] Trace begin(const Mechanism& seen) const {
+    Trace trace;
+    trace.mechanism = &mechanism_;
+    const bool about_objects = info_of(function_).group == FunctionGroup::objects;
+    if (about_objects) trace.objects = objects_of<Expression>(mechanism_);
+    trace.tree = lift_tree(constants_, seen);
+    if (about_objects) trace.tree = holding_tree(std::move(trace.tree), trace.objects);
+    return trace;
+  }
+
+  void take_inputs(const Mechanism& seen, Program& program, Trace& trace) const {
+    trace.in = TracedInputs(mechanism_, function_, program);
+    apply_inputs(seen, trace.in, trace.tree);
+    const auto& step = trace.in[Quantity::step];
+    if (step.empty()) return;
+    make_drives_implicit<Expression>(trace.qd(), step.front(), trace.tree);
+    program.equation = implicit_equation(function_);
+  }
+
+  /// Finds the transforms of all joints.
+  static void move(Trace& trace) {
+    trace.X = joint_transforms<Expression>(trace.tree, trace.q());
+    defer_rotations(trace.tree, trace.X);
+    follow_points(trace.tree, trace.objects);
+  }
+
+  void describe_singular(const Route& route, Program& program) const {
+    if (!route.singular.empty()) {
+      program.singular = route.singular;
+    } else if (route.law) {
+      program.singular = describe(*route.law);
+    } else if (mechanism_.singular == SingularTasks::exact && may_divide_by_zero(function_)) {
+      program.singular = kBareSolve;
+    }
+  }
+
+  const Mechanism& mechanism_;
+  Function function_;
+  int lanes_;
+  Tree<double> constants_;
+};
+
+}  // namespace
+
+std::vector<Program> trace_function(const Mechanism& mechanism, Function function, int lanes) {
+  const Tracer tracer(mechanism, function, lanes);
   std::vector<Program> programs;
   PrunedAlgorithms pruned;
-  for (const RobotRoute& route : robot_routes(function, mechanism, tree)) {
+  for (const Route& route : tracer.routes()) {
     if (pruned.has(route.id)) continue;
     const std::size_t nodes = programs.empty() ? 0 : programs.back().graph.nodes().size();
-    programs.push_back(tracer.trace(function, route, Names::kept, nodes));
+    programs.push_back(tracer.trace(route, Names::kept, nodes));
     pruned.look_at(programs.back());
   }
   return programs;
@@ -134,23 +198,16 @@ std::vector<Program> trace_function(const Mechanism& mechanism, Function functio
 
 std::function<Program(Names)> prepare_route(const Mechanism& mechanism, Function function,
                                             const RouteId& id) {
-  Program scratch;
-  const TracedTree tree = structure_in(scratch, mechanism, function);
-  for (const RobotRoute& route : robot_routes(function, mechanism, tree)) {
+  const Tracer tracer(mechanism, function, 1);
+  for (const Route& route : tracer.routes()) {
     if (key_of(route.id) != key_of(id)) continue;
-    return [tracer = Tracer(mechanism, 1), function, route,
-            nodes = std::size_t{0}](Names names) mutable {
-      Program program = tracer.trace(function, route, names, nodes);
+    return [tracer, route, nodes = std::size_t{0}](Names names) mutable {
+      Program program = tracer.trace(route, names, nodes);
       nodes = program.graph.nodes().size();
       return program;
     };
   }
-  return [&mechanism, function, id](Names) {  // of another kind
-    for (Program& program : trace_function(mechanism, function)) {
-      if (key_of(program.route) == key_of(id)) return std::move(program);
-    }
-    throw std::logic_error("no such route: " + key_of(id));
-  };
+  throw std::logic_error("no such route: " + key_of(id));
 }
 
 }  // namespace treeline

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/robot_routes.hpp"
-#include "recursion/routes/trace_parts.hpp"
 #include "recursion/tree/deferred_rotations.hpp"
 
 namespace treeline {
@@ -31,17 +31,16 @@ std::vector<Argument> list_once(const std::vector<Argument>& arguments) {
 }
 
 /// A trace in the open graph that knows the mechanism but no inputs.
-RobotTrace begin_trace(const Mechanism& mechanism) {
-  RobotTrace trace;
+Trace begin_trace(const Mechanism& mechanism) {
+  Trace trace;
   trace.mechanism = &mechanism;
   trace.tree = constant_tree<Expression>(mechanism);
   return trace;
 }
 
 /// Finds the transforms of all joints.
-void move_to(const std::vector<Expression>& q, RobotTrace& trace) {
-  trace.q = q;
-  trace.X = joint_transforms<Expression>(trace.tree, trace.q);
+void move_to(const std::vector<Expression>& q, Trace& trace) {
+  trace.X = joint_transforms<Expression>(trace.tree, q);
   defer_rotations(trace.tree, trace.X);
 }
 
@@ -51,8 +50,7 @@ Program trace_together(const Mechanism& mechanism, std::span<const Function> fun
   Program program;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  RobotTrace trace = begin_trace(mechanism);
-  trace.rows = static_cast<std::size_t>(mechanism.task_rows());
+  Trace trace = begin_trace(mechanism);
   std::vector<TracedInputs> inputs;
   for (const Function function : functions) {
     inputs.emplace_back(mechanism, function, program);
@@ -61,9 +59,9 @@ Program trace_together(const Mechanism& mechanism, std::span<const Function> fun
   program.arguments = list_once(program.arguments);
   move_to(inputs.front()[Quantity::q], trace);
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    trace.qd = inputs[i][Quantity::qd];
-    trace.qdd = inputs[i][Quantity::qdd];
-    const RobotRoute route = robot_routes(functions[i], mechanism, trace.tree).front();
+    trace.in = inputs[i];
+    trace.in.drop(Quantity::f_ext);
+    const Route route = robot_routes({functions[i], mechanism, mechanism, trace.tree}).front();
     for (Result& result : route.body(trace)) program.results.push_back(std::move(result));
   }
   return program;
@@ -73,14 +71,14 @@ Program trace_against_forces(const Mechanism& mechanism, int lanes) {
   Program program;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  RobotTrace trace = begin_trace(mechanism);
+  Trace trace = begin_trace(mechanism);
   trace.tree.gravity = {};
   const TracedInputs inputs(mechanism, Function::inverse_dynamics, program);
   std::erase_if(program.arguments, [](const Argument& argument) {
     return argument.name != symbol_of(Quantity::q) && argument.name != symbol_of(Quantity::f_ext);
   });
-  trace.f_ext = inputs[Quantity::f_ext];
-  move_to(inputs[Quantity::q], trace);
+  trace.in = inputs;
+  move_to(trace.q(), trace);
   std::vector<Wrench<Expression>> wrenches = trace.applied();
   for (Wrench<Expression>& wrench : wrenches) wrench = Wrench<Expression>{} - wrench;
   program.results = {vector_result("tau", trace.with_unit("joint forces", Quantity::tau),

@@ -25,6 +25,12 @@ class TracedInputs {
   /// size.
   TracedInputs(const Mechanism& mechanism, Function function, Program& program);
 
+  /// No entries of anything.
+  TracedInputs() = default;
+
+  /// As if the function did not take the quantity.
+  void drop(Quantity quantity) { entries_[static_cast<std::size_t>(quantity)].clear(); }
+
   [[nodiscard]] const std::vector<Expression>& operator[](Quantity quantity) const {
     return entries_[static_cast<std::size_t>(quantity)];
   }

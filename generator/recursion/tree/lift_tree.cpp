@@ -49,13 +49,27 @@ TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choice
           lift(link.drive)};
 }
 
+TreePoint<Expression> lift(const TreePoint<double>& point) {
+  return {point.name, point.link, lift(point.R), lift(point.p),
+          point.axes, point.rows, point.priority};
+}
+
 std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<double>>& points) {
   std::vector<TreePoint<Expression>> lifted;
-  for (const TreePoint<double>& point : points) {
-    lifted.push_back({point.name, point.link, lift(point.R), lift(point.p), point.axes, point.rows,
-                      point.priority});
-  }
+  for (const TreePoint<double>& point : points) lifted.push_back(lift(point));
   return lifted;
+}
+
+std::optional<TreeRolling<Expression>> lift(const std::optional<TreeRolling<double>>& rolling) {
+  if (!rolling) return std::nullopt;
+  TreeRolling<Expression> lifted{rolling->radius, std::nullopt, std::nullopt};
+  if (rolling->axis) lifted.axis = lift(*rolling->axis);
+  if (rolling->on_radius) lifted.on_radius = Expression(*rolling->on_radius);
+  return lifted;
+}
+
+TreeLoop<Expression> lift(const TreeLoop<double>& loop) {
+  return {lift(loop.first), lift(loop.second), lift(loop.rolling)};
 }
 
 }  // namespace
@@ -68,6 +82,8 @@ Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mecha
   tree.operational_points = lift(constants.operational_points);
   tree.external_forces = lift(constants.external_forces);
   tree.contacts = lift(constants.contacts);
+  for (const TreeLoop<double>& loop : constants.loops) tree.loops.push_back(lift(loop));
+  tree.couplings = constants.couplings;
   tree.link_frames = lift(constants.link_frames);
   tree.payload_frames = lift(constants.payload_frames);
   for (const TreeMatter<double>& matter : constants.link_matter) {

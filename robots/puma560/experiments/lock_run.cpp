@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/command_laws.hpp"
+#include "servo/run_for.hpp"
 #include "servo/simulated_robot.hpp"
 
 namespace treeline::experiments {
@@ -15,6 +16,7 @@ namespace {
 struct Puma {
   static constexpr int kCoordinates = puma560::kCoordinates;
   static constexpr int kVelocities = puma560::kVelocities;
+  static constexpr auto& inverse_dynamics = puma560::inverse_dynamics;
   static constexpr auto& forward_dynamics = puma560::forward_dynamics;
 };
 using State = servo::StateOf<Puma>;
@@ -160,21 +162,17 @@ LockRun run_lock(Lock lock, Strategy strategy, double branch) {
   const int cycles = static_cast<int>(std::lround(path.duration / kPeriod));
   LockRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}, {}};
   std::copy(std::begin(path.start), std::end(path.start), std::begin(run.start));
-  State state;
-  std::copy(std::begin(path.start), std::end(path.start), std::begin(state.q));
-  servo::SimulatedRobot<Puma> robot(state);
-  for (int cycle = 0; cycle <= cycles; ++cycle) {
-    robot.read(state);
+  State start;
+  std::copy(std::begin(path.start), std::end(path.start), std::begin(start.q));
+  servo::SimulatedRobot<Puma> robot(start);
+  const auto law = [&](double time, const State& state, double(&tau)[6]) {
     double error[6];
-    double tau[6];
-    const ToolCommand command = command_for(motion_at(path, cycle * kPeriod), state, error);
+    const ToolCommand command = command_for(motion_at(path, time), state, error);
     control(strategy, state.q, state.qd, command, branch, tau);
-    if (!record(cycle * kPeriod, state, error, tau, run)) {
-      break;
-    }
-    robot.write(tau);
-    robot.pass_time(kPeriod);
-  }
+    return record(time, state, error, tau, run);
+  };
+  // Without limits: what laws without a strategy exceed is what the figures show.
+  servo::run_law<Puma>(path.duration, 1.0 / kPeriod, {}, robot, law);
   return run;
 }
 

@@ -11,12 +11,14 @@
 #include "core/posture_laws.hpp"
 #include "samm_joints.hpp"
 #include "servo/pose_reference.hpp"
+#include "servo/run_for.hpp"
 #include "servo/simulated_robot.hpp"
 
 namespace treeline::experiments {
 namespace {
 
 using State = servo::StateOf<Samm>;
+using Limits = servo::SafetyLimits<9, 9>;
 
 constexpr double kPeriod = 1e-3;    ///< s
 constexpr double kDuration = 7.0;   ///< s
@@ -150,27 +152,27 @@ void advise(bool avoiding, const servo::SafetyLimits<9, 9>& limits, const double
 AvoidRun run_avoid_limits(bool avoiding) {
   const CirclePlan plan;
   const auto limits = samm_limits();
-  State state;
-  std::copy(std::begin(plan.start), std::end(plan.start), std::begin(state.q));
-  const servo::PoseReference reference = turn_in_place(state.q);
-  servo::SimulatedRobot<Samm> robot(state);
+  State start;
+  std::copy(std::begin(plan.start), std::end(plan.start), std::begin(start.q));
+  const servo::PoseReference reference = turn_in_place(start.q);
+  servo::SimulatedRobot<Samm> robot(start);
   const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
   AvoidRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
-  for (int i = 0; i <= cycles; ++i) {
-    const double time = i * kPeriod;
-    robot.read(state);
+  const auto law = [&](double time, const State& state, double(&tau)[9]) {
     const Tracking tracking = track(reference, time, state);
     double xdd_cmd[6];
     double qdd_0[9];
-    double tau[9];
     core::tracking_law(kTask, tracking.error, tracking.velocity, tracking.wanted.velocity,
                        tracking.wanted.acceleration, xdd_cmd);
     advise(avoiding, limits, plan.start, state, qdd_0);
     samm::control_torque(state.q, state.qd, qdd_0, xdd_cmd, tau);
     record(time, tracking, limits, state, tau, run);
-    robot.write(tau);
-    robot.pass_time(kPeriod);
-  }
+    return true;
+  };
+  // The loop keeps the limits where they are avoided; else it shall not stop beyond them.
+  const servo::RunEnd end =
+      servo::run_law<Samm>(kDuration, 1.0 / kPeriod, avoiding ? limits : Limits{}, robot, law);
+  run.figures.fault = static_cast<bool>(end.fault);
   return run;
 }
 
@@ -218,7 +220,8 @@ servo::Plot avoid_figure(const AvoidRun& avoiding, const AvoidRun& without) {
 bool avoid_claim_holds(const AvoidRun& avoiding, const AvoidRun& without) {
   bool tracked = true;
   for (const AvoidRun* run : {&avoiding, &without}) {
-    tracked = tracked && run->figures.position_error < 1e-5 && run->figures.rotation_error < 1e-4;
+    tracked = tracked && !run->figures.fault && run->figures.position_error < 1e-5 &&
+              run->figures.rotation_error < 1e-4;
   }
   return tracked && without.figures.margin < 0.0 && avoiding.figures.margin > 0.02 &&
          avoiding.figures.torque < 1.0;

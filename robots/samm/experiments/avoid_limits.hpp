@@ -17,6 +17,7 @@ struct AvoidFigures {
   double rotation_error = 0.0;  ///< rad
   double base_travel = 0.0;     ///< m
   double torque = 0.0;          ///< share of a joint's effort limit
+  bool fault = false;           ///< the servo loop ended the run
 };
 
 struct AvoidRun {

@@ -8,6 +8,9 @@
 
 #include "core/command_laws.hpp"
 #include "core/orientation.hpp"
+#include "pair_functions.hpp"
+#include "servo/run_for.hpp"
+#include "servo/simulated_robot.hpp"
 #include "share_law.hpp"
 
 namespace treeline::experiments {
@@ -127,17 +130,21 @@ const char* name_of(Law law) {
 
 Cooperation cooperate(const CarryPlan& plan, Law law, const Trouble& trouble) {
   const PairState start = start_state();
-  PairState state = start;
-  const double dt = 1.0 / plan.rate;
   const auto cycles =
       static_cast<std::size_t>(std::lround((plan.lead + plan.duration + plan.settle) * plan.rate));
   Cooperation run{{}, servo::Table({"time", "position_error", "tension", "commanded"}, cycles)};
   Controllers controllers(plan, law, trouble, start);
+  servo::StateOf<Pair> begin;
+  std::copy(&start.q[0][0], &start.q[0][0] + Pair::kCoordinates, begin.q);
+  std::copy(&start.qd[0][0], &start.qd[0][0] + Pair::kVelocities, begin.qd);
+  servo::SimulatedRobot<Pair> robots(begin, plan.substeps);
   PairTorques held;
   Wanted before;
   Internal felt;
-  for (std::size_t cycle = 0; cycle < cycles; ++cycle) {
-    const double time = static_cast<double>(cycle) * dt;
+  std::size_t cycle = 0;
+  const auto step = [&](double time, const servo::StateOf<Pair>& measured,
+                        double(&tau)[Pair::kVelocities]) {
+    const PairState state = Pair::state_of(measured.q, measured.qd);
     const Wanted wanted = wanted_at(plan, time);
     if (cycle == 0) {  // the hands squeeze as commanded when the run begins
       std::copy(std::begin(wanted.internal), std::end(wanted.internal), felt.values);
@@ -152,13 +159,12 @@ Cooperation cooperate(const CarryPlan& plan, Law law, const Trouble& trouble) {
     if (time >= kSettled) note(error, before, felt, run.errors);
     const double row[4] = {time, norm(error), felt.values[0], before.internal[0]};
     run.table.append(row);
-    if (!(norm(error) < kLost)) break;
-    held = controllers.update(cycle, believed_from(state, trouble), wanted, felt);
+    held = controllers.update(cycle++, believed_from(state, trouble), wanted, felt);
+    std::copy(&held.tau[0][0], &held.tau[0][0] + Pair::kVelocities, tau);
     before = wanted;
-    for (int step = 0; step < plan.substeps; ++step) {
-      integrate_pair(held, dt / plan.substeps, state);
-    }
-  }
+    return norm(error) < kLost;
+  };
+  servo::run_law<Pair>(static_cast<double>(cycles - 1) / plan.rate, plan.rate, {}, robots, step);
   return run;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/command_laws.hpp"
 #include "core/spline.hpp"
+#include "servo/run_for.hpp"
 #include "servo/simulated_robot.hpp"
 
 namespace treeline::ur10e_experiments {
@@ -15,6 +16,7 @@ namespace {
 struct Arm {
   static constexpr int kCoordinates = ur10e::kCoordinates;
   static constexpr int kVelocities = ur10e::kVelocities;
+  static constexpr auto& inverse_dynamics = ur10e::inverse_dynamics;
   static constexpr auto& forward_dynamics = ur10e::forward_dynamics;
 };
 using State = servo::StateOf<Arm>;
@@ -232,22 +234,21 @@ SingularRun run_line(Line line, Law law) {
   const Path path = make_path(line);
   const int cycles = static_cast<int>(std::lround((2.0 * path.seconds + path.wait) / kPeriod));
   SingularRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
-  State state;
-  std::copy(std::begin(path.start), std::end(path.start), std::begin(state.q));
-  servo::SimulatedRobot<Arm> robot(state);
-  double tau[6] = {};
-  for (int cycle = 0; cycle <= cycles; ++cycle) {
+  State start;
+  std::copy(std::begin(path.start), std::end(path.start), std::begin(start.q));
+  servo::SimulatedRobot<Arm> robot(start);
+  double before[6] = {};
+  const auto step = [&](double time, const State& state, double(&tau)[6]) {
     double error[6];
     double xdd_cmd[6];
-    double before[6];
-    std::copy(std::begin(tau), std::end(tau), std::begin(before));
-    robot.read(state);
-    command(path, cycle * kPeriod, state, error, xdd_cmd);
+    command(path, time, state, error, xdd_cmd);
     const double ease = control(law, state.q, state.qd, xdd_cmd, tau);
-    if (!record(cycle * kPeriod, state, error, tau, before, ease, run)) break;
-    robot.write(tau);
-    robot.pass_time(kPeriod);
-  }
+    const bool goes_on = record(time, state, error, tau, before, ease, run);
+    std::copy(std::begin(tau), std::end(tau), std::begin(before));
+    return goes_on;
+  };
+  // Without limits: what laws without damping exceed is what the figures show.
+  servo::run_law<Arm>(2.0 * path.seconds + path.wait, 1.0 / kPeriod, {}, robot, step);
   return run;
 }
 

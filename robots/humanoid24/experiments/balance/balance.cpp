@@ -12,6 +12,7 @@
 #include "humanoid24_balance.hpp"
 #include "joint_panel.hpp"
 #include "servo/pose_reference.hpp"
+#include "servo/run_for.hpp"
 #include "servo/simulated_robot.hpp"
 
 namespace treeline::experiments {
@@ -24,6 +25,7 @@ static_assert(kJoints == 24 && robot::kCoordinates == 24 && robot::kTaskRows == 
 struct Humanoid {
   static constexpr int kCoordinates = robot::kCoordinates;
   static constexpr int kVelocities = robot::kVelocities;
+  static constexpr auto& inverse_dynamics = robot::inverse_dynamics;
   static constexpr auto& forward_dynamics = robot::forward_dynamics;
 };
 using State = servo::StateOf<Humanoid>;
@@ -146,28 +148,26 @@ servo::PoseReference reach_from(const double (&q)[kJoints]) {
 }  // namespace
 
 BalanceRun run_balance(const Plan& plan, const JointLimits& limits, bool balancing) {
-  State state;
-  std::copy(plan.start.begin(), plan.start.end(), std::begin(state.q));
-  const servo::PoseReference reference = reach_from(state.q);
-  servo::SimulatedRobot<Humanoid> simulated(state);
+  State start;
+  std::copy(plan.start.begin(), plan.start.end(), std::begin(start.q));
+  const servo::PoseReference reference = reach_from(start.q);
+  servo::SimulatedRobot<Humanoid> simulated(start);
   const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
   BalanceRun run{servo::Table(column_names(plan), static_cast<std::size_t>(cycles) + 1), {}};
-  for (int i = 0; i <= cycles; ++i) {
-    const double time = i * kPeriod;
-    simulated.read(state);
+  const auto law = [&](double time, const State& state, double(&tau)[kJoints]) {
     const Seen seen = see(reference, time, state);
     double xdd_cmd[6];
     double qdd_0[kJoints];
-    double tau[kJoints];
     core::tracking_law<6, double>({plan.stiffness, plan.damping}, seen.hand_error,
                                   seen.hand_velocity, seen.wanted.velocity,
                                   seen.wanted.acceleration, xdd_cmd);
     advise(plan, balancing, seen, state, qdd_0);
     robot::control_torque(state.q, state.qd, qdd_0, xdd_cmd, tau);
     record(time, seen, state, tau, limits, run);
-    simulated.write(tau);
-    simulated.pass_time(kPeriod);
-  }
+    return true;
+  };
+  // Without balance the body leaves its limits of motion, which is what the figures show.
+  servo::run_law<Humanoid>(kDuration, 1.0 / kPeriod, {}, simulated, law);
   return run;
 }
 

@@ -22,6 +22,7 @@ struct StandFigures {
   /// Largest difference between the forces that the controller chose, of both feet together, and
   /// those that the simulated ground had, N.
   double force_error = 0.0;
+  bool fault = false;  ///< the servo loop ended the run: a limit of the URDF was exceeded
 };
 
 struct StandRun {

@@ -1,8 +1,7 @@
-#include "recursion/routes/trace_object_function.hpp"
+#include "recursion/routes/object_routes.hpp"
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,30 +10,12 @@
 #include "recursion/methods/operational_quantities.hpp"
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/describe_choice.hpp"
-#include "recursion/routes/trace_parts.hpp"
-#include "recursion/tree/deferred_rotations.hpp"
+#include "recursion/routes/result_parts.hpp"
 
 namespace treeline {
 namespace {
 
 using Expressions = std::vector<Expression>;
-using Objects = std::vector<TreeObject<Expression>>;
-
-/// What a trace has at hand.
-struct Trace {
-  Tree<Expression> tree;  ///< its points are the grasps
-  Objects objects;
-  Expressions q, qd, qdd_0, tau, xdd_object, internal, stabilisation;
-  std::vector<JointTransform<Expression>> X;
-  PivotRule rule = {};
-};
-
-struct Route {
-  RouteId id;
-  std::function<std::vector<Result>(const Trace&)> body;
-  std::shared_ptr<const TaskLaw> law = nullptr;
-};
-
 /// The points of Lambda^-1 are the objects' origins, its axes the world's.
 RouteId route_id(const LambdaChoice& choice) {
   const TaskBasis& basis = choice.basis;
@@ -55,7 +36,8 @@ RouteId route_id(const LambdaChoice& choice) {
 std::vector<Route> state_routes() {
   return {
       {{"outward", "outward recursion"}, [](const Trace& trace) {
-         const auto state = object_state<Expression>(trace.tree, trace.objects, trace.X, trace.qd);
+         const auto state =
+             object_state<Expression>(trace.tree, trace.objects, trace.X, trace.qd());
          std::vector<Result> results{
              vector_result("position", "of the objects' origins in the world, m, 3 an object",
                            state.position),
@@ -85,8 +67,9 @@ std::vector<Route> control_routes(const Tree<Expression>& tree, TaskLaws& laws) 
                         return std::vector<Result>{vector_result(
                             "tau", "joint forces",
                             object_control_torque<Expression>(
-                                trace.tree, trace.objects, trace.X, {trace.qd, trace.qdd_0},
-                                {trace.xdd_object, trace.internal}, choice, trace.rule))};
+                                trace.tree, trace.objects, trace.X, {trace.qd(), trace.qdd()},
+                                {trace.in[Quantity::xdd_object], trace.in[Quantity::internal]},
+                                choice, trace.rule))};
                       },
                       choice.route == LambdaRoute::inertia_propagation
                           ? nullptr
@@ -98,7 +81,8 @@ std::vector<Route> control_routes(const Tree<Expression>& tree, TaskLaws& laws) 
 
 ClosedChainMotion<Expression> traced_motion(const Trace& trace, const LambdaChoice& choice,
                                             GraspSolution solution) {
-  const ObjectDynamicsInputs<Expression> inputs{trace.qd, trace.tau, trace.stabilisation};
+  const ObjectDynamicsInputs<Expression> inputs{trace.qd(), trace.tau(),
+                                                trace.in[Quantity::stabilisation]};
   return object_forward_dynamics<Expression>(
       trace.tree, trace.objects, trace.X, inputs, choice, solution,
       [&](const Expressions& forces) {
@@ -151,71 +135,20 @@ std::vector<Route> dynamics_routes(const Mechanism& mechanism, const Tree<Expres
   return routes;
 }
 
-std::vector<Route> routes_of(Function function, const Mechanism& mechanism,
-                             const Tree<Expression>& tree) {
-  TaskLaws laws(mechanism);
-  switch (function) {
+}  // namespace
+
+std::vector<Route> object_routes(const RouteQuery& query) {
+  TaskLaws laws(query.mechanism);
+  switch (query.function) {
     case Function::object_state:
       return state_routes();
     case Function::object_control_torque:
-      return control_routes(tree, laws);
+      return control_routes(query.tree, laws);
     case Function::object_forward_dynamics:
-      return dynamics_routes(mechanism, tree, laws);
+      return dynamics_routes(query.mechanism, query.tree, laws);
     default:
-      throw std::logic_error(std::string(function_name(function)) + " is not about objects");
+      throw std::logic_error(std::string(function_name(query.function)) + " is not about objects");
   }
-}
-
-void take_inputs(const Mechanism& mechanism, Function function, Program& program, Trace& trace) {
-  const TracedInputs inputs(mechanism, function, program);
-  apply_inputs(mechanism, inputs, trace.tree);
-  trace.q = inputs[Quantity::q];
-  trace.qd = inputs[Quantity::qd];
-  trace.qdd_0 = inputs[Quantity::qdd_0];
-  trace.tau = inputs[Quantity::tau];
-  trace.xdd_object = inputs[Quantity::xdd_object];
-  trace.internal = inputs[Quantity::internal];
-  trace.stabilisation = inputs[Quantity::stabilisation];
-}
-
-Program trace_route(const Mechanism& mechanism, Function function, const Route& route, int lanes) {
-  Program program;
-  program.name = function_name(function);
-  program.equation = info_of(function).equation;
-  program.route = route.id;
-  program.graph = Graph::for_trace(lanes);
-  const Graph::Scope scope(program.graph);
-  Trace trace;
-  trace.objects = objects_of<Expression>(mechanism);
-  trace.tree = holding_tree(constant_tree<Expression>(mechanism), trace.objects);
-  take_inputs(mechanism, function, program, trace);
-  trace.X = joint_transforms<Expression>(trace.tree, trace.q);
-  defer_rotations(trace.tree, trace.X);
-  follow_points(trace.tree, trace.objects);
-  if (route.law) {
-    trace.rule = route.law->rule;
-    program.singular = describe(*route.law);
-  } else if (mechanism.singular == SingularTasks::exact && function != Function::object_state) {
-    program.singular = kBareSolve;
-  }
-  program.law = route.law;
-  program.results = route.body(trace);
-  return program;
-}
-
-}  // namespace
-
-std::vector<Program> trace_object_function(const Mechanism& mechanism, Function function,
-                                           int lanes) {
-  Program scratch;  // routes depend on the tree's structure alone
-  const Graph::Scope scope(scratch.graph);
-  const auto objects = objects_of<Expression>(mechanism);
-  const auto tree = holding_tree(structure_of(mechanism, function, scratch), objects);
-  std::vector<Program> programs;
-  for (const Route& route : routes_of(function, mechanism, tree)) {
-    programs.push_back(trace_route(mechanism, function, route, lanes));
-  }
-  return programs;
 }
 
 }  // namespace treeline

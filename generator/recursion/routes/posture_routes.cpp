@@ -1,25 +1,16 @@
-#include "recursion/routes/trace_posture.hpp"
+#include "recursion/routes/posture_routes.hpp"
 
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "recursion/methods/centroidal_derivatives.hpp"
-#include "recursion/routes/trace_parts.hpp"
-#include "recursion/tree/deferred_rotations.hpp"
+#include "recursion/routes/result_parts.hpp"
 
 namespace treeline {
 namespace {
 
 using Outputs = std::vector<Result>;
-
-/// The tree, its transforms for the inputs q, and the other inputs.
-struct PostureTrace {
-  Tree<Expression> tree;
-  std::vector<JointTransform<Expression>> X;
-  std::vector<Expression> qd, qdd;
-  std::string by_q;  ///< see `by_displacements`
-};
 
 RouteId posture_route(Function function) {
   switch (function) {
@@ -45,7 +36,7 @@ Outputs vector_of(const char* name, const char* meaning, const Wrench<Expression
   return {vector_result(name, meaning, {w.f.x, w.f.y, w.f.z, w.n.x, w.n.y, w.n.z})};
 }
 
-Outputs subtrees(const PostureTrace& trace) {
+Outputs subtrees(const Trace& trace) {
   std::vector<Expression> masses;
   std::vector<Expression> centers;
   for (const auto& [mass, center] : subtree_matter(trace.tree, trace.X)) {
@@ -59,22 +50,26 @@ Outputs subtrees(const PostureTrace& trace) {
                         std::move(centers))};
 }
 
-Outputs momentum_derivatives(const PostureTrace& trace) {
-  const auto& [tree, X, qd, qdd, by_q] = trace;
+Outputs momentum_derivatives(const Trace& trace) {
+  return {matrix_result(
+              "dh_dq", by_displacements(*trace.mechanism),
+              centroidal_momentum_by_displacements<Expression>(trace.tree, trace.X, trace.qd())),
+          matrix_result("dh_dqd", "by qd: A_G", centroidal_momentum_matrix(trace.tree, trace.X))};
+}
+
+Outputs momentum_rate_derivatives(const Trace& trace) {
+  const auto d =
+      centroidal_rate_derivatives<Expression>(trace.tree, trace.X, {trace.qd(), trace.qdd()});
   return {
-      matrix_result("dh_dq", by_q, centroidal_momentum_by_displacements<Expression>(tree, X, qd)),
-      matrix_result("dh_dqd", "by qd: A_G", centroidal_momentum_matrix(tree, X))};
+      matrix_result("dhd_dq", by_displacements(*trace.mechanism), d.dq),
+      matrix_result("dhd_dqd", "by qd", d.dqd),
+      matrix_result("dhd_dqdd", "by qdd: A_G", centroidal_momentum_matrix(trace.tree, trace.X))};
 }
 
-Outputs momentum_rate_derivatives(const PostureTrace& trace) {
-  const auto& [tree, X, qd, qdd, by_q] = trace;
-  const auto d = centroidal_rate_derivatives<Expression>(tree, X, {qd, qdd});
-  return {matrix_result("dhd_dq", by_q, d.dq), matrix_result("dhd_dqd", "by qd", d.dqd),
-          matrix_result("dhd_dqdd", "by qdd: A_G", centroidal_momentum_matrix(tree, X))};
-}
-
-Outputs posture_results(Function function, const PostureTrace& trace) {
-  const auto& [tree, X, qd, qdd, by_q] = trace;
+Outputs posture_results(Function function, const Trace& trace) {
+  const auto& tree = trace.tree;
+  const auto& X = trace.X;
+  const auto& qd = trace.qd();
   switch (function) {
     case Function::center_of_mass:
       return vector_of("com", "centre of mass in the world, m", center_of_mass(tree, X));
@@ -107,26 +102,10 @@ Outputs posture_results(Function function, const PostureTrace& trace) {
 
 }  // namespace
 
-std::vector<Program> trace_posture_function(const Mechanism& mechanism, Function function,
-                                            int lanes) {
-  std::vector<Program> programs(1);
-  Program& program = programs.front();
-  program.name = function_name(function);
-  program.equation = info_of(function).equation;
-  program.route = posture_route(function);
-  program.graph = Graph::for_trace(lanes);
-  const Graph::Scope scope(program.graph);
-  const TracedInputs inputs(mechanism, function, program);
-  PostureTrace trace;
-  trace.tree = constant_tree<Expression>(mechanism);
-  apply_inputs(mechanism, inputs, trace.tree);
-  trace.X = joint_transforms<Expression>(trace.tree, inputs[Quantity::q]);
-  defer_rotations(trace.tree, trace.X);
-  trace.qd = inputs[Quantity::qd];
-  trace.qdd = inputs[Quantity::qdd];
-  trace.by_q = by_displacements(mechanism);
-  program.results = posture_results(function, trace);
-  return programs;
+std::vector<Route> posture_routes(const RouteQuery& query) {
+  return {{posture_route(query.function), [function = query.function](const Trace& trace) {
+             return posture_results(function, trace);
+           }}};
 }
 
 }  // namespace treeline

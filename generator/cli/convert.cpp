@@ -1,0 +1,50 @@
+#include "cli/convert.hpp"
+
+#include <memory>
+#include <string>
+
+#include "cli/exit_code.hpp"
+#include "cli/print_diagnostics.hpp"
+#include "cli/write_output.hpp"
+#include "description/read_robot_text.hpp"
+#include "description/read_urdf.hpp"
+
+namespace treeline {
+namespace {
+
+struct ConvertOptions {
+  std::string robot;
+  std::string output;  ///< empty: standard output
+  Warnings warnings = Warnings::summary;
+};
+
+/// The text is printed only if it is a robot.
+int run(const ConvertOptions& options) {
+  Diagnostics diagnostics;
+  const auto text = read_robot_text(options.robot, diagnostics);
+  const bool is_robot = text && parse_urdf(text->urdf, text->shown, diagnostics).has_value();
+  const bool to_file = !options.output.empty();
+  const bool written =
+      is_robot && to_file && write_output_file(options.output, text->urdf, diagnostics);
+  print_diagnostics(diagnostics, options.warnings);
+  if (!is_robot || to_file) return written ? kOk : kBadInput;
+  return write_output(text->urdf, OutputForm::text, kOk);
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = app.add_subcommand("convert", "Print the URDF as which an SDF file is read");
+  command->add_option("robot", options->robot, "Robot, SDF")->required();
+  command->add_option("-o,--output", options->output, "File to write, else standard output");
+  add_warnings_option(*command, options->warnings);
+  command->footer(
+      "Every command reads SDF where it reads URDF; this shows what it makes of it.\n"
+      "Examples:\n"
+      "  treeline convert model.sdf > model.urdf\n"
+      "  treeline convert model.sdf -o model.urdf");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace treeline

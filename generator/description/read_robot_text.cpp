@@ -1,0 +1,60 @@
+#include "description/read_robot_text.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "description/read_text_file.hpp"
+#include "description/scan_xml.hpp"
+#include "description/sdf/print_urdf.hpp"
+#include "description/sdf/read_sdf.hpp"
+#include "description/sdf/span_tree.hpp"
+
+namespace treeline {
+namespace {
+
+bool is_sdf(std::string_view text) {
+  std::size_t at = 0;
+  while (const auto tag = next_tag(text, at)) {
+    if (tag->kind != XmlTag::Kind::other) return tag->name == "sdf";
+  }
+  return false;
+}
+
+/// Two of the kinds of SDF have no counterpart among joints that close loops.
+bool can_close(const SdfTree& tree, const std::string& file, Diagnostics& diagnostics) {
+  bool can = true;
+  for (const SdfJoint& loop : tree.loops) {
+    if (loop.axes.size() < 2) continue;
+    can = false;
+    diagnostics.add({Severity::error, file, 0, fmt::format("sdf/model/joint[{}]", loop.name),
+                     fmt::format("a joint of type {} closes a loop", loop.type),
+                     "let another joint of the loop close it: the last one in the file does"});
+  }
+  return can;
+}
+
+}  // namespace
+
+std::optional<RobotText> as_robot_text(std::string text, const std::string& path,
+                                       Diagnostics& diagnostics) {
+  const std::string file = shown_path(path);
+  if (!is_sdf(text)) return RobotText{std::move(text), file};
+  const auto model = read_sdf(text, path, diagnostics);
+  const auto tree = model ? span_tree(*model, file, diagnostics) : std::nullopt;
+  if (!tree || !can_close(*tree, file, diagnostics)) return std::nullopt;
+  diagnostics.add({Severity::note, file, 0, "sdf",
+                   fmt::format("read as a URDF, with {} joints in the tree and {} that close loops",
+                               tree->joints.size(), tree->loops.size()),
+                   "`treeline convert` prints it; other messages name its lines"});
+  return RobotText{print_urdf(*model, *tree), file + " as URDF"};
+}
+
+std::optional<RobotText> read_robot_text(const std::string& path, Diagnostics& diagnostics) {
+  auto text = read_text_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  return as_robot_text(std::move(*text), path, diagnostics);
+}
+
+}  // namespace treeline

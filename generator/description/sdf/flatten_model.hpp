@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <sdf/Model.hh>
+#include <string>
+
+#include "description/diagnostic.hpp"
+#include "description/sdf/sdf_model.hpp"
+
+namespace treeline {
+
+/// Links, frames and joints of a model and of those nested in it, with poses in the model's frame.
+/// `file` is for the diagnostics. Nothing, and an error, where a pose or an axis cannot be resolved
+/// or a joint is of a kind that has no place here.
+std::optional<SdfModel> flatten_model(const sdf::Model& model, const std::string& file,
+                                      Diagnostics& diagnostics);
+
+}  // namespace treeline

@@ -1,0 +1,277 @@
+#include "description/sdf/print_urdf.hpp"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "description/rpy_from_rotation.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr double kResolution = 2e-15;  ///< of what libsdformat makes of angles, rad
+
+/// Without the sign of a zero.
+std::string three(const Eigen::Vector3d& v) {
+  return fmt::format("{} {} {}", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
+}
+
+/// Whether a joint's frame is its child's: then the child hangs on the joint itself.
+bool is_identity(const Eigen::Isometry3d& pose, double length) {
+  return pose.linear().isIdentity(kResolution) &&
+         pose.translation().cwiseAbs().maxCoeff() <= kResolution * length;
+}
+
+class UrdfPrinter {
+ public:
+  UrdfPrinter(const SdfModel& model, const SdfTree& tree) : model_(model), tree_(tree) {
+    for (const SdfLink& link : model.links) {
+      names_.insert(link.name);
+      length_ = std::max(length_, link.pose.translation().cwiseAbs().maxCoeff());
+    }
+    for (const SdfJoint& joint : model.joints) joint_names_.insert(joint.name);
+    if (tree.has_world) world_ = unused("world", names_);
+  }
+
+  std::string run() {
+    printer_.OpenElement("robot");
+    printer_.PushAttribute("name", model_.name.c_str());
+    if (tree_.has_world) open_link(world_);
+    if (tree_.has_world) printer_.CloseElement();
+    for (const SdfLink& link : model_.links) print_link(link);
+    for (const SdfJoint& joint : tree_.joints) print_joint(joint);
+    for (const SdfJoint& loop : tree_.loops) print_loop(loop);
+    printer_.CloseElement();
+    return std::string(printer_.CStr()) + "\n";
+  }
+
+ private:
+  static std::string unused(std::string name, std::set<std::string>& taken) {
+    while (!taken.insert(name).second) name += "_";
+    return name;
+  }
+
+  [[nodiscard]] std::string name_of(int link) const {
+    return link < 0 ? world_ : model_.links[static_cast<std::size_t>(link)].name;
+  }
+
+  [[nodiscard]] Eigen::Isometry3d pose_of(int link) const {
+    return link < 0 ? Eigen::Isometry3d::Identity()
+                    : model_.links[static_cast<std::size_t>(link)].pose;
+  }
+
+  void attribute(const char* name, const std::string& value) {
+    printer_.PushAttribute(name, value.c_str());
+  }
+
+  void open_link(const std::string& name) {
+    printer_.OpenElement("link");
+    attribute("name", name);
+  }
+
+  /// Components that are zero but for rounding are made so, and rotations by quarter turns exact.
+  void print_pose(const Eigen::Isometry3d& pose) {
+    const auto clean = [](double x, double resolution) {
+      return std::abs(x) <= resolution ? 0.0 : x;
+    };
+    Eigen::Matrix3d R = pose.linear();
+    for (double& entry : R.reshaped()) {
+      entry = clean(entry, kResolution);
+      if (std::abs(std::abs(entry) - 1) <= kResolution) entry = std::copysign(1.0, entry);
+    }
+    Eigen::Vector3d p = pose.translation();
+    for (double& entry : p) entry = clean(entry, kResolution * length_);
+    const auto rpy = rpy_from_rotation(R);
+    attribute("xyz", three(p));
+    attribute("rpy", three({rpy[0], rpy[1], rpy[2]}));
+  }
+
+  void print_origin(const Eigen::Isometry3d& pose) {
+    printer_.OpenElement("origin");
+    print_pose(pose);
+    printer_.CloseElement();
+  }
+
+  void print_inertial(const SdfInertial& inertial) {
+    printer_.OpenElement("inertial");
+    print_origin(inertial.pose);
+    printer_.OpenElement("mass");
+    attribute("value", fmt::format("{}", inertial.mass));
+    printer_.CloseElement();
+    printer_.OpenElement("inertia");
+    attribute("ixx", fmt::format("{}", inertial.ixx));
+    attribute("ixy", fmt::format("{}", inertial.ixy));
+    attribute("ixz", fmt::format("{}", inertial.ixz));
+    attribute("iyy", fmt::format("{}", inertial.iyy));
+    attribute("iyz", fmt::format("{}", inertial.iyz));
+    attribute("izz", fmt::format("{}", inertial.izz));
+    printer_.CloseElement();
+    printer_.CloseElement();
+  }
+
+  void print_shape(const SdfShape& shape) {
+    printer_.OpenElement(shape.collides ? "collision" : "visual");
+    print_origin(shape.pose);
+    printer_.OpenElement("geometry");
+    printer_.OpenElement(shape.kind.c_str());
+    attribute(shape.size_name.c_str(), shape.size);
+    if (!shape.more_name.empty()) attribute(shape.more_name.c_str(), shape.more);
+    printer_.CloseElement();
+    printer_.CloseElement();
+    if (!shape.color.empty()) {
+      printer_.OpenElement("material");
+      attribute("name", shape.color);
+      printer_.OpenElement("color");
+      attribute("rgba", shape.color);
+      printer_.CloseElement();
+      printer_.CloseElement();
+    }
+    printer_.CloseElement();
+  }
+
+  void print_link(const SdfLink& link) {
+    open_link(link.name);
+    if (link.inertial) print_inertial(*link.inertial);
+    for (const SdfShape& shape : link.shapes) print_shape(shape);
+    printer_.CloseElement();
+  }
+
+  void print_ends(const std::string& parent, const std::string& child) {
+    printer_.OpenElement("parent");
+    attribute("link", parent);
+    printer_.CloseElement();
+    printer_.OpenElement("child");
+    attribute("link", child);
+    printer_.CloseElement();
+  }
+
+  void open_joint(const std::string& name, const std::string& type, const std::string& parent,
+                  const std::string& child, const Eigen::Isometry3d& origin) {
+    printer_.OpenElement("joint");
+    attribute("name", name);
+    attribute("type", type);
+    print_ends(parent, child);
+    print_origin(origin);
+  }
+
+  void print_direction(const SdfAxis& axis) {
+    Eigen::Vector3d direction = axis.direction;
+    for (double& entry : direction) entry = std::abs(entry) <= kResolution ? 0 : entry;
+    printer_.OpenElement("axis");
+    attribute("xyz", three(direction));
+    printer_.CloseElement();
+  }
+
+  void print_axis(const SdfAxis& axis, bool turns_on) {
+    print_direction(axis);
+    printer_.OpenElement("limit");
+    if (!turns_on) {
+      attribute("lower", fmt::format("{}", axis.lower));
+      attribute("upper", fmt::format("{}", axis.upper));
+    }
+    attribute("effort", fmt::format("{}", axis.effort));
+    attribute("velocity", fmt::format("{}", axis.velocity));
+    printer_.CloseElement();
+    if (axis.damping == 0 && axis.friction == 0) return;
+    printer_.OpenElement("dynamics");
+    attribute("damping", fmt::format("{}", axis.damping));
+    attribute("friction", fmt::format("{}", axis.friction));
+    printer_.CloseElement();
+  }
+
+  void print_rotor(const SdfJoint& joint) {
+    for (const auto& [name, value] : joint.rotor) {
+      printer_.OpenElement(name.c_str());
+      attribute("value", value);
+      printer_.CloseElement();
+    }
+  }
+
+  /// Without its end: `</joint>` is the caller's.
+  void open_turning(const std::string& name, const std::string& type, const SdfAxis& axis,
+                    const std::string& parent, const std::string& child,
+                    const Eigen::Isometry3d& origin) {
+    const bool turns_on = type != "prismatic" && std::isinf(axis.lower) && std::isinf(axis.upper);
+    const std::string as = type == "prismatic" ? type : turns_on ? "continuous" : "revolute";
+    open_joint(name, as, parent, child, origin);
+    print_axis(axis, turns_on);
+  }
+
+  void print_joint(const SdfJoint& joint) {
+    const Eigen::Isometry3d at_parent = pose_of(joint.parent).inverse() * joint.pose;
+    const Eigen::Isometry3d to_child = joint.pose.inverse() * pose_of(joint.child);
+    const std::string parent = name_of(joint.parent), child = name_of(joint.child);
+    if (joint.type == "fixed") {
+      open_joint(joint.name, "fixed", parent, child,
+                 pose_of(joint.parent).inverse() * pose_of(joint.child));
+      printer_.CloseElement();
+      return;
+    }
+    const bool direct = is_identity(to_child, length_);
+    const std::string end = direct ? child : unused(joint.name + "_frame", names_);
+    if (joint.axes.size() == 2) {
+      print_two(joint, parent, end, at_parent);
+    } else if (joint.axes.empty()) {
+      open_joint(joint.name, "ball", parent, end, at_parent);
+      printer_.CloseElement();
+    } else {
+      open_turning(joint.name, joint.type, joint.axes[0], parent, end, at_parent);
+      print_rotor(joint);
+      printer_.CloseElement();
+    }
+    if (direct) return;
+    open_link(end);
+    printer_.CloseElement();
+    open_joint(unused(joint.name + "_to_" + child, joint_names_), "fixed", end, child, to_child);
+    printer_.CloseElement();
+  }
+
+  void print_two(const SdfJoint& joint, const std::string& parent, const std::string& end,
+                 const Eigen::Isometry3d& at_parent) {
+    const std::string between = unused(joint.name + "_cross", names_);
+    open_link(between);
+    printer_.CloseElement();
+    open_turning(unused(joint.name + "_1", joint_names_), "revolute", joint.axes[0], parent,
+                 between, at_parent);
+    printer_.CloseElement();
+    open_turning(unused(joint.name + "_2", joint_names_), "revolute", joint.axes[1], between, end,
+                 Eigen::Isometry3d::Identity());
+    printer_.CloseElement();
+  }
+
+  void print_loop_end(const char* name, int link, const Eigen::Isometry3d& pose) {
+    printer_.OpenElement(name);
+    attribute("link", name_of(link));
+    print_pose(pose_of(link).inverse() * pose);
+    printer_.CloseElement();
+  }
+
+  void print_loop(const SdfJoint& joint) {
+    printer_.OpenElement("loop_joint");
+    attribute("name", joint.name);
+    attribute("type", joint.type == "ball" ? "spherical" : joint.type);
+    if (!joint.axes.empty()) print_direction(joint.axes[0]);
+    print_loop_end("link1", joint.parent, joint.pose);
+    print_loop_end("link2", joint.child, joint.pose);
+    printer_.CloseElement();
+  }
+
+  const SdfModel& model_;
+  const SdfTree& tree_;
+  tinyxml2::XMLPrinter printer_;
+  std::set<std::string> names_, joint_names_;
+  std::string world_;
+  double length_ = 0;  ///< of the model: the largest component of a link's place
+};
+
+}  // namespace
+
+std::string print_urdf(const SdfModel& model, const SdfTree& tree) {
+  return UrdfPrinter(model, tree).run();
+}
+
+}  // namespace treeline

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <sdf/Link.hh>
+#include <vector>
+
+#include "description/sdf/sdf_model.hpp"
+
+namespace treeline {
+
+/// What of a link's `<visual>` and `<collision>` URDF has, too: boxes, cylinders, spheres and
+/// meshes, with diffuse colours. `model://` becomes `package://`. Others are left out: they are for
+/// pictures alone.
+std::vector<SdfShape> read_shapes(const sdf::Link& link);
+
+}  // namespace treeline

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "description/diagnostic.hpp"
+#include "description/sdf/sdf_model.hpp"
+
+namespace treeline {
+
+/// Well-formed XML, the path of its file, and what messages call it.
+struct SdfText {
+  std::string text, path, shown;
+};
+
+/// What the module `treeline_sdf.so` exports under `kSdfReader`: see `read_sdf`.
+using SdfReader = void(const SdfText& text, std::optional<SdfModel>& model,
+                       Diagnostics& diagnostics);
+inline constexpr const char* kSdfReader = "treeline_read_sdf";
+
+}  // namespace treeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "emission/emission_context.hpp"
+#include "emission/generated_file.hpp"
+#include "program/program.hpp"
+
+namespace treeline::cpp {
+
+/// The statements of a function that loops over a table of links: work space and a call.
+std::string print_loop_body(const EmissionContext& context, const Program& program);
+
+/// What stands before such a function: the constants of its law, if it has one.
+std::string print_yields(const EmissionContext& context, const Program& program);
+
+/// NAME_links.hpp, the tables of links, and the headers that loop over them; empty where no
+/// function does.
+std::vector<GeneratedFile> print_loops(const EmissionContext& context,
+                                       std::span<const Program> programs);
+
+}  // namespace treeline::cpp

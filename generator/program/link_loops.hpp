@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/link_table.hpp"
+
+namespace treeline {
+
+/// The robot as a table of its links, for functions that loop over it: see
+/// `runtime/core/link_table.hpp`.
+struct LinkTableData {
+  bool floats = false;   ///< the first link is a floating base
+  bool sliding = false;  ///< there are prismatic joints
+  int slots = 1;
+  std::array<double, 3> gravity{};
+  std::vector<core::loops::Link<double>> links;
+  std::vector<std::string> names;  ///< of the links
+  std::vector<core::loops::LinkPoint<double>> points;
+  int rows = 0;
+};
+
+/// How a function is emitted that loops over a table of links: a call of the function of its name
+/// in `runtime/core/link_functions.hpp`, of which the program's graph is the trace.
+struct LinkLoops {
+  LinkTableData table;
+  bool uses_inertias = false, uses_rows = false;  ///< which work space it needs beside motions
+  bool solves = false;                            ///< takes the law by which rows yield
+  int power = 0;                                  ///< of this law; 0: none
+  std::vector<double> yields;                     ///< of each row, its border to that power
+  int adds = 0, muls = 0, divs = 0, sines = 0;    ///< executed, those with constants 0 and 1 too
+};
+
+}  // namespace treeline

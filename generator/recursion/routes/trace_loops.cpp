@@ -1,0 +1,383 @@
+#include "recursion/routes/trace_loops.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/link_functions.hpp"
+#include "program/link_loops.hpp"
+#include "recursion/methods/task_law.hpp"
+#include "recursion/routes/result_parts.hpp"
+#include "recursion/tree/counted.hpp"
+#include "recursion/tree/declare_inputs.hpp"
+#include "recursion/tree/plain_expression.hpp"
+
+namespace treeline {
+
+namespace loops = core::loops;
+
+namespace {
+
+/// What is asked of a function that has this form.
+struct LoopForm {
+  Function function;
+  const char* words;
+  bool inertias = false, rows = false, solves = false;
+};
+constexpr LoopForm kForms[] = {
+    {Function::inverse_dynamics, "recursive Newton-Euler"},
+    {Function::nonlinear_effects, "recursive Newton-Euler"},
+    {Function::gravity, "recursive Newton-Euler"},
+    {Function::mass_matrix, "composite rigid bodies", true},
+    {Function::forward_dynamics, "recursive Newton-Euler, articulated bodies", true},
+    {Function::lambda_inverse, "unit forces propagated inward (PV-OSIM)", true, true},
+    {Function::lambda, "unit forces propagated inward (PV-OSIM), LDL^T", true, true, true},
+    {Function::control_torque, "Chang table 6.1, fused; unit forces propagated inward (PV-OSIM)",
+     true, true, true}};
+
+const LoopForm* find_form(Function function) {
+  const auto* const at = std::find_if(std::begin(kForms), std::end(kForms),
+                                      [&](const auto& form) { return form.function == function; });
+  return at == std::end(kForms) ? nullptr : at;
+}
+
+bool has_arguments(const MechanismInputs& inputs) {
+  return inputs.gravity || !inputs.payloads.empty() || !inputs.parameters.empty() ||
+         !inputs.base.empty() || !inputs.tools.empty();
+}
+
+/// What of a link the table has no place for; empty: nothing.
+std::string find_obstacle(const MovingLink& link, std::size_t index, bool floats,
+                          bool given_sines) {
+  const auto shift = static_cast<int>(index) + (floats ? 5 : 0);
+  const auto says = [&](const char* what) {
+    return fmt::format("joint `{}` {}", link.joint, what);
+  };
+  if (link.is_of_ball()) return says("is a ball joint");
+  if (link.is_floating()) return index == 0 ? "" : says("is floating, and not the base");
+  if (link.multiplier != 1 || link.v_index != shift) return says("shares a coordinate");
+  if (link.drive.damping != 0 || link.drive.friction != 0) return says("has friction");
+  if (link.drive.stiffness != 0) return says("has a spring");
+  if (given_sines && link.offset != 0) return says("has an angle of its own, and sines are given");
+  return {};
+}
+
+std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form, bool given_sines) {
+  if (has_arguments(mechanism.inputs)) return "what `inputs` of the scene makes arguments";
+  if (!mechanism.external_forces.empty()) return "external forces";
+  if (mechanism.links.empty()) return "a robot without joints";
+  const bool floats = mechanism.links.front().is_floating();
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    const std::string found = find_obstacle(mechanism.links[i], i, floats, given_sines);
+    if (!found.empty()) return found;
+  }
+  if (!form.rows) return {};
+  for (const MechanismPoint& point : mechanism.operational_points) {
+    if (point.link < 0) return fmt::format("point `{}` is fixed to the world", point.name);
+    if (form.solves && point.priority != mechanism.operational_points.front().priority) {
+      return "points of several priorities";
+    }
+  }
+  return {};
+}
+
+loops::Turn<double> table_turn(const PlanarRotation<double>& r) {
+  return {r.c, r.s};
+}
+
+loops::Link<double> table_link(const TreeLink<double>& link) {
+  const auto& [mass, h, Sigma, J] = link.inertia;
+  loops::Link<double> row{};
+  row.parent = static_cast<short>(link.parent);
+  row.slides = link.kind == JointKind::prismatic;
+  row.a = table_turn(link.R.a);
+  row.alpha = table_turn(link.R.alpha);
+  row.b = table_turn(link.R.b);
+  row.offset = link.offset;
+  row.rotor = link.drive.inertia;
+  row.mass = mass;
+  const double p[3] = {link.p.x, link.p.y, link.p.z};
+  const double moment[3] = {h.x, h.y, h.z};
+  const double inertia[6] = {J.xx, J.xy, J.xz, J.yy, J.yz, J.zz};
+  std::copy(std::begin(p), std::end(p), row.p);
+  std::copy(std::begin(moment), std::end(moment), row.h);
+  std::copy(std::begin(inertia), std::end(inertia), row.J);
+  return row;
+}
+
+loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
+  loops::LinkPoint<double> row{};
+  row.link = static_cast<short>(point.link);
+  row.world = point.axes == Axes::world;
+  std::copy(point.rows.begin(), point.rows.end(), row.rows);
+  const Matrix3<double> axes = transposed(point.R);
+  const Vector3<double> each[3] = {axes.row_x, axes.row_y, axes.row_z};
+  for (int k = 0; k < 3; ++k) {
+    const double e[3] = {each[k].x, each[k].y, each[k].z};
+    // Rows along the world's axes do not read these.
+    for (int j = 0; j < 3; ++j) row.axes[3 * k + j] = row.world ? 0 : e[j];
+  }
+  const double p[3] = {point.p.x, point.p.y, point.p.z};
+  std::copy(std::begin(p), std::end(p), row.p);
+  return row;
+}
+
+/// Numbers the slots: links on one way out that carry one link each share theirs.
+void number_slots(LinkTableData& table) {
+  std::vector<int> children(table.links.size());
+  for (const auto& link : table.links) {
+    if (link.parent >= 0) ++children[static_cast<std::size_t>(link.parent)];
+  }
+  for (auto& link : table.links) {
+    if (link.parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(link.parent);
+    const int slot = table.links[parent].slot + (children[parent] > 1 ? 1 : 0);
+    link.slot = static_cast<short>(slot);
+    table.slots = std::max(table.slots, slot + 1);
+  }
+}
+
+LinkTableData make_table(const Mechanism& mechanism, bool with_points) {
+  const auto tree = constant_tree<double>(mechanism);
+  LinkTableData table;
+  table.floats = tree.links.front().is_floating();
+  table.gravity = mechanism.gravity;
+  for (const TreeLink<double>& link : tree.links) {
+    table.links.push_back(table_link(link));
+    table.names.push_back(link.name);
+    table.sliding = table.sliding || table.links.back().slides;
+  }
+  number_slots(table);
+  if (!with_points) return table;
+  for (const TreePoint<double>& point : tree.operational_points) {
+    table.points.push_back(table_point(point));
+  }
+  table.rows = mechanism.task_rows();
+  return table;
+}
+
+template <class Number>
+loops::Turn<Number> lifted(const loops::Turn<double>& r) {
+  return {Number(r.c), Number(r.s)};
+}
+
+template <class Number, int size>
+void lift(const double (&from)[size], Number (&to)[size]) {
+  std::transform(std::begin(from), std::end(from), to, [](double x) { return Number(x); });
+}
+
+/// The table and work space of loops in another kind of number.
+template <class Number>
+struct LoopTrace {
+  struct Motions {
+    std::vector<loops::LinkPose<Number>> poses;
+    loops::BasePose<Number> base;
+    std::vector<loops::Spatial<Number>> wrenches;
+    std::vector<loops::LinkMotion<Number>> motions, point_motions;
+  };
+  struct Inertias {
+    std::vector<loops::LinkInertia<Number>> inertias;
+    std::vector<loops::LinkProjection<Number>> projections;
+    Number base[36];
+  };
+  struct Rows {
+    std::vector<loops::LinkAxes<Number>> link_axes;
+    std::vector<loops::Spatial<Number>> forces;
+    std::vector<short> links;
+    std::vector<Number> errors, Lambda_inv;
+  };
+
+  explicit LoopTrace(const LinkLoops& plan) {
+    const LinkTableData& table = plan.table;
+    for (const loops::Link<double>& from : table.links) {
+      loops::Link<Number> to{from.parent,
+                             from.slot,
+                             from.slides,
+                             lifted<Number>(from.a),
+                             lifted<Number>(from.alpha),
+                             lifted<Number>(from.b),
+                             {},
+                             Number(from.offset),
+                             Number(from.rotor),
+                             Number(from.mass),
+                             {},
+                             {}};
+      lift(from.p, to.p);
+      lift(from.h, to.h);
+      lift(from.J, to.J);
+      links.push_back(to);
+    }
+    for (const loops::LinkPoint<double>& from : table.points) {
+      loops::LinkPoint<Number> to{from.link, from.world, {}, {}, {}};
+      std::copy(std::begin(from.rows), std::end(from.rows), to.rows);
+      lift(from.axes, to.axes);
+      lift(from.p, to.p);
+      points.push_back(to);
+    }
+    for (const double yield : plan.yields) yields.push_back(Number(yield));
+    const auto n = table.links.size();
+    const auto slots = static_cast<std::size_t>(table.slots);
+    const auto count = static_cast<std::size_t>(table.rows);
+    motions.poses.resize(n);
+    motions.wrenches.resize(n);
+    motions.motions.resize(slots);
+    motions.point_motions.resize(table.points.size());
+    inertias.inertias.resize(slots);
+    inertias.projections.resize(n);
+    rows.link_axes.resize(table.points.size());
+    rows.forces.resize(count);
+    rows.links.resize(count);
+    rows.errors.resize(count);
+    rows.Lambda_inv.resize(count * count);
+  }
+
+  template <bool floats>
+  [[nodiscard]] loops::LinkTable<Number, floats, true> table_of(const LinkTableData& from) const {
+    const auto& g = from.gravity;
+    return {links.data(),  static_cast<int>(links.size()),
+            from.slots,    {Number(g[0]), Number(g[1]), Number(g[2])},
+            points.data(), static_cast<int>(points.size()),
+            from.rows};
+  }
+
+  std::vector<loops::Link<Number>> links;
+  std::vector<loops::LinkPoint<Number>> points;
+  std::vector<Number> yields;
+  Motions motions;
+  Inertias inertias;
+  Rows rows;
+};
+
+/// Arguments of a function that loops, and its result.
+template <class Number>
+struct LoopArguments {
+  std::vector<Number> q, qd, qdd, tau, xdd_cmd, result;
+};
+
+template <int power, class Number, class Table>
+void run_law(Function function, const Table& table, LoopTrace<Number>& trace,
+             LoopArguments<Number>& with) {
+  const loops::ComputedSines sines;
+  if (function == Function::lambda) {
+    loops::lambda<power>(table, trace.yields.data(), with.q.data(), sines, with.result.data(),
+                         trace.motions, trace.inertias, trace.rows);
+  } else {
+    loops::control_torque<power>(table, trace.yields.data(), with.q.data(), sines, with.qd.data(),
+                                 with.qdd.data(), with.xdd_cmd.data(), with.result.data(),
+                                 trace.motions, trace.inertias, trace.rows);
+  }
+}
+
+template <class Number, class Table>
+void run(Function function, int power, const Table& table, LoopTrace<Number>& trace,
+         LoopArguments<Number>& with) {
+  const loops::ComputedSines sines;
+  const Number* const q = with.q.data();
+  const Number* const qd = with.qd.data();
+  Number* const result = with.result.data();
+  switch (function) {
+    case Function::inverse_dynamics:
+      return loops::inverse_dynamics(table, q, sines, qd, std::as_const(with.qdd).data(), result,
+                                     trace.motions);
+    case Function::nonlinear_effects:
+      return loops::nonlinear_effects(table, q, sines, qd, result, trace.motions);
+    case Function::gravity:
+      return loops::gravity(table, q, sines, result, trace.motions);
+    case Function::mass_matrix:
+      return loops::mass_matrix(table, q, sines, result, trace.motions, trace.inertias);
+    case Function::forward_dynamics:
+      return loops::forward_dynamics(table, q, sines, qd, std::as_const(with.tau).data(), result,
+                                     trace.motions, trace.inertias);
+    case Function::lambda_inverse:
+      return loops::lambda_inverse(table, q, sines, result, trace.motions, trace.inertias,
+                                   trace.rows);
+    default:
+      if (power == 0) return run_law<0>(function, table, trace, with);
+      if (power == 4) return run_law<4>(function, table, trace, with);
+      return run_law<6>(function, table, trace, with);
+  }
+}
+
+template <class Number>
+void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) {
+  LoopTrace<Number> trace(plan);
+  if (plan.table.floats) {
+    run(function, plan.power, trace.template table_of<true>(plan.table), trace, with);
+  } else {
+    run(function, plan.power, trace.template table_of<false>(plan.table), trace, with);
+  }
+}
+
+void take_law(const Mechanism& mechanism, LinkLoops& plan, Program& program) {
+  program.law =
+      TaskLaws(mechanism).find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
+  program.singular = program.law ? describe(*program.law) : kBareSolve;
+  if (!program.law) return;
+  plan.power = program.law->rule.power;
+  for (const double border : program.law->rule.borders) {
+    const double cube = border * border * border;
+    plan.yields.push_back(plan.power == 4 ? cube * border : cube * cube);
+  }
+}
+
+/// What the loops execute, constants 0 and 1 included.
+void count(Function function, const LoopArguments<PlainExpression>& with, LinkLoops& plan) {
+  const auto numbers = [](const auto& from) { return std::vector<Counted>(from.size()); };
+  LoopArguments<Counted> counted{numbers(with.q),   numbers(with.qd),      numbers(with.qdd),
+                                 numbers(with.tau), numbers(with.xdd_cmd), numbers(with.result)};
+  const CountedOperations operations;
+  run(function, plan, counted);
+  plan.adds = operations.since().add;
+  plan.muls = operations.since().mul;
+  plan.divs = operations.since().div;
+  plan.sines = operations.since().sin_cos;
+}
+
+}  // namespace
+
+TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
+                        bool given_sines) {
+  const LoopForm* const form = find_form(function);
+  if (form == nullptr) return {};
+  if (auto obstacle = find_obstacle(mechanism, *form, given_sines); !obstacle.empty()) {
+    return {std::nullopt, std::move(obstacle)};
+  }
+  Program program;
+  program.name = lines.name;
+  program.equation = lines.equation;
+  program.route = {kLoopsKey, fmt::format("loops over a table of links: {}", form->words)};
+  program.graph = Graph::for_trace(1);
+  program.graph.forget_names();
+  const Graph::Scope scope(program.graph);
+  const TracedInputs inputs(mechanism, function, program);
+  const auto plan = std::make_shared<LinkLoops>();
+  plan->table = make_table(mechanism, form->rows);
+  plan->uses_inertias = form->inertias;
+  plan->uses_rows = form->rows;
+  plan->solves = form->solves;
+  if (form->solves) take_law(mechanism, *plan, program);
+  const Result& result = lines.results.front();
+  const auto plain = [&](Quantity quantity) {
+    std::vector<PlainExpression> entries;
+    for (const Expression& entry : inputs[quantity]) entries.emplace_back(entry);
+    return entries;
+  };
+  LoopArguments<PlainExpression> with{
+      plain(Quantity::q),
+      plain(Quantity::qd),
+      plain(takes(function, Quantity::qdd_0) ? Quantity::qdd_0 : Quantity::qdd),
+      plain(Quantity::tau),
+      plain(Quantity::xdd_cmd),
+      std::vector<PlainExpression>(result.values.size())};
+  run(function, *plan, with);
+  count(function, with, *plan);
+  program.results = {{result.argument, {}}};
+  for (const PlainExpression& each : with.result) {
+    program.results.front().values.push_back(each.value());
+  }
+  program.loops = plan;
+  return {std::move(program), {}};
+}
+
+}  // namespace treeline

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "functions/function.hpp"
+#include "mechanism/mechanism.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// Key of the route by loops over a table of links, which `--choices` may name.
+inline constexpr const char* kLoopsKey = "loops";
+
+/// The function as a loop over a table of links, for small code, or why there is none. The graph is
+/// the trace of `runtime/core/link_functions.hpp`: it has the operations that the loops execute, in
+/// their order, but for products and sums with the constants 0 and 1, which are exact (a zero may
+/// have another sign). So what is
+/// evaluated, bounded and proven of the graph holds for the loops, as long as no pass changes it.
+/// `lines` is the function as straight lines.
+struct TracedLoops {
+  std::optional<Program> program;
+  std::string obstacle;  ///< "`elbow` mimics a joint"; empty where the function has no such form
+};
+TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
+                        bool given_sines);
+
+}  // namespace treeline

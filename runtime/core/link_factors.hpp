@@ -1,0 +1,54 @@
+#pragma once
+// A = L D L^T of symmetric matrices of any size, whose pivots may yield. C++17, freestanding.
+
+namespace treeline::core::loops {
+
+/// 1 / c where it is large; smooth, bounded and 0 where it falls to 0: c^(power - 1) / (c^power +
+/// border^power). `yield` is the border to that power. Without a power 1 / c.
+template <int power, class Real>
+Real bounded_inverse(const Real& c, const Real& yield) noexcept {
+  static_assert(power == 0 || power == 4 || power == 6, "a law for rows that yield");
+  if constexpr (power == 0) {
+    return Real(1.0) / c;
+  } else {
+    const Real c2 = c * c;
+    const Real c3 = c2 * c;
+    if constexpr (power == 4) return c3 / (c2 * c2 + yield);
+    return c3 * c2 / (c3 * c3 + yield);
+  }
+}
+
+/// Factors the row-major n x n matrix A in place, of which the lower triangle is read: L below the
+/// diagonal, what stands for 1 / D on it. `yields` are those of the pivots.
+template <int power, class Real>
+void factor(Real* A, int n, const Real* yields) noexcept {
+  for (int k = 0; k < n; ++k) {
+    Real& pivot = A[k * n + k];
+    pivot = bounded_inverse<power>(pivot, power == 0 ? pivot : yields[k]);
+    for (int i = n - 1; i > k; --i) {  // from below, so that the rows above are still A's
+      const Real l = A[i * n + k] * pivot;
+      for (int j = k + 1; j <= i; ++j) A[i * n + j] = A[i * n + j] - l * A[j * n + k];
+      A[i * n + k] = l;
+    }
+  }
+}
+
+/// Makes x L^-1 x.
+template <class Real>
+void solve_lower(const Real* factors, int n, Real* x) noexcept {
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < i; ++k) x[i] = x[i] - factors[i * n + k] * x[k];
+  }
+}
+
+/// Makes x A^-1 x.
+template <class Real>
+void solve(const Real* factors, int n, Real* x) noexcept {
+  solve_lower(factors, n, x);
+  for (int i = n - 1; i >= 0; --i) {
+    x[i] = x[i] * factors[i * n + i];
+    for (int k = i + 1; k < n; ++k) x[i] = x[i] - factors[k * n + i] * x[k];
+  }
+}
+
+}  // namespace treeline::core::loops

@@ -1,0 +1,108 @@
+#pragma once
+// Functions of a robot by loops over a table of its links, with the arguments of the generated
+// functions. What `Work` they take is not read. C++17, freestanding.
+
+#include "core/link_rows.hpp"
+#include "core/sin_cos.hpp"
+
+namespace treeline::core::loops {
+
+struct ComputedSines {
+  template <class Real>
+  void operator()(int, const Real& angle, Real& sine, Real& cosine) const noexcept {
+    sin_cos(angle, sine, cosine);
+  }
+};
+
+template <class Real>
+struct GivenSines {
+  const Real *sin_q, *cos_q;
+  void operator()(int i, const Real&, Real& sine, Real& cosine) const noexcept {
+    sine = sin_q[i];
+    cosine = cos_q[i];
+  }
+};
+
+/// tau = M qdd + b + g
+template <class Table, class Real, class Sines, class Motions>
+void inverse_dynamics(const Table& table, const Real* q, const Sines& sines, const Real* qd,
+                      const Real* qdd, Real* tau, Motions& motions) noexcept {
+  place_links(table, q, sines, motions);
+  move_links(table, qd, qdd, motions);
+  gather_forces(table, qdd, motions, tau);
+}
+
+template <class Table, class Real, class Sines, class Motions>
+void nonlinear_effects(const Table& table, const Real* q, const Sines& sines, const Real* qd,
+                       Real* h, Motions& motions) noexcept {
+  const Real* const none = nullptr;
+  inverse_dynamics(table, q, sines, qd, none, h, motions);
+}
+
+template <class Table, class Real, class Sines, class Motions>
+void gravity(const Table& table, const Real* q, const Sines& sines, Real* g,
+             Motions& motions) noexcept {
+  const Real* const none = nullptr;
+  inverse_dynamics(table, q, sines, none, none, g, motions);
+}
+
+template <class Table, class Real, class Sines, class Motions, class Inertias>
+void mass_matrix(const Table& table, const Real* q, const Sines& sines, Real* M, Motions& motions,
+                 Inertias& inertias) noexcept {
+  place_links(table, q, sines, motions);
+  find_mass_matrix(table, motions, inertias, M);
+}
+
+/// qdd = M^-1 (tau - b - g)
+template <class Table, class Real, class Sines, class Motions, class Inertias>
+void forward_dynamics(const Table& table, const Real* q, const Sines& sines, const Real* qd,
+                      const Real* tau, Real* qdd, Motions& motions, Inertias& inertias) noexcept {
+  nonlinear_effects(table, q, sines, qd, qdd, motions);
+  articulate(table, motions, inertias);
+  find_accelerations(table, tau, motions, inertias, qdd);
+}
+
+/// The lower triangle of Lambda^-1 to `rows`, once links are placed.
+template <class Table, class Motions, class Inertias, class Rows, class Real = typename Table::Real>
+void find_lambda_inverse(const Table& table, Motions& motions, Inertias& inertias,
+                         Rows& rows) noexcept {
+  articulate(table, motions, inertias);
+  find_point_axes(table, motions, rows);
+  propagate_forces(table, motions, inertias, rows);
+}
+
+template <class Table, class Real, class Sines, class Motions, class Inertias, class Rows>
+void lambda_inverse(const Table& table, const Real* q, const Sines& sines, Real* Lambda_inv,
+                    Motions& motions, Inertias& inertias, Rows& rows) noexcept {
+  place_links(table, q, sines, motions);
+  find_lambda_inverse(table, motions, inertias, rows);
+  copy_lambda_inverse(table, rows, Lambda_inv);
+}
+
+/// For `power` and `yields` see `factor`.
+template <int power, class Table, class Real, class Sines, class Motions, class Inertias,
+          class Rows>
+void lambda(const Table& table, const Real* yields, const Real* q, const Sines& sines, Real* Lambda,
+            Motions& motions, Inertias& inertias, Rows& rows) noexcept {
+  place_links(table, q, sines, motions);
+  find_lambda_inverse(table, motions, inertias, rows);
+  invert_rows<power>(table, yields, rows, Lambda);
+}
+
+/// tau = J^T F + M qdd_0 + b + g, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
+template <int power, class Table, class Real, class Sines, class Motions, class Inertias,
+          class Rows>
+void control_torque(const Table& table, const Real* yields, const Real* q, const Sines& sines,
+                    const Real* qd, const Real* qdd_0, const Real* xdd_cmd, Real* tau,
+                    Motions& motions, Inertias& inertias, Rows& rows) noexcept {
+  place_links(table, q, sines, motions);
+  move_links(table, qd, qdd_0, motions);
+  find_lambda_inverse(table, motions, inertias, rows);
+  find_errors(table, xdd_cmd, motions, rows);
+  factor<power>(&rows.Lambda_inv[0], table.rows, yields);
+  solve(&rows.Lambda_inv[0], table.rows, &rows.errors[0]);
+  add_row_forces(table, rows, motions);
+  gather_forces(table, qdd_0, motions, tau);
+}
+
+}  // namespace treeline::core::loops

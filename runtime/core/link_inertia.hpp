@@ -1,0 +1,321 @@
+#pragma once
+// M, M^-1 and Lambda^-1 by loops over a table of links: composite and articulated bodies, unit
+// forces propagated inward. C++17, freestanding.
+
+#include "core/link_factors.hpp"
+#include "core/link_motion.hpp"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
+namespace treeline::core::loops {
+
+/// Inertia of bodies at a link's frame, [A B; B^T C]: f = A a + B wd, n = B^T a + C wd. All three
+/// are row-major 3x3, A and C symmetric.
+template <class Real>
+struct LinkInertia {
+  Real A[9], B[9], C[9];
+};
+
+/// u = IA S / D without its own entry, and 1 / D of a joint; D includes its rotor.
+template <class Real>
+struct LinkProjection {
+  Spatial<Real> u;
+  Real inverse_D;
+};
+
+template <class Real, int links, int slots, bool floats>
+struct InertiaWork {
+  LinkInertia<Real> inertias[slots];
+  LinkProjection<Real> projections[links];
+  Real base[floats ? 36
+                   : 1];  ///< factors of the articulated inertia of a floating base, see `factor`
+};
+
+/// R M R^T for the rotation in the plane of the axes i and j.
+template <class Real>
+void turn_matrix(const Turn<Real>& r, int i, int j, Real (&M)[9]) noexcept {
+  const int k = 3 - i - j;
+  Real& a = M[4 * i];
+  Real& b = M[3 * i + j];
+  Real& b2 = M[3 * j + i];
+  Real& d = M[4 * j];
+  const Real t = r.s * (a - d) + r.c * (b + b2);
+  const Real st = r.s * t;
+  const Real ct = r.c * t;
+  const Real old = b;
+  a = a - st;
+  d = d + st;
+  b = ct - b2;
+  b2 = ct - old;
+  turn(r, M[3 * i + k], M[3 * j + k]);
+  turn(r, M[3 * k + i], M[3 * k + j]);
+}
+
+/// Moves an inertia from the origin of its frame to where that has origin p: B becomes
+/// H = B - A [p]x and C gains [p]x H - B^T [p]x.
+template <class Real>
+void shift_inertia(const Real (&p)[3], LinkInertia<Real>& inertia) noexcept {
+  Real(&A)[9] = inertia.A;
+  Real(&B)[9] = inertia.B;
+  Real(&C)[9] = inertia.C;
+  for (int r = 0; r < 3; ++r) {
+    const int s = (r + 1) % 3;
+    const int t = (r + 2) % 3;
+    for (int k = 0; k < 3; ++k) {
+      C[3 * k + r] = C[3 * k + r] - (B[3 * s + k] * p[t] - B[3 * t + k] * p[s]);
+    }
+  }
+  for (int r = 0; r < 3; ++r) {
+    const int s = (r + 1) % 3;
+    const int t = (r + 2) % 3;
+    for (int k = 0; k < 3; ++k) {
+      B[3 * k + r] = B[3 * k + r] - (A[3 * k + s] * p[t] - A[3 * k + t] * p[s]);
+    }
+  }
+  for (int r = 0; r < 3; ++r) {
+    const int s = (r + 1) % 3;
+    const int t = (r + 2) % 3;
+    for (int k = 0; k < 3; ++k) {
+      C[3 * r + k] = C[3 * r + k] + (p[s] * B[3 * t + k] - p[t] * B[3 * s + k]);
+    }
+  }
+}
+
+/// Makes the inertia that link `i` passes on one of its parent.
+template <class Table, class Real>
+void to_parent(const Table& table, int i, const LinkPose<Real>& pose,
+               LinkInertia<Real>& inertia) noexcept {
+  const Link<Real>& link = table.links[i];
+  Real p[3];
+  find_origin(table, link, pose, p);
+  Real(*const parts[3])[9] = {&inertia.A, &inertia.B, &inertia.C};
+  for (Real(*part)[9] : parts) {
+    turn_matrix(pose.turn, 0, 1, *part);
+    turn_matrix(link.alpha, 1, 2, *part);
+    turn_matrix(link.a, 0, 1, *part);
+  }
+  shift_inertia(p, inertia);
+}
+
+/// Inertia of link `i` alone, added to that of the links that it carries.
+template <class Real>
+void add_own(const Link<Real>& link, LinkInertia<Real>& sum) noexcept {
+  const Real(&J)[6] = link.J;
+  const Real rows[9] = {J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5]};
+  for (int k = 0; k < 9; ++k) sum.C[k] = sum.C[k] + rows[k];
+  for (int k = 0; k < 3; ++k) {  // B = -[h]x
+    sum.A[4 * k] = sum.A[4 * k] + link.mass;
+    const int l = (k + 1) % 3;
+    const int m = (k + 2) % 3;
+    sum.B[3 * k + l] = sum.B[3 * k + l] + link.h[m];
+    sum.B[3 * l + k] = sum.B[3 * l + k] - link.h[m];
+  }
+}
+
+template <class Real>
+void clear(LinkInertia<Real>& inertia) noexcept {
+  for (int k = 0; k < 9; ++k) inertia.A[k] = inertia.B[k] = inertia.C[k] = Real(0.0);
+}
+
+/// Passes the inertia in the slot of link `i` on to that of its parent. Where both share one, the
+/// parent has no other yet.
+template <class Table, class Real, class Motions, class Work>
+void pass_on(const Table& table, int i, const Motions& motions, LinkInertia<Real>& inertia,
+             Work& work) noexcept {
+  const Link<Real>& link = table.links[i];
+  if (link.parent < 0) {
+    clear(inertia);
+    return;
+  }
+  to_parent(table, i, motions.poses[i], inertia);
+  const short slot = table.links[link.parent].slot;
+  if (slot == link.slot) return;
+  LinkInertia<Real>& parent = work.inertias[slot];
+  for (int k = 0; k < 9; ++k) {
+    parent.A[k] = parent.A[k] + inertia.A[k];
+    parent.B[k] = parent.B[k] + inertia.B[k];
+    parent.C[k] = parent.C[k] + inertia.C[k];
+  }
+  clear(inertia);
+}
+
+/// U = I S of the joint of link `i`.
+template <class Table, class Real>
+void find_column(const Table& table, int i, const LinkInertia<Real>& inertia,
+                 Spatial<Real>& U) noexcept {
+  const bool slides = Table::kSliding && table.links[i].slides;
+  for (int k = 0; k < 3; ++k) {
+    U.linear[k] = slides ? inertia.A[3 * k + 2] : inertia.B[3 * k + 2];
+    U.angular[k] = slides ? inertia.B[6 + k] : inertia.C[3 * k + 2];
+  }
+}
+
+/// The inertia as the first rows and columns of a row-major matrix of `columns` columns.
+template <class Real>
+void copy_to(const LinkInertia<Real>& inertia, Real* matrix, int columns) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    for (int l = 0; l < 3; ++l) {
+      matrix[k * columns + l] = inertia.A[3 * k + l];
+      matrix[k * columns + l + 3] = inertia.B[3 * k + l];
+      matrix[(k + 3) * columns + l] = inertia.B[3 * l + k];
+      matrix[(k + 3) * columns + l + 3] = inertia.C[3 * k + l];
+    }
+  }
+}
+
+/// Makes IA what the joint passes on, IA - U D^-1 U^T. Of the joint's own row and column the share
+/// rotor / D is left; without a rotor they are exact zeros.
+template <class Table, class Real>
+void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
+                   LinkProjection<Real>& joint) noexcept {
+  const Link<Real>& link = table.links[i];
+  Spatial<Real> U;
+  find_column(table, i, IA, U);
+  Real& own = along_joint(table, i, U);
+  joint.inverse_D = Real(1.0) / (own + link.rotor);
+  own = Real(0.0);
+  const Real held = link.rotor * joint.inverse_D;
+  const bool slides = Table::kSliding && link.slides;
+  for (int k = 0; k < 3; ++k) {
+    joint.u.linear[k] = U.linear[k] * joint.inverse_D;
+    joint.u.angular[k] = U.angular[k] * joint.inverse_D;
+  }
+  for (int k = 0; k < 3; ++k) {
+    for (int l = 0; l < 3; ++l) {
+      IA.A[3 * k + l] = IA.A[3 * k + l] - U.linear[k] * joint.u.linear[l];
+      IA.B[3 * k + l] = IA.B[3 * k + l] - U.linear[k] * joint.u.angular[l];
+      IA.C[3 * k + l] = IA.C[3 * k + l] - U.angular[k] * joint.u.angular[l];
+    }
+  }
+  Real* const own_rows = slides ? IA.A : IA.C;
+  for (int k = 0; k < 3; ++k) {
+    Real& across = slides ? IA.B[6 + k] : IA.B[3 * k + 2];
+    across = across * held;
+    Real& column = own_rows[3 * k + 2];
+    column = column * held;
+    own_rows[6 + k] = column;
+  }
+}
+
+/// Inward pass of articulated bodies: u and 1 / D of joints, factors of a floating base.
+template <class Table, class Motions, class Work, class Real = typename Table::Real>
+void articulate(const Table& table, const Motions& motions, Work& work) noexcept {
+  for (int k = 0; k < table.slots; ++k) clear(work.inertias[k]);
+  for (int i = table.count - 1; i >= 0; --i) {
+    const Link<Real>& link = table.links[i];
+    LinkInertia<Real>& IA = work.inertias[link.slot];
+    add_own(link, IA);
+    if (Table::is_floating(i)) {
+      copy_to(IA, &work.base[0], 6);
+      factor<0, Real>(&work.base[0], 6, nullptr);
+      continue;
+    }
+    release_joint(table, i, IA, work.projections[i]);
+    pass_on(table, i, motions, IA, work);
+  }
+}
+
+/// M by composite bodies. Uses `inertias` of `work` alone.
+template <class Table, class Real, class Motions, class Work>
+void find_mass_matrix(const Table& table, const Motions& motions, Work& work, Real* M) noexcept {
+  const int nv = Table::velocity(table.count);
+  for (int k = 0; k < nv * nv; ++k) M[k] = Real(0.0);
+  for (int k = 0; k < table.slots; ++k) clear(work.inertias[k]);
+  for (int i = table.count - 1; i >= 0; --i) {
+    const Link<Real>& link = table.links[i];
+    LinkInertia<Real>& inertia = work.inertias[link.slot];
+    add_own(link, inertia);
+    if (Table::is_floating(i)) {
+      copy_to(inertia, M, nv);
+      continue;
+    }
+    const int at = Table::velocity(i);
+    Spatial<Real> wrench;
+    find_column(table, i, inertia, wrench);
+    M[at * nv + at] = along_joint(table, i, wrench) + link.rotor;
+    for (int j = i; table.links[j].parent >= 0;) {
+      to_parent(table, j, motions.poses[j], wrench);
+      j = table.links[j].parent;
+      const int entries = Table::is_floating(j) ? 6 : 1;
+      for (int k = 0; k < entries; ++k) {
+        const Real& force = entries == 1 ? along_joint(table, j, wrench)
+                            : k < 3      ? wrench.linear[k]
+                                         : wrench.angular[k - 3];
+        const int other = Table::velocity(j) + k;
+        M[at * nv + other] = force;
+        M[other * nv + at] = force;
+      }
+    }
+    pass_on(table, i, motions, inertia, work);
+  }
+}
+
+/// qdd of joint forces `tau` by articulated bodies, once `work` is articulated. On entry qdd has
+/// the forces at qdd = 0. Uses `wrenches` of `motions`.
+template <class Table, class Real, class Motions, class Work>
+void find_accelerations(const Table& table, const Real* tau, Motions& motions, const Work& work,
+                        Real* qdd) noexcept {
+  for (int i = 0; i < table.count; ++i) clear(motions.wrenches[i]);
+  for (int i = table.count - 1; i >= 0; --i) {
+    const Link<Real>& link = table.links[i];
+    const int at = Table::velocity(i);
+    Spatial<Real>& wrench = motions.wrenches[i];
+    if (Table::is_floating(i)) {
+      for (int k = 0; k < 3; ++k) {
+        qdd[k] = tau[k] - qdd[k] - wrench.linear[k];
+        qdd[k + 3] = tau[k + 3] - qdd[k + 3] - wrench.angular[k];
+      }
+      solve(&work.base[0], 6, qdd);
+      continue;
+    }
+    const LinkProjection<Real>& joint = work.projections[i];
+    Real& along = along_joint(table, i, wrench);
+    const Real missing = tau[at] - qdd[at];
+    const Real left = missing - along;
+    qdd[at] = left;
+    if (link.parent < 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      wrench.linear[k] = wrench.linear[k] + joint.u.linear[k] * left;
+      wrench.angular[k] = wrench.angular[k] + joint.u.angular[k] * left;
+    }
+    along = missing - link.rotor * joint.inverse_D * left;
+    to_parent(table, i, motions.poses[i], wrench);
+    add(wrench, motions.wrenches[link.parent]);
+  }
+  for (int i = 0; i < table.count; ++i) {
+    const Link<Real>& link = table.links[i];
+    Spatial<Real>& twist = motions.wrenches[i];  // acceleration without what velocities add
+    if (Table::is_floating(i)) {
+      for (int k = 0; k < 3; ++k) {
+        twist.linear[k] = qdd[k];
+        twist.angular[k] = qdd[k + 3];
+      }
+      continue;
+    }
+    const int at = Table::velocity(i);
+    const LinkProjection<Real>& joint = work.projections[i];
+    clear(twist);
+    if (link.parent >= 0) {
+      add(motions.wrenches[link.parent], twist);
+      Real p[3];
+      find_origin(table, link, motions.poses[i], p);
+      add_cross(twist.angular, p, twist.linear);
+      to_child(link, motions.poses[i], twist.linear);
+      to_child(link, motions.poses[i], twist.angular);
+    }
+    Real& along = along_joint(table, i, twist);
+    const Real held = link.rotor * joint.inverse_D;
+    qdd[at] = joint.inverse_D * qdd[at] - dot(joint.u.linear, twist.linear) -
+              dot(joint.u.angular, twist.angular) - (along - held * along);
+    along = along + qdd[at];
+  }
+}
+
+}  // namespace treeline::core::loops
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -1,0 +1,190 @@
+#pragma once
+// Inverse dynamics by loops over a table of links: recursive Newton-Euler. C++17, freestanding.
+
+#include "core/link_table.hpp"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
+#endif
+
+namespace treeline::core::loops {
+
+/// Motion of a link's frame, in its axes. `a` is the acceleration of its origin minus gravity.
+template <class Real>
+struct LinkMotion {
+  Real w[3], wd[3], a[3];
+};
+
+/// What inverse dynamics keeps of each link, of the links on the way out, and of points.
+template <class Real, int links, int slots, int points>
+struct MotionWork {
+  LinkPose<Real> poses[links];
+  BasePose<Real> base;
+  Spatial<Real> wrenches[links];
+  LinkMotion<Real> motions[slots];
+  LinkMotion<Real> point_motions[points > 0 ? points : 1];
+};
+
+/// sum += wd x r + w x (w x r)
+template <class Real>
+void add_rotation(const LinkMotion<Real>& motion, const Real (&r)[3], Real (&sum)[3]) noexcept {
+  Real speed[3];
+  clear(speed);
+  add_cross(motion.w, r, speed);
+  add_cross(motion.wd, r, sum);
+  add_cross(motion.w, speed, sum);
+}
+
+template <class Real>
+void copy(const LinkMotion<Real>& from, LinkMotion<Real>& to) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    to.w[k] = from.w[k];
+    to.wd[k] = from.wd[k];
+    to.a[k] = from.a[k];
+  }
+}
+
+/// The motion of a fixed base.
+template <class Table, class Real>
+void rest(const Table& table, LinkMotion<Real>& motion) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    motion.w[k] = motion.wd[k] = Real(0.0);
+    motion.a[k] = -table.gravity[k];
+  }
+}
+
+/// Makes the motion of its parent that of link `i` behind its joint.
+template <class Table, class Real>
+void move_link(const Table& table, int i, const LinkPose<Real>& pose, const Real& qd,
+               const Real& qdd, LinkMotion<Real>& motion) noexcept {
+  const Link<Real>& link = table.links[i];
+  Real p[3];
+  find_origin(table, link, pose, p);
+  add_rotation(motion, p, motion.a);
+  to_child(link, pose, motion.w);
+  to_child(link, pose, motion.wd);
+  to_child(link, pose, motion.a);
+  const bool slides = Table::kSliding && link.slides;
+  Real(&moved)[3] = slides ? motion.a : motion.wd;
+  const Real rate = slides ? Real(2.0) * qd : qd;
+  moved[0] = moved[0] + motion.w[1] * rate;
+  moved[1] = moved[1] - motion.w[0] * rate;
+  moved[2] = moved[2] + qdd;
+  if (!slides) motion.w[2] = motion.w[2] + qd;
+}
+
+/// An entry of an argument that may be missing: then it is 0.
+template <class Real>
+Real entry(const Real* argument, int i) noexcept {
+  return argument == nullptr ? Real(0.0) : argument[i];
+}
+
+template <class Table, class Real>
+void move_base(const Table& table, const BasePose<Real>& base, const Real* qd, const Real* qdd,
+               LinkMotion<Real>& motion) noexcept {
+  const Real* const Q = base.Q;
+  Real v[3];
+  for (int k = 0; k < 3; ++k) {
+    v[k] = entry(qd, k);
+    motion.w[k] = entry(qd, k + 3);
+    motion.wd[k] = entry(qdd, k + 3);
+    motion.a[k] = entry(qdd, k) - (Q[k] * table.gravity[0] + Q[3 + k] * table.gravity[1] +
+                                   Q[6 + k] * table.gravity[2]);
+  }
+  add_cross(motion.w, v, motion.a);
+}
+
+/// Rate of change of a link's momentum: f = m a + wd x h + w x (w x h), n = J wd + w x J w + h x a.
+template <class Real>
+void find_wrench(const Link<Real>& link, const LinkMotion<Real>& motion,
+                 Spatial<Real>& wrench) noexcept {
+  const Real(&J)[6] = link.J;
+  const Real rows[3][3] = {{J[0], J[1], J[2]}, {J[1], J[3], J[4]}, {J[2], J[4], J[5]}};
+  Real momentum[3];
+  for (int k = 0; k < 3; ++k) {
+    momentum[k] = dot(rows[k], motion.w);
+    wrench.angular[k] = dot(rows[k], motion.wd);
+    wrench.linear[k] = link.mass * motion.a[k];
+  }
+  add_rotation(motion, link.h, wrench.linear);
+  add_cross(motion.w, momentum, wrench.angular);
+  add_cross(link.h, motion.a, wrench.angular);
+}
+
+/// Poses of all links. `sines(i, angle, sine, cosine)` are those of the angle of coordinate `i`.
+template <class Table, class Real, class Sines, class Work>
+void place_links(const Table& table, const Real* q, const Sines& sines, Work& work) noexcept {
+  for (int i = 0; i < table.count; ++i) {
+    if (Table::is_floating(i)) {
+      place_base(table, q, work.base);
+      continue;
+    }
+    const Link<Real>& link = table.links[i];
+    const int at = Table::coordinate(i);
+    const Real moved = q[at] + link.offset;
+    LinkPose<Real>& pose = work.poses[i];
+    pose.slide = moved;
+    Real& c = pose.turn.c;
+    Real& s = pose.turn.s;
+    if (Table::kSliding && link.slides) {
+      c = link.b.c;
+      s = link.b.s;
+      continue;
+    }
+    sines(at, moved, s, c);
+    turn(link.b, c, s);
+  }
+}
+
+/// Outward pass: motions of points, wrenches that move the links. Without qd or qdd these are 0.
+template <class Table, class Real, class Work>
+void move_links(const Table& table, const Real* qd, const Real* qdd, Work& work) noexcept {
+  for (int i = 0; i < table.count; ++i) {
+    const Link<Real>& link = table.links[i];
+    LinkMotion<Real>& motion = work.motions[link.slot];
+    if (Table::is_floating(i)) {
+      move_base(table, work.base, qd, qdd, motion);
+    } else {
+      if (link.parent < 0) {
+        rest(table, motion);
+      } else if (const short slot = table.links[link.parent].slot; slot != link.slot) {
+        copy(work.motions[slot], motion);
+      }
+      const int at = Table::velocity(i);
+      move_link(table, i, work.poses[i], entry(qd, at), entry(qdd, at), motion);
+    }
+    find_wrench(link, motion, work.wrenches[i]);
+    for (int k = 0; k < table.point_count; ++k) {
+      if (table.points[k].link == i) copy(motion, work.point_motions[k]);
+    }
+  }
+}
+
+/// Inward pass: joint forces of the wrenches on links, which are lost.
+template <class Table, class Real, class Work>
+void gather_forces(const Table& table, const Real* qdd, Work& work, Real* tau) noexcept {
+  for (int i = table.count - 1; i >= 0; --i) {
+    const int at = Table::velocity(i);
+    Spatial<Real>& wrench = work.wrenches[i];
+    if (Table::is_floating(i)) {
+      for (int k = 0; k < 3; ++k) {
+        tau[k] = wrench.linear[k];
+        tau[k + 3] = wrench.angular[k];
+      }
+      continue;
+    }
+    const Link<Real>& link = table.links[i];
+    tau[at] = along_joint(table, i, wrench) + link.rotor * entry(qdd, at);
+    if (link.parent >= 0) {
+      to_parent(table, i, work.poses[i], wrench);
+      add(wrench, work.wrenches[link.parent]);
+    }
+  }
+}
+
+}  // namespace treeline::core::loops
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif

@@ -1,0 +1,233 @@
+#pragma once
+// A robot as a table of its links, over which the recursions of rigid-body dynamics loop. C++17,
+// freestanding, no heap, no branch on anything but the table: a robot's functions take the same
+// instructions for every input.
+//
+// This is small code: `optimize: size`. Straight lines are several times as fast, since they leave
+// out what is zero. Frames, units and the order of joints are those of the generated code.
+
+namespace treeline::core::loops {
+
+/// Cosine and sine of a rotation about one coordinate axis.
+template <class Real>
+struct Turn {
+  Real c, s;
+};
+
+/// A link, and the joint that moves it along or about the z axis of its frame, whose pose in the
+/// parent is the translation by `p`, Rz(a) Rx(alpha) Rz(b), and the joint's motion.
+template <class Real>
+struct Link {
+  short parent;  ///< -1: the world
+  short slot;    ///< how many of the links that carry it carry several
+  bool slides;   ///< a prismatic joint
+  Turn<Real> a, alpha, b;
+  Real p[3];    ///< in the parent's axes
+  Real offset;  ///< added to the coordinate
+  Real rotor;   ///< inertia that the joint alone feels
+  Real mass;
+  Real h[3];  ///< first moment
+  Real J[6];  ///< rotational inertia about the frame's origin: xx xy xz yy yz zz
+};
+
+/// An operational point.
+template <class Real>
+struct LinkPoint {
+  short link;
+  bool world;    ///< axes of the world; else `axes`
+  bool rows[6];  ///< which of x y z rx ry rz
+  Real axes[9];  ///< row-major; a row is an axis, in the link's axes
+  Real p[3];     ///< in the link's axes
+};
+
+/// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
+/// each other joint has one. `sliding`: there are prismatic joints.
+template <class Number, bool floats, bool sliding>
+struct LinkTable {
+  using Real = Number;
+  static constexpr bool kFloats = floats;
+  static constexpr bool kSliding = sliding;
+
+  const Link<Real>* links;
+  int count;
+  int slots;  ///< the largest of the links, and one more
+  Real gravity[3];
+  const LinkPoint<Real>* points = nullptr;
+  int point_count = 0;
+  int rows = 0;  ///< of all points
+
+  /// Where the joint of link `i` has its velocity, and its coordinate.
+  static constexpr int velocity(int i) { return floats && i > 0 ? i + 5 : i; }
+  static constexpr int coordinate(int i) { return floats && i > 0 ? i + 6 : i; }
+  /// Whether link `i` is a floating base.
+  static constexpr bool is_floating(int i) { return floats && i == 0; }
+};
+
+/// What a joint's coordinate makes of a link's pose.
+template <class Real>
+struct LinkPose {
+  Turn<Real> turn;  ///< Rz(b) and the joint's angle
+  Real slide;       ///< along the z axis of the placement, of prismatic joints
+};
+
+/// Rotation of a floating base: of its axes to the world's, row-major.
+template <class Real>
+struct BasePose {
+  Real Q[9];
+};
+
+/// A wrench [f; n], or a twist [v; w], at a link's origin, in its axes.
+template <class Real>
+struct Spatial {
+  Real linear[3], angular[3];
+};
+
+// Arrays and structs are filled and copied by their numbers: of initializers and assignments
+// compilers make calls of memset and memcpy.
+template <class Real>
+void clear(Real (&v)[3]) noexcept {
+  for (int k = 0; k < 3; ++k) v[k] = Real(0.0);
+}
+
+template <class Real>
+inline void turn(const Turn<Real>& r, Real& x, Real& y) noexcept {
+  const Real old = x;
+  x = r.c * old - r.s * y;
+  y = r.s * old + r.c * y;
+}
+template <class Real>
+inline void turn_back(const Turn<Real>& r, Real& x, Real& y) noexcept {
+  const Real old = x;
+  x = r.c * old + r.s * y;
+  y = r.c * y - r.s * old;
+}
+
+template <class Real>
+Real dot(const Real (&a)[3], const Real (&b)[3]) noexcept {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// sum += a x b
+template <class Real>
+void add_cross(const Real (&a)[3], const Real (&b)[3], Real (&sum)[3]) noexcept {
+  sum[0] = sum[0] + (a[1] * b[2] - a[2] * b[1]);
+  sum[1] = sum[1] + (a[2] * b[0] - a[0] * b[2]);
+  sum[2] = sum[2] + (a[0] * b[1] - a[1] * b[0]);
+}
+
+/// From a link's axes to its parent's. Not for a floating base.
+template <class Real>
+void to_parent(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
+  turn(pose.turn, v[0], v[1]);
+  turn(link.alpha, v[1], v[2]);
+  turn(link.a, v[0], v[1]);
+}
+template <class Real>
+void to_child(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
+  turn_back(link.a, v[0], v[1]);
+  turn_back(link.alpha, v[1], v[2]);
+  turn_back(pose.turn, v[0], v[1]);
+}
+
+/// The link's origin in the axes of its parent.
+template <class Table, class Real>
+void find_origin(const Table&, const Link<Real>& link, const LinkPose<Real>& pose,
+                 Real (&p)[3]) noexcept {
+  for (int k = 0; k < 3; ++k) p[k] = link.p[k];
+  if constexpr (Table::kSliding) {
+    if (!link.slides) return;
+    Real along[3];
+    clear(along);
+    along[2] = pose.slide;
+    turn(link.alpha, along[1], along[2]);
+    turn(link.a, along[0], along[1]);
+    for (int k = 0; k < 3; ++k) p[k] = p[k] + along[k];
+  }
+}
+
+/// From a wrench on link `i` to the same on its parent. Not for a floating base.
+template <class Table, class Real>
+void to_parent(const Table& table, int i, const LinkPose<Real>& pose,
+               Spatial<Real>& wrench) noexcept {
+  const Link<Real>& link = table.links[i];
+  Real p[3];
+  find_origin(table, link, pose, p);
+  to_parent(link, pose, wrench.linear);
+  to_parent(link, pose, wrench.angular);
+  add_cross(p, wrench.linear, wrench.angular);
+}
+
+template <class Real>
+void add(const Spatial<Real>& more, Spatial<Real>& sum) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    sum.linear[k] = sum.linear[k] + more.linear[k];
+    sum.angular[k] = sum.angular[k] + more.angular[k];
+  }
+}
+
+template <class Real>
+void clear(Spatial<Real>& spatial) noexcept {
+  clear(spatial.linear);
+  clear(spatial.angular);
+}
+
+/// The entry of a wrench or twist along or about the joint's axis.
+template <class Table, class Real>
+Real& along_joint(const Table& table, int i, Spatial<Real>& spatial) noexcept {
+  if constexpr (Table::kSliding) {
+    if (table.links[i].slides) return spatial.linear[2];
+  }
+  return spatial.angular[2];
+}
+
+/// The rotation by a floating base's quaternion of any length; 0 does not turn.
+template <class Table, class Real>
+void place_base(const Table& table, const Real* q, BasePose<Real>& base) noexcept {
+  const Real* v = q + 3;  // x y z w
+  const Real square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3] + Real(0x1p-100);
+  const Real twice = Real(2.0) / square;
+  for (int j = 0; j < 3; ++j) {  // columns, in the axes of the placement
+    const int k = (j + 1) % 3;
+    const int l = (j + 2) % 3;
+    Real column[3];
+    const Real t = twice * v[j];
+    const Real tw = twice * v[3];
+    column[j] = Real(1.0) - twice * (v[k] * v[k] + v[l] * v[l]);
+    column[k] = t * v[k] + tw * v[l];
+    column[l] = t * v[l] - tw * v[k];
+    const Link<Real>& link = table.links[0];
+    turn(link.b, column[0], column[1]);
+    turn(link.alpha, column[1], column[2]);
+    turn(link.a, column[0], column[1]);
+    for (int m = 0; m < 3; ++m) base.Q[3 * m + j] = column[m];
+  }
+}
+
+/// The rotation of a link: row j is its axis j, in the axes of the world.
+template <class Real>
+struct LinkAxes {
+  Real rows[9];
+};
+
+template <class Table, class Real>
+void find_axes(const Table& table, const LinkPose<Real>* poses, const BasePose<Real>& base,
+               int link, LinkAxes<Real>& axes) noexcept {
+  for (int j = 0; j < 3; ++j) {
+    Real v[3];
+    clear(v);
+    v[j] = Real(1.0);
+    for (int i = link; i >= 0; i = table.links[i].parent) {
+      if (Table::is_floating(i)) {
+        const Real old[3] = {v[0], v[1], v[2]};
+        for (int m = 0; m < 3; ++m) {
+          v[m] = base.Q[3 * m] * old[0] + base.Q[3 * m + 1] * old[1] + base.Q[3 * m + 2] * old[2];
+        }
+      } else {
+        to_parent(table.links[i], poses[i], v);
+      }
+    }
+    for (int m = 0; m < 3; ++m) axes.rows[3 * j + m] = v[m];
+  }
+}
+
+}  // namespace treeline::core::loops

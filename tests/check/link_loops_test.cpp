@@ -1,0 +1,126 @@
+#include "data/list_data.hpp"
+#include "fixture.hpp"
+#include "recursion/routes/trace_loops.hpp"
+
+// Functions that loop over a table of links, from the file to the compiled code, against 50 digits
+// and against their own bounds. Would catch: a recursion that is wrong for a kind of joint, for
+// rotors, for branches of the tree or for rows of some axes; a table in another order than the
+// headers read it; a law of rows that yield with other borders than the oracle's.
+
+namespace treeline::tests {
+namespace {
+
+const std::vector<Function> kDynamics = {Function::inverse_dynamics, Function::gravity,
+                                         Function::nonlinear_effects, Function::mass_matrix,
+                                         Function::forward_dynamics};
+const std::vector<Function> kOfPoints = {Function::lambda_inverse, Function::lambda,
+                                         Function::control_torque};
+
+/// The robot with these functions, all as loops.
+Subjects as_loops(Subjects subjects, Real real, std::vector<Function> functions) {
+  subjects.scene.optimize = Optimize::size;
+  subjects.scene.real = real;
+  subjects.scene.lanes = 1;
+  subjects.scene.damped.reset();
+  subjects.scene.functions = std::move(functions);
+  Choices choices;
+  for (const Function function : subjects.scene.functions) choices.plain[function] = {kLoopsKey};
+  Diagnostics diagnostics;
+  auto generation =
+      generate_code(subjects.robot, subjects.scene,
+                    {"robot.urdf", "no text", "scene.yaml", "no text"}, diagnostics, choices);
+  for (const Diagnostic& diagnostic : diagnostics.list()) ADD_FAILURE() << to_string(diagnostic);
+  if (!generation) throw std::runtime_error("nothing generated");
+  subjects.generation = std::move(*generation);
+  return subjects;
+}
+
+std::vector<Function> all_with_form() {
+  std::vector<Function> functions = kDynamics;
+  functions.insert(functions.end(), kOfPoints.begin(), kOfPoints.end());
+  std::sort(functions.begin(), functions.end());
+  return functions;
+}
+
+void expect_right(const Subjects& subjects) {
+  for (const GeneratedFunction& generated : subjects.generation.functions) {
+    EXPECT_TRUE(generated.program.loops) << generated.program.name;
+  }
+  const auto report = check_or_throw(subjects, quick_options(24));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  EXPECT_EQ(report.functions.size(), subjects.scene.functions.size());
+}
+
+Subjects read(const std::string& urdf, const std::string& scene_text) {
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(data_file(urdf), diagnostics);
+  if (!robot) throw std::runtime_error("the robot cannot be read");
+  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
+  if (!scene) throw std::runtime_error("the scene cannot be read");
+  return {*robot, *scene, {}};
+}
+
+Subjects load_unmade(const std::string& name, const std::string& scene_file) {
+  const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
+  Diagnostics diagnostics;
+  const auto robot = read_urdf(folder + name + ".urdf", diagnostics);
+  if (!robot) throw std::runtime_error(name + " cannot be read");
+  const auto scene = read_scene(folder + scene_file, *robot, diagnostics);
+  if (!scene) throw std::runtime_error(scene_file + " cannot be read");
+  return {*robot, *scene, {}};
+}
+
+TEST(LinkLoopsCheck, HumanoidOnAFixedBase) {
+  expect_right(as_loops(load_unmade("humanoid24", "scene.yaml"), Real::float64, all_with_form()));
+}
+
+TEST(LinkLoopsCheck, HumanoidThatFloatsInFloat) {
+  expect_right(
+      as_loops(load_unmade("humanoid24", "scene_floating.yaml"), Real::float32, all_with_form()));
+}
+
+TEST(LinkLoopsCheck, SlidingJointsRotorsAndSomeRowsOfLocalAxes) {
+  auto subjects = load_unmade("samm", "scene.yaml");
+  for (ScenePoint& point : subjects.scene.operational_points) {
+    point.axes = Axes::local;
+    point.rows = {true, true, true, false, false, true};
+  }
+  for (const Joint& joint : subjects.robot.joints) {
+    if (info_of(joint.type).has_one_freedom()) subjects.scene.armature[joint.name] = 0.2;
+  }
+  expect_right(as_loops(std::move(subjects), Real::float64, all_with_form()));
+}
+
+TEST(LinkLoopsCheck, GivenSinesAndPlainSolves) {
+  auto subjects = load_unmade("ur10e", "scene.yaml");
+  subjects.scene.sin_cos = Sines::given;
+  subjects.scene.singular = SingularTasks::exact;
+  expect_right(as_loops(std::move(subjects), Real::float64,
+                        {Function::inverse_dynamics, Function::control_torque}));
+}
+
+TEST(LinkLoopsCheck, WhatTheTableCannotSayStaysAsLines) {
+  Subjects subjects = read("written/ball_humanoid.urdf",
+                           "optimize: size\nfunctions: [inverse_dynamics, kinetic_energy]\n");
+  Diagnostics diagnostics;
+  const auto generation = generate_code(subjects.robot, subjects.scene,
+                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
+  ASSERT_TRUE(generation);
+  for (const auto& generated : generation->functions) EXPECT_FALSE(generated.program.loops);
+  ASSERT_EQ(diagnostics.list().size(), 1U);  // none of a function without this form
+  const Diagnostic& note = diagnostics.list().front();
+  EXPECT_EQ(note.severity, Severity::note);
+  EXPECT_NE(note.fault.find("ball joint"), std::string::npos) << to_string(note);
+}
+
+TEST(LinkLoopsCheck, SmallFunctionsStayAsLines) {
+  auto subjects = load_unmade("planar3r", "scene.yaml");
+  subjects.scene.optimize = Optimize::size;
+  subjects.scene.functions = {Function::gravity};
+  for (const auto& generated : generate(subjects.robot, subjects.scene).functions) {
+    EXPECT_FALSE(generated.program.loops);
+  }
+}
+
+}  // namespace
+}  // namespace treeline::tests
