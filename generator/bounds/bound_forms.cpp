@@ -1,6 +1,7 @@
 #include "bounds/bound_forms.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -93,16 +94,22 @@ Bounded FormBounds::bound_alone(const Rows& rows) const {
 
 Bounded FormBounds::bound_rows(Rows rows, int depth) {
   std::sort(rows.begin(), rows.end());
-  const auto found = bounds_.find(rows);
-  if (found != bounds_.end()) return found->second;
+  std::vector<std::uint64_t> key;
+  for (const Row& row : rows) {
+    key.push_back(row.size());
+    for (const Coefficient& term : row) {
+      key.insert(key.end(), {std::uint64_t{term.of.a} << 32 | term.of.b,
+                             std::bit_cast<std::uint64_t>(term.factor)});
+    }
+  }
+  if (const Bounded* const found = bounds_.find(key)) return *found;
   Bounded bound = bound_alone(rows);
   if (depth < kDeepest) {
     if (const auto turned = turn_rows(rows, depth)) {
       bound = {std::min(bound.size, turned->size), std::min(bound.error, turned->error)};
     }
   }
-  bounds_.emplace(std::move(rows), bound);
-  return bound;
+  return bounds_.add(key, bound);
 }
 
 /// Returns the angle that turns the value closest to the results, or 0 if none is turned.

@@ -7,6 +7,7 @@
 
 #include "bounds/norm_memo.hpp"
 #include "bounds/quadratic_form.hpp"
+#include "bounds/word_memo.hpp"
 
 namespace treeline::bounds {
 
@@ -59,7 +60,7 @@ class FormBounds {
   QuadraticForms forms_;
   std::vector<int> height_;  ///< number of operations on the longest path to an input
   std::map<std::pair<std::uint32_t, bool>, std::optional<QuadraticForm>> turned_;
-  std::map<Rows, Bounded> bounds_;
+  WordMemo<Bounded> bounds_;  ///< by rows
 };
 
 }  // namespace treeline::bounds

@@ -11,7 +11,6 @@
 #include "bounds/operator_norm.hpp"
 #include "bounds/quaternion_scale.hpp"
 #include "bounds/turn_rounding.hpp"
-#include "program/hash_word.hpp"
 
 namespace treeline::bounds {
 namespace {
@@ -36,14 +35,6 @@ struct SetBounds::Turn {
     return static_cast<std::size_t>(std::find(leaves.begin(), leaves.end(), leaf) - leaves.begin());
   }
 };
-
-std::size_t SetBounds::Hash::operator()(const Set& set) const {
-  std::uint64_t hash = set.size();
-  for (const Member& member : set) {
-    hash = hash_word(hash, member.node ^ std::bit_cast<std::uint64_t>(member.weight));
-  }
-  return static_cast<std::size_t>(hash);
-}
 
 SetBounds::SetBounds(const Graph& graph, InputSizes inputs, double unit)
     : graph_(graph),
@@ -177,10 +168,14 @@ Bounded SetBounds::bound_set(Set set, int depth) {
     member.weight = std::ceil(member.weight / largest * 0x1p30 - 0x1p-4) * 0x1p-30;
   }
   std::sort(set.begin(), set.end());
-  const auto found = known_.find(set);
+  std::vector<std::uint64_t> key;
+  key.reserve(2 * set.size());
+  for (const Member& member : set) {
+    key.insert(key.end(), {member.node, std::bit_cast<std::uint64_t>(member.weight)});
+  }
   Bounded bound;
-  if (found != known_.end()) {
-    bound = found->second;
+  if (const Bounded* const found = known_.find(key)) {
+    bound = *found;
   } else {
     bound = bound_members(set);
     if (depth < kDeepestSets) {
@@ -188,7 +183,7 @@ Bounded SetBounds::bound_set(Set set, int depth) {
         bound = {std::min(bound.size, turned->size), std::min(bound.error, turned->error)};
       }
     }
-    known_.emplace(std::move(set), bound);
+    known_.add(key, bound);
   }
   constexpr double kRounded = 1 + 0x1p-30;
   return {bound.size * largest * kRounded, bound.error * largest * kRounded};

@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "bounds/bound_forms.hpp"
 #include "bounds/node_bounds.hpp"
 #include "bounds/norm_memo.hpp"
+#include "bounds/word_memo.hpp"
 #include "program/program.hpp"
 
 namespace treeline::bounds {
@@ -63,10 +63,7 @@ class SetBounds {
   std::vector<std::uint32_t> divisions_;  ///< by node without bound
   std::vector<int> height_;               ///< number of operations on the longest path to an input
   std::vector<Angle> turns_;              ///< see `find_turn`
-  struct Hash {
-    std::size_t operator()(const Set& set) const;
-  };
-  std::unordered_map<Set, Bounded, Hash> known_;
+  WordMemo<Bounded> known_;               ///< by sets
 };
 
 }  // namespace treeline::bounds

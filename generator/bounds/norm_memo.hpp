@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "bounds/operator_norm.hpp"
+#include "bounds/word_memo.hpp"
 
 namespace treeline::bounds {
 
@@ -21,11 +20,8 @@ class NormMemo {
   const Norms& of(const TrigMatrix& A);
 
  private:
-  using Key = std::vector<std::uint64_t>;  ///< everything that the norms depend on
-  struct Hash {
-    std::size_t operator()(const Key& key) const;
-  };
-  std::unordered_map<Key, Norms, Hash> found_;
+  WordMemo<Norms> found_;
+  std::vector<std::uint64_t> key_;  ///< everything that the norms asked for depend on
 };
 
 }  // namespace treeline::bounds

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "bounds/exact_operation.hpp"
 
@@ -130,40 +131,57 @@ void ErrorPropagation::evaluate(const std::vector<States>& inputs) {
 
 /// Lists in `cone_` the nodes that the node depends on, users before their operands.
 void ErrorPropagation::find_cone(std::uint32_t node) {
-  if (!cone_.empty() && cone_.front() == node) return;
+  if (!cone_.empty() && cone_.front().node == node) return;
   cone_.clear();
   std::vector<std::uint8_t> inside(std::size_t{node} + 1, 0);
+  const auto enter = [&](std::uint32_t operand) {
+    const bool matters = operation(graph_.nodes()[operand].op).operands > 0 || rounds_[operand];
+    if (!matters) return Flow::none;
+    return std::exchange(inside[operand], std::uint8_t{1}) == 0 ? Flow::set : Flow::add;
+  };
   inside[node] = 1;
   for (std::uint32_t i = node; i > 0; --i) {
     if (inside[i] == 0) continue;
-    cone_.push_back(i);
-    inside[left(graph_.nodes()[i])] = inside[right(graph_.nodes()[i])] = 1;
+    const Node& at = graph_.nodes()[i];
+    const int operands = operation(at.op).operands;
+    const Flow a = operands > 0 ? enter(at.a) : Flow::none;
+    cone_.push_back({i, a, operands > 1 ? enter(at.b) : Flow::none});
   }
 }
 
 const States& ErrorPropagation::bound(std::uint32_t node) {
   find_cone(node);
-  for (const std::uint32_t i : cone_) derivatives_[i].fill(0);
   derivatives_[node].fill(1);
   bound_ = {};
-  for (const std::uint32_t i : cone_) {
-    const States& g = derivatives_[i];
-    if (g == States{}) continue;
-    const Node& at = graph_.nodes()[i];
-    with_operation(at.op, [&](auto tag) {
-      const States &a = values_[left(at)], &b = values_[right(at)], &value = values_[i];
-      if (rounds_[i]) {
-        each_state([&](std::size_t s) {
-          bound_[s] += std::abs(g[s]) * rounding<tag()>(value[s], underflow_);
-        });
-      }
-      // Update one operand after the other, because both may be the same node.
-      States &ga = derivatives_[left(at)], &gb = derivatives_[right(at)];
-      each_state([&](std::size_t s) { ga[s] += g[s] * slopes<tag()>(a[s], b[s], value[s]).a; });
-      each_state([&](std::size_t s) { gb[s] += g[s] * slopes<tag()>(a[s], b[s], value[s]).b; });
-    });
-  }
+  for (const Visit& visit : cone_) visit_backwards(visit);
   return bound_;
+}
+
+/// Adds the node's rounding to the bound, and its derivative to those of its operands.
+void ErrorPropagation::visit_backwards(const Visit& visit) {
+  const Node& at = graph_.nodes()[visit.node];
+  const States g = derivatives_[visit.node];
+  States &ga = derivatives_[left(at)], &gb = derivatives_[right(at)];
+  if (g == States{}) {
+    if (visit.a == Flow::set) ga.fill(0);
+    if (visit.b == Flow::set) gb.fill(0);
+    return;
+  }
+  with_operation(at.op, [&](auto tag) {
+    const States &a = values_[left(at)], &b = values_[right(at)], &value = values_[visit.node];
+    if (rounds_[visit.node]) {
+      each_state([&](std::size_t s) {
+        bound_[s] += std::abs(g[s]) * rounding<tag()>(value[s], underflow_);
+      });
+    }
+    const auto send = [](Flow flow, States& to, auto&& by) {
+      if (flow == Flow::set) each_state([&](std::size_t s) { to[s] = by(s); });
+      if (flow == Flow::add) each_state([&](std::size_t s) { to[s] += by(s); });
+    };
+    // One operand after the other, because both may be the same node.
+    send(visit.a, ga, [&](std::size_t s) { return g[s] * slopes<tag()>(a[s], b[s], value[s]).a; });
+    send(visit.b, gb, [&](std::size_t s) { return g[s] * slopes<tag()>(a[s], b[s], value[s]).b; });
+  });
 }
 
 void ErrorPropagation::sample(std::uint64_t seed) {

@@ -37,13 +37,22 @@ class ErrorPropagation {
   [[nodiscard]] const States& sampled(std::uint32_t node) const { return samples_[node]; }
 
  private:
+  /// What a node does to the derivative of an operand: its users add to it, from the last to the
+  /// first, and the last sets it. Nothing asks for that of inputs and exact constants.
+  enum class Flow : std::uint8_t { none, set, add };
+  struct Visit {
+    std::uint32_t node = 0;
+    Flow a = Flow::none, b = Flow::none;
+  };
+
   void find_cone(std::uint32_t node);
+  void visit_backwards(const Visit& visit);
 
   const Graph& graph_;
   double underflow_;          ///< smallest positive number, in rounding units
   std::vector<bool> rounds_;  ///< by node, whether its operation rounds
   std::vector<States> values_, derivatives_, samples_;
-  std::vector<std::uint32_t> cone_;  ///< of the node that was bounded last
+  std::vector<Visit> cone_;  ///< of the node that was bounded last
   States bound_{};
 };
 

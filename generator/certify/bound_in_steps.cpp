@@ -147,8 +147,8 @@ void StepBounds::bound_operation(std::uint32_t node) {
   const std::string rounded = fmt::format("{} {} {}", computed(n.a), sign_of(n.op), computed(n.b));
   ProofStep step;
   step.meaning = fmt::format("X{} = {}, x{} = rnd({})", node, exactly, node, rounded);
-  if (const auto name = program_.graph.names().find(node); name != program_.graph.names().end()) {
-    step.meaning += fmt::format(": {}", name->second);
+  if (program_.graph.names().contains(node)) {
+    step.meaning += fmt::format(": {}", program_.graph.names().of(node));
   }
   for (const std::uint32_t operand : {n.a, n.b}) {
     add_size(operand, step.hypotheses);

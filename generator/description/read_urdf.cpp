@@ -6,9 +6,11 @@
 #include <charconv>
 
 #include "description/check_inertias.hpp"
+#include "description/check_looks.hpp"
 #include "description/check_motion.hpp"
 #include "description/confirm_with_urdfdom.hpp"
 #include "description/connect_tree.hpp"
+#include "description/find_undefined_entity.hpp"
 #include "description/leftover_xacro.hpp"
 #include "description/parse_xml.hpp"
 #include "description/read_joint.hpp"
@@ -166,6 +168,19 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   return robot;
 }
 
+void warn_of_entities(const std::string& text, UrdfReading& reading) {
+  const auto entities = find_undefined_entities(text);
+  if (!entities) return;
+  const std::string more =
+      entities->count > 1 ? fmt::format(" (and {} more)", entities->count - 1) : "";
+  reading.report(Severity::warning, entities->line, "",
+                 fmt::format("the attribute \"{}\" has {}, which no one defines; it is read as "
+                             "these characters{}",
+                             entities->attribute, entities->first, more),
+                 fmt::format("write out what it stands for, or &amp;{} if that is the text",
+                             entities->first.substr(1)));
+}
+
 /// What was passed over is a robot's loss only where the rest is none.
 void report_leftover(const LeftoverXacro& leftover, const std::string& file, bool is_robot,
                      Diagnostics& diagnostics) {
@@ -191,6 +206,8 @@ std::optional<Robot> parse_urdf(const std::string& text, const std::string& file
   for (const Diagnostic& diagnostic : xacro.list()) diagnostics.add(diagnostic);
   if (xacro.has_errors()) return std::nullopt;
   UrdfReading reading(file_name, diagnostics);
+  warn_of_entities(text, reading);
+  check_looks({*root, "robot", reading});
   auto robot = read_robot({*root, "robot", reading}, reading);
   reading.report_passed_over();
   if (leftover.line > 0) report_leftover(leftover, file_name, robot.has_value(), diagnostics);

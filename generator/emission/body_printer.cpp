@@ -61,7 +61,7 @@ void BodyPrinter::enter_sections(std::uint32_t node) {
   for (; next_section_ < graph_.sections().size() &&
          graph_.sections()[next_section_].first_node <= node;
        ++next_section_) {
-    title_ = graph_.sections()[next_section_].title;
+    title_ = graph_.sections()[next_section_].title();
   }
 }
 

@@ -41,7 +41,7 @@ void check_argument(const Argument& argument, const std::string& function, const
 
 void check_nodes(const Program& program, bool single_precision, Diagnostics& diagnostics) {
   const std::vector<Node>& nodes = program.graph.nodes();
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (live[i] && nodes[i].op == Op::div && nodes[i].b == 0) {
       report(diagnostics, program.name, "the function divides by zero whatever its input",

@@ -49,8 +49,8 @@ std::vector<std::string> find_own_names(const Program& program) {
     }
   }
   for (std::uint32_t i = 0; i < names.size(); ++i) {
-    if (const auto name = graph.names().find(i); name != graph.names().end()) {
-      names[i] = make_identifier(name->second);
+    if (graph.names().contains(i)) {
+      names[i] = make_identifier(std::string(graph.names().of(i)));
     } else if (names[i].empty()) {
       names[i] = trigonometric_name(graph, graph.nodes()[i], names);
     }

@@ -26,13 +26,13 @@ bool is_operation(Op op) {
 
 std::vector<int> count_by_link(const Program& program, std::size_t links) {
   const Graph& graph = program.graph;
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   std::vector<int> counts(links + 1, 0);
   std::size_t link = links;
   auto section = graph.sections().begin();
   for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
     for (; section != graph.sections().end() && section->first_node <= i; ++section) {
-      link = link_of(section->title, links);
+      link = link_of(section->title(), links);
     }
     counts[link] += live[i] && is_operation(graph.nodes()[i].op) ? 1 : 0;
   }

@@ -9,9 +9,6 @@
 namespace treeline {
 namespace {
 
-/// By node. Bytes, because bits take three times as long.
-using Marks = std::vector<std::uint8_t>;
-
 /// Adds the operation of `node` to `count`. `angle_seen` marks the angles that have been counted.
 void count_node(const Node& node, Marks& angle_seen, OperationCount& count) {
   switch (node.op) {
@@ -68,14 +65,14 @@ OperationCount count_operations(const Program& program) {
 
 std::vector<SectionCount> count_sections(const Program& program) {
   const Graph& graph = program.graph;
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   Marks angle_seen(graph.nodes().size(), 0);
   std::vector<SectionCount> counts;
   std::string title;
   auto section = graph.sections().begin();
   for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
     for (; section != graph.sections().end() && section->first_node <= i; ++section) {
-      title = section->title;
+      title = section->title();
     }
     if (live[i] && operation(graph.nodes()[i].op).operands > 0) {
       count_node(graph.nodes()[i], angle_seen, entry(counts, title).count);

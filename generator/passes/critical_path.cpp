@@ -30,7 +30,7 @@ int latency(Op op) {
 
 int critical_path(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   std::vector<int> done(nodes.size(), 0);  // cycle in which each value is ready
   int longest = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

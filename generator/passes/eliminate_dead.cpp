@@ -7,7 +7,7 @@
 namespace treeline {
 
 Program eliminate_dead(const Program& program) {
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < live.size(); ++i) {
     if (live[i]) {

@@ -73,23 +73,21 @@ class Factoring {
   explicit Factoring(const Program& program)
       : nodes_(program.graph.nodes()),
         uses_(count_uses(program)),
-        is_part_(nodes_.size(), false),
+        is_part_(nodes_.size(), 0),
+        last_term_(nodes_.size(), 0),
         sums_(nodes_.size()) {
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       if (uses_[i] > 0 && operation(nodes_[i].op).operands == 2) {
         for (const std::uint32_t operand : {nodes_[i].a, nodes_[i].b}) {
-          is_part_[operand] =
+          const bool is_part =
               uses_[operand] == 1 && is_sum(nodes_[operand].op) && is_sum(nodes_[i].op);
+          is_part_[operand] = is_part ? 1 : 0;
         }
       }
     }
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-      if (uses_[i] > 0 && is_sum(nodes_[i].op) && !is_part_[i]) {
-        collect_terms(i, false, sums_[i]);
-        if (find_common_factor(sums_[i]).second < 2) {
-          sums_[i].clear();
-        }
-      }
+      const bool is_whole = uses_[i] > 0 && is_sum(nodes_[i].op) && is_part_[i] == 0;
+      if (is_whole && has_common_factor(i)) sums_[i] = collect_terms(i);
     }
   }
 
@@ -98,33 +96,65 @@ class Factoring {
   }
 
  private:
-  /// Collects the factors of a product, including those of operands that are products without
+  /// Visits the factors of a product, including those of operands that are products without
   /// another use.
-  void collect_factors(std::uint32_t node, Term& term) const {
+  template <class Visit>
+  void for_each_factor(std::uint32_t node, Visit& visit) const {
     if (nodes_[node].op == Op::mul && uses_[node] == 1) {
-      collect_factors(nodes_[node].a, term);
-      collect_factors(nodes_[node].b, term);
+      for_each_factor(nodes_[node].a, visit);
+      for_each_factor(nodes_[node].b, visit);
     } else {
-      term.factors.push_back(node);
+      visit(node);
     }
   }
 
-  void collect_terms(std::uint32_t node, bool negative, std::vector<Term>& terms) const {
+  /// Calls `visit` with the node of each term of a sum, and whether it is subtracted.
+  template <class Visit>
+  void for_each_term(std::uint32_t node, bool negative, Visit& visit) const {
     for (const auto& [operand, minus] : {std::pair{nodes_[node].a, false},
                                          std::pair{nodes_[node].b, nodes_[node].op == Op::sub}}) {
-      if (is_part_[operand]) {
-        collect_terms(operand, negative != minus, terms);
+      if (is_part_[operand] != 0) {
+        for_each_term(operand, negative != minus, visit);
       } else {
-        terms.push_back({{}, negative != minus});
-        collect_factors(operand, terms.back());
+        visit(operand, negative != minus);
       }
     }
   }
 
+  /// Whether terms of the sum share a factor. Most sums have no such terms.
+  bool has_common_factor(std::uint32_t sum) {
+    const std::uint32_t first = terms_ + 1;
+    bool found = false;
+    auto of_term = [&](std::uint32_t factor) {
+      std::uint32_t& last = last_term_[factor];
+      found = found || (last >= first && last != terms_);
+      last = terms_;
+    };
+    auto of_sum = [&](std::uint32_t term, bool) {
+      ++terms_;
+      for_each_factor(term, of_term);
+    };
+    for_each_term(sum, false, of_sum);
+    return found;
+  }
+
+  [[nodiscard]] std::vector<Term> collect_terms(std::uint32_t sum) const {
+    std::vector<Term> terms;
+    auto of_term = [&terms](std::uint32_t factor) { terms.back().factors.push_back(factor); };
+    auto of_sum = [&](std::uint32_t term, bool negative) {
+      terms.push_back({{}, negative});
+      for_each_factor(term, of_term);
+    };
+    for_each_term(sum, false, of_sum);
+    return terms;
+  }
+
   const std::vector<Node>& nodes_;
   std::vector<int> uses_;
-  std::vector<bool> is_part_;            // the node's only user is a sum that it is part of
-  std::vector<std::vector<Term>> sums_;  // by node: the terms, if the node is a sum to factor
+  Marks is_part_;                         // the node's only user is a sum that it is part of
+  std::vector<std::uint32_t> last_term_;  // by node: the last term it was a factor of
+  std::uint32_t terms_ = 0;               // that were looked at
+  std::vector<std::vector<Term>> sums_;   // by node: the terms, if the node is a sum to factor
 };
 
 }  // namespace

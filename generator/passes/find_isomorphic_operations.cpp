@@ -101,7 +101,7 @@ std::size_t power_of_two(std::uint32_t least) {
 
 void append_groups(const Program& program, std::uint32_t limbs, std::vector<LanePack>& groups) {
   const Exchange exchange(program, limbs);
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   std::vector<bool> done(live.size(), false);
   for (std::uint32_t i = 1; i < live.size(); ++i) {
     const int operands = operation(program.graph.nodes()[i].op).operands;

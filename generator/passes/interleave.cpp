@@ -36,7 +36,7 @@ int issue_latency(Op op) {
 /// Estimates the size of the program's machine code in bytes.
 int estimate_code_bytes(const Program& program) {
   constexpr int kBytes = 9;  // measured: 7 to 8 per instruction, some of which only move
-  std::vector<bool> is_counted = find_live(program);
+  Marks is_counted = find_live(program);
   int instructions = program.lane_moves + static_cast<int>(program.packs.size());
   for (const LanePack& pack : program.packs) {
     for (const std::uint32_t node : pack) {
@@ -52,14 +52,19 @@ int estimate_code_bytes(const Program& program) {
 
 /// A single node, or all nodes of a pack.
 struct Unit {
-  std::vector<std::uint32_t> nodes;
-  std::vector<std::size_t> operands;  ///< indices of units
-  int height = 0;                     ///< cycles until the last result that needs it
-  int end = 0;                        ///< cycle in which its value is ready, once it is placed
+  std::size_t first_node = 0, nodes = 0;        ///< in the order that is given
+  std::size_t first_operand = 0, operands = 0;  ///< in `Units::operands`
+  int height = 0;                               ///< cycles until the last result that needs it
+  int end = 0;  ///< cycle in which its value is ready, once it is placed
   bool done = false;
 };
 
-std::vector<Unit> make_units(const Program& program, std::span<const std::uint32_t> order) {
+struct Units {
+  std::vector<Unit> list;
+  std::vector<std::size_t> operands;  ///< indices of units, of one unit after the other
+};
+
+Units make_units(const Program& program, std::span<const std::uint32_t> order) {
   const std::vector<Node>& nodes = program.graph.nodes();
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> pack_of(nodes.size(), kNone);
@@ -68,31 +73,30 @@ std::vector<Unit> make_units(const Program& program, std::span<const std::uint32
       pack_of[node] = p;
     }
   }
-  std::vector<Unit> units;
+  Units units;
   std::vector<std::size_t> unit_of(nodes.size(), kNone);
-  for (const std::uint32_t node : order) {
+  std::size_t last_pack = kNone;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t node = order[i];
     const std::size_t pack = node == 0 ? kNone : pack_of[node];
-    const bool joins = !units.empty() && pack != kNone && units.back().nodes.front() != 0 &&
-                       pack_of[units.back().nodes.front()] == pack;
-    if (!joins) {
-      units.emplace_back();
+    if (pack == kNone || pack != last_pack) {
+      units.list.push_back({i, 0, units.operands.size(), 0});
     }
-    Unit& unit = units.back();
-    unit.nodes.push_back(node);
-    unit_of[node] = units.size() - 1;
+    last_pack = pack;
+    Unit& unit = units.list.back();
+    ++unit.nodes;
+    unit_of[node] = units.list.size() - 1;
     const int operands = operation(nodes[node].op).operands;
-    if (operands >= 1) {
-      unit.operands.push_back(unit_of[nodes[node].a]);
-    }
-    if (operands == 2) {
-      unit.operands.push_back(unit_of[nodes[node].b]);
-    }
+    if (operands >= 1) units.operands.push_back(unit_of[nodes[node].a]);
+    if (operands == 2) units.operands.push_back(unit_of[nodes[node].b]);
+    unit.operands = units.operands.size() - unit.first_operand;
   }
-  for (std::size_t u = units.size(); u-- > 0;) {
-    const int own = issue_latency(nodes[units[u].nodes.front()].op);
-    units[u].height += own;
-    for (const std::size_t operand : units[u].operands) {
-      units[operand].height = std::max(units[operand].height, units[u].height);
+  for (std::size_t u = units.list.size(); u-- > 0;) {
+    Unit& unit = units.list[u];
+    unit.height += issue_latency(nodes[order[unit.first_node]].op);
+    for (std::size_t i = 0; i < unit.operands; ++i) {
+      int& height = units.list[units.operands[unit.first_operand + i]].height;
+      height = std::max(height, unit.height);
     }
   }
   return units;
@@ -100,8 +104,15 @@ std::vector<Unit> make_units(const Program& program, std::span<const std::uint32
 
 class Interleaver {
  public:
-  Interleaver(const std::vector<Node>& nodes, std::vector<Unit> units, int window)
-      : nodes_(nodes), units_(std::move(units)), window_(window) {}
+  Interleaver(const std::vector<Node>& nodes, std::span<const std::uint32_t> given, Units units,
+              int window)
+      : nodes_(nodes),
+        given_(given),
+        units_(std::move(units.list)),
+        operands_(std::move(units.operands)),
+        window_(window) {
+    order_.reserve(given.size());
+  }
 
   std::vector<std::uint32_t> run(std::size_t head) {
     while (order_.size() < head) {
@@ -117,11 +128,12 @@ class Interleaver {
   /// Cycle in which the unit can begin. Nothing if an operand is not placed yet.
   [[nodiscard]] std::optional<int> find_begin(const Unit& unit) const {
     int begin = cycle_;
-    for (const std::size_t operand : unit.operands) {
-      if (!units_[operand].done) {
+    for (std::size_t i = 0; i < unit.operands; ++i) {
+      const Unit& operand = units_[operands_[unit.first_operand + i]];
+      if (!operand.done) {
         return std::nullopt;
       }
-      begin = std::max(begin, units_[operand].end);
+      begin = std::max(begin, operand.end);
     }
     return begin;
   }
@@ -154,10 +166,11 @@ class Interleaver {
       cycle_ = begin;
       begun_ = 0;
     }
-    const int cost = issue_latency(nodes_[unit.nodes.front()].op);
+    const std::span<const std::uint32_t> nodes = given_.subspan(unit.first_node, unit.nodes);
+    const int cost = issue_latency(nodes_[nodes.front()].op);
     unit.done = true;
     unit.end = begin + cost;
-    order_.insert(order_.end(), unit.nodes.begin(), unit.nodes.end());
+    order_.insert(order_.end(), nodes.begin(), nodes.end());
     if (cost > 0 && ++begun_ == kIssue) {
       ++cycle_;
       begun_ = 0;
@@ -168,7 +181,9 @@ class Interleaver {
   }
 
   const std::vector<Node>& nodes_;
+  std::span<const std::uint32_t> given_;
   std::vector<Unit> units_;
+  std::vector<std::size_t> operands_;
   int window_;
   std::vector<std::uint32_t> order_;
   std::size_t first_ = 0;  ///< first unit that is not placed yet
@@ -180,7 +195,7 @@ class Interleaver {
 std::vector<std::uint32_t> interleave(const Program& program, std::span<const std::uint32_t> order,
                                       std::size_t head) {
   const bool is_long = estimate_code_bytes(program) > kLongCode;
-  return Interleaver(program.graph.nodes(), make_units(program, order),
+  return Interleaver(program.graph.nodes(), order, make_units(program, order),
                      is_long ? kWindowOfLongCode : kWindow)
       .run(head);
 }

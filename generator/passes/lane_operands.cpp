@@ -15,11 +15,12 @@ int likeness(const Graph& graph, std::uint32_t x, std::uint32_t y) {
 
 }  // namespace
 
-LaneOperands lane_operands(const Graph& graph, const LanePack& lanes) {
-  LaneOperands operands{LanePack(lanes.size(), 0), LanePack(lanes.size(), 0)};
+void lane_operands(const Graph& graph, std::span<const std::uint32_t> lanes,
+                   std::span<std::uint32_t> left, std::span<std::uint32_t> right) {
   const Node* first = nullptr;
   for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-    if (lanes[lane] == 0) {
+    left[lane] = right[lane] = kNoNode;
+    if (lanes[lane] == kNoNode) {
       continue;
     }
     Node node = graph.nodes()[lanes[lane]];
@@ -31,9 +32,14 @@ LaneOperands lane_operands(const Graph& graph, const LanePack& lanes) {
             likeness(graph, node.a, first->a) + likeness(graph, node.b, first->b)) {
       std::swap(node.a, node.b);
     }
-    operands.a[lane] = node.a;
-    operands.b[lane] = operation(node.op).operands == 2 ? node.b : 0;
+    left[lane] = node.a;
+    right[lane] = operation(node.op).operands == 2 ? node.b : kNoNode;
   }
+}
+
+LaneOperands lane_operands(const Graph& graph, const LanePack& lanes) {
+  LaneOperands operands{LanePack(lanes.size(), kNoNode), LanePack(lanes.size(), kNoNode)};
+  lane_operands(graph, lanes, operands.a, operands.b);
   return operands;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "program/program.hpp"
 
 namespace treeline {
@@ -13,5 +15,9 @@ struct LaneOperands {
 /// (all 0). Operands of a commutative operation are exchanged where this makes a lane more like the
 /// first one: the same value, a value of the same aligned group, or a value of the same operation.
 LaneOperands lane_operands(const Graph& graph, const LanePack& lanes);
+
+/// The same, written to `left` and `right`, which have as many lanes.
+void lane_operands(const Graph& graph, std::span<const std::uint32_t> lanes,
+                   std::span<std::uint32_t> left, std::span<std::uint32_t> right);
 
 }  // namespace treeline

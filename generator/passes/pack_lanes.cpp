@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -20,32 +22,59 @@ bool is_arithmetic(Op op) {
   return op == Op::add || op == Op::sub || op == Op::mul || op == Op::div || op == Op::neg;
 }
 
-int count_lanes(const LanePack& lanes) {
+int count_lanes(std::span<const std::uint32_t> lanes) {
   return static_cast<int>(lanes.size()) -
          static_cast<int>(std::count(lanes.begin(), lanes.end(), kNoNode));
 }
 
+constexpr std::size_t kMostLanes = 8;  // that a scene may ask for
+
+/// Nodes by lane, as in a LanePack, but without memory of their own: there are several for every
+/// operation that is tried in lanes.
+class Lanes {
+ public:
+  Lanes() = default;
+  explicit Lanes(std::size_t width) : size_(width) {
+    if (width > kMostLanes) throw std::logic_error("more lanes than a register has");
+  }
+  explicit Lanes(std::span<const std::uint32_t> nodes) : Lanes(nodes.size()) {
+    std::copy(nodes.begin(), nodes.end(), nodes_.begin());
+  }
+
+  [[nodiscard]] const std::uint32_t* begin() const { return nodes_.data(); }
+  [[nodiscard]] const std::uint32_t* end() const { return nodes_.data() + size_; }
+  [[nodiscard]] std::uint32_t* begin() { return nodes_.data(); }
+  [[nodiscard]] std::uint32_t* end() { return nodes_.data() + size_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::uint32_t& operator[](std::size_t lane) { return nodes_[lane]; }
+  [[nodiscard]] std::uint32_t operator[](std::size_t lane) const { return nodes_[lane]; }
+  bool operator==(const Lanes&) const = default;
+
+ private:
+  std::array<std::uint32_t, kMostLanes> nodes_{};  // those beyond `size_` are kNoNode
+  std::size_t size_ = 0;
+};
+
 /// Returns the values in the lanes, each once.
-std::vector<std::uint32_t> distinct(const LanePack& lanes) {
-  std::vector<std::uint32_t> nodes;
+Lanes distinct(const Lanes& lanes) {
+  Lanes places(lanes.size());
+  std::size_t count = 0;
   for (const std::uint32_t node : lanes) {
-    if (node != kNoNode && std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
-      nodes.push_back(node);
+    const auto* const last = places.begin() + count;
+    if (node != kNoNode && std::find(places.begin(), places.begin() + count, node) == last) {
+      places[count++] = node;
     }
   }
-  return nodes;
+  return Lanes(std::span<const std::uint32_t>(places).first(count));
 }
 
 struct HashOfLanes {
-  std::size_t operator()(const LanePack& lanes) const {
+  std::size_t operator()(const Lanes& lanes) const {
     std::uint64_t hash = lanes.size();
     for (const std::uint32_t node : lanes) hash = hash_word(hash, node);
     return static_cast<std::size_t>(hash);
   }
 };
-
-/// By node. Bytes, because bits take three times as long.
-using Marks = std::vector<std::uint8_t>;
 
 class Packer {
  public:
@@ -96,25 +125,28 @@ class Packer {
 
  private:
   void pack_columns() {
-    const auto& groups = program_.graph.lane_groups();
     const auto width = static_cast<std::size_t>(program_.graph.lane_width());
-    for (const Graph::LaneGroup& group : groups) {
+    for (std::size_t i = 0; i < program_.graph.lane_group_count(); ++i) {
+      const Graph::LaneGroup group = program_.graph.lane_group(i);
       for (std::size_t first = 0; first < group.size(); first += width) {
-        LanePack lanes(width, kNoNode);
+        Lanes lanes(width);
         std::copy_n(group.begin() + static_cast<std::ptrdiff_t>(first),
                     std::min(width, group.size() - first), lanes.begin());
-        pack(std::move(lanes), 2);
+        pack(lanes, 2);
       }
     }
   }
 
   void pack_isomorphic() {
     for (const LanePack& group : isomorphic_) {
-      add(group, 2);
+      add(Lanes(group), 2);
     }
   }
 
+  /// Taking packs apart makes no cycle and no loss that is left, so there is nothing to do unless
+  /// packs were added.
   void resolve_packs() {
+    if (std::exchange(resolved_, packs_.size()) == packs_.size()) return;
     dissolve_cycles();
     while (dissolve_losses()) {
     }
@@ -122,9 +154,9 @@ class Packer {
 
   /// Keeps in `lanes` only what may be computed together: live nodes of one operation that are not
   /// packed yet.
-  void keep_alike(LanePack& lanes) const {
+  void keep_alike(Lanes& lanes) const {
     std::array<int, kOperations.size()> votes{};
-    for (auto lane = lanes.begin(); lane != lanes.end(); ++lane) {
+    for (auto* lane = lanes.begin(); lane != lanes.end(); ++lane) {
       const std::uint32_t node = *lane;
       const Op op = nodes_[node].op;
       if (!live_[node] || !is_arithmetic(op) || pack_of_[node] != kNoPack ||
@@ -145,7 +177,7 @@ class Packer {
 
   /// Makes a pack of the nodes in `lanes` that can share an operation. Returns false if these are
   /// fewer than `fewest`.
-  bool add(LanePack lanes, int fewest) {
+  bool add(Lanes lanes, int fewest) {
     keep_alike(lanes);
     if (count_lanes(lanes) < fewest) {
       return false;
@@ -156,21 +188,22 @@ class Packer {
         lane_of_[lanes[lane]] = lane;
       }
     }
-    const LaneOperands both = lane_operands(program_.graph, lanes);
-    readings_.push_back({number_of(lanes), number_of(both.a), number_of(both.b)});
-    packs_.push_back(std::move(lanes));
+    Lanes left(lanes.size()), right(lanes.size());
+    lane_operands(program_.graph, lanes, left, right);
+    readings_.push_back({number_of(lanes), number_of(left), number_of(right)});
+    packs_.emplace_back(lanes.begin(), lanes.end());
     return true;
   }
 
   /// Number that identifies these lanes, whether a pack consists of them or reads them.
-  int number_of(const LanePack& lanes) {
+  int number_of(const Lanes& lanes) {
     const auto [found, is_new] = numbers_.try_emplace(lanes, static_cast<int>(readable_.size()));
     if (is_new) {
-      std::vector<std::uint32_t> values = distinct(lanes);
+      const Lanes values = distinct(lanes);
       const bool constant = std::all_of(values.begin(), values.end(), [&](std::uint32_t node) {
         return nodes_[node].op == Op::constant;
       });
-      readable_.push_back({lanes, std::move(values), constant});
+      readable_.push_back({lanes, values, constant});
     }
     return found->second;
   }
@@ -178,18 +211,18 @@ class Packer {
     return readable_[static_cast<std::size_t>(number)];
   }
 
-  void pack(LanePack lanes, int fewest) {
-    if (!add(std::move(lanes), fewest)) {
+  void pack(const Lanes& lanes, int fewest) {
+    if (!add(lanes, fewest)) {
       return;
     }
     const Reading reading = readings_.back();
     for (const int number : {reading.a, reading.b}) {
-      LanePack operands = readable(number).lanes;
+      const Lanes operands = readable(number).lanes;
       const bool in_groups = std::any_of(operands.begin(), operands.end(), [&](std::uint32_t n) {
         return program_.graph.lane_group_of(n) >= 0;
       });
       if (readable(number).values.size() > 1 && !in_groups) {
-        pack(std::move(operands), 3);
+        pack(operands, 3);
       }
     }
   }
@@ -200,7 +233,7 @@ class Packer {
   [[nodiscard]] int gather_cost(int number) const {
     const auto& [operands, values, constant] = readable(number);
     if (values.size() == 1) {
-      return pack_of_[values.front()] == kNoPack ? 0 : 1;
+      return pack_of_[values[0]] == kNoPack ? 0 : 1;
     }
     if (constant) {
       return 0;
@@ -252,19 +285,20 @@ class Packer {
   const Program& program_;
   const std::vector<Node>& nodes_;
   const std::vector<LanePack>& isomorphic_;
-  std::vector<bool> live_;
+  Marks live_;
   std::vector<int> pack_of_;
   std::vector<std::size_t> lane_of_;
   std::vector<LanePack> packs_;
+  std::size_t resolved_ = 0;  // number of packs when they were resolved last
   struct Reading {
     int own = 0, a = 0, b = 0;  ///< numbers of the pack's own lanes and of those that it reads
   };
   std::vector<Reading> readings_;  // by pack
-  std::unordered_map<LanePack, int, HashOfLanes> numbers_;
+  std::unordered_map<Lanes, int, HashOfLanes> numbers_;
   struct Readable {
-    LanePack lanes;
-    std::vector<std::uint32_t> values;  ///< without repetition
-    bool constant = false;              ///< all values are constants
+    Lanes lanes;
+    Lanes values;           ///< without repetition
+    bool constant = false;  ///< all values are constants
   };
   std::vector<Readable> readable_;  // by number
 };
@@ -306,7 +340,7 @@ int Packer::cost_of_dissolving(std::size_t p, const Marks& read, const Readers& 
     // Operands that several packs share are gathered once, so the cost is saved only by the last
     // reader.
     cost -= readers[static_cast<std::size_t>(number)] == 1 ? gather : 0;
-    const std::vector<std::uint32_t>& values = readable(number).values;
+    const Lanes& values = readable(number).values;
     if (gather == 0 && values.size() > 1) {  // scalar code will read these values
       for (const std::uint32_t node : values) {
         cost += pack_of_[node] != kNoPack && read[node] == 0 ? 1 : 0;

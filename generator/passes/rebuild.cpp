@@ -45,7 +45,11 @@ class SectionWriter {
       return;
     }
     open_ = section;
-    to_.begin_section(section == kNoSection ? std::string() : from_.sections()[section].title);
+    if (section == kNoSection) {
+      to_.begin_section(std::string());
+    } else {
+      to_.begin_section(from_.sections()[section].shared_title);
+    }
   }
 
  private:
@@ -57,29 +61,26 @@ class SectionWriter {
 
 }  // namespace
 
-std::vector<bool> find_live(const Program& program) {
+Marks find_live(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
-  std::vector<bool> live(nodes.size(), false);
+  Marks live(nodes.size(), 0);
   for (const Result& result : program.results) {
     for (const Expression& value : result.values) {
-      live[value.node()] = true;
+      live[value.node()] = 1;
     }
   }
   for (std::size_t i = nodes.size(); i-- > 0;) {
     const int operands = operation(nodes[i].op).operands;
-    if (live[i] && operands >= 1) {
-      live[nodes[i].a] = true;
-    }
-    if (live[i] && operands == 2) {
-      live[nodes[i].b] = true;
-    }
+    if (live[i] == 0 || operands == 0) continue;
+    live[nodes[i].a] = 1;
+    if (operands == 2) live[nodes[i].b] = 1;
   }
   return live;
 }
 
 std::vector<int> count_uses(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   std::vector<int> uses(nodes.size(), 0);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const int operands = operation(nodes[i].op).operands;
@@ -114,16 +115,11 @@ Program rebuild(const Program& program, std::span<const std::uint32_t> order) {
   for (const std::uint32_t i : order) {
     sections.enter(i);
     place[i] = copy_node(from, from.nodes()[i], place, to);
-    if (const auto name = from.names().find(i); name != from.names().end()) {
-      to.name({place[i], false}, name->second);
-    }
+    if (from.names().contains(i)) to.name({place[i], false}, from.names().of(i));
   }
   to.keep_lanes_of(from);
-  for (Graph::LaneGroup group : from.lane_groups()) {
-    for (std::uint32_t& node : group) {
-      node = place[node];
-    }
-    to.add_lane_group(std::move(group));
+  for (std::size_t i = 0; i < from.lane_group_count(); ++i) {
+    to.add_lane_group(from.lane_group(i), [&place](std::uint32_t node) { return place[node]; });
   }
   for (LanePack& pack : rebuilt.packs) {
     for (std::uint32_t& node : pack) {

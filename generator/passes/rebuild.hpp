@@ -8,8 +8,11 @@
 
 namespace treeline {
 
+/// Says something of every node. Bytes, because bits take three times as long.
+using Marks = std::vector<std::uint8_t>;
+
 /// Returns for every node whether a result needs it.
-std::vector<bool> find_live(const Program& program);
+Marks find_live(const Program& program);
 
 /// Counts for every node how often it is a result or an operand of a live node.
 std::vector<int> count_uses(const Program& program);

@@ -41,19 +41,18 @@ void Rewriter::enter(std::uint32_t node) {
   const auto& sections = program_.graph.sections();
   for (; next_section_ < sections.size() && sections[next_section_].first_node <= node;
        ++next_section_) {
-    rewritten_.graph.begin_section(sections[next_section_].title);
+    rewritten_.graph.begin_section(sections[next_section_].shared_title);
   }
 }
 
 /// Keeps the node's name. If the sign of the value changes back, the prefix `minus_` is removed.
 void Rewriter::keep_name(std::uint32_t node) {
   constexpr std::string_view kMinus = "minus_";
-  const auto found = program_.graph.names().find(node);
-  if (found == program_.graph.names().end()) {
+  const std::string_view name = program_.graph.names().of(node);
+  if (name.empty()) {
     return;
   }
   const Expression value = values_[node];
-  const std::string_view name = found->second;
   if (value.negative() && name.starts_with(kMinus)) {
     rewritten_.graph.name(-value, name.substr(kMinus.size()));
   } else {
@@ -69,11 +68,10 @@ Program Rewriter::finish() {
     }
   }
   rewritten_.graph.keep_lanes_of(program_.graph);
-  for (Graph::LaneGroup group : program_.graph.lane_groups()) {
-    for (std::uint32_t& node : group) {
-      node = values_[node].node();
-    }
-    rewritten_.graph.add_lane_group(std::move(group));
+  for (std::size_t i = 0; i < program_.graph.lane_group_count(); ++i) {
+    rewritten_.graph.add_lane_group(
+        program_.graph.lane_group(i),
+        [&values = values_](std::uint32_t node) { return values[node].node(); });
   }
   return std::move(rewritten_);
 }

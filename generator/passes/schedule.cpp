@@ -32,61 +32,68 @@ class Scheduler {
   explicit Scheduler(const Program& program)
       : nodes_(program.graph.nodes()),
         need_(estimate_registers(nodes_)),
-        placed_(nodes_.size(), false),
-        units_(nodes_.size()) {
+        placed_(nodes_.size(), 0),
+        pack_of_(nodes_.size(), nullptr) {
     for (const LanePack& pack : program.packs) {
-      std::vector<std::uint32_t> members(pack);
-      std::erase(members, 0);
-      for (const std::uint32_t node : members) {
-        units_[node] = members;
+      for (const std::uint32_t node : pack) {
+        if (node != kNoNode) pack_of_[node] = &pack;
       }
     }
   }
 
   /// Places `root` after all operands that are not placed yet.
   void place(std::uint32_t root) {
-    std::vector<std::pair<std::uint32_t, bool>> stack{{root, false}};
-    while (!stack.empty()) {
-      const auto [node, operands_done] = stack.back();
-      stack.pop_back();
-      if (placed_[node]) {
+    stack_.emplace_back(root, false);
+    while (!stack_.empty()) {
+      const auto [node, operands_done] = stack_.back();
+      stack_.pop_back();
+      if (placed_[node] != 0) {
         continue;
       }
-      // The lanes of a pack are computed together, after all their operands.
-      const std::vector<std::uint32_t> alone{node};
-      const std::vector<std::uint32_t>& unit = units_[node].empty() ? alone : units_[node];
       if (operands_done) {
-        for (const std::uint32_t member : unit) {
-          placed_[member] = true;
+        for_each_in_unit(node, [this](std::uint32_t member) {
+          placed_[member] = 1;
           order_.push_back(member);
-        }
+        });
         continue;
       }
-      stack.emplace_back(node, true);
-      for (const std::uint32_t member : unit) {
-        push_operands(nodes_[member], stack);
-      }
+      stack_.emplace_back(node, true);
+      for_each_in_unit(node, [this](std::uint32_t member) { push_operands(nodes_[member]); });
     }
   }
 
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
 
  private:
-  void push_operands(const Node& node, std::vector<std::pair<std::uint32_t, bool>>& stack) const {
+  /// Calls `visit` for the node, or for all of its pack: the lanes of a pack are computed together,
+  /// after all their operands.
+  template <class Visit>
+  void for_each_in_unit(std::uint32_t node, Visit visit) const {
+    if (pack_of_[node] == nullptr) {
+      visit(node);
+      return;
+    }
+    for (const std::uint32_t member : *pack_of_[node]) {
+      if (member != kNoNode) visit(member);
+    }
+  }
+
+  void push_operands(const Node& node) {
     const int operands = operation(node.op).operands;
     if (operands == 1) {
-      stack.emplace_back(node.a, false);
+      stack_.emplace_back(node.a, false);
     } else if (operands == 2) {
       const bool a_first = need_[node.a] >= need_[node.b];
-      stack.emplace_back(a_first ? node.b : node.a, false);
-      stack.emplace_back(a_first ? node.a : node.b, false);
+      stack_.emplace_back(a_first ? node.b : node.a, false);
+      stack_.emplace_back(a_first ? node.a : node.b, false);
     }
   }
 
   const std::vector<Node>& nodes_;
   std::vector<int> need_;
-  std::vector<bool> placed_;
-  std::vector<std::vector<std::uint32_t>> units_;  // by node: its pack; empty for a single node
+  Marks placed_;
+  std::vector<const LanePack*> pack_of_;               // by node; null for a single node
+  std::vector<std::pair<std::uint32_t, bool>> stack_;  // node, whether its operands are done
   std::vector<std::uint32_t> order_;
 };
 
@@ -94,7 +101,7 @@ class Scheduler {
 /// of creation.
 std::vector<std::uint32_t> find_outer_trigonometry(const Program& program) {
   const std::vector<Node>& nodes = program.graph.nodes();
-  const std::vector<bool> live = find_live(program);
+  const Marks live = find_live(program);
   std::vector<bool> depends(nodes.size(), false);
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {

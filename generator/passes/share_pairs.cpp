@@ -1,16 +1,19 @@
 #include "passes/share_pairs.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <compare>
 #include <cstdint>
 #include <iterator>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "passes/rebuild.hpp"
 #include "passes/rewriter.hpp"
+#include "program/hash_word.hpp"
 
 namespace treeline {
 namespace {
@@ -37,6 +40,7 @@ class Pair {
     return {static_cast<std::uint32_t>(bits_ >> 1) & kId, (bits_ & 1U) != 0};
   }
   auto operator<=>(const Pair&) const = default;
+  [[nodiscard]] std::uint64_t hash() const { return hash_word(0, bits_); }
 
  private:
   static constexpr std::uint64_t kProduct = std::uint64_t{1} << 63;
@@ -49,7 +53,18 @@ class Pair {
 struct Group {
   std::uint32_t node = 0;
   bool is_product = false;
-  std::vector<Item> items;
+  std::size_t first = 0, items = 0;  ///< in `Groups::items`
+};
+struct Groups {
+  std::vector<Group> list;
+  std::vector<Item> items;  ///< of one group after the other
+
+  [[nodiscard]] std::span<Item> items_of(const Group& group) {
+    return std::span(items).subspan(group.first, group.items);
+  }
+  [[nodiscard]] std::span<const Item> items_of(const Group& group) const {
+    return std::span(items).subspan(group.first, group.items);
+  }
 };
 
 /// Occurrences of pairs: (pair, index of the group), sorted.
@@ -60,14 +75,9 @@ using Occurrences = std::vector<std::pair<Pair, std::uint32_t>>;
 /// that only become fewer.
 class PairTable {
  public:
-  PairTable(std::vector<Group> groups, std::uint32_t first_pair)
+  PairTable(Groups groups, std::uint32_t first_pair)
       : groups_(std::move(groups)), first_pair_(first_pair) {
-    Occurrences found;
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      for_each_pair(
-          i, [&](const Pair& pair) { found.emplace_back(pair, static_cast<std::uint32_t>(i)); });
-    }
-    queue_frequent(std::move(found));
+    queue_frequent(find_repeated());
   }
 
   /// Replaces the most frequent pair wherever it occurs. Returns false if no pair occurs twice.
@@ -90,18 +100,45 @@ class PairTable {
     return false;
   }
 
-  [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
+  [[nodiscard]] const Groups& groups() const { return groups_; }
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
   template <class Visit>
   void for_each_pair(std::size_t group, Visit visit) const {
-    const std::vector<Item>& items = groups_[group].items;
+    const Group& of = groups_.list[group];
+    const std::span<const Item> items = groups_.items_of(of);
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
-        visit(Pair(groups_[group].is_product, items[i], items[j]));
+        visit(Pair(of.is_product, items[i], items[j]));
       }
     }
+  }
+
+  /// The occurrences of pairs that may occur twice. Most pairs occur once; a table of counts by
+  /// hash tells that of most of these without sorting them.
+  [[nodiscard]] Occurrences find_repeated() const {
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < groups_.list.size(); ++i) {
+      for_each_pair(i, [&pairs](const Pair&) { ++pairs; });
+    }
+    std::vector<std::uint8_t> counts(std::bit_ceil(4 * pairs + 1), 0);
+    const auto count_of = [&counts](const Pair& pair) -> std::uint8_t& {
+      return counts[pair.hash() & (counts.size() - 1)];
+    };
+    for (std::size_t i = 0; i < groups_.list.size(); ++i) {
+      for_each_pair(i, [&count_of](const Pair& pair) {
+        std::uint8_t& count = count_of(pair);
+        count = count == 0 ? 1 : 2;
+      });
+    }
+    Occurrences found;
+    for (std::size_t i = 0; i < groups_.list.size(); ++i) {
+      for_each_pair(i, [&](const Pair& pair) {
+        if (count_of(pair) > 1) found.emplace_back(pair, static_cast<std::uint32_t>(i));
+      });
+    }
+    return found;
   }
 
   [[nodiscard]] bool has_pair(std::size_t group, const Pair& pair) const {
@@ -132,7 +169,7 @@ class PairTable {
     pairs_.push_back(pair);
     Occurrences found;
     for (const std::size_t group : where) {
-      substitute(groups_[group].items, pair, shared);
+      substitute(groups_.list[group], pair, shared);
       for_each_pair(group, [&](const Pair& other) {
         if (other.b().id == shared.id || other == pair) {
           found.emplace_back(other, static_cast<std::uint32_t>(group));
@@ -144,20 +181,22 @@ class PairTable {
 
   /// Replaces one occurrence of the pair by the item `shared`, with the sign of the pair's first
   /// item.
-  static void substitute(std::vector<Item>& items, const Pair& pair, Item shared) {
+  void substitute(Group& group, const Pair& pair, Item shared) {
+    const std::span<Item> items = groups_.items_of(group);
     for (std::size_t i = 0; i < items.size(); ++i) {
       for (std::size_t j = i + 1; j < items.size(); ++j) {
         if (Pair(pair.is_product(), items[i], items[j]) == pair) {
           shared.negative = (items[i].id <= items[j].id ? items[i] : items[j]).negative;
           items[i] = shared;
-          items.erase(items.begin() + static_cast<std::ptrdiff_t>(j));
+          std::shift_left(items.begin() + static_cast<std::ptrdiff_t>(j), items.end(), 1);
+          --group.items;
           return;
         }
       }
     }
   }
 
-  std::vector<Group> groups_;
+  Groups groups_;
   std::uint32_t first_pair_;
   std::vector<Pair> pairs_;
   std::vector<std::vector<std::size_t>> places_;        // by index: groups with the pair
@@ -184,13 +223,14 @@ class Grouping {
     return uses_[node] == 1 && ((is_sum(op) && is_sum(user)) || (op == Op::mul && user == Op::mul));
   }
 
-  [[nodiscard]] std::vector<Group> groups() const {
-    std::vector<Group> groups;
+  [[nodiscard]] Groups groups() const {
+    Groups groups;
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       const Op op = nodes_[i].op;
       if (uses_[i] > 0 && (is_sum(op) || op == Op::mul) && !dissolves(i)) {
-        groups.push_back({i, op == Op::mul, {}});
-        collect(i, false, groups.back().items);
+        const std::size_t first = groups.items.size();
+        collect(i, false, groups.items);
+        groups.list.push_back({i, op == Op::mul, first, groups.items.size() - first});
       }
     }
     return groups;
@@ -221,9 +261,10 @@ class GroupBuilder {
       : table_(table), rewriter_(rewriter), first_pair_(first_pair) {}
 
   [[nodiscard]] Expression build(const Group& group) const {
-    Expression value = build(group.items.front());
-    for (std::size_t i = 1; i < group.items.size(); ++i) {
-      value = join(group.is_product, value, build(group.items[i]));
+    const std::span<const Item> items = table_.groups().items_of(group);
+    Expression value = build(items.front());
+    for (const Item& item : items.subspan(1)) {
+      value = join(group.is_product, value, build(item));
     }
     return value;
   }
@@ -258,8 +299,9 @@ Program share_pairs(const Program& program) {
   while (table.share_one()) {
   }
   std::vector<const Group*> group_of(first_pair, nullptr);
-  for (const Group& group : table.groups()) {
-    const bool shares = std::any_of(group.items.begin(), group.items.end(),
+  for (const Group& group : table.groups().list) {
+    const std::span<const Item> items = table.groups().items_of(group);
+    const bool shares = std::any_of(items.begin(), items.end(),
                                     [&](const Item& item) { return item.id >= first_pair; });
     group_of[group.node] = shares ? &group : nullptr;  // groups without a pair stay as they are
   }

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include "program/node_names.hpp"
 
 namespace treeline {
 
@@ -181,6 +183,7 @@ class Graph {
   void name(Expression value, std::string_view identifier);
   /// Nodes created from now on belong to the section `title` ("link 4 outward").
   void begin_section(std::string title);
+  void begin_section(std::shared_ptr<const std::string> title);
 
   /// Sets the number of lanes that the emitted code may use. With 1, lanes are not recorded.
   void set_lane_width(int width) { lane_width_ = width; }
@@ -192,13 +195,21 @@ class Graph {
   /// become operations, because they would otherwise distinguish the lanes from now on.
   void align_lanes(std::span<Expression> values);
   /// Values that may share a register, by place. Node 0 is an empty place.
-  using LaneGroup = std::vector<std::uint32_t>;
-  [[nodiscard]] const std::vector<LaneGroup>& lane_groups() const { return lane_groups_; }
-  void add_lane_group(LaneGroup group);
+  using LaneGroup = std::span<const std::uint32_t>;
+  [[nodiscard]] std::size_t lane_group_count() const { return lane_group_ends_.size(); }
+  [[nodiscard]] LaneGroup lane_group(std::size_t index) const {
+    const std::size_t begin = index == 0 ? 0 : lane_group_ends_[index - 1];
+    return LaneGroup(lane_group_nodes_).subspan(begin, lane_group_ends_[index] - begin);
+  }
+  /// Adds a group of the nodes that `node_of` gives for those of `group`.
+  template <class NodeOf>
+  void add_lane_group(LaneGroup group, NodeOf node_of) {
+    for (const std::uint32_t node : group) append_lane(node_of(node));
+    lane_group_ends_.push_back(lane_group_nodes_.size());
+  }
   /// Index of the first lane group that holds the node; -1 if there is none.
   [[nodiscard]] int lane_group_of(std::uint32_t node) const {
-    const auto found = lane_group_of_.find(node);
-    return found == lane_group_of_.end() ? -1 : found->second;
+    return node < lane_group_of_.size() ? lane_group_of_[node] : -1;
   }
 
   /// Names of corresponding inputs (`qd[3]`), one per limb, in the order of the limbs.
@@ -213,23 +224,25 @@ class Graph {
 
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
-  [[nodiscard]] const std::unordered_map<std::uint32_t, std::string>& names() const {
-    return names_;
-  }
+  [[nodiscard]] const NodeNames& names() const { return names_; }
   struct Section {
     std::uint32_t first_node;
-    std::string title;
+    std::shared_ptr<const std::string> shared_title;  ///< by the copies that passes make
+    [[nodiscard]] const std::string& title() const { return *shared_title; }
   };
   [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
 
  private:
+  void append_lane(std::uint32_t node);
+
   std::vector<Node> nodes_;
   std::vector<std::string> inputs_;
   NodeIndex index_;
-  std::unordered_map<std::uint32_t, std::string> names_;
+  NodeNames names_;
   std::vector<Section> sections_;
-  std::vector<LaneGroup> lane_groups_;
-  std::unordered_map<std::uint32_t, int> lane_group_of_;
+  std::vector<std::uint32_t> lane_group_nodes_;  // of all groups, one after the other
+  std::vector<std::size_t> lane_group_ends_;     // by group
+  std::vector<int> lane_group_of_;               // by node: the first group that holds it
   std::vector<LimbInputs> limb_inputs_;
   int lane_width_ = 1;
   bool merges_commuted_ = true;

@@ -72,7 +72,7 @@ void Graph::name(Expression value, std::string_view identifier) {
   if (nodes_[value.node()].op == Op::constant) {
     return;
   }
-  names_.try_emplace(value.node(), (value.negative() ? "minus_" : "") + std::string(identifier));
+  names_.add(value.node(), value.negative() ? "minus_" : "", identifier);
 }
 
 Expression Graph::without_sign(Expression value) {
@@ -86,27 +86,32 @@ void Graph::align_lanes(std::span<Expression> values) {
   if (lane_width_ == 1) {
     return;
   }
-  LaneGroup group;
   for (Expression& value : values) {
     const bool constant = nodes_[value.node()].op == Op::constant;
     if (!constant) {
       value = without_sign(value);
     }
-    group.push_back(constant ? 0 : value.node());
+    append_lane(constant ? kNoNode : value.node());
   }
-  add_lane_group(std::move(group));
+  lane_group_ends_.push_back(lane_group_nodes_.size());
 }
 
-void Graph::add_lane_group(LaneGroup group) {
-  for (const std::uint32_t node : group) {
-    if (node != 0) {
-      lane_group_of_.try_emplace(node, static_cast<int>(lane_groups_.size()));
-    }
+/// Appends a place to the group that is being added.
+void Graph::append_lane(std::uint32_t node) {
+  lane_group_nodes_.push_back(node);
+  if (node == kNoNode) return;
+  if (node >= lane_group_of_.size()) {
+    lane_group_of_.resize(std::max(nodes_.size(), std::size_t{node} + 1), -1);
   }
-  lane_groups_.push_back(std::move(group));
+  int& group = lane_group_of_[node];
+  if (group < 0) group = static_cast<int>(lane_group_ends_.size());
 }
 
 void Graph::begin_section(std::string title) {
+  begin_section(std::make_shared<const std::string>(std::move(title)));
+}
+
+void Graph::begin_section(std::shared_ptr<const std::string> title) {
   sections_.push_back({static_cast<std::uint32_t>(nodes_.size()), std::move(title)});
 }
 

@@ -48,10 +48,10 @@ std::string formula(const Graph& graph, const Node& node) {
 /// Text inside a node of the drawing: its operation, and its name if it has one.
 std::string label(const Graph& graph, std::uint32_t index) {
   const Node& node = graph.nodes()[index];
-  const auto name = graph.names().find(index);
+  const std::string_view name = graph.names().of(index);
   const std::string what =
       operation(node.op).operands > 0 ? std::string(sign_of(node.op)) : formula(graph, node);
-  return name == graph.names().end() ? what : what + "\\n" + name->second;
+  return name.empty() ? what : fmt::format("{}\\n{}", what, name);
 }
 
 /// Calls visit(name of the result with index, value) for every element of every result.
@@ -72,11 +72,11 @@ std::string print_text(const Program& program) {
   auto section = graph.sections().begin();
   for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
     for (; section != graph.sections().end() && section->first_node <= i; ++section) {
-      text += fmt::format("; {}\n", section->title);
+      text += fmt::format("; {}\n", section->title());
     }
-    const auto name = graph.names().find(i);
-    text += fmt::format("%{} = {}{}\n", i, formula(graph, graph.nodes()[i]),
-                        name == graph.names().end() ? "" : "  ; " + name->second);
+    const std::string_view name = graph.names().of(i);
+    text += fmt::format("%{} = {}{}{}\n", i, formula(graph, graph.nodes()[i]),
+                        name.empty() ? "" : "  ; ", name);
   }
   for_each_result(program, [&](const std::string& name, Expression value) {
     text += fmt::format("{} = {}\n", name, reference(value));

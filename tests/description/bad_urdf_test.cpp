@@ -51,6 +51,11 @@ const Case kXml[] = {
      "<?xml version='1.0'?>\n<!-- m -->\n<!DOCTYPE robot [<!ENTITY m '3'>]>\n<robot name='r'><link "
      "name='a'><inertial><mass value='&m;'/></inertial></link></robot>",
      {kError, 3, "", "the DOCTYPE has declarations of its own", "xmllint --noent"}},
+    {"UndefinedEntity",
+     "<robot name='r'>\n<link name='a'/><link name='b&amp;&#65;'/>\n<joint name='&m;&n;' "
+     "type='fixed'><parent link='a'/><child link='b&amp;&#65;'/></joint></robot>",
+     {kWarning, 3, "",
+      "\"name\" has &m;, which no one defines; it is read as these characters (and 1", "&amp;m;"}},
     {"ProcessingInstruction",
      "<robot name='r'>\n<?edit fold?><link name='a'/></robot>",
      {kError, 2, "", "a processing instruction, <?...?>, stands inside", "mend"}},
@@ -211,6 +216,21 @@ const Case kRobots[] = {
     {"UnknownAttribute",
      "<robot name='r'>\n<link name='a' colour='red'/></robot>",
      {kWarning, 2, "robot/link[a]", "\"colour\" is not part of URDF", "remove it"}},
+    {"InsideColor",
+     with_link(kBody + "<visual><geometry><box size='1 1 1'/></geometry>\n<material name='m'>"
+                       "<color><rgba>1 0 0 1</rgba></color></material></visual>"),
+     {kWarning, 4, "robot/link[a]/visual/material[m]/color", "<rgba> stands inside <color>",
+      "write <color rgba="}},
+    {"InsideColorOfAll",
+     "<robot name='r'>\n<link name='a'/>\n<material name='m'><color rgba='1 0 0 1'><alpha/><alpha/>"
+     "</color></material></robot>",
+     {kWarning, 3, "robot/material[m]/color",
+      "<alpha> stands inside <color>, where nothing reads it (and 1 more", "alpha="}},
+    {"InsideShape",
+     with_link(kBody + "<collision>\n<geometry><sphere><radius>1</radius></sphere></geometry>"
+                       "</collision>"),
+     {kWarning, 4, "robot/link[a]/collision/geometry/sphere", "<radius> stands inside <sphere>",
+      "write <sphere radius="}},
     {"StrayText",
      "<robot name='r'>\n<link name='a'/>\n stray</robot>",
      {kWarning, 3, "robot", "text stands between", "remove it"}},

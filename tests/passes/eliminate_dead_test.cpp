@@ -16,10 +16,10 @@ TEST(EliminateDead, KeepsExactlyWhatResultsNeed) {
   const Program arm = test::trace_two_link_arm();
   const Program alive = eliminate_dead(arm);
   EXPECT_LT(alive.graph.nodes().size(), arm.graph.nodes().size());
-  const std::vector<bool> live = find_live(alive);
+  const Marks live = find_live(alive);
   EXPECT_EQ(std::count(live.begin() + 1, live.end(), false), 0);
-  for (const auto& [node, name] : alive.graph.names()) {
-    EXPECT_NE(name, "waste");
+  for (std::uint32_t node = 0; node < alive.graph.nodes().size(); ++node) {
+    EXPECT_NE(alive.graph.names().of(node), "waste");
   }
   EXPECT_EQ(alive.graph.names().size(), 2u);
 }

@@ -142,8 +142,8 @@ TEST_F(ExpressionTest, NamesTellTheSign) {
   graph_.name(-x_ * z_, "w");
   graph_.name(2, "two");
   EXPECT_EQ(graph_.names().size(), 2u);
-  EXPECT_EQ(graph_.names().at((x_ * y_).node()), "product");
-  EXPECT_EQ(graph_.names().at((x_ * z_).node()), "minus_w");
+  EXPECT_EQ(graph_.names().of((x_ * y_).node()), "product");
+  EXPECT_EQ(graph_.names().of((x_ * z_).node()), "minus_w");
 }
 
 Expression limb_constant_of(std::uint32_t slot, std::uint32_t limb, double value) {

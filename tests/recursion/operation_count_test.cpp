@@ -143,6 +143,22 @@ TEST(Specialised, ALockedJointCostsLessThanAMovingOne) {
   }
 }
 
+// Would catch: a law of singular tasks that takes more than its four products and a sum a row.
+TEST(Specialised, ARowThatMayYieldCostsFiveOperations) {
+  const std::vector<RobotInScene> robots = read_robots();
+  const auto planar = std::find_if(robots.begin(), robots.end(), [](const RobotInScene& each) {
+    return each.name.starts_with("planar3r");  // both of whose rows may yield
+  });
+  ASSERT_NE(planar, robots.end());
+  Scene exact = planar->scene;
+  exact.singular = SingularTasks::exact;
+  for (const Function function : {Function::lambda, Function::control_torque}) {
+    EXPECT_EQ(least_flops(planar->robot, planar->scene, function),
+              least_flops(planar->robot, exact, function) + 2 * 5)
+        << function_name(function);
+  }
+}
+
 // Each step of reduction saves operations.
 TEST(Specialised, EachReductionSaves) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {

@@ -1,0 +1,47 @@
+#include "description/check_looks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace treeline {
+namespace {
+
+constexpr std::array<std::string_view, 5> kLooks = {"link", "visual", "collision", "geometry",
+                                                    "material"};
+constexpr std::array<std::string_view, 8> kHoldAttributes = {
+    "color", "texture", "origin", "box", "cylinder", "capsule", "sphere", "mesh"};
+
+template <class List>
+bool is_one_of(std::string_view name, const List& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void pass_over_content(const UrdfElement& element) {
+  element.no_text();
+  for (const auto* inside = element.xml().FirstChildElement(); inside != nullptr;
+       inside = inside->NextSiblingElement()) {
+    element.reading().pass_over(Severity::warning,
+                                fmt::format("{}/{}", element.name(), inside->Name()),
+                                inside->GetLineNum(), element.path(),
+                                fmt::format("<{}> stands inside <{}>, where nothing reads it",
+                                            inside->Name(), element.name()),
+                                fmt::format("if an attribute is meant, write <{} {}=\"...\"/>",
+                                            element.name(), inside->Name()));
+  }
+}
+
+}  // namespace
+
+void check_looks(const UrdfElement& robot) {
+  for (const auto* xml = robot.xml().FirstChildElement(); xml; xml = xml->NextSiblingElement()) {
+    const UrdfElement element = robot.as_child(*xml);
+    if (is_one_of(element.name(), kHoldAttributes)) {
+      pass_over_content(element);
+    } else if (is_one_of(element.name(), kLooks)) {
+      check_looks(element);
+    }
+  }
+}
+
+}  // namespace treeline
