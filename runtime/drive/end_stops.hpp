@@ -9,12 +9,13 @@
 
 namespace treeline::drive {
 
-/// What a simulated robot's joints run into at their limits of position. A joint beyond its limit is
-/// led back there like a spring of 200 rad/s with critical damping, whatever it weighs, by a force
-/// that only pushes: one that meets the stop at 5 rad/s goes 9 mrad beyond, and leaves it with an
-/// eighth of its speed unless something presses it there; then it rests at the limit. All joints at
-/// their stops are solved together, so that a chain that rests on many of them does not swing. A
-/// joint that begins beyond its limit has its stop there, and takes it along on its way back.
+/// What a simulated robot's joints run into at their limits of position. A joint beyond its limit
+/// is led back there like a spring of 200 rad/s with critical damping, whatever it weighs, by a
+/// force that only pushes: one that meets the stop at 5 rad/s goes 9 mrad beyond, and leaves it
+/// with an eighth of its speed unless something presses it there; then it rests at the limit. All
+/// joints at their stops are solved together, so that a chain that rests on many of them does not
+/// swing. A joint that begins beyond its limit has its stop there, and takes it along on its way
+/// back.
 template <class F>
 class EndStops {
  public:

@@ -47,7 +47,7 @@ struct DrivenObstacle {
 /// What front ends and the command language have to know of a robot.
 struct RobotDescription {
   std::string name;
-  std::string checksum;  ///< of the files that it was made of, 16 hexadecimal digits
+  std::string checksum;   ///< of the files that it was made of, 16 hexadecimal digits
   bool floating = false;  ///< the base floats, held by ideal forces, and can be moved
   bool held = false;      ///< the base floats, and constraints hold the robot to the world
   int velocities = 0;

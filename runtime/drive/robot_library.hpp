@@ -140,8 +140,8 @@ struct RobotLibrary {
   /// The oldest report that was not received, `ReportLayout::size` numbers; false: there is none.
   bool (*receive)(void* loop, ReportHead* head, double* numbers) = nullptr;
   /// The simulated robot without a loop, for a process of its own. Of the options only `start`,
-  /// `substeps`, `lower`, `upper`, `torque`, `simulation` and `surroundings` count. `tau` null: it brakes. `state`
-  /// receives q and qd.
+  /// `substeps`, `lower`, `upper`, `torque`, `simulation` and `surroundings` count. `tau` null: it
+  /// brakes. `state` receives q and qd.
   void* (*create_robot)(const LoopOptions* options) = nullptr;
   void (*destroy_robot)(void* robot) = nullptr;
   void (*advance_robot)(void* robot, const double* tau, double seconds) = nullptr;

@@ -239,7 +239,9 @@ std::string print_hello(const Session& session, double rate, bool may_command,
                 {"version", kWireVersion},
                 {"robot", robot.checksum},
                 {"name", robot.name},
-                {"base", robot.floating ? "floating" : robot.held ? "held" : "fixed"},
+                {"base", robot.floating ? "floating"
+                         : robot.held   ? "held"
+                                        : "fixed"},
                 {"rate", rate},
                 {"may_command", may_command},
                 {"lease", kLease},
