@@ -61,7 +61,7 @@ std::string print_table(const TablePrinter& printer, const LinkTableData& table)
   std::string text = fmt::format("inline constexpr loops::Link<Real> k{}Links[{}] = {{\n", prefix,
                                  table.links.size());
   for (std::size_t i = 0; i < table.links.size(); ++i) {
-    text += fmt::format("  // {}\n", printable(table.names[i])) +
+    text += fmt::format("    // {}\n", printable(table.names[i])) +
             wrap_line(printer.link(table.links[i]) + ",", 4);
   }
   text += "};\n";
@@ -116,7 +116,7 @@ std::string print_yields(const EmissionContext& context, const Program& program)
          wrap_line(fmt::format("constexpr Real kYields[{}] = {};", loops.yields.size(),
                                TablePrinter(context).numbers(loops.yields)),
                    0) +
-         "\n}  // namespace\n";
+         "\n}  // namespace\n\n";
 }
 
 std::string print_loop_body(const EmissionContext& /*context*/, const Program& program) {
@@ -139,8 +139,9 @@ std::string print_loop_body(const EmissionContext& /*context*/, const Program& p
   const auto& arguments = program.arguments;
   const bool given = arguments.size() > 1 && arguments[1].name == "sin_q";
   std::string list = fmt::format("detail::k{}Table, ", prefix_of(table));
-  if (loops.solves)
+  if (loops.solves) {
     list += loops.yields.empty() ? "static_cast<const Real*>(nullptr), " : "kYields, ";
+  }
   list += element(arguments[0]);
   list += given ? ", detail::loops::GivenSines<Real>{&sin_q[0], &cos_q[0]}"
                 : ", detail::loops::ComputedSines{}";
