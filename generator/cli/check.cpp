@@ -14,6 +14,7 @@
 #include "cli/generate_from_files.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/retry_routes.hpp"
 #include "cli/write_output.hpp"
 #include "target/target.hpp"
 
@@ -94,16 +95,23 @@ bool is_for_board(const CheckCommand& options) {
   return target != nullptr && target->board.kind != BoardKind::none;
 }
 
+/// The code that `generate` would write.
+std::optional<GeneratedInputs> make_code(const CheckCommand& options, Diagnostics& diagnostics) {
+  auto made = generate_from_files(options.inputs, diagnostics);
+  if (made) (void)retry_routes(options.inputs, *made, diagnostics);  // `check` finds what is left
+  return made;
+}
+
 std::optional<BoardReport> make_board_report(const CheckCommand& options,
                                              Diagnostics& diagnostics) {
-  const auto made = generate_from_files(options.inputs, diagnostics);
+  const auto made = make_code(options, diagnostics);
   if (!made) return std::nullopt;
   return check_on_board(made->inputs.robot, made->inputs.scene, made->generation, options.check,
                         diagnostics);
 }
 
 std::optional<CheckReport> make_report(const CheckCommand& options, Diagnostics& diagnostics) {
-  const auto made = generate_from_files(options.inputs, diagnostics);
+  const auto made = make_code(options, diagnostics);
   if (!made) return std::nullopt;
   return check(made->inputs.robot, made->inputs.scene, made->generation, options.check,
                diagnostics);

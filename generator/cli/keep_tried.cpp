@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/retry_routes.hpp"
 #include "description/check_limits.hpp"
-#include "oracle/try_functions.hpp"
 
 namespace treeline {
 namespace {
@@ -43,8 +43,7 @@ void remove(Function function, Scene& scene) {
 
 std::optional<GeneratedInputs> keep_tried(const InputOptions& options, GeneratedInputs made,
                                           bool& failed, Diagnostics& diagnostics) {
-  const std::vector<FailedTrial> found =
-      try_functions(made.inputs.robot, made.inputs.scene, made.generation);
+  const std::vector<FailedTrial> found = retry_routes(options, made, diagnostics);
   failed = !found.empty();
   if (!failed) return made;
   for (const FailedTrial& each : found) remove(each.function, made.inputs.scene);

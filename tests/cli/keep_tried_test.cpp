@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "data/list_data.hpp"
 #include "oracle/bound.hpp"
 #include "oracle/reference.hpp"
 
@@ -51,6 +52,51 @@ TEST(KeepTried, KeepsAllThatIsSound) {
   EXPECT_FALSE(diagnostics.has_errors());
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->generation.files.size(), files);
+}
+
+// Would catch a function that is lost although another algorithm is sound.
+TEST(KeepTried, WritesByAnotherAlgorithm) {
+  const InputOptions options = planar3r();
+  GeneratedInputs made = make(options);
+  std::string first;
+  for (GeneratedFunction& each : made.generation.functions) {
+    if (each.function != Function::jacobian) continue;
+    spoil(each);
+    first = each.chosen.route.algorithm;
+  }
+  const std::size_t functions = made.generation.functions.size();
+  bool failed = true;
+  Diagnostics diagnostics;
+  const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
+  EXPECT_FALSE(failed);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->generation.functions.size(), functions);
+  for (const GeneratedFunction& each : kept->generation.functions) {
+    if (each.function == Function::jacobian) {
+      EXPECT_NE(each.chosen.route.algorithm, first);
+    }
+  }
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_EQ(diagnostics.list()[0].severity, Severity::note);
+  EXPECT_EQ(diagnostics.list()[0].element, "jacobian");
+}
+
+// Inertias of very different size cost inertia propagation (Chang table 5.1) five digits. Would
+// catch that its code is written, or that nothing is.
+TEST(KeepTried, TakesAnotherAlgorithmWhereTheCheapestLosesDigits) {
+  InputOptions options;
+  options.urdf = tests::data_file("written/light_tool.urdf");
+  options.scene = tests::data_file("written/light_tool.yaml");
+  GeneratedInputs made = make(options);
+  ASSERT_EQ(made.generation.functions.size(), 1U);
+  ASSERT_EQ(made.generation.functions[0].chosen.route.algorithm, "inertia-propagation");
+  bool failed = true;
+  Diagnostics diagnostics;
+  const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
+  EXPECT_FALSE(failed);
+  ASSERT_TRUE(kept);
+  EXPECT_NE(kept->generation.functions[0].chosen.route.algorithm, "inertia-propagation");
+  EXPECT_TRUE(kept->choices.plain.contains(Function::lambda_inverse));
 }
 
 TEST(KeepTried, LeavesOutWhatFailed) {
@@ -110,7 +156,7 @@ TEST(KeepTried, LeavesOutWhatIsBeyondTheBoundOfCheck) {
 
 TEST(KeepTried, LeavesNothingWhereAllFailed) {
   InputOptions options = planar3r();
-  options.functions = {"mass_matrix", "jacobian"};
+  options.functions = {"mass_matrix", "inverse_dynamics"};  // each by one algorithm
   GeneratedInputs made = make(options);
   for (GeneratedFunction& each : made.generation.functions) spoil(each);
   bool failed = false;

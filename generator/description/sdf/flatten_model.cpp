@@ -108,10 +108,11 @@ class Flattening {
   }
 
   void put_first(const sdf::Model& model) {
-    const auto [link, name] = model.CanonicalLinkAndRelativeName();
-    const auto found = std::find_if(flat_.links.begin(), flat_.links.end(),
-                                    [&](const SdfLink& each) { return each.name == name; });
-    if (link != nullptr && found != flat_.links.end()) {
+    const auto canonical = model.CanonicalLinkAndRelativeName();
+    const auto found =
+        std::find_if(flat_.links.begin(), flat_.links.end(),
+                     [&](const SdfLink& each) { return each.name == canonical.second; });
+    if (canonical.first != nullptr && found != flat_.links.end()) {
       std::rotate(flat_.links.begin(), found, found + 1);
     }
   }

@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/link_functions.hpp"
 #include "program/link_loops.hpp"
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/tree/counted.hpp"
 #include "recursion/tree/declare_inputs.hpp"
 #include "recursion/tree/plain_expression.hpp"
+
+// Vectors stand here where emitted code has arrays, which indices of any sign may index.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#include "core/link_functions.hpp"
+#pragma GCC diagnostic pop
 
 namespace treeline {
 
