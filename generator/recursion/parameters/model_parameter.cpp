@@ -9,9 +9,9 @@
 namespace treeline {
 namespace {
 
-using Kind = ModelParameter::Kind;
+using ParameterKind = ModelParameter::Kind;
 
-void append_body(Kind kind, const std::string& link, std::size_t frame,
+void append_body(ParameterKind kind, const std::string& link, std::size_t frame,
                  std::vector<ModelParameter>& parameters) {
   for (int entry = 0; entry < kInertialParameters; ++entry) {
     parameters.push_back({kind, link, frame, entry});
@@ -24,11 +24,11 @@ void append_bodies(const Mechanism& mechanism, const SceneRegressor& asked,
   for (std::size_t frame = 0; !asked.none && frame < mechanism.link_frames.size(); ++frame) {
     const std::string& link = mechanism.link_frames[frame].name;
     if (links.empty() || std::find(links.begin(), links.end(), link) != links.end()) {
-      append_body(Kind::inertial, link, frame, parameters);
+      append_body(ParameterKind::inertial, link, frame, parameters);
     }
   }
   for (std::size_t frame = 0; frame < asked.payloads.size(); ++frame) {
-    append_body(Kind::payload, asked.payloads[frame], frame, parameters);
+    append_body(ParameterKind::payload, asked.payloads[frame], frame, parameters);
   }
 }
 
@@ -40,12 +40,12 @@ bool has_own_motor(const Mechanism& mechanism, const MovingLink& link) {
                        [&](const MovingLink& other) { return other.joint == link.joint; }) == 1;
 }
 
-void append_of_joints(const Mechanism& mechanism, const SceneRegressor& asked, Kind kind,
+void append_of_joints(const Mechanism& mechanism, const SceneRegressor& asked, ParameterKind kind,
                       std::vector<ModelParameter>& parameters) {
   for (const MovingLink& link : mechanism.links) {
     if (!has_own_motor(mechanism, link)) continue;
     ModelParameter parameter{kind, link.joint, 0, 0, link.v_index, !link.is_angular(0)};
-    if (kind == Kind::coulomb) {
+    if (kind == ParameterKind::coulomb) {
       const Exact& own = link.drive.sharpness;
       parameter.sharpness = own > 0 ? own : Exact(1 / Exact(asked.width));
     }
@@ -57,30 +57,30 @@ void append_of_joints(const Mechanism& mechanism, const SceneRegressor& asked, K
 
 std::string name_of(const ModelParameter& parameter) {
   switch (parameter.kind) {
-    case Kind::rotor:
+    case ParameterKind::rotor:
       return parameter.owner + " rotor";
-    case Kind::viscous:
+    case ParameterKind::viscous:
       return parameter.owner + " viscous";
-    case Kind::coulomb:
+    case ParameterKind::coulomb:
       return parameter.owner + " coulomb";
-    case Kind::inertial:
-    case Kind::payload:
+    case ParameterKind::inertial:
+    case ParameterKind::payload:
       break;
   }
-  return fmt::format("{}{} {}", parameter.kind == Kind::payload ? "payload of " : "",
+  return fmt::format("{}{} {}", parameter.kind == ParameterKind::payload ? "payload of " : "",
                      parameter.owner, kInertialNames[static_cast<std::size_t>(parameter.entry)]);
 }
 
 const char* unit_of(const ModelParameter& parameter) {
   switch (parameter.kind) {
-    case Kind::rotor:
+    case ParameterKind::rotor:
       return parameter.slides ? "kg" : "kg m^2";
-    case Kind::viscous:
+    case ParameterKind::viscous:
       return parameter.slides ? "N s/m" : "N m s/rad";
-    case Kind::coulomb:
+    case ParameterKind::coulomb:
       return parameter.slides ? "N" : "N m";
-    case Kind::inertial:
-    case Kind::payload:
+    case ParameterKind::inertial:
+    case ParameterKind::payload:
       break;
   }
   return parameter.entry == 0 ? "kg" : parameter.entry < 4 ? "kg m" : "kg m^2";
@@ -90,9 +90,9 @@ std::vector<ModelParameter> list_model_parameters(const Mechanism& mechanism,
                                                   const SceneRegressor& asked) {
   std::vector<ModelParameter> parameters;
   append_bodies(mechanism, asked, parameters);
-  if (asked.rotors) append_of_joints(mechanism, asked, Kind::rotor, parameters);
-  if (asked.friction) append_of_joints(mechanism, asked, Kind::viscous, parameters);
-  if (asked.coulomb) append_of_joints(mechanism, asked, Kind::coulomb, parameters);
+  if (asked.rotors) append_of_joints(mechanism, asked, ParameterKind::rotor, parameters);
+  if (asked.friction) append_of_joints(mechanism, asked, ParameterKind::viscous, parameters);
+  if (asked.coulomb) append_of_joints(mechanism, asked, ParameterKind::coulomb, parameters);
   return parameters;
 }
 
