@@ -11,14 +11,23 @@
 namespace treeline {
 namespace {
 
+/// A function that failed first, and by which algorithm.
+struct FirstFailure {
+  FailedTrial failed;
+  std::string route;
+};
+
 class Retry {
  public:
   Retry(const InputOptions& options, GeneratedInputs& made, Diagnostics& diagnostics)
-      : options_(options), made_(made), diagnostics_(diagnostics), asked_(made.choices) {}
+      : options_(options), made_(made), diagnostics_(diagnostics), choices_(made.choices) {}
 
   std::vector<FailedTrial> run() {
     std::vector<FailedTrial> failed = try_made();
-    while (!failed.empty() && choose_others(failed) && make_again()) failed = try_made();
+    while (!failed.empty() && choose_others(failed)) {
+      if (make_again()) failed = try_made();
+    }
+    note_mended(failed);
     return failed;
   }
 
@@ -27,51 +36,70 @@ class Retry {
     return try_functions(made_.inputs.robot, made_.inputs.scene, made_.generation);
   }
 
+  /// Null for a function of several states, or one that is composed of others.
+  [[nodiscard]] const GeneratedFunction* find_made(Function function) const {
+    const auto& functions = made_.generation.functions;
+    const auto at = std::find_if(functions.begin(), functions.end(), [&](const auto& generated) {
+      return generated.function == function && generated.batch == 0;
+    });
+    return at == functions.end() ? nullptr : &*at;
+  }
+
   /// Whether there is another algorithm for one of them.
   bool choose_others(const std::vector<FailedTrial>& failed) {
     bool chosen = false;
     for (const FailedTrial& each : failed) {
-      const auto& functions = made_.generation.functions;
-      const auto at = std::find_if(functions.begin(), functions.end(), [&](const auto& generated) {
-        return generated.function == each.function && source_stem(generated) == each.name;
-      });
-      if (at == functions.end() || at->batch > 0 || asked_.plain.contains(each.function)) continue;
-      chosen = choose_other(*at, each) || chosen;
+      const GeneratedFunction* const at = find_made(each.function);
+      const bool is_asked_for =
+          choices_.plain.contains(each.function) && !first_.contains(each.function);
+      if (at == nullptr || source_stem(*at) != each.name || is_asked_for) continue;
+      first_.try_emplace(each.function, FirstFailure{each, describe(at->chosen.route)});
+      chosen = choose_other(*at) || chosen;
     }
     return chosen;
   }
 
-  bool choose_other(const GeneratedFunction& generated, const FailedTrial& failed) {
+  bool choose_other(const GeneratedFunction& generated) {
     std::set<std::string>& tried = tried_[generated.function];
     tried.insert(generated.chosen.route.algorithm);
-    const auto other =
-        std::find_if(generated.rejected.begin(), generated.rejected.end(),
-                     [&](const Cost& cost) { return !tried.contains(cost.route.algorithm); });
-    if (other == generated.rejected.end()) return false;
-    diagnostics_.add({Severity::note, "", 0, failed.name,
-                      fmt::format("by its cheapest algorithm, {}, a result is off by {:.2g} ulp "
-                                  "of its scale at state {}, where {:.2g} are allowed",
-                                  describe(generated.chosen.route), failed.error,
-                                  failed.state.index, failed.bound),
-                      fmt::format("It is written by another: {}.", describe(other->route))});
-    made_.choices.plain[generated.function] = {key_of(other->route), generated.other_lanes};
-    return true;
+    for (const Cost& other : generated.rejected) {
+      if (!tried.insert(other.route.algorithm).second) continue;
+      choices_.plain[generated.function] = {key_of(other.route), generated.other_lanes};
+      return true;
+    }
+    return false;
   }
 
   /// False where an algorithm turns out not to be had; the code is then as it was.
   bool make_again() {
     Diagnostics repeated;  // what there is to tell was told the first time
-    auto again = generate_from_inputs(options_, made_.inputs, made_.choices, repeated);
-    if (!again) return false;
-    made_ = std::move(*again);
-    return true;
+    auto again = generate_from_inputs(options_, made_.inputs, choices_, repeated);
+    if (again) made_ = std::move(*again);
+    return again.has_value();
+  }
+
+  /// Notes of all that failed first and do no longer.
+  void note_mended(const std::vector<FailedTrial>& failed) {
+    for (const auto& [function, first] : first_) {
+      const auto is_same = [&](const FailedTrial& each) { return each.name == first.failed.name; };
+      if (std::any_of(failed.begin(), failed.end(), is_same)) continue;
+      diagnostics_.add(
+          {Severity::note, "", 0, first.failed.name,
+           fmt::format("by its cheapest algorithm, {}, a result is off by {:.2g} ulp of its scale "
+                       "at state {}, where {:.2g} are allowed",
+                       first.route, first.failed.error, first.failed.state.index,
+                       first.failed.bound),
+           fmt::format("It is written by another: {}.",
+                       describe(find_made(function)->chosen.route))});
+    }
   }
 
   const InputOptions& options_;
   GeneratedInputs& made_;
   Diagnostics& diagnostics_;
-  const Choices asked_;
-  std::map<Function, std::set<std::string>> tried_;
+  Choices choices_;  ///< those asked for, and what takes the place of what failed
+  std::map<Function, FirstFailure> first_;
+  std::map<Function, std::set<std::string>> tried_;  ///< algorithms
 };
 
 }  // namespace
