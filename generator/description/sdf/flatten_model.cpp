@@ -47,6 +47,13 @@ SdfInertial read_inertial(const sdf::Link& link) {
           diagonal.Z()};
 }
 
+/// A model, what names of its elements begin with, and its pose in the whole one.
+struct Scope {
+  const sdf::Model* model = nullptr;
+  std::string prefix;
+  Eigen::Isometry3d at;
+};
+
 class Flattening {
  public:
   Flattening(const std::string& file, Diagnostics& diagnostics)
@@ -54,13 +61,14 @@ class Flattening {
 
   std::optional<SdfModel> run(const sdf::Model& model) {
     flat_.name = model.Name();
-    add_links(model, "", Eigen::Isometry3d::Identity());
+    list_scopes({&model, "", Eigen::Isometry3d::Identity()});
+    for (const Scope& scope : scopes_) add_links(scope);
     put_first(model);
     for (std::size_t i = 0; i < flat_.links.size(); ++i) {
       places_[flat_.links[i].name] = static_cast<int>(i);
     }
-    add_joints(model, "", Eigen::Isometry3d::Identity());
-    add_frames(model, "", Eigen::Isometry3d::Identity());
+    for (const Scope& scope : scopes_) add_joints(scope);
+    for (const Scope& scope : scopes_) add_frames(scope);
     if (failed_) return std::nullopt;
     warn_of_unstated();
     return std::move(flat_);
@@ -84,18 +92,23 @@ class Flattening {
     return to_isometry(pose);
   }
 
-  void add_links(const sdf::Model& model, const std::string& prefix, const Eigen::Isometry3d& at) {
-    for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-      const sdf::Link& link = *model.LinkByIndex(i);
-      const std::string element = fmt::format("link[{}]", prefix + link.Name());
-      if (!link.Element()->HasElement("inertial")) unstated_.push_back(prefix + link.Name());
-      flat_.links.push_back({prefix + link.Name(), at * pose_of(link, element), read_inertial(link),
-                             read_shapes(link)});
+  /// The model and all that are nested in it, each before those.
+  void list_scopes(const Scope& scope) {
+    scopes_.push_back(scope);
+    for (std::uint64_t i = 0; i < scope.model->ModelCount(); ++i) {
+      const sdf::Model& nested = *scope.model->ModelByIndex(i);
+      const std::string name = scope.prefix + nested.Name();
+      list_scopes({&nested, name + "::", scope.at * pose_of(nested, "model[" + name + "]")});
     }
-    for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
-      const sdf::Model& nested = *model.ModelByIndex(i);
-      const std::string element = fmt::format("model[{}]", prefix + nested.Name());
-      add_links(nested, prefix + nested.Name() + "::", at * pose_of(nested, element));
+  }
+
+  void add_links(const Scope& scope) {
+    for (std::uint64_t i = 0; i < scope.model->LinkCount(); ++i) {
+      const sdf::Link& link = *scope.model->LinkByIndex(i);
+      const std::string name = scope.prefix + link.Name();
+      if (!link.Element()->HasElement("inertial")) unstated_.push_back(name);
+      flat_.links.push_back({name, scope.at * pose_of(link, "link[" + name + "]"),
+                             read_inertial(link), read_shapes(link)});
     }
   }
 
@@ -117,14 +130,9 @@ class Flattening {
     }
   }
 
-  void add_joints(const sdf::Model& model, const std::string& prefix, const Eigen::Isometry3d& at) {
-    for (std::uint64_t i = 0; i < model.JointCount(); ++i) {
-      add_joint(*model.JointByIndex(i), prefix, at);
-    }
-    for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
-      const sdf::Model& nested = *model.ModelByIndex(i);
-      add_joints(nested, prefix + nested.Name() + "::",
-                 at * pose_of(nested, fmt::format("model[{}]", prefix + nested.Name())));
+  void add_joints(const Scope& scope) {
+    for (std::uint64_t i = 0; i < scope.model->JointCount(); ++i) {
+      add_joint(*scope.model->JointByIndex(i), scope.prefix, scope.at);
     }
   }
 
@@ -185,29 +193,25 @@ class Flattening {
   }
 
   /// Frames are links without mass, so that a scene can name them.
-  void add_frames(const sdf::Model& model, const std::string& prefix, const Eigen::Isometry3d& at) {
-    for (std::uint64_t i = 0; i < model.FrameCount(); ++i) {
-      const sdf::Frame& frame = *model.FrameByIndex(i);
-      const std::string name = prefix + frame.Name();
+  void add_frames(const Scope& scope) {
+    for (std::uint64_t i = 0; i < scope.model->FrameCount(); ++i) {
+      const sdf::Frame& frame = *scope.model->FrameByIndex(i);
+      const std::string name = scope.prefix + frame.Name();
       std::string body;
       (void)frame.ResolveAttachedToBody(body);
-      const int parent = place_of_link(body, prefix);
+      const int parent = place_of_link(body, scope.prefix);
       if (parent < 0) continue;
-      const Eigen::Isometry3d pose = at * pose_of(frame, fmt::format("frame[{}]", name));
+      const Eigen::Isometry3d pose = scope.at * pose_of(frame, "frame[" + name + "]");
       SdfJoint fixed{"at::" + name, "fixed", parent, static_cast<int>(flat_.links.size()),
                      pose,          {},      {}};
       flat_.links.push_back({name, pose, std::nullopt, {}});
       flat_.joints.push_back(std::move(fixed));
     }
-    for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
-      const sdf::Model& nested = *model.ModelByIndex(i);
-      add_frames(nested, prefix + nested.Name() + "::",
-                 at * pose_of(nested, fmt::format("model[{}]", prefix + nested.Name())));
-    }
   }
 
   const std::string& file_;
   Diagnostics& diagnostics_;
+  std::vector<Scope> scopes_;
   SdfModel flat_;
   std::map<std::string, int> places_;
   std::vector<std::string> unstated_;  ///< links without `<inertial>`
