@@ -10,6 +10,7 @@
 #include "recursion/methods/control_torque.hpp"
 #include "recursion/methods/task_law.hpp"
 #include "recursion/tree/declare_inputs.hpp"
+#include "recursion/tree/deferred_rotations.hpp"
 #include "recursion/tree/object_tree.hpp"
 
 namespace treeline {
@@ -46,6 +47,13 @@ struct Trace {
   }
   [[nodiscard]] std::vector<WorldPose<Expression>> poses() const { return world_poses(tree, X); }
 };
+
+/// Finds the transforms of all joints for the inputs.
+inline void find_transforms(Trace& trace) {
+  trace.X = joint_transforms<Expression>(trace.tree, trace.q());
+  defer_rotations(trace.tree, trace.X);
+  follow_points(trace.tree, trace.objects);
+}
 
 /// One way to compute a function.
 struct Route {

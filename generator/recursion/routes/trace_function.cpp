@@ -15,7 +15,6 @@
 #include "recursion/routes/pruned_algorithms.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/robot_routes.hpp"
-#include "recursion/tree/deferred_rotations.hpp"
 #include "recursion/tree/lift_tree.hpp"
 #include "recursion/tree/supported_mechanism.hpp"
 
@@ -129,7 +128,7 @@ class Tracer {
       program.equation += priorities_of(trace.tree);
     }
     take_inputs(*seen, program, trace);
-    move(trace);
+    find_transforms(trace);
     describe_singular(route, program);
     if (route.law) trace.rule = route.law->rule;
     program.results = route.body(trace);
@@ -156,13 +155,6 @@ class Tracer {
     if (step.empty()) return;
     make_drives_implicit<Expression>(trace.qd(), step.front(), trace.tree);
     program.equation = implicit_equation(function_);
-  }
-
-  /// Finds the transforms of all joints.
-  static void move(Trace& trace) {
-    trace.X = joint_transforms<Expression>(trace.tree, trace.q());
-    defer_rotations(trace.tree, trace.X);
-    follow_points(trace.tree, trace.objects);
   }
 
   void describe_singular(const Route& route, Program& program) const {

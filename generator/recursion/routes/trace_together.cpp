@@ -6,7 +6,6 @@
 
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/robot_routes.hpp"
-#include "recursion/tree/deferred_rotations.hpp"
 
 namespace treeline {
 namespace {
@@ -38,12 +37,6 @@ Trace begin_trace(const Mechanism& mechanism) {
   return trace;
 }
 
-/// Finds the transforms of all joints.
-void move_to(const std::vector<Expression>& q, Trace& trace) {
-  trace.X = joint_transforms<Expression>(trace.tree, q);
-  defer_rotations(trace.tree, trace.X);
-}
-
 }  // namespace
 
 Program trace_together(const Mechanism& mechanism, std::span<const Function> functions, int lanes) {
@@ -57,7 +50,8 @@ Program trace_together(const Mechanism& mechanism, std::span<const Function> fun
     apply_inputs(mechanism, inputs.back(), trace.tree);
   }
   program.arguments = list_once(program.arguments);
-  move_to(inputs.front()[Quantity::q], trace);
+  trace.in = inputs.front();
+  find_transforms(trace);
   for (std::size_t i = 0; i < functions.size(); ++i) {
     trace.in = inputs[i];
     trace.in.drop(Quantity::f_ext);
@@ -78,7 +72,7 @@ Program trace_against_forces(const Mechanism& mechanism, int lanes) {
     return argument.name != symbol_of(Quantity::q) && argument.name != symbol_of(Quantity::f_ext);
   });
   trace.in = inputs;
-  move_to(trace.q(), trace);
+  find_transforms(trace);
   std::vector<Wrench<Expression>> wrenches = trace.applied();
   for (Wrench<Expression>& wrench : wrenches) wrench = Wrench<Expression>{} - wrench;
   program.results = {vector_result("tau", trace.with_unit("joint forces", Quantity::tau),
