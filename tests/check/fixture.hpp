@@ -35,15 +35,22 @@ inline Generation generate(const Robot& robot, const Scene& scene) {
   return std::move(*generation);
 }
 
-/// Loads robots/NAME with one of its scenes.
-inline Subjects load(const std::string& name, const std::string& scene_file = "scene.yaml") {
+/// Loads robots/NAME with one of its scenes, for which nothing is generated yet.
+inline Subjects load_unmade(const std::string& name, const std::string& scene_file) {
   const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
   Diagnostics diagnostics;
   const auto robot = read_urdf(folder + name + ".urdf", diagnostics);
   if (!robot) throw std::runtime_error(name + " cannot be read");
   const auto scene = read_scene(folder + scene_file, *robot, diagnostics);
   if (!scene) throw std::runtime_error(scene_file + " cannot be read");
-  return {*robot, *scene, generate(*robot, *scene)};
+  return {*robot, *scene, {}};
+}
+
+/// The same with its code.
+inline Subjects load(const std::string& name, const std::string& scene_file = "scene.yaml") {
+  Subjects loaded = load_unmade(name, scene_file);
+  loaded.generation = generate(loaded.robot, loaded.scene);
+  return loaded;
 }
 
 /// Draws a random robot and asks for the functions that it always has. On a fixed base a point may

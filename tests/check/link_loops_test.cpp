@@ -60,16 +60,6 @@ Subjects read(const std::string& urdf, const std::string& scene_text) {
   return {*robot, *scene, {}};
 }
 
-Subjects load_unmade(const std::string& name, const std::string& scene_file) {
-  const std::string folder = std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/";
-  Diagnostics diagnostics;
-  const auto robot = read_urdf(folder + name + ".urdf", diagnostics);
-  if (!robot) throw std::runtime_error(name + " cannot be read");
-  const auto scene = read_scene(folder + scene_file, *robot, diagnostics);
-  if (!scene) throw std::runtime_error(scene_file + " cannot be read");
-  return {*robot, *scene, {}};
-}
-
 TEST(LinkLoopsCheck, HumanoidOnAFixedBase) {
   expect_right(as_loops(load_unmade("humanoid24", "scene.yaml"), Real::float64, all_with_form()));
 }
