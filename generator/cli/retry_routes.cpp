@@ -80,7 +80,8 @@ class Retry {
 
   /// Notes of all that failed first and do no longer.
   void note_mended(const std::vector<FailedTrial>& failed) {
-    for (const auto& [function, first] : first_) {
+    for (const auto& entry : first_) {
+      const FirstFailure& first = entry.second;
       const auto is_same = [&](const FailedTrial& each) { return each.name == first.failed.name; };
       if (std::any_of(failed.begin(), failed.end(), is_same)) continue;
       diagnostics_.add(
@@ -90,7 +91,7 @@ class Retry {
                        first.route, first.failed.error, first.failed.state.index,
                        first.failed.bound),
            fmt::format("It is written by another: {}.",
-                       describe(find_made(function)->chosen.route))});
+                       describe(find_made(entry.first)->chosen.route))});
     }
   }
 
