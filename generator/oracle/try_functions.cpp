@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -37,6 +38,12 @@ std::optional<FailedTrial> judge(std::size_t i, const GeneratedFunction& generat
   return worst;
 }
 
+std::vector<Function> functions_of(const std::vector<GeneratedFunction>& generated) {
+  std::vector<Function> functions;
+  for (const GeneratedFunction& each : generated) functions.push_back(each.function);
+  return functions;
+}
+
 /// Keeps of a generation these functions and those that they are composed of.
 Generation keep(const Generation& generation, const std::vector<Function>& wanted) {
   const auto is_unwanted = [&](const GeneratedFunction& generated) {
@@ -62,23 +69,41 @@ class Trial {
                    [&](std::size_t s) { references_[s] = maker_.estimate(states[s]); });
   }
 
-  /// Whether function `i` may exceed its bound at some state.
+  /// Whether function `i` may exceed its bound at some state. A bound that is too narrow is widened
+  /// by the interpreter's errors at further states.
   bool is_suspect(std::size_t i) {
     Bound bound;
     std::vector<bool> is_known(references_.size(), false);
-    while (const auto open = find_open(i, bound, is_known)) {
-      FunctionReference& at = references_[*open].functions[i];
-      maker_.complete(i, references_[*open].state, at);
-      is_known[*open] = true;
-      const double own = at.interpreter_error / at.amplification;
-      if (own <= std::numeric_limits<double>::max()) {
-        bound.interpreter = std::max(bound.interpreter, own);
-      }
+    while (const auto open = find_open(i, bound, is_known)) learn(i, *open, bound, is_known);
+    while (leaves_bound(i, bound, is_known)) {
+      const auto next = find_unknown(i, is_known);
+      if (!next) return true;
+      learn(i, *next, bound, is_known);
     }
-    return leaves_bound(i, bound, is_known);
+    return false;
   }
 
  private:
+  /// Computes the 50 digits of function `i` at state `s` and widens the bound by what they show.
+  void learn(std::size_t i, std::size_t s, Bound& bound, std::vector<bool>& is_known) {
+    FunctionReference& at = references_[s].functions[i];
+    maker_.complete(i, references_[s].state, at);
+    is_known[s] = true;
+    const double own = at.interpreter_error / at.amplification;
+    if (own <= std::numeric_limits<double>::max()) {
+      bound.interpreter = std::max(bound.interpreter, own);
+    }
+  }
+
+  /// Finds a state at which function `i` has a value whose 50 digits were not computed.
+  std::optional<std::size_t> find_unknown(std::size_t i, const std::vector<bool>& is_known) const {
+    for (std::size_t s = 0; s < references_.size(); ++s) {
+      const FunctionReference& at = references_[s].functions[i];
+      if (!is_known[s] && !at.singular && !at.graph.empty()) return s;
+    }
+    return std::nullopt;
+  }
+
   /// Finds, among the states without 50 digits, the one that is farthest beyond what can be
   /// accepted without them. The graph's error is at most its distance d from the interpreter in
   /// Real plus the interpreter's own error e. The bound is at least 8 ulp, at least 16 e, and at
@@ -114,12 +139,12 @@ class Trial {
   std::vector<StateReference> references_;
 };
 
-/// Finds the functions that may exceed their bounds.
+/// Finds the functions that may exceed their bounds at these states.
 std::vector<GeneratedFunction> find_suspects(const Robot& robot, const Scene& scene,
                                              const Generation& generation,
-                                             const TrialOptions& options) {
-  const ReferenceMaker maker(robot, scene, generation, options.seed);
-  Trial trial(maker, options.states, unit_of(scene.real));
+                                             const std::vector<int>& states, std::uint64_t seed) {
+  const ReferenceMaker maker(robot, scene, generation, seed);
+  Trial trial(maker, states, unit_of(scene.real));
   std::vector<char> suspect(maker.functions().size());
   for_each_index(suspect.size(), [&](std::size_t i) { suspect[i] = trial.is_suspect(i) ? 1 : 0; });
   std::vector<GeneratedFunction> suspects;
@@ -150,14 +175,17 @@ std::vector<FailedTrial> find_failed(const Robot& robot, const Scene& scene,
 
 std::vector<FailedTrial> try_functions(const Robot& robot, const Scene& scene,
                                        const Generation& generation, const TrialOptions& options) {
-  const auto suspects = find_suspects(robot, scene, generation, options);
+  const auto at_few = find_suspects(robot, scene, generation, options.states, options.seed);
+  if (at_few.empty()) return {};
+  const Generation doubted = keep(generation, functions_of(at_few));
+  std::vector<int> states(static_cast<std::size_t>(options.confirm));
+  std::iota(states.begin(), states.end(), 0);
+  const auto suspects = find_suspects(robot, scene, doubted, states, options.seed);
   if (suspects.empty()) return {};
-  std::vector<Function> wanted;
-  for (const GeneratedFunction& each : suspects) wanted.push_back(each.function);
-  std::vector<FailedTrial> failed =
-      find_failed(robot, scene, keep(generation, wanted), options.confirm, options.seed);
+  std::vector<FailedTrial> failed = find_failed(
+      robot, scene, keep(generation, functions_of(suspects)), options.confirm, options.seed);
   std::erase_if(failed, [&](const FailedTrial& each) {
-    return std::none_of(suspects.begin(), suspects.end(), [&](const GeneratedFunction& suspect) {
+    return std::none_of(at_few.begin(), at_few.end(), [&](const GeneratedFunction& suspect) {
       return each.name == source_stem(suspect);
     });
   });
