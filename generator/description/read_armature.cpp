@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -34,10 +33,8 @@ void take_from_file(const SceneElement& element, const Robot& robot, Scene& scen
   }
 }
 
-using Fields = std::map<std::string, SceneElement>;
-
 /// The rotor's own inertia and the gear ratio.
-std::optional<SceneRotor> read_rotor(const SceneElement& value, const Fields& fields,
+std::optional<SceneRotor> read_rotor(const SceneElement& value, const SceneFields& fields,
                                      const Joint& joint) {
   const auto inertia = fields.find("rotor_inertia");
   if (inertia == fields.end()) {
@@ -57,7 +54,7 @@ std::optional<SceneRotor> read_rotor(const SceneElement& value, const Fields& fi
 
 /// Where a rotor that is a body of its own sits: on the link before its joint, or as the scene
 /// says.
-bool place_rotor(const Fields& fields, const Robot& robot, SceneRotor& rotor) {
+bool place_rotor(const SceneFields& fields, const Robot& robot, SceneRotor& rotor) {
   if (const auto link = fields.find("link"); link != fields.end()) {
     const auto name = link->second.text();
     if (!name) return false;
@@ -95,7 +92,7 @@ void read_line(const SceneElement& value, const Joint& joint, const Robot& robot
   SceneRotor rotor;
   bool gyroscopic = false;
   if (value.is_map()) {
-    const Fields fields =
+    const SceneFields fields =
         value.fields({"rotor_inertia", "gear_ratio", "gyroscopic", "link", "axis"});
     const auto read = read_rotor(value, fields, joint);
     if (!read) return;

@@ -12,8 +12,6 @@
 namespace treeline {
 namespace {
 
-using Fields = std::map<std::string, SceneElement>;
-
 constexpr const char* kBetween = "write between: [link, world] or between: [link, other link]";
 
 /// Which two things are held together. Empty texts where a fault was reported.
@@ -22,7 +20,7 @@ struct Ends {
   [[nodiscard]] bool to_world() const { return other == "world"; }
 };
 
-Ends read_ends(const SceneElement& item, const Fields& fields, const Robot& robot) {
+Ends read_ends(const SceneElement& item, const SceneFields& fields, const Robot& robot) {
   const auto found = fields.find("between");
   if (found == fields.end()) {
     item.error("the key \"between\" is missing", kBetween);
@@ -42,13 +40,13 @@ Ends read_ends(const SceneElement& item, const Fields& fields, const Robot& robo
 }
 
 /// What does not belong to this kind of constraint.
-void refuse(const Fields& fields, const char* key, const char* fault, const char* remedy) {
+void refuse(const SceneFields& fields, const char* key, const char* fault, const char* remedy) {
   if (const auto found = fields.find(key); found != fields.end()) {
     found->second.error(fault, remedy);
   }
 }
 
-void read_pose(const Fields& fields, const char* key, Pose& pose) {
+void read_pose(const SceneFields& fields, const char* key, Pose& pose) {
   if (const auto found = fields.find(key); found != fields.end()) {
     pose = read_origin(found->second);
   }
@@ -69,7 +67,7 @@ constexpr std::array kContacts{ContactKind{"point", {true, true, true, false, fa
                                ContactKind{"frictionless_plane", {false, false, true, true, true}}};
 
 /// The rows that are listed, or those of the kind of contact that is named.
-void read_held_rows(const Fields& fields, ScenePoint& point) {
+void read_held_rows(const SceneFields& fields, ScenePoint& point) {
   const auto rows = fields.find("rows"), contact = fields.find("contact");
   if (rows != fields.end()) point.rows = read_rows(rows->second);
   if (contact == fields.end()) return;
@@ -83,7 +81,7 @@ void read_held_rows(const Fields& fields, ScenePoint& point) {
   }
 }
 
-SceneLoop read_loop(const Fields& fields, const ScenePoint& first, const std::string& other) {
+SceneLoop read_loop(const SceneFields& fields, const ScenePoint& first, const std::string& other) {
   SceneLoop loop{first, first};
   loop.second.link = other;
   loop.second.axes = Axes::local;
@@ -116,7 +114,7 @@ void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene)
   std::vector<std::string> known = {"name", "between", "origin",  "other_origin",
                                     "rows", "axes",    "contact", "rolling"};
   known.insert(known.end(), kConeKeys.begin(), kConeKeys.end());
-  const Fields fields = item.fields(known);
+  const SceneFields fields = item.fields(known);
   ScenePoint point;
   point.name = read_point_name(item, fields);
   const Ends ends = read_ends(item, fields, robot);
@@ -179,7 +177,7 @@ void add_loops_of_robot(const Robot& robot, Scene& scene) {
 
 void read_couplings(const SceneElement& element, const Robot& robot, Scene& scene) {
   for (const SceneElement& item : element.items()) {
-    const Fields fields = item.fields({"name", "joints", "offset"});
+    const SceneFields fields = item.fields({"name", "joints", "offset"});
     SceneCoupling coupling;
     coupling.name = read_point_name(item, fields);
     if (const auto offset = fields.find("offset"); offset != fields.end()) {

@@ -55,7 +55,7 @@ const std::vector<NumberKey> kNumbers = {
     {"largest_force", &SceneController::largest_force, 0, 1e6, "N, such as 50"},
 };
 
-void read_ticks(const std::map<std::string, SceneElement>& fields, const char* key, int& ticks) {
+void read_ticks(const SceneFields& fields, const char* key, int& ticks) {
   const auto found = fields.find(key);
   if (found == fields.end()) return;
   const auto number = found->second.number();
@@ -68,7 +68,7 @@ void read_ticks(const std::map<std::string, SceneElement>& fields, const char* k
   ticks = static_cast<int>(*number);
 }
 
-void read_numbers(const std::map<std::string, SceneElement>& fields, SceneController& controller) {
+void read_numbers(const SceneFields& fields, SceneController& controller) {
   for (const NumberKey& row : kNumbers) {
     const auto found = fields.find(row.key);
     if (found == fields.end()) continue;
@@ -85,7 +85,7 @@ void read_numbers(const std::map<std::string, SceneElement>& fields, SceneContro
   read_ticks(fields, "blind_ticks", controller.blind_ticks);
 }
 
-void read_bound(const std::map<std::string, SceneElement>& fields, const char* key, bool positive,
+void read_bound(const SceneFields& fields, const char* key, bool positive,
                 std::optional<double>& bound) {
   const auto found = fields.find(key);
   if (found == fields.end()) return;

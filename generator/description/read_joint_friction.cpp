@@ -13,8 +13,6 @@
 namespace treeline {
 namespace {
 
-using Fields = std::map<std::string, SceneElement>;
-
 bool states_friction(const Joint& joint) {
   return joint.damping != 0 || joint.friction != 0;
 }
@@ -24,7 +22,7 @@ bool has_one_motion(const Joint& joint, const Scene& scene) {
 }
 
 /// A number of a map that is not below 0 (above 0 if `positive`); nothing if it is not there.
-std::optional<double> read_size(const Fields& fields, const char* key, bool positive) {
+std::optional<double> read_size(const SceneFields& fields, const char* key, bool positive) {
   const auto found = fields.find(key);
   if (found == fields.end()) return std::nullopt;
   const auto value = found->second.number();
@@ -42,7 +40,7 @@ class FrictionReader {
 
   void read() {
     if (element_.is("none")) return;
-    Fields fields;
+    SceneFields fields;
     if (element_.is_map()) {
       fields = element_.fields({"model", "width", "implicit", "joints"});
       read_settings(fields);
@@ -67,7 +65,7 @@ class FrictionReader {
     coulomb_ = chosen && choices[*chosen] == "coulomb";
   }
 
-  void read_settings(const Fields& fields) {
+  void read_settings(const SceneFields& fields) {
     const auto model = fields.find("model");
     if (model == fields.end()) {
       element_.error("the key \"model\" is missing", "write model: viscous or model: coulomb");
@@ -83,7 +81,7 @@ class FrictionReader {
     }
   }
 
-  void refuse_without_coulomb(const Fields& fields) const {
+  void refuse_without_coulomb(const SceneFields& fields) const {
     for (const char* key : {"friction", "width"}) {
       const auto found = fields.find(key);
       if (coulomb_ || found == fields.end()) continue;
@@ -123,7 +121,7 @@ class FrictionReader {
                   "remove this line");
       return;
     }
-    const Fields fields = value.fields({"damping", "friction", "width"});
+    const SceneFields fields = value.fields({"damping", "friction", "width"});
     refuse_without_coulomb(fields);
     SceneFriction& own = scene_.joint_friction[name];
     own.damping = read_size(fields, "damping", false).value_or(own.damping);

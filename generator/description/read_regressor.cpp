@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -63,10 +62,8 @@ void read_links(const SceneElement& element, const Robot& robot, const Scene& sc
   }
 }
 
-using Fields = std::map<std::string, SceneElement>;
-
 /// Of `parameters: all`, `base` or `none` and what they permit.
-void read_inertial(const Fields& fields, const Robot& robot, Scene& scene) {
+void read_inertial(const SceneFields& fields, const Robot& robot, Scene& scene) {
   SceneRegressor& asked = scene.regressor;
   if (const auto found = fields.find("parameters"); found != fields.end()) {
     const auto chosen = found->second.choice({"all", "base", "none"}).value_or(0);
@@ -98,7 +95,7 @@ void read_inertial(const Fields& fields, const Robot& robot, Scene& scene) {
   }
 }
 
-void read_friction(const Fields& fields, SceneRegressor& asked) {
+void read_friction(const SceneFields& fields, SceneRegressor& asked) {
   if (const auto friction = fields.find("friction"); friction != fields.end()) {
     const auto chosen = friction->second.choice({"false", "true", "viscous", "coulomb"});
     asked.friction = chosen.value_or(0) > 0;

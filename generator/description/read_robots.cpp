@@ -20,7 +20,6 @@ namespace treeline {
 namespace {
 
 namespace fs = std::filesystem;
-using Fields = std::map<std::string, SceneElement>;
 
 /// As many links as one robot may have, the world among them.
 constexpr std::size_t kMostLinks = 4096;
@@ -40,7 +39,7 @@ class Reader {
         diagnostics_(diagnostics) {}
 
   void read(const SceneElement& item) {
-    const Fields fields = item.fields({"name", "urdf", "pose", "base"});
+    const SceneFields fields = item.fields({"name", "urdf", "pose", "base"});
     PlacedRobot placed;
     placed.name = read_name(item, fields);
     const auto file = read_file(item, fields);
@@ -54,7 +53,7 @@ class Reader {
   SceneRobots take() { return std::move(found_); }
 
  private:
-  std::string read_name(const SceneElement& item, const Fields& fields) {
+  std::string read_name(const SceneElement& item, const SceneFields& fields) {
     const auto found = fields.find("name");
     if (found == fields.end()) {
       item.error("the key \"name\" is missing", kEntry);
@@ -75,7 +74,7 @@ class Reader {
   }
 
   /// Index of the URDF; nothing where it, or what is said of it, has a fault.
-  std::optional<std::size_t> read_file(const SceneElement& item, const Fields& fields) {
+  std::optional<std::size_t> read_file(const SceneElement& item, const SceneFields& fields) {
     const auto found = fields.find("urdf");
     if (found == fields.end()) {
       item.error("the key \"urdf\" is missing", kEntry);
@@ -129,7 +128,7 @@ class Reader {
     return false;
   }
 
-  static void read_base(const SceneElement& item, const Fields& fields, PlacedRobot& placed) {
+  static void read_base(const SceneElement& item, const SceneFields& fields, PlacedRobot& placed) {
     if (const auto base = fields.find("base"); base != fields.end()) {
       placed.base = base->second.choice({"fixed", "floating"}) == 1 ? Base::floating : Base::fixed;
     } else {

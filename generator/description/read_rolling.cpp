@@ -5,9 +5,7 @@
 namespace treeline {
 namespace {
 
-using Parts = std::map<std::string, SceneElement>;
-
-double read_radius(const SceneElement& rolling, const Parts& parts) {
+double read_radius(const SceneElement& rolling, const SceneFields& parts) {
   const auto found = parts.find("radius");
   if (found == parts.end()) {
     rolling.error("the key \"radius\" is missing", "write rolling: {radius: 0.1}, m");
@@ -19,7 +17,7 @@ double read_radius(const SceneElement& rolling, const Parts& parts) {
   return 1;
 }
 
-void read_axis(const Parts& parts, SceneRolling& rolling) {
+void read_axis(const SceneFields& parts, SceneRolling& rolling) {
   const auto found = parts.find("axis");
   if (found == parts.end()) return;
   rolling.axis = found->second.three_numbers();
@@ -29,7 +27,7 @@ void read_axis(const Parts& parts, SceneRolling& rolling) {
   }
 }
 
-void read_other_ball(const Parts& parts, SceneRolling& rolling) {
+void read_other_ball(const SceneFields& parts, SceneRolling& rolling) {
   const auto found = parts.find("on_radius");
   if (found == parts.end()) return;
   rolling.on_radius = found->second.number().value_or(1);
@@ -56,9 +54,9 @@ void check_rows(const SceneElement& rolling, const SceneLoop& loop) {
 
 }  // namespace
 
-void read_rolling(const Parts& fields, SceneLoop& loop) {
+void read_rolling(const SceneFields& fields, SceneLoop& loop) {
   const SceneElement& element = fields.at("rolling");
-  const Parts parts = element.fields({"radius", "axis", "on_radius"});
+  const SceneFields parts = element.fields({"radius", "axis", "on_radius"});
   SceneRolling rolling;
   rolling.radius = read_radius(element, parts);
   read_axis(parts, rolling);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "description/scene.hpp"
@@ -10,6 +9,6 @@ namespace treeline {
 
 /// Reads `rolling: {radius, axis, on_radius}` of a constraint into the loop, whose rows are those
 /// that `fields` list, or x y z.
-void read_rolling(const std::map<std::string, SceneElement>& fields, SceneLoop& loop);
+void read_rolling(const SceneFields& fields, SceneLoop& loop);
 
 }  // namespace treeline

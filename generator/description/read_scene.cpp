@@ -19,7 +19,7 @@ namespace treeline {
 namespace {
 
 /// Robots that the scene lists itself have been read before it, see `read_robots`.
-void check_robots(const std::map<std::string, SceneElement>& fields, const Robot& robot) {
+void check_robots(const SceneFields& fields, const Robot& robot) {
   const auto list = fields.find("robots");
   if (list == fields.end()) return;
   if (robot.parts.empty()) {

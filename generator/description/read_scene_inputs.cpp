@@ -11,15 +11,14 @@
 #include "description/count_freedoms.hpp"
 #include "description/list_links.hpp"
 #include "description/read_controller.hpp"
+#include "description/read_scene_point.hpp"
 #include "description/scene_inputs.hpp"
 #include "description/suggest_name.hpp"
 
 namespace treeline {
 namespace {
 
-using Fields = std::map<std::string, SceneElement>;
-
-double read_positive(const Fields& fields, const char* key, double otherwise) {
+double read_positive(const SceneFields& fields, const char* key, double otherwise) {
   const auto found = fields.find(key);
   if (found == fields.end()) return otherwise;
   const double value = found->second.number().value_or(otherwise);
@@ -30,7 +29,7 @@ double read_positive(const Fields& fields, const char* key, double otherwise) {
 }
 
 /// The name alone, or the value of `key` in a map.
-std::optional<std::string> read_name(const SceneElement& element, const Fields& fields,
+std::optional<std::string> read_name(const SceneElement& element, const SceneFields& fields,
                                      const char* key) {
   if (!element.is_map()) return element.text();
   const auto found = fields.find(key);
@@ -56,7 +55,8 @@ std::vector<SceneInertia> read_inertias(const SceneElement& element, const Robot
                                         const Scene& scene, bool of_links) {
   std::vector<SceneInertia> inertias;
   for (const SceneElement& item : one_or_more(element)) {
-    const Fields fields = item.is_map() ? item.fields({"link", "mass", "reach"}) : Fields{};
+    const SceneFields fields =
+        item.is_map() ? item.fields({"link", "mass", "reach"}) : SceneFields{};
     const auto name = read_name(item, fields, "link");
     const Link* link = name ? find_moving_link(item, *name, robot, scene) : nullptr;
     if (link == nullptr) continue;
@@ -114,7 +114,7 @@ std::vector<SceneTool> read_places(const SceneElement& element, const Places& pl
                                    const Scene& scene) {
   std::vector<SceneTool> read;
   for (const SceneElement& item : one_or_more(element)) {
-    const Fields fields = item.is_map() ? item.fields(places.keys) : Fields{};
+    const SceneFields fields = item.is_map() ? item.fields(places.keys) : SceneFields{};
     const auto name = read_name(item, fields, places.key);
     if (!name || !check_place(item, *name, places, read, scene)) continue;
     SceneTool tool{*name};
@@ -142,7 +142,7 @@ void read_names_of_inputs(const SceneElement& element, SceneInputs& inputs) {
 
 void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& scene) {
   if (element.is_list()) return read_names_of_inputs(element, scene.inputs);
-  const Fields fields =
+  const SceneFields fields =
       element.fields({"gravity", "payload", "parameters", "base_parameters", "tool", "contact"});
   if (const auto gravity = fields.find("gravity"); gravity != fields.end()) {
     scene.inputs.gravity = gravity->second.choice({"false", "true"}) == 1;

@@ -12,10 +12,8 @@
 namespace treeline {
 namespace {
 
-using Fields = std::map<std::string, SceneElement>;
-
 /// The value of a key that must be there.
-const SceneElement* find_required(const SceneElement& element, const Fields& fields,
+const SceneElement* find_required(const SceneElement& element, const SceneFields& fields,
                                   const char* key, const char* remedy) {
   const auto found = fields.find(key);
   if (found != fields.end()) return &found->second;
@@ -30,7 +28,7 @@ bool read_moments(const SceneElement& element, Inertial& inertial) {
       {"ixy", &inertial.ixy}, {"ixz", &inertial.ixz}, {"iyz", &inertial.iyz}};
   std::vector<std::string> keys;
   for (const auto& [key, entry] : entries) keys.push_back(key);
-  const Fields fields = element.fields(keys);
+  const SceneFields fields = element.fields(keys);
   bool complete = true;
   for (const auto& [key, entry] : entries) {
     const auto found = fields.find(key);
@@ -45,7 +43,7 @@ bool read_moments(const SceneElement& element, Inertial& inertial) {
   return complete;
 }
 
-void read_inertial(const SceneElement& element, const Fields& fields, Inertial& inertial) {
+void read_inertial(const SceneElement& element, const SceneFields& fields, Inertial& inertial) {
   inertial.mass = 1;  // so that a missing one is reported once
   if (const auto* mass = find_required(element, fields, "mass", "give the mass in kg")) {
     const double value = mass->number().value_or(1);
@@ -72,7 +70,7 @@ void read_inertial(const SceneElement& element, const Fields& fields, Inertial& 
 
 SceneGrasp read_grasp(const SceneElement& element, const Scene& scene) {
   SceneGrasp grasp;
-  const Fields fields = element.fields({"point", "origin"});
+  const SceneFields fields = element.fields({"point", "origin"});
   if (const auto origin = fields.find("origin"); origin != fields.end()) {
     grasp.origin = read_origin(origin->second);
   }
@@ -114,7 +112,8 @@ void read_grasps(const SceneElement& element, const Scene& scene, SceneObject& o
 
 SceneObject read_object(const SceneElement& element, const Scene& scene) {
   SceneObject object;
-  const Fields fields = element.fields({"name", "mass", "center", "inertia", "grasps", "shapes"});
+  const SceneFields fields =
+      element.fields({"name", "mass", "center", "inertia", "grasps", "shapes"});
   if (const auto* name = find_required(element, fields, "name", "give the object a name")) {
     object.name = name->text().value_or("");
     if (!object.name.empty() && !is_identifier(object.name)) {

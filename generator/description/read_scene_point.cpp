@@ -13,9 +13,7 @@
 
 namespace treeline {
 
-using Fields = std::map<std::string, SceneElement>;
-
-std::string read_point_name(const SceneElement& point, const Fields& fields) {
+std::string read_point_name(const SceneElement& point, const SceneFields& fields) {
   const auto found = fields.find("name");
   if (found == fields.end()) {
     point.error("the key \"name\" is missing", "give the point a name");
@@ -92,7 +90,8 @@ const Link* find_moving_link(const SceneElement& element, const std::string& nam
 
 namespace {
 
-std::string read_link_name(const SceneElement& point, const Fields& fields, const Robot& robot) {
+std::string read_link_name(const SceneElement& point, const SceneFields& fields,
+                           const Robot& robot) {
   const auto found = fields.find("link");
   if (found != fields.end()) return read_known_link(found->second, robot);
   point.error("the key \"link\" is missing", "name the link that carries the point");
@@ -112,7 +111,7 @@ int read_priority(const SceneElement& element) {
 ScenePoint read_point(const SceneElement& element, const Robot& robot,
                       const std::vector<std::string>& keys) {
   ScenePoint point;
-  const Fields fields = element.fields(keys);
+  const SceneFields fields = element.fields(keys);
   point.name = read_point_name(element, fields);
   point.link = read_link_name(element, fields, robot);
   if (const auto origin = fields.find("origin"); origin != fields.end()) {
@@ -162,7 +161,7 @@ Pose read_origin(const SceneElement& element) {
                   "write {xyz: [x, y, z], rpy: [roll, pitch, yaw]}; either may be left out");
     return pose;
   }
-  const Fields fields = element.fields({"xyz", "rpy"});
+  const SceneFields fields = element.fields({"xyz", "rpy"});
   if (const auto xyz = fields.find("xyz"); xyz != fields.end()) {
     pose.xyz = xyz->second.three_numbers().value_or(pose.xyz);
   }

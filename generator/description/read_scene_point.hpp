@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,7 @@ namespace treeline {
 Pose read_origin(const SceneElement& element);
 
 /// The key `name` of a map's `fields`. An error if it is missing or no identifier.
-std::string read_point_name(const SceneElement& element,
-                            const std::map<std::string, SceneElement>& fields);
+std::string read_point_name(const SceneElement& element, const SceneFields& fields);
 /// The name of a link of the robot, as it is written; an error where the robot has none of it.
 std::string read_known_link(const SceneElement& element, const Robot& robot);
 Axes read_axes(const SceneElement& element);

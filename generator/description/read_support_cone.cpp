@@ -7,8 +7,6 @@
 namespace treeline {
 namespace {
 
-using Fields = std::map<std::string, SceneElement>;
-
 /// A number above `least`, or `least` too if `or_equal`; what a fault was reported of is 1.
 double read_size(const SceneElement& element, bool or_equal, const char* remedy) {
   const auto number = element.number();
@@ -43,7 +41,7 @@ std::optional<std::array<double, 2>> read_half_extents(const SceneElement& eleme
 
 }  // namespace
 
-void read_support_cone(const SceneElement& item, const Fields& fields, const ScenePoint& held,
+void read_support_cone(const SceneElement& item, const SceneFields& fields, const ScenePoint& held,
                        Scene& scene) {
   const auto friction = fields.find("friction");
   if (friction == fields.end()) {

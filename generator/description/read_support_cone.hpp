@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "description/scene.hpp"
@@ -13,7 +12,7 @@ inline constexpr std::array kConeKeys = {"friction", "torsional", "half_extents"
                                          "least_force"};
 
 /// Reads the limits of the forces of a constraint to the world, if it has some, into `scene`.
-void read_support_cone(const SceneElement& item, const std::map<std::string, SceneElement>& fields,
-                       const ScenePoint& held, Scene& scene);
+void read_support_cone(const SceneElement& item, const SceneFields& fields, const ScenePoint& held,
+                       Scene& scene);
 
 }  // namespace treeline

@@ -10,8 +10,6 @@
 namespace treeline {
 namespace {
 
-using Fields = std::map<std::string, SceneElement>;
-
 constexpr std::size_t kMostListed = 64;  // of obstacles and of points: a loop looks at all pairs
 
 /// A length that is positive; an error and `fallback` for any other.
@@ -23,7 +21,7 @@ double read_length(const SceneElement& element, double fallback) {
 }
 
 void read_sphere(const SceneElement& element, SceneShape& shape) {
-  const Fields fields = element.fields({"radius"});
+  const SceneFields fields = element.fields({"radius"});
   const auto radius = fields.find("radius");
   if (radius == fields.end()) {
     element.error("the key \"radius\" is missing", "write sphere: {radius: m}");
@@ -33,7 +31,7 @@ void read_sphere(const SceneElement& element, SceneShape& shape) {
 }
 
 void read_box(const SceneElement& element, SceneShape& shape) {
-  const Fields fields = element.fields({"size"});
+  const SceneFields fields = element.fields({"size"});
   const auto size = fields.find("size");
   if (size == fields.end()) {
     element.error("the key \"size\" is missing", "write box: {size: [x, y, z]}, its edges in m");
@@ -45,7 +43,7 @@ void read_box(const SceneElement& element, SceneShape& shape) {
 }
 
 /// Reads the keys `sphere`, `box` and `origin` of `what`, which has exactly one of the first two.
-void read_shape(const SceneElement& element, const Fields& fields, const char* what,
+void read_shape(const SceneElement& element, const SceneFields& fields, const char* what,
                 SceneShape& shape) {
   const auto sphere = fields.find("sphere");
   const auto box = fields.find("box");
@@ -62,7 +60,7 @@ void read_shape(const SceneElement& element, const Fields& fields, const char* w
 
 SceneObstacle read_obstacle(const SceneElement& element) {
   SceneObstacle obstacle;
-  const Fields fields = element.fields({"name", "sphere", "box", "origin", "avoid"});
+  const SceneFields fields = element.fields({"name", "sphere", "box", "origin", "avoid"});
   obstacle.name = read_point_name(element, fields);
   read_shape(element, fields, "an obstacle", obstacle);
   if (const auto avoid = fields.find("avoid"); avoid != fields.end()) {
@@ -106,7 +104,7 @@ void read_obstacles(const SceneElement& element, SceneSurroundings& surroundings
 void read_guards(const SceneElement& element, const Robot& robot, SceneAvoidance& avoidance) {
   for (const SceneElement& item : element.items()) {
     SceneGuard guard;
-    const Fields fields = item.fields({"link", "xyz"});
+    const SceneFields fields = item.fields({"link", "xyz"});
     if (const auto link = fields.find("link"); link != fields.end()) {
       guard.link = read_known_link(link->second, robot);
     } else {
@@ -129,7 +127,7 @@ void read_guards(const SceneElement& element, const Robot& robot, SceneAvoidance
 }
 
 void read_avoidance(const SceneElement& element, const Robot& robot, SceneAvoidance& avoidance) {
-  const Fields fields = element.fields({"reach", "clearance", "strength", "points"});
+  const SceneFields fields = element.fields({"reach", "clearance", "strength", "points"});
   if (const auto reach = fields.find("reach"); reach != fields.end()) {
     avoidance.reach = read_length(reach->second, avoidance.reach);
   }
@@ -149,7 +147,7 @@ void read_avoidance(const SceneElement& element, const Robot& robot, SceneAvoida
 
 }  // namespace
 
-SceneSurroundings read_surroundings(const Fields& fields, const Robot& robot) {
+SceneSurroundings read_surroundings(const SceneFields& fields, const Robot& robot) {
   SceneSurroundings surroundings;
   const auto objects = fields.find("objects");
   if (objects != fields.end() && objects->second.is_list()) {
@@ -174,7 +172,7 @@ SceneSurroundings surroundings_of(const std::string& scene_text, const Robot& ro
   const auto document = parse_yaml(scene_text, "", said);
   if (!document || !document->IsMap()) return {};
   SceneReading reading{"", said};
-  Fields fields;
+  SceneFields fields;
   for (const auto& [key, element] : SceneElement(*document, "", reading).entries()) {
     fields.insert({key, element});
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -14,8 +13,7 @@ namespace treeline {
 /// `fields`. Errors: an obstacle or a shape that is not one sphere or one box; names that repeat;
 /// sizes that are not positive; a point that repeats or is on an unknown link; more than a loop can
 /// watch.
-SceneSurroundings read_surroundings(const std::map<std::string, SceneElement>& fields,
-                                    const Robot& robot);
+SceneSurroundings read_surroundings(const SceneFields& fields, const Robot& robot);
 
 /// The same from the text of a scene that has been read without error.
 SceneSurroundings surroundings_of(const std::string& scene_text, const Robot& robot);

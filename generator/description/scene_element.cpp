@@ -92,9 +92,8 @@ std::vector<SceneElement::Entry> SceneElement::entries(const std::string& remedy
   return entries;
 }
 
-std::map<std::string, SceneElement> SceneElement::fields(
-    const std::vector<std::string>& known) const {
-  std::map<std::string, SceneElement> fields;
+SceneFields SceneElement::fields(const std::vector<std::string>& known) const {
+  SceneFields fields;
   const std::string remedy =
       fmt::format("write key: value for some of the keys {}", list_names(known));
   for (const auto& [key, value] : entries(remedy)) {

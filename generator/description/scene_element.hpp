@@ -22,6 +22,11 @@ struct SceneReading {
   int reports = 0;  ///< beyond a thousand, the next one says so and the rest are not listed
 };
 
+class SceneElement;
+
+/// Values of a map in the scene, by key.
+using SceneFields = std::map<std::string, SceneElement>;
+
 /// A value in the scene's YAML. Readers report what is malformed as an error, with line and path,
 /// and go on with nothing.
 class SceneElement {
@@ -47,8 +52,7 @@ class SceneElement {
   [[nodiscard]] std::vector<Entry> entries(
       const std::string& remedy = "write lines of the form key: value") const;
   /// The same for a map whose keys are known; an error, with a suggestion, for any other.
-  [[nodiscard]] std::map<std::string, SceneElement> fields(
-      const std::vector<std::string>& known) const;
+  [[nodiscard]] SceneFields fields(const std::vector<std::string>& known) const;
   /// Items of a list of at most 4096; an error for anything else.
   [[nodiscard]] std::vector<SceneElement> items() const;
   /// A text that is not empty.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "description/follow_target.hpp"
@@ -67,8 +66,7 @@ void read_functions(const SceneElement& element, Scene& scene) {
   std::sort(scene.functions.begin(), scene.functions.end());
 }
 
-std::optional<double> read_heaviest(const SceneElement& element,
-                                    const std::map<std::string, SceneElement>& fields,
+std::optional<double> read_heaviest(const SceneElement& element, const SceneFields& fields,
                                     const char* key) {
   const auto found = fields.find(key);
   if (found == fields.end()) {
