@@ -17,11 +17,11 @@ namespace humanoid24::calls {
 
 /// The `size` numbers from `first` on as the array that a function takes: for pointers,
 /// std::vector::data() and spans. There have to be that many.
-template <int size>
+template <decltype(sizeof(0)) size>
 const Real (&array_at(const Real* first) noexcept)[size] {
   return *reinterpret_cast<const Real(*)[size]>(first);
 }
-template <int size>
+template <decltype(sizeof(0)) size>
 Real (&array_at(Real* first) noexcept)[size] {
   return *reinterpret_cast<Real(*)[size]>(first);
 }

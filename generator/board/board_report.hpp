@@ -14,6 +14,8 @@ namespace treeline {
 /// What was measured of one function on a target, and the verdict on its results.
 struct BoardFunction {
   std::string name;
+  bool is_long = false;    ///< compiled with fewer passes, see BoardReport::long_command
+  bool is_small = false;   ///< compiled to small code, see BoardReport::small_command
   int text_bytes = 0;      ///< of the function with its sines and cosines
   int constant_bytes = 0;  ///< beside the text; constants within it count as text
   int static_bytes = 0;    ///< of variables, of which there must be none
@@ -49,9 +51,11 @@ struct BoardReport {
   bool contracted = false;  ///< flags let the compiler fuse products and sums
   int states = 0, first_state = 0;
   std::uint64_t seed = 1;
-  std::string compiler;   ///< version
-  std::string command;    ///< compiler and flags
-  std::string simulator;  ///< QEMU and its options
+  std::string compiler;       ///< version
+  std::string command;        ///< compiler and flags
+  std::string long_command;   ///< for long functions; empty: there is none
+  std::string small_command;  ///< for those that `optimize` makes small; empty: there is none
+  std::string simulator;      ///< QEMU and its options
   double compile_seconds = 0, run_seconds = 0;
   std::string folder;                 ///< that was compiled; empty: code generated now
   std::vector<FileDifference> stale;  ///< its differences from the code generated now

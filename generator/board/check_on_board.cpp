@@ -102,12 +102,16 @@ bool run_job(const BoardJob& job, const BoardSelection& selection,
   }
   CompileOptions compile = job.options.compile;
   compile.language = job.scene.language;
+  compile.optimize = job.scene.optimize;
+  compile.target = job.scene.target;
   const auto objects =
       cross_compile(job.sources, functions, job.target, job.tools, compile, job.work, diagnostics);
   if (!objects) return false;
   const auto program = link_program(*objects, job.target, job.tools, diagnostics);
   if (!program) return false;
   report.command = objects->command;
+  report.long_command = objects->long_command;
+  report.small_command = objects->small_command;
   report.compile_seconds = objects->seconds;
   report.functions = measure_objects(*objects, job.scene.name, functions, job.target, job.tools);
   const auto start = Clock::now();

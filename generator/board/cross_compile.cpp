@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "emission/backend/backend.hpp"
-#include "emission/describe_program.hpp"
 
 namespace treeline {
 namespace {
@@ -62,11 +61,9 @@ Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction
                      const CompileOptions& options, const fs::path& work) {
   Sources sources;
   for (const GeneratedFunction& generated : functions) {
-    const bool long_one = !options.long_flags.empty() && is_long(generated.program);
     const bool in_header = is_composed(generated) && options.language == Language::cpp;
-    sources.add(
-        in_header ? work : folder, source_stem(generated), options.language,
-        (long_one ? options.long_flags : options.flags) + " -fstack-usage -fcallgraph-info=su");
+    sources.add(in_header ? work : folder, source_stem(generated), options.language,
+                choose_flags(generated, options).flags + " -fstack-usage -fcallgraph-info=su");
   }
   for (const char* stem : {kMainStem, kEmptyStem, kStartStem}) {
     sources.add(work, stem, Language::cpp, "-O2");
@@ -103,7 +100,14 @@ std::optional<BoardObjects> cross_compile(const fs::path& sources,
   for (std::size_t i = 0; i < list.stems.size(); ++i) {
     (i < functions.size() ? objects.stems : objects.harness).push_back(list.stems[i]);
   }
-  objects.command = compiler_for(options.language, target, tools) + " " + options.flags;
+  const std::string compiler = compiler_for(options.language, target, tools) + " ";
+  objects.command = compiler + options.flags;
+  for (const GeneratedFunction& generated : functions) {
+    objects.flags.push_back(choose_flags(generated, options));
+    const FunctionFlags& chosen = objects.flags.back();
+    if (chosen.is_long) objects.long_command = compiler + chosen.flags;
+    if (chosen.is_small) objects.small_command = compiler + chosen.flags;
+  }
   objects.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return objects;
 }

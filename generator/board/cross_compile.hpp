@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "board/find_tools.hpp"
-#include "check/compile_folder.hpp"
+#include "check/choose_flags.hpp"
 #include "generation/generate_code.hpp"
 
 namespace treeline {
@@ -19,6 +19,9 @@ struct BoardObjects {
   std::vector<std::string> harness;   ///< of all others
   Language language = Language::cpp;  ///< of the functions
   std::string command;                ///< compiler and flags
+  std::string long_command;           ///< for long functions; empty: there is none
+  std::string small_command;          ///< for functions that are small code; empty: there is none
+  std::vector<FunctionFlags> flags;   ///< of the functions, in their order
   double seconds = 0;
 };
 

@@ -113,6 +113,8 @@ std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const st
   for (std::size_t i = 0; i < functions.size(); ++i) {
     BoardFunction& function = measured[i];
     function.name = source_stem(functions[i]);
+    function.is_long = objects.flags[i].is_long;
+    function.is_small = objects.flags[i].is_small;
     const SectionBytes bytes = add_sections(sizes[i]);
     function.text_bytes = bytes.text;
     function.constant_bytes = bytes.constants;

@@ -12,9 +12,15 @@ Json if_known(const std::optional<T>& x) {
   return x ? Json(*x) : Json(nullptr);
 }
 
+Json if_any(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
 Json describe_function(const BoardFunction& f, bool contracted) {
   return {{"name", f.name},
           {"passed", f.passed(contracted)},
+          {"long", f.is_long},
+          {"small", f.is_small},
           {"text_bytes", f.text_bytes},
           {"constant_bytes", f.constant_bytes},
           {"variable_bytes", f.static_bytes},
@@ -64,6 +70,8 @@ std::string print_json(const BoardReport& report) {
                   {"seed", report.seed},
                   {"compiler", report.compiler},
                   {"command", report.command},
+                  {"long_command", if_any(report.long_command)},
+                  {"small_command", if_any(report.small_command)},
                   {"simulator", report.simulator},
                   {"compile_seconds", report.compile_seconds},
                   {"run_seconds", report.run_seconds},

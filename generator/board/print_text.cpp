@@ -73,6 +73,17 @@ std::string print_board_faults(const BoardReport& report, const BoardFunction& f
   return text;
 }
 
+/// The command of the functions of which that holds, if there is one, and what they are.
+std::string print_other_command(const BoardReport& report, const std::string& command,
+                                bool BoardFunction::*holds, const char* what) {
+  if (command.empty()) return {};
+  std::string names;
+  for (const BoardFunction& f : report.functions) {
+    if (f.*holds) names += (names.empty() ? "" : ", ") + f.name;
+  }
+  return wrap_text(fmt::format("{}: {}, {}", command, names, what), kColumns) + "\n";
+}
+
 std::string print_verdict(const BoardReport& report) {
   int failed = 0, varying = 0;
   for (const BoardFunction& f : report.functions) {
@@ -94,11 +105,15 @@ std::string print_verdict(const BoardReport& report) {
 }  // namespace
 
 std::string print_text(const BoardReport& report) {
-  std::string text =
-      fmt::format("{} ({}) in {} for {}, {}; {} states\n{}\n{}\n{}\n\n", report.name, report.robot,
-                  report.single_precision ? "float" : "double", report.target->name,
-                  report.target->about, report.states, report.compiler,
-                  wrap_text(report.command, kColumns), wrap_text(report.simulator, kColumns));
+  std::string text = fmt::format("{} ({}) in {} for {}, {}; {} states\n{}\n{}\n", report.name,
+                                 report.robot, report.single_precision ? "float" : "double",
+                                 report.target->name, report.target->about, report.states,
+                                 report.compiler, wrap_text(report.command, kColumns));
+  text += print_other_command(report, report.small_command, &BoardFunction::is_small,
+                              "as the emitted CMakeLists.txt does for `optimize`");
+  text += print_other_command(report, report.long_command, &BoardFunction::is_long,
+                              "of more than 12000 operations; --flags compiles all alike");
+  text += wrap_text(report.simulator, kColumns) + "\n\n";
   text += print_board_table(report) + "\n" + print_costs(report.target->cycles) + "\n\n";
   for (const std::string& name : report.not_run) {
     text += fmt::format("{}: not run, it takes several states at once\n", name);

@@ -56,6 +56,8 @@ std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& s
                                          const Generation& generation, CompileOptions options,
                                          const fs::path& work, Diagnostics& diagnostics) {
   options.language = scene.language;
+  options.optimize = scene.optimize;
+  options.target = scene.target;
   Libraries libraries;
   libraries.accurate = compile_and_load(sources, scene, generation, options, work / "accurate",
                                         libraries.compilation, diagnostics);
@@ -79,6 +81,7 @@ void add_compilation(const Compilation& compilation, FunctionReport& report) {
   report.stack_bytes = compiled.stack_bytes;
   report.compile_seconds = compiled.seconds;
   report.is_long = compiled.is_long;
+  report.is_small = compiled.is_small;
 }
 
 std::vector<State> collect_named_states(const std::vector<FunctionReport>& functions,
@@ -106,6 +109,7 @@ CheckReport begin_report(const Scene& scene, const CheckOptions& options,
   report.compile_command = libraries.compilation.command;
   report.exact_command = libraries.exact_command;
   report.long_command = libraries.compilation.long_command;
+  report.small_command = libraries.compilation.small_command;
   report.compile_seconds = libraries.compilation.seconds;
   report.compile_peak_kib = libraries.compilation.peak_kib;
   report.folder = options.folder.string();

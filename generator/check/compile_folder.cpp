@@ -12,11 +12,11 @@
 #include <string_view>
 #include <utility>
 
+#include "check/choose_flags.hpp"
 #include "check/print_entry.hpp"
 #include "check/run_commands.hpp"
 #include "check/write_work_file.hpp"
 #include "emission/backend/backend.hpp"
-#include "emission/describe_program.hpp"
 
 namespace treeline {
 namespace {
@@ -55,14 +55,6 @@ bool succeeded(const CommandOutcome& outcome, const fs::path& file, const std::s
                        ? "Free some space there, or set TMPDIR to a folder with more."
                        : "Look at the flags; when the folder is an old one, generate it again."});
   return false;
-}
-
-bool has_long_flags(const GeneratedFunction& generated, const CompileOptions& options) {
-  return !options.long_flags.empty() && is_long(generated.program);
-}
-
-const std::string& flags_of(const GeneratedFunction& generated, const CompileOptions& options) {
-  return has_long_flags(generated, options) ? options.long_flags : options.flags;
 }
 
 /// Runs the commands and returns their outcomes in the order of the commands. The largest sources
@@ -112,7 +104,7 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
     const fs::path& place = has_source ? folder : work;
     const std::string stem = source_stem(generated);
     add(stem, fs::absolute(place / source_name(stem, options.language)),
-        flags_of(generated, options));
+        choose_flags(generated, options).flags);
   }
   for (const WorkSource& more : options.more) {
     add(more.stem, work / source_name(more.stem, options.language), options.flags);
@@ -263,9 +255,13 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   made.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   measure_functions(*objects, work, made);
   for (const GeneratedFunction& generated : functions) {
-    if (!has_long_flags(generated, options)) continue;
-    made.functions[source_stem(generated)].is_long = true;
-    made.long_command = fmt::format("{} {}", command, options.long_flags);
+    const FunctionFlags chosen = choose_flags(generated, options);
+    CompiledFunction& compiled = made.functions[source_stem(generated)];
+    compiled.is_long = chosen.is_long;
+    compiled.is_small = chosen.is_small;
+    const std::string by = fmt::format("{} {}", command, chosen.flags);
+    if (chosen.is_long) made.long_command = by;
+    if (chosen.is_small) made.small_command = by;
   }
   return made;
 }

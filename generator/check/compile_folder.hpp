@@ -21,8 +21,10 @@ struct WorkSource {
 struct CompileOptions {
   /// Added to the language's standard and a library's flags.
   std::string flags = "-O2 -ffp-contract=off";
-  std::string long_flags = {};  ///< for long functions (`is_long`); empty: the same flags
-  int jobs = 0;                 ///< 0: as many as there are cores
+  std::string long_flags = {};          ///< for long functions (`is_long`); empty: the same flags
+  Optimize optimize = Optimize::speed;  ///< of the scene: which functions are to be small code
+  std::string target = "generic";       ///< of the scene, for `Optimize::balanced`
+  int jobs = 0;                         ///< 0: as many as there are cores
   std::function<void(int, int)> progress = {};  ///< receives number of sources done and of all
   std::string compiler = {};                    ///< empty: see `find_compiler`
   Language language = Language::cpp;            ///< of the sources
@@ -33,16 +35,18 @@ struct CompileOptions {
 struct CompiledFunction {
   double seconds = 0;
   bool is_long = false;            ///< compiled with `CompileOptions::long_flags`
+  bool is_small = false;           ///< compiled to small code, as `CompileOptions::optimize` says
   std::optional<int> code_bytes;   ///< of the function and what it calls; absent without `nm`
   std::optional<int> stack_bytes;  ///< with its callees; absent if the compiler does not state it
 };
 
 struct Compilation {
   std::filesystem::path library;
-  std::string command;            ///< compiler and flags
-  std::string long_command = {};  ///< for long functions; empty: no long ones, or the same
-  double seconds = 0;             ///< until linked, with `jobs` files at a time
-  long peak_kib = 0;              ///< of the largest compiler process
+  std::string command;             ///< compiler and flags
+  std::string long_command = {};   ///< for long functions; empty: no long ones, or the same
+  std::string small_command = {};  ///< for functions that are small code; empty: there is none
+  double seconds = 0;              ///< until linked, with `jobs` files at a time
+  long peak_kib = 0;               ///< of the largest compiler process
   std::map<std::string, CompiledFunction> functions;
 };
 

@@ -85,7 +85,8 @@ Json to_json(const FunctionReport& f) {
             {"code_bytes", optional(f.code_bytes)},
             {"stack_bytes", optional(f.stack_bytes)},
             {"compile_seconds", f.compile_seconds},
-            {"long", f.is_long}};
+            {"long", f.is_long},
+            {"small", f.is_small}};
   if (f.count) {
     json["flops"] = f.count->flops();
     json["add"] = f.count->add;
@@ -178,6 +179,8 @@ std::string print_json(const CheckReport& report) {
        {{"command", report.compile_command},
         {"exact_command", report.exact_command},
         {"long_command", report.long_command.empty() ? Json(nullptr) : Json(report.long_command)},
+        {"small_command",
+         report.small_command.empty() ? Json(nullptr) : Json(report.small_command)},
         {"seconds", report.compile_seconds},
         {"peak_kib", report.compile_peak_kib}}},
       {"reference_seconds", report.reference_seconds},

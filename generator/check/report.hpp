@@ -29,7 +29,8 @@ struct FunctionReport {
   std::optional<OperationCount> count;  ///< absent for functions composed of others
   std::optional<int> code_bytes, stack_bytes;
   double compile_seconds = 0;
-  bool is_long = false;  ///< compiled with fewer passes, see CheckReport::long_command
+  bool is_long = false;   ///< compiled with fewer passes, see CheckReport::long_command
+  bool is_small = false;  ///< compiled to small code, see CheckReport::small_command
 
   int states = 0;                     ///< number of states at which the function was called
   int singular = 0;                   ///< number of these states without a reference
@@ -91,7 +92,8 @@ struct CheckReport {
   int states = 0, first_state = 0;
   std::uint64_t seed = 1;
   std::string compile_command, exact_command;
-  std::string long_command;  ///< for long functions, with fewer passes; empty: there is none
+  std::string long_command;   ///< for long functions, with fewer passes; empty: there is none
+  std::string small_command;  ///< for those that `optimize` makes small; empty: there is none
   double compile_seconds = 0, reference_seconds = 0;
   long compile_peak_kib = 0;
   std::string folder;                 ///< that was compiled; empty: code generated now

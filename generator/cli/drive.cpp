@@ -16,6 +16,7 @@
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
+#include "cli/record.hpp"
 #include "cli/reference.hpp"
 #include "cli/replay.hpp"
 #include "cli/robot_elsewhere.hpp"
@@ -23,6 +24,7 @@
 #include "cli/write_output.hpp"
 #include "description/read_surroundings.hpp"
 #include "description/read_text_file.hpp"
+#include "drawing/show_held_objects.hpp"
 #include "drive/find_meshes.hpp"
 #include "launch/launch.hpp"
 #include "launch/split_ball_joints.hpp"
@@ -133,18 +135,24 @@ void refuse_imperfect_hardware(const DriveOptions& options, Diagnostics& diagnos
                    "Give it to the process that has --act-as-robot."});
 }
 
-/// A record needs no loop, and so no code: only the files that it was made with.
+/// What is shown again needs no loop, and so no code: only the files that it was made with.
 int run_replay(const DriveOptions& options) {
   Diagnostics diagnostics;
   const auto packages = read_packages(options.packages, diagnostics);
   const auto inputs = packages ? read_inputs(options.inputs, diagnostics) : std::nullopt;
   bool shown = false;
   if (inputs) {
-    const std::string urdf = driven_urdf(inputs->files);
-    PageSettings page{options.drive.listen, options.drive.port, urdf,
-                      find_all_meshes(inputs->files, *packages)};
+    std::string urdf = driven_urdf(inputs->files);
+    const std::string checksum = checksum_of(urdf, inputs->files.scene_text);
+    const auto record = is_table(options.replay)
+                            ? record_of_table(options.replay, *inputs, checksum, diagnostics)
+                            : read_record(options.replay, checksum, diagnostics);
+    const auto shapes = surroundings_of(inputs->files.scene_text, inputs->robot).shapes;
+    if (is_table(options.replay)) urdf = show_held_objects(urdf, inputs->scene, shapes);
+    const PageSettings page{options.drive.listen, options.drive.port, urdf,
+                            find_all_meshes(inputs->files, *packages)};
     warn_of_listeners(options.drive, diagnostics);
-    shown = replay(options.replay, checksum_of(urdf, inputs->files.scene_text), page, diagnostics);
+    shown = record && replay(*record, page, diagnostics);
   }
   print_diagnostics(diagnostics, options.inputs.warnings);
   return shown ? kOk : kBadInput;
@@ -222,7 +230,8 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
                      "Motion for the command `follow`: a record, or a table of simulate --csv");
   command
       .add_option("--replay", options.replay,
-                  "Show this record in the page instead; nothing is simulated")
+                  "Show this motion in the page instead, a record, or a table of simulate --csv or "
+                  "of an experiment; nothing is simulated")
       ->excludes("--headless", "--script", "--record", "--reference");
   command.add_flag("--real-time", drive.real_time,
                    "Keep to the machine's clock; always so with the page, a terminal or --robot");
@@ -289,6 +298,7 @@ void add_drive(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  treeline drive puma560.urdf scene.yaml\n"
       "  treeline drive arm.urdf --headless --script motion.txt --record motion.jsonl\n"
+      "  treeline drive arm.urdf --replay motion.jsonl\n"
       "  echo 'start' | treeline drive arm.urdf --headless");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -124,6 +124,7 @@ class Driver {
   double recorded_ = -1;
   bool input_open_ = true;
   bool ending_ = false;
+  bool awaited_ = false;  ///< nobody has seen the page yet that a script is for
   DriveOutcome outcome_;
   std::string fault_seen_;
   std::mutex mutex_;  ///< of the session, between this thread and the server's
@@ -207,7 +208,10 @@ void Driver::obey_line(const drive::Script::Line& line) {
   script_.close();
 }
 
+/// With a page, a script begins when somebody looks at it.
 void Driver::obey_script() {
+  awaited_ = awaited_ && server_->connections() == 0;
+  if (awaited_) return;
   drive::Script::Line line;
   while (!ending_ && script_.next(time(), moving(), line)) obey_line(line);
 }
@@ -317,6 +321,8 @@ bool Driver::open_server(Diagnostics& diagnostics) {
   if (!settings_.serves) return true;
   server_ = serve_page({settings_.listen, settings_.port, session_.robot().urdf, settings_.meshes},
                        handlers(), diagnostics);
+  awaited_ = server_ != nullptr && settings_.script.has_value();
+  if (awaited_) say("the script begins when the page is opened");
   return server_ != nullptr;
 }
 

@@ -58,6 +58,11 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
   if (!options.profile.empty()) {
     scene.profile = options.profile == "misra" ? Profile::misra : Profile::plain;
   }
+  if (!options.optimize.empty()) {
+    scene.optimize = options.optimize == "size"       ? Optimize::size
+                     : options.optimize == "balanced" ? Optimize::balanced
+                                                      : Optimize::speed;
+  }
   if (!options.target.empty()) scene.target = options.target;
   follow_target(scene);
   warn_of_target(scene, diagnostics);
@@ -89,6 +94,12 @@ void add_language_option(CLI::App& command, InputOptions& options) {
           "--profile", options.profile,
           "How the code is written, instead of the scene's: misra follows rules for safe code")
       ->check(one_of({"plain", "misra"}));
+  command
+      .add_option(
+          "--optimize", options.optimize,
+          "For speed, small code, or small code where it is larger than a cache, instead of "
+          "the scene's")
+      ->check(one_of({"speed", "size", "balanced"}));
 }
 
 std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {

@@ -24,6 +24,7 @@ struct InputOptions {
   std::string real;                    ///< `float`, `double`; empty: the scene's
   std::string language;                ///< `c++`, `c`; empty: the scene's
   std::string profile;                 ///< `plain`, `misra`; empty: the scene's
+  std::string optimize;                ///< `speed`, `size`, `balanced`; empty: the scene's
   std::string target;                  ///< processor; empty: the scene's
   std::vector<std::string> functions;  ///< empty: the scene's
   std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
@@ -39,7 +40,7 @@ struct RobotAndScene {
 /// URDF, scene, --real, --functions and --warnings of a subcommand; `options` must outlive it.
 void add_input_options(CLI::App& command, InputOptions& options);
 
-/// --language and --profile of a subcommand that emits code.
+/// --language, --profile and --optimize of a subcommand that emits code.
 void add_language_option(CLI::App& command, InputOptions& options);
 
 /// Reads all files and applies the options. Faults of any are in `diagnostics`.

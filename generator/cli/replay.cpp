@@ -1,12 +1,9 @@
 #include "cli/replay.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
@@ -22,59 +19,9 @@ using namespace std::chrono_literals;
 
 std::atomic<bool> asked_to_close{false};
 
-/// What a file of `--record` holds.
-struct Record {
-  Json hello;
-  std::vector<double> times;        ///< of states, s, growing
-  std::vector<std::string> states;  ///< as they were written
-};
-
-/// Takes one line. False: it is no line of a record.
-bool take_line(const std::string& line, Record& record) {
-  Json json = Json::parse(line, nullptr, false);
-  const std::string type = json.is_object() ? json.value("type", "") : "";
-  if (type == "hello" && record.hello.is_null()) {
-    record.hello = std::move(json);
-  } else if (type == "state" && json.contains("time") && json["time"].is_number()) {
-    const double time = json["time"].get<double>();
-    if (!record.times.empty() && time < record.times.back()) return false;
-    record.times.push_back(time);
-    record.states.push_back(line);
-  } else if (type != "command") {
-    return false;
-  }
-  return !record.hello.is_null();
-}
-
-std::optional<Record> read_record(const std::string& path, const std::string& checksum,
-                                  Diagnostics& diagnostics) {
-  const auto refuse = [&](int line, std::string fault, std::string remedy) {
-    diagnostics.add({Severity::error, path, line, "", std::move(fault), std::move(remedy)});
-    return std::nullopt;
-  };
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return refuse(0, "cannot be read", "Name a file of `treeline drive --record`.");
-  Record record;
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
-    if (take_line(line, record)) continue;
-    if (stream.eof() && !record.states.empty()) break;  // a drive that was killed in mid-line
-    return refuse(number, "this is no line of a record",
-                  "Give a file that `treeline drive --record` has written.");
-  }
-  if (record.states.empty()) {
-    return refuse(0, "there is no state in it", "Record a drive that begins: --record FILE.");
-  }
-  if (record.hello.value("robot", "") != checksum) {
-    return refuse(1, "this was recorded with another URDF or scene",
-                  "Give the files that it was recorded with, unchanged.");
-  }
-  return record;
-}
-
 /// What a front end hears first: a robot that it may only watch.
-std::string greeting(Record& record, const PageSettings& page) {
+std::string greeting(const Record& record, const PageSettings& page) {
+  Json hello = Json::parse(record.hello);
   Json meshes = Json::object();
   Json missing = Json::array();
   for (std::size_t i = 0; i < page.meshes.size(); ++i) {
@@ -84,11 +31,11 @@ std::string greeting(Record& record, const PageSettings& page) {
       meshes[page.meshes[i].uri] = "/mesh/" + std::to_string(i);
     }
   }
-  record.hello["may_command"] = false;
-  record.hello["replay"] = true;
-  record.hello["meshes"] = meshes;
-  record.hello["missing_meshes"] = missing;
-  return record.hello.dump();
+  hello["may_command"] = false;
+  hello["replay"] = true;
+  hello["meshes"] = meshes;
+  hello["missing_meshes"] = missing;
+  return hello.dump();
 }
 
 drive::ServerHandlers make_handlers(const std::string& hello, std::atomic<int>& last) {
@@ -103,7 +50,7 @@ drive::ServerHandlers make_handlers(const std::string& hello, std::atomic<int>& 
     if (json.is_object() && json.contains("seq") && json["seq"].is_number_integer()) {
       seq = json["seq"].get<std::int64_t>();
     }
-    return drive::print_reply(seq, {false, "this is a record: nothing can be commanded", -1});
+    return drive::print_reply(seq, {false, "this is a recorded motion: nothing can be commanded", -1});
   };
   handlers.leave = [](int) {};
   return handlers;
@@ -132,16 +79,13 @@ void play(const Record& record, drive::Server& server) {
 
 }  // namespace
 
-bool replay(const std::string& path, const std::string& checksum, const PageSettings& page,
-            Diagnostics& diagnostics) {
-  auto record = read_record(path, checksum, diagnostics);
-  if (!record) return false;
-  const std::string hello = greeting(*record, page);
+bool replay(const Record& record, const PageSettings& page, Diagnostics& diagnostics) {
+  const std::string hello = greeting(record, page);
   std::atomic<int> last{0};
   asked_to_close = false;
   answer_signals([] { asked_to_close = true; });
   const auto server = serve_page(page, make_handlers(hello, last), diagnostics);
-  if (server) play(*record, *server);
+  if (server) play(record, *server);
   answer_signals(nullptr);
   return server != nullptr;
 }

@@ -2,15 +2,28 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "emission/emission_context.hpp"
 #include "program/program.hpp"
 
 namespace treeline {
 
-/// Lines of CMake that compile functions to small code, as `optimize` of the scene asks: all where
-/// it is `size`; where it is `balanced` those whose code is modelled to be larger than the target's
-/// first-level cache, so that loading it takes longer than running it. Empty where there are none.
-std::string print_small_code(const EmissionContext& context, std::span<const Program> programs);
+/// What a source file asks of the compiler: GCC's passes that save spills, where it optimises at
+/// all; of long functions nothing.
+std::string print_extra_passes(const Program& program);
+
+/// GCC's and Clang's option for small code.
+inline constexpr const char* kSmallCodeFlag = "-Os";
+
+/// Whether the emitted CMakeLists.txt compiles a function to small code, as `optimize` of the scene
+/// asks: `size` all; `balanced` those whose code is modelled to be larger than the first-level
+/// cache of the target, so that loading it takes longer than running it.
+bool compiles_to_small_code(Optimize optimize, std::string_view target, const Program& program);
+
+/// Lines of CMake that compile these functions, those for several states, and those of a controller
+/// to small code. Empty where there are none.
+std::string print_small_code(const EmissionContext& context, std::span<const Program> programs,
+                             std::span<const Program> batch);
 
 }  // namespace treeline

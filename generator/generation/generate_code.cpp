@@ -19,6 +19,7 @@
 #include "generation/describe_scene.hpp"
 #include "generation/for_each_index.hpp"
 #include "generation/function_mechanisms.hpp"
+#include "generation/note_left_out.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
 #include "recursion/routes/trace_loops.hpp"
@@ -310,6 +311,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   backend_of(scene.language)
       .refuse(describe_scene(robot, scene, generation.mechanism), diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
+  note_left_out(scene, diagnostics);
   generation.domain = make_domain(robot, scene, generation.mechanism);
   add_base_parameters(generation.mechanism, generation.domain);
   if (!generate_functions(mechanisms, scene, choices, tell, generation, diagnostics)) {

@@ -41,6 +41,12 @@ void guard(int link, int point, const std::array<double, 3>& xyz,
 
 }  // namespace
 
+std::vector<drive::DrivenObstacle> describe_obstacles(const std::vector<SceneObstacle>& obstacles) {
+  std::vector<drive::DrivenObstacle> described;
+  for (const SceneObstacle& obstacle : obstacles) described.push_back(describe_obstacle(obstacle));
+  return described;
+}
+
 bool describe_surroundings(const SceneSurroundings& surroundings, const Scene& control,
                            drive::RobotDescription& description, Diagnostics& diagnostics) {
   if (surroundings.obstacles.empty()) return true;
@@ -53,9 +59,7 @@ bool describe_surroundings(const SceneSurroundings& surroundings, const Scene& c
     return refuse("obstacles", "the robot has too many links for obstacles to act on them",
                   "remove the obstacles, or links behind fixed joints");
   }
-  for (const SceneObstacle& obstacle : surroundings.obstacles) {
-    description.obstacles.push_back(describe_obstacle(obstacle));
-  }
+  description.obstacles = describe_obstacles(surroundings.obstacles);
   const SceneAvoidance& avoidance = surroundings.avoidance;
   description.repulsion.reach = avoidance.reach;
   description.repulsion.clearance = avoidance.clearance;

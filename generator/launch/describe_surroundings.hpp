@@ -1,11 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "description/diagnostic.hpp"
 #include "description/scene.hpp"
 #include "description/surroundings.hpp"
 #include "drive/robot_description.hpp"
 
 namespace treeline {
+
+/// The obstacles as front ends draw them.
+std::vector<drive::DrivenObstacle> describe_obstacles(const std::vector<SceneObstacle>& obstacles);
 
 /// Adds obstacles, and the points that keep away from them, to what front ends know of a robot: the
 /// operational points on links that move, then those of the scene's `avoidance`. Errors: a point on

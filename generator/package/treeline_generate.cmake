@@ -1,15 +1,16 @@
 # treeline_generate(LIBRARY [URDF file] [SCENE file] [NAME identifier] [REAL float|double]
-#                   [LANGUAGE c|c++] [PROFILE plain|misra] [FUNCTIONS function...]
-#                   [TARGET processor] [CHOICES file])
+#                   [LANGUAGE c|c++] [PROFILE plain|misra] [OPTIMIZE speed|size|balanced]
+#                   [FUNCTIONS function...] [TARGET processor] [CHOICES file])
 #
 # Makes the static library LIBRARY from a robot and a scene (without one: functions of the joints
 # alone), or from a scene that lists its robots and no URDF (CMake 3.20), while building: link it and
-# include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp", "NAME_joints.hpp", or "NAME_batch.hpp"
-# where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless
-# given; REAL, LANGUAGE, PROFILE, FUNCTIONS and TARGET go before what the scene says. In C the headers
-# are "NAME.h" and "NAME_joints.h", and the project has to have the language C. The processor's flags are used as in the emitted CMakeLists.txt: for another processor
-# than this machine's where CMake cross-compiles, or as TREELINE_TARGET_FLAGS says. CHOICES is
-# the manifest.json that `treeline generate --tune` has written. The code is generated again when the
+# include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp", "NAME_joints.hpp", "NAME.h" from C, or
+# "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless
+# given; REAL, LANGUAGE, PROFILE, OPTIMIZE, FUNCTIONS and TARGET go before what the scene says. In C
+# the headers are "NAME.h" and "NAME_joints.h", and the project has to have the language C. Flags for
+# the processor and for small code are used as in the emitted CMakeLists.txt: those of another
+# processor than this machine's where CMake cross-compiles, or as TREELINE_TARGET_FLAGS says. CHOICES
+# is the manifest.json that `treeline generate --tune` has written. The code is generated again when the
 # URDFs, the scene, the choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
 
@@ -23,9 +24,18 @@ endif()
 option(TREELINE_FP_CONTRACT
   "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
 
+# Sets RESULT to the line of the scene that has a key of the first level, else to nothing.
+function(treeline_find_key scene key result)
+  set(line)
+  if(scene AND EXISTS ${scene})
+    file(STRINGS ${scene} line REGEX "^ *[\"']?${key}[\"']? *:")
+  endif()
+  set(${result} "${line}" PARENT_SCOPE)
+endfunction()
+
 function(treeline_generate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "URDF;SCENE;NAME;REAL;LANGUAGE;PROFILE;TARGET;CHOICES"
-    "FUNCTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg ""
+    "URDF;SCENE;NAME;REAL;LANGUAGE;PROFILE;OPTIMIZE;TARGET;CHOICES" "FUNCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "treeline_generate(${target}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -53,11 +63,9 @@ function(treeline_generate target)
   if(arg_REAL)
     list(APPEND options --real ${arg_REAL})
   endif()
-  if(NOT arg_LANGUAGE AND arg_SCENE AND EXISTS ${arg_SCENE})
-    file(STRINGS ${arg_SCENE} is_c REGEX "^ *[\"']?language[\"']? *: *[\"']?c[\"']? *(#.*)?$")
-    if(is_c)
-      set(arg_LANGUAGE c)
-    endif()
+  treeline_find_key("${arg_SCENE}" language language)
+  if(NOT arg_LANGUAGE AND language MATCHES ": *[\"']?c[\"']? *(#.*)?$")
+    set(arg_LANGUAGE c)
   endif()
   set(ending cpp)
   set(standard cxx_std_17)
@@ -80,6 +88,11 @@ function(treeline_generate target)
   if(arg_PROFILE)
     list(APPEND options --profile ${arg_PROFILE})
   endif()
+  treeline_find_key("${arg_SCENE}" optimize optimizes)
+  if(arg_OPTIMIZE)
+    list(APPEND options --optimize ${arg_OPTIMIZE})
+    set(optimizes ${arg_OPTIMIZE})
+  endif()
   if(arg_FUNCTIONS)
     list(JOIN arg_FUNCTIONS , functions)
     list(APPEND options --functions ${functions})
@@ -101,30 +114,41 @@ function(treeline_generate target)
       list(APPEND sources ${batch_sources})
     endif()
   endif()
-  if(arg_SCENE AND EXISTS ${arg_SCENE})
-    file(STRINGS ${arg_SCENE} controller REGEX "^ *[\"']?controller[\"']? *:")
-    if(controller)
-      list(APPEND sources controller controller_kinematics controller_joint_torque
-        controller_push_torque controller_task_torque)
-    endif()
+  treeline_find_key("${arg_SCENE}" controller controller)
+  if(controller)
+    list(APPEND sources controller controller_kinematics controller_joint_torque
+      controller_push_torque controller_task_torque)
+  endif()
+  treeline_find_key("${arg_SCENE}" prefetch prefetch)
+  if(prefetch)
+    list(APPEND sources prefetch)
   endif()
   if(ending STREQUAL "c")
     list(APPEND sources damped_control_torque)  # in C++ a header
+  else()
+    list(APPEND sources c_calls)
   endif()
   set(stems ${sources})
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")
   set(stamp ${folder}.stamp)
   set(flags ${folder}.sources/target.flags)
+  set(own_flags)
+  set(own_options OFF)
+  if(optimizes)
+    set(own_options ON)
+    list(TRANSFORM stems REPLACE "(.+)" "${folder}.sources/\\1.flags" OUTPUT_VARIABLE own_flags)
+  endif()
   set(dependencies)
   if(NOT arg_URDF)  # which URDFs the scene lists is known once it is read
     list(APPEND options --depfile ${stamp}.d)
     set(dependencies DEPFILE ${stamp}.d)
   endif()
   add_custom_command(OUTPUT ${stamp}
-    BYPRODUCTS ${sources} ${flags}
+    BYPRODUCTS ${sources} ${flags} ${own_flags}
     COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}" -DENDING=${ending}
       "-DCROSSCOMPILING=${CMAKE_CROSSCOMPILING}" "-DTARGET_FLAGS=${TREELINE_TARGET_FLAGS}"
+      -DOPTIMIZES=${own_options}
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline
@@ -145,6 +169,12 @@ function(treeline_generate target)
   if(compiler MATCHES "GNU|Clang|IntelLLVM")
     target_compile_options(${target} PRIVATE -fno-fast-math @${flags})
     set_source_files_properties(${sources} PROPERTIES OBJECT_DEPENDS ${flags})
+    if(own_flags)
+      foreach(source own IN ZIP_LISTS sources own_flags)
+        set_source_files_properties(${source} PROPERTIES
+          COMPILE_OPTIONS @${own} OBJECT_DEPENDS "${flags};${own}")
+      endforeach()
+    endif()
     if(NOT TREELINE_FP_CONTRACT)
       target_compile_options(${target} PRIVATE -ffp-contract=off)
     endif()

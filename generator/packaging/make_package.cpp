@@ -24,7 +24,7 @@ GeneratedFile fill(const std::string& name, std::string_view text, const Package
 std::vector<PackageFolder> for_cmake(const PackageFacts& facts) {
   return {{"",
            {fill("CMakeLists.txt", templates::kCMakeLists, facts,
-                 {"robot", "name", "version", "cmake_language", "header_ending"})}}};
+                 {"robot", "name", "version", "cmake_language", "header_patterns"})}}};
 }
 
 std::vector<PackageFolder> for_platformio(const PackageFacts& facts) {

@@ -26,21 +26,18 @@ Findings bad_input(const std::string& error) {
   return findings;
 }
 
-void add_outputs(CLI::App& app, OutputPaths& paths, const std::string& csv_help,
+void add_outputs(CommandLine& command, OutputPaths& paths, const std::string& csv_help,
                  const std::string& svg_help) {
-  app.add_option("--csv", paths.csv, csv_help);
-  app.add_option("--svg", paths.svg, svg_help);
+  command.add_text("--csv", paths.csv, csv_help);
+  command.add_text("--svg", paths.svg, svg_help);
 }
 
-void add_output_folder(CLI::App& app, std::string& folder, const std::string& content) {
-  app.add_option("--output", folder, "existing folder for " + content)
-      ->check(CLI::ExistingDirectory);
+void add_output_folder(CommandLine& command, std::string& folder, const std::string& content) {
+  command.add_folder("--output", folder, "existing folder for " + content);
 }
 
-void add_substeps(CLI::App& app, int& substeps) {
-  app.add_option("--substeps", substeps, "integration steps per cycle")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+void add_substeps(CommandLine& command, int& substeps) {
+  command.add_count("--substeps", substeps, 1000, "integration steps per cycle");
 }
 
 std::string file_in(const std::string& folder, const std::string& name) {
@@ -67,12 +64,9 @@ std::vector<OutputFile> files_of_both(const OutputPaths& paths, const servo::Tab
   return {csv_file(paths.csv, table), csv_file(other, compared), svg_file(paths.svg, figure)};
 }
 
-int run_experiment(CLI::App& app, int argc, char** argv, const std::function<Findings()>& run) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+int run_experiment(CommandLine& command, int argc, char** argv,
+                   const std::function<Findings()>& run) {
+  if (const auto status = command.parse(argc, argv)) return *status;
   const std::string program = std::filesystem::path(argv[0]).filename().string();
   const Findings findings = run();
   fmt::print("{}", findings.summary);

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "command_line/command_line.hpp"
 #include "servo/plot.hpp"
 #include "servo/table.hpp"
 
@@ -35,15 +35,15 @@ struct OutputPaths {
 };
 
 /// Adds the options --csv and --svg with an explanation each.
-void add_outputs(CLI::App& app, OutputPaths& paths,
+void add_outputs(CommandLine& command, OutputPaths& paths,
                  const std::string& csv_help = "write every cycle to this file",
                  const std::string& svg_help = "draw the figure into this file");
 
 /// Adds the option --output, an existing folder for `content`, such as "RUN.csv of each run".
-void add_output_folder(CLI::App& app, std::string& folder, const std::string& content);
+void add_output_folder(CommandLine& command, std::string& folder, const std::string& content);
 
 /// Adds the option --substeps, the integration steps per cycle.
-void add_substeps(CLI::App& app, int& substeps);
+void add_substeps(CommandLine& command, int& substeps);
 
 /// The path of a file in `folder`. Empty if `folder` is: then the file is not written.
 std::string file_in(const std::string& folder, const std::string& name);
@@ -77,6 +77,7 @@ void add_runs(Findings& findings, const std::string& folder, const std::string& 
 /// Reads the command line, runs the experiment, prints its summary and writes its files. Returns
 /// the exit status: 0 the claims hold, 1 bad input or a file cannot be written, 2 usage, 3 a claim
 /// is broken. Errors are printed behind the program's name.
-int run_experiment(CLI::App& app, int argc, char** argv, const std::function<Findings()>& run);
+int run_experiment(CommandLine& command, int argc, char** argv,
+                   const std::function<Findings()>& run);
 
 }  // namespace treeline::experiments

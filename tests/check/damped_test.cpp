@@ -80,6 +80,21 @@ TEST(CheckDamped, RandomRobots) {
   }
 }
 
+// Code for safety has loops of its own, without templates and bits of numbers.
+TEST(CheckDamped, InCodeForSafety) {
+  for (const Language language : {Language::cpp, Language::c}) {
+    Subjects subjects = load("ur10e");
+    subjects.scene.profile = Profile::misra;
+    subjects.scene.language = language;
+    subjects.scene.lanes = 1;
+    subjects.scene.functions = {kDampedFunctions.begin(), kDampedFunctions.end()};
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    const auto report = check_or_throw(subjects, quick_options(60));
+    EXPECT_TRUE(report.passed()) << print_text(report);
+    EXPECT_EQ(damped_of(report).bits_differ, 0);
+  }
+}
+
 // Four rows with three joints: Lambda^-1 has no inverse in any state, and the law is checked in all
 // of them.
 TEST(CheckDamped, WhereNoStateHasLambda) {

@@ -4,6 +4,7 @@
 
 #include "emission/c/print_damped.hpp"
 #include "emission/emit.hpp"
+#include "emission/misra/print_damped_runtime.hpp"
 #include "emission/sample.hpp"
 #include "emission/write_files.hpp"
 
@@ -28,6 +29,8 @@ int main(int argc, char** argv) {
   auto files = treeline::emit(context, programs, diagnostics, batch);
   if (is_c) {  // the loops of damped control, which these functions do without
     for (auto& file : treeline::c::print_damped_runtime(context)) files.push_back(file);
+  } else if (misra) {
+    for (auto& file : treeline::misra::print_damped_runtime(context)) files.push_back(file);
   }
   const bool written = !files.empty() && treeline::write_files(argv[1], files, diagnostics);
   for (const treeline::Diagnostic& diagnostic : diagnostics.list()) {

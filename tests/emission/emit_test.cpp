@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "emission/c/print_source.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
@@ -22,6 +23,11 @@ std::vector<GeneratedFile> emit_sample(Diagnostics& diagnostics) {
   return emit(test::sample_context("arm", false), test::sample_programs(), diagnostics);
 }
 
+std::vector<GeneratedFile> emit_sample_in_c(Diagnostics& diagnostics) {
+  return emit(test::sample_context("arm", false, Language::c), test::sample_programs(),
+              diagnostics);
+}
+
 // Would catch: a file that is not made, and a contract that omits something it promises.
 TEST(Emit, MakesTheFolder) {
   Diagnostics diagnostics;
@@ -31,10 +37,10 @@ TEST(Emit, MakesTheFolder) {
   for (const GeneratedFile& file : files) {
     names.push_back(file.name);
   }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"CMakeLists.txt", "arm.hpp", "arm_calls.hpp", "arm_eigen.hpp",
-                                      "arm_joints.hpp", "corner_cases.cpp", "inverse_dynamics.cpp",
-                                      "manifest.json", "sin_cos.hpp"}));
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "CMakeLists.txt", "arm.h", "arm.hpp", "arm_calls.hpp", "arm_eigen.hpp",
+                       "arm_joints.h", "arm_joints.hpp", "c_calls.cpp", "corner_cases.cpp",
+                       "inverse_dynamics.cpp", "manifest.json", "sin_cos.hpp"}));
   const std::string contract = text_of(files, "arm.hpp");
   for (const char* part :
        {"From arm.urdf and arm.yaml by", "treeline generate arm.urdf arm.yaml --output arm",
@@ -47,9 +53,22 @@ TEST(Emit, MakesTheFolder) {
   }
 }
 
-std::vector<GeneratedFile> emit_sample_in_c(Diagnostics& diagnostics) {
-  return emit(test::sample_context("arm", false, Language::c), test::sample_programs(),
-              diagnostics);
+// Would catch: a header for C beside C++ that declares other functions than C has, is not compiled,
+// or says that the code is C; one that hides a header of C.
+TEST(Emit, WritesAHeaderForC) {
+  Diagnostics diagnostics;
+  const auto files = emit_sample(diagnostics);
+  const auto from = [](const std::string& text) { return text.substr(text.find("typedef")); };
+  EXPECT_EQ(from(text_of(files, "arm.h")), from(text_of(emit_sample_in_c(diagnostics), "arm.h")));
+  EXPECT_EQ(text_of(files, "arm.h").find("needs C99"), std::string::npos);
+  EXPECT_NE(text_of(files, "arm.hpp").find("//   arm.h: the functions for C"), std::string::npos);
+  EXPECT_NE(text_of(files, "CMakeLists.txt").find("  c_calls.cpp\n"), std::string::npos);
+  EXPECT_TRUE(diagnostics.list().empty());
+  const auto without =
+      emit(test::sample_context("math", false), test::sample_programs(), diagnostics);
+  EXPECT_EQ(text_of(without, "math.h"), "");
+  EXPECT_EQ(text_of(without, "math.hpp").find("math.h:"), std::string::npos);
+  EXPECT_EQ(text_of(without, "CMakeLists.txt").find("c_calls"), std::string::npos);
 }
 
 // Would catch: a file in the other language, a name that others see without the robot's before it,
@@ -101,7 +120,6 @@ TEST(EmitInC, RefusesWhatItDoesNotHave) {
   EXPECT_EQ(elements(context), std::vector<std::string>{"batch"});
   EXPECT_EQ(elements(test::sample_context("math", false, Language::c)),
             std::vector<std::string>{"name"});
-  EXPECT_TRUE(elements(test::sample_context("math", false)).empty());
 }
 
 /// Products x, x^2, ..., each from the one before.
@@ -126,6 +144,17 @@ TEST(Emit, LongFunctionsDoWithoutSlowPasses) {
   EXPECT_NE(cpp::print_source(context, trace_products(12000)).find(pragma), std::string::npos);
   EXPECT_TRUE(is_long(trace_products(12001)));
   EXPECT_EQ(cpp::print_source(context, trace_products(12001)).find(pragma), std::string::npos);
+}
+
+// Would catch: the same passes in C at -O0 or in C for safety, where no extension is used.
+TEST(Emit, AsksForPassesInCToo) {
+  EmissionContext context = test::sample_context("arm", false, Language::c);
+  const std::string text = c::print_source(context, trace_products(12000));
+  EXPECT_NE(text.find("defined(__OPTIMIZE__)\n"), std::string::npos) << text.substr(0, 1000);
+  EXPECT_LT(text.find("#pragma GCC optimize"), text.find("#include"));
+  EXPECT_EQ(c::print_source(context, trace_products(12001)).find("#pragma"), std::string::npos);
+  context.misra = true;
+  EXPECT_EQ(c::print_source(context, trace_products(10)).find("#pragma"), std::string::npos);
 }
 
 // Would catch: output without the version of the generator that made it.

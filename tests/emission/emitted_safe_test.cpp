@@ -8,8 +8,12 @@
 #include "core/sin_cos.hpp"
 #include "emission/same_bits.hpp"
 #include "emission/sample.hpp"
+#include "sample_safe_double/damped_solve.hpp"
 #include "sample_safe_double/sample_safe_double.hpp"
 #include "sample_safe_double/sin_cos.hpp"
+#define _Bool bool  // what C calls it
+#include "sample_safe_float/damped_solve.h"
+#undef _Bool
 #include "sample_safe_float/sample_safe_float.h"
 #include "sample_safe_float/sin_cos.h"
 
@@ -39,6 +43,43 @@ TEST(EmittedSafe, EqualsTheGraphToTheBit) {
   test::compare_corner_cases<float>(sample_safe_float_corner_cases);
   compare_long_chain<double>(sample_safe_double::long_chain);
   compare_long_chain<float>(sample_safe_float_long_chain);
+}
+
+/// Positive numbers of all magnitudes, with the least and the largest, and some that have no root.
+template <class Real>
+void compare_roots(Real (*root)(Real)) {
+  using Limits = std::numeric_limits<Real>;
+  std::vector<Real> numbers = {0,
+                               Limits::denorm_min(),
+                               2 * Limits::denorm_min(),
+                               1,
+                               2,
+                               4,
+                               8,
+                               Limits::min(),
+                               Limits::max(),
+                               Limits::infinity()};
+  std::mt19937_64 random(test::kSeed);
+  std::uniform_real_distribution<Real> exponent(-Limits::digits - Limits::max_exponent,
+                                                Limits::max_exponent);
+  for (int i = 0; i < 200000; ++i) numbers.push_back(std::exp2(exponent(random)));
+  for (const Real x : numbers) {
+    ASSERT_EQ(root(x), std::sqrt(x)) << x;
+  }
+  EXPECT_EQ(root(-1), 0);
+  EXPECT_EQ(root(Limits::quiet_NaN()), 0);
+}
+
+// Would catch: a power of four that is missing at either end, and a last bit.
+TEST(EmittedSafe, RootsAreCorrectlyRounded) {
+  compare_roots<double>(sample_safe_double::detail::root);
+  compare_roots<float>([](float x) { return sample_safe_float_root(x); });
+}
+
+// Would catch: a rotation, a pivot or a rounding that is another than the runtime's.
+TEST(EmittedSafe, DampedSolvesHaveTheBitsOfTheRuntime) {
+  test::compare_damped_solves<double>(sample_safe_double::detail::damped_solve);
+  test::compare_damped_solves<float>(sample_safe_float_damped_solve);
 }
 
 void sin_cos_of(double x, std::array<double, 2>& both) {

@@ -10,7 +10,6 @@
 #include <span>
 #include <vector>
 
-#include "core/damped_solve.hpp"
 #include "emission/same_bits.hpp"
 #include "emission/sample.hpp"
 #include "program/evaluate.hpp"
@@ -18,10 +17,12 @@
 #include "sample_c_double_joints.h"
 #include "sample_c_float.h"
 #include "sample_c_float_joints.h"
+#include "sample_double.h"
 #include "sample_double_batch.hpp"
 #include "sample_double_calls.hpp"
 #include "sample_double_eigen.hpp"
 #include "sample_double_joints.hpp"
+#include "sample_float.h"
 #include "sample_float_batch.hpp"
 #include "sample_float_eigen.hpp"
 #include "sample_float_joints.hpp"
@@ -40,6 +41,7 @@ namespace treeline {
 namespace {
 
 using test::compare_corner_cases;
+using test::compare_damped_solves;
 using test::compare_two_link_arm;
 using test::expect_same_bits;
 using test::fill;
@@ -97,6 +99,8 @@ TEST(Emitted, TwoLinkArmEqualsTheGraphToTheBit) {
   compare_two_link_arm<float>(sample_float::inverse_dynamics);
   compare_two_link_arm<double>(sample_c_double_inverse_dynamics);
   compare_two_link_arm<float>(sample_c_float_inverse_dynamics);
+  compare_two_link_arm<double>(sample_double_inverse_dynamics);  // C++ called as C
+  compare_two_link_arm<float>(sample_float_inverse_dynamics);
 }
 
 TEST(Emitted, CornerCasesEqualTheGraphToTheBit) {
@@ -104,6 +108,8 @@ TEST(Emitted, CornerCasesEqualTheGraphToTheBit) {
   compare_corner_cases<float>(sample_float::corner_cases);
   compare_corner_cases<double>(sample_c_double_corner_cases);
   compare_corner_cases<float>(sample_c_float_corner_cases);
+  compare_corner_cases<double>(sample_double_corner_cases);
+  compare_corner_cases<float>(sample_float_corner_cases);
 }
 
 /// The root of every number of these bits; of a NaN only that it is one.
@@ -140,24 +146,6 @@ TEST(Emitted, PortableRootsInCAreCorrectlyRounded) {
   }
   compare_roots<double>(sample_c_double_call_portable_root, doubles);
   compare_roots<float>(sample_c_float_call_portable_root, floats);
-}
-
-/// Tasks of two rows from well moved to singular, where one row or both yield.
-template <class Real, class Function>
-void compare_damped_solves(Function solve) {
-  std::mt19937 random(kSeed);
-  std::uniform_real_distribution<Real> uniform(-4, 4);
-  for (int i = 0; i < 20000; ++i) {
-    const Real a = uniform(random), b = uniform(random), c = i % 3 == 0 ? 0 : uniform(random);
-    const Real A[4] = {a * a, a * b, a * b, b * b + c * c};
-    const Real heaviest[2] = {Real(0.1) + a * a, 3};
-    Real expected[2] = {uniform(random), uniform(random)};
-    Real actual[2] = {expected[0], expected[1]};
-    const Real ease = core::damped_solve(A, heaviest, expected);
-    const Real ease_in_c = solve(A, heaviest, actual);
-    ASSERT_EQ(std::memcmp(&ease, &ease_in_c, sizeof ease), 0) << i;
-    ASSERT_EQ(std::memcmp(expected, actual, sizeof actual), 0) << i;
-  }
 }
 
 // Would catch: a rotation, a pivot or a rounding in C that is another than the runtime's.

@@ -5,7 +5,10 @@
 #include <sstream>
 
 #include "emission/backend/backend.hpp"
+#include "emission/c/print_damped.hpp"
 #include "emission/emit.hpp"
+#include "emission/guard_headers.hpp"
+#include "emission/misra/print_damped_runtime.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/sample.hpp"
 
@@ -20,6 +23,11 @@ std::vector<GeneratedFile> emit_safe(Language language, bool single_precision) {
   Diagnostics diagnostics;
   auto files = emit(context, test::safe_programs(), diagnostics);
   EXPECT_TRUE(diagnostics.list().empty());
+  for (GeneratedFile& file : language == Language::c ? c::print_damped_runtime(context)
+                                                     : misra::print_damped_runtime(context)) {
+    files.push_back(std::move(file));
+  }
+  guard_headers(context.name, files);
   std::erase_if(files, [](const GeneratedFile& file) {
     return file.name == "CMakeLists.txt" || file.name == "manifest.json";
   });
@@ -103,7 +111,6 @@ TEST(Misra, RefusesWhatItDoesNotHave) {
   context.misra = true;
   context.lanes = 4;
   context.batch = 4;
-  context.heaviest = {10, 10};
   context.limited = true;
   context.controlled = true;
   Diagnostics diagnostics;
@@ -113,8 +120,8 @@ TEST(Misra, RefusesWhatItDoesNotHave) {
     keys.push_back(diagnostic.element);
     EXPECT_FALSE(diagnostic.remedy.empty());
   }
-  EXPECT_EQ(keys, (std::vector<std::string>{"lanes", "batch", "damped", "torque_limits, friction",
-                                            "controller"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"lanes", "batch", "torque_limits, friction", "controller"}));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ std::string print(Optimize optimize, Language language, const std::string& targe
   EmissionContext context = test::sample_context("arm", false, language);
   context.optimize = optimize;
   context.target = target;
-  return print_small_code(context, test::safe_programs());
+  return print_small_code(context, test::safe_programs(), {});
 }
 
 TEST(PrintSmallCode, ListsWhatTheSceneAsksFor) {

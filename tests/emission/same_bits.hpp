@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "core/damped_solve.hpp"
 #include "emission/sample.hpp"
 #include "program/evaluate.hpp"
 
@@ -65,6 +66,24 @@ void compare_corner_cases(Function corner_cases) {
     const auto results = evaluate(program, arguments);
     expect_same_bits(out, results[0]);
     expect_same_bits(second, results[1]);
+  }
+}
+
+/// Tasks of two rows from well moved to singular, where one row or both yield.
+template <class Real, class Function>
+void compare_damped_solves(Function solve) {
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<Real> uniform(-4, 4);
+  for (int i = 0; i < 20000; ++i) {
+    const Real a = uniform(random), b = uniform(random), c = i % 3 == 0 ? 0 : uniform(random);
+    const Real A[4] = {a * a, a * b, a * b, b * b + c * c};
+    const Real heaviest[2] = {Real(0.1) + a * a, 3};
+    Real expected[2] = {uniform(random), uniform(random)};
+    Real actual[2] = {expected[0], expected[1]};
+    const Real ease = core::damped_solve(A, heaviest, expected);
+    const Real ease_in_c = solve(A, heaviest, actual);
+    ASSERT_EQ(std::memcmp(&ease, &ease_in_c, sizeof ease), 0) << i;
+    ASSERT_EQ(std::memcmp(expected, actual, sizeof actual), 0) << i;
   }
 }
 

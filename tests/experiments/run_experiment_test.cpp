@@ -32,13 +32,13 @@ class RunExperiment : public ::testing::Test {
 
   /// The exit status of a program with the options --csv, --svg and --substeps.
   int run(std::vector<std::string> words, const Findings& found) {
-    CLI::App app{"A test."};
-    add_outputs(app, paths_);
-    add_substeps(app, substeps_);
+    CommandLine command{"A test."};
+    add_outputs(command, paths_);
+    add_substeps(command, substeps_);
     words.insert(words.begin(), "/somewhere/program");
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
-    return run_experiment(app, static_cast<int>(arguments.size()), arguments.data(), [&] {
+    return run_experiment(command, static_cast<int>(arguments.size()), arguments.data(), [&] {
       ++runs_;
       Findings findings = found;
       findings.files = {{paths_.csv, "numbers"}, {paths_.svg, "picture"}};

@@ -13,7 +13,7 @@ function reason_to_skip(file) {
   if (!/_math_test|complete_test/.test(file) && !find_chromium()) {
     return 'there is no Chromium: install the package chromium, or name it in TREELINE_CHROMIUM';
   }
-  if (/drive_test/.test(file) && !fs.existsSync(process.env.TREELINE_DRIVE ?? '')) {
+  if (/drive_test|replay_test/.test(file) && !fs.existsSync(process.env.TREELINE_DRIVE ?? '')) {
     return 'TREELINE_DRIVE does not name the program treeline: build it first';
   }
   return '';

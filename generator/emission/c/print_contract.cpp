@@ -25,6 +25,24 @@ std::string print_array_macro(const EmissionContext& context) {
       name_in_capitals(context));
 }
 
+/// What the functions are made of.
+std::string describe_needs(const EmissionContext& context) {
+  if (context.language == Language::cpp) {
+    return fmt::format(
+        "Programs in C99 and C++ include this file. The functions are those of\n"
+        "{}.hpp, with the same bits: c_calls.cpp, in C++17,\n"
+        "passes each call on and copies nothing. No library is needed, not even that of C++.",
+        context.name);
+  }
+  return fmt::format(
+      "The code needs C99 and nothing else: of its headers <float.h> and <stdint.h>, no library, "
+      "no\n"
+      "heap, no branch, no global state. C++ may include this file too. Same input, same bits; "
+      "and\n"
+      "same time, where the target has instructions for {}.",
+      context.single_precision ? "float" : "double");
+}
+
 }  // namespace
 
 std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
@@ -39,6 +57,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   const bool single = context.single_precision;
   auto values = describe_contract(context);
   values.insert({{"NAME", name_in_capitals(context)},
+                 {"needs", comment("//", describe_needs(context))},
                  {"array", print_array_macro(context)},
                  {"macros", single ? "FLT" : "DBL"},
                  {"exponent", single ? "128" : "1024"},

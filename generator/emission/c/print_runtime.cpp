@@ -16,6 +16,14 @@
 namespace treeline::c {
 namespace {
 
+/// A union of a number and its bits, and the functions that use it.
+std::string print_number(const EmissionContext& context) {
+  const bool single = context.single_precision;
+  return fill_template(templates::kNumber, {{"name", context.name},
+                                            {"real", single ? "float" : "double"},
+                                            {"bits", single ? "uint32_t" : "uint64_t"}});
+}
+
 std::string print_sin_cos(const EmissionContext& context) {
   if (context.misra) return misra::print_sin_cos(context);
   const bool single = context.single_precision;
@@ -48,13 +56,6 @@ std::string print_lanes(const EmissionContext& context, std::span<const Program>
 }
 
 }  // namespace
-
-std::string print_number(const EmissionContext& context) {
-  const bool single = context.single_precision;
-  return fill_template(templates::kNumber, {{"name", context.name},
-                                            {"real", single ? "float" : "double"},
-                                            {"bits", single ? "uint32_t" : "uint64_t"}});
-}
 
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,

@@ -9,9 +9,6 @@
 
 namespace treeline::c {
 
-/// A union of a number and its bits, and the functions that use it.
-std::string print_number(const EmissionContext& context);
-
 /// The headers that the sources include: sine and cosine, lanes, loops of damped control.
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,

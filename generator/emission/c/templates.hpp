@@ -10,6 +10,7 @@ extern const std::string_view kContract;
 extern const std::string_view kDamped;
 extern const std::string_view kDampedSolve;
 extern const std::string_view kDampedSource;
+extern const std::string_view kDampedSteps;
 extern const std::string_view kDeclaration;
 extern const std::string_view kFunction;
 extern const std::string_view kJoints;

@@ -4,6 +4,7 @@
 
 #include "emission/controller_unit.hpp"
 #include "emission/cpp/print_batch.hpp"
+#include "emission/cpp/print_c_calls.hpp"
 #include "emission/cpp/print_calls.hpp"
 #include "emission/cpp/print_contract.hpp"
 #include "emission/cpp/print_controller.hpp"
@@ -39,6 +40,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
     sources += "batch_" + program.name + ".cpp\n";
   }
   if (context.prefetch) sources += "prefetch.cpp\n";
+  if (has_c_calls(context)) sources += "c_calls.cpp\n";
   if (context.controller) {
     for (const Program* const program : context.controller->programs()) {
       sources += program->name + ".cpp\n";
@@ -50,7 +52,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
       {{"robot", context.robot},
        {"name", context.name},
        {"contraction", contraction_default(context)},
-       {"target_flags", print_target_flags(context) + print_small_code(context, programs)},
+       {"target_flags", print_target_flags(context) + print_small_code(context, programs, batch)},
        {"sources", sources}});
 }
 
@@ -58,19 +60,20 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
 std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> batch) {
-  if (context.misra) return {};  // neither templates nor libraries
-  std::vector<GeneratedFile> files = {
-      {context.name + "_calls.hpp", print_calls(context, programs)},
-      {context.name + "_eigen.hpp", print_eigen(context, programs)}};
+  std::vector<GeneratedFile> files;
+  if (!context.heaviest.empty()) {
+    files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
+  }
+  if (context.misra) return files;  // neither templates nor libraries
+  files.insert(files.end(), {{context.name + "_calls.hpp", print_calls(context, programs)},
+                             {context.name + "_eigen.hpp", print_eigen(context, programs)}});
+  for (GeneratedFile& file : print_c_calls(context, programs)) files.push_back(std::move(file));
   for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   if (!batch.empty()) {
     files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});
   }
   for (const Program& program : batch) {
     files.push_back({"batch_" + program.name + ".cpp", print_batch_source(context, program)});
-  }
-  if (!context.heaviest.empty()) {
-    files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
   }
   if (context.limits) {
     files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "emission/comment.hpp"
+#include "emission/cpp/print_c_calls.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_contract.hpp"
@@ -14,8 +15,13 @@ namespace treeline::cpp {
 namespace {
 
 constexpr const char* kBeside =
-    "//   {0}_calls.hpp: the functions with named inputs, std::array and pointers\n"
+    "{1}//   {0}_calls.hpp: the functions with named inputs, std::array and pointers\n"
     "//   {0}_eigen.hpp: the functions for Eigen\n";
+
+std::string list_c_headers(const EmissionContext& context) {
+  if (!has_c_calls(context)) return {};
+  return fmt::format("//   {}.h: the functions for C\n", context.name);
+}
 
 }  // namespace
 
@@ -32,7 +38,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                                  [](const Program& program) { return program.loops != nullptr; });
   auto values = describe_contract(context);
   values.insert(
-      {{"beside", context.misra ? "" : fmt::format(kBeside, context.name)},
+      {{"beside", context.misra ? "" : fmt::format(kBeside, context.name, list_c_headers(context))},
        {"includes", context.misra ? "\n#include <cstdint>" : ""},
        {"form", loops ? "loops over its links and straight-line code" : "straight-line code"},
        {"branch", loops ? "no branch on data" : "no branch"},

@@ -7,6 +7,7 @@
 #include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
 
 namespace treeline::cpp {
@@ -87,6 +88,12 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   }
   if (has_batch) {
     files.push_back({"states.hpp", print_header(context, templates::kStates)});
+  }
+  if (damped && context.misra) {
+    for (GeneratedFile& file : misra::print_damped_runtime(context)) {
+      files.push_back(std::move(file));
+    }
+    return files;
   }
   if (damped) {
     files.push_back({"damped_solve.hpp", print_header(context, templates::kDampedSolve)});

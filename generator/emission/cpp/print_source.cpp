@@ -10,6 +10,7 @@
 #include "emission/fill_template.hpp"
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_optimize.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
@@ -141,19 +142,13 @@ std::string print_source(const EmissionContext& context, const Program& program)
       {{"head", describe_source(program)},
        {"cost", describe_cost(program)},
        {"name", context.name},
-       {"optimize", print_optimize(program)},
+       {"optimize", print_extra_passes(program)},
        {"includes", print_includes(program)},
        {"lanes", print_lanes_type(program)},
        {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
        {"signature", print_section(context) + print_prefetch_section(context) +
                          wrap_line(print_head(program, "TREELINE_RESTRICT ") + " {", 0)},
        {"body", print_body(program, make_syntax(context), find_taken(context, program))}});
-}
-
-std::string print_optimize(const Program& program) {
-  // Of a chain of 60 joints g++ 12 compiles Lambda^-1 (25000 operations) in 200 s with these passes
-  // and in 17 s without, M (27000) in 48 and 28 s, to 5 % more code.
-  return is_long(program) ? std::string() : std::string(templates::kOptimize);
 }
 
 std::set<std::string> find_taken(const EmissionContext& context, const Program& program) {

@@ -17,8 +17,4 @@ std::string print_source(const EmissionContext& context, const Program& program)
 /// Names that no local may have.
 std::set<std::string> find_taken(const EmissionContext& context, const Program& program);
 
-/// What a source file asks of the compiler: GCC's passes that save spills; of long functions
-/// nothing.
-std::string print_optimize(const Program& program);
-
 }  // namespace treeline::cpp

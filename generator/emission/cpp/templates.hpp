@@ -9,6 +9,7 @@ namespace treeline::cpp::templates {
 extern const std::string_view kActiveRowFactors;
 extern const std::string_view kBatch;
 extern const std::string_view kBatchFunction;
+extern const std::string_view kCCalls;
 extern const std::string_view kCMakeLists;
 extern const std::string_view kCalls;
 extern const std::string_view kContract;

@@ -22,11 +22,6 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
            "Leave `prefetch` out.");
   }
   if (context.language == Language::c) return;
-  if (!context.heaviest.empty()) {
-    report(
-        "damped", "damped control in C++ needs the bits of numbers, which `profile: misra` avoids",
-        "Leave `damped` out, or generate C (`language: c`), where SAFETY.md lists the deviation.");
-  }
   if (context.limited) {
     report("torque_limits, friction",
            "limited_control_torque is written as templates, which `profile: misra` does not have",

@@ -5,9 +5,13 @@
 namespace treeline::misra::templates {
 
 // The files of templates/misra/, embedded when the generator is built (see embed_files.cmake).
+extern const std::string_view kDampedSolve;
 extern const std::string_view kFunction;
 extern const std::string_view kSinCosC;
 extern const std::string_view kSinCosCpp;
 extern const std::string_view kSinCosSteps;
+extern const std::string_view kSquareRootC;
+extern const std::string_view kSquareRootCpp;
+extern const std::string_view kSquareRootSteps;
 
 }  // namespace treeline::misra::templates

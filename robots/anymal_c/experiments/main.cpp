@@ -4,14 +4,14 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "The quadruped ANYmal C stands, trots in place, walks ten metres on diagonal pairs of feet,\n"
       "and stands again, on a ground that only pushes. Torques and forces stay within their "
       "limits\n"
       "in every cycle. Exit status 3 if it does not."};
   OutputPaths paths;
-  add_outputs(app, paths, "write the run here, 100 lines a second");
-  return run_experiment(app, argc, argv, [&paths] {
+  add_outputs(command, paths, "write the run here, 100 lines a second");
+  return run_experiment(command, argc, argv, [&paths] {
     const TrotPlan plan;
     const TrotRun run = run_trot(plan);
     return Findings{trot_summary(plan, run), files_of(paths, run.table, trot_figure(run)),

@@ -4,16 +4,14 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "Fingers of a published hand turn a ball and lead it around. Their tips roll on it, press\n"
       "it, and never slip. Exit status 3 if they do."};
   OutputPaths paths;
   std::string hand = "allegro";
-  app.add_option("--hand", hand, "allegro: three fingers; shadow: five")
-      ->check(CLI::IsMember({"allegro", "shadow"}))
-      ->capture_default_str();
-  add_outputs(app, paths, "write the run here, 100 lines a second");
-  return run_experiment(app, argc, argv, [&paths, &hand] {
+  command.add_choice("--hand", hand, {"allegro", "shadow"}, "allegro: three fingers; shadow: five");
+  add_outputs(command, paths, "write the run here, 100 lines a second");
+  return run_experiment(command, argc, argv, [&paths, &hand] {
     const BallRun run = hand == "allegro" ? turn_ball_by_allegro(plan_of_allegro())
                                           : turn_ball_by_shadow(plan_of_shadow());
     return Findings{ball_summary(run), files_of(paths, run.table, ball_figure(run)),

@@ -31,12 +31,11 @@ struct Options {
   experiments::RunSettings run;
 };
 
-void declare(CLI::App& app, Options& options) {
-  app.add_option("--plan", options.plan, "start, target, squeeze and gains (YAML)")
-      ->capture_default_str();
-  app.add_option("--urdf", options.urdf, "where joint limits are read")->capture_default_str();
-  experiments::add_substeps(app, options.run.substeps);
-  experiments::add_outputs(app, options.paths);
+void declare(experiments::CommandLine& command, Options& options) {
+  command.add_text("--plan", options.plan, "start, target, squeeze and gains (YAML)");
+  command.add_text("--urdf", options.urdf, "where joint limits are read");
+  experiments::add_substeps(command, options.run.substeps);
+  experiments::add_outputs(command, options.paths);
 }
 
 experiments::Findings run(const Options& options) {
@@ -63,10 +62,10 @@ experiments::Findings run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  experiments::CommandLine command{
       "Both hands put a box on the floor, squeezing it, posture advised, at a fixed rate. "
       "Exit status 3 if a bound is broken."};
   Options options;
-  declare(app, options);
-  return experiments::run_experiment(app, argc, argv, [&options] { return run(options); });
+  declare(command, options);
+  return experiments::run_experiment(command, argc, argv, [&options] { return run(options); });
 }

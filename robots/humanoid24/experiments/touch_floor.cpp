@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "command_line/run_experiment.hpp"
 #include "humanoid24_functions.hpp"
@@ -21,24 +22,24 @@ struct Options {
   std::string plan = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
   std::string urdf = TREELINE_HUMANOID24_DIR "/humanoid24.urdf";
   experiments::OutputPaths paths;
-  double rate = 0.0;
-  double duration = 0.0;
-  double spring = 0.0;
+  std::optional<double> rate;
+  std::optional<double> duration;
+  std::optional<double> spring;
   bool realtime = false;
   experiments::RunSettings run;
 };
 
-void declare(CLI::App& app, Options& options) {
-  app.add_option("--plan", options.plan, "start, target and gains (YAML)")->capture_default_str();
-  app.add_option("--urdf", options.urdf, "where joint limits are read")->capture_default_str();
-  app.add_option("--rate", options.rate, "Hz, instead of the plan's")->check(CLI::Range(1.0, 1e5));
-  app.add_option("--duration", options.duration, "s of the spline, instead of the plan's")
-      ->check(CLI::Range(0.1, 1e3));
-  experiments::add_substeps(app, options.run.substeps);
-  app.add_option("--spring", options.spring, "N m/rad, of every joint, instead of the plan's")
-      ->check(CLI::Range(0.01, 1e4));
-  app.add_flag("--realtime", options.realtime, "keep to the machine's clock");
-  experiments::add_outputs(app, options.paths);
+void declare(experiments::CommandLine& command, Options& options) {
+  command.add_text("--plan", options.plan, "start, target and gains (YAML)");
+  command.add_text("--urdf", options.urdf, "where joint limits are read");
+  command.add_number("--rate", options.rate, {1.0, 1e5}, "Hz, instead of the plan's");
+  command.add_number("--duration", options.duration, {0.1, 1e3},
+                     "s of the spline, instead of the plan's");
+  experiments::add_substeps(command, options.run.substeps);
+  command.add_number("--spring", options.spring, {0.01, 1e4},
+                     "N m/rad, of every joint, instead of the plan's");
+  command.add_flag("--realtime", options.realtime, "keep to the machine's clock");
+  experiments::add_outputs(command, options.paths);
 }
 
 experiments::Outcome touch_floor(const Options& options, const experiments::Plan& plan,
@@ -64,10 +65,10 @@ experiments::Findings run(const Options& options) {
       !experiments::read_limits(options.urdf, plan.joints, limits, error)) {
     return experiments::bad_input(error);
   }
-  plan.spring = options.spring > 0.0 ? options.spring : plan.spring;
+  plan.spring = options.spring.value_or(plan.spring);
   if (!(plan.spring > 0.0)) return experiments::bad_input(options.plan + " has no springs");
-  plan.rate = options.rate > 0.0 ? options.rate : plan.rate;
-  plan.duration = options.duration > 0.0 ? options.duration : plan.duration;
+  plan.rate = options.rate.value_or(plan.rate);
+  plan.duration = options.duration.value_or(plan.duration);
   const auto outcome = touch_floor(options, plan, limits);
   const std::string title = fmt::format(
       "humanoid24 touches the floor (Chang section 6.3): {:.1f} s spline at {:.0f} Hz\n",
@@ -80,10 +81,10 @@ experiments::Findings run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  experiments::CommandLine command{
       "Left hand to the floor, right hand held, posture advised, at a fixed rate. Exit "
       "status 3 if a bound is broken."};
   Options options;
-  declare(app, options);
-  return experiments::run_experiment(app, argc, argv, [&options] { return run(options); });
+  declare(command, options);
+  return experiments::run_experiment(command, argc, argv, [&options] { return run(options); });
 }

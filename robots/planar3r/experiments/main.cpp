@@ -4,15 +4,15 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "3R planar arm: null-space motion with two generalised inverses. Exit "
       "status 3 if the claim is broken."};
   OutputPaths paths;
   add_outputs(
-      app, paths,
+      command, paths,
       "write the run with the dynamically consistent inverse here, and the other to FILE.pseudo",
       "draw both figures into this file");
-  return run_experiment(app, argc, argv, [&paths] {
+  return run_experiment(command, argc, argv, [&paths] {
     const auto pseudo = run_null_space(Inverse::pseudo);
     const auto consistent = run_null_space(Inverse::dynamic_consistent);
     return Findings{null_space_summary(pseudo, consistent),

@@ -23,13 +23,13 @@ const char* file_name(Lock lock) {
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "PUMA 560 at 1 kHz entering, passing and leaving its elbow, head and wrist lock: with the\n"
       "strategy, without it, and with damped least squares. Prints torques, speeds and errors;\n"
       "exit status 3 if a claim is broken."};
   std::string folder;
-  add_output_folder(app, folder, "LOCK_STRATEGY.csv and LOCK.svg");
-  return run_experiment(app, argc, argv, [&folder] {
+  add_output_folder(command, folder, "LOCK_STRATEGY.csv and LOCK.svg");
+  return run_experiment(command, argc, argv, [&folder] {
     constexpr const char* kEndings[] = {"_none.csv", "_damped.csv", "_singular.csv"};
     Findings findings{"", {}, true};
     for (const auto lock : kLocks) {

@@ -5,15 +5,15 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "PUMA 560 presses on a springy plate that rocks and heaves, and slides on it in a circle, "
       "at\n"
       "1 kHz: with the selection frame moving with the plate, and with a fixed one. Exit status 3\n"
       "if force or circle are off by more than claimed."};
   OutputPaths paths;
-  add_outputs(app, paths, "write the run with the moving frame here, the other to FILE.fixed",
+  add_outputs(command, paths, "write the run with the moving frame here, the other to FILE.fixed",
               "draw both runs into this file");
-  return run_experiment(app, argc, argv, [&paths] {
+  return run_experiment(command, argc, argv, [&paths] {
     const auto moving = run_press(Frame::moving);
     const auto fixed = run_press(Frame::fixed);
     return Findings{

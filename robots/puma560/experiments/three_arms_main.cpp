@@ -7,14 +7,14 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "Three arms carry one beam, pulling it apart as commanded, at 1 kHz. Exit status 3 if "
       "a bound is broken."};
   ThreeArmsPlan plan;
   OutputPaths paths;
-  add_substeps(app, plan.substeps);
-  add_outputs(app, paths);
-  return run_experiment(app, argc, argv, [&] {
+  add_substeps(command, plan.substeps);
+  add_outputs(command, paths);
+  return run_experiment(command, argc, argv, [&] {
     const auto outcome = carry_with_three_arms(plan);
     const std::string title = fmt::format("three PUMA 560 carry a beam at {:.0f} Hz\n", plan.rate);
     return Findings{title + summary(outcome), files_of(paths, outcome.table, figure(outcome)),

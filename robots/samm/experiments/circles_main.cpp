@@ -5,13 +5,13 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "SAMM draws a circle with its tool at 1 kHz: base at rest, then base on a circle of its own\n"
       "in the tool's null space; each with ideal drives, friction, backlash, and both (worn).\n"
       "Prints the errors beside the thesis's 4 %; exit status 3 if a claim is broken."};
   std::string folder;
-  add_output_folder(app, folder, "RUN.csv and RUN.svg of each run");
-  return run_experiment(app, argc, argv, [&folder] {
+  add_output_folder(command, folder, "RUN.csv and RUN.svg of each run");
+  return run_experiment(command, argc, argv, [&folder] {
     const auto runs = run_all_circles();
     const std::string broken = broken_circle_claims(runs);
     Findings findings{circles_summary(runs) + broken, {}, broken.empty()};

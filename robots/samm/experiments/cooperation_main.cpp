@@ -5,13 +5,13 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "Two mobile manipulators carry one object by three laws: one computer for both, each robot "
       "by "
       "itself, and each by itself with forces exchanged. Exit status 3 if a claim is broken."};
   OutputPaths paths;
-  add_outputs(app, paths, "write the errors of all runs to this file");
-  return run_experiment(app, argc, argv, [&paths] {
+  add_outputs(command, paths, "write the errors of all runs to this file");
+  return run_experiment(command, argc, argv, [&paths] {
     const auto comparison = compare_laws({});
     return Findings{summary(comparison),
                     {{paths.csv, csv_text(comparison)}, svg_file(paths.svg, figure(comparison))},

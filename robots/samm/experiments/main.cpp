@@ -7,14 +7,14 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "Two mobile manipulators carry one object, squeezing it as commanded, at 1 kHz. Exit "
       "status 3 if a bound is broken."};
   CarryPlan plan;
   OutputPaths paths;
-  add_substeps(app, plan.substeps);
-  add_outputs(app, paths);
-  return run_experiment(app, argc, argv, [&] {
+  add_substeps(command, plan.substeps);
+  add_outputs(command, paths);
+  return run_experiment(command, argc, argv, [&] {
     const auto outcome = carry_object(plan);
     const std::string title =
         fmt::format("two SAMMs carry an object: {:.0f} s at {:.0f} Hz\n", plan.duration, plan.rate);

@@ -4,16 +4,14 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "A falling tree of nine links bounces: without loss, with it, and with friction. "
       "Exit status 3 if a claim is broken."};
   OutputPaths paths;
   double duration = 2.5;
-  app.add_option("--duration", duration, "s of each run")
-      ->check(CLI::Range(0.1, 60.0))
-      ->capture_default_str();
-  add_outputs(app, paths, "write the run with friction here", "draw all runs into this file");
-  return run_experiment(app, argc, argv, [&] {
+  command.add_number("--duration", duration, {0.1, 60.0}, "s of each run");
+  add_outputs(command, paths, "write the run with friction here", "draw all runs into this file");
+  return run_experiment(command, argc, argv, [&] {
     std::string error;
     const auto model = load_floating(TREELINE_TUMBLER_URDF, error);
     if (!model) return bad_input(error);

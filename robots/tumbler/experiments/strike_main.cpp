@@ -4,14 +4,14 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "A free tree of nine links is struck at each of them in turn. Exit status 3 if a "
       "claim is broken."};
   OutputPaths paths;
   double impulse = 1;
-  app.add_option("--impulse", impulse, "N s, of each blow")->capture_default_str();
-  add_outputs(app, paths, "write a line for each link here", "draw the flights into this file");
-  return run_experiment(app, argc, argv, [&] {
+  command.add_number("--impulse", impulse, {1e-6, 1e6}, "N s, of each blow");
+  add_outputs(command, paths, "write a line for each link here", "draw the flights into this file");
+  return run_experiment(command, argc, argv, [&] {
     std::string error;
     const auto model = load_floating(TREELINE_TUMBLER_URDF, error);
     if (!model) return bad_input(error);

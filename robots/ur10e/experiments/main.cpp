@@ -6,12 +6,12 @@
 int main(int argc, char** argv) {
   using namespace treeline::experiments;        // NOLINT: a program, not a header
   using namespace treeline::ur10e_experiments;  // NOLINT
-  CLI::App app{
+  CommandLine command{
       "UR10e: torque and speed on the way through singularities. Exit status 3 if a "
       "claim is broken."};
   std::string folder;
-  add_output_folder(app, folder, "LINE_LAW.csv and LINE.svg");
-  return run_experiment(app, argc, argv, [&folder] {
+  add_output_folder(command, folder, "LINE_LAW.csv and LINE.svg");
+  return run_experiment(command, argc, argv, [&folder] {
     constexpr const char* kEndings[] = {"_exact.csv", "_least_squares.csv", "_damped.csv"};
     Findings findings{"", {}, true};
     for (const auto line : kLines) {

@@ -4,7 +4,7 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "The humanoid's left hand reaches forward and down at 1 kHz: with the centre of mass kept "
       "over\n"
       "the feet in the hand's null space, and without. Exit status 3 if it leaves them or the "
@@ -13,12 +13,11 @@ int main(int argc, char** argv) {
   std::string plan_file = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
   std::string urdf = TREELINE_HUMANOID24_DIR "/humanoid24.urdf";
   OutputPaths paths;
-  app.add_option("--plan", plan_file, "where the start and all gains are read (YAML)")
-      ->capture_default_str();
-  app.add_option("--urdf", urdf, "where joint limits are read")->capture_default_str();
-  add_outputs(app, paths, "write the balanced run here, the other to FILE.without",
+  command.add_text("--plan", plan_file, "where the start and all gains are read (YAML)");
+  command.add_text("--urdf", urdf, "where joint limits are read");
+  add_outputs(command, paths, "write the balanced run here, the other to FILE.without",
               "draw both runs into this file");
-  return run_experiment(app, argc, argv, [&] {
+  return run_experiment(command, argc, argv, [&] {
     Plan plan;
     JointLimits limits;
     std::string error;

@@ -4,22 +4,18 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "The humanoid's left fist hits a wall, rebounds and presses against it. Exit "
       "status 3 if a claim is broken."};
   std::string plan_file = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
   OutputPaths paths;
   WallSettings settings;
-  app.add_option("--plan", plan_file, "where the start and the posture's stiffness are read")
-      ->capture_default_str();
-  app.add_option("--restitution", settings.restitution, "of the fist on the wall")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  app.add_option("--friction", settings.friction, "coefficient between fist and wall")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  add_outputs(app, paths);
-  return run_experiment(app, argc, argv, [&] {
+  command.add_text("--plan", plan_file, "where the start and the posture's stiffness are read");
+  command.add_number("--restitution", settings.restitution, {0.0, 1.0}, "of the fist on the wall");
+  command.add_number("--friction", settings.friction, {0.0, 10.0},
+                     "coefficient between fist and wall");
+  add_outputs(command, paths);
+  return run_experiment(command, argc, argv, [&] {
     Plan plan;
     std::string error;
     if (!read_plan(plan_file, plan, error)) return bad_input(error);

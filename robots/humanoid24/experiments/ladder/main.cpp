@@ -7,14 +7,14 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "Two humanoids carry a ladder, squeezing its rails as commanded, at 1 kHz. Exit status 3 if "
       "a bound is broken."};
   LadderPlan plan;
   OutputPaths paths;
-  add_substeps(app, plan.substeps);
-  add_outputs(app, paths);
-  return run_experiment(app, argc, argv, [&] {
+  add_substeps(command, plan.substeps);
+  add_outputs(command, paths);
+  return run_experiment(command, argc, argv, [&] {
     const auto outcome = carry_ladder(plan);
     const std::string title = fmt::format("two humanoids carry a ladder at {:.0f} Hz\n", plan.rate);
     return Findings{title + summary(outcome), files_of(paths, outcome.table, figure(outcome)),

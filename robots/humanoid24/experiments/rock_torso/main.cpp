@@ -24,19 +24,18 @@ Findings findings_of(const RockPlan& plan, const Plan& pose, const Outcome& outc
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  CommandLine command{
       "Both hands hold their poses while the torso rocks, advised at 30 Hz. Exit status 3 if a "
       "hand notices or the torso does not follow."};
   std::string plan_file = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
   std::string urdf = TREELINE_HUMANOID24_DIR "/humanoid24.urdf";
   OutputPaths paths;
   RockPlan plan;
-  app.add_option("--plan", plan_file, "where the start and the hands' gains are read (YAML)")
-      ->capture_default_str();
-  app.add_option("--urdf", urdf, "where joint limits are read")->capture_default_str();
-  app.add_option("--rate", plan.rate, "Hz")->check(CLI::Range(1.0, 1e5))->capture_default_str();
-  add_outputs(app, paths);
-  return run_experiment(app, argc, argv, [&] {
+  command.add_text("--plan", plan_file, "where the start and the hands' gains are read (YAML)");
+  command.add_text("--urdf", urdf, "where joint limits are read");
+  command.add_number("--rate", plan.rate, {1.0, 1e5}, "Hz");
+  add_outputs(command, paths);
+  return run_experiment(command, argc, argv, [&] {
     Plan pose;
     JointLimits limits;
     std::string error;

@@ -4,14 +4,15 @@
 
 int main(int argc, char** argv) {
   using namespace treeline::experiments;  // NOLINT: a program, not a header
-  CLI::App app{
+  CommandLine command{
       "Finds the base parameters, rotors and friction of a simulated PUMA 560 from noisy torques "
       "of\n"
       "an exciting motion, with their standard deviations, and predicts the torques of another\n"
       "motion. Exit status 3 if they are off by more than the noise explains."};
   OutputPaths paths;
-  add_outputs(app, paths, "write the torques of the other motion here", "draw them into this file");
-  return run_experiment(app, argc, argv, [&paths] {
+  add_outputs(command, paths, "write the torques of the other motion here",
+              "draw them into this file");
+  return run_experiment(command, argc, argv, [&paths] {
     const auto result = identify();
     return Findings{identify_summary(result),
                     files_of(paths, result.held_out, identify_figure(result)),

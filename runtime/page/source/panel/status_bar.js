@@ -1,7 +1,8 @@
 // The top of the page: who, how it goes, and the buttons that start and stop.
 import {button, element, set_text} from '../element.js';
 
-const kModes = {idle: 'Idle', running: 'Running', stopping: 'Stopping', faulted: 'Fault'};
+const kModes = {idle: 'Idle', running: 'Running', stopping: 'Stopping', faulted: 'Fault',
+  replay: 'Replay'};
 
 function chip(label) {
   return element('span', {className: `chip ${label}`, role: 'status', 'aria-label': label});

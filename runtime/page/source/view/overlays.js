@@ -180,7 +180,7 @@ export class Overlays {
       const effort = this.hello.coordinates[index].effort ?? 100;
       if (kinds.length !== 1 || !joint) return;
       const axis = joint.axis.clone().transformDirection(joint.matrixWorld);
-      const share = axis.multiplyScalar(state.tau[first[i]] / effort);
+      const share = axis.multiplyScalar((state.tau[first[i]] ?? 0) / effort);
       this.#add_arrow(joint.getWorldPosition(new three.Vector3()).toArray(), share.toArray(), 3,
         kTorqueColor);
     });

@@ -1,0 +1,36 @@
+#ifndef TREELINE_UR10E_DAMPED_H
+#define TREELINE_UR10E_DAMPED_H
+// ur10e: control that stays bounded and smooth at singularities, from the functions of
+// ur10e.h. Generated; needs no library.
+#include "ur10e.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// The effective mass (kg; kg m^2 in rows of rotation) beyond which a direction of the task yields.
+static const double ur10e_heaviest[6] = {200.0, 200.0, 200.0, 5.0, 5.0, 5.0};
+
+/// tau = J^T F + M qdd_0 + b + g with (Lambda^-1 + Delta) F = xdd_cmd - Jd qd - J qdd_0: that of
+/// control_torque where no direction of the task feels heavier than `heaviest`, the array above or
+/// another; elsewhere Delta lets those directions yield, and them only. With
+/// S = diag(sqrt(heaviest)) the accelerations that the task adds obey
+/// qdd_F^T M qdd_F <= 1.362 |S (xdd_cmd - Jd qd - J qdd_0)|^2 in every configuration, and tau has
+/// no step; see damped_solve.h. Where directions yield, qdd_0 moves the joints that the task has
+/// given up: let it damp, as qdd_0 = -kv qd does. Returns the least ease: 1 and more where nothing
+/// yields, 0 at a singularity.
+/// Cost: 5288 flops (add 2017, mul 3109, div 162), 130 square roots, sine and cosine of 19 angles;
+///   4249 of the flops in the solve.
+/// Stack, an estimate: 455 values live at once, 3640 bytes.
+/// Rounding: in 50, 90, 99 of 100 states, as measured, at most 3e-11, 6e-10, 2e-09 in tau; 3e-13,
+///   2e-12, 3e-12 in the ease.
+double ur10e_damped_control_torque(const double q[TREELINE_UR10E_ARRAY(6)],
+    const double qd[TREELINE_UR10E_ARRAY(6)], const double qdd_0[TREELINE_UR10E_ARRAY(6)],
+    const double xdd_cmd[TREELINE_UR10E_ARRAY(6)], double tau[TREELINE_UR10E_ARRAY(6)],
+    const double heaviest[TREELINE_UR10E_ARRAY(6)]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif  // TREELINE_UR10E_DAMPED_H

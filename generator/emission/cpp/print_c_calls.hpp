@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "emission/emission_context.hpp"
+#include "emission/generated_file.hpp"
+#include "program/program.hpp"
+
+namespace treeline::cpp {
+
+/// Whether functions in C++ can be called from C: not those of `profile: misra`, since arrays of C
+/// are pointers, which only a `reinterpret_cast` makes references to arrays; nor where the header
+/// NAME.h would hide one of C's own.
+bool has_c_calls(const EmissionContext& context);
+
+/// NAME.h, NAME_joints.h and, with damped control, NAME_damped.h, as `language: c` has them, and
+/// c_calls.cpp, which implements them by the functions of NAME.hpp. Empty where there are none, see
+/// `has_c_calls`.
+std::vector<GeneratedFile> print_c_calls(const EmissionContext& context,
+                                         std::span<const Program> programs);
+
+}  // namespace treeline::cpp

@@ -1,0 +1,85 @@
+// Would catch: a table that the page does not show, or shows elsewhere than where it says; an object
+// that is not in the hand; a front end that can command what is only shown; a script that is over
+// before anybody looks.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import {after, before, test} from 'node:test';
+
+import {launch_browser, open_page, state_of, type_line, wait_for_state} from './browser.mjs';
+import {DriveServer} from './drive_server.mjs';
+
+let browser;
+let folder;
+before(async () => {
+  browser = await launch_browser();
+  folder = fs.mkdtempSync(path.join(os.tmpdir(), 'treeline_replay'));
+});
+after(async () => {
+  await browser.close();
+  fs.rmSync(folder, {recursive: true});
+});
+
+async function start(t, files, options) {
+  const server = new DriveServer();
+  t.after(() => server.close());
+  await server.start(files, options);
+  const page = await open_page(browser, server.address);
+  t.after(() => page.close());
+  return {server, page};
+}
+
+function write(name, text) {
+  const file = path.join(folder, name);
+  fs.writeFileSync(file, text);
+  return file;
+}
+
+async function keep(page, name) {
+  const kept = process.env.TREELINE_PICTURES;
+  if (kept) await page.screenshot({path: path.join(kept, `${name}.png`)});
+}
+
+test('a table is shown', async (t) => {
+  const table = write('turn.csv', `time,q_joint1\n${Array.from({length: 201},
+    (_, i) => `${0.01 * i},${0.01 * i}`).join('\n')}\n`);
+  const {page} = await start(t, ['robots/planar3r/planar3r.urdf', 'robots/planar3r/scene.yaml'],
+    ['--replay', table]);
+  await wait_for_state(page, (now) => now.q[0] > 1);
+  const state = await state_of(page);
+  // The stretched arm turns about z by joint1: its tip points where the angle says.
+  const [x, y] = state.points[0].at;
+  assert.ok(Math.abs(Math.atan2(y, x) - state.q[0]) < 1e-9, `${x} ${y} at ${state.q[0]}`);
+  assert.equal(state.mode, 'replay');
+  assert.equal(await page.textContent('.chip.mode'), 'Replay');
+  await type_line(page, 'start');
+  await page.waitForSelector('text=nothing can be commanded');
+  await keep(page, 'replay_planar3r');
+  assert.deepEqual(page.faults, []);
+});
+
+test('an object is in the hands', async (t) => {
+  const table = write('still.csv', 'time,q_left_elbow\n0,-0.5\n1,-0.5\n');
+  const {page} = await start(t,
+    ['robots/humanoid24/humanoid24.urdf', 'robots/humanoid24/scene_box.yaml'], ['--replay', table]);
+  await wait_for_state(page, (now) => now.mode === 'replay');
+  const [box, hand] = await page.evaluate(() =>
+    [window.treeline.where('link:box, held'), window.treeline.where('link:left_hand')]);
+  assert.ok(Math.hypot(box[0] - hand[0], box[1] - hand[1]) < 150, `${box} beside ${hand}`);
+  await keep(page, 'replay_box');
+  assert.deepEqual(page.faults, []);
+});
+
+test('a script waits until somebody looks', async (t) => {
+  const script = write('script.txt', 'start\njoint joint1 to 0.5 in 10 s\nwait\n');
+  const server = new DriveServer();
+  t.after(() => server.close());
+  await server.start(['robots/planar3r/planar3r.urdf'], ['--script', script]);
+  await new Promise((resolve) => setTimeout(resolve, 1000));
+  const page = await open_page(browser, server.address);
+  t.after(() => page.close());
+  assert.ok((await state_of(page)).q[0] < 0.4);
+  await wait_for_state(page, (now) => Math.abs(now.q[0] - 0.5) < 1e-3);
+  assert.match(server.said, /begins when the page is opened/);
+});
