@@ -10,6 +10,7 @@
 #include "board/judge_calls.hpp"
 #include "board/measure_objects.hpp"
 #include "board/run_board.hpp"
+#include "check/choose_flags.hpp"
 #include "check/find_sources.hpp"
 #include "check/temporary_folder.hpp"
 #include "oracle/reference_maker.hpp"
@@ -104,6 +105,7 @@ bool run_job(const BoardJob& job, const BoardSelection& selection,
   compile.language = job.scene.language;
   compile.optimize = job.scene.optimize;
   compile.target = job.scene.target;
+  compile.flags = add_extra_passes(compile.flags);  // compilers for boards are GCC
   const auto objects =
       cross_compile(job.sources, functions, job.target, job.tools, compile, job.work, diagnostics);
   if (!objects) return false;

@@ -1,5 +1,6 @@
 #include "check/choose_flags.hpp"
 
+#include "check/run_commands.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/print_optimize.hpp"
 
@@ -16,14 +17,29 @@ bool is_small(const GeneratedFunction& generated, const CompileOptions& options)
   return compiles_to_small_code(options.optimize, options.target, generated.program);
 }
 
+/// Whether the last level that the flags name is not -O0, which is the default.
+bool optimises(const std::string& flags) {
+  bool on = false;
+  for (const std::string& flag : split_words(flags)) {
+    if (flag.starts_with("-O")) on = flag != "-O0";
+  }
+  return on;
+}
+
 }  // namespace
 
+std::string add_extra_passes(const std::string& flags) {
+  return optimises(flags) ? flags + " " + kExtraPasses : flags;
+}
+
 FunctionFlags choose_flags(const GeneratedFunction& generated, const CompileOptions& options) {
-  if (is_small(generated, options)) {
-    return {options.flags + " " + kSmallCodeFlag, false, true};
-  }
-  const bool has_flags = !options.long_flags.empty() && is_long(generated.program);
-  return {has_flags ? options.long_flags : options.flags, has_flags, false};
+  const bool long_one = is_long(generated.program);
+  const bool passes = options.flags.find(kExtraPasses) != std::string::npos;
+  const std::string flags =
+      options.flags + (long_one && passes ? std::string(" ") + kNoExtraPasses : "");
+  if (is_small(generated, options)) return {flags + " " + kSmallCodeFlag, false, true};
+  const bool has_flags = !options.long_flags.empty() && long_one;
+  return {has_flags ? options.long_flags : flags, has_flags, false};
 }
 
 }  // namespace treeline

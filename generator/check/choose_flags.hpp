@@ -13,6 +13,9 @@ struct FunctionFlags {
   bool is_small = false;  ///< to small code
 };
 
+/// Adds the extra passes that the emitted CMakeLists.txt has GCC make where it optimises.
+std::string add_extra_passes(const std::string& flags);
+
 /// Returns the flags for a function. Where the emitted CMakeLists.txt compiles it to small code, so
 /// do these flags, however long it is: what is judged is what is delivered.
 FunctionFlags choose_flags(const GeneratedFunction& generated, const CompileOptions& options);

@@ -196,6 +196,17 @@ CompilerSearch search_for(const CompileOptions& options) {
   return {{{"cc"}, {"gcc"}}, ""};
 }
 
+CommandOutcome ask_version(const Command& compiler, const fs::path& work) {
+  Command asked = compiler;
+  asked.emplace_back("--version");
+  return run_commands({asked}, 1, work).front();
+}
+
+/// GCC names its publisher, whatever the compiler is called and runs through.
+bool is_gcc(const Command& compiler, const fs::path& work) {
+  return ask_version(compiler, work).output.find("Free Software Foundation") != std::string::npos;
+}
+
 }  // namespace
 
 std::string c_compiler_beside(const std::string& cpp_compiler) {
@@ -212,9 +223,7 @@ std::optional<Command> find_compiler(const CompileOptions& options, const fs::pa
   const CompilerSearch search = search_for(options);
   CommandOutcome outcome;
   for (const Command& candidate : search.candidates) {
-    Command asked = candidate;
-    asked.emplace_back("--version");
-    outcome = run_commands({asked}, 1, work).front();
+    outcome = ask_version(candidate, work);
     if (outcome.started && outcome.exit_code == 0) return candidate;
   }
   const bool c = options.language == Language::c;
@@ -234,10 +243,11 @@ std::optional<Command> find_compiler(const CompileOptions& options, const fs::pa
 
 std::optional<Compilation> compile_folder(const fs::path& folder, const std::string& name,
                                           const std::vector<GeneratedFunction>& functions,
-                                          const CompileOptions& options, const fs::path& work,
+                                          CompileOptions options, const fs::path& work,
                                           Diagnostics& diagnostics) {
   const auto compiler = find_compiler(options, work, diagnostics);
   if (!compiler) return std::nullopt;
+  if (is_gcc(*compiler, work)) options.flags = add_extra_passes(options.flags);
   if (!write_entries(name, functions, options.language, work, diagnostics)) return std::nullopt;
   for (const WorkSource& more : options.more) {
     const fs::path file = work / source_name(more.stem, options.language);

@@ -19,7 +19,7 @@ struct WorkSource {
 };
 
 struct CompileOptions {
-  /// Added to the language's standard and a library's flags.
+  /// Added to the language's standard and a library's flags. For GCC extra passes are added.
   std::string flags = "-O2 -ffp-contract=off";
   std::string long_flags = {};          ///< for long functions (`is_long`); empty: the same flags
   Optimize optimize = Optimize::speed;  ///< of the scene: which functions are to be small code
@@ -61,13 +61,13 @@ std::optional<Command> find_compiler(const CompileOptions& options,
 std::string c_compiler_beside(const std::string& cpp_compiler);
 
 /// Compiles the sources of a generated folder with a C entry for each function, and links a shared
-/// library. Everything is written to `work`, which must exist and be empty. Errors: no compiler; a
-/// source that does not compile, with the first lines of the compiler's output.
+/// library. GCC makes the passes that the emitted CMakeLists.txt asks of it. Everything is written
+/// to `work`, which must exist and be empty. Errors: no compiler; a source that does not compile,
+/// with the first lines of the compiler's output.
 std::optional<Compilation> compile_folder(const std::filesystem::path& folder,
                                           const std::string& name,
                                           const std::vector<GeneratedFunction>& functions,
-                                          const CompileOptions& options,
-                                          const std::filesystem::path& work,
+                                          CompileOptions options, const std::filesystem::path& work,
                                           Diagnostics& diagnostics);
 
 /// Adds up the bytes of code in the output of `nm -S`: the sizes of all symbols in the text

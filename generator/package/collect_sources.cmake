@@ -1,9 +1,9 @@
 # One source for every function that a scene may ask for, so that a build knows its sources before
 # the scene is read: it includes the generated source, or is empty where there is none.
-# The compiler's options for the scene's processor go to the file target.flags; where the scene has
-# the key `optimize`, those of a single source to a file such as gravity.flags.
+# The compiler's options for the scene's processor go to the file target.flags, those of a single
+# source to a file such as gravity.flags.
 # cmake -DFOLDER=generated-folder -DFUNCTIONS=list -DENDING=cpp|c -DCROSSCOMPILING=ON|OFF
-#   -DTARGET_FLAGS=ON|OFF|"" -DOPTIMIZES=ON|OFF -P collect_sources.cmake
+#   -DTARGET_FLAGS=ON|OFF|"" -DCOMPILER=GNU|Clang|... -P collect_sources.cmake
 file(GLOB sources ${FOLDER}/*.${ENDING})
 if(NOT sources)
   message(FATAL_ERROR "${FOLDER} has no .${ENDING}: say which LANGUAGE treeline_generate makes")
@@ -40,17 +40,19 @@ if(project MATCHES "same bits on every target\" OFF\\)")
   string(APPEND flags " -ffp-contract=off")
 endif()
 file(CONFIGURE OUTPUT ${FOLDER}.sources/target.flags CONTENT "${flags}\n" @ONLY)  # if it differs
-if(OPTIMIZES)
-  set(small "")
-  if(project MATCHES "set_property\\(SOURCE\n([^)]*)APPEND PROPERTY COMPILE_OPTIONS ([^)]*)\\)")
-    string(REGEX MATCHALL "[^ \n]+" small "${CMAKE_MATCH_1}")
-    set(small_flags "${CMAKE_MATCH_2}")
+string(REGEX MATCHALL "set_property\\(SOURCE\n[^)]*\\)" properties "${project}")
+foreach(property IN LISTS properties)
+  string(REGEX MATCH "SOURCE\n([^)]*)APPEND PROPERTY COMPILE_OPTIONS ([^)]*)\\)" matched "${property}")
+  set(options "${CMAKE_MATCH_2}")
+  if(options MATCHES "^-fno-live-range" AND NOT COMPILER STREQUAL "GNU")
+    continue()
   endif()
-  foreach(function IN LISTS FUNCTIONS)
-    set(flags "")
-    if("${function}.${ENDING}" IN_LIST small)
-      set(flags "${small_flags}")
-    endif()
-    file(CONFIGURE OUTPUT ${FOLDER}.sources/${function}.flags CONTENT "${flags}\n" @ONLY)
+  string(REGEX MATCHALL "[^ \n]+" named "${CMAKE_MATCH_1}")
+  foreach(source IN LISTS named)
+    string(APPEND flags_of_${source} " ${options}")
   endforeach()
-endif()
+endforeach()
+foreach(function IN LISTS FUNCTIONS)
+  file(CONFIGURE OUTPUT ${FOLDER}.sources/${function}.flags
+    CONTENT "${flags_of_${function}.${ENDING}}\n" @ONLY)
+endforeach()

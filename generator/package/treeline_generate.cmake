@@ -8,7 +8,7 @@
 # "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless
 # given; REAL, LANGUAGE, PROFILE, OPTIMIZE, FUNCTIONS and TARGET go before what the scene says. In C
 # the headers are "NAME.h" and "NAME_joints.h", and the project has to have the language C. Flags for
-# the processor and for small code are used as in the emitted CMakeLists.txt: those of another
+# the processor, for small code and for GCC are used as in the emitted CMakeLists.txt: those of another
 # processor than this machine's where CMake cross-compiles, or as TREELINE_TARGET_FLAGS says. CHOICES
 # is the manifest.json that `treeline generate --tune` has written. The code is generated again when the
 # URDFs, the scene, the choices or the generator change, compiled again only where its text did.
@@ -88,10 +88,8 @@ function(treeline_generate target)
   if(arg_PROFILE)
     list(APPEND options --profile ${arg_PROFILE})
   endif()
-  treeline_find_key("${arg_SCENE}" optimize optimizes)
   if(arg_OPTIMIZE)
     list(APPEND options --optimize ${arg_OPTIMIZE})
-    set(optimizes ${arg_OPTIMIZE})
   endif()
   if(arg_FUNCTIONS)
     list(JOIN arg_FUNCTIONS , functions)
@@ -132,12 +130,7 @@ function(treeline_generate target)
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")
   set(stamp ${folder}.stamp)
   set(flags ${folder}.sources/target.flags)
-  set(own_flags)
-  set(own_options OFF)
-  if(optimizes)
-    set(own_options ON)
-    list(TRANSFORM stems REPLACE "(.+)" "${folder}.sources/\\1.flags" OUTPUT_VARIABLE own_flags)
-  endif()
+  list(TRANSFORM stems REPLACE "(.+)" "${folder}.sources/\\1.flags" OUTPUT_VARIABLE own_flags)
   set(dependencies)
   if(NOT arg_URDF)  # which URDFs the scene lists is known once it is read
     list(APPEND options --depfile ${stamp}.d)
@@ -148,7 +141,7 @@ function(treeline_generate target)
     COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}" -DENDING=${ending}
       "-DCROSSCOMPILING=${CMAKE_CROSSCOMPILING}" "-DTARGET_FLAGS=${TREELINE_TARGET_FLAGS}"
-      -DOPTIMIZES=${own_options}
+      -DCOMPILER=${compiler}
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline
@@ -168,13 +161,15 @@ function(treeline_generate target)
   endif()
   if(compiler MATCHES "GNU|Clang|IntelLLVM")
     target_compile_options(${target} PRIVATE -fno-fast-math @${flags})
-    set_source_files_properties(${sources} PROPERTIES OBJECT_DEPENDS ${flags})
-    if(own_flags)
-      foreach(source own IN ZIP_LISTS sources own_flags)
-        set_source_files_properties(${source} PROPERTIES
-          COMPILE_OPTIONS @${own} OBJECT_DEPENDS "${flags};${own}")
-      endforeach()
+    if(compiler STREQUAL "GNU")  # as in the emitted CMakeLists.txt
+      target_compile_options(${target} PRIVATE
+        "$<$<IN_LIST:$<CONFIG>,Release;RelWithDebInfo;MinSizeRel>:-flive-range-shrinkage>"
+        "$<$<IN_LIST:$<CONFIG>,Release;RelWithDebInfo;MinSizeRel>:-frename-registers>")
     endif()
+    foreach(source own IN ZIP_LISTS sources own_flags)
+      set_source_files_properties(${source} PROPERTIES
+        COMPILE_OPTIONS @${own} OBJECT_DEPENDS "${flags};${own}")
+    endforeach()
     if(NOT TREELINE_FP_CONTRACT)
       target_compile_options(${target} PRIVATE -ffp-contract=off)
     endif()

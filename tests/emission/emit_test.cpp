@@ -8,6 +8,7 @@
 #include "emission/cpp/print_source.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_optimize.hpp"
 #include "emission/sample.hpp"
 
 namespace treeline {
@@ -136,25 +137,22 @@ Program trace_products(int count) {
 }
 
 // Would catch: GCC passes that take minutes for long code if they are enabled there, or that are no
-// longer enabled elsewhere.
+// longer enabled elsewhere, and pragmas in sources.
 TEST(Emit, LongFunctionsDoWithoutSlowPasses) {
-  const EmissionContext context = test::sample_context("arm", false);
-  const std::string pragma = "#pragma GCC optimize";
-  EXPECT_FALSE(is_long(trace_products(12000)));
-  EXPECT_NE(cpp::print_source(context, trace_products(12000)).find(pragma), std::string::npos);
-  EXPECT_TRUE(is_long(trace_products(12001)));
-  EXPECT_EQ(cpp::print_source(context, trace_products(12001)).find(pragma), std::string::npos);
-}
-
-// Would catch: the same passes in C at -O0 or in C for safety, where no extension is used.
-TEST(Emit, AsksForPassesInCToo) {
-  EmissionContext context = test::sample_context("arm", false, Language::c);
-  const std::string text = c::print_source(context, trace_products(12000));
-  EXPECT_NE(text.find("defined(__OPTIMIZE__)\n"), std::string::npos) << text.substr(0, 1000);
-  EXPECT_LT(text.find("#pragma GCC optimize"), text.find("#include"));
-  EXPECT_EQ(c::print_source(context, trace_products(12001)).find("#pragma"), std::string::npos);
-  context.misra = true;
-  EXPECT_EQ(c::print_source(context, trace_products(10)).find("#pragma"), std::string::npos);
+  for (const Language language : {Language::cpp, Language::c}) {
+    const EmissionContext context = test::sample_context("arm", false, language);
+    const std::vector<Program> usual{trace_products(12000)}, slow{trace_products(12001)};
+    EXPECT_FALSE(is_long(usual.front()));
+    EXPECT_TRUE(is_long(slow.front()));
+    const std::string with = print_extra_passes(context, usual, {});
+    EXPECT_NE(with.find(":-frename-registers>"), std::string::npos) << with;
+    EXPECT_EQ(with.find("set_property"), std::string::npos) << with;
+    const std::string without = print_extra_passes(context, {}, slow);
+    EXPECT_NE(without.find("    batch_products.c"), std::string::npos) << without;
+    EXPECT_NE(without.find(kNoExtraPasses), std::string::npos) << without;
+    const auto& print = language == Language::c ? c::print_source : cpp::print_source;
+    EXPECT_EQ(print(context, usual.front()).find("#pragma"), std::string::npos);
+  }
 }
 
 // Would catch: output without the version of the generator that made it.

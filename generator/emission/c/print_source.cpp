@@ -11,7 +11,6 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_optimize.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
@@ -125,7 +124,6 @@ std::string print_source(const EmissionContext& context, const Program& program)
       {{"head", describe_source(program)},
        {"cost", describe_cost(program)},
        {"name", context.name},
-       {"optimize", context.misra ? std::string() : print_extra_passes(program)},
        {"includes", print_includes(program)},
        {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
        {"parts", body.parts},

@@ -11,7 +11,6 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_optimize.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -95,7 +94,6 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
        {"cost", describe_cost(program)},
        {"states", std::to_string(context.batch)},
        {"name", context.name},
-       {"optimize", print_extra_passes(program)},
        {"section", print_section_macro(context)},
        {"signature", print_section(context) + wrap_line(print_batch_head(program) + " {", 0)},
        {"rows", print_rows(program)},

@@ -10,7 +10,6 @@
 #include "emission/fill_template.hpp"
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_optimize.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
@@ -142,7 +141,6 @@ std::string print_source(const EmissionContext& context, const Program& program)
       {{"head", describe_source(program)},
        {"cost", describe_cost(program)},
        {"name", context.name},
-       {"optimize", print_extra_passes(program)},
        {"includes", print_includes(program)},
        {"lanes", print_lanes_type(program)},
        {"section", print_section_macro(context) + print_prefetch_macro(context, program)},

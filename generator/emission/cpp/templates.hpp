@@ -45,7 +45,6 @@ extern const std::string_view kLoopFunction;
 extern const std::string_view kLookup;
 extern const std::string_view kMode;
 extern const std::string_view kNamedCall;
-extern const std::string_view kOptimize;
 extern const std::string_view kOrientation;
 extern const std::string_view kQuadraticProgram;
 extern const std::string_view kQuadraticRows;
