@@ -4,11 +4,6 @@
 //   link origins, alike limbs in lanes.
 // 8557 flops (add 3753, mul 4760, div 44), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "humanoid24.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

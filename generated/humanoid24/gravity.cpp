@@ -2,11 +2,6 @@
 // By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 // 378 flops (add 152, mul 226, div 0), sine and cosine of 24 angles
 // Generated; see humanoid24.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "humanoid24.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

@@ -2,11 +2,6 @@
 // By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
 // 2233 flops (add 934, mul 1299, div 0), sine and cosine of 23 angles
 // Generated; see humanoid24.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "humanoid24.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

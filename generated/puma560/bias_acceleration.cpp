@@ -2,11 +2,6 @@
 // By outward recursion, Chang eq. 6.11.
 // 170 flops (add 60, mul 110, div 0), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "puma560.hpp"
 #include "sin_cos.hpp"
 

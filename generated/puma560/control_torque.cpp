@@ -4,11 +4,6 @@
 //   axes of link 5 (link5).
 // 468 flops (add 191, mul 274, div 3), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "puma560.hpp"
 #include "sin_cos.hpp"
 

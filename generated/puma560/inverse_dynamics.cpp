@@ -2,11 +2,6 @@
 // By recursive Newton-Euler, Chang table 4.1.
 // 277 flops (add 119, mul 158, div 0), sine and cosine of 4 angles
 // Generated; see puma560.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "puma560.hpp"
 #include "sin_cos.hpp"
 

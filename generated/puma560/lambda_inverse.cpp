@@ -2,11 +2,6 @@
 // By M = L^T D L, J carried inward, in the axes asked for at link origins.
 // 566 flops (add 232, mul 330, div 4), sine and cosine of 5 angles
 // Generated; see puma560.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "puma560.hpp"
 #include "sin_cos.hpp"
 

@@ -4,11 +4,6 @@
 //   link origins.
 // 1116 flops (add 462, mul 643, div 11), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "samm.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

@@ -2,11 +2,6 @@
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 // 1001 flops (add 395, mul 600, div 6), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "samm.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

@@ -2,11 +2,6 @@
 // By composite rigid bodies, RBDA table 6.2.
 // 177 flops (add 73, mul 104, div 0), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "samm.hpp"
 #include "sin_cos.hpp"
 

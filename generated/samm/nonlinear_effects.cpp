@@ -2,11 +2,6 @@
 // By recursive Newton-Euler, Chang table 4.1.
 // 246 flops (add 96, mul 150, div 0), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "samm.hpp"
 #include "sin_cos.hpp"
 

@@ -4,11 +4,6 @@
 //   (wrist_2) at link origins.
 // 835 flops (add 352, mul 474, div 9), sine and cosine of 5 angles
 // Generated; see ur10e.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "ur10e.hpp"
 #include "lanes.hpp"
 #include "sin_cos.hpp"

@@ -2,11 +2,6 @@
 // By recursive Newton-Euler, Chang table 4.1.
 // 262 flops (add 110, mul 152, div 0), sine and cosine of 4 angles
 // Generated; see ur10e.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "ur10e.hpp"
 #include "sin_cos.hpp"
 

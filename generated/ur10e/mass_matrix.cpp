@@ -2,11 +2,6 @@
 // By composite rigid bodies, RBDA table 6.2.
 // 107 flops (add 44, mul 63, div 0), sine and cosine of 4 angles
 // Generated; see ur10e.hpp for the contract.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-// Fewer spills and copies in long straight-line code; no arithmetic changes. At -O0 they would run
-// all the same, and take minutes.
-#pragma GCC optimize("live-range-shrinkage", "rename-registers")
-#endif
 #include "ur10e.hpp"
 #include "sin_cos.hpp"
 
