@@ -92,6 +92,8 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
     } else {
       functions.push_back(Function::control_torque);
     }
+    const Mechanism mechanism = build_mechanism(robot, scene);
+    if (mechanism.nv() > mechanism.task_rows()) functions.push_back(Function::mass_matrix);
   }
   if (total_mass(robot) > 0) functions.push_back(Function::center_of_mass);
   std::sort(functions.begin(), functions.end());

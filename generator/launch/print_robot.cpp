@@ -73,6 +73,9 @@ std::string print_functions(const Scene& control, const Generation& generation,
             print_alias("forward_kinematics", control.name, "forward_kinematics") +
             print_alias("jacobian", control.name, "jacobian");
     if (!is_closed(control)) text += print_control_torque(control);
+    if (!is_closed(control) && has(generation, Function::mass_matrix)) {
+      text += print_alias("mass_matrix", control.name, "mass_matrix");
+    }
   }
   if (has(generation, Function::center_of_mass)) {
     text += print_alias("center_of_mass", control.name, "center_of_mass");

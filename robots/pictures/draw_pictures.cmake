@@ -7,11 +7,12 @@ foreach(program ${PROGRAMS})
   list(GET parts 1 ${name})
 endforeach()
 set(pictures humanoid24/touch_floor humanoid24/rock_torso humanoid24/put_box humanoid24/carry_ladder
-  humanoid24/hit_wall humanoid24/time_and_error puma560/elbow_lock samm/carry_object samm/circles
+  humanoid24/hit_wall humanoid24/time_and_error puma560/elbow_lock puma560/head_lock puma560/wrist_lock
+  samm/carry_object samm/circles ur10e/reach ur10e/wrist ur10e/goal_1
   anymal_c/trot
   hands/allegro hands/shadow)
 file(MAKE_DIRECTORY ${FOLDER}/anymal_c ${FOLDER}/hands ${FOLDER}/humanoid24 ${FOLDER}/puma560 ${FOLDER}/samm
-  ${FOLDER}/circles ${FOLDER}/locks)
+  ${FOLDER}/ur10e ${FOLDER}/circles ${FOLDER}/locks ${FOLDER}/lines)
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -26,6 +27,7 @@ foreach(experiment touch_floor rock_torso put_box hit_wall carry_object carry_la
 endforeach()
 run(${samm_circles} --output ${FOLDER}/circles)
 run(${puma560_singularity} --output ${FOLDER}/locks)
+run(${ur10e_singularity} --output ${FOLDER}/lines)
 
 draw(humanoid24/touch_floor ${FOLDER}/touch_floor.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene.yaml
@@ -38,12 +40,21 @@ draw(humanoid24/put_box ${FOLDER}/put_box.csv
   --times 0.25,1.75,2.75,3.75,5.25 --elevation 0.18)
 draw(humanoid24/hit_wall ${FOLDER}/hit_wall.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene_hit_wall.yaml
-  --times 0,0.4,0.8,1.2 --elevation 0.18)
+  --times 0,0.4,0.8,1.2 --azimuth 1.3 --elevation 0.18)
 draw(samm/carry_object ${FOLDER}/carry_object.csv ${ROBOTS}/samm/pair.yaml
   --times 0.5,3,5,8 --azimuth 0.6 --elevation 0.3)
-draw(puma560/elbow_lock ${FOLDER}/locks/elbow_lock_singular.csv
+foreach(lock elbow head)
+  draw(puma560/${lock}_lock ${FOLDER}/locks/${lock}_lock_singular.csv
+    ${ROBOTS}/puma560/puma560.urdf ${ROBOTS}/puma560/scene.yaml
+    --times 0,1,2,3,4 --path tool)
+endforeach()
+draw(puma560/wrist_lock ${FOLDER}/locks/wrist_lock_singular.csv
   ${ROBOTS}/puma560/puma560.urdf ${ROBOTS}/puma560/scene.yaml
-  --times 0,1,2,3,4 --path tool)
+  --times 0,0.9,2,3.2,4.5 --path tool)
+foreach(line reach wrist goal_1)
+  draw(ur10e/${line} ${FOLDER}/lines/${line}_damped.csv
+    ${ROBOTS}/ur10e/ur10e.urdf ${ROBOTS}/ur10e/scene.yaml --times 0,1,2,3,4.5 --path tool)
+endforeach()
 draw(humanoid24/carry_ladder ${FOLDER}/carry_ladder.csv ${humanoid}/ladder.yaml
   --times 0,1.5,2,4 --azimuth 1.3 --elevation 0.5)
 draw(anymal_c/trot ${FOLDER}/trot_anymal.csv

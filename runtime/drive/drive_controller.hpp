@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/command_laws.hpp"
+#include "core/ldlt.hpp"
 #include "core/orientation.hpp"
 #include "drive/avoidance.hpp"
 #include "drive/instruction.hpp"
@@ -104,6 +105,7 @@ class DriveController {
   static constexpr double kTurnSpeed = 1.0;      ///< rad/s
   static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
   static constexpr double kBlend = 0.25;         ///< s
+  static constexpr double kPostureRate = 3.0;    ///< rad/s, of the heaviest joint by its spring
   static constexpr double kHandDamping = 2.0;    ///< 1/s, in gravity control
   static constexpr double kGrip = 0.05;          ///< s in which a hand takes hold and lets go
   static constexpr double kHandFilter = 25.0;    ///< 1/s, of where the hand is
@@ -143,6 +145,16 @@ class DriveController {
       return false;
     }
   }
+  /// Whether the posture is held by springs of one stiffness, see `accelerate_posture`.
+  static constexpr bool has_springs() noexcept {
+    if constexpr (requires { F::kPassive; }) {
+      return false;
+    } else {
+      return requires {
+        F::mass_matrix;
+      };
+    }
+  }
   static int velocity_of(int coordinate) noexcept {
     int found = -1;
     for_each_joint([&](int iq, int iv) { found = iq == coordinate ? iv : found; },
@@ -179,6 +191,7 @@ class DriveController {
                          double (&qdd)[nv]) const noexcept;
   void accelerate_floating(const core::Gains<double>& gains, const SmoothPose& goal,
                            const double* q, const double* qd, double* qdd) const noexcept;
+  void accelerate_posture(const State& state, double (&qdd)[nv]) const noexcept;
   void push_from_limits(const State& state, double (&qdd)[nv]) const noexcept;
   /// 1/s: how sharply joints are led to a limit.
   double limit_rate() const noexcept { return std::fmin(30.0, 0.1 / settings_.period); }

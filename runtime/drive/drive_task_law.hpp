@@ -72,6 +72,51 @@ void DriveController<F>::add_acceleration(const State& state, const double (&qdd
   }
 }
 
+/// The posture in the null space of the task: joints are drawn to their goals. Accelerations alone
+/// would let the task move light joints before heavy ones, until they are at their limits, as it
+/// withholds least in the metric of kinetic energy. So springs K of one stiffness for all joints,
+/// each critically damped, accelerate the robot: what the task leaves then has the least sum of
+/// squares of displacements. They are taken at the end of the period, (M + h D + h^2 K) qdd, for
+/// light joints would make them stiff at any period. Floating joints accelerate as their goals say.
+/// Without `mass_matrix`, and in loops, accelerations have to do.
+template <class F>
+void DriveController<F>::accelerate_posture(const State& state, double (&qdd)[nv]) const noexcept {
+  accelerate_joints(posture_gains_, state, qdd);
+  if constexpr (has_springs()) {
+    const double h = settings_.period;
+    double M[nv * nv];
+    F::mass_matrix(state.q, M);
+    double heaviest = 0.0;
+    for_each_joint([&](int, int iv) { heaviest = std::fmax(heaviest, M[iv * nv + iv]); },
+                   [](int, int, int) {});
+    const double K = kPostureRate * kPostureRate * heaviest;
+    bool is_given[nv] = {};
+    double force[nv];
+    std::copy_n(qdd, nv, force);
+    for_each_joint(
+        [&](int iq, int iv) {
+          const SmoothNumber& goal = joints_[at(iq)];
+          double& inertia = M[iv * nv + iv];
+          const double D = 2.0 * std::sqrt(K * inertia);
+          force[iv] = inertia * goal.acceleration() + D * (goal.velocity() - state.qd[iv]) +
+                      K * (goal.position() - state.q[iq] - h * state.qd[iv]);
+          inertia += h * D + h * h * K;
+        },
+        [&](int, int, int iv) { std::fill_n(is_given + iv, 6, true); });
+    for (int i = 0; i < nv; ++i) {
+      for (int j = 0; j < nv; ++j) {
+        if (!is_given[i] && is_given[j]) force[i] -= M[i * nv + j] * qdd[j];
+        if (is_given[i] || is_given[j]) M[i * nv + j] = i == j ? 1.0 : 0.0;
+      }
+    }
+    if (core::ldlt_factor<nv>(M)) {
+      core::ldlt_solve<nv>(M, force);
+      std::copy_n(force, nv, qdd);
+    }
+  }
+  push_from_limits(state, qdd);
+}
+
 template <class F>
 void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
   if constexpr (kPoints > 0) {
@@ -91,8 +136,7 @@ void DriveController<F>::command_task(double time, const State& state, double (&
       xdd[row] = command_row(row, rotations, errors, velocity);
     }
     double posture[nv];
-    accelerate_joints(posture_gains_, state, posture);
-    push_from_limits(state, posture);
+    accelerate_posture(state, posture);
     F::control_torque(state.q, state.qd, posture, xdd, tau);
     if (avoidance_.pushes()) {
       add_acceleration(state, aside, tau);

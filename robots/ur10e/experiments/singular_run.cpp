@@ -9,6 +9,7 @@
 #include "core/spline.hpp"
 #include "servo/run_for.hpp"
 #include "servo/simulated_robot.hpp"
+#include "ur10e_joints.hpp"
 
 namespace treeline::ur10e_experiments {
 namespace {
@@ -161,7 +162,9 @@ bool has_line(Line line) {
 std::vector<std::string> column_names() {
   std::vector<std::string> names{"time", "position_error", "rotation_error", "ease"};
   for (const char* quantity : {"q", "qd", "tau"}) {
-    for (int i = 1; i <= 6; ++i) names.push_back(fmt::format("{}{}", quantity, i));
+    for (const char* joint : ur10e::kCoordinateJoints) {
+      names.push_back(fmt::format("{}_{}", quantity, joint));
+    }
   }
   return names;
 }
