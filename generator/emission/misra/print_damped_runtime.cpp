@@ -44,9 +44,8 @@ std::string print_root_steps(const EmissionContext& context) {
   };
   auto words = list_phrases(context);
   words.insert(
-      {{"powers", print_powers(context, "powers", 2) + "\n" +
-                      print_powers(context, "inverse_powers", -2) + "\n" +
-                      print_powers(context, "roots", 1) + "\n" +
+      {{"powers", print_powers(context, "powers", 2) + print_powers(context, "inverse_powers", -2) +
+                      print_powers(context, "roots", 1) +
                       print_powers(context, "inverse_roots", -1)},
        {"steps", std::to_string(list_exponents(single).size())},
        {"real", real},
@@ -54,8 +53,11 @@ std::string print_root_steps(const EmissionContext& context) {
        {"to_bits", cast(bits)},
        {"to_real", cast(real)},
        {"fraction", single ? "23" : "52"},
-       {"most", single ? "25" : "54"},
-       {"turns", single ? "24" : "53"},
+       {"wide", is_c ? "uint64_t" : "std::uint64_t"},
+       {"heron_steps", single ? "3" : "4"},
+       {"third", number_literal(context, single ? "0x1.555556p-2" : "0x1.5555555555555p-2")},
+       {"half", number_literal(context, "0.5")},
+       {"two", number_literal(context, "2.0")},
        {"unit", number_literal(context, single ? "0x1p+23" : "0x1p+52")},
        {"inverse_unit", number_literal(context, single ? "0x1p-23" : "0x1p-52")},
        {"largest", number_literal(context, single ? "0x1.fffffep+127" : "0x1.fffffffffffffp+1023")},
