@@ -109,7 +109,7 @@ function(treeline_generate target)
     endif()
   endif()
   if(ending STREQUAL "c")
-    list(APPEND sources damped_control_torque)  # in C++ a header
+    list(APPEND sources damped_control_torque limited_control_torque)  # in C++ headers
   endif()
   set(stems ${sources})
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")

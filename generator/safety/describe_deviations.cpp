@@ -37,7 +37,7 @@ std::string describe_profile() {
 
 std::string describe_c(const Scene& scene) {
   const bool misra = scene.profile == Profile::misra;
-  const bool uses_bits = !misra || scene.damped;
+  const bool uses_bits = !misra || scene.damped || scene.has_limits();
   std::vector<Deviation> deviations = {
       {"2.3 (advisory)", "the type `NAME_real` is not used by the code itself",
        "it is for callers"},

@@ -80,6 +80,8 @@ std::string print_root(const EmissionContext& context) {
       name_in_capitals(context), context.single_precision ? "float" : "double", portable);
 }
 
+}  // namespace
+
 std::string print_square_root(const EmissionContext& context) {
   const bool single = context.single_precision;
   return fill_template(
@@ -100,6 +102,8 @@ std::string print_square_root(const EmissionContext& context) {
        {"instructions", lift_instructions(context)},
        {"root", print_root(context)}});
 }
+
+namespace {
 
 std::string print_damped_solve(const EmissionContext& context) {
   const bool single = context.single_precision;
@@ -146,8 +150,7 @@ std::vector<GeneratedFile> print_damped(const EmissionContext& context,
 }
 
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context) {
-  return {{"damped_solve.h", print_damped_solve(context)},
-          {"square_root.h", print_square_root(context)}};
+  return {{"damped_solve.h", print_damped_solve(context)}};
 }
 
 }  // namespace treeline::c

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "emission/emission_context.hpp"
@@ -14,8 +15,11 @@ namespace treeline::c {
 std::vector<GeneratedFile> print_damped(const EmissionContext& context,
                                         std::span<const Program> programs);
 
-/// square_root.h and damped_solve.h, the loops that it needs, in the number type and for the task's
-/// rows.
+/// damped_solve.h, the loops that it needs, in the number type and for the task's rows. It includes
+/// square_root.h.
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context);
+
+/// square_root.h in the number type.
+std::string print_square_root(const EmissionContext& context);
 
 }  // namespace treeline::c

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "emission/c/lift_steps.hpp"
 #include "emission/c/print_damped.hpp"
+#include "emission/c/print_limited.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
@@ -61,8 +63,13 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> /*batch*/) {
   std::vector<GeneratedFile> files;
   const bool damped = !context.heaviest.empty();
+  const bool limited = context.limits.has_value();
   if (damped) files = print_damped_runtime(context);
-  if (damped || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+  if (limited) {
+    for (GeneratedFile& file : print_limited_runtime(context)) files.push_back(std::move(file));
+  }
+  if (damped || limited) files.push_back({"square_root.h", print_square_root(context)});
+  if (damped || limited || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.h", print_sin_cos(context)});
   }
   if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {
