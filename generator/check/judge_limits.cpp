@@ -282,7 +282,10 @@ LimitsReport LimitsJudge::judge(const std::vector<StateReference>& references, i
 std::vector<WorkSource> limited_sources(const Scene& scene, const Generation& generation) {
   if (!scene.has_limits()) return {};
   const auto functions = all_callable(generation);
-  return {{kLimitedName, print_limited_entry(scene.name, functions[find_supported(generation)])}};
+  const GeneratedFunction& supported = functions[find_supported(generation)];
+  return {{kLimitedName, scene.language == Language::c
+                             ? print_c_limited_entry(scene.name, supported)
+                             : print_limited_entry(scene.name, supported)}};
 }
 
 LimitsReport judge_limits(const Robot& robot, const Scene& scene, const Generation& generation,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "check/templates.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/fill_template.hpp"
 
 namespace treeline {
@@ -118,6 +119,15 @@ std::string print_limited_entry(const std::string& name, const GeneratedFunction
       {{"name", name},
        {"arguments",
         print_arguments(supported.program, supported.program.results.size(), "", "") + ", "}});
+}
+
+std::string print_c_limited_entry(const std::string& name, const GeneratedFunction& supported) {
+  const Program& program = supported.program;
+  std::string list;
+  for (std::size_t i = 0; i < program.arguments.size(); ++i) list += fmt::format("in[{}], ", i);
+  for (std::size_t i = 0; i < program.results.size(); ++i) list += fmt::format("out[{}], ", i);
+  return fill_template(check_templates::kCLimited,
+                       {{"name", name}, {"NAME", in_capitals(name)}, {"arguments", list}});
 }
 
 std::string entry_symbol(const std::string& function) {

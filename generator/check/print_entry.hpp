@@ -21,6 +21,9 @@ std::string print_c_entry(const std::string& name, const std::vector<GeneratedFu
 /// `supported` has the arguments that it takes.
 std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported);
 
+/// The same in C. It includes limited_control_torque.c, so that nothing else compiles that.
+std::string print_c_limited_entry(const std::string& name, const GeneratedFunction& supported);
+
 /// Prints the source file with the entry of a composed function, from NAME_damped.hpp.
 std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated);
 

@@ -9,6 +9,7 @@ extern const std::string_view kBatch;
 extern const std::string_view kBytesOfReal;
 extern const std::string_view kCEntry;
 extern const std::string_view kCFunction;
+extern const std::string_view kCLimited;
 extern const std::string_view kEntry;
 extern const std::string_view kFunction;
 extern const std::string_view kLimited;

@@ -24,21 +24,39 @@ constexpr std::array<std::string_view, 17> kTargets = {
     "clean",     "codegen",    "depend",         "edit_cache", "help",         "install",
     "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
-/// Headers of the runtime that are emitted, without `.hpp`.
-constexpr std::array<std::string_view, 15> kHeaders = {"controller",
+/// Headers of the runtime that are emitted, in C++ or in C, without their ending.
+constexpr std::array<std::string_view, 33> kHeaders = {"active_row_factors",
+                                                       "controller",
                                                        "controller_commands",
                                                        "controller_laws",
                                                        "controller_safety",
                                                        "damped_solve",
+                                                       "dual_active_set",
+                                                       "enter_rows",
+                                                       "enter_violated_rows",
+                                                       "force_basis",
                                                        "lanes",
                                                        "ldlt",
+                                                       "limit_coordinates",
+                                                       "limit_program",
+                                                       "limited_torque",
+                                                       "link_factors",
+                                                       "link_functions",
+                                                       "link_inertia",
+                                                       "link_motion",
+                                                       "link_rows",
+                                                       "link_table",
                                                        "mode",
                                                        "orientation",
+                                                       "quadratic_program",
+                                                       "quadratic_rows",
+                                                       "quadratic_sums",
                                                        "quintic",
                                                        "sin_cos",
                                                        "square_root",
                                                        "states",
                                                        "symmetric_eigen",
+                                                       "torque_limits",
                                                        "turn_motion"};
 
 template <class Names>

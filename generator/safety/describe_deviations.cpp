@@ -57,9 +57,8 @@ std::string describe_c(const Scene& scene) {
   if (!misra) {
     text +=
         "\nRules that cppcheck does not check: arguments are declared `restrict static`, against "
-        "8.14 (required) and 17.6 (mandatory); GCC is asked for passes by a `#pragma`, and where "
-        "there is a square root, a builtin or an instruction takes it, both against 1.2 "
-        "(advisory). `profile: misra` has none of these.\n";
+        "8.14 (required) and 17.6 (mandatory), and where there is a square root, a builtin or an "
+        "instruction takes it, against 1.2 (advisory). `profile: misra` has none of these.\n";
   }
   return text;
 }

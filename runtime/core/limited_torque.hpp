@@ -68,9 +68,8 @@ void LimitProgram<Real, Sizes>::limit(const SupportLayout<Real, Sizes>& layout,
 template <class Real, class Sizes>
 void LimitProgram<Real, Sizes>::add_cones(const TorqueLimits<Real, Sizes>& limits,
                                           const Real (&f)[H]) noexcept {
-  const Real penalty = Real(1e4) * kHierarchy<Real> * kHierarchy<Real>;
   const Real weight = Real(10) * heaviest_;
-  slack_ = square_root(weight / penalty);
+  slack_ = square_root(weight / kSlackPenalty<Real>);
   for (int c = 0; c < Sizes::kCones; ++c) {
     const ConeRow<Real>& cone = limits.cones[c];
     Real a[N];

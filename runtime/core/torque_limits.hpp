@@ -78,6 +78,10 @@ inline constexpr Real kHierarchy = Real(1000);
 template <>
 inline constexpr float kHierarchy<float> = 30.0F;
 
+/// Of the slack's square, N^-2: above any multiplier that costs of the task give rise to.
+template <class Real>
+inline constexpr Real kSlackPenalty = Real(1e4) * kHierarchy<Real>* kHierarchy<Real>;
+
 }  // namespace treeline::core
 
 #if defined(__GNUC__) && !defined(__clang__)

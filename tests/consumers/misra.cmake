@@ -17,8 +17,13 @@ foreach(real float double)
   execute_process(COMMAND ${TREELINE} generate ${ROBOTS}/ur10e/ur10e.urdf ${ROBOTS}/ur10e/scene.yaml
       --language c --profile ${PROFILE} --name arm --real ${real} --output ${folder}
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-  # The headers, the loops of damped control, and straight lines with all operations.
-  set(sources ${folder}/damped_control_torque.c ${folder}/gravity.c ${folder}/control_torque.c)
+  execute_process(COMMAND ${TREELINE} generate ${ROBOTS}/ur10e/ur10e.urdf
+      ${CMAKE_CURRENT_LIST_DIR}/misra_limits.yaml
+      --language c --profile ${PROFILE} --real ${real} --output ${folder}_limits
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  # The headers, the loops of damped and limited control, and straight lines with all operations.
+  set(sources ${folder}/damped_control_torque.c ${folder}/gravity.c ${folder}/control_torque.c
+    ${folder}_limits/limited_control_torque.c)
   execute_process(COMMAND ${cppcheck} -q --std=c99 --addon=misra --enable=style ${float}
       --suppress=unusedFunction --suppress=missingIncludeSystem ${sources}
     ERROR_VARIABLE said OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

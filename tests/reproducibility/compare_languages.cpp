@@ -4,8 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "check/judge_limits.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "generation/describe_limits.hpp"
 
 namespace treeline::tests {
 namespace {
@@ -37,6 +39,15 @@ bool have_same_bits(const CallResult& a, const CallResult& b) {
   return !a.wrote_out_of_bounds && !b.wrote_out_of_bounds;
 }
 
+/// Arrays that the entry of limited_control_torque fills.
+std::vector<std::size_t> limited_sizes(const Original& original) {
+  const LimitFacts facts = describe_limits(
+      original.robot, original.scene, original.generation.mechanism, original.generation.functions);
+  const std::size_t motors = facts.torque.size() - facts.passive.size();
+  return {facts.torque.size(), facts.force_weights.size(), facts.task_weights.size(), 3,
+          motors + facts.cones.size() + 1};
+}
+
 }  // namespace
 
 std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scene,
@@ -53,6 +64,18 @@ std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scen
   const StateSpace space =
       make_state_space(robot, scene, in_cpp.generation.mechanism, functions, 7);
   std::vector<LanguageRow> rows;
+  for (std::size_t i = 0; i < functions.size() && scene.has_limits(); ++i) {
+    if (functions[i].function != Function::supported_control_torque) continue;
+    rows.push_back({scene.name, kLimitedName, compilers.cpp + " " + compilers.c, flags, states, 0});
+    const auto sizes = limited_sizes(in_cpp);
+    for (int index = 0; index < states; ++index) {
+      const State state = draw_state(space, index);
+      const bool same =
+          have_same_bits(cpp.call_entry(cpp.find_entry(kLimitedName), i, state, sizes),
+                         c.call_entry(c.find_entry(kLimitedName), i, state, sizes));
+      rows.back().bits_differ += same ? 0 : 1;
+    }
+  }
   for (std::size_t i = 0; i < functions.size(); ++i) {
     rows.push_back({scene.name, source_stem(functions[i]), compilers.cpp + " " + compilers.c, flags,
                     states, 0});

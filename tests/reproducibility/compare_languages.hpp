@@ -21,9 +21,9 @@ struct Compilers {
   std::string cpp, c;
 };
 
-/// Generates the scene's functions in C++ and in C, compiles both with `flags`, calls them in the
-/// same states of all classes and compares bits. Throws std::runtime_error if something cannot be
-/// generated or compiled.
+/// Generates the scene's functions, and limited_control_torque where it has limits, in C++ and in
+/// C, compiles both with `flags`, calls them in the same states of all classes and compares bits.
+/// Throws std::runtime_error if something cannot be generated or compiled.
 std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scene,
                                            const Compilers& compilers, const std::string& flags,
                                            int states);

@@ -12,6 +12,7 @@ const std::string kRobots = TREELINE_ROBOTS_DIR;
 const std::string kData = TREELINE_DATA_DIR;
 const Compilers kGcc{"g++", "gcc"};
 const Compilers kClang{"clang++", "clang"};
+const std::string kScenes = TREELINE_TESTS_DIR;
 constexpr int kStates = 400;
 
 void expect_same_bits(const std::vector<LanguageRow>& rows, std::size_t at_least) {
@@ -44,6 +45,26 @@ TEST(Languages, DampedControlHasTheSameBits) {
     expect_same_bits(compare("ur10e", "scene.yaml", real, 1, kGcc, called), 5);
     expect_same_bits(compare("ur10e", "scene.yaml", real, 1, kClang, called), 5);
   }
+}
+
+void compare_limited(const std::string& robot, const std::string& scene, Real real,
+                     const Compilers& compilers) {
+  const auto rows = compare_languages_of(kRobots + "/" + robot + "/" + robot + ".urdf", scene,
+                                         {Function::supported_control_torque, Function::mass_matrix,
+                                          Function::constraint_jacobian, Function::jacobian},
+                                         real, 1, compilers, kStates);
+  expect_same_bits(rows, 5);
+  EXPECT_EQ(rows.front().function, "limited_control_torque");
+}
+
+// A hand on a wall; then two feet and two hands on a base without motors: the quadratic program.
+TEST(Languages, LimitedControlHasTheSameBits) {
+  const std::string wall = kScenes + "/consumers/misra_limits.yaml";
+  compare_limited("ur10e", wall, Real::float64, kGcc);
+  compare_limited("ur10e", wall, Real::float32, kGcc);
+  compare_limited("ur10e", wall, Real::float64, kClang);
+  compare_limited("humanoid24", kScenes + "/experiments/humanoid24_limits.yaml", Real::float64,
+                  kGcc);
 }
 
 // Its limbs are alike and share lanes.

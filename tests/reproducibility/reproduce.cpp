@@ -9,6 +9,7 @@
 
 #include "check/compile_folder.hpp"
 #include "check/judge_function.hpp"
+#include "check/judge_limits.hpp"
 #include "check/run_commands.hpp"
 #include "check/temporary_folder.hpp"
 #include "description/read_scene.hpp"
@@ -115,6 +116,7 @@ GeneratedLibrary build_library(const Original& original, const Build& build) {
   options.compiler = build.compiler;
   options.flags = build.flags;
   options.language = original.scene.language;
+  options.more = limited_sources(original.scene, original.generation);
   const auto functions = all_callable(original.generation);
   if (write_files(sources, original.generation.files, diagnostics)) {
     const auto made =

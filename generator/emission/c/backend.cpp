@@ -1,8 +1,11 @@
 #include "emission/c/backend.hpp"
 
+#include <utility>
+
 #include "emission/c/print_contract.hpp"
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_joints.hpp"
+#include "emission/c/print_limited.hpp"
 #include "emission/c/print_project.hpp"
 #include "emission/c/print_runtime.hpp"
 #include "emission/c/print_source.hpp"
@@ -19,10 +22,16 @@ std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
           "velocity_names", "velocity_limits", "effort_limits",     "task_row_names"};
 }
 
-std::vector<GeneratedFile> print_damped_if_asked(const EmissionContext& context,
-                                                 std::span<const Program> programs,
-                                                 std::span<const Program> /*batch*/) {
-  return context.heaviest.empty() ? std::vector<GeneratedFile>{} : print_damped(context, programs);
+/// Damped and limited control.
+std::vector<GeneratedFile> print_more(const EmissionContext& context,
+                                      std::span<const Program> programs,
+                                      std::span<const Program> /*batch*/) {
+  std::vector<GeneratedFile> files;
+  if (!context.heaviest.empty()) files = print_damped(context, programs);
+  if (context.limits) {
+    for (GeneratedFile& file : print_limited(context, programs)) files.push_back(std::move(file));
+  }
+  return files;
 }
 
 }  // namespace
@@ -39,7 +48,7 @@ Backend make_backend() {
   backend.print_contract = print_contract;
   backend.print_joints = print_joints;
   backend.print_project = print_project;
-  backend.print_more = print_damped_if_asked;
+  backend.print_more = print_more;
   backend.print_runtime = print_runtime;
   return backend;
 }

@@ -15,7 +15,6 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_damped.hpp"
 #include "emission/fill_template.hpp"
-#include "emission/misra/print_damped_runtime.hpp"
 #include "emission/print_damped_steps.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -67,6 +66,8 @@ std::string print_root(const EmissionContext& context) {
       name_in_capitals(context), context.single_precision ? "float" : "double", portable);
 }
 
+}  // namespace
+
 std::string print_square_root(const EmissionContext& context) {
   const bool single = context.single_precision;
   return fill_template(templates::kSquareRoot, {{"name", context.name},
@@ -83,6 +84,8 @@ std::string print_square_root(const EmissionContext& context) {
                                                 {"instructions", lift_instructions(context)},
                                                 {"root", print_root(context)}});
 }
+
+namespace {
 
 std::string print_damped_solve(const EmissionContext& context) {
   return fill_template(templates::kDampedSolve, {{"name", context.name},
@@ -134,9 +137,7 @@ std::vector<GeneratedFile> print_damped(const EmissionContext& context,
 }
 
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context) {
-  return {{"damped_solve.h", print_damped_solve(context)},
-          context.misra ? misra::print_square_root(context)
-                        : GeneratedFile{"square_root.h", print_square_root(context)}};
+  return {{"damped_solve.h", print_damped_solve(context)}};
 }
 
 }  // namespace treeline::c

@@ -23,8 +23,11 @@ GeneratedFile print_damped_header(const EmissionContext& context,
 std::vector<GeneratedFile> print_damped(const EmissionContext& context,
                                         std::span<const Program> programs);
 
-/// square_root.h and damped_solve.h, the loops that it needs, in the number type and for the task's
-/// rows.
+/// damped_solve.h, the loops that it needs, in the number type and for the task's rows. It includes
+/// square_root.h.
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context);
+
+/// square_root.h in the number type.
+std::string print_square_root(const EmissionContext& context);
 
 }  // namespace treeline::c

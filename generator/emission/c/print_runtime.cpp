@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "emission/c/lift_steps.hpp"
 #include "emission/c/print_damped.hpp"
+#include "emission/c/print_limited.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
 
 namespace treeline::c {
@@ -62,8 +65,16 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> /*batch*/) {
   std::vector<GeneratedFile> files;
   const bool damped = !context.heaviest.empty();
+  const bool limited = context.limits.has_value();
   if (damped) files = print_damped_runtime(context);
-  if (damped || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+  if (limited) {
+    for (GeneratedFile& file : print_limited_runtime(context)) files.push_back(std::move(file));
+  }
+  if (damped || limited) {
+    files.push_back(context.misra ? misra::print_square_root(context)
+                                  : GeneratedFile{"square_root.h", print_square_root(context)});
+  }
+  if (damped || limited || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.h", print_sin_cos(context)});
   }
   if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {

@@ -13,12 +13,6 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
                      "functions of several states in one call cannot be had in C yet",
                      "Leave `batch` out, or generate C++ (`language: c++`)."});
   }
-  if (context.limited) {
-    diagnostics.add({Severity::error, "", 0, "torque_limits, friction",
-                     "limited_control_torque solves a quadratic program, which cannot be had in C "
-                     "yet",
-                     "Leave the limits out, or generate C++ (`language: c++`)."});
-  }
   if (context.controlled) {
     diagnostics.add({Severity::error, "", 0, "controller",
                      "a controller is compiled from C++17 (runtime/core), which C cannot include",

@@ -25,7 +25,7 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
   if (context.limited) {
     report("torque_limits, friction",
            "limited_control_torque is written as templates, which `profile: misra` does not have",
-           "Leave the limits out.");
+           "Leave the limits out, or generate C (`language: c`).");
   }
   if (context.controlled) {
     report("controller",

@@ -1,0 +1,216 @@
+#include "emission/c/print_limited.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/limited_torque.hpp"
+#include "emission/c/print_source.hpp"
+#include "emission/c/syntax.hpp"
+#include "emission/c/templates.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/comment.hpp"
+#include "emission/describe_limited.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/limit_cost.hpp"
+#include "emission/wrap_line.hpp"
+
+namespace treeline::c {
+namespace {
+
+using Holes = std::map<std::string, std::string>;
+
+const char* number_type(const EmissionContext& context) {
+  return context.single_precision ? "float" : "double";
+}
+
+/// Arrays of passive joints, held rows and task rows have at least one entry.
+struct Sizes {
+  explicit Sizes(const EmissionContext& context)
+      : passive(core::one_or(static_cast<int>(context.limits->passive.size()))),
+        held(core::one_or(static_cast<int>(context.limits->force_weights.size()))),
+        tasks(core::one_or(context.task_rows)) {}
+  int passive, held, tasks;
+};
+
+/// The constants of the method, from the headers that C++ includes.
+template <class Real>
+void add_constants(const EmissionContext& context, Holes& holes) {
+  const Syntax syntax = make_syntax(context);
+  const auto add = [&](const char* name, Real number) {
+    holes[name] = syntax.literal(static_cast<double>(number));
+  };
+  add("dependent", core::steps::kDependent<Real>);
+  add("row_tolerance", core::steps::kRowTolerance<Real>);
+  add("contradiction", core::steps::kContradiction<Real>);
+  add("rank_tolerance", core::steps::kRankTolerance<Real>);
+  add("hierarchy", core::kHierarchy<Real>);
+  add("no_limit", core::kNoLimit<Real>);
+  add("penalty", core::kSlackPenalty<Real>);
+}
+
+Holes list_holes(const EmissionContext& context) {
+  const LimitFacts& facts = *context.limits;
+  const Sizes sizes(context);
+  const LimitCost cost = cost_of_limits(facts, context.velocities);
+  const int mass_at = sizes.passive + sizes.held + sizes.tasks;
+  Holes holes = {
+      {"name", context.name},
+      {"NAME", name_in_capitals(context)},
+      {"robot", context.robot},
+      {"real", number_type(context)},
+      {"passive", std::to_string(sizes.passive)},
+      {"held", std::to_string(sizes.held)},
+      {"tasks", std::to_string(sizes.tasks)},
+      {"cones", std::to_string(core::one_or(static_cast<int>(facts.cones.size())))},
+      {"task_at", std::to_string(sizes.passive + sizes.held)},
+      {"mass_at", std::to_string(mass_at)},
+      {"relation_entries", std::to_string(sizes.passive * sizes.passive)},
+      {"carry_entries", std::to_string(sizes.held * sizes.passive)},
+      {"unbound_entries", std::to_string(sizes.held * sizes.held)},
+      {"held_entries", std::to_string(sizes.held * context.velocities)},
+      {"task_entries", std::to_string(sizes.tasks * context.velocities)},
+      {"cols", std::to_string(core::in_eights(mass_at + context.velocities))},
+      {"basis_cols", std::to_string(core::in_eights(sizes.passive + sizes.held))},
+      {"most_rows", std::to_string(std::max(context.velocities, sizes.held))},
+      {"most_iterations", std::to_string(core::most_iterations(cost.unknowns, cost.rows))},
+      {"zero", number_literal(context, "0.0")},
+      {"one", number_literal(context, "1.0")},
+      {"ten", number_literal(context, "10.0")}};
+  if (context.single_precision) {
+    add_constants<float>(context, holes);
+  } else {
+    add_constants<double>(context, holes);
+  }
+  return holes;
+}
+
+/// The template with those of the holes that it has.
+std::string fill(std::string_view text, const Holes& holes) {
+  Holes used;
+  for (const auto& [name, value] : holes) {
+    if (text.find("{{" + name + "}}") != text.npos) used[name] = value;
+  }
+  return fill_template(text, used);
+}
+
+/// Enumerators that the header of the contract names.
+std::string print_sizes(const EmissionContext& context) {
+  const LimitFacts& facts = *context.limits;
+  const LimitCost cost = cost_of_limits(facts, context.velocities);
+  const std::string name = name_in_capitals(context);
+  const std::size_t motors = static_cast<std::size_t>(context.velocities) - facts.passive.size();
+  const std::pair<const char*, std::pair<std::size_t, const char*>> sizes[] = {
+      {"PASSIVE", {facts.passive.size(), "  // velocities without a motor"}},
+      {"MOTORS", {motors, ""}},
+      {"HELD_ROWS", {facts.force_weights.size(), "  // of constraints"}},
+      {"CONES", {facts.cones.size(), "  // rows of them"}},
+      {"FREEDOMS", {static_cast<std::size_t>(count_freedoms(facts)), ""}},
+      {"UNKNOWNS", {static_cast<std::size_t>(cost.unknowns), "  // of the program"}},
+      {"LIMIT_ROWS", {static_cast<std::size_t>(cost.rows), "  // motors, cones"}}};
+  std::string text;
+  for (const auto& [word, size] : sizes) {
+    const bool last = word == std::string_view("LIMIT_ROWS");
+    text += fmt::format("  {}_{} = {}{}{}\n", name, word, size.first, last ? "" : ",", size.second);
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string print_head(const EmissionContext& context, const Program& supported) {
+  std::string list;
+  for (const Argument& argument : supported.arguments) {
+    list += print_array(context, "const ", argument.name, argument.rows * argument.cols) + ", ";
+  }
+  list += print_array(context, "", "tau", context.velocities) + ", ";
+  if (holds_rows(context)) {
+    const auto held = static_cast<int>(context.limits->force_weights.size());
+    list += print_array(context, "", "f", held) + ", ";
+  }
+  return fmt::format(
+      "void {0}_limited_control_torque({1}{0}_limited_torque* limited, "
+      "const {0}_torque_limits* limits)",
+      context.name, list);
+}
+
+std::string print_call(const EmissionContext& context, const Program& program,
+                       const std::string& results) {
+  std::string list;
+  for (const Argument& argument : program.arguments) list += argument.name + ", ";
+  return fmt::format("{}_{}({}{});", context.name, program.name, list, results);
+}
+
+std::string print_zeros(const EmissionContext& context, const char* array, int size) {
+  return fmt::format("for (int i = 0; i < {}; ++i) {{\n  {}[i] = {};\n}}\n", size, array,
+                     number_literal(context, "0.0"));
+}
+
+std::string print_matrices(const EmissionContext& context, std::span<const Program> programs) {
+  std::string text;
+  for (const LimitedCall& call : list_limited_calls(context, programs)) {
+    text += print_call(context, *call.program, call.result) + "\n";
+  }
+  const Sizes sizes(context);
+  if (!holds_rows(context)) text += print_zeros(context, "J_s", sizes.held * context.velocities);
+  if (context.task_rows == 0) text += print_zeros(context, "J_t", sizes.tasks * context.velocities);
+  return text;
+}
+
+std::string print_limits(const EmissionContext& context) {
+  const Syntax syntax = make_syntax(context);
+  const std::string zero = syntax.literal(0);
+  const std::string no_cones = fmt::format("{{0, 0, {{{0}, {0}, {0}, {0}, {0}, {0}}}, {0}}}", zero);
+  return wrap_line(
+      fmt::format("const {0}_torque_limits {0}_default_limits = {{{1}}};", context.name,
+                  print_torque_limits(*context.limits, syntax, syntax.literal(1e30), no_cones)),
+      0);
+}
+
+std::string print_layout(const EmissionContext& context) {
+  return wrap_line(
+      fmt::format("static const {0}_support_layout {0}_layout = {{{1}}};", context.name,
+                  print_support_layout(*context.limits, make_syntax(context))),
+      0);
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> print_limited(const EmissionContext& context,
+                                         std::span<const Program> programs) {
+  const Program& supported = find_supported(programs);
+  const bool holds = holds_rows(context);
+  const std::string head = print_head(context, supported);
+  const std::string zeros = fmt::format(" = {{{}}}", number_literal(context, "0.0"));
+  Holes holes = list_holes(context);
+  holes["sizes"] = print_sizes(context);
+  holes["notes"] = comment("///", describe_cones(*context.limits));
+  holes["cost"] = comment("///", describe_limited_cost(context, programs));
+  holes["signature"] = wrap_line(head + ";", 0);
+  std::vector<GeneratedFile> files = {
+      {context.name + "_limited.h", fill(templates::kLimited, holes)}};
+  holes["limits"] = print_limits(context);
+  holes["signature"] = wrap_line(head + " {", 0);
+  const std::string without = holds ? "" : fmt::format("{} f[1]{};\n", number_type(context), zeros);
+  holes["supported"] = without + print_call(context, supported, holds ? "tau, f" : "tau");
+  holes["matrices"] = print_matrices(context, programs);
+  files.push_back({"limited_control_torque.c", fill(templates::kLimitedSource, holes)});
+  return files;
+}
+
+std::vector<GeneratedFile> print_limited_runtime(const EmissionContext& context) {
+  Holes holes = list_holes(context);
+  holes["layout"] = print_layout(context);
+  const std::pair<const char*, std::string_view> headers[] = {
+      {"limited_torque.h", templates::kLimitedTorque},
+      {"limit_program.h", templates::kLimitProgram},
+      {"force_basis.h", templates::kForceBasis},
+      {"enter_rows.h", templates::kEnterRows},
+      {"quadratic_program.h", templates::kQuadraticProgram}};
+  std::vector<GeneratedFile> files;
+  for (const auto& [name, text] : headers) files.push_back({name, fill(text, holes)});
+  return files;
+}
+
+}  // namespace treeline::c

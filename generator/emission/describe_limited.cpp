@@ -1,0 +1,95 @@
+#include "emission/describe_limited.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "emission/comment.hpp"
+#include "emission/limit_cost.hpp"
+#include "passes/count_operations.hpp"
+
+namespace treeline {
+namespace {
+
+const Program& find_program(std::span<const Program> programs, const std::string& name) {
+  const auto found = std::find_if(programs.begin(), programs.end(),
+                                  [&](const Program& each) { return each.name == name; });
+  if (found == programs.end()) throw std::logic_error("limited lacks " + name);
+  return *found;
+}
+
+template <class Number, class Print>
+std::string print_list(const std::vector<Number>& numbers, const Print& print) {
+  std::string list;
+  for (const Number& number : numbers) list += (list.empty() ? "" : ", ") + print(number);
+  return "{" + (list.empty() ? print(Number{}) : list) + "}";
+}
+
+}  // namespace
+
+const Program& find_supported(std::span<const Program> programs) {
+  return find_program(programs, "supported_control_torque");
+}
+
+std::vector<LimitedCall> list_limited_calls(const EmissionContext& context,
+                                            std::span<const Program> programs) {
+  std::vector<LimitedCall> calls = {{&find_program(programs, "mass_matrix"), "M"}};
+  if (holds_rows(context)) {
+    calls.push_back({&find_program(programs, "constraint_jacobian"), "J_s"});
+  }
+  if (context.task_rows > 0) calls.push_back({&find_program(programs, "jacobian"), "J_t"});
+  return calls;
+}
+
+bool holds_rows(const EmissionContext& context) {
+  return !context.limits->force_weights.empty();
+}
+
+int count_freedoms(const LimitFacts& facts) {
+  return std::max(facts.freedoms, 1);
+}
+
+std::string describe_limited_cost(const EmissionContext& context,
+                                  std::span<const Program> programs) {
+  const LimitFacts& facts = *context.limits;
+  const LimitCost cost = cost_of_limits(facts, context.velocities);
+  const int flops = count_operations(find_supported(programs)).flops();
+  return wrap_text(
+      fmt::format("Cost: {} flops where no limit is reached. Else a quadratic program of {} "
+                  "unknowns and {} rows: at most {} steps of at most {} flops.",
+                  flops, cost.unknowns, cost.rows, cost.iterations, cost.flops_of_iteration),
+      95);
+}
+
+std::string describe_cones(const LimitFacts& facts) {
+  std::string text;
+  for (const std::string& note : facts.notes) {
+    text += (text.empty() ? "" : "\n") + wrap_text(note + ".", 95);
+  }
+  return text.empty() ? "No forces are limited." : text;
+}
+
+std::string print_torque_limits(const LimitFacts& facts, const Syntax& syntax,
+                                const std::string& no_limit, const std::string& no_cones) {
+  const auto literal = [&](double x) { return std::isfinite(x) ? syntax.literal(x) : no_limit; };
+  std::string cones;
+  for (const LimitFacts::Row& row : facts.cones) {
+    std::vector<double> coefficients = row.coefficients;
+    coefficients.resize(6);
+    cones +=
+        fmt::format("{}{{{}, {}, {}, {}}}", cones.empty() ? "" : ", ", row.first,
+                    row.coefficients.size(), print_list(coefficients, literal), literal(row.bound));
+  }
+  return fmt::format("{}, {{{}}}, {}", print_list(facts.torque, literal),
+                     cones.empty() ? no_cones : cones, print_list(facts.task_weights, literal));
+}
+
+std::string print_support_layout(const LimitFacts& facts, const Syntax& syntax) {
+  return fmt::format("{}, {}",
+                     print_list(facts.passive, [](int each) { return std::to_string(each); }),
+                     print_list(facts.force_weights, [&](double x) { return syntax.literal(x); }));
+}
+
+}  // namespace treeline
