@@ -86,8 +86,8 @@ std::string describe_cpp(const Scene& scene) {
          "macros with arguments for instructions of square roots, where there "
          "are any",
          "the instruction depends on the target"},
-        {"19.6.1 (advisory)", "`#pragma` of optimisations and warnings",
-         "g++ would reorder what is in order"}};
+        {"19.6.1 (advisory)", "`#pragma` of warnings",
+         "g++ warns of the sign of array bounds that are template parameters"}};
     deviations.insert(deviations.end(), plain.begin(), plain.end());
   }
   std::string text = misra ? describe_profile() : std::string();
