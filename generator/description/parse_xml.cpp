@@ -58,6 +58,19 @@ std::string without_late_declaration(std::string text, const std::string& file,
   return text;
 }
 
+/// Programs that write the terminator of a C string, or DOS's end of a file, leave bytes behind the
+/// text that others do not read. Removes them, with a warning.
+std::string without_terminator(std::string text, const std::string& file,
+                               Diagnostics& diagnostics) {
+  const auto last = text.find_last_not_of(std::string_view("\0\x1a", 2));
+  if (last == std::string::npos || last + 1 == text.size()) return text;
+  diagnostics.add({Severity::warning, file, line_at(text, last), "",
+                   "a zero byte or Ctrl-Z stands behind the end of the text",
+                   "remove it: strict readers of XML refuse the file", Minor::form});
+  text.resize(last + 1);
+  return text;
+}
+
 struct Complaint {
   const std::string& file;
   Diagnostics& diagnostics;
@@ -232,9 +245,10 @@ const XMLElement* parse_mended(const std::string& mended, tinyxml2::XMLDocument&
 
 }  // namespace
 
-std::optional<std::string> well_formed_xml(const std::string& text, const std::string& file,
+std::optional<std::string> well_formed_xml(const std::string& bytes, const std::string& file,
                                            Diagnostics& diagnostics) {
   const Complaint complain{file, diagnostics};
+  const std::string text = without_terminator(bytes, file, diagnostics);
   if (!check_bytes(text, complain)) return std::nullopt;
   std::string mended = without_late_declaration(text, file, diagnostics);
   tinyxml2::XMLDocument document;
@@ -242,10 +256,11 @@ std::optional<std::string> well_formed_xml(const std::string& text, const std::s
   return mended;
 }
 
-const tinyxml2::XMLElement* parse_urdf_xml(const std::string& text, const std::string& file,
+const tinyxml2::XMLElement* parse_urdf_xml(const std::string& bytes, const std::string& file,
                                            tinyxml2::XMLDocument& document,
                                            Diagnostics& diagnostics) {
   const Complaint complain{file, diagnostics};
+  const std::string text = without_terminator(bytes, file, diagnostics);
   if (!check_bytes(text, complain)) return nullptr;
   const std::string mended = without_late_declaration(text, file, diagnostics);
   const XMLElement* root = parse_mended(mended, document, complain);
