@@ -144,10 +144,9 @@ struct StandingCase {
   double growth = 1;  ///< largest condition number that amplifies rounding
 };
 
-inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) {
+inline RandomOptions options_of(const Standing& standing) {
   RandomOptions options;
-  const int feet = static_cast<int>(standing.feet.size());
-  options.joints = 10 + 5 * (feet + static_cast<int>(standing.loops.size()));
+  options.joints = 10 + 5 * static_cast<int>(standing.feet.size() + standing.loops.size());
   options.branching = 0.2;
   options.mix = {5, 1, 1, 0.3, 0, 0.3, 0.3};
   options.floating_base = standing.floating_base;
@@ -155,54 +154,83 @@ inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) 
   options.rotors = options.drives = standing.drives;
   options.operational_points = 2;
   options.external_forces = standing.external_forces;
-  StandingCase c;
-  c.made = random_mechanism(seed, options);
-  Scene& scene = c.made.scene;
-  Rng rng(seed + 5);
-  for (int i = 0; i < feet; ++i) {
-    scene.constraints.push_back(
-        detail::random_point(rng, options, c.made.robot, "foot_" + std::to_string(i)));
-    scene.constraints.back().rows = standing.feet[static_cast<std::size_t>(i)];
+  return options;
+}
+
+inline void draw_feet(Rng& rng, const Standing& standing, RandomMechanism& made) {
+  for (std::size_t i = 0; i < standing.feet.size(); ++i) {
+    made.scene.constraints.push_back(
+        detail::random_point(rng, options_of(standing), made.robot, "foot_" + std::to_string(i)));
+    made.scene.constraints.back().rows = standing.feet[i];
   }
-  for (const Rows& rows : standing.loops) {
-    const std::size_t i = scene.loops.size();
-    scene.loops.push_back(draw_loop(rng, options, c.made, "loop_" + std::to_string(i)));
-    scene.loops.back().second.rows = rows;
-    if (i < standing.rolling.size()) scene.loops.back().rolling = standing.rolling[i];
-    if (standing.on_world) scene.loops.back().second.link = kWorldEnd;
+}
+
+inline void draw_loops(Rng& rng, const Standing& standing, RandomMechanism& made) {
+  auto& loops = made.scene.loops;
+  for (std::size_t i = 0; i < standing.loops.size(); ++i) {
+    loops.push_back(draw_loop(rng, options_of(standing), made, "loop_" + std::to_string(i)));
+    loops.back().second.rows = standing.loops[i];
+    if (i < standing.rolling.size()) loops.back().rolling = standing.rolling[i];
+    if (standing.on_world) loops.back().second.link = kWorldEnd;
   }
-  draw_couplings(rng, standing.couplings, c.made);
+}
+
+/// Rows and priorities of tasks, at most `standing.task_rows` rows in all, and which joints have no
+/// motor.
+inline void draw_tasks(Rng& rng, const Standing& standing, RandomMechanism& made) {
+  Scene& scene = made.scene;
   int left = standing.task_rows;
   for (ScenePoint& point : scene.operational_points) {
     for (bool& row : point.rows) row = left > 0 && rng.chance(0.6) && left-- > 0;
     point.priority = 1 + rng.below(2);
   }
-  for (const Joint& joint : c.made.robot.joints) {
+  for (const Joint& joint : made.robot.joints) {
     const auto wanted = static_cast<std::size_t>(standing.passive);
     if (scene.passive.size() < wanted && detail::has_one_degree(joint) && !joint.mimic) {
       scene.passive.push_back(joint.name);
     }
   }
-  c.model = model_from_robot<Digits50>(c.made.robot, scene);
-  auto& task = c.task;
-  task.constraints = points_from_scene(c.model, scene.constraints);
-  task.loops = loops_from_scene(c.model, c.made.robot, scene);
-  task.points = points_from_scene(c.model, scene.operational_points);
-  task.passive = passive_velocities(c.model, c.made.robot, scene);
-  task.external_points = points_from_scene(c.model, scene.external_forces);
+}
+
+/// What `made` asks for, without the numbers of a state.
+inline interpreter::SupportedTask<Digits50> task_of(const interpreter::Model<Digits50>& model,
+                                                    const RandomMechanism& made) {
+  interpreter::SupportedTask<Digits50> task;
+  task.constraints = points_from_scene(model, made.scene.constraints);
+  task.loops = loops_from_scene(model, made.robot, made.scene);
+  task.points = points_from_scene(model, made.scene.operational_points);
+  task.passive = passive_velocities(model, made.robot, made.scene);
+  task.external_points = points_from_scene(model, made.scene.external_forces);
+  return task;
+}
+
+inline void draw_numbers(Rng& rng, const Standing& standing, StandingCase& c) {
   const auto drawn = [&](int count, double size) {
     return random_entries<Digits50>(rng, count, size);
   };
-  const int anchored = interpreter::row_count(task.constraints);
-  const int held = anchored + interpreter::row_count(task.loops);
+  const int anchored = interpreter::row_count(c.task.constraints);
+  const int held = anchored + interpreter::row_count(c.task.loops);
   c.q = random_position(rng, c.model, 2.0);
   c.qd = drawn(c.model.nv, 2);
   c.tau = drawn(c.model.nv, 20);
   c.drift = drawn(anchored, 0.01);
-  task.qdd_0 = drawn(c.model.nv, 5);
-  task.xdd_cmd = drawn(interpreter::row_count(task.points), 5);
-  task.f_wanted = drawn(held, 50);
-  task.f_ext = drawn(6 * standing.external_forces, 30);
+  c.task.qdd_0 = drawn(c.model.nv, 5);
+  c.task.xdd_cmd = drawn(interpreter::row_count(c.task.points), 5);
+  c.task.f_wanted = drawn(held, 50);
+  c.task.f_ext = drawn(6 * standing.external_forces, 30);
+}
+
+inline StandingCase draw_standing(std::uint64_t seed, const Standing& standing) {
+  StandingCase c;
+  c.made = random_mechanism(seed, options_of(standing));
+  Rng rng(seed + 5);
+  draw_feet(rng, standing, c.made);
+  draw_loops(rng, standing, c.made);
+  draw_couplings(rng, standing.couplings, c.made);
+  draw_tasks(rng, standing, c.made);
+  c.model = model_from_robot<Digits50>(c.made.robot, c.made.scene);
+  c.task = task_of(c.model, c.made);
+  draw_numbers(rng, standing, c);
   return c;
 }
 
