@@ -123,6 +123,20 @@ TEST(OnBoard, RunsTheDampedLaw) {
       run_on_board(damped_puma_for("cortex-m7", Real::float64, Language::cpp), board_options(20)));
 }
 
+// Would catch: a table of safe code that compilers copy by memcpy, small code that is not judged.
+TEST(OnBoard, RunsTheDampedLawOfSafeSmallCode) {
+  Subjects subjects = damped_puma_for("cortex-m7", Real::float64, Language::cpp);
+  subjects.scene.profile = Profile::misra;
+  subjects.scene.optimize = Optimize::size;
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  const BoardReport report = run_on_board(subjects, board_options(20));
+  expect_damped(report);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(report.functions[i].is_small);
+  EXPECT_FALSE(report.functions[4].is_small);  // a header
+  EXPECT_NE(report.small_command.find("-ffp-contract=off -Os"), std::string::npos);
+  EXPECT_NE(print_text(report).find("`optimize`"), std::string::npos);
+}
+
 // Would catch: eigenvectors written out, or sweeps that repeat until some matrix is diagonal.
 TEST(OnBoard, TheDampedLawFitsASmallCore) {
   const BoardReport report =

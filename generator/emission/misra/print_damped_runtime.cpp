@@ -19,7 +19,8 @@ std::vector<int> list_exponents(bool single) {
   return exponents;
 }
 
-/// `constexpr double powers[10] = {0x1p+512, ...};` with two to `factor` times each exponent.
+/// `static constexpr double powers[10] = {0x1p+512, ...};` with two to `factor` times each
+/// exponent: not on the stack, where compilers would copy it by memcpy.
 std::string print_powers(const EmissionContext& context, const char* name, int factor) {
   std::string list;
   const std::vector<int> exponents = list_exponents(context.single_precision);
@@ -29,7 +30,7 @@ std::string print_powers(const EmissionContext& context, const char* name, int f
   }
   return wrap_line(
       fmt::format("{} {} {}[{}] = {{{}}};",
-                  context.language == Language::c ? "static const" : "constexpr",
+                  context.language == Language::c ? "static const" : "static constexpr",
                   context.single_precision ? "float" : "double", name, exponents.size(), list),
       0);
 }
