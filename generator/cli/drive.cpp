@@ -11,6 +11,7 @@
 
 #include "cli/driver.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/find_start.hpp"
 #include "cli/latency.hpp"
 #include "cli/loop_handle.hpp"
 #include "cli/option_values.hpp"
@@ -158,6 +159,21 @@ int run_replay(const DriveOptions& options) {
   return shown ? kOk : kBadInput;
 }
 
+/// Chooses where a simulated robot starts. One that can hold its weight at no place that was found
+/// is driven without the limits that say so: its file has placeholders, and it could only fall.
+void choose_start(LaunchedRobot& robot, DriveSettings& drive, Diagnostics& diagnostics) {
+  if (!drive.start.empty() || !drive.udp_robot.empty()) return;
+  drive.start = start_of(robot, {}, diagnostics);
+  if (drive.start.empty()) return;
+  const std::string weak =
+      free_weak_joints(robot.library.functions(), robot.description, drive.start);
+  if (weak.empty()) return;
+  diagnostics.add({Severity::warning, "", 0, "--q",
+                   "the robot can hold its weight at no place that was found: " + weak,
+                   "These effort limits are left out while it is driven; where --q states a "
+                   "place they are kept."});
+}
+
 int run(DriveOptions options) {
   if (!options.replay.empty()) return run_replay(options);
   Diagnostics diagnostics;
@@ -194,8 +210,9 @@ int run(DriveOptions options) {
       robot.reset();
     }
   }
+  if (robot) choose_start(*robot, drive, diagnostics);
   print_diagnostics(diagnostics, options.inputs.warnings);
-  if (!robot) return kBadInput;
+  if (!robot || diagnostics.has_errors()) return kBadInput;
   Diagnostics of_drive;
   if (!options.act_as_robot.empty()) {
     const bool acted = act_as_robot(*robot, drive.start, drive.rate, drive.simulation,

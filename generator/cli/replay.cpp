@@ -50,18 +50,21 @@ drive::ServerHandlers make_handlers(const std::string& hello, std::atomic<int>& 
     if (json.is_object() && json.contains("seq") && json["seq"].is_number_integer()) {
       seq = json["seq"].get<std::int64_t>();
     }
-    return drive::print_reply(seq, {false, "this is a recorded motion: nothing can be commanded", -1});
+    return drive::print_reply(seq,
+                              {false, "this is a recorded motion: nothing can be commanded", -1});
   };
   handlers.leave = [](int) {};
   return handlers;
 }
 
+/// Begins when the first front end looks, so that its picture is placed about the beginning.
 void play(const Record& record, drive::Server& server) {
   constexpr auto kInterval = 33ms;
   constexpr double kPause = 1.0;  // s, before it begins again
-  const auto begin = std::chrono::steady_clock::now();
+  auto begin = std::chrono::steady_clock::now();
   const double length = record.times.back() - record.times.front();
   for (std::int64_t seq = 1; !asked_to_close; ++seq) {
+    if (server.connections() == 0) begin = std::chrono::steady_clock::now();
     const double passed =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const double time = record.times.front() + std::min(length, std::fmod(passed, length + kPause));

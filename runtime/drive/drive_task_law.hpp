@@ -75,43 +75,50 @@ void DriveController<F>::add_acceleration(const State& state, const double (&qdd
 /// The posture in the null space of the task: joints are drawn to their goals. Accelerations alone
 /// would let the task move light joints before heavy ones, until they are at their limits, as it
 /// withholds least in the metric of kinetic energy. So springs K of one stiffness for all joints,
-/// each critically damped, accelerate the robot: what the task leaves then has the least sum of
-/// squares of displacements. They are taken at the end of the period, (M + h D + h^2 K) qdd, for
-/// light joints would make them stiff at any period. Floating joints accelerate as their goals say.
-/// Without `mass_matrix`, and in loops, accelerations have to do.
+/// each critically damped by its D, accelerate the robot: what the task leaves then has the least
+/// sum of squares of displacements. Floating joints have those of the posture's gains, times their
+/// inertia. All are taken at the end of the period, A qdd = f with A = M + h D + h^2 K, for light
+/// joints would make them stiff at any period. As M A^-1 D is at most M / h, no projection by the
+/// task makes them unstable. Without `mass_matrix`, and in loops, accelerations have to do.
 template <class F>
 void DriveController<F>::accelerate_posture(const State& state, double (&qdd)[nv]) const noexcept {
   accelerate_joints(posture_gains_, state, qdd);
   if constexpr (has_springs()) {
     const double h = settings_.period;
-    double M[nv * nv];
-    F::mass_matrix(state.q, M);
+    double A[nv * nv];
+    F::mass_matrix(state.q, A);
+    double led[nv];
+    accelerate_joints({0.0, 0.0}, state, led);
+    double f[nv];
     double heaviest = 0.0;
-    for_each_joint([&](int, int iv) { heaviest = std::fmax(heaviest, M[iv * nv + iv]); },
+    for (int i = 0; i < nv; ++i) {
+      f[i] = 0.0;
+      for (int j = 0; j < nv; ++j) f[i] += A[i * nv + j] * led[j];
+    }
+    for_each_joint([&](int, int iv) { heaviest = std::fmax(heaviest, A[iv * nv + iv]); },
                    [](int, int, int) {});
     const double K = kPostureRate * kPostureRate * heaviest;
-    bool is_given[nv] = {};
-    double force[nv];
-    std::copy_n(qdd, nv, force);
     for_each_joint(
         [&](int iq, int iv) {
           const SmoothNumber& goal = joints_[at(iq)];
-          double& inertia = M[iv * nv + iv];
+          double& inertia = A[iv * nv + iv];
           const double D = 2.0 * std::sqrt(K * inertia);
-          force[iv] = inertia * goal.acceleration() + D * (goal.velocity() - state.qd[iv]) +
-                      K * (goal.position() - state.q[iq] - h * state.qd[iv]);
+          f[iv] += D * (goal.velocity() - state.qd[iv]) +
+                   K * (goal.position() - state.q[iq] - h * state.qd[iv]);
           inertia += h * D + h * h * K;
         },
-        [&](int, int, int iv) { std::fill_n(is_given + iv, 6, true); });
-    for (int i = 0; i < nv; ++i) {
-      for (int j = 0; j < nv; ++j) {
-        if (!is_given[i] && is_given[j]) force[i] -= M[i * nv + j] * qdd[j];
-        if (is_given[i] || is_given[j]) M[i * nv + j] = i == j ? 1.0 : 0.0;
-      }
-    }
-    if (core::ldlt_factor<nv>(M)) {
-      core::ldlt_solve<nv>(M, force);
-      std::copy_n(force, nv, qdd);
+        [&](int, int, int iv) {
+          const core::Gains<double>& gains = posture_gains_;
+          for (int i = iv; i < iv + 6; ++i) {
+            for (int j = iv; j < iv + 6; ++j) {
+              f[i] += A[i * nv + j] * (qdd[j] - led[j] - h * gains.kp * state.qd[j]);
+              A[i * nv + j] *= 1.0 + h * gains.kv + h * h * gains.kp;
+            }
+          }
+        });
+    if (core::ldlt_factor<nv>(A)) {
+      core::ldlt_solve<nv>(A, f);
+      std::copy_n(f, nv, qdd);
     }
   }
   push_from_limits(state, qdd);
