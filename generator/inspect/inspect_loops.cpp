@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "inspect/draw_states.hpp"
-#include "interpreter/close_loops.hpp"
-#include "interpreter/instances.hpp"
+#include "interpreter/loop_instances.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "interpreter/instances.hpp"
+#include "interpreter/loop_instances.hpp"
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_constraints.hpp"

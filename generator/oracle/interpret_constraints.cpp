@@ -1,6 +1,6 @@
 #include "oracle/interpret_constraints.hpp"
 
-#include "interpreter/instances.hpp"
+#include "interpreter/loop_instances.hpp"
 #include "oracle/entries.hpp"
 
 namespace treeline {

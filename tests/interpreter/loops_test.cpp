@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "interpreter/loop_instances.hpp"
 #include "interpreter/physics.hpp"
 #include "interpreter/supported_cases.hpp"
 

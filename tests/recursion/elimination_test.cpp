@@ -6,6 +6,7 @@
 #include "data/list_data.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "interpreter/loop_instances.hpp"
 #include "interpreter/supported_cases.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"

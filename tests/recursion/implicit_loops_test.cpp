@@ -10,7 +10,7 @@
 #include "data/list_data.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
-#include "interpreter/instances.hpp"
+#include "interpreter/loop_instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
