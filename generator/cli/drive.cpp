@@ -166,11 +166,11 @@ void choose_start(LaunchedRobot& robot, DriveSettings& drive, Diagnostics& diagn
   drive.start = start_of(robot, {}, diagnostics);
   if (drive.start.empty()) return;
   const std::string weak =
-      free_weak_joints(robot.library.functions(), robot.description, drive.start);
+      free_weak_robot(robot.library.functions(), robot.description, drive.start);
   if (weak.empty()) return;
   diagnostics.add({Severity::warning, "", 0, "--q",
                    "the robot can hold its weight at no place that was found: " + weak,
-                   "These effort limits are left out while it is driven; where --q states a "
+                   "The file's effort limits are left out while it is driven; where --q states a "
                    "place they are kept."});
 }
 

@@ -128,17 +128,11 @@ std::string describe_overload(const drive::RobotLibrary& library,
   return text;
 }
 
-std::string free_weak_joints(const drive::RobotLibrary& library, drive::RobotDescription& robot,
-                             const std::vector<double>& q) {
+std::string free_weak_robot(const drive::RobotLibrary& library, drive::RobotDescription& robot,
+                            const std::vector<double>& q) {
   const std::string weak = describe_overload(library, robot, q);
-  std::vector<std::string> names;
-  Overload(library, robot)
-      .for_each_force(q, [&](const drive::DrivenCoordinate& coordinate, double force) {
-        if (force > coordinate.effort) names.push_back(coordinate.name);
-      });
   for (drive::DrivenCoordinate& coordinate : robot.coordinates) {
-    if (std::find(names.begin(), names.end(), coordinate.name) == names.end()) continue;
-    coordinate.effort = std::numeric_limits<double>::infinity();
+    if (!weak.empty()) coordinate.effort = std::numeric_limits<double>::infinity();
   }
   return weak;
 }

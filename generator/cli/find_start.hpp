@@ -22,11 +22,13 @@ double height_of_points(const drive::RobotLibrary& library, const drive::RobotDe
 std::string describe_overload(const drive::RobotLibrary& library,
                               const drive::RobotDescription& robot, const std::vector<double>& q);
 
-/// Takes the effort limits from the joints that are too weak to hold the weight at rest at `q`. An
-/// arm whose file has placeholders for limits could not be driven anywhere otherwise. Returns their
-/// names and figures as `describe_overload` does; empty: there are none.
-std::string free_weak_joints(const drive::RobotLibrary& library, drive::RobotDescription& robot,
-                             const std::vector<double>& q);
+/// Takes the effort limits from all joints where some are too weak to hold the weight at rest at
+/// `q`: those of the others are no better known, and hardly suffice for a motion. An arm whose file
+/// has placeholders for limits could not be driven anywhere otherwise. Returns the names and
+/// figures of the weak ones as `describe_overload` does; empty: there are none, and nothing is
+/// changed.
+std::string free_weak_robot(const drive::RobotLibrary& library, drive::RobotDescription& robot,
+                            const std::vector<double>& q);
 
 /// Where a robot can hold its weight with 70 % of its effort limits, found by moving one joint
 /// after the other from `start`, from the base on; the best that was found where there is no such
