@@ -127,4 +127,13 @@ inline LoopedRobot four_bar(const std::string& rows = "[x, z]") {
 inline const interpreter::Vector<double> kAssembled =
     (interpreter::Vector<double>(3) << 0.3, -0.6, 0.2).finished();
 
+/// The one in space, which a ball joint closes, and a pose near a closed one.
+inline LoopedRobot spatial_four_bar() {
+  return {"spatial_four_bar.urdf",
+          "constraints: [{name: closing, between: [rocker, coupler], origin: {xyz: [0, 0, 0.4]}, "
+          "other_origin: {xyz: [0.6, 0, 0]}, rows: [x, y, z]}]\n"};
+}
+inline const interpreter::Vector<double> kAssembledInSpace =
+    (interpreter::Vector<double>(4) << 0.2, 0.1, -0.5, 0.3).finished();
+
 }  // namespace treeline::tests
