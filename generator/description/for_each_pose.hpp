@@ -10,18 +10,29 @@
 
 namespace treeline {
 
-/// Calls `visit(pose, owner, line, element)` for every pose of a robot's masses and joints; the
-/// owner is the link's or joint's name.
+/// Calls `visit(pose, owner, line, element)` for the pose of each mass of a robot; the owner is the
+/// link's name.
 template <class AnyRobot, class Visit>
-void for_each_pose(AnyRobot& robot, Visit visit) {
+void for_each_inertial_pose(AnyRobot& robot, Visit visit) {
   for (auto& link : robot.links) {
     if (!link.inertial) continue;
     visit(link.inertial->origin, link.name, link.line,
           fmt::format("robot/link[{}]/inertial/origin", link.name));
   }
+}
+
+/// The same for its joints; the owner is the joint's name.
+template <class AnyRobot, class Visit>
+void for_each_joint_pose(AnyRobot& robot, Visit visit) {
   for (auto& joint : robot.joints) {
     visit(joint.origin, joint.name, joint.line, fmt::format("robot/joint[{}]/origin", joint.name));
   }
+}
+
+template <class AnyRobot, class Visit>
+void for_each_pose(AnyRobot& robot, Visit visit) {
+  for_each_inertial_pose(robot, visit);
+  for_each_joint_pose(robot, visit);
 }
 
 /// Calls `visit(pose, line, element)` for every pose that a scene gives: of points, constraints,

@@ -35,13 +35,11 @@ void add(NoiseDecisions* decisions, const Place& at, std::string text, double ch
 /// Magnitudes that have come before: legs that are alike have numbers that are, and share code.
 class Magnitudes {
  public:
-  explicit Magnitudes(double limit) : limit_(limit) {}
-
   /// The number, with the magnitude that came before where it differs by no more than the limit.
-  double shared(double number) {
+  double shared(double number, double limit) {
     const double magnitude = std::abs(number);
-    const auto known = known_.lower_bound(magnitude - limit_);
-    if (known != known_.end() && *known <= magnitude + limit_) {
+    const auto known = known_.lower_bound(magnitude - limit);
+    if (known != known_.end() && *known <= magnitude + limit) {
       return std::copysign(*known, number);
     }
     known_.insert(magnitude);
@@ -49,7 +47,6 @@ class Magnitudes {
   }
 
  private:
-  double limit_;
   std::set<double> known_;
 };
 
@@ -57,16 +54,34 @@ class Magnitudes {
 class PoseCleaner {
  public:
   PoseCleaner(const NoiseLimits& limits, NoiseDecisions* decisions)
-      : limits_(limits), decisions_(decisions), angles_(limits.angle), lengths_(limits.length) {}
+      : limits_(limits), decisions_(decisions) {}
 
-  void make_exact(Pose& pose, const Place& at) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      make_angle_exact(pose.rpy[i], kAngles[i], at);
-      make_offset_exact(pose.xyz[i], kCoordinates[i], at);
-    }
+  void make_exact(Pose& pose, const Place& at) { make_exact(pose, limits_.length, at); }
+
+  void make_center_exact(Pose& pose, const Place& at) {
+    make_exact(pose, limit_of_center(pose), at);
   }
 
  private:
+  /// What a component of a centre of mass must exceed not to be noise. Near its joint, a light tip
+  /// exerts a moment that is as small as the centre's distance, and is exact to rounding only if
+  /// the centre is so beside that distance, not beside the robot. A centre within the robot's noise
+  /// is all noise.
+  [[nodiscard]] double limit_of_center(const Pose& pose) const {
+    const double distance = std::hypot(pose.xyz[0], pose.xyz[1], pose.xyz[2]);
+    const bool is_noise = distance <= limits_.length;
+    const bool asked = limits_.angle > kResolution;
+    if (is_noise || asked) return limits_.length;
+    return std::min(limits_.length, 2 * limits_.angle * distance);
+  }
+
+  void make_exact(Pose& pose, double length, const Place& at) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      make_angle_exact(pose.rpy[i], kAngles[i], at);
+      make_offset_exact(pose.xyz[i], length, kCoordinates[i], at);
+    }
+  }
+
   void make_angle_exact(double& angle, const char* name, const Place& at) {
     const QuarterTurns nearest = nearest_quarter_turns(angle);
     if (angle == nearest.as_double) return;
@@ -77,22 +92,22 @@ class PoseCleaner {
       angle = nearest.as_double;
       return;
     }
-    share(angle, angles_, name, "rad", at);
+    share(angle, limits_.angle, angles_, name, "rad", at);
   }
 
-  void make_offset_exact(double& offset, const char* name, const Place& at) {
+  void make_offset_exact(double& offset, double limit, const char* name, const Place& at) {
     if (offset == 0) return;
-    if (std::abs(offset) <= limits_.length) {
+    if (std::abs(offset) <= limit) {
       add(decisions_, at, fmt::format("{} {} m is 0", name, offset), offset);
       offset = 0;
       return;
     }
-    share(offset, lengths_, name, "m", at);
+    share(offset, limit, lengths_, name, "m", at);
   }
 
-  void share(double& number, Magnitudes& known, const char* name, const char* unit,
+  void share(double& number, double limit, Magnitudes& known, const char* name, const char* unit,
              const Place& at) {
-    const double shared = known.shared(number);
+    const double shared = known.shared(number, limit);
     if (shared == number) return;
     add(decisions_, at, fmt::format("{} {} {} is {}, as elsewhere", name, number, unit, shared),
         number - shared);
@@ -135,10 +150,14 @@ NoiseLimits noise_limits(const Robot& robot, const Scene& scene) {
 
 Robot without_noise(Robot robot, const NoiseLimits& limits, NoiseDecisions* decisions) {
   PoseCleaner cleaner(limits, decisions);
-  for_each_pose(robot,
-                [&](Pose& pose, const std::string& owner, int line, const std::string& element) {
-                  cleaner.make_exact(pose, {file_of(robot, owner), line, element});
-                });
+  for_each_inertial_pose(
+      robot, [&](Pose& pose, const std::string& owner, int line, const std::string& element) {
+        cleaner.make_center_exact(pose, {file_of(robot, owner), line, element});
+      });
+  for_each_joint_pose(
+      robot, [&](Pose& pose, const std::string& owner, int line, const std::string& element) {
+        cleaner.make_exact(pose, {file_of(robot, owner), line, element});
+      });
   for (Joint& joint : robot.joints) {
     const std::string element = fmt::format("robot/joint[{}]/axis", joint.name);
     make_exact(joint, limits.angle, {file_of(robot, joint.name), joint.line, element}, decisions);

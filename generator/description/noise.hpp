@@ -29,7 +29,8 @@ NoiseLimits noise_limits(const Robot& robot, const Scene& scene);
 
 /// The robot with angles within `limits.angle` of a quarter turn, lesser components of axes, and
 /// offsets within `limits.length` exact; angles, and offsets, that differ by no more, but for
-/// signs, are made equal. `decisions`: what is, appended.
+/// signs, are made equal. Components of centres of mass near their joints are noise only beside
+/// that distance. `decisions`: what is, appended.
 Robot without_noise(Robot robot, const NoiseLimits& limits, NoiseDecisions* decisions = nullptr);
 
 /// Likewise the poses of the scene's points, objects and grasps.

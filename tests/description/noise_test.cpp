@@ -52,6 +52,20 @@ TEST(Noise, IsWhatDoubleCannotResolve) {
   EXPECT_EQ(decisions[5].text, "axis y -2e-17 is 0");
 }
 
+// Would catch: a moment of a light tip that is off by more than its own rounding, because its
+// centre of mass is judged beside the whole robot.
+TEST(Noise, OfACentreIsJudgedBesideItsDistance) {
+  Robot robot = arm();
+  const auto center_of = [&](std::array<double, 3> xyz) {
+    robot.links[1].inertial->origin.xyz = xyz;
+    return without_noise(robot, noise_limits(robot, Scene{})).links[1].inertial->origin.xyz;
+  };
+  EXPECT_EQ(center_of({0, -8.8e-5, -1.7e-18}), (std::array{0.0, -8.8e-5, -1.7e-18}));
+  EXPECT_EQ(center_of({0, -8.8e-5, -1.7e-20}), (std::array{0.0, -8.8e-5, 0.0}));
+  EXPECT_EQ(center_of({0, -0.1, -1.7e-18}), (std::array{0.0, -0.1, 0.0}));
+  EXPECT_EQ(center_of({3e-17, -3e-17, 1e-18}), (std::array{0.0, 0.0, 0.0}));
+}
+
 // Legs that are equal up to rounding get the same code.
 TEST(Noise, IsWhatEqualNumbersDifferBy) {
   Robot robot = arm();
