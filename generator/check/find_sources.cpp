@@ -25,8 +25,14 @@ bool refuse_fast_math(const std::string& flags, Diagnostics& diagnostics) {
   return false;
 }
 
-/// Whether the folder exists and contains the robot's header.
+/// Whether the folder exists and contains the robot's header. C++ output has a header for C too.
 bool has_header(const fs::path& folder, const Scene& scene, Diagnostics& diagnostics) {
+  const fs::path of_cpp = folder / (scene.name + std::string(backend_of(Language::cpp).header));
+  if (scene.language == Language::c && fs::exists(of_cpp)) {
+    diagnostics.add({Severity::error, folder, 0, "", "its code is C++, and C is asked for",
+                     "name another folder, or take --language c++"});
+    return false;
+  }
   const fs::path header = folder / (scene.name + std::string(backend_of(scene.language).header));
   if (fs::exists(header)) return true;
   diagnostics.add({Severity::error, header, 0, "", "there is no such file",

@@ -166,8 +166,13 @@ TEST_F(CFolderTest, WriteBeyondAnOutputIsSeen) {
   EXPECT_GT(report->functions[1].out_of_bounds, 0);
 }
 
-TEST_F(CFolderTest, NeedsTheHeaderInC) {
+// Would catch: C++ output that is taken for C because it has a header for C.
+TEST_F(CFolderTest, IsNotOfCpp) {
   options_.folder = temporary_.path() / "generated";
+  expect_error("its code is C++");
+  std::filesystem::remove(options_.folder / "planar3r.hpp");
+  std::filesystem::remove(options_.folder / "planar3r.h");
+  diagnostics_ = {};
   expect_error("planar3r.h");
 }
 

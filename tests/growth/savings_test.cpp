@@ -82,7 +82,8 @@ Generation generate(const RobotInScene& made) {
 std::map<std::string, std::string> sources_of(const Generation& generation) {
   std::map<std::string, std::string> sources;
   for (const GeneratedFile& file : generation.files) {
-    if (file.name.ends_with(".cpp")) sources[file.name] = file.text;
+    // c_calls.cpp lists all functions.
+    if (file.name.ends_with(".cpp") && file.name != "c_calls.cpp") sources[file.name] = file.text;
   }
   return sources;
 }
