@@ -10,6 +10,7 @@
 
 #include "description/for_each_pose.hpp"
 #include "description/join_robots.hpp"
+#include "description/noise_of_center.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
 #include "description/with_rotors.hpp"
@@ -63,17 +64,14 @@ class PoseCleaner {
   }
 
  private:
-  /// What a component of a centre of mass must exceed not to be noise. The moment that a light tip
-  /// exerts on its own joint is as small as the centre's distance, so noise of the robot's size may
-  /// be much beside it. What is left out costs that moment 64 ulp at most. With fewer, noise of
-  /// 1e-16 m beside centimetres would stay, and cost operations. A centre within the robot's noise
-  /// is all noise.
+  /// What a component of a centre of mass must exceed not to be noise, see `kOfDistance`. A centre
+  /// within the robot's noise is all noise.
   [[nodiscard]] double limit_of_center(const Pose& pose) const {
     const double distance = std::hypot(pose.xyz[0], pose.xyz[1], pose.xyz[2]);
     const bool is_noise = distance <= limits_.length;
     const bool asked = limits_.angle > kResolution;
     if (is_noise || asked) return limits_.length;
-    return std::min(limits_.length, 32 * limits_.angle * distance);
+    return std::min(limits_.length, kOfDistance * limits_.angle * distance);
   }
 
   void make_exact(Pose& pose, double length, const Place& at) {

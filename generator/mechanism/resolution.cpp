@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "description/noise_of_center.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace treeline {
@@ -175,9 +176,10 @@ Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* c
   const Exact largest = inertia.h.cwiseAbs().maxCoeff();
   const Exact least = kResidue * largest;
   // What is small beside the radius of gyration alone is not noise: the torque of gravity has no
-  // other terms.
-  const Exact noise =
-      std::max(Exact(abs(inertia.mass) * resolution.length), Exact(share * largest));
+  // other terms. Nor is what is large beside the other components: see `kOfDistance`.
+  const Exact of_robot = abs(inertia.mass) * resolution.length;
+  const Exact of_centre = std::max(share, Exact(kOfDistance * kResolution)) * largest;
+  const Exact noise = largest <= of_robot ? of_robot : std::min(of_robot, of_centre);
   for (int i = 0; i < 3; ++i) {
     Exact& h = result.h(i);
     const Exact bound = inertia.mass * Sigma(i, i);
