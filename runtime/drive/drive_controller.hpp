@@ -192,6 +192,7 @@ class DriveController {
   void accelerate_floating(const core::Gains<double>& gains, const SmoothPose& goal,
                            const double* q, const double* qd, double* qdd) const noexcept;
   void accelerate_posture(const State& state, double (&qdd)[nv]) const noexcept;
+  void accelerate_by_springs(const State& state, double (&qdd)[nv]) const noexcept;
   void push_from_limits(const State& state, double (&qdd)[nv]) const noexcept;
   /// 1/s: how sharply joints are led to a limit.
   double limit_rate() const noexcept { return std::fmin(30.0, 0.1 / settings_.period); }

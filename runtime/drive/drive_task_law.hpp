@@ -76,52 +76,52 @@ void DriveController<F>::add_acceleration(const State& state, const double (&qdd
 /// would let the task move light joints before heavy ones, until they are at their limits, as it
 /// withholds least in the metric of kinetic energy. So springs K of one stiffness for all joints,
 /// each critically damped by its D, accelerate the robot: what the task leaves then has the least
-/// sum of squares of displacements. Floating joints have those of the posture's gains, times their
-/// inertia. All are taken at the end of the period, A qdd = f with A = M + h D + h^2 K, for light
-/// joints would make them stiff at any period. As M A^-1 D is at most M / h, no projection by the
-/// task makes them unstable. Without `mass_matrix`, and in loops, accelerations have to do.
+/// sum of squares of displacements. They are taken at the end of the period, A qdd = f with
+/// A = M + h D + h^2 K, for light joints would make them stiff at any period. As M A^-1 D is at
+/// most M / h, no projection by the task makes them unstable. On a floating base springs would hold
+/// back the base, which has goals of its own. There, in loops, and without `mass_matrix`
+/// accelerations have to do.
 template <class F>
 void DriveController<F>::accelerate_posture(const State& state, double (&qdd)[nv]) const noexcept {
   accelerate_joints(posture_gains_, state, qdd);
+  bool floats = false;
+  for_each_joint([](int, int) {}, [&](int, int, int) { floats = true; });
   if constexpr (has_springs()) {
-    const double h = settings_.period;
-    double A[nv * nv];
-    F::mass_matrix(state.q, A);
-    double led[nv];
-    accelerate_joints({0.0, 0.0}, state, led);
-    double f[nv];
-    double heaviest = 0.0;
-    for (int i = 0; i < nv; ++i) {
-      f[i] = 0.0;
-      for (int j = 0; j < nv; ++j) f[i] += A[i * nv + j] * led[j];
-    }
-    for_each_joint([&](int, int iv) { heaviest = std::fmax(heaviest, A[iv * nv + iv]); },
-                   [](int, int, int) {});
-    const double K = kPostureRate * kPostureRate * heaviest;
-    for_each_joint(
-        [&](int iq, int iv) {
-          const SmoothNumber& goal = joints_[at(iq)];
-          double& inertia = A[iv * nv + iv];
-          const double D = 2.0 * std::sqrt(K * inertia);
-          f[iv] += D * (goal.velocity() - state.qd[iv]) +
-                   K * (goal.position() - state.q[iq] - h * state.qd[iv]);
-          inertia += h * D + h * h * K;
-        },
-        [&](int, int, int iv) {
-          const core::Gains<double>& gains = posture_gains_;
-          for (int i = iv; i < iv + 6; ++i) {
-            for (int j = iv; j < iv + 6; ++j) {
-              f[i] += A[i * nv + j] * (qdd[j] - led[j] - h * gains.kp * state.qd[j]);
-              A[i * nv + j] *= 1.0 + h * gains.kv + h * h * gains.kp;
-            }
-          }
-        });
-    if (core::ldlt_factor<nv>(A)) {
-      core::ldlt_solve<nv>(A, f);
-      std::copy_n(f, nv, qdd);
-    }
+    if (!floats) accelerate_by_springs(state, qdd);
   }
   push_from_limits(state, qdd);
+}
+
+template <class F>
+void DriveController<F>::accelerate_by_springs(const State& state,
+                                               double (&qdd)[nv]) const noexcept {
+  const double h = settings_.period;
+  double A[nv * nv];
+  F::mass_matrix(state.q, A);
+  double led[nv];
+  accelerate_joints({0.0, 0.0}, state, led);
+  double f[nv];
+  double heaviest = 0.0;
+  for (int i = 0; i < nv; ++i) {
+    f[i] = 0.0;
+    for (int j = 0; j < nv; ++j) f[i] += A[i * nv + j] * led[j];
+    heaviest = std::fmax(heaviest, A[i * nv + i]);
+  }
+  const double K = kPostureRate * kPostureRate * heaviest;
+  for_each_joint(
+      [&](int iq, int iv) {
+        const SmoothNumber& goal = joints_[at(iq)];
+        double& inertia = A[iv * nv + iv];
+        const double D = 2.0 * std::sqrt(K * inertia);
+        f[iv] += D * (goal.velocity() - state.qd[iv]) +
+                 K * (goal.position() - state.q[iq] - h * state.qd[iv]);
+        inertia += h * D + h * h * K;
+      },
+      [](int, int, int) {});
+  if (core::ldlt_factor<nv>(A)) {
+    core::ldlt_solve<nv>(A, f);
+    std::copy_n(f, nv, qdd);
+  }
 }
 
 template <class F>
