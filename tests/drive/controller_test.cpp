@@ -63,7 +63,6 @@ struct Arm : test::TwoLink {
 /// A free body that is held by forces on itself.
 struct Body : test::FreeBody {
   static constexpr int kPoints = 0;
-  static constexpr int kTaskRows = 0;
   static constexpr int kLinks = 0;
   static constexpr bool kHasCenterOfMass = false;
   static constexpr servo::FloatingJoints<7, 6> kFloating = {0};
