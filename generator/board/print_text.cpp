@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "board/board_report.hpp"
+#include "check/list_names.hpp"
 #include "emission/comment.hpp"
 #include "inspect/align_columns.hpp"
 
@@ -77,10 +78,7 @@ std::string print_board_faults(const BoardReport& report, const BoardFunction& f
 std::string print_other_command(const BoardReport& report, const std::string& command,
                                 bool BoardFunction::*holds, const char* what) {
   if (command.empty()) return {};
-  std::string names;
-  for (const BoardFunction& f : report.functions) {
-    if (f.*holds) names += (names.empty() ? "" : ", ") + f.name;
-  }
+  const std::string names = list_names(report.functions, holds);
   return wrap_text(fmt::format("{}: {}, {}", command, names, what), kColumns) + "\n";
 }
 

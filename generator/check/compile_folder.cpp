@@ -196,35 +196,26 @@ CompilerSearch search_for(const CompileOptions& options) {
   return {{{"cc"}, {"gcc"}}, ""};
 }
 
-CommandOutcome ask_version(const Command& compiler, const fs::path& work) {
-  Command asked = compiler;
-  asked.emplace_back("--version");
-  return run_commands({asked}, 1, work).front();
-}
+/// A compiler that starts, and what it says of its version.
+struct FoundCompiler {
+  Command command;
+  std::string version;
 
-/// GCC names its publisher, whatever the compiler is called and runs through.
-bool is_gcc(const Command& compiler, const fs::path& work) {
-  return ask_version(compiler, work).output.find("Free Software Foundation") != std::string::npos;
-}
-
-}  // namespace
-
-std::string c_compiler_beside(const std::string& cpp_compiler) {
-  for (const auto& [cpp, c] : {std::pair{"clang++", "clang"}, {"g++", "gcc"}, {"c++", "cc"}}) {
-    const std::size_t at = cpp_compiler.rfind(cpp);
-    if (at == std::string::npos) continue;
-    return std::string(cpp_compiler).replace(at, std::string_view(cpp).size(), c);
+  /// GCC names its publisher, whatever the compiler is called and runs through.
+  [[nodiscard]] bool is_gcc() const {
+    return version.find("Free Software Foundation") != std::string::npos;
   }
-  return {};
-}
+};
 
-std::optional<Command> find_compiler(const CompileOptions& options, const fs::path& work,
-                                     Diagnostics& diagnostics) {
+std::optional<FoundCompiler> try_compilers(const CompileOptions& options, const fs::path& work,
+                                           Diagnostics& diagnostics) {
   const CompilerSearch search = search_for(options);
   CommandOutcome outcome;
   for (const Command& candidate : search.candidates) {
-    outcome = ask_version(candidate, work);
-    if (outcome.started && outcome.exit_code == 0) return candidate;
+    Command asked = candidate;
+    asked.emplace_back("--version");
+    outcome = run_commands({asked}, 1, work).front();
+    if (outcome.started && outcome.exit_code == 0) return {{candidate, outcome.output}};
   }
   const bool c = options.language == Language::c;
   const std::string why =
@@ -241,27 +232,45 @@ std::optional<Command> find_compiler(const CompileOptions& options, const fs::pa
   return std::nullopt;
 }
 
+}  // namespace
+
+std::string c_compiler_beside(const std::string& cpp_compiler) {
+  for (const auto& [cpp, c] : {std::pair{"clang++", "clang"}, {"g++", "gcc"}, {"c++", "cc"}}) {
+    const std::size_t at = cpp_compiler.rfind(cpp);
+    if (at == std::string::npos) continue;
+    return std::string(cpp_compiler).replace(at, std::string_view(cpp).size(), c);
+  }
+  return {};
+}
+
+std::optional<Command> find_compiler(const CompileOptions& options, const fs::path& work,
+                                     Diagnostics& diagnostics) {
+  const auto found = try_compilers(options, work, diagnostics);
+  return found ? std::optional(found->command) : std::nullopt;
+}
+
 std::optional<Compilation> compile_folder(const fs::path& folder, const std::string& name,
                                           const std::vector<GeneratedFunction>& functions,
                                           CompileOptions options, const fs::path& work,
                                           Diagnostics& diagnostics) {
-  const auto compiler = find_compiler(options, work, diagnostics);
-  if (!compiler) return std::nullopt;
-  if (is_gcc(*compiler, work)) options.flags = add_extra_passes(options.flags);
+  const auto found = try_compilers(options, work, diagnostics);
+  if (!found) return std::nullopt;
+  const Command& compiler = found->command;
+  if (found->is_gcc()) options.flags = add_extra_passes(options.flags);
   if (!write_entries(name, functions, options.language, work, diagnostics)) return std::nullopt;
   for (const WorkSource& more : options.more) {
     const fs::path file = work / source_name(more.stem, options.language);
     if (!write_work_file(file, more.text, diagnostics)) return std::nullopt;
   }
   const auto start = Clock::now();
-  const auto objects = compile_objects(*compiler, folder, functions, options, work, diagnostics);
+  const auto objects = compile_objects(compiler, folder, functions, options, work, diagnostics);
   if (!objects) return std::nullopt;
   Compilation made;
   made.library = work / "libtreeline_check.so";
   const std::string command =
-      fmt::format("{} {}", fmt::join(*compiler, " "), standard_flag(options.language));
+      fmt::format("{} {}", fmt::join(compiler, " "), standard_flag(options.language));
   made.command = fmt::format("{} {}", command, options.flags);
-  if (!link_library(*compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
+  if (!link_library(compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
   made.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   measure_functions(*objects, work, made);
   for (const GeneratedFunction& generated : functions) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/list_names.hpp"
 #include "check/report.hpp"
 #include "emission/comment.hpp"
 #include "functions/matrix_symbol.hpp"
@@ -85,15 +86,6 @@ std::string print_table(const CheckReport& report) {
                        rows);
 }
 
-/// The functions of which that holds.
-std::string list_names(const CheckReport& report, bool FunctionReport::*holds) {
-  std::string names;
-  for (const FunctionReport& f : report.functions) {
-    if (f.*holds) names += (names.empty() ? "" : ", ") + f.name;
-  }
-  return names;
-}
-
 std::string print_head(const CheckReport& report) {
   const char* const real = report.single_precision ? "float" : "double";
   std::string text = fmt::format("{} ({}): {} states from {}, seed {}\n", report.name, real,
@@ -102,14 +94,15 @@ std::string print_head(const CheckReport& report) {
   text += fmt::format("  compiled by {} in {:.1f} s, {} MB\n", report.compile_command,
                       report.compile_seconds, report.compile_peak_kib / 1024);
   if (!report.small_command.empty()) {
-    text += fmt::format("  by {}: {},\n  as the emitted CMakeLists.txt does for `optimize`\n",
-                        report.small_command, list_names(report, &FunctionReport::is_small));
+    text +=
+        fmt::format("  by {}: {},\n  as the emitted CMakeLists.txt does for `optimize`\n",
+                    report.small_command, list_names(report.functions, &FunctionReport::is_small));
   }
   if (!report.long_command.empty()) {
     text += fmt::format(
         "  by {}: {}, of more than 12000 operations, lest it take minutes;\n"
         "  --flags compiles all alike\n",
-        report.long_command, list_names(report, &FunctionReport::is_long));
+        report.long_command, list_names(report.functions, &FunctionReport::is_long));
   }
   if (report.exact_command != report.compile_command) {
     text += fmt::format("  bits compared as compiled by {}\n", report.exact_command);

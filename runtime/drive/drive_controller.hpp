@@ -147,7 +147,7 @@ class DriveController {
   }
   /// Whether the posture is held by springs of one stiffness, see `accelerate_posture`.
   static constexpr bool has_springs() noexcept {
-    if constexpr (requires { F::kPassive; }) {
+    if constexpr (kFloating > 0 || requires { F::kPassive; }) {
       return false;
     } else {
       return requires {

@@ -84,11 +84,7 @@ void DriveController<F>::add_acceleration(const State& state, const double (&qdd
 template <class F>
 void DriveController<F>::accelerate_posture(const State& state, double (&qdd)[nv]) const noexcept {
   accelerate_joints(posture_gains_, state, qdd);
-  bool floats = false;
-  for_each_joint([](int, int) {}, [&](int, int, int) { floats = true; });
-  if constexpr (has_springs()) {
-    if (!floats) accelerate_by_springs(state, qdd);
-  }
+  if constexpr (has_springs()) accelerate_by_springs(state, qdd);
   push_from_limits(state, qdd);
 }
 
