@@ -2,6 +2,7 @@
 // Forces of supports that balance passive joints, and those that carry nothing, for
 // limited_torque.hpp.
 
+#include "core/load_lanes.hpp"
 #include "core/quadratic_sums.hpp"
 #include "core/square_root.hpp"
 #include "core/torque_limits.hpp"
@@ -19,6 +20,23 @@ inline constexpr Real kRankTolerance = Real(4.6e6) * Format<Real>::kEpsilon;
 template <>
 inline constexpr float kRankTolerance<float> = 1e-3F;
 
+/// W - along (v^T W) of the `width` columns that `W` points at, from row `at` on: their sums stay
+/// in registers.
+template <int width, int rows, int cols, class Real>
+inline void reflect_columns(const Real (&v)[rows], const Real (&along)[rows], int at,
+                            Real* W) noexcept {
+  auto sums = Lanes<Real, width>::spread(Real(0));
+  Lanes<Real, width> row;
+  for (int i = at; i < rows; ++i) {
+    load_lanes(W + i * cols, row);
+    sums = sums + v[i] * row;
+  }
+  for (int i = at; i < rows; ++i) {
+    load_lanes(W + i * cols, row);
+    store_lanes(row - along[i] * sums, W + i * cols);
+  }
+}
+
 /// A reflection that maps column `column` of the row-major `W`, from row `at` on, to its first
 /// entry, applied to this column and those behind it. False, and no reflection, where the column's
 /// norm there is at most `least`.
@@ -35,18 +53,14 @@ inline bool reflect(Real (&W)[rows * cols], int at, int column, Real least) noex
   const Real to = first > Real(0) ? -norm : norm;
   v[at] = first - to;
   const Real scale = Real(1) / (norm * (norm + size_of(first)));
-  const int begin = column / 8 * 8;
-  Real sums[cols];
-  for (int j = begin; j < cols; ++j) sums[j] = Real(0);
-  for (int i = at; i < rows; ++i) {
-    const Real* const row = W + i * cols;
-    for (int j = begin; j < cols; ++j) sums[j] += v[i] * row[j];
+  Real along[rows];
+  for (int i = at; i < rows; ++i) along[i] = scale * v[i];
+  int begin = column / 8 * 8;
+  if constexpr (kVectorBytes > 0) {  // where there are no vectors it would only be longer
+    for (; begin + 16 <= cols; begin += 16)
+      reflect_columns<16, rows, cols>(v, along, at, W + begin);
   }
-  for (int i = at; i < rows; ++i) {
-    Real* const row = W + i * cols;
-    const Real along = scale * v[i];
-    for (int j = begin; j < cols; ++j) row[j] -= along * sums[j];
-  }
+  for (; begin < cols; begin += 8) reflect_columns<8, rows, cols>(v, along, at, W + begin);
   W[at * cols + column] = to;
   for (int i = at + 1; i < rows; ++i) W[i * cols + column] = Real(0);
   return true;

@@ -12,28 +12,36 @@
 
 namespace treeline::core::steps {
 
+/// `entries` less the sum over k of the numbers `factors`, `stride` apart, times the rows of
+/// `columns`: eight columns at once, which stay in registers.
+template <class Real>
+inline void subtract_rows(const Real* factors, const Real* columns, int stride, int count,
+                          Real* entries) noexcept {
+  Lanes<Real, 8> left, row;
+  load_lanes(entries, left);
+  for (int k = 0; k < count; ++k) {
+    load_lanes(columns + k * stride, row);
+    left = left - factors[k * stride] * row;
+  }
+  store_lanes(left, entries);
+}
+
 /// L of M = L L^T, transposed, as the last columns of W.
 template <class Real, class Sizes>
 void LimitProgram<Real, Sizes>::factor_mass(const Real (&M)[V * V]) noexcept {
   heaviest_ = Real(0);
-  for (int k = 0; k < V; ++k) {
-    heaviest_ = larger_of(heaviest_, M[k * V + k]);
-    for (int j = 0; j < V; ++j) {
-      W_[k * kCols + kMassAt + j] = j < k ? Real(0) : M[k * V + j];
+  for (int i = 0; i < V; ++i) {
+    Real* const row = W_ + i * kCols;
+    const int diagonal = kMassAt + i;
+    heaviest_ = larger_of(heaviest_, M[i * V + i]);
+    for (int j = 0; j < kCols; ++j) row[j] = Real(0);
+    for (int j = i; j < V; ++j) row[kMassAt + j] = M[i * V + j];
+    const int first = diagonal / 8 * 8;
+    for (int j = first; j < kCols; j += 8) {
+      subtract_rows(W_ + diagonal, W_ + j, kCols, i, row + j);
     }
-    for (int j = kMassAt + V; j < kCols; ++j) W_[k * kCols + j] = Real(0);
-  }
-  for (int k = 0; k < V; ++k) {
-    Real* const row = W_ + k * kCols + kMassAt;
-    const Real inverse = Real(1) / square_root(row[k]);
-    Real scaled[V];
-    for (int j = 0; j < V; ++j) scaled[j] = j < k ? Real(0) : row[j] * inverse;
-    for (int j = 0; j < V; ++j) row[j] = scaled[j];
-    for (int i = k + 1; i < V; ++i) {
-      Real* const other = W_ + i * kCols + kMassAt;
-      const Real factor = scaled[i];
-      for (int j = 0; j < V; ++j) other[j] -= factor * scaled[j];
-    }
+    const Real inverse = Real(1) / square_root(row[diagonal]);
+    for (int j = first; j < kCols; ++j) row[j] = j < diagonal ? Real(0) : row[j] * inverse;
   }
 }
 
@@ -41,17 +49,17 @@ void LimitProgram<Real, Sizes>::factor_mass(const Real (&M)[V * V]) noexcept {
 template <class Real, class Sizes>
 void LimitProgram<Real, Sizes>::whiten(const Real (&J_s)[H * V],
                                        const Real (&J_t)[T * V]) noexcept {
+  constexpr int kEnd = in_eights(kMassAt);
   for (int k = 0; k < V; ++k) {
-    Real row[H + T];
-    for (int h = 0; h < H; ++h) row[h] = h < Sizes::kHeld ? J_s[h * V + k] : Real(0);
-    for (int t = 0; t < T; ++t) row[H + t] = t < Sizes::kTask ? J_t[t * V + k] : Real(0);
-    for (int m = 0; m < k; ++m) {
-      const Real* const before = W_ + m * kCols;
-      const Real factor = before[kMassAt + k];
-      for (int j = 0; j < H + T; ++j) row[j] -= factor * before[kHeldAt + j];
+    Real row[kEnd];
+    for (Real& each : row) each = Real(0);
+    for (int h = 0; h < Sizes::kHeld; ++h) row[kHeldAt + h] = J_s[h * V + k];
+    for (int t = 0; t < Sizes::kTask; ++t) row[kTaskAt + t] = J_t[t * V + k];
+    for (int j = kHeldAt / 8 * 8; j < kEnd; j += 8) {
+      subtract_rows(W_ + kMassAt + k, W_ + j, kCols, k, row + j);
     }
     const Real inverse = Real(1) / W_[k * kCols + kMassAt + k];
-    for (int j = 0; j < H + T; ++j) W_[k * kCols + kHeldAt + j] = row[j] * inverse;
+    for (int j = kHeldAt; j < kMassAt; ++j) W_[k * kCols + j] = row[j] * inverse;
   }
 }
 

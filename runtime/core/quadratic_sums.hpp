@@ -1,6 +1,7 @@
 #pragma once
 // Sums and tolerances of quadratic_program.hpp.
 
+#include "core/load_lanes.hpp"
 #include "core/sin_cos.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
@@ -27,14 +28,18 @@ constexpr bool is_finite(Real x) noexcept {
 /// Sum of products, in eight sums that run side by side.
 template <int N, class Real>
 inline Real dot_of(const Real* a, const Real* b) noexcept {
-  Real sums[8];
-  for (Real& each : sums) each = Real(0);
-  int i = 0;
-  for (; i + 8 <= N; i += 8) {
-    for (int k = 0; k < 8; ++k) sums[k] += a[i + k] * b[i + k];
+  constexpr int kInEights = N / 8 * 8;
+  auto sums = Lanes<Real, 8>::spread(Real(0));
+  Lanes<Real, 8> x, y;
+  for (int i = 0; i < kInEights; i += 8) {
+    load_lanes(a + i, x);
+    load_lanes(b + i, y);
+    sums = sums + x * y;
   }
-  for (int k = 0; i + k < N; ++k) sums[k] += a[i + k] * b[i + k];
-  return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+  Real s[8];
+  store_lanes(sums, s);
+  for (int i = kInEights; i < N; ++i) s[i - kInEights] += a[i] * b[i];
+  return ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
 }
 
 /// The same of their sizes.

@@ -2,7 +2,7 @@
 // Functions of several states at once: arrays hold element i of all states in a row, and each
 // number of the scalar code becomes lanes, one a state. No lane sees another.
 
-#include "lanes.hpp"
+#include "core/load_lanes.hpp"
 #include "sin_cos.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
@@ -18,38 +18,7 @@ namespace treeline::core {
 #define TREELINE_STATES_INLINE inline
 #endif
 
-/// The row of numbers at `row` as lanes; any alignment will do. Register by register: larger pieces
-/// compilers copy by a call.
-template <class Real, int count, bool fits>
-TREELINE_STATES_INLINE void load_lanes(const Real* row, Lanes<Real, count, fits>& lanes) noexcept {
-  if constexpr (fits) {
-#if defined(__GNUC__)
-    typedef decltype(lanes.vector) Anywhere __attribute__((aligned(alignof(Real)), may_alias));
-    lanes.vector = *reinterpret_cast<const Anywhere*>(row);
-#endif
-  } else if constexpr (count == 1) {
-    lanes.value = *row;
-  } else {
-    load_lanes(row, lanes.low);
-    load_lanes(row + count / 2, lanes.high);
-  }
-}
-template <class Real, int count, bool fits>
-TREELINE_STATES_INLINE void store_lanes(const Lanes<Real, count, fits>& lanes, Real* row) noexcept {
-  if constexpr (fits) {
-#if defined(__GNUC__)
-    typedef decltype(lanes.vector) Anywhere __attribute__((aligned(alignof(Real)), may_alias));
-    *reinterpret_cast<Anywhere*>(row) = lanes.vector;
-#endif
-  } else if constexpr (count == 1) {
-    *row = lanes.value;
-  } else {
-    store_lanes(lanes.low, row);
-    store_lanes(lanes.high, row + count / 2);
-  }
-}
-
-/// The same for packs: by way of lanes, which compilers see through.
+/// Rows of numbers as packs: by way of lanes, which compilers see through.
 template <class Real, int count>
 TREELINE_STATES_INLINE Pack<Real, count> load_pack(const Real* row) noexcept {
   if constexpr (count * int{sizeof(Real)} <= kVectorBytes) {

@@ -29,7 +29,9 @@ int main(int argc, char** argv) {
   auto files = treeline::emit(context, programs, diagnostics, batch);
   if (is_c) {  // the loops of damped control, which these functions do without
     for (auto& file : treeline::c::print_damped_runtime(context)) files.push_back(file);
-    files.push_back({"square_root.h", treeline::c::print_square_root(context)});
+    files.push_back(
+        misra ? treeline::misra::print_square_root(context)
+              : treeline::GeneratedFile{"square_root.h", treeline::c::print_square_root(context)});
   } else if (misra) {
     for (auto& file : treeline::misra::print_damped_runtime(context)) files.push_back(file);
   }

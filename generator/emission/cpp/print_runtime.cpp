@@ -74,7 +74,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"sin_cos.hpp", context.misra ? misra::print_sin_cos(context)
                                                   : print_header(context, templates::kSinCos)});
   }
-  bool lanes = has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes);
+  bool lanes = has_batch || limited || std::any_of(programs.begin(), programs.end(), uses_lanes);
   if (controlled) {
     for (const Program* const program : context.controller->programs()) {
       lanes = lanes || uses_lanes(*program);
@@ -85,6 +85,9 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   }
   if (lanes) {
     files.push_back({"lanes.hpp", print_header(context, templates::kLanes)});
+  }
+  if (has_batch || limited) {
+    files.push_back({"load_lanes.hpp", print_header(context, templates::kLoadLanes)});
   }
   if (has_batch) {
     files.push_back({"states.hpp", print_header(context, templates::kStates)});

@@ -41,6 +41,7 @@ extern const std::string_view kLinkMotion;
 extern const std::string_view kLinkRows;
 extern const std::string_view kLinkTable;
 extern const std::string_view kLinks;
+extern const std::string_view kLoadLanes;
 extern const std::string_view kLoopFunction;
 extern const std::string_view kLookup;
 extern const std::string_view kMode;

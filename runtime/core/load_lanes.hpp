@@ -1,0 +1,47 @@
+#pragma once
+// Lanes from a row of numbers, and into one.
+
+#include "core/lanes.hpp"
+
+namespace treeline::core {
+
+#if defined(__GNUC__)
+#define TREELINE_LOAD_INLINE inline __attribute__((always_inline))
+#else
+#define TREELINE_LOAD_INLINE inline
+#endif
+
+/// The row of numbers at `row` as lanes; any alignment will do. Register by register: larger pieces
+/// compilers copy by a call.
+template <class Real, int count, bool fits>
+TREELINE_LOAD_INLINE void load_lanes(const Real* row, Lanes<Real, count, fits>& lanes) noexcept {
+  if constexpr (fits) {
+#if defined(__GNUC__)
+    typedef decltype(lanes.vector) Anywhere __attribute__((aligned(alignof(Real)), may_alias));
+    lanes.vector = *reinterpret_cast<const Anywhere*>(row);
+#endif
+  } else if constexpr (count == 1) {
+    lanes.value = *row;
+  } else {
+    load_lanes(row, lanes.low);
+    load_lanes(row + count / 2, lanes.high);
+  }
+}
+template <class Real, int count, bool fits>
+TREELINE_LOAD_INLINE void store_lanes(const Lanes<Real, count, fits>& lanes, Real* row) noexcept {
+  if constexpr (fits) {
+#if defined(__GNUC__)
+    typedef decltype(lanes.vector) Anywhere __attribute__((aligned(alignof(Real)), may_alias));
+    *reinterpret_cast<Anywhere*>(row) = lanes.vector;
+#endif
+  } else if constexpr (count == 1) {
+    *row = lanes.value;
+  } else {
+    store_lanes(lanes.low, row);
+    store_lanes(lanes.high, row + count / 2);
+  }
+}
+
+#undef TREELINE_LOAD_INLINE
+
+}  // namespace treeline::core
