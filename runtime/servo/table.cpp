@@ -16,6 +16,11 @@ std::vector<double> Table::column(std::size_t index) const {
   return numbers;
 }
 
+std::vector<std::string> with_coordinates(std::vector<std::string> names, int count) {
+  for (int i = 0; i < count; ++i) names.push_back("q" + std::to_string(i));
+  return names;
+}
+
 std::string csv_text(const Table& table) {
   std::string text;
   for (std::size_t i = 0; i < table.columns(); ++i) {

@@ -39,6 +39,10 @@ class Table {
   std::vector<double> numbers_;
 };
 
+/// `names` and the names q0, q1, ... of `count` coordinates, as `treeline drive --replay` reads
+/// them.
+std::vector<std::string> with_coordinates(std::vector<std::string> names, int count);
+
 /// Prints the table as comma-separated text: a line of names, then a line per row. Each number has
 /// the fewest digits that read back as the same number.
 std::string csv_text(const Table& table);

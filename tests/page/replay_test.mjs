@@ -72,6 +72,22 @@ test('an object is in the hands', async (t) => {
   assert.deepEqual(page.faults, []);
 });
 
+test('a robot that goes away stays in the picture', async (t) => {
+  const table = write('walk.csv', `time,${Array.from({length: 31}, (_, i) => `q${i}`)}\n` +
+    [0, 1, 2, 3, 4, 5, 6].map((x) => `${x / 2},${x},0,0,0,0,0,1${',0'.repeat(24)}\n`).join(''));
+  const {page} = await start(t,
+    ['robots/humanoid24/humanoid24.urdf', 'robots/humanoid24/scene_stand.yaml'],
+    ['--replay', table]);
+  await wait_for_state(page, (now) => now.q[0] > 5);
+  const seen = await page.evaluate(() => window.treeline.where('link:head'));
+  const {width, height} = page.viewportSize();
+  assert.ok(seen.clientX > 0 && seen.clientX < width, `${seen.clientX}`);
+  assert.ok(seen.clientY > 0 && seen.clientY < height, `${seen.clientY}`);
+  assert.ok(await page.isDisabled('button:text-is("Start")'));
+  await keep(page, 'replay_walk');
+  assert.deepEqual(page.faults, []);
+});
+
 test('a script waits until somebody looks', async (t) => {
   const script = write('script.txt', 'start\njoint joint1 to 0.5 in 10 s\nwait\n');
   const server = new DriveServer();

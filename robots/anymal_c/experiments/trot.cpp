@@ -50,8 +50,7 @@ std::vector<std::string> column_names() {
     names.push_back(std::string(foot) + "_load");
     names.push_back(std::string(foot) + "_height");
   }
-  for (int i = 0; i < robot::kCoordinates; ++i) names.push_back(fmt::format("q{}", i));
-  return names;
+  return servo::with_coordinates(std::move(names), robot::kCoordinates);
 }
 
 /// The experiment around the loop.

@@ -80,7 +80,7 @@ class BallTurning {
         "rx",           "ry",        "rz",       "torque",   "friction_chosen",
         "friction_felt"};
     for (int i = 0; i < Plant::kFingers; ++i) names.push_back(fmt::format("pressure{}", i));
-    for (int i = 0; i < Plant::nq; ++i) names.push_back(fmt::format("q{}", i));
+    names = servo::with_coordinates(std::move(names), Plant::nq);
     return names;
   }
 

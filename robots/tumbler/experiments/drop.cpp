@@ -91,7 +91,9 @@ DropRun run_drop(const simulation::Model& model, const DropSettings& settings) {
   auto simulation = start_simulation(model, scene, how, tumbler_start(model, settings.height));
   const int steps = static_cast<int>(settings.duration / settings.step);
   DropRun run{settings,
-              servo::Table({"time", "height", "kinetic", "energy", "drift", "blows", "touches"},
+              servo::Table(servo::with_coordinates(
+                               {"time", "height", "kinetic", "energy", "drift", "blows", "touches"},
+                               static_cast<int>(simulation.state.q.size())),
                            static_cast<std::size_t>(steps) + 1)};
   run.start = simulation.energy.start;
   for (int i = 0; i < steps; ++i) {
@@ -103,14 +105,16 @@ DropRun run_drop(const simulation::Model& model, const DropSettings& settings) {
     run.worst_quaternion =
         std::max(run.worst_quaternion, quaternion_error(model, simulation.state.q));
     if (i % 8 == 0) {
-      const double row[] = {simulation.time,
-                            center_of_mass(model, simulation.state.q).z(),
-                            simulation::kinetic_energy(model, simulation.state),
-                            simulation.energy.now,
-                            simulation.energy.drift(),
-                            static_cast<double>(simulation.blows),
-                            static_cast<double>(touches)};
-      run.table.append(row);
+      std::vector<double> row = {simulation.time,
+                                 center_of_mass(model, simulation.state.q).z(),
+                                 simulation::kinetic_energy(model, simulation.state),
+                                 simulation.energy.now,
+                                 simulation.energy.drift(),
+                                 static_cast<double>(simulation.blows),
+                                 static_cast<double>(touches)};
+      const simulation::Vector& q = simulation.state.q;
+      row.insert(row.end(), q.begin(), q.end());
+      run.table.append(row.data());
     }
   }
   run.blows = simulation.blows;

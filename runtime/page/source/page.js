@@ -108,8 +108,9 @@ function show_link(link) {
 }
 
 function show_state(state) {
-  recorder.add(state);
+  const again = recorder.add(state);
   if (!view.model) return;
+  if (again) view.clear_traces();
   view.show(state);
   for (const panel of panels) panel.update?.(state);
   window.treeline.state = state;

@@ -12,9 +12,13 @@ export function tracking_error(point) {
 export class Recorder {
   states = [];
 
+  /** Returns true where time has gone back: a motion began again, and what was before is gone. */
   add(state) {
+    const again = state.time < this.states.at(-1)?.time;
+    if (again) this.clear();
     this.states.push(state);
     if (this.states.length > kLongest) this.states.splice(0, kLongest / 10);
+    return again;
   }
 
   clear() {

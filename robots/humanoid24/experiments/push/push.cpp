@@ -117,7 +117,8 @@ class Pushing {
         controller_(within_limits),
         loop_(std::make_unique<Loop>(servo::LoopSettings{}, limits_of_humanoid(), simulated_,
                                      controller_, clock_, mailbox_)),
-        run_{servo::Table({std::begin(kColumns), std::end(kColumns)},
+        run_{servo::Table(servo::with_coordinates({std::begin(kColumns), std::end(kColumns)},
+                                                  robot::kCoordinates),
                           static_cast<std::size_t>(kDuration * 1e3) + 1),
              {},
              {}} {}
@@ -150,18 +151,20 @@ class Pushing {
                                    robot::kTorqueLimits, controller_.limited()));
     look_at_robot(report.time, controller_, report.state, stance, rest_, run_.figures);
     const std::array<double, 3> push = push_at(report.time);
-    const double row[] = {report.time,
-                          com[0],
-                          com[1],
-                          stance.pressure[0],
-                          stance.pressure[1],
-                          stance.loads[0],
-                          stance.loads[1],
-                          controller_.hand_error(),
-                          largest_share(report.tau, robot::kEffortLimits),
-                          push[0] + push[1],
-                          stance.tilt,
-                          static_cast<double>(controller_.limited().iterations)};
+    double row[std::size(kColumns) + robot::kCoordinates] = {
+        report.time,
+        com[0],
+        com[1],
+        stance.pressure[0],
+        stance.pressure[1],
+        stance.loads[0],
+        stance.loads[1],
+        controller_.hand_error(),
+        largest_share(report.tau, robot::kEffortLimits),
+        push[0] + push[1],
+        stance.tilt,
+        static_cast<double>(controller_.limited().iterations)};
+    std::copy(std::begin(report.state.q), std::end(report.state.q), row + std::size(kColumns));
     run_.table.append(row);
   }
 

@@ -19,6 +19,7 @@ namespace robot = humanoid24_stand;
 constexpr int kPositions = robot::kCoordinates;
 constexpr int kRates = robot::kVelocities;
 constexpr int kHeldRows = 12;
+constexpr int kFixed = 7;  ///< columns before those of coordinates
 static_assert(kPositions == 31 && kRates == 30 && robot::kTaskRows == 3);
 
 constexpr double kPeriod = 1e-3;         ///< s
@@ -166,8 +167,16 @@ void record(double time, const Wish& wish, const State& state, const double (&ta
   figures.least_share = std::min(figures.least_share, share);
   figures.most_share = std::max(figures.most_share, share);
   look_at_ground(state, tau, f, figures);
-  const double row[] = {time, state.q[7 + kWaistRoll], wish.hand_error, f[2], f[8], f[3], f[9]};
+  double row[kFixed + kPositions] = {
+      time, state.q[7 + kWaistRoll], wish.hand_error, f[2], f[8], f[3], f[9]};
+  std::copy(std::begin(state.q), std::end(state.q), row + kFixed);
   run.table.append(row);
+}
+
+std::vector<std::string> column_names() {
+  return servo::with_coordinates({"time", "waist_roll", "hand_error", "left_load", "right_load",
+                                  "left_roll_moment", "right_roll_moment"},
+                                 robot::kCoordinates);
 }
 
 }  // namespace
@@ -178,10 +187,7 @@ StandRun run_stand() {
   robot::forward_kinematics(start.q, place, rotation);
   servo::SimulatedRobot<Body> simulated(start, 4, {0});
   const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
-  StandRun run{servo::Table({"time", "waist_roll", "hand_error", "left_load", "right_load",
-                             "left_roll_moment", "right_roll_moment"},
-                            static_cast<std::size_t>(cycles) + 1),
-               {}};
+  StandRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
   const auto law = [&](double time, const State& state, double(&tau)[kRates]) {
     const Wish wish = wish_at(time, state, start, place);
     double f[kHeldRows];

@@ -27,6 +27,7 @@ function words_of(state) {
 export class StatusBar {
   #may_command = true;
   #commanding = false;
+  #open = false;
 
   /** `fault` is where faults are said; `run(line)` sends a line and shows the reply. */
   constructor(root, fault, run) {
@@ -60,6 +61,7 @@ export class StatusBar {
     this.name.title = `${hello.name}, ${hello.base} base, ${hello.rate} Hz`;
     document.title = `${hello.name} – treeline drive`;
     this.#may_command = hello.may_command;
+    this.#enable_buttons();
     this.#paint_role();
   }
 
@@ -67,8 +69,8 @@ export class StatusBar {
     if (!open) show(this.link, 'Connection lost', 'bad');
     else if (silent) show(this.link, 'Servo silent', 'bad');
     else show(this.link, 'Connected', 'good');
-    this.hand_over.disabled = !open || !this.#may_command;
-    for (const one of this.controls) one.disabled = !open || !this.#may_command;
+    this.#open = open;
+    this.#enable_buttons();
     if (!open) show(this.mode, 'Unknown', 'quiet');
   }
 
@@ -81,6 +83,12 @@ export class StatusBar {
     this.state = state;
     this.#commanding = state.commanding;
     this.#paint_role();
+  }
+
+  #enable_buttons() {
+    for (const one of [this.hand_over, ...this.controls]) {
+      one.disabled = !this.#open || !this.#may_command;
+    }
   }
 
   #paint_role() {

@@ -24,10 +24,9 @@ export class ViewPanel {
       element('h3', {}, 'Picture'), element('div', {className: 'tools'},
         button('Whole robot', 'Place the camera so that the whole robot is seen',
           () => view.model && view.look_at_all()),
-        button('Clear traces', 'Forget where the points have been', () => {
-          view.overlays?.clear_traces();
-          view.stage.redraw();
-        }), button('Save PNG', 'Save the picture', save_png)),
+        toggle('Follow', 'The camera goes along with a robot that goes away', true,
+          (yes) => { view.follows = yes; }),
+        button('Clear traces', 'Forget where the points have been', () => view.clear_traces()), button('Save PNG', 'Save the picture', save_png)),
       element('p', {className: 'hint'}, 'Drag the picture to turn it, with the right button to ' +
         'move it; the wheel zooms. A touch of two fingers does both.'));
   }

@@ -9,6 +9,7 @@ import {Overlays} from './overlays.js';
 import {pose_robot} from './pose_robot.js';
 import {Stage} from './stage.js';
 
+const kSlack = 0.4;  // of its radius: so far the robot goes before the camera follows
 const kAllRows = ['x', 'y', 'z', 'rx', 'ry', 'rz'];
 
 /** Points that can be dragged: those of the scene, and a floating base. */
@@ -35,6 +36,7 @@ export class RobotView {
   point_states = [];
   radius = 1;
   may_drag = false;
+  follows = true;
 
   /**
    * Shows robots in `canvas`. `send(line)` sends a line of the language, `tell(text)` says what is
@@ -74,6 +76,12 @@ export class RobotView {
     pose_robot(this.model, this.hello, state.q);
     this.overlays.trace(this.point_states);
     if (is_first) this.look_at_all();
+    else if (this.follows && !this.gestures.target) this.#follow();
+    this.stage.redraw();
+  }
+
+  clear_traces() {
+    this.overlays?.clear_traces();
     this.stage.redraw();
   }
 
@@ -97,6 +105,7 @@ export class RobotView {
     for (const body of this.obstacles.children) box.expandByObject(body);
     const ball = box.getBoundingSphere(new three.Sphere());
     this.radius = Math.max(ball.radius, 0.05);
+    this.followed = this.#middle();
     this.stage.look_at(ball.center, this.radius);
   }
 
@@ -112,6 +121,25 @@ export class RobotView {
   write_png() {
     this.stage.draw();
     return this.stage.canvas.toDataURL('image/png');
+  }
+
+  /** Mean place of the links. */
+  #middle() {
+    const middle = new three.Vector3();
+    const links = Object.values(this.model.links);
+    for (const link of links) middle.add(link.getWorldPosition(new three.Vector3()));
+    return middle.divideScalar(links.length);
+  }
+
+  /** Moves the camera along with a robot that goes away. */
+  #follow() {
+    const away = this.#middle().sub(this.followed);
+    const distance = away.length();
+    const slack = kSlack * this.radius;
+    if (!(distance > slack)) return;
+    away.multiplyScalar(1 - slack / distance);
+    this.followed.add(away);
+    this.stage.move(away);
   }
 
   #prepare() {

@@ -4,6 +4,7 @@ import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
 import {make_axes} from './handle_shapes.js';
 
+const kCells = 24;  // of the ground, along a side
 const kSlow = 40;  // ms: pictures that take longer leave as much time again to everything else
 
 /** Value of a CSS variable of the page, for instance `--view-ground`. */
@@ -26,9 +27,12 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, canvas);
-    this.orbit.addEventListener('change', () => this.redraw());
+    this.orbit.addEventListener('change', () => {
+      this.#place_ground();
+      this.redraw();
+    });
     this.#add_light();
-    this.ground = this.#add_ground();
+    this.#add_ground();
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#paint());
     this.#paint();
@@ -78,6 +82,13 @@ export class Stage {
     this.redraw();
   }
 
+  /** Moves the camera, and what it looks at, by a vector. */
+  move(by) {
+    this.camera.position.add(by);
+    this.orbit.target.add(by);
+    this.orbit.update();
+  }
+
   /** Ray through a pointer's position on the screen. */
   ray_through({clientX, clientY}) {
     const box = this.canvas.getBoundingClientRect();
@@ -112,14 +123,11 @@ export class Stage {
   }
 
   #add_ground() {
-    const ground = new three.GridHelper(24, 24);
-    ground.rotation.x = Math.PI / 2;
-    ground.material.vertexColors = false;
-    const axes = make_axes(1);
-    axes.rotation.x = -Math.PI / 2;  // the grid lies in x and z of its own frame
-    ground.add(axes);
-    this.scene.add(ground);
-    return ground;
+    this.ground = new three.GridHelper(kCells, kCells);
+    this.ground.rotation.x = Math.PI / 2;
+    this.ground.material.vertexColors = false;
+    this.axes = make_axes(1);
+    this.scene.add(this.ground, this.axes);
   }
 
   /** Cells of 0.01, 0.02, 0.05, 0.1, ... m, of which the robot's radius has about four. */
@@ -127,6 +135,15 @@ export class Stage {
     const power = 10 ** Math.floor(Math.log10(radius / 4));
     const cell = [1, 2, 5, 10].find((one) => one * power >= radius / 4) * power;
     this.ground.scale.setScalar(cell);
+    this.axes.scale.setScalar(cell);
+    this.#place_ground();
+  }
+
+  /** Keeps the ground under what the camera looks at, its lines where they would be anyway. */
+  #place_ground() {
+    const step = kCells / 4 * this.ground.scale.x;
+    const {x, y} = this.orbit.target;
+    this.ground.position.set(Math.round(x / step) * step, Math.round(y / step) * step, 0);
   }
 
   #paint() {
