@@ -34,7 +34,8 @@ constexpr int nv = Arms::kVelocities;
 enum Column : std::size_t {
   kActing = kOwnColumns,
   kCommanded = kActing + 4,
-  kColumns = kCommanded + 4
+  kJoints = kCommanded + 4,
+  kColumns = kJoints + Arms::kCoordinates
 };
 
 Internal commanded_internal(const ThreeArmsPlan& plan) {
@@ -58,6 +59,7 @@ void record(const servo::Report<Arms>& report, const Controller& controller,
   for (std::size_t i = 3; i < commanded.size(); ++i) {
     row[kActing + 3] = std::max(row[kActing + 3], std::abs(internal[i]));
   }
+  std::copy(std::begin(report.state.q), std::end(report.state.q), row + kJoints);
   table.append(row);
 }
 
@@ -82,8 +84,10 @@ ThreeArmsOutcome carry_with_three_arms(const ThreeArmsPlan& plan) {
   const double back = 2.0 * plan.lead + plan.duration;
   const double total = back + plan.duration + plan.lead;
   ThreeArmsOutcome outcome{make_outcome(
-      {"tension_12", "tension_23", "tension_31", "largest_moment", "tension_12_commanded",
-       "tension_23_commanded", "tension_31_commanded", "moments_commanded"},
+      servo::with_coordinates(
+          {"tension_12", "tension_23", "tension_31", "largest_moment", "tension_12_commanded",
+           "tension_23_commanded", "tension_31_commanded", "moments_commanded"},
+          Arms::kCoordinates),
       total, plan.rate)};
   const Script script = {
       {plan.lead, move_object<Arms>(start, plan.shift, plan.turn, plan.duration)},
