@@ -16,7 +16,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/retry_routes.hpp"
 #include "cli/write_output.hpp"
-#include "target/target.hpp"
+#include "target/executes.hpp"
 
 namespace treeline {
 namespace {
@@ -48,6 +48,7 @@ constexpr const char* kHowToReadCheck =
     "their\n"
     "limits). A state is a matter of its index, the seed and the robot; --first INDEX --states 1 "
     "--json prints it.\n"
+    "For --target x86-64-v3 or v4 the code is compiled for it where this machine executes that.\n"
     "The compiler is $CXX, else c++, else g++; of C code $CC, else that of C beside $CXX, else "
     "cc,\n"
     "else gcc. Exit: 0 passed, 1 bad input, 3 a function is beyond its bound, differs in a bit or\n"
@@ -80,6 +81,7 @@ struct CheckCommand {
   CheckOptions check;
   std::string folder;
   bool json = false;
+  bool has_flags = false;  ///< whether --flags is given
 };
 
 /// Counts where somebody sees it.
@@ -111,11 +113,28 @@ std::optional<BoardReport> make_board_report(const CheckCommand& options,
                         diagnostics);
 }
 
-std::optional<CheckReport> make_report(const CheckCommand& options, Diagnostics& diagnostics) {
+/// Compiles for the scene's processor where it is one of x86 and this machine is one, too.
+void select_processor(const Target& target, CompileOptions& compile, Diagnostics& diagnostics) {
+  if (!is_particular(target) || target.board.kind != BoardKind::none) return;
+  if (executes(target)) {
+    for (std::string* flags : {&compile.flags, &compile.long_flags}) {
+      *flags += std::string(" ") + target.flags;
+    }
+    return;
+  }
+  diagnostics.add({Severity::warning, "", 0, "",
+                   fmt::format("this machine does not execute code for {}", target.name),
+                   "The code is checked without its flags, in vectors of this machine."});
+}
+
+std::optional<CheckReport> make_report(CheckCommand options, Diagnostics& diagnostics) {
   const auto made = make_code(options, diagnostics);
   if (!made) return std::nullopt;
-  return check(made->inputs.robot, made->inputs.scene, made->generation, options.check,
-               diagnostics);
+  const Scene& scene = made->inputs.scene;
+  if (!options.has_flags) {
+    select_processor(*find_target(scene.target), options.check.compile, diagnostics);
+  }
+  return check(made->inputs.robot, scene, made->generation, options.check, diagnostics);
 }
 
 /// Prints a report of either kind, if there is one.
@@ -178,7 +197,8 @@ void add_check(CLI::App& app, int& exit_code) {
       options->check.references.states = kStatesOnBoard;
     }
     // Bits are the same at any level, and compiling long functions takes most of the time.
-    if (flags->empty()) {
+    options->has_flags = !flags->empty();
+    if (!options->has_flags) {
       options->check.compile.long_flags =
           fmt::format("{} -ffp-contract=off", is_for_board(*options) ? "-O1" : "-O0");
     }

@@ -2,6 +2,7 @@
 
 #include "cli/run_program.hpp"
 #include "fixture.hpp"
+#include "target/executes.hpp"
 
 // `treeline check` as a shell runs it. Would catch: exit codes that hide a failure, output that is
 // not JSON, and messages among the data.
@@ -56,6 +57,17 @@ TEST_F(CheckCommand, CorruptFolderIsThree) {
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.out.find("jacobian: beyond its bound"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("jacobian.cpp: stale"), std::string::npos) << outcome.out;
+}
+
+// Would catch: vectors and processors of the target that are not those of the delivered code.
+TEST_F(CheckCommand, CompilesForAProcessorOfThisMachine) {
+  const Target& target = *find_target("x86-64-v3");
+  const Outcome outcome = run("--states 20 --target x86-64-v3");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find(target.flags) != std::string::npos, executes(target)) << outcome.out;
+  EXPECT_EQ(outcome.err.find("does not execute") == std::string::npos, executes(target));
+  EXPECT_EQ(run("--states 20 --target x86-64-v3 --flags -O1").out.find(target.flags),
+            std::string::npos);
 }
 
 TEST_F(CheckCommand, BadInputIsOneAndBadUsageTwo) {
