@@ -34,10 +34,13 @@ void check_limits(const SceneElement& top, const Scene& scene) {
   if (!scene.has_limits()) return;
   const char* const key = scene.torque_limits.empty() ? "friction" : "torque_limits";
   if (!permits(scene, Function::supported_control_torque)) {
-    top.error(fmt::format("{} limits the law of supported_control_torque, which this scene cannot "
-                          "have: nothing is held and no joint is passive",
-                          key),
-              "add constraints or passive joints, and operational_points; or remove the limits");
+    top.error(
+        fmt::format("{} limits the law of supported_control_torque, which this scene cannot "
+                    "have: {}",
+                    key,
+                    scene.holds_rows() ? "there is no operational point, and no joint is passive"
+                                       : "nothing is held, and no joint is passive"),
+        "add constraints or passive joints, and operational_points; or remove the limits");
     return;
   }
   for (const Function function : functions_of_limits(scene)) {

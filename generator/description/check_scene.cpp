@@ -54,6 +54,20 @@ bool exceeds_base_parameters(const Scene& scene, Function function) {
          !takes_input(scene, function, Quantity::base_parameters);
 }
 
+/// Of a function that the scene's constraints do not permit.
+void report_constraints(const SceneElement& top, const Scene& scene, Function function) {
+  const char* missing = "nothing is held";
+  const char* remedy = "add a list constraints or couplings, or remove the function";
+  if (scene.holds_rows() && function == Function::constraint_errors) {
+    missing = "nothing is held between two links, and no joints are coupled";
+    remedy = "errors of constraints to the world are those of their points; remove the function";
+  } else if (scene.holds_rows()) {
+    missing = "there is no operational point, and no joint is passive";
+    remedy = "add a list operational_points or passive, or remove the function";
+  }
+  top.error(fmt::format("{} is listed, but {}", function_name(function), missing), remedy);
+}
+
 void check_functions(const SceneElement& top, const Robot& robot, const std::string& singular,
                      const Scene& scene) {
   for (const Function function : scene.functions) {
@@ -68,8 +82,7 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
       top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
                 "add a list objects, or remove the function");
     } else if (needs_constraints(function) && !permits(scene, function)) {
-      top.error(fmt::format("{} is listed, but nothing is held", function_name(function)),
-                "add a list constraints or couplings, or remove the function");
+      report_constraints(top, scene, function);
     } else if (needs_mass(function) && !has_mass(robot)) {
       top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
                 "give some link mass in the URDF, or remove the function");

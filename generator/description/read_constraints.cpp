@@ -122,12 +122,16 @@ void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene)
   read_pose(fields, "origin", point.origin);
   read_held_rows(fields, point);
   check_name(item, point.name, scene);
-  if (!ends.to_world() || fields.contains("rolling")) {
+  if (fields.contains("rolling")) {
     for (const char* key : kConeKeys) {
-      refuse(fields, key, "forces between two links, and of rolling, have no cone",
-             "remove the key");
+      refuse(fields, key, "forces of rolling have no cone", "remove the key");
     }
     scene.loops.push_back(read_loop(fields, point, ends.other));
+    return;
+  }
+  if (!ends.to_world()) {
+    scene.loops.push_back(read_loop(fields, point, ends.other));
+    read_support_cone(item, fields, point, scene);
     return;
   }
   refuse(fields, "other_origin", "the world's frame is where it is", "leave out other_origin");

@@ -61,7 +61,7 @@ void read_support_cone(const SceneElement& item, const SceneFields& fields, cons
     cone.sides = found->second.choice({"4", "8"}).value_or(0) == 1 ? 8 : 4;
   }
   if (const auto found = fields.find("least_force"); found != fields.end()) {
-    cone.least_force = read_size(found->second, true, "the ground cannot pull; give N, 0 or more");
+    cone.least_force = read_size(found->second, true, "a support cannot pull; give N, 0 or more");
   }
   if (const auto found = fields.find("torsional"); found != fields.end()) {
     cone.torsional = read_size(found->second, false, "give the ratio of moment to force, m");

@@ -90,14 +90,16 @@ std::string note_of(const SceneCone& cone) {
 
 void add_cones(const Scene& scene, LimitFacts& facts) {
   int first = 0;
-  for (const ScenePoint& held : scene.constraints) {
+  const auto add = [&](const ScenePoint& held) {
     for (const SceneCone& cone : scene.cones) {
       if (cone.constraint != held.name) continue;
       for (Row& row : ConeRows(held, cone, first).rows()) facts.cones.push_back(std::move(row));
       facts.notes.push_back(note_of(cone));
     }
     first += static_cast<int>(std::count(held.rows.begin(), held.rows.end(), true));
-  }
+  };
+  for (const ScenePoint& held : scene.constraints) add(held);
+  for (const SceneLoop& loop : scene.loops) add(loop.first);
 }
 
 void add_force_weights(const Scene& scene, LimitFacts& facts) {

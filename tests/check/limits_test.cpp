@@ -1,6 +1,8 @@
 #include "data/list_data.hpp"
 #include "fixture.hpp"
+#include "generation/describe_limits.hpp"
 #include "oracle/limited_optimum.hpp"
+#include "program/evaluate.hpp"
 
 // limited_control_torque in `check`. Would catch: limits that `check` passes over in silence, a
 // result that is within limits and not the optimum, an optimum that is not what the cost of the
@@ -42,6 +44,30 @@ Subjects quadruped() {
   return in_scene(data_file("published/anymal_c.urdf"), scene);
 }
 
+/// Two fingers on slides that press on each other: the left one lies on the side of z of the right
+/// one's frame.
+Subjects jaw() {
+  return in_scene(data_file("written/parallel_jaw.urdf"),
+                  "constraints:\n  - {name: tips, between: [left_finger, right_finger], "
+                  "origin: {xyz: [-0.02, 0, 0]}, other_origin: {xyz: [0.02, 0, 0], "
+                  "rpy: [0, 1.5707963267948966, 0]}, rows: [x, y, z], friction: 0.4, "
+                  "least_force: 3}\ntorque_limits: urdf\n"
+                  "operational_points: [{name: wrist, link: wrist, rows: [rz]}]\n"
+                  "functions: [supported_control_torque, mass_matrix, constraint_jacobian, "
+                  "jacobian]\n");
+}
+
+/// A humanoid whose palms are pressed together.
+Subjects palms() {
+  return in_scene(std::string(TREELINE_ROBOTS_DIR) + "/humanoid24/humanoid24.urdf",
+                  "operational_points: [{name: head, link: head, rows: [x, y, z]}]\n"
+                  "constraints:\n  - {name: palms, between: [left_hand, right_hand], "
+                  "other_origin: {xyz: [0, 0, 0.1]}, rows: [x, y, z], friction: 0.5, "
+                  "least_force: 5}\ntorque_limits: urdf\n"
+                  "functions: [supported_control_torque, mass_matrix, constraint_jacobian, "
+                  "jacobian]\n");
+}
+
 void expect_certified(const Subjects& subjects, int states, int least) {
   const auto report = check_or_throw(subjects, quick_options(states));
   EXPECT_TRUE(report.passed()) << print_text(report);
@@ -69,6 +95,37 @@ TEST(LimitsCheck, ArmAtAWallInC) {
 // Twelve forces of which six carry nothing, a base without motors.
 TEST(LimitsCheck, QuadrupedOnFourFeet) {
   expect_certified(quadruped(), 20, 10);
+}
+
+TEST(LimitsCheck, PalmsOfAHumanoid) {
+  expect_certified(palms(), 20, 10);
+}
+
+// Cones between two links. Would catch: the normal's other direction, by which fingers would pull,
+// and rows of another constraint's forces.
+TEST(LimitsCheck, FingersPushEachOther) {
+  const Subjects subjects = jaw();
+  const auto& functions = subjects.generation.functions;
+  const auto found = std::find_if(functions.begin(), functions.end(), [](const auto& each) {
+    return each.function == Function::constraint_jacobian;
+  });
+  ASSERT_NE(found, functions.end());
+  std::vector<std::vector<double>> arguments;
+  for (const Argument& argument : found->program.arguments) {
+    arguments.emplace_back(argument.rows * argument.cols, 0.0);
+  }
+  const auto J = evaluate<double>(found->program, arguments).front();
+  ASSERT_EQ(J.size(), 9U);
+  EXPECT_NEAR(J[7], 1, 1e-15);  // a force along the normal opens the jaw, on either finger
+  EXPECT_NEAR(J[8], 1, 1e-15);
+  const LimitFacts facts =
+      describe_limits(subjects.robot, subjects.scene, subjects.generation.mechanism, functions);
+  ASSERT_FALSE(facts.cones.empty());
+  const LimitFacts::Row& least = facts.cones.front();
+  EXPECT_EQ(least.first, 0);
+  EXPECT_EQ(least.coefficients, (std::vector<double>{0, 0, -1}));
+  EXPECT_EQ(least.bound, -3);
+  expect_certified(subjects, 40, 10);
 }
 
 // Would catch a check that does not look: another order of levels stays within all limits and obeys

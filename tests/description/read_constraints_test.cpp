@@ -206,6 +206,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"constraints: [{name: a, between: [tool, world], link: tool}]", "link", "keys"},
         Fault{"constraints: [{name: a, between: [base, world]}]", "cannot move", "floating"},
         Fault{"functions: [constrained_forward_dynamics]", "nothing is held", "constraints"},
+        Fault{"constraints: [{name: a, between: [tool, rail]}]\n"
+              "functions: [supported_control_torque]",
+              "no operational point, and no joint is passive", "passive"},
+        Fault{"constraints: [{name: a, between: [rail, world]}]\nfunctions: [constraint_errors]",
+              "between two links", "remove"},
         Fault{"constraints: [{name: a, between: [tool, world]}]\nfunctions: [gravity]",
               "no function takes them", "supported_control_torque"},
         Fault{"passive: [elbw]", "no joint \"elbw\"", "elbow"},

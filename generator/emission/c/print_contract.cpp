@@ -35,12 +35,13 @@ std::string describe_needs(const EmissionContext& context) {
         context.name);
   }
   return fmt::format(
-      "The code needs C99 and nothing else: of its headers <float.h> and <stdint.h>, no library, "
-      "no\n"
-      "heap, no branch, no global state. C++ may include this file too. Same input, same bits; "
-      "and\n"
-      "same time, where the target has instructions for {}.",
-      context.single_precision ? "float" : "double");
+      "The code needs C99 and nothing else: no library, no heap, no branch, no global state; of "
+      "its\n"
+      "headers {}. C++ may include this file too.\n"
+      "Same input, same bits; and same time, where the target has instructions for {}.{}",
+      context.limits ? "<float.h>, <stdbool.h> and <stdint.h>" : "<float.h> and <stdint.h>",
+      context.single_precision ? "float" : "double",
+      context.limits ? "\nLimited control branches, in a bounded number of steps." : "");
 }
 
 }  // namespace
