@@ -28,6 +28,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(!scene.inputs.empty(), "inputs");
   add(scene.batch > 0, "batch");
   add(scene.has_limits(), "limits of torque and friction");
+  add(!scene.passive.empty() && !is_closed(scene), "passive (every joint of a tree is moved)");
   add(scene.controller.has_value(), "controller");
   add(scene.real == Real::float32, "real: float");
   add(scene.sin_cos == Sines::given, "sin_cos: given");

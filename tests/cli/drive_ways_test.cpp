@@ -216,6 +216,16 @@ TEST_F(DriveWaysTest, SaysWhichLoopsItDoesNotDrive) {
   EXPECT_NE(drive("fourbar.urdf scene.yaml", "start\n").exit_code, 0);
 }
 
+// Would catch: a joint without a motor that is moved by one without a word.
+TEST_F(DriveWaysTest, SaysThatPassiveJointsOfATreeAreMoved) {
+  write("fourbar.urdf", four_bar());
+  write("scene.yaml", "passive: [knee]\n");
+  const Outcome outcome = drive("fourbar.urdf scene.yaml", "start\n");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("left out while the robot is driven: passive"), std::string::npos)
+      << outcome.err;
+}
+
 /// The last state of a record, and the largest of what `measure` finds in one.
 template <class Measure>
 std::pair<json, double> look_through(const std::string& record, Measure&& measure) {
