@@ -76,7 +76,7 @@ std::string print_programs(const Generation& generation, const std::string& form
 void print_log(const Generation& generation) {
   for (const GeneratedFunction& generated : generation.functions) {
     for (const PassReport& report : generated.passes) {
-      fmt::print(stderr, "{}\n", to_string(generated.program.name, report));
+      print_message(to_string(generated.program.name, report) + "\n");
     }
   }
 }

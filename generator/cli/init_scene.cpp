@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/print_diagnostics.hpp"
 #include "cli/write_output.hpp"
 #include "description/count_freedoms.hpp"
@@ -85,7 +86,7 @@ void add_init_scene(CLI::App& app, int& exit_code) {
   auto* output =
       command->add_option("-o,--output", options->output, "File to write, else standard output");
   command->add_option("--base", options->base, "fixed or floating, instead of the guess")
-      ->check(CLI::IsMember({"fixed", "floating"}));
+      ->check(one_of({"fixed", "floating"}));
   command->add_flag("--force", options->force, "Overwrite the file");
   command->footer(
       "Examples:\n"

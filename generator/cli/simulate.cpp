@@ -94,7 +94,7 @@ ExitCode write_data(const SimulateOptions& options, const std::string& robot, co
       options.json ? print_json(robot, motion) : print_text(robot, options.motion, motion);
   const OutputForm form = options.json ? OutputForm::json : OutputForm::text;
   if (options.csv != "-") return write_output(summary, form, exit_code);
-  fmt::print(stderr, "{}", printable_lines(summary));
+  print_message(printable_lines(summary));
   return write_output(servo::csv_text(motion.table), OutputForm::text, exit_code);
 }
 

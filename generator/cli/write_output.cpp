@@ -24,6 +24,10 @@ ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_co
   return kBadInput;
 }
 
+void print_message(const std::string& text) {
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics) {
   errno = 0;
   std::ofstream stream(path, std::ios::binary);

@@ -14,6 +14,10 @@ enum class OutputForm { text, json };
 /// to their end (full disk), complains on standard error and returns `kBadInput`.
 ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_code);
 
+/// Writes what people read to standard error. Where that is closed or full nobody can be told, so
+/// the text is lost and the work goes on.
+void print_message(const std::string& text);
+
 /// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full.
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics);
 

@@ -27,29 +27,50 @@ const std::string kBoth = kUrdf + " " + kScene;
 
 class Surroundings : public test::ProgramTest {
  protected:
-  /// Runs with standard output going to a device that is full.
-  [[nodiscard]] Outcome run_into_full(const std::string& arguments) const {
-    const fs::path err = root_ / "stderr.txt";
+  /// Runs with these redirections of the shell, behind those of both outputs to files.
+  [[nodiscard]] Outcome run_with(const std::string& redirections,
+                                 const std::string& arguments) const {
     const std::string command = "cd '" + root_.string() + "' && '" TREELINE_PROGRAM "' " +
-                                arguments + " >/dev/full 2>'" + err.string() + "'";
+                                arguments + " >stdout.txt 2>stderr.txt " + redirections;
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", read_file(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(root_ / "stdout.txt"),
+            read_file(root_ / "stderr.txt")};
   }
 };
 
 // Would catch: half a table in a file that looks like a complete one.
-TEST_F(Surroundings, FullStandardOutputIsOne) {
+TEST_F(Surroundings, FullOrClosedStandardOutputIsOne) {
   for (const std::string& arguments :
        {"inspect " + kUrdf, "inspect " + kBoth + " --json", "generate " + kBoth + " -o out",
         "generate " + kBoth + " -o out --json", "init-scene " + kUrdf,
         "generate " + kBoth + " --functions gravity --dump text",
         "simulate " + kUrdf + " --seconds 0.1 --csv -", "simulate " + kUrdf + " --seconds 0.1",
+        "diff " + kUrdf + " " + kUrdf, "diff " + kUrdf + " " + kUrdf + " --json",
         std::string("--help")}) {
-    const Outcome outcome = run_into_full(arguments);
-    EXPECT_EQ(outcome.exit_code, 1) << arguments << '\n' << outcome.err;
-    EXPECT_NE(outcome.err.find("standard output: error: cannot be written"), std::string::npos)
-        << arguments << '\n'
-        << outcome.err;
+    for (const char* output : {">/dev/full", ">&-"}) {
+      const Outcome outcome = run_with(output, arguments);
+      EXPECT_EQ(outcome.exit_code, 1) << arguments << output << '\n' << outcome.err;
+      EXPECT_NE(outcome.err.find("standard output: error: cannot be written"), std::string::npos)
+          << arguments << output << '\n'
+          << outcome.err;
+    }
+  }
+}
+
+// Would catch: a message that nobody can be told and that ends the program, and one that goes into
+// a file which took the place of a closed standard error.
+TEST_F(Surroundings, FullOrClosedStandardErrorChangesNothing) {
+  const std::string simulation = "simulate " + kUrdf + " --seconds 0.1 --json --csv table.csv";
+  const Outcome told = run(simulation);
+  ASSERT_NE(told.err, "");
+  const std::string table = read_file(root_ / "table.csv");
+  for (const char* errors : {"2>/dev/full", "2>&-"}) {
+    const Outcome untold = run_with(errors, simulation);
+    EXPECT_EQ(untold.exit_code, 0) << errors;
+    EXPECT_EQ(untold.out, told.out) << errors;
+    EXPECT_EQ(read_file(root_ / "table.csv"), table) << errors;
+    EXPECT_EQ(run_with(errors, "inspect nowhere.urdf").exit_code, 1) << errors;
+    EXPECT_EQ(run_with(errors, "inspect --nothing").exit_code, 2) << errors;
   }
 }
 
