@@ -96,6 +96,15 @@ TEST_F(MessagesTest, ValuesOutOfRangeGetWords) {
   expect_parts(messages("simulate arm.urdf --seconds nan", 2),
                {"\"nan\" is not a number from 1e-06 to 1e+06"});
   expect_parts(messages("simulate arm.urdf --q 0,up", 2), {"\"up\" is not a number"});
+  for (const char* tolerance : {"-1", "nan", "x"}) {
+    expect_parts(messages("diff arm.urdf arm.urdf --tolerance " + std::string(tolerance), 2),
+                 {"is not a number from 0 to 1e+12"});
+  }
+  for (const char* command : {"diff arm.urdf arm.urdf", "init-scene arm.urdf"}) {
+    expect_parts(messages(command + std::string(" --base Fixed"), 2), {"did you mean \"fixed\"?"});
+  }
+  expect_parts(messages("inspect arm.urdf --warnings all --warnings none", 2),
+               {"--warnings: it is given 2 times, and once is enough"});
   expect_parts(messages("inspect arm.urdf --dot --json", 2), {"does not go with"});
   expect_parts(messages("inspect arm.urdf --warnings loud", 2),
                {"the choices are all, summary, none"});
