@@ -95,7 +95,7 @@ void add_init_scene(CLI::App& app, int& exit_code) {
       "  treeline init-scene anymal.urdf --base floating | tee anymal.yaml\n"
       "A scene for several robots lists them under the key robots: generator/README.md.");
   command->callback([options, output, &exit_code] {
-    options->to_file = !output->empty();
+    options->to_file = !output->empty() && options->output != "-";
     exit_code = run(*options);
   });
 }

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 
@@ -31,11 +32,22 @@ void print_message(const std::string& text) {
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics) {
   errno = 0;
   std::ofstream stream(path, std::ios::binary);
+  const bool opened = stream.is_open();
   stream << data;
   stream.close();
   if (stream) return true;
-  diagnostics.add({Severity::error, path, 0, "",
-                   "cannot be written to its end: " + std::generic_category().message(errno),
+  const std::string error = std::generic_category().message(errno);
+  std::error_code ignored;
+  if (opened && std::filesystem::is_regular_file(path, ignored)) {
+    // Half a file looks like a whole one.
+    std::filesystem::remove(std::filesystem::canonical(path, ignored), ignored);
+  }
+  if (path.empty()) {
+    diagnostics.add({Severity::error, "", 0, "", "the name of a file to write is empty",
+                     "name the file, or leave the option out"});
+    return false;
+  }
+  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end: " + error,
                    "name a file in a folder that exists, is yours to write and has space left"});
   return false;
 }

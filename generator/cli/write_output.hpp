@@ -18,7 +18,8 @@ ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_co
 /// the text is lost and the work goes on.
 void print_message(const std::string& text);
 
-/// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full.
+/// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full;
+/// then no part of the file stays.
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -105,7 +105,10 @@ TEST_F(MessagesTest, ValuesOutOfRangeGetWords) {
   }
   expect_parts(messages("inspect arm.urdf --warnings all --warnings none", 2),
                {"--warnings: it is given 2 times, and once is enough"});
-  expect_parts(messages("inspect arm.urdf --dot --json", 2), {"does not go with"});
+  for (const char* both : {"--dot --json", "--dot --summary", "--savings --noise",
+                           "--base-parameters --dot", "--noise --repair out.urdf"}) {
+    expect_parts(messages(std::string("inspect arm.urdf ") + both, 2), {"does not go with"});
+  }
   expect_parts(messages("inspect arm.urdf --warnings loud", 2),
                {"the choices are all, summary, none"});
 }

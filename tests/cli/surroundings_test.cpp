@@ -57,6 +57,31 @@ TEST_F(Surroundings, FullOrClosedStandardOutputIsOne) {
   }
 }
 
+// Would catch: half a table in a file. Files here may have 8 blocks of 512 bytes.
+TEST_F(Surroundings, NoPartOfAFileStays) {
+  const std::string script = "cd '" + root_.string() +
+                             "' && trap '' XFSZ && ulimit -f 8 && '" TREELINE_PROGRAM
+                             "' simulate " +
+                             kUrdf + " --csv table.csv >/dev/null 2>stderr.txt";
+  const int status = std::system(script.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const std::string err = read_file(root_ / "stderr.txt");
+  EXPECT_NE(err.find("table.csv: error: cannot be written to its end"), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(root_ / "table.csv"));
+}
+
+TEST_F(Surroundings, DashIsStandardOutput) {
+  for (const char* command : {"init-scene", "convert", "draw"}) {
+    const Outcome plain = run(std::string(command) + " " + kUrdf);
+    const std::string option = command == std::string("draw") ? " --svg -" : " --output -";
+    const Outcome dash = run(std::string(command) + " " + kUrdf + option);
+    EXPECT_EQ(dash.exit_code, 0) << command << '\n' << dash.err;
+    EXPECT_EQ(dash.out, plain.out) << command;
+    EXPECT_FALSE(fs::exists(root_ / "-")) << command;
+  }
+}
+
 // Would catch: a message that nobody can be told and that ends the program, and one that goes into
 // a file which took the place of a closed standard error.
 TEST_F(Surroundings, FullOrClosedStandardErrorChangesNothing) {
