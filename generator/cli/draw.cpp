@@ -180,7 +180,8 @@ int draw(const DrawOptions& options, Diagnostics& diagnostics) {
   const std::string svg = draw_robot(drawn->robot, placer, drawn->visuals, *moments, options.view,
                                      obstacle_solids(drawn->surroundings.obstacles));
   if (options.svg.empty() || options.svg == "-") return write_output(svg, OutputForm::text, kOk);
-  return write_output_file(options.svg, svg, diagnostics) ? kOk : kBadInput;
+  const std::vector<std::string> read = {options.urdf, options.scene, options.motion};
+  return write_output_file(options.svg, svg, diagnostics, read) ? kOk : kBadInput;
 }
 
 void add_options(CLI::App& command, DrawOptions& options) {

@@ -146,6 +146,17 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
                       : write_output(print_text(summary), OutputForm::text, exit_code);
 }
 
+/// The files from which the code is made.
+std::vector<std::string> files_read(const GenerateOptions& options, const GeneratedInputs& made) {
+  const RobotFiles& read = made.inputs.files;
+  std::vector<std::string> files;
+  for (const std::string& file : {read.urdf, read.scene, options.inputs.choices}) {
+    if (!file.empty() && file != "-") files.push_back(file);
+  }
+  for (const InputFile& file : read.scene_robots.files) files.push_back(file.path);
+  return files;
+}
+
 /// Writes the notes for a safety review, if they are asked for.
 bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
                   Diagnostics& diagnostics) {
@@ -156,25 +167,23 @@ bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
     if (!read) return false;
     evidence.push_back(std::move(*read));
   }
+  std::vector<std::string> read = files_read(options, made);
+  read.insert(read.end(), options.evidence.begin(), options.evidence.end());
   return write_output_file(
       options.safety,
       describe_safety(made.inputs.scene, made.generation,
                       provenance_of(options.inputs, made.inputs, made.choices), evidence),
-      diagnostics);
+      diagnostics, read);
 }
 
 /// Writes on which files the code depends, if that is asked for.
 bool write_dependencies(const GenerateOptions& options, const GeneratedInputs& made,
                         Diagnostics& diagnostics) {
   if (options.depfile.empty()) return true;
-  const RobotFiles& read = made.inputs.files;
-  std::vector<std::string> files;
-  for (const std::string& file : {read.urdf, read.scene, options.inputs.choices}) {
-    if (!file.empty() && file != "-") files.push_back(file);
-  }
-  for (const InputFile& file : read.scene_robots.files) files.push_back(file.path);
+  const std::vector<std::string> files = files_read(options, made);
   const fs::path target = fs::path(options.depfile).replace_extension();
-  return write_output_file(options.depfile, print_depfile(target.string(), files), diagnostics);
+  return write_output_file(options.depfile, print_depfile(target.string(), files), diagnostics,
+                           files);
 }
 
 /// Whether this command leaves files behind.

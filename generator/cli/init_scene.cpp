@@ -70,7 +70,7 @@ int run(const InitOptions& options) {
   Diagnostics diagnostics;
   const auto text = make_scene(options, diagnostics);
   const bool written = text && options.to_file && may_write(options, diagnostics) &&
-                       write_output_file(options.output, *text, diagnostics);
+                       write_output_file(options.output, *text, diagnostics, {options.urdf});
   print_diagnostics(diagnostics);
   if (!text || options.to_file) return written ? kOk : kBadInput;
   return write_output(*text, OutputForm::text, kOk);

@@ -85,7 +85,9 @@ int run_savings(const InspectOptions& options) {
 /// Whether all is written; else with an error.
 bool write_repaired(const InspectOptions& options, const std::string& text, std::size_t repairs,
                     Diagnostics& diagnostics) {
-  if (!write_output_file(options.repair, text, diagnostics)) return false;
+  if (!write_output_file(options.repair, text, diagnostics, {options.urdf, options.scene})) {
+    return false;
+  }
   diagnostics.add({Severity::note, options.repair, 0, "",
                    repairs == 0 ? "nothing needed repair: this is the URDF as it was"
                                 : fmt::format("the URDF is written with the inertias of {} "

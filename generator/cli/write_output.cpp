@@ -1,5 +1,6 @@
 #include "cli/write_output.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -29,7 +30,18 @@ void print_message(const std::string& text) {
   (void)std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics) {
+bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
+                       const std::vector<std::string>& read) {
+  const bool is_read = std::any_of(read.begin(), read.end(), [&path](const std::string& input) {
+    std::error_code none;  // of files that are not there
+    return std::filesystem::is_regular_file(path, none) &&
+           std::filesystem::equivalent(path, input, none);
+  });
+  if (is_read) {
+    diagnostics.add({Severity::error, path, 0, "", "this file was read, and is not written over",
+                     "name another file to write"});
+    return false;
+  }
   errno = 0;
   std::ofstream stream(path, std::ios::binary);
   const bool opened = stream.is_open();

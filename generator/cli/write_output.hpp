@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/exit_code.hpp"
 #include "description/diagnostic.hpp"
@@ -19,7 +20,8 @@ ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_co
 void print_message(const std::string& text);
 
 /// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full;
-/// then no part of the file stays.
-bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics);
+/// then no part of the file stays; or it is one of the files that were `read`.
+bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
+                       const std::vector<std::string>& read = {});
 
 }  // namespace treeline

@@ -71,6 +71,25 @@ TEST_F(Surroundings, NoPartOfAFileStays) {
   EXPECT_FALSE(fs::exists(root_ / "table.csv"));
 }
 
+// Would catch: a robot that is lost because an option's value was left out or mistyped.
+TEST_F(Surroundings, WhatWasReadIsNotWrittenOver) {
+  const std::string robot = read_file(kUrdf);
+  std::ofstream(root_ / "arm.urdf") << robot;
+  fs::create_symlink("arm.urdf", root_ / "link.urdf");
+  for (const char* arguments :
+       {"simulate arm.urdf --seconds 0.1 --csv arm.urdf",
+        "simulate arm.urdf --seconds 0.1 --svg link.urdf", "draw arm.urdf --svg ./arm.urdf",
+        "inspect arm.urdf --repair arm.urdf", "convert arm.urdf -o arm.urdf",
+        "init-scene arm.urdf -o arm.urdf --force",
+        "generate arm.urdf -o out --functions gravity --safety arm.urdf",
+        "generate arm.urdf -o out --functions gravity --depfile arm.urdf"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << arguments;
+    EXPECT_NE(outcome.err.find("is not written over"), std::string::npos) << outcome.err;
+    EXPECT_EQ(read_file(root_ / "arm.urdf"), robot) << arguments;
+  }
+}
+
 TEST_F(Surroundings, DashIsStandardOutput) {
   for (const char* command : {"init-scene", "convert", "draw"}) {
     const Outcome plain = run(std::string(command) + " " + kUrdf);
