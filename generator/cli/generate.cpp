@@ -242,12 +242,13 @@ void add_generate(CLI::App& app, int& exit_code) {
       ->needs(tune);
   auto* compare = command->add_flag("--compare", options->compare,
                                     "Write nothing; list files that are not up to date, exit 3");
-  command->add_flag("--json", options->json, "Summary as JSON");
+  auto* json = command->add_flag("--json", options->json, "Summary as JSON");
   command->add_flag("-v,--verbose", options->verbose, "What each pass did, which algorithms lost");
   auto* dump =
       command->add_option("--dump", options->dump, "Print the expression graphs and write nothing")
           ->check(one_of({"text", "dot"}));
   compare->excludes(dump);
+  json->excludes(dump);
   auto* safety = command->add_option("--safety", options->safety,
                                      "File for notes to a reviewer of functional safety");
   command

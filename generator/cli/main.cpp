@@ -35,11 +35,13 @@
 
 namespace {
 
-/// `help` and `help COMMAND` are `--help` and `COMMAND --help`.
+/// `help` and `help COMMAND` are `--help` and `COMMAND --help`, and `version` is `--version`.
 std::vector<std::string> read_arguments(int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (arguments == std::vector<std::string>{"version"}) return {"--version"};
   if (arguments.empty() || arguments.front() != "help") return arguments;
   arguments.erase(arguments.begin());
+  if (arguments == std::vector<std::string>{"help"}) arguments.clear();
   arguments.emplace_back("--help");
   return arguments;
 }

@@ -68,6 +68,8 @@ TEST_F(MessagesTest, HelpAndVersion) {
     EXPECT_EQ(help.exit_code, 0) << arguments;
     expect_parts(help.out, {"--output", "Examples:"});
   }
+  EXPECT_EQ(run("version").out, version.out);
+  EXPECT_EQ(run("help help").out, run("--help").out);
   EXPECT_EQ(run("help").out, run("--help").out);
   EXPECT_EQ(run("help").exit_code, 0);
 }
@@ -136,9 +138,21 @@ TEST_F(MessagesTest, UnknownKeysAndFunctionsGetTheList) {
                {"leave out functions for all"});
   expect_parts(messages("generate arm.urdf empty.yaml -o out --functions masmatrix", 1),
                {"did you mean \"mass_matrix\"?"});
+  // A file behind the list is not one of it, and blanks in a list do not count.
+  EXPECT_EQ(messages("generate --functions 'gravity, mass_matrix' arm.urdf empty.yaml -o out", 0),
+            "");
   expect_parts(refused("batch: 3\n"), {"the choices are 2, 4, 8, 16"});
   expect_parts(refused("operational_points:\n- {name: t, link: forearm, origin: [0, 0, 0.1]}\n"),
                {"operational_points[0]/origin", "xyz", "rpy"});
+}
+
+// Would catch: the JSON library's own text.
+TEST_F(MessagesTest, ChoicesThatAreNoManifest) {
+  write("choices.json", "{}");
+  const std::string generate = "generate arm.urdf empty.yaml -o out --choices ";
+  expect_parts(messages(generate + "choices.json", 1),
+               {"choices.json: error: choices: there is no list of rows", "manifest.json"});
+  expect_parts(messages(generate + "arm.urdf", 1), {"arm.urdf: error: choices: this is not JSON"});
 }
 
 TEST_F(MessagesTest, XmlNamesTheOpenElement) {
@@ -225,6 +239,7 @@ TEST_F(MessagesTest, DashIsStandardInput) {
   expect_parts(messages("generate arm.urdf - -o out <bad.yaml", 1),
                {"standard input:1: error: gravty"});
   expect_parts(messages("generate - - -o out <arm.urdf", 1), {"both"});
+  expect_parts(messages("inspect ''", 1), {"the name of a file to read is empty"});
 }
 
 // Would catch: a compiler command of several words that is taken for one program.

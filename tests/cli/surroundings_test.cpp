@@ -143,7 +143,12 @@ TEST_F(Surroundings, UnwritableFilesAreOne) {
   EXPECT_EQ(run("simulate " + kUrdf + " --seconds 0.1 --svg /dev/full").exit_code, 1);
   EXPECT_EQ(run("init-scene " + kUrdf + " -o /dev/full --force").exit_code, 1);
   std::ofstream(root_ / "file") << "mine";
-  EXPECT_EQ(run("generate " + kBoth + " -o file").exit_code, 1);
+  const Outcome file = run("generate " + kBoth + " -o file");
+  EXPECT_EQ(file.exit_code, 1);
+  EXPECT_NE(file.err.find("this is a file, not a folder"), std::string::npos) << file.err;
+  const Outcome name = run("generate " + kBoth + " -o out --name " + std::string(300, 'a'));
+  EXPECT_EQ(name.exit_code, 1);
+  EXPECT_NE(name.err.find("File name too long"), std::string::npos) << name.err;
   EXPECT_EQ(run("generate " + kBoth + " -o file/deep").exit_code, 1);
   EXPECT_EQ(read_file(root_ / "file"), "mine");
 }
