@@ -30,18 +30,22 @@ void print_message(const std::string& text) {
   (void)std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
-                       const std::vector<std::string>& read) {
+bool is_none_of(const std::string& path, const std::vector<std::string>& read,
+                Diagnostics& diagnostics) {
   const bool is_read = std::any_of(read.begin(), read.end(), [&path](const std::string& input) {
     std::error_code none;  // of files that are not there
     return std::filesystem::is_regular_file(path, none) &&
            std::filesystem::equivalent(path, input, none);
   });
-  if (is_read) {
-    diagnostics.add({Severity::error, path, 0, "", "this file was read, and is not written over",
-                     "name another file to write"});
-    return false;
-  }
+  if (!is_read) return true;
+  diagnostics.add({Severity::error, path, 0, "", "this file is read, and is not written over",
+                   "name another file to write"});
+  return false;
+}
+
+bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
+                       const std::vector<std::string>& read) {
+  if (!is_none_of(path, read, diagnostics)) return false;
   errno = 0;
   std::ofstream stream(path, std::ios::binary);
   const bool opened = stream.is_open();

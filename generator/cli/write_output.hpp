@@ -19,8 +19,13 @@ ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_co
 /// the text is lost and the work goes on.
 void print_message(const std::string& text);
 
+/// Whether a file to write is none of those that are `read`, nor a link to one; else with an
+/// error.
+bool is_none_of(const std::string& path, const std::vector<std::string>& read,
+                Diagnostics& diagnostics);
+
 /// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full;
-/// then no part of the file stays; or it is one of the files that were `read`.
+/// then no part of the file stays; or it is one of the files that are `read`.
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
                        const std::vector<std::string>& read = {});
 

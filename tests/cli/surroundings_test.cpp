@@ -80,7 +80,7 @@ TEST_F(Surroundings, WhatWasReadIsNotWrittenOver) {
        {"simulate arm.urdf --seconds 0.1 --csv arm.urdf",
         "simulate arm.urdf --seconds 0.1 --svg link.urdf", "draw arm.urdf --svg ./arm.urdf",
         "inspect arm.urdf --repair arm.urdf", "convert arm.urdf -o arm.urdf",
-        "init-scene arm.urdf -o arm.urdf --force",
+        "init-scene arm.urdf -o arm.urdf --force", "drive arm.urdf --headless --record arm.urdf",
         "generate arm.urdf -o out --functions gravity --safety arm.urdf",
         "generate arm.urdf -o out --functions gravity --depfile arm.urdf"}) {
     const Outcome outcome = run(arguments);
