@@ -196,6 +196,18 @@ TEST_F(MessagesTest, FaultsOfFormAreOneLineAndBrokenInertiasLast) {
                {"nowhere.yaml: error:"});
 }
 
+// Would catch: a number of another format that is counted among what is of no account to the
+// motion.
+TEST_F(MessagesTest, NumbersThatNobodyReadsAreTold) {
+  std::string text = kArm;
+  const std::string origin = "<origin xyz=\"0.2 0 0\"/>";
+  text.replace(text.find(origin), origin.size(), "<origin pos=\"0.2 0 0\"/>");
+  write("other.urdf", text);
+  expect_parts(messages("inspect other.urdf", 0),
+               {"other.urdf:5: warning: robot/link[forearm]/inertial/origin: the attribute \"pos\" "
+                "is not part of URDF"});
+}
+
 TEST_F(MessagesTest, ColoursOnATerminalOnly) {
   const std::string arguments = "inspect " + (root_ / "nowhere.urdf").string();
   const std::string escape = "\033[";
