@@ -106,7 +106,8 @@ int run(BenchCommand options) {
                           : std::nullopt;
   if (report) tell_of_peers(*report, diagnostics);
   const bool written = report && (options.svg.empty() ||
-                                  write_output_file(options.svg, draw_svg(*report), diagnostics));
+                                  write_output_file(options.svg, draw_svg(*report), diagnostics,
+                                                    {options.inputs.urdf, options.inputs.scene}));
   print_diagnostics(diagnostics, options.inputs.warnings);
   if (!report) return kBadInput;
   const ExitCode exit_code = written ? kOk : kBadInput;

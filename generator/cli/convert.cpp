@@ -23,9 +23,9 @@ int run(const ConvertOptions& options) {
   Diagnostics diagnostics;
   const auto text = read_robot_text(options.robot, diagnostics);
   const bool is_robot = text && parse_urdf(text->urdf, text->shown, diagnostics).has_value();
-  const bool to_file = !options.output.empty();
-  const bool written =
-      is_robot && to_file && write_output_file(options.output, text->urdf, diagnostics);
+  const bool to_file = !options.output.empty() && options.output != "-";
+  const bool written = is_robot && to_file &&
+                       write_output_file(options.output, text->urdf, diagnostics, {options.robot});
   print_diagnostics(diagnostics, options.warnings);
   if (!is_robot || to_file) return written ? kOk : kBadInput;
   return write_output(text->urdf, OutputForm::text, kOk);

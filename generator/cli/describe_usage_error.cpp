@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "description/suggest_name.hpp"
 
@@ -75,6 +76,11 @@ std::string plain_words(const CLI::ParseError& error) {
   if (kind == "RequiresError") return replaced(std::move(text), " requires ", " needs ");
   if (kind == "ArgumentMismatch" && text.find("missing") != std::string::npos) {
     return text.substr(0, text.find(':')) + ": its value is missing";
+  }
+  constexpr std::string_view kTooMany = ": At Most 1 required but received ";
+  if (const auto at = text.find(kTooMany); at != std::string::npos) {
+    return fmt::format("{}: it is given {} times, and once is enough", text.substr(0, at),
+                       text.substr(at + kTooMany.size()));
   }
   return replaced(std::move(text), "Could not convert: ", "this cannot be read: ");
 }

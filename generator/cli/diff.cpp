@@ -1,12 +1,12 @@
 #include "cli/diff.hpp"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <string>
 
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/print_diagnostics.hpp"
+#include "cli/write_output.hpp"
 #include "comparison/difference.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/read_urdf.hpp"
@@ -43,8 +43,9 @@ int run(const DiffOptions& options) {
   }
   const RobotDifference difference =
       compare_robots(*first, *second, choose_base(options, *first), options.tolerance);
-  fmt::print("{}", options.json ? print_json(difference) : print_text(difference));
-  return difference.differs() ? kMismatch : kOk;
+  const ExitCode exit_code = difference.differs() ? kMismatch : kOk;
+  return options.json ? write_output(print_json(difference), OutputForm::json, exit_code)
+                      : write_output(print_text(difference), OutputForm::text, exit_code);
 }
 
 }  // namespace
@@ -58,12 +59,12 @@ void add_diff(CLI::App& app, int& exit_code) {
   command
       ->add_option("--tolerance", options->tolerance,
                    "What counts as the same: m, rad, and relative to masses, inertias, forces")
-      ->check(CLI::NonNegativeNumber)
+      ->check(between(0, 1e12))
       ->capture_default_str();
   command
       ->add_option("--base", options->base,
                    "Of the dynamics; without it fixed, or floating where nothing else moves")
-      ->check(CLI::IsMember({"fixed", "floating"}));
+      ->check(one_of({"fixed", "floating"}));
   command->add_flag("--json", options->json, "The differences as JSON");
   add_warnings_option(*command, options->warnings);
   command->footer(

@@ -76,9 +76,8 @@ std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnos
   });
   if (meshes > 0) {
     diagnostics.add({Severity::note, file, 0, "",
-                     fmt::format("{} meshes are not drawn: rods stand for links without another "
-                                 "shape",
-                                 meshes),
+                     fmt::format("{} not drawn: rods stand for links without another shape",
+                                 meshes == 1 ? "1 mesh is" : fmt::format("{} meshes are", meshes)),
                      "`treeline drive` shows meshes in a browser."});
   }
   auto surroundings = surroundings_of(read->files.scene_text, read->robot);
@@ -129,6 +128,23 @@ std::vector<double> choose_times(const DrawOptions& options, const RecordedMotio
   return times;
 }
 
+/// Whether the motion has these times, to the digits that are shown; else with an error.
+bool are_within(const std::vector<double>& times, const RecordedMotion& motion,
+                const std::string& file, Diagnostics& diagnostics) {
+  const double first = motion.times.front();
+  const double last = motion.times.back();
+  const double slack = 1e-3 * (last - first);
+  const auto beyond = std::find_if(times.begin(), times.end(), [&](double time) {
+    return time < first - slack || time > last + slack;
+  });
+  if (beyond == times.end()) return true;
+  diagnostics.add({Severity::error, file, 0, "--times",
+                   fmt::format("{:g} s is not in the motion, which goes from {:g} to {:g} s",
+                               *beyond, first, last),
+                   "give times within it"});
+  return false;
+}
+
 /// Where the point was up to a row, in at most some hundred steps.
 std::vector<Eigen::Vector3d> trace_path(const LinkPlacer& placer, const RecordedMotion& motion,
                                         std::size_t point, std::size_t row) {
@@ -157,6 +173,7 @@ std::optional<std::vector<Moment>> choose_moments(const DrawOptions& options, co
     point = find_point(drawn, options.path, diagnostics);
     if (!point) return std::nullopt;
   }
+  if (!are_within(options.times, *motion, options.motion, diagnostics)) return std::nullopt;
   std::vector<Moment> moments;
   for (const double time : choose_times(options, *motion)) {
     const std::size_t row = row_at(*motion, time);
@@ -180,18 +197,22 @@ int draw(const DrawOptions& options, Diagnostics& diagnostics) {
   const std::string svg = draw_robot(drawn->robot, placer, drawn->visuals, *moments, options.view,
                                      obstacle_solids(drawn->surroundings.obstacles));
   if (options.svg.empty() || options.svg == "-") return write_output(svg, OutputForm::text, kOk);
-  return write_output_file(options.svg, svg, diagnostics) ? kOk : kBadInput;
+  const std::vector<std::string> read = {options.urdf, options.scene, options.motion};
+  return write_output_file(options.svg, svg, diagnostics, read) ? kOk : kBadInput;
 }
 
 void add_options(CLI::App& command, DrawOptions& options) {
   command.add_option("urdf", options.urdf, kRobotArgument)->required();
   command.add_option("scene", options.scene, "Base, locked joints, points; YAML");
-  command.add_option("--q", options.q, "Where it stands, separated by commas; else at rest")
-      ->delimiter(',')
-      ->check(any_number());
-  auto* motion = command.add_option("--motion", options.motion,
-                                    "Draw a motion: table of simulate --csv or of an experiment, "
-                                    "or record of drive");
+  auto* q =
+      command.add_option("--q", options.q, "Where it stands, separated by commas; else at rest")
+          ->delimiter(',')
+          ->check(any_number());
+  auto* motion = command
+                     .add_option("--motion", options.motion,
+                                 "Draw a motion: table of simulate --csv or of an experiment, "
+                                 "or record of drive")
+                     ->excludes(q);
   auto* times = command.add_option("--times", options.times, "s, a picture each")
                     ->delimiter(',')
                     ->check(any_number())

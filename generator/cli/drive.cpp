@@ -136,6 +136,13 @@ void refuse_imperfect_hardware(const DriveOptions& options, Diagnostics& diagnos
                    "Give it to the process that has --act-as-robot."});
 }
 
+/// A record would take the place of what is driven or followed.
+void refuse_record_of_input(const DriveOptions& options, Diagnostics& diagnostics) {
+  (void)is_none_of(options.drive.record,
+                   {options.inputs.urdf, options.inputs.scene, options.script, options.reference},
+                   diagnostics);
+}
+
 /// What is shown again needs no loop, and so no code: only the files that it was made with.
 int run_replay(const DriveOptions& options) {
   Diagnostics diagnostics;
@@ -188,6 +195,7 @@ int run(DriveOptions options) {
   std::optional<LaunchedRobot> robot;
   const auto packages = read_packages(options.packages, diagnostics);
   refuse_imperfect_hardware(options, diagnostics);
+  refuse_record_of_input(options, diagnostics);
   if (packages && !diagnostics.has_errors() && read_script(options.script, drive, diagnostics)) {
     robot = launch_from(options.inputs, *packages, drive.meshes, diagnostics);
   }

@@ -18,6 +18,7 @@
 #include "cli/page_server.hpp"
 #include "cli/rehearsals.hpp"
 #include "cli/robot_elsewhere.hpp"
+#include "cli/write_output.hpp"
 #include "description/printable.hpp"
 #include "drive/rate_limit.hpp"
 #include "drive/script.hpp"
@@ -46,7 +47,7 @@ double unix_milliseconds() {
 }
 
 void say(const std::string& line) {
-  fmt::print(stderr, "{}\n", printable(line));
+  print_message(printable(line) + "\n");
 }
 
 std::string print_usages() {
@@ -189,7 +190,7 @@ void Driver::end() {
 
 void Driver::obey_local(const drive::Command& command) {
   if (command.verb == Verb::wait) script_.wait(time(), command.duration);
-  if (command.verb == Verb::help) fmt::print(stderr, "{}", print_usages());
+  if (command.verb == Verb::help) print_message(print_usages());
   if (command.verb == Verb::quit) end();
 }
 

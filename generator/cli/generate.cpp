@@ -76,7 +76,7 @@ std::string print_programs(const Generation& generation, const std::string& form
 void print_log(const Generation& generation) {
   for (const GeneratedFunction& generated : generation.functions) {
     for (const PassReport& report : generated.passes) {
-      fmt::print(stderr, "{}\n", to_string(generated.program.name, report));
+      print_message(to_string(generated.program.name, report) + "\n");
     }
   }
 }
@@ -146,6 +146,17 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
                       : write_output(print_text(summary), OutputForm::text, exit_code);
 }
 
+/// The files from which the code is made.
+std::vector<std::string> files_read(const GenerateOptions& options, const GeneratedInputs& made) {
+  const RobotFiles& read = made.inputs.files;
+  std::vector<std::string> files;
+  for (const std::string& file : {read.urdf, read.scene, options.inputs.choices}) {
+    if (!file.empty() && file != "-") files.push_back(file);
+  }
+  for (const InputFile& file : read.scene_robots.files) files.push_back(file.path);
+  return files;
+}
+
 /// Writes the notes for a safety review, if they are asked for.
 bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
                   Diagnostics& diagnostics) {
@@ -156,25 +167,23 @@ bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
     if (!read) return false;
     evidence.push_back(std::move(*read));
   }
+  std::vector<std::string> read = files_read(options, made);
+  read.insert(read.end(), options.evidence.begin(), options.evidence.end());
   return write_output_file(
       options.safety,
       describe_safety(made.inputs.scene, made.generation,
                       provenance_of(options.inputs, made.inputs, made.choices), evidence),
-      diagnostics);
+      diagnostics, read);
 }
 
 /// Writes on which files the code depends, if that is asked for.
 bool write_dependencies(const GenerateOptions& options, const GeneratedInputs& made,
                         Diagnostics& diagnostics) {
   if (options.depfile.empty()) return true;
-  const RobotFiles& read = made.inputs.files;
-  std::vector<std::string> files;
-  for (const std::string& file : {read.urdf, read.scene, options.inputs.choices}) {
-    if (!file.empty() && file != "-") files.push_back(file);
-  }
-  for (const InputFile& file : read.scene_robots.files) files.push_back(file.path);
+  const std::vector<std::string> files = files_read(options, made);
   const fs::path target = fs::path(options.depfile).replace_extension();
-  return write_output_file(options.depfile, print_depfile(target.string(), files), diagnostics);
+  return write_output_file(options.depfile, print_depfile(target.string(), files), diagnostics,
+                           files);
 }
 
 /// Whether this command leaves files behind.
@@ -233,12 +242,13 @@ void add_generate(CLI::App& app, int& exit_code) {
       ->needs(tune);
   auto* compare = command->add_flag("--compare", options->compare,
                                     "Write nothing; list files that are not up to date, exit 3");
-  command->add_flag("--json", options->json, "Summary as JSON");
+  auto* json = command->add_flag("--json", options->json, "Summary as JSON");
   command->add_flag("-v,--verbose", options->verbose, "What each pass did, which algorithms lost");
   auto* dump =
       command->add_option("--dump", options->dump, "Print the expression graphs and write nothing")
           ->check(one_of({"text", "dot"}));
   compare->excludes(dump);
+  json->excludes(dump);
   auto* safety = command->add_option("--safety", options->safety,
                                      "File for notes to a reviewer of functional safety");
   command

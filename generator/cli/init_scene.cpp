@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/print_diagnostics.hpp"
 #include "cli/write_output.hpp"
 #include "description/count_freedoms.hpp"
@@ -69,7 +70,7 @@ int run(const InitOptions& options) {
   Diagnostics diagnostics;
   const auto text = make_scene(options, diagnostics);
   const bool written = text && options.to_file && may_write(options, diagnostics) &&
-                       write_output_file(options.output, *text, diagnostics);
+                       write_output_file(options.output, *text, diagnostics, {options.urdf});
   print_diagnostics(diagnostics);
   if (!text || options.to_file) return written ? kOk : kBadInput;
   return write_output(*text, OutputForm::text, kOk);
@@ -85,7 +86,7 @@ void add_init_scene(CLI::App& app, int& exit_code) {
   auto* output =
       command->add_option("-o,--output", options->output, "File to write, else standard output");
   command->add_option("--base", options->base, "fixed or floating, instead of the guess")
-      ->check(CLI::IsMember({"fixed", "floating"}));
+      ->check(one_of({"fixed", "floating"}));
   command->add_flag("--force", options->force, "Overwrite the file");
   command->footer(
       "Examples:\n"
@@ -94,7 +95,7 @@ void add_init_scene(CLI::App& app, int& exit_code) {
       "  treeline init-scene anymal.urdf --base floating | tee anymal.yaml\n"
       "A scene for several robots lists them under the key robots: generator/README.md.");
   command->callback([options, output, &exit_code] {
-    options->to_file = !output->empty();
+    options->to_file = !output->empty() && options->output != "-";
     exit_code = run(*options);
   });
 }

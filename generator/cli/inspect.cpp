@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,11 +85,7 @@ int run_savings(const InspectOptions& options) {
 /// Whether all is written; else with an error.
 bool write_repaired(const InspectOptions& options, const std::string& text, std::size_t repairs,
                     Diagnostics& diagnostics) {
-  std::ofstream file(options.repair, std::ios::binary);
-  file << text << std::flush;
-  if (!file) {
-    diagnostics.add({Severity::error, options.repair, 0, "", "the file cannot be written",
-                     "check the folder, the permissions and the disk"});
+  if (!write_output_file(options.repair, text, diagnostics, {options.urdf, options.scene})) {
     return false;
   }
   diagnostics.add({Severity::note, options.repair, 0, "",
@@ -179,23 +174,34 @@ void add_inspect(CLI::App& app, int& exit_code) {
   command->add_option("urdf", options->urdf, kRobotArgument)->required();
   command->add_option("scene", options->scene, "Base, locked joints, operational points; YAML");
   auto* json = command->add_flag("--json", options->json, "The report as JSON");
-  command->add_flag("--dot", options->dot, "The tree for Graphviz")->excludes(json);
-  command->add_flag("--summary", options->summary, "The first lines alone")->excludes(json);
-  command
-      ->add_flag("--savings", options->savings,
-                 "What the scene leaves out: functions, operations and bytes of code")
-      ->excludes(json);
+  auto* dot = command->add_flag("--dot", options->dot, "The tree for Graphviz")->excludes(json);
+  auto* summary =
+      command->add_flag("--summary", options->summary, "The first lines alone")->excludes(json);
+  auto* savings =
+      command
+          ->add_flag("--savings", options->savings,
+                     "What the scene leaves out: functions, operations and bytes of code")
+          ->excludes(json);
   add_warnings_option(*command, options->warnings);
-  command
-      ->add_flag("--noise", options->noise,
-                 "Each number that is taken as exact because it differs by less than rounding")
-      ->excludes(json);
-  command->add_flag("--base-parameters", options->base_parameters,
-                    "The combinations of inertial parameters on which the motion depends; with "
-                    "--json for programs");
-  command->add_option("--repair", options->repair,
-                      "Write the URDF to this file with inertias that no body has, and that the "
-                      "motion feels, replaced by the nearest possible ones");
+  auto* noise =
+      command
+          ->add_flag("--noise", options->noise,
+                     "Each number that is taken as exact because it differs by less than rounding")
+          ->excludes(json);
+  auto* base_parameters = command->add_flag(
+      "--base-parameters", options->base_parameters,
+      "The combinations of inertial parameters on which the motion depends; with --json for "
+      "programs");
+  auto* repair = command->add_option(
+      "--repair", options->repair,
+      "Write the URDF to this file with inertias that no body has, and that the motion feels, "
+      "replaced by the nearest possible ones");
+  summary->excludes(dot);
+  for (auto* other : {savings, noise, base_parameters}) {  // which print something else
+    other->excludes(dot)->excludes(summary)->excludes(repair);
+  }
+  savings->excludes(noise)->excludes(base_parameters);
+  noise->excludes(base_parameters);
   command->footer(
       "Examples:\n"
       "  treeline inspect puma560.urdf\n"

@@ -126,8 +126,8 @@ ExitCode measure_latency(const LaunchedRobot& robot, const DriveSettings& drive,
   run(loop, session, settings, report);
   answer_signals(nullptr);
   getloadavg(&report.load_average, 1);
-  fmt::print("{}", print_text(report));
-  const ExitCode exit_code = report.fault.empty() ? kOk : kMismatch;
+  const ExitCode exit_code =
+      write_output(print_text(report), OutputForm::text, report.fault.empty() ? kOk : kMismatch);
   if (settings.report.empty()) return exit_code;
   const bool written =
       write_output_file(settings.report + ".json", print_json(report), diagnostics) &&

@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #ifdef __GLIBC__
@@ -33,11 +35,13 @@
 
 namespace {
 
-/// `help` and `help COMMAND` are `--help` and `COMMAND --help`.
+/// `help` and `help COMMAND` are `--help` and `COMMAND --help`, and `version` is `--version`.
 std::vector<std::string> read_arguments(int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (arguments == std::vector<std::string>{"version"}) return {"--version"};
   if (arguments.empty() || arguments.front() != "help") return arguments;
   arguments.erase(arguments.begin());
+  if (arguments == std::vector<std::string>{"help"}) arguments.clear();
   arguments.emplace_back("--help");
   return arguments;
 }
@@ -51,6 +55,16 @@ void keep_freed_memory() {
   (void)mallopt(M_TOP_PAD, kBytes);
   (void)mallopt(M_MMAP_THRESHOLD, kBytes / 2);
 #endif
+}
+
+/// Gives closed standard streams a place. Else a file that is opened later takes their numbers, and
+/// messages go into it. Input that was closed still cannot be read, nor output be written to, so
+/// that both are noticed; messages are lost.
+void reserve_standard_streams() {
+  for (const auto& [stream, access] :
+       {std::pair(0, O_WRONLY), std::pair(1, O_RDONLY), std::pair(2, O_WRONLY)}) {
+    if (fcntl(stream, F_GETFD) == -1) (void)open("/dev/null", access);  // the lowest that is free
+  }
 }
 
 void add_commands(CLI::App& app, int& exit_code) {
@@ -104,14 +118,16 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   keep_freed_memory();
+  reserve_standard_streams();
   treeline::clean_up_on_signals();
   try {
     return run(argc, argv);
   } catch (const std::system_error& error) {  // of the disk, the memory or the processes
-    fmt::print(stderr, "treeline: error: {}\n", treeline::printable(error.what()));
+    treeline::print_message("treeline: error: " + treeline::printable(error.what()) + "\n");
     return treeline::kBadInput;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "treeline: internal fault: {}\n", error.what());
+    treeline::print_message("treeline: internal fault: " + treeline::printable(error.what()) +
+                            "\n");
     return treeline::kInternal;
   }
 }

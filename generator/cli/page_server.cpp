@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "cli/write_output.hpp"
 #include "drive/page.hpp"
 
 namespace treeline {
@@ -32,7 +33,7 @@ std::unique_ptr<drive::Server> serve_page(const PageSettings& settings,
     return nullptr;
   }
   if (page.html.empty()) {
-    fmt::print(stderr, "This program was built without the page: Node.js or npm was missing.\n");
+    print_message("This program was built without the page: Node.js or npm was missing.\n");
   }
   const bool is_ipv6 = settings.listen.find(':') != std::string::npos;
   fmt::print("http://{}:{}/?token={}\n", is_ipv6 ? "[" + settings.listen + "]" : settings.listen,

@@ -5,13 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <string_view>
 
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/write_output.hpp"
 
 namespace treeline {
 namespace {
@@ -119,8 +119,7 @@ std::string print_diagnostics_text(const std::vector<Diagnostic>& list, bool col
 }
 
 void print_diagnostics(const Diagnostics& diagnostics, Warnings warnings) {
-  fmt::print(stderr, "{}",
-             print_diagnostics_text(select_diagnostics(diagnostics, warnings), wants_colour()));
+  print_message(print_diagnostics_text(select_diagnostics(diagnostics, warnings), wants_colour()));
 }
 
 }  // namespace treeline

@@ -1,9 +1,10 @@
 #include "cli/progress_line.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
+
+#include "cli/write_output.hpp"
 
 namespace treeline {
 
@@ -12,7 +13,7 @@ bool is_watched() {
 }
 
 void show_progress(const std::string& line) {
-  fmt::print(stderr, "\r\033[K{}", line);
+  print_message("\r\033[K" + line);
   std::fflush(stderr);
 }
 

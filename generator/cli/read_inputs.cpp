@@ -11,6 +11,7 @@
 #include "description/identifier.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
+#include "description/read_number.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -28,7 +29,8 @@ void reject(const std::string& element, std::string fault, std::string remedy,
 std::vector<Function> find_functions(const std::vector<std::string>& names,
                                      Diagnostics& diagnostics) {
   std::vector<Function> functions;
-  for (const std::string& name : names) {
+  for (const std::string& given : names) {
+    const std::string name(trimmed(given));
     if (const auto function = find_function(name)) {
       functions.push_back(*function);
     } else {
@@ -82,7 +84,8 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   command
       .add_option("--functions", options.functions,
                   "Functions, separated by commas, instead of the scene's")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);  // what follows is a file
   add_warnings_option(command, options.warnings);
 }
 

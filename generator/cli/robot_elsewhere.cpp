@@ -7,6 +7,7 @@
 #include "cli/find_bent_start.hpp"
 #include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
+#include "cli/write_output.hpp"
 #include "description/printable.hpp"
 #include "interruption/clean_up.hpp"
 
@@ -37,15 +38,15 @@ std::vector<double> choose_start(const LaunchedRobot& robot) {
   const drive::RobotLibrary& library = robot.library.functions();
   std::vector<double> start = default_start(robot.description);
   if (const auto better = find_holdable_start(library, robot.description, start)) {
-    fmt::print(stderr,
-               "with all joints at 0 the robot cannot hold its weight: it starts elsewhere; --q "
-               "chooses the place\n");
+    print_message(
+        "with all joints at 0 the robot cannot hold its weight: it starts elsewhere; --q "
+        "chooses the place\n");
     start = *better;
   }
   if (const auto better = find_bent_start(library, robot.description, start)) {
-    fmt::print(stderr,
-               "with its joints near 0 the robot cannot move its points in every direction: it "
-               "starts bent; --q chooses the place\n");
+    print_message(
+        "with its joints near 0 the robot cannot move its points in every direction: it "
+        "starts bent; --q chooses the place\n");
     start = *better;
   }
   return start;
@@ -106,7 +107,7 @@ bool act_as_robot(const LaunchedRobot& robot, const std::vector<double>& given, 
   side.read = [&](double* state) { library.read_robot(simulated.get(), state); };
   asked_to_rest = false;
   answer_signals([] { asked_to_rest = true; });
-  fmt::print(stderr, "the simulated robot listens at {}\n", printable(address));
+  print_message("the simulated robot listens at " + printable(address) + "\n");
   const std::string error = drive::run_robot_side(side, asked_to_rest);
   answer_signals(nullptr);
   if (error.empty()) return true;

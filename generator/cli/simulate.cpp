@@ -79,12 +79,15 @@ std::string print_json(const std::string& robot, const Motion& motion) {
 
 bool write_files(const SimulateOptions& options, const std::string& robot, const Motion& motion,
                  Diagnostics& diagnostics) {
+  const std::vector<std::string> read = {options.urdf, options.scene};
   const bool to_file = !options.csv.empty() && options.csv != "-";
-  if (to_file && !write_output_file(options.csv, servo::csv_text(motion.table), diagnostics)) {
+  if (to_file &&
+      !write_output_file(options.csv, servo::csv_text(motion.table), diagnostics, read)) {
     return false;
   }
   return options.svg.empty() ||
-         write_output_file(options.svg, servo::svg_text(plot_motion(robot, motion)), diagnostics);
+         write_output_file(options.svg, servo::svg_text(plot_motion(robot, motion)), diagnostics,
+                           read);
 }
 
 /// With `--csv -` the table is the data and what is said about it a message.
@@ -94,7 +97,7 @@ ExitCode write_data(const SimulateOptions& options, const std::string& robot, co
       options.json ? print_json(robot, motion) : print_text(robot, options.motion, motion);
   const OutputForm form = options.json ? OutputForm::json : OutputForm::text;
   if (options.csv != "-") return write_output(summary, form, exit_code);
-  fmt::print(stderr, "{}", printable_lines(summary));
+  print_message(printable_lines(summary));
   return write_output(servo::csv_text(motion.table), OutputForm::text, exit_code);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cli/option_values.hpp"
 #include "interpreter/instances.hpp"
@@ -111,6 +112,27 @@ bool advance(const simulation::Coordinates& coordinates, const simulation::Accel
   return report.arrived;
 }
 
+/// Rows after the first; nothing, with an error, where they make no table.
+std::optional<int> count_steps(const simulation::Model& model, const MotionSettings& settings,
+                               Diagnostics& diagnostics) {
+  constexpr double kMostNumbers = 1e8;  // 800 MB
+  const auto reject = [&](std::string fault, std::string remedy) {
+    diagnostics.add({Severity::error, "", 0, "--step", std::move(fault), std::move(remedy)});
+    return std::nullopt;
+  };
+  if (settings.step > settings.seconds) {
+    return reject(fmt::format("a step of {:g} s is longer than the motion of {:g} s", settings.step,
+                              settings.seconds),
+                  "give a shorter --step or more --seconds");
+  }
+  const double steps = std::ceil(settings.seconds / settings.step - 1e-9);
+  const auto columns = static_cast<double>(column_names(model).size());
+  if ((steps + 1) * columns <= kMostNumbers) return static_cast<int>(steps);
+  return reject(fmt::format("{:.3g} rows of {} numbers are more than {:g} numbers", steps + 1,
+                            columns, kMostNumbers),
+                "give a longer --step or fewer --seconds");
+}
+
 }  // namespace
 
 std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
@@ -120,11 +142,14 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
   if (!state) return std::nullopt;
   const auto coordinates = simulation::coordinates_of(model);
   const auto qdd = acceleration_of(model, settings);
-  const int steps = static_cast<int>(std::ceil(settings.seconds / settings.step - 1e-9));
-  Motion motion{servo::Table(column_names(model), static_cast<std::size_t>(steps) + 1), steps + 1};
+  const auto steps = count_steps(model, settings, diagnostics);
+  if (!steps) return std::nullopt;
+  Motion motion{servo::Table(column_names(model), static_cast<std::size_t>(*steps) + 1),
+                *steps + 1};
   simulation::AdaptiveSettings adaptive{settings.tolerance, settings.tolerance,
                                         std::min(1e-3, settings.step)};
-  for (int i = 0; record(model, coordinates, i * settings.step, *state, motion) && i < steps; ++i) {
+  for (int i = 0; record(model, coordinates, i * settings.step, *state, motion) && i < *steps;
+       ++i) {
     if (!advance(coordinates, qdd, i * settings.step, settings, adaptive, *state, motion)) break;
   }
   return motion;

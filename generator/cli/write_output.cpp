@@ -1,7 +1,9 @@
 #include "cli/write_output.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 
@@ -24,14 +26,44 @@ ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_co
   return kBadInput;
 }
 
-bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics) {
+void print_message(const std::string& text) {
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+bool is_none_of(const std::string& path, const std::vector<std::string>& read,
+                Diagnostics& diagnostics) {
+  const bool is_read = std::any_of(read.begin(), read.end(), [&path](const std::string& input) {
+    std::error_code none;  // of files that are not there
+    return std::filesystem::is_regular_file(path, none) &&
+           std::filesystem::equivalent(path, input, none);
+  });
+  if (!is_read) return true;
+  diagnostics.add({Severity::error, path, 0, "", "this file is read, and is not written over",
+                   "name another file to write"});
+  return false;
+}
+
+bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
+                       const std::vector<std::string>& read) {
+  if (!is_none_of(path, read, diagnostics)) return false;
   errno = 0;
   std::ofstream stream(path, std::ios::binary);
+  const bool opened = stream.is_open();
   stream << data;
   stream.close();
   if (stream) return true;
-  diagnostics.add({Severity::error, path, 0, "",
-                   "cannot be written to its end: " + std::generic_category().message(errno),
+  const std::string error = std::generic_category().message(errno);
+  std::error_code ignored;
+  if (opened && std::filesystem::is_regular_file(path, ignored)) {
+    // Half a file looks like a whole one.
+    std::filesystem::remove(std::filesystem::canonical(path, ignored), ignored);
+  }
+  if (path.empty()) {
+    diagnostics.add({Severity::error, "", 0, "", "the name of a file to write is empty",
+                     "name the file, or leave the option out"});
+    return false;
+  }
+  diagnostics.add({Severity::error, path, 0, "", "cannot be written to its end: " + error,
                    "name a file in a folder that exists, is yours to write and has space left"});
   return false;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/exit_code.hpp"
 #include "description/diagnostic.hpp"
@@ -14,7 +15,18 @@ enum class OutputForm { text, json };
 /// to their end (full disk), complains on standard error and returns `kBadInput`.
 ExitCode write_output(const std::string& data, OutputForm form, ExitCode exit_code);
 
-/// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full.
-bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics);
+/// Writes what people read to standard error. Where that is closed or full nobody can be told, so
+/// the text is lost and the work goes on.
+void print_message(const std::string& text);
+
+/// Whether a file to write is none of those that are `read`, nor a link to one; else with an
+/// error.
+bool is_none_of(const std::string& path, const std::vector<std::string>& read,
+                Diagnostics& diagnostics);
+
+/// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full;
+/// then no part of the file stays; or it is one of the files that are `read`.
+bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
+                       const std::vector<std::string>& read = {});
 
 }  // namespace treeline

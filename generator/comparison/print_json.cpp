@@ -64,7 +64,8 @@ std::string print_json(const RobotDifference& d) {
       {"links", links},
       {"joints", joints},
       {"dynamics", to_json(d.dynamics)}};
-  return json.dump(2) + "\n";
+  // Names of files need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace treeline

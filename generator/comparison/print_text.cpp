@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "comparison/difference.hpp"
+#include "description/printable.hpp"
 #include "inspect/align_columns.hpp"
 
 namespace treeline {
@@ -119,9 +120,10 @@ std::string print_names(const char* title, const std::vector<std::string>& names
 }  // namespace
 
 std::string print_text(const RobotDifference& d) {
-  std::string text = fmt::format("{} ({}) and {} ({}): {}, tolerance {}\n", d.first_file,
-                                 d.first_name, d.second_file, d.second_name,
-                                 d.differs() ? "different" : "the same", d.tolerance);
+  std::string text =
+      fmt::format("{} ({}) and {} ({}): {}, tolerance {}\n", printable(d.first_file),
+                  printable(d.first_name), printable(d.second_file), printable(d.second_name),
+                  d.differs() ? "different" : "the same", d.tolerance);
   text += count_line("links", d.links.size(), count_renamed(d.links), d.links_only_in_first.size(),
                      d.links_only_in_second.size());
   text += count_line("joints", d.joints.size(), count_renamed(d.joints),

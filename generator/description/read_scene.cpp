@@ -64,7 +64,8 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
                                  const std::vector<Function>& functions) {
   const auto document = parse_yaml(text, file_name, diagnostics);
   if (!document) return std::nullopt;
-  SceneReading reading{file_name, diagnostics};
+  // Without a scene, what cannot be is told of the robot.
+  SceneReading reading{file_name.empty() ? robot.file : file_name, diagnostics};
   const SceneElement top(*document, "", reading);
   Scene scene = read_fields(top, robot);
   scene.file = file_name;

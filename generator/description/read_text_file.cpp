@@ -55,6 +55,10 @@ bool can_read_both(const std::string& urdf, const std::string& scene, Diagnostic
 
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics) {
   if (path == kStandardInput) return read_to_end(stdin, shown_path(path), diagnostics);
+  if (path.empty()) {
+    report(path, "the name of a file to read is empty", "name the file", diagnostics);
+    return std::nullopt;
+  }
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     report(path, "this is a folder, not a file", "name the file inside it", diagnostics);

@@ -20,6 +20,11 @@ constexpr std::array<std::string_view, 13> kOfMotion = {
     "robot", "link",  "joint",    "inertial", "origin", "mass", "inertia",
     "axis",  "limit", "dynamics", "mimic",    "parent", "child"};
 
+/// Those of them whose attributes are numbers of the motion: one that nobody reads, such as the
+/// ratio of a mimic or the quaternion of an origin, may be meant to be one.
+constexpr std::array<std::string_view, 5> kOfNumbers = {"origin", "mass", "inertia", "axis",
+                                                        "mimic"};
+
 constexpr const char* kRemoveIfMeant = "remove it if it was meant to change the robot's motion";
 
 template <class List>
@@ -79,12 +84,16 @@ void UrdfElement::only_attributes(Names known) const {
           fmt::format("write {}=\"{}\"", meant, attribute->Value()));
       continue;
     }
+    const auto* const parent = xml_->Parent()->ToElement();  // the looks have origins, too
+    const bool moves = is_among(this->name(), kOfNumbers) && parent != nullptr &&
+                       is_among(parent->Name(), kOfMotion);
     const std::string near = is_quaternion(name) ? "remove it, and give the turn as rpy in radians"
                                                  : suggest(name, known, false);
     reading_->pass_over(
         Severity::warning, fmt::format("{}@{}", kind(), name), attribute->GetLineNum(), path_,
         fmt::format("the attribute \"{}\" is not part of URDF and is ignored", name),
-        near.empty() ? kRemoveIfMeant : near, near.empty() ? Minor::attribute : Minor::none);
+        near.empty() ? kRemoveIfMeant : near,
+        near.empty() && !moves ? Minor::attribute : Minor::none);
   }
 }
 

@@ -41,7 +41,9 @@ class MotionReading {
       : path_(std::move(path)), joints_(joints), home_(home), diagnostics_(diagnostics) {}
 
   std::optional<RecordedMotion> read(const std::string& text) {
-    std::istringstream lines(text);
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // as spreadsheets write it
+    std::istringstream lines(
+        text.substr(text.rfind(kByteOrderMark, 0) == 0 ? kByteOrderMark.size() : 0));
     bool well = true;
     for (std::string line; well && std::getline(lines, line);) {
       ++number_;

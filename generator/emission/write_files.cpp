@@ -1,6 +1,7 @@
 #include "emission/write_files.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <memory>
 #include <system_error>
@@ -61,8 +62,10 @@ class LockedFolder {
       is_new_ = true;
       remove_on_signal(path_, Removal::if_empty);
     }
-    if (!error && fs::is_directory(path_)) return true;
-    return fail(path_, error ? error.message() : "this is a file, not a folder", diagnostics);
+    std::error_code ignored;
+    if (!error && fs::is_directory(path_, ignored)) return true;
+    const bool is_file = fs::exists(path_, ignored) && !fs::is_directory(path_, ignored);
+    return fail(path_, is_file ? "this is a file, not a folder" : error.message(), diagnostics);
   }
 
   bool complain(Diagnostics& diagnostics) const {
@@ -104,11 +107,13 @@ class StagingFolder {
   std::error_code error_;
 };
 
-bool write_file(const fs::path& path, const std::string& text) {
+/// What went wrong; empty: nothing.
+std::string write_file(const fs::path& path, const std::string& text) {
+  errno = 0;
   std::ofstream stream(path, std::ios::binary);
   stream << text;
   stream.close();
-  return stream.good();
+  return stream.good() ? "" : std::generic_category().message(errno);
 }
 
 const GeneratedFile& find_file(const std::vector<GeneratedFile>& files, const std::string& name) {
@@ -126,9 +131,11 @@ std::vector<FileDifference> order_changes(std::vector<FileDifference> changes) {
 bool stage(const std::vector<FileDifference>& changes, const std::vector<GeneratedFile>& files,
            const fs::path& target, const fs::path& staging, Diagnostics& diagnostics) {
   for (const FileDifference& change : changes) {
-    if (change.difference != Difference::left_over &&
-        !write_file(staging / change.name, find_file(files, change.name).text)) {
-      return fail(target / change.name, "the file cannot be written to its end", diagnostics);
+    if (change.difference == Difference::left_over) continue;
+    const std::string error = write_file(staging / change.name, find_file(files, change.name).text);
+    if (!error.empty()) {
+      return fail(target / change.name, "the file cannot be written to its end: " + error,
+                  diagnostics);
     }
   }
   return true;

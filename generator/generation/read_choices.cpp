@@ -49,8 +49,10 @@ std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagno
     for (const Json& row : manifest.at("choices")) {
       if (fault.empty()) fault = read_row(row, choices);
     }
-  } catch (const Json::exception& error) {
-    fault = error.what();
+  } catch (const Json::parse_error& error) {
+    fault = fmt::format("this is not JSON, from byte {} on", error.byte);
+  } catch (const Json::exception&) {
+    fault = "there is no list of rows that say what is chosen";
   }
   if (fault.empty()) return choices;
   diagnostics.add({Severity::error, path, 0, "choices", std::move(fault),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "description/printable.hpp"
 #include "inspect/align_columns.hpp"
 #include "inspect/inspect_robot.hpp"
 #include "inspect/print_inertias.hpp"
@@ -227,8 +228,8 @@ std::string print_summary(const Report& report) {
   const auto line = [](const char* label, const std::string& text) {
     return wrap_labelled(fmt::format("  {:<8} ", label), text, kPageColumns);
   };
-  std::string text =
-      wrap_labelled("", fmt::format("{} ({})", report.robot, report.urdf), kPageColumns);
+  std::string text = wrap_labelled(
+      "", fmt::format("{} ({})", printable(report.robot), printable(report.urdf)), kPageColumns);
   if (!report.scene.empty()) text += line("scene", report.scene);
   text += line("base", fmt::format("{}, gravity {} m/s^2", report.base, numbers(report.gravity)));
   text +=

@@ -36,6 +36,20 @@ TEST_F(Diff, ExitCodes) {
   EXPECT_EQ(run("diff puma.urdf puma.urdf --tolerance -1").exit_code, 2);
 }
 
+// Would catch: a file name that breaks a line in two, or that ends the program.
+TEST_F(Diff, FileNamesMayBeAnyBytes) {
+  fs::copy_file(root_ / "puma.urdf", root_ / "two\nlines.urdf");
+  fs::copy_file(root_ / "puma.urdf", root_ / "latin\xE4.urdf");
+  const std::string names = "\"$(printf 'two\\nlines.urdf')\" \"$(printf 'latin\\344.urdf')\"";
+  const Outcome text = run("diff " + names);
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.out.rfind("two\\x0alines.urdf (puma560) and latin\\xe4.urdf (puma560): ", 0), 0U)
+      << text.out;
+  const Outcome json = run("diff " + names + " --json");
+  EXPECT_EQ(json.exit_code, 0) << json.err;
+  EXPECT_EQ(nlohmann::json::parse(json.out)["first"]["file"], "two\nlines.urdf");
+}
+
 const std::string kImpossible =
     "<robot name=\"r\">\n  <link name=\"world\"/>\n  <joint name=\"free\" "
     "type=\"floating\"><parent "

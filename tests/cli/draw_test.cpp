@@ -65,6 +65,14 @@ TEST_F(DrawTest, SaysWhatIsWrong) {
   EXPECT_NE(few.err.find("2 numbers are given, the robot has 3"), std::string::npos) << few.err;
   EXPECT_EQ(draw(planar_ + " --motion nowhere.csv").exit_code, 1);
   EXPECT_EQ(draw(planar_ + " --times 1").exit_code, 2);
+  write("motion.csv", "\xEF\xBB\xBFtime,q0\n0,0\n1,1\n");
+  EXPECT_EQ(draw(planar_ + " --motion motion.csv --times 0,1").exit_code, 0);
+  EXPECT_EQ(draw(planar_ + " --motion motion.csv --q 0,0,0").exit_code, 2);
+  const auto beyond = draw(planar_ + " --motion motion.csv --times 0,5");
+  EXPECT_EQ(beyond.exit_code, 1);
+  EXPECT_NE(beyond.err.find("5 s is not in the motion, which goes from 0 to 1 s"),
+            std::string::npos)
+      << beyond.err;
   EXPECT_EQ(draw("nowhere.urdf").exit_code, 1);
   EXPECT_EQ(draw(planar_ + " --svg /nowhere/a.svg").exit_code, 1);
 }

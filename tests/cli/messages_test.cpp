@@ -68,6 +68,8 @@ TEST_F(MessagesTest, HelpAndVersion) {
     EXPECT_EQ(help.exit_code, 0) << arguments;
     expect_parts(help.out, {"--output", "Examples:"});
   }
+  EXPECT_EQ(run("version").out, version.out);
+  EXPECT_EQ(run("help help").out, run("--help").out);
   EXPECT_EQ(run("help").out, run("--help").out);
   EXPECT_EQ(run("help").exit_code, 0);
 }
@@ -96,7 +98,19 @@ TEST_F(MessagesTest, ValuesOutOfRangeGetWords) {
   expect_parts(messages("simulate arm.urdf --seconds nan", 2),
                {"\"nan\" is not a number from 1e-06 to 1e+06"});
   expect_parts(messages("simulate arm.urdf --q 0,up", 2), {"\"up\" is not a number"});
-  expect_parts(messages("inspect arm.urdf --dot --json", 2), {"does not go with"});
+  for (const char* tolerance : {"-1", "nan", "x"}) {
+    expect_parts(messages("diff arm.urdf arm.urdf --tolerance " + std::string(tolerance), 2),
+                 {"is not a number from 0 to 1e+12"});
+  }
+  for (const char* command : {"diff arm.urdf arm.urdf", "init-scene arm.urdf"}) {
+    expect_parts(messages(command + std::string(" --base Fixed"), 2), {"did you mean \"fixed\"?"});
+  }
+  expect_parts(messages("inspect arm.urdf --warnings all --warnings none", 2),
+               {"--warnings: it is given 2 times, and once is enough"});
+  for (const char* both : {"--dot --json", "--dot --summary", "--savings --noise",
+                           "--base-parameters --dot", "--noise --repair out.urdf"}) {
+    expect_parts(messages(std::string("inspect arm.urdf ") + both, 2), {"does not go with"});
+  }
   expect_parts(messages("inspect arm.urdf --warnings loud", 2),
                {"the choices are all, summary, none"});
 }
@@ -124,9 +138,21 @@ TEST_F(MessagesTest, UnknownKeysAndFunctionsGetTheList) {
                {"leave out functions for all"});
   expect_parts(messages("generate arm.urdf empty.yaml -o out --functions masmatrix", 1),
                {"did you mean \"mass_matrix\"?"});
+  // A file behind the list is not one of it, and blanks in a list do not count.
+  EXPECT_EQ(messages("generate --functions 'gravity, mass_matrix' arm.urdf empty.yaml -o out", 0),
+            "");
   expect_parts(refused("batch: 3\n"), {"the choices are 2, 4, 8, 16"});
   expect_parts(refused("operational_points:\n- {name: t, link: forearm, origin: [0, 0, 0.1]}\n"),
                {"operational_points[0]/origin", "xyz", "rpy"});
+}
+
+// Would catch: the JSON library's own text.
+TEST_F(MessagesTest, ChoicesThatAreNoManifest) {
+  write("choices.json", "{}");
+  const std::string generate = "generate arm.urdf empty.yaml -o out --choices ";
+  expect_parts(messages(generate + "choices.json", 1),
+               {"choices.json: error: choices: there is no list of rows", "manifest.json"});
+  expect_parts(messages(generate + "arm.urdf", 1), {"arm.urdf: error: choices: this is not JSON"});
 }
 
 TEST_F(MessagesTest, XmlNamesTheOpenElement) {
@@ -168,6 +194,18 @@ TEST_F(MessagesTest, FaultsOfFormAreOneLineAndBrokenInertiasLast) {
   EXPECT_EQ(messages("inspect exported.urdf --warnings none", 0), "");
   expect_parts(messages("generate exported.urdf --warnings none -o out nowhere.yaml", 1),
                {"nowhere.yaml: error:"});
+}
+
+// Would catch: a number of another format that is counted among what is of no account to the
+// motion.
+TEST_F(MessagesTest, NumbersThatNobodyReadsAreTold) {
+  std::string text = kArm;
+  const std::string origin = "<origin xyz=\"0.2 0 0\"/>";
+  text.replace(text.find(origin), origin.size(), "<origin pos=\"0.2 0 0\"/>");
+  write("other.urdf", text);
+  expect_parts(messages("inspect other.urdf", 0),
+               {"other.urdf:5: warning: robot/link[forearm]/inertial/origin: the attribute \"pos\" "
+                "is not part of URDF"});
 }
 
 TEST_F(MessagesTest, ColoursOnATerminalOnly) {
@@ -213,6 +251,7 @@ TEST_F(MessagesTest, DashIsStandardInput) {
   expect_parts(messages("generate arm.urdf - -o out <bad.yaml", 1),
                {"standard input:1: error: gravty"});
   expect_parts(messages("generate - - -o out <arm.urdf", 1), {"both"});
+  expect_parts(messages("inspect ''", 1), {"the name of a file to read is empty"});
 }
 
 // Would catch: a compiler command of several words that is taken for one program.

@@ -66,6 +66,12 @@ TEST_F(SimulateTest, SaysWhatWentWrong) {
   EXPECT_EQ(wrong_size.exit_code, 1);
   EXPECT_NE(wrong_size.err.find("2 numbers are given, the robot has 3"), std::string::npos);
   EXPECT_EQ(run(kPlanar + " --integrator leapfrog").exit_code, 2);
+  const Outcome too_long = run(kPlanar + " --seconds 1e6 --step 1e-9");
+  EXPECT_EQ(too_long.exit_code, 1) << too_long.err;
+  EXPECT_NE(too_long.err.find("1e+15 rows of 8 numbers"), std::string::npos) << too_long.err;
+  const Outcome one_step = run(kPlanar + " --seconds 1 --step 2");
+  EXPECT_EQ(one_step.exit_code, 1) << one_step.err;
+  EXPECT_NE(one_step.err.find("longer than the motion of 1 s"), std::string::npos) << one_step.err;
   const Outcome blown_up = run(kRobots + "/puma560/puma560.urdf --step 0.5 --integrator euler");
   EXPECT_EQ(blown_up.exit_code, 3) << blown_up.out;
   EXPECT_NE(blown_up.out.find("GIVEN UP"), std::string::npos);

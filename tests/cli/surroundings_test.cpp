@@ -27,29 +27,94 @@ const std::string kBoth = kUrdf + " " + kScene;
 
 class Surroundings : public test::ProgramTest {
  protected:
-  /// Runs with standard output going to a device that is full.
-  [[nodiscard]] Outcome run_into_full(const std::string& arguments) const {
-    const fs::path err = root_ / "stderr.txt";
+  /// Runs with these redirections of the shell, behind those of both outputs to files.
+  [[nodiscard]] Outcome run_with(const std::string& redirections,
+                                 const std::string& arguments) const {
     const std::string command = "cd '" + root_.string() + "' && '" TREELINE_PROGRAM "' " +
-                                arguments + " >/dev/full 2>'" + err.string() + "'";
+                                arguments + " >stdout.txt 2>stderr.txt " + redirections;
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", read_file(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(root_ / "stdout.txt"),
+            read_file(root_ / "stderr.txt")};
   }
 };
 
 // Would catch: half a table in a file that looks like a complete one.
-TEST_F(Surroundings, FullStandardOutputIsOne) {
+TEST_F(Surroundings, FullOrClosedStandardOutputIsOne) {
   for (const std::string& arguments :
        {"inspect " + kUrdf, "inspect " + kBoth + " --json", "generate " + kBoth + " -o out",
         "generate " + kBoth + " -o out --json", "init-scene " + kUrdf,
         "generate " + kBoth + " --functions gravity --dump text",
         "simulate " + kUrdf + " --seconds 0.1 --csv -", "simulate " + kUrdf + " --seconds 0.1",
+        "diff " + kUrdf + " " + kUrdf, "diff " + kUrdf + " " + kUrdf + " --json",
         std::string("--help")}) {
-    const Outcome outcome = run_into_full(arguments);
-    EXPECT_EQ(outcome.exit_code, 1) << arguments << '\n' << outcome.err;
-    EXPECT_NE(outcome.err.find("standard output: error: cannot be written"), std::string::npos)
-        << arguments << '\n'
-        << outcome.err;
+    for (const char* output : {">/dev/full", ">&-"}) {
+      const Outcome outcome = run_with(output, arguments);
+      EXPECT_EQ(outcome.exit_code, 1) << arguments << output << '\n' << outcome.err;
+      EXPECT_NE(outcome.err.find("standard output: error: cannot be written"), std::string::npos)
+          << arguments << output << '\n'
+          << outcome.err;
+    }
+  }
+}
+
+// Would catch: half a table in a file. Files here may have 8 blocks of 512 bytes.
+TEST_F(Surroundings, NoPartOfAFileStays) {
+  const std::string script = "cd '" + root_.string() +
+                             "' && trap '' XFSZ && ulimit -f 8 && '" TREELINE_PROGRAM
+                             "' simulate " +
+                             kUrdf + " --csv table.csv >/dev/null 2>stderr.txt";
+  const int status = std::system(script.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const std::string err = read_file(root_ / "stderr.txt");
+  EXPECT_NE(err.find("table.csv: error: cannot be written to its end"), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(root_ / "table.csv"));
+}
+
+// Would catch: a robot that is lost because an option's value was left out or mistyped.
+TEST_F(Surroundings, WhatWasReadIsNotWrittenOver) {
+  const std::string robot = read_file(kUrdf);
+  std::ofstream(root_ / "arm.urdf") << robot;
+  fs::create_symlink("arm.urdf", root_ / "link.urdf");
+  for (const char* arguments :
+       {"simulate arm.urdf --seconds 0.1 --csv arm.urdf",
+        "simulate arm.urdf --seconds 0.1 --svg link.urdf", "draw arm.urdf --svg ./arm.urdf",
+        "inspect arm.urdf --repair arm.urdf", "convert arm.urdf -o arm.urdf",
+        "init-scene arm.urdf -o arm.urdf --force", "drive arm.urdf --headless --record arm.urdf",
+        "generate arm.urdf -o out --functions gravity --safety arm.urdf",
+        "generate arm.urdf -o out --functions gravity --depfile arm.urdf"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << arguments;
+    EXPECT_NE(outcome.err.find("is not written over"), std::string::npos) << outcome.err;
+    EXPECT_EQ(read_file(root_ / "arm.urdf"), robot) << arguments;
+  }
+}
+
+TEST_F(Surroundings, DashIsStandardOutput) {
+  for (const char* command : {"init-scene", "convert", "draw"}) {
+    const Outcome plain = run(std::string(command) + " " + kUrdf);
+    const std::string option = command == std::string("draw") ? " --svg -" : " --output -";
+    const Outcome dash = run(std::string(command) + " " + kUrdf + option);
+    EXPECT_EQ(dash.exit_code, 0) << command << '\n' << dash.err;
+    EXPECT_EQ(dash.out, plain.out) << command;
+    EXPECT_FALSE(fs::exists(root_ / "-")) << command;
+  }
+}
+
+// Would catch: a message that nobody can be told and that ends the program, and one that goes into
+// a file which took the place of a closed standard error.
+TEST_F(Surroundings, FullOrClosedStandardErrorChangesNothing) {
+  const std::string simulation = "simulate " + kUrdf + " --seconds 0.1 --json --csv table.csv";
+  const Outcome told = run(simulation);
+  ASSERT_NE(told.err, "");
+  const std::string table = read_file(root_ / "table.csv");
+  for (const char* errors : {"2>/dev/full", "2>&-"}) {
+    const Outcome untold = run_with(errors, simulation);
+    EXPECT_EQ(untold.exit_code, 0) << errors;
+    EXPECT_EQ(untold.out, told.out) << errors;
+    EXPECT_EQ(read_file(root_ / "table.csv"), table) << errors;
+    EXPECT_EQ(run_with(errors, "inspect nowhere.urdf").exit_code, 1) << errors;
+    EXPECT_EQ(run_with(errors, "inspect --nothing").exit_code, 2) << errors;
   }
 }
 
@@ -78,7 +143,12 @@ TEST_F(Surroundings, UnwritableFilesAreOne) {
   EXPECT_EQ(run("simulate " + kUrdf + " --seconds 0.1 --svg /dev/full").exit_code, 1);
   EXPECT_EQ(run("init-scene " + kUrdf + " -o /dev/full --force").exit_code, 1);
   std::ofstream(root_ / "file") << "mine";
-  EXPECT_EQ(run("generate " + kBoth + " -o file").exit_code, 1);
+  const Outcome file = run("generate " + kBoth + " -o file");
+  EXPECT_EQ(file.exit_code, 1);
+  EXPECT_NE(file.err.find("this is a file, not a folder"), std::string::npos) << file.err;
+  const Outcome name = run("generate " + kBoth + " -o out --name " + std::string(300, 'a'));
+  EXPECT_EQ(name.exit_code, 1);
+  EXPECT_NE(name.err.find("File name too long"), std::string::npos) << name.err;
   EXPECT_EQ(run("generate " + kBoth + " -o file/deep").exit_code, 1);
   EXPECT_EQ(read_file(root_ / "file"), "mine");
 }
