@@ -61,6 +61,7 @@ std::string print_prefetch_macro(const EmissionContext& context, const Program& 
   if (!context.prefetch) return {};
   return fmt::format(
       "\n// For {}_prefetch: a section of its own.\n"
+      "#undef TREELINE_OWN_SECTION  // of a file before, where a build joins sources\n"
       "#if defined(__ELF__) && defined(__GNUC__)\n"
       "#define TREELINE_OWN_SECTION __attribute__((section(\"{}\")))\n"
       "#else\n"
