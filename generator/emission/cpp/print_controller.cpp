@@ -13,6 +13,7 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
 
@@ -282,6 +283,8 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
   Holes holes = {{"name", context.name},
                  {"NAME", name_in_capitals(context)},
                  {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
+                 {"section", print_section_macro(context)},
+                 {"code_section", print_section(context)},
                  {"declarations", declarations},
                  {"joints", std::to_string(unit.joints.size())},
                  {"points", std::to_string(unit.points.size())},
