@@ -6,6 +6,7 @@
 
 #include "emission/fill_template.hpp"
 #include "emission/templates.hpp"
+#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {
@@ -40,8 +41,9 @@ std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
     const std::string head = fmt::format("void {}prefetch_{}{}", prefix, program.name, arguments);
     const std::string section = section_of(context, program.name);
     declarations += head + ";\n";
-    definitions +=
-        fmt::format("{0} {{\n  {1}load(__start_{2}, __stop_{2});\n}}\n", head, prefix, section);
+    definitions += head + " {\n" +
+                   wrap_line(fmt::format("{0}load(__start_{1}, __stop_{1});", prefix, section), 2) +
+                   "}\n";
     nothing += head + " {}\n";
   }
   const std::string header = is_c ? ".h" : ".hpp";
