@@ -123,6 +123,17 @@ bool may_write_to_default(const std::string& output, PackageKind package,
   return false;
 }
 
+/// Tools but CMake compile a library with one set of flags.
+void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
+  const bool has_flags_by_source = package == PackageKind::none || package == PackageKind::cmake;
+  if (has_flags_by_source || scene.optimize != Optimize::balanced) return;
+  diagnostics.add(
+      {Severity::note, "", 0, "optimize",
+       "`balanced` compiles long functions alone for small code, but the package has one "
+       "set of flags for all: it compiles them for speed",
+       "Choose `size`, or set -Os yourself for the files that src/CMakeLists.txt lists."});
+}
+
 ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
                  const std::optional<Tuning>& tuning, Diagnostics& diagnostics) {
   const Generation& generation = made.generation;
@@ -132,6 +143,7 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
   const std::string output = options.has_output ? options.output : made.inputs.scene.name;
   const auto folders =
       make_package(options.package, made.inputs.robot, made.inputs.scene, generation);
+  note_lost_flags(options.package, made.inputs.scene, diagnostics);
   const auto differences = compare_folders(output, folders);
   if (!options.compare &&
       !((options.has_output || may_write_to_default(output, options.package, diagnostics)) &&

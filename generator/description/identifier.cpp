@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 17> kTargets = {
     "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
 /// Headers of the runtime that are emitted, in C++ or in C, without their ending.
-constexpr std::array<std::string_view, 33> kHeaders = {"active_row_factors",
+constexpr std::array<std::string_view, 34> kHeaders = {"active_row_factors",
                                                        "controller",
                                                        "controller_commands",
                                                        "controller_laws",
@@ -46,6 +46,7 @@ constexpr std::array<std::string_view, 33> kHeaders = {"active_row_factors",
                                                        "link_motion",
                                                        "link_rows",
                                                        "link_table",
+                                                       "load_lanes",
                                                        "mode",
                                                        "orientation",
                                                        "quadratic_program",
@@ -58,6 +59,9 @@ constexpr std::array<std::string_view, 33> kHeaders = {"active_row_factors",
                                                        "symmetric_eigen",
                                                        "torque_limits",
                                                        "turn_motion"};
+
+/// Namespaces within that of a robot: code there that names the robot's would find them instead.
+constexpr std::array<std::string_view, 3> kNamespaces = {"calls", "detail", "eigen"};
 
 template <class Names>
 bool holds(const Names& names, std::string_view name) {
@@ -101,7 +105,8 @@ std::string identifier_from(std::string_view name) {
 }
 
 bool is_package_name(std::string_view name) {
-  return is_identifier(name) && !holds(kTargets, name) && !holds(kHeaders, name);
+  return is_identifier(name) && !holds(kTargets, name) && !holds(kHeaders, name) &&
+         !holds(kNamespaces, name);
 }
 
 std::string package_name_from(std::string_view name) {

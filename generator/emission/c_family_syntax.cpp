@@ -81,6 +81,18 @@ std::string in_capitals(std::string name) {
   return name;
 }
 
+std::string in_pascal_case(std::string_view name) {
+  std::string words;
+  bool starts_word = true;
+  for (const char c : name) {
+    if (c != '_') {
+      words += starts_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    starts_word = c == '_';
+  }
+  return words;
+}
+
 std::string name_in_capitals(const EmissionContext& context) {
   return in_capitals(context.name);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "emission/backend/syntax.hpp"
 #include "emission/emission_context.hpp"
@@ -18,6 +19,8 @@ std::string number_literal(const EmissionContext& context, const char* digits);
 void follow_misra(bool single_precision, Syntax& syntax);
 
 std::string in_capitals(std::string name);
+/// `inverse_dynamics`: `InverseDynamics`.
+std::string in_pascal_case(std::string_view name);
 /// The robot's name in capitals, as constants and macros begin: `PUMA560`.
 std::string name_in_capitals(const EmissionContext& context);
 

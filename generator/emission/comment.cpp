@@ -1,6 +1,7 @@
 #include "emission/comment.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "description/printable.hpp"
 
@@ -17,8 +18,24 @@ std::string comment(const std::string& mark, const std::string& text) {
   return commented;
 }
 
+namespace {
+
+/// Breaks up `??/` and its like, which C99 and C++14 read as one character: in a string, too, the
+/// meaning stays the same.
+void break_trigraphs(std::string& text) {
+  constexpr std::string_view kThird = "=/'()!<>-";
+  for (std::size_t at = text.find("??"); at != std::string::npos; at = text.find("??", at + 1)) {
+    if (at + 2 < text.size() && kThird.find(text[at + 2]) != kThird.npos) {
+      text.replace(at + 1, 1, "\\x3f");
+    }
+  }
+}
+
+}  // namespace
+
 std::string harmless(const std::string& source) {
   std::string text = printable_lines(source);
+  break_trigraphs(text);
   for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end)) {
     const std::size_t last = text.find_last_not_of(" \t", end == 0 ? 0 : end - 1);
     if (end > 0 && last != std::string::npos && text[last] == '\\') {

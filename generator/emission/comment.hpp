@@ -11,8 +11,8 @@ namespace treeline {
 std::string comment(const std::string& mark, const std::string& text);
 
 /// A source file's text without what names from elsewhere could do to a compiler: characters that
-/// nobody sees are written as `\x0d` (see `printable`), and a backslash that would join a comment
-/// to the next line as `\x5c`.
+/// nobody sees are written as `\x0d` (see `printable`), a backslash that would join a comment to
+/// the next line as `\x5c`, and trigraphs, one of which is such a backslash, with `\x3f`.
 std::string harmless(const std::string& source);
 
 /// Lines of so many columns, broken at blanks; those behind the first are indented.

@@ -9,9 +9,10 @@ namespace treeline {
 namespace {
 
 /// `puma560`, `sin_cos.hpp`: `TREELINE_PUMA560_SIN_COS_HPP`. Two robots' files of one name must
-/// not hide each other.
+/// not hide each other, those of robots `s` and `si` neither: a file is the robot's own where its
+/// whole name stands before the rest.
 std::string guard_name(const std::string& robot, const std::string& file) {
-  const bool own = file.starts_with(robot);
+  const bool own = file.starts_with(robot + ".") || file.starts_with(robot + "_");
   std::string name = "TREELINE_" + (own ? "" : robot + "_") + file;
   for (char& c : name) {
     c = c == '.' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -41,8 +41,9 @@ std::vector<std::string> list_small_sources(const EmissionContext& context,
   if (context.optimize != Optimize::size) return names;
   for (const Program& program : batch) names.push_back("batch_" + program.name);
   if (context.controller) names.emplace_back("controller");
-  if (context.language == Language::c && !context.heaviest.empty()) {
-    names.emplace_back("damped_control_torque");
+  if (context.language == Language::c) {  // in C++ they are headers
+    if (!context.heaviest.empty()) names.emplace_back("damped_control_torque");
+    if (context.limits) names.emplace_back("limited_control_torque");
   }
   return names;
 }
@@ -70,11 +71,13 @@ std::string print_extra_passes(const EmissionContext& context, std::span<const P
   // Of a chain of 60 joints g++ 12 compiles Lambda^-1 (25000 operations) in 200 s with these passes
   // and in 17 s without, M (27000) in 48 and 28 s, to 5 % more code.
   std::vector<std::string> slow;
-  for (const Program& program : programs) {
-    if (is_long(program)) slow.push_back(program.name);
-  }
-  for (const Program& program : batch) {
-    if (is_long(program)) slow.push_back("batch_" + program.name);
+  const auto add = [&](const Program& program, const char* prefix) {
+    if (is_long(program)) slow.push_back(prefix + program.name);
+  };
+  for (const Program& program : programs) add(program, "");
+  for (const Program& program : batch) add(program, "batch_");
+  if (context.controller) {
+    for (const Program* const program : context.controller->programs()) add(*program, "");
   }
   return fmt::format(
       "if(CMAKE_{0}_COMPILER_ID STREQUAL \"GNU\")\n"

@@ -6,6 +6,7 @@
 
 #include "emission/fill_template.hpp"
 #include "emission/templates.hpp"
+#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {
@@ -40,8 +41,9 @@ std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
     const std::string head = fmt::format("void {}prefetch_{}{}", prefix, program.name, arguments);
     const std::string section = section_of(context, program.name);
     declarations += head + ";\n";
-    definitions +=
-        fmt::format("{0} {{\n  {1}load(__start_{2}, __stop_{2});\n}}\n", head, prefix, section);
+    definitions += head + " {\n" +
+                   wrap_line(fmt::format("{0}load(__start_{1}, __stop_{1});", prefix, section), 2) +
+                   "}\n";
     nothing += head + " {}\n";
   }
   const std::string header = is_c ? ".h" : ".hpp";
@@ -61,6 +63,7 @@ std::string print_prefetch_macro(const EmissionContext& context, const Program& 
   if (!context.prefetch) return {};
   return fmt::format(
       "\n// For {}_prefetch: a section of its own.\n"
+      "#undef TREELINE_OWN_SECTION  // of a file before, where a build joins sources\n"
       "#if defined(__ELF__) && defined(__GNUC__)\n"
       "#define TREELINE_OWN_SECTION __attribute__((section(\"{}\")))\n"
       "#else\n"

@@ -6,12 +6,13 @@ namespace {
 constexpr std::size_t kLineWidth = 100;
 
 /// The blank to break at so that at most `width` characters stay on the line: in its second half,
-/// the last of those in the fewest parentheses; else the last of all; else npos.
+/// the last of those in the fewest parentheses; else the last of all; else the first beyond, where
+/// a long word leaves none; else npos.
 std::size_t find_break(std::string_view text, std::size_t width) {
   std::size_t best = std::string_view::npos;
   int best_depth = 0;
   int depth = 0;
-  for (std::size_t i = 0; i < text.size() && i <= width; ++i) {
+  for (std::size_t i = 0; i < text.size() && (i <= width || best == text.npos); ++i) {
     depth += text[i] == '(' ? 1 : (text[i] == ')' ? -1 : 0);
     const bool behind_operator =
         i > 0 && text[i] == ' ' && std::string_view("+-*/=,").find(text[i - 1]) != text.npos;

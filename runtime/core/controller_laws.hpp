@@ -4,9 +4,9 @@
 //
 //   joints: qdd = a + 2 zeta w (v - qd) + w^2 (p - q), tau = M qdd + b + g
 //   task:   xdd = a + 2 zeta w (v - xd) + w^2 e, tau = control_torque(xdd), see Khatib 1987
-//   force:  along the direction n of a point, xdd . n = k (f - f_n + r integral (f - f_n)) - d xd .
-//   n
-//           in place of the task's, and tau += J^T n f_n for the measured force f_n
+//   force:  along the direction n of a point, in place of the task's,
+//           xdd . n = k (f - f_n + r integral (f - f_n)) - d xd . n,
+//           and tau += J^T n f_n for the measured force f_n
 
 #include "core/controller_safety.hpp"
 #include "core/quintic.hpp"

@@ -89,6 +89,21 @@ add_subdirectory(lib/zephyr)
   EXPECT_NE(read("log").find("-ffp-contract=off"), std::string::npos);
 }
 
+// Would catch: a scene's wish that a package drops in silence.
+TEST_F(PackageTest, SaysWhereFlagsOfSingleFunctionsAreLost) {
+  for (const char* tool : {"platformio", "zephyr", "arduino --language c", "cmsis"}) {
+    const std::string package = std::string("--package ") + tool;
+    EXPECT_NE(generate(package + " --optimize balanced").err.find("note: optimize"),
+              std::string::npos)
+        << tool;
+    EXPECT_EQ(generate(package + " --optimize size").err.find("one set of flags"),
+              std::string::npos)
+        << tool;
+  }
+  EXPECT_EQ(generate("--package cmake --optimize balanced").err.find("one set of flags"),
+            std::string::npos);
+}
+
 TEST_F(PackageTest, PlatformioHasItsManifest) {
   ASSERT_EQ(generate("--package platformio").exit_code, 0);
   const auto library = nlohmann::json::parse(read("lib/library.json"));

@@ -37,9 +37,11 @@ TEST(Identifier, RefusesWhatHeadersOfCDefine) {
   }
 }
 
-// Would catch: a target that CMake refuses, and a header that overwrites another one.
+// Would catch: a target that CMake refuses, a header that overwrites another one, and a namespace
+// that one within it hides, so that code calls itself.
 TEST(PackageName, LeavesCMakeAndTheRuntimeTheirs) {
-  for (const char* name : {"all", "test", "install", "help", "clean", "lanes", "sin_cos", "EOF"}) {
+  for (const char* name : {"all", "test", "install", "help", "clean", "lanes", "load_lanes",
+                           "sin_cos", "calls", "detail", "eigen", "EOF"}) {
     EXPECT_FALSE(is_package_name(name)) << name;
     EXPECT_EQ(package_name_from(name), std::string(name) + "_");
     EXPECT_TRUE(is_package_name(package_name_from(name))) << name;

@@ -18,7 +18,16 @@ TEST(Harmless, LeavesNoWayOutOfAComment) {
   EXPECT_EQ(harmless("// a\\ \t\nint b;\n"), "// a\\x5c \t\nint b;\n");
   EXPECT_EQ(harmless("\\\n"), "\\x5c\n");
   EXPECT_EQ(harmless("// \xE2\x80\xAE x\n"), "// \\u202e x\n");
+  EXPECT_EQ(harmless("// a?\?/\nint b;\n"), "// a?\\x3f/\nint b;\n");
   EXPECT_EQ(harmless("\n\n// a\\b\n\tc\n"), "\n\n// a\\b\n\tc\n");
+}
+
+// Would catch: strict C99 that ends a string, or another one than was written, at a name with
+// `?\?`.
+TEST(Harmless, LeavesNoTrigraphs) {
+  EXPECT_EQ(harmless("\"arm?\?/\""), "\"arm?\\x3f/\"");
+  EXPECT_EQ(harmless("?\?\?=?\?-"), "?\?\\x3f=?\\x3f-");
+  EXPECT_EQ(harmless("really?\? yes ?\?"), "really?\? yes ?\?");
 }
 
 // Would catch: a place in an emitted file at which a name is inserted without being made safe.

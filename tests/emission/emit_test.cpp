@@ -194,6 +194,13 @@ TEST(Emit, GuardsHeadersByRobotAndFile) {
     EXPECT_TRUE(text.ends_with("\n#endif  // " + name + "\n")) << text;
     EXPECT_EQ(text.find("pragma once"), std::string::npos) << file;
   }
+  // Robots whose names begin alike, as those of files do.
+  for (const char* robot : {"s", "si"}) {
+    const auto own = emit(test::sample_context(robot, false), test::sample_programs(), diagnostics);
+    const std::string name =
+        robot == std::string("s") ? "TREELINE_S_SIN_COS_HPP" : "TREELINE_SI_SIN_COS_HPP";
+    EXPECT_TRUE(text_of(own, "sin_cos.hpp").starts_with("#ifndef " + name + "\n")) << robot;
+  }
 }
 
 // Would catch: an order that depends on addresses or hashes.

@@ -95,6 +95,15 @@ TEST(Misra, BoundsTheLengthOfFunctions) {
   }
 }
 
+// Would catch: a table on the stack, which compilers copy there by a call of memcpy.
+TEST(Misra, KeepsTablesOffTheStack) {
+  for (const Language language : {Language::c, Language::cpp}) {
+    for (const GeneratedFile& file : emit_safe(language, false)) {
+      expect_no("^ +constexpr [^=]*\\[", file);
+    }
+  }
+}
+
 TEST(Misra, NamesConstants) {
   for (const GeneratedFile& file : emit_safe(Language::cpp, false)) {
     if (!file.name.ends_with(".cpp")) continue;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <utility>
+
+#include "emission/controller_unit.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: flags that the scene did not ask for, on functions that have nothing to gain, and
@@ -32,6 +36,47 @@ TEST(PrintSmallCode, BalancedTakesWhatIsLargerThanACache) {
     EXPECT_EQ(some.find("inverse_dynamics"), std::string::npos) << some;
     EXPECT_NE(some.find("CMAKE_CXX_COMPILER_ID"), std::string::npos) << some;
   }
+}
+
+// Would catch: a source of the folder that is compiled for speed where the scene asks for size.
+TEST(PrintSmallCode, ListsControlInC) {
+  EmissionContext context = test::sample_context("arm", false, Language::c);
+  context.optimize = Optimize::size;
+  context.heaviest = {10, 10};
+  context.limits = LimitFacts{};
+  const std::string all = print_small_code(context, test::safe_programs(), {});
+  EXPECT_NE(all.find("    damped_control_torque.c\n"), std::string::npos) << all;
+  EXPECT_NE(all.find("    limited_control_torque.c\n"), std::string::npos) << all;
+  context.language = Language::cpp;
+  const std::string headers = print_small_code(context, test::safe_programs(), {});
+  EXPECT_EQ(headers.find("control_torque"), std::string::npos) << headers;
+}
+
+/// Of two operations for each link.
+Program trace_chain(const std::string& name, int links) {
+  Program program;
+  program.name = name;
+  program.arguments = {{"x", 2, 1, ""}};
+  const Graph::Scope scope(program.graph);
+  const auto x = test::input_vector("x", 2);
+  Expression sum = x[0];
+  for (int i = 0; i < links; ++i) sum = sum * x[1] + x[0];
+  program.results = {{{"y", 1, 1, ""}, {sum}}};
+  return program;
+}
+
+// Would catch: minutes of compilation of a long function that only the controller calls.
+TEST(PrintExtraPasses, LeavesOutLongFunctionsOfTheController) {
+  EmissionContext context = test::sample_context("arm", false);
+  ControllerUnit unit;
+  unit.kinematics = trace_chain("controller_kinematics", 100);
+  unit.joint_torque = trace_chain("controller_joint_torque", 100);
+  unit.task_torque = trace_chain("controller_task_torque", 6500);
+  context.controller = std::make_shared<const ControllerUnit>(std::move(unit));
+  const std::string options = print_extra_passes(context, {}, {});
+  EXPECT_NE(options.find("    controller_task_torque.cpp\n"), std::string::npos) << options;
+  EXPECT_EQ(options.find("controller_kinematics"), std::string::npos) << options;
+  EXPECT_NE(options.find(kNoExtraPasses), std::string::npos) << options;
 }
 
 }  // namespace

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "emission/c/print_damped.hpp"
+
 namespace treeline {
 namespace {
 
@@ -42,6 +46,33 @@ TEST(PrintTarget, FitsALargeProcessor) {
   EXPECT_EQ(describe_target(context).find("QEMU"), std::string::npos);
   EXPECT_NE(print_target_flags(context).find("-march=x86-64-v3\"\n  ON)"), std::string::npos);
   EXPECT_STREQ(contraction_default(context), "ON");
+}
+
+Program give_input(const std::string& name) {
+  Program program;
+  program.name = name;
+  program.arguments = {{"q", 2, 1, ""}};
+  const Graph::Scope scope(program.graph);
+  program.results = {{{"y", 1, 1, ""}, {program.graph.input("q[0]")}}};
+  return program;
+}
+
+// Would catch: a function in C that stays where it is while its callers go to fast memory.
+TEST(PrintTarget, PlacesDampedControlInC) {
+  EmissionContext context = context_for("cortex-m7");
+  context.language = Language::c;
+  context.velocities = 2;
+  context.task_rows = 1;
+  context.heaviest = {10};
+  std::vector<Program> programs;
+  for (const char* name : {"lambda_inverse", "jacobian", "bias_acceleration", "inverse_dynamics"}) {
+    programs.push_back(give_input(name));
+  }
+  const std::string source = c::print_damped(context, programs).back().text;
+  EXPECT_NE(source.find("#define TREELINE_CODE_SECTION"), std::string::npos) << source;
+  EXPECT_NE(source.find("\nTREELINE_CODE_SECTION\ndouble arm_damped_control_torque("),
+            std::string::npos)
+      << source;
 }
 
 // Would catch: a long flag or phrase that makes a line of the header longer than 100 columns.

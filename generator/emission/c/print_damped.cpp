@@ -16,6 +16,7 @@
 #include "emission/describe_damped.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_damped_steps.hpp"
+#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::c {
@@ -125,15 +126,17 @@ GeneratedFile print_damped_header(const EmissionContext& context,
 
 std::vector<GeneratedFile> print_damped(const EmissionContext& context,
                                         std::span<const Program> programs) {
-  return {
-      print_damped_header(context, programs),
-      {"damped_control_torque.c",
-       fill_template(templates::kDampedSource,
-                     {{"name", context.name},
-                      {"NAME", name_in_capitals(context)},
-                      {"real", context.single_precision ? "float" : "double"},
-                      {"signature", wrap_line(print_damped_signature(context, programs) + " {", 0)},
-                      {"calls", print_damped_calls(context, list_damped_calls(programs))}})}};
+  return {print_damped_header(context, programs),
+          {"damped_control_torque.c",
+           fill_template(
+               templates::kDampedSource,
+               {{"name", context.name},
+                {"NAME", name_in_capitals(context)},
+                {"real", context.single_precision ? "float" : "double"},
+                {"section", print_section_macro(context)},
+                {"signature", print_section(context) +
+                                  wrap_line(print_damped_signature(context, programs) + " {", 0)},
+                {"calls", print_damped_calls(context, list_damped_calls(programs))}})}};
 }
 
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context) {

@@ -15,6 +15,7 @@
 #include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/limit_cost.hpp"
+#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::c {
@@ -191,7 +192,8 @@ std::vector<GeneratedFile> print_limited(const EmissionContext& context,
   std::vector<GeneratedFile> files = {
       {context.name + "_limited.h", fill(templates::kLimited, holes)}};
   holes["limits"] = print_limits(context);
-  holes["signature"] = wrap_line(head + " {", 0);
+  holes["section"] = print_section_macro(context);
+  holes["signature"] = print_section(context) + wrap_line(head + " {", 0);
   const std::string without = holds ? "" : fmt::format("{} f[1]{};\n", number_type(context), zeros);
   holes["supported"] = without + print_call(context, supported, holds ? "tau, f" : "tau");
   holes["matrices"] = print_matrices(context, programs);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/templates.hpp"
@@ -12,19 +10,6 @@
 
 namespace treeline::cpp {
 namespace {
-
-/// `inverse_dynamics`: `InverseDynamics`.
-std::string in_pascal_case(const std::string& name) {
-  std::string words;
-  bool starts_word = true;
-  for (const char c : name) {
-    if (c != '_') {
-      words += starts_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    }
-    starts_word = c == '_';
-  }
-  return words;
-}
 
 int size_of(const Argument& argument) {
   return argument.rows * argument.cols;

@@ -13,6 +13,7 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
 
@@ -81,22 +82,49 @@ std::vector<Argument> list_inputs(const ControllerUnit& unit) {
   return inputs;
 }
 
+/// Text within a comment of C: no end and no begin of one, lines of the width of the rest.
+std::string in_comment(std::string text, std::size_t columns = 94) {
+  for (const char* mark : {"*/", "/*"}) {
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {
+      text.insert(at + 1, " ");
+    }
+  }
+  std::string wrapped = wrap_text(text, columns);
+  for (std::size_t at = wrapped.find('\n'); at != std::string::npos; at = wrapped.find('\n', at)) {
+    wrapped.insert(at + 1, " ");
+    at += 2;
+  }
+  return wrapped;
+}
+
+/// A member of a struct and its meaning, beside it or before it.
+std::string print_commented(const std::string& declaration, const std::string& meaning) {
+  constexpr std::size_t kWidth = 98;  // between the blanks of a struct and the margin
+  if (meaning.empty()) return declaration + "\n";
+  const std::string commented = fmt::format("/* {} */", in_comment(meaning, kWidth - 6));
+  const bool fits = declaration.size() + 1 + commented.size() <= kWidth;
+  return fits ? declaration + " " + commented + "\n" : commented + "\n" + declaration + "\n";
+}
+
 std::string print_inputs(const EmissionContext& context, const ControllerUnit& unit) {
   std::string text;
   for (const Argument& argument : list_inputs(unit)) {
-    text += fmt::format("{}_number {}[{}]; /* {} */\n", context.name, argument.name,
-                        argument.rows * argument.cols, printable(argument.meaning));
+    text += print_commented(fmt::format("{}_number {}[{}];", context.name, argument.name,
+                                        argument.rows * argument.cols),
+                            printable(argument.meaning));
   }
   return text;
 }
 
-std::string print_finite(const ControllerUnit& unit) {
+/// A statement that returns whether all these inputs are finite.
+std::string print_finite(const std::vector<Argument>& inputs) {
+  if (inputs.empty()) return "return true;";
   std::string text;
-  for (const Argument& argument : list_inputs(unit)) {
-    text +=
-        fmt::format("{}detail::all_finite(input.{})", text.empty() ? "" : " && ", argument.name);
+  for (const Argument& argument : inputs) {
+    text += fmt::format("{}detail::all_finite(input.{})", text.empty() ? "return " : " &&\n       ",
+                        argument.name);
   }
-  return text.empty() ? "true" : text;
+  return text + ";";
 }
 
 /// `names` with the prefix of the robot: a declaration a line.
@@ -104,8 +132,7 @@ std::string declare(const std::string& robot,
                     const std::vector<std::pair<std::string, std::string>>& members) {
   std::string text;
   for (const auto& [member, meaning] : members) {
-    text += fmt::format("{}_number {};{}{}{}\n", robot, member, meaning.empty() ? "" : " /* ",
-                        meaning, meaning.empty() ? "" : " */");
+    text += print_commented(fmt::format("{}_number {};", robot, member), meaning);
   }
   return text;
 }
@@ -206,21 +233,8 @@ std::string list_joint_names(const ControllerUnit& unit) {
   return text + ".";
 }
 
-/// Text within a comment of C: no end of a comment, lines of the width of the rest.
-std::string in_comment(std::string text) {
-  for (std::size_t at = text.find("*/"); at != std::string::npos; at = text.find("*/", at)) {
-    text.replace(at, 2, "* /");
-  }
-  std::string wrapped = wrap_text(text, 94);
-  for (std::size_t at = wrapped.find('\n'); at != std::string::npos; at = wrapped.find('\n', at)) {
-    wrapped.insert(at + 1, " ");
-    at += 2;
-  }
-  return wrapped;
-}
-
 std::string print_header(const EmissionContext& context, const ControllerUnit& unit) {
-  Holes holes = {{"robot", printable(context.robot)},
+  Holes holes = {{"robot", in_comment(printable(context.robot))},
                  {"name", context.name},
                  {"NAME", name_in_capitals(context)},
                  {"real", context.single_precision ? "float" : "double"},
@@ -265,18 +279,20 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
     declarations += print_declaration(*program) + "\n";
   }
   const bool reads_at = takes(unit.joint_torque, "sin_q");
-  const std::string finite = print_finite(unit);
+  const std::vector<Argument> inputs = list_inputs(unit);
   Holes holes = {{"name", context.name},
                  {"NAME", name_in_capitals(context)},
                  {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
+                 {"section", print_section_macro(context)},
+                 {"code_section", print_section(context)},
                  {"declarations", declarations},
                  {"joints", std::to_string(unit.joints.size())},
                  {"points", std::to_string(unit.points.size())},
                  {"rows", std::to_string(std::max(1, unit.rows))},
                  {"task", unit.task_torque ? "true" : "false"},
                  {"force", unit.settings.force ? "true" : "false"},
-                 {"finite", finite},
-                 {"finite_input", finite == "true" ? "" : " input"},
+                 {"finite", print_finite(inputs)},
+                 {"finite_input", inputs.empty() ? "" : " input"},
                  {"joint_at", reads_at ? " at" : ""},
                  {"kinematics_call", print_step_call(unit.kinematics)},
                  {"joint_call", print_step_call(unit.joint_torque)},

@@ -106,26 +106,26 @@ std::string element(const Argument& argument) {
   return fmt::format("&{}[0]", argument.name);
 }
 
-}  // namespace
-
-std::string print_yields(const EmissionContext& context, const Program& program) {
-  const LinkLoops& loops = *program.loops;
+/// The constants of the function's law, if it has one. They are the function's own: two of the
+/// namespace would meet where a build joins sources.
+std::string print_yields(const EmissionContext& context, const LinkLoops& loops) {
   if (loops.yields.empty()) return {};
-  return "namespace {\n\n// Borders of the pivots of rows that yield, to the power of their "
-         "law.\n" +
-         wrap_line(fmt::format("constexpr Real kYields[{}] = {};", loops.yields.size(),
+  return "  // Borders of the pivots of rows that yield, to the power of their law.\n" +
+         wrap_line(fmt::format("static constexpr Real kYields[{}] = {};", loops.yields.size(),
                                TablePrinter(context).numbers(loops.yields)),
-                   0) +
-         "\n}  // namespace\n\n";
+                   2);
 }
 
-std::string print_loop_body(const EmissionContext& /*context*/, const Program& program) {
+}  // namespace
+
+std::string print_loop_body(const EmissionContext& context, const Program& program) {
   const LinkLoops& loops = *program.loops;
   const LinkTableData& table = loops.table;
   const std::size_t links = table.links.size();
   std::string work = "motions";
-  std::string text = fmt::format("  detail::loops::MotionWork<Real, {}, {}, {}> motions;\n", links,
-                                 table.slots, table.points.size());
+  std::string text = print_yields(context, loops);
+  text += fmt::format("  detail::loops::MotionWork<Real, {}, {}, {}> motions;\n", links,
+                      table.slots, table.points.size());
   if (loops.uses_inertias) {
     text += fmt::format("  detail::loops::InertiaWork<Real, {}, {}, {}> inertias;\n", links,
                         table.slots, table.floats);

@@ -10,11 +10,8 @@
 
 namespace treeline::cpp {
 
-/// The statements of a function that loops over a table of links: work space and a call.
+/// The statements of a function that loops over a table of links: constants, work space, a call.
 std::string print_loop_body(const EmissionContext& context, const Program& program);
-
-/// What stands before such a function: the constants of its law, if it has one.
-std::string print_yields(const EmissionContext& context, const Program& program);
 
 /// NAME_links.hpp, the tables of links, and the headers that loop over them; empty where no
 /// function does.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/print_loops.hpp"
 #include "emission/cpp/syntax.hpp"
@@ -53,13 +54,20 @@ std::string print_lanes_type(const Program& program) {
                              : "";
 }
 
+/// The type of what the parts of a function share: each has its own name, for builds that join
+/// sources.
+std::string name_of_values(const Program& program) {
+  return in_pascal_case(program.name) + "Values";
+}
+
 /// The head of a function that computes a part.
 std::string print_part_head(const Program& program, const BodyPart& part) {
+  const std::string values =
+      fmt::format("{}{}& values", part.writes_values ? "" : "const ", name_of_values(program));
   const std::string list =
-      list_arguments(program, part, part.writes_values ? "Values& values" : "const Values& values",
-                     [](const Argument& argument, const char* qualifier) {
-                       return parameter(argument, qualifier, argument.name);
-                     });
+      list_arguments(program, part, values, [](const Argument& argument, const char* qualifier) {
+        return parameter(argument, qualifier, argument.name);
+      });
   return wrap_line(fmt::format("void {}({}) noexcept {{", part.name, list), 0);
 }
 
@@ -73,7 +81,8 @@ std::string print_parts_of(const Program& program, const PartedBody& body) {
   if (body.parts.empty()) return {};
   std::string text = "namespace {\n\n";
   if (!body.values.empty()) {
-    text += "/// What one part computes and others read.\nstruct Values {\n";
+    text += fmt::format("/// What one part computes and others read.\nstruct {} {{\n",
+                        name_of_values(program));
     for (const std::string& value : body.values) text += fmt::format("  Real {};\n", value);
     text += "};\n\n";
   }
@@ -90,9 +99,10 @@ std::string print_parts_of(const Program& program, const PartedBody& body) {
 /// For `profile: misra`.
 std::string print_safe_source(const EmissionContext& context, const Program& program) {
   std::set<std::string> taken = find_taken(context, program);
-  taken.insert({"values", "Values"});
+  taken.insert({"values", name_of_values(program)});
   const PartedBody body = print_parts(program, make_syntax(context), taken, "values.");
-  std::string statements = body.values.empty() ? "" : "  Values values;\n";
+  std::string statements =
+      body.values.empty() ? "" : fmt::format("  {} values;\n", name_of_values(program));
   statements += body.statements;
   for (const std::size_t called : body.calls) {
     statements += print_part_call(program, body.parts[called]);
@@ -114,7 +124,6 @@ std::string print_loop_source(const EmissionContext& context, const Program& pro
        {"cost", describe_cost(program)},
        {"name", context.name},
        {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
-       {"yields", print_yields(context, program)},
        {"signature", print_section(context) + print_prefetch_section(context) +
                          wrap_line(print_head(program, "") + " {", 0)},
        {"body", print_loop_body(context, program)}});

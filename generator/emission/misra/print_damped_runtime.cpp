@@ -32,7 +32,7 @@ std::string print_powers(const EmissionContext& context, const char* name, int f
       fmt::format("{} {} {}[{}] = {{{}}};",
                   context.language == Language::c ? "static const" : "static constexpr",
                   context.single_precision ? "float" : "double", name, exponents.size(), list),
-      0);
+      2);
 }
 
 std::string print_root_steps(const EmissionContext& context) {

@@ -72,7 +72,8 @@ std::string print_steps(const EmissionContext& context, bool is_c) {
        {"rest", single ? "excess" : "tail"},
        {"index", is_c ? "int32_t" : "std::int32_t"},
        {"to_index", is_c ? "(int32_t)" : "static_cast<std::int32_t>"},
-       {"table", is_c ? "static const" : "constexpr"},
+       // Static: of a table on the stack compilers make a call of memcpy.
+       {"table", is_c ? "static const" : "static constexpr"},
        {"sine_of_angle", is_c ? "*sine_of_x" : "sine_of_angle"},
        {"cosine_of_angle", is_c ? "*cosine_of_x" : "cosine_of_angle"},
        {"zero", number("0.0")},
