@@ -56,11 +56,13 @@ std::string describe_limited_cost(const EmissionContext& context,
   const LimitFacts& facts = *context.limits;
   const LimitCost cost = cost_of_limits(facts, context.velocities);
   const int flops = count_operations(find_supported(programs)).flops();
-  return wrap_text(
+  const std::string work = wrap_text(
       fmt::format("Cost: {} flops where no limit is reached. Else a quadratic program of {} "
                   "unknowns and {} rows: at most {} steps of at most {} flops.",
                   flops, cost.unknowns, cost.rows, cost.iterations, cost.flops_of_iteration),
       95);
+  return work + fmt::format("\nStack, an estimate: {} values, {} bytes, and what calls take.",
+                            cost.values, cost.values * (context.single_precision ? 4 : 8));
 }
 
 std::string describe_cones(const LimitFacts& facts) {

@@ -5,6 +5,23 @@
 #include "core/limited_torque.hpp"
 
 namespace treeline {
+namespace {
+
+/// Numbers of `steps::LimitProgram`, of `steps::DualActiveSet`, and the matrices that both take.
+int count_values(const LimitFacts& facts, int velocities, int n, int m) {
+  const int V = velocities;
+  const int P = core::one_or(static_cast<int>(facts.passive.size()));
+  const int H = core::one_or(static_cast<int>(facts.force_weights.size()));
+  const int T = core::one_or(static_cast<int>(facts.task_weights.size()));
+  const int cols = core::in_eights(P + H + T + V);
+  const int coordinates = V * cols + cols + H * n;
+  const int basis = P * P + H * P + H * H;
+  const int rows = 2 * n + m * n + 2 * m;
+  const int method = 2 * n * n + 5 * n + m;
+  return coordinates + basis + rows + method + V * V + (H + T) * V + V + H;
+}
+
+}  // namespace
 
 LimitCost cost_of_limits(const LimitFacts& facts, int velocities) {
   LimitCost cost;
@@ -13,6 +30,7 @@ LimitCost cost_of_limits(const LimitFacts& facts, int velocities) {
       velocities - static_cast<int>(facts.passive.size()) + static_cast<int>(facts.cones.size());
   cost.iterations = 2 * core::most_iterations(cost.unknowns, cost.rows) + cost.unknowns;
   cost.flops_of_iteration = core::flops_of_iteration(cost.unknowns, cost.rows);
+  cost.values = count_values(facts, velocities, cost.unknowns, cost.rows);
   return cost;
 }
 

@@ -10,6 +10,7 @@ struct LimitCost {
   int rows = 0;        ///< of motors and cones
   int iterations = 0;  ///< most of a call
   long flops_of_iteration = 0;
+  int values = 0;  ///< numbers on the stack beside those of the functions that are called
 };
 
 /// Of a robot with that many velocities.
