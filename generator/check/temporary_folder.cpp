@@ -56,10 +56,16 @@ void remove_stale_once(const fs::path& parent) {
   (void)done;
 }
 
+/// As for most programs, a TMPDIR that is empty is none.
+fs::path find_parent() {
+  const char* const folder = std::getenv("TMPDIR");
+  return folder != nullptr && *folder == '\0' ? fs::path("/tmp") : fs::temp_directory_path();
+}
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  const fs::path parent = fs::temp_directory_path();
+  const fs::path parent = find_parent();
   remove_stale_once(parent);
   const Uninterrupted now;
   // Another run that starts now may take the folder for a stale one before its lock is held. Then

@@ -8,8 +8,8 @@ namespace treeline::firmware {
 
 /// Durations in ticks of a clock: exact least, largest and mean, and how many there were in each of
 /// `bins` ranges. Bin 0 holds zeros, bin k durations from 2^(k-1) to 2^k - 1, the last one all that
-/// are longer. Recording takes constant time but for the search of the leading bit. Counts stop at
-/// their largest value.
+/// are longer. Recording takes constant time but for the search of the leading bit. Counts, and
+/// the mean, stop at their largest value.
 template <size_t bins>
 class Statistics {
  public:
@@ -17,11 +17,11 @@ class Statistics {
 
   void record(uint32_t ticks) noexcept {
     if (counts_[bin_of(ticks)] != kMost) ++counts_[bin_of(ticks)];
+    least_ = ticks < least_ ? ticks : least_;
+    largest_ = ticks > largest_ ? ticks : largest_;
     if (count_ == kMost) return;
     ++count_;
     sum_ += ticks;
-    least_ = ticks < least_ ? ticks : least_;
-    largest_ = ticks > largest_ ? ticks : largest_;
   }
 
   uint32_t count() const noexcept { return count_; }

@@ -131,6 +131,14 @@ TEST_F(Surroundings, MissingTemporaryFolderIsOne) {
   EXPECT_EQ(err.find("internal"), std::string::npos) << err;
 }
 
+// Would catch: an empty TMPDIR that counts as a folder without a name.
+TEST_F(Surroundings, EmptyNameOfTheTemporaryFolderIsNone) {
+  const std::string script = "cd '" + root_.string() + "' && TMPDIR= '" + TREELINE_PROGRAM +
+                             "' check " + kBoth +
+                             " --functions gravity --states 5 2>stderr.txt >stdout.txt";
+  EXPECT_EQ(std::system(script.c_str()), 0) << read_file(root_ / "stderr.txt");
+}
+
 TEST_F(Surroundings, OutputWithoutANameIsOne) {
   const Outcome outcome = run("generate " + kBoth + " -o ''");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
