@@ -29,7 +29,7 @@ inline void reflect_columns(const Real (&v)[rows], const Real (&along)[rows], in
   Lanes<Real, width> row;
   for (int i = at; i < rows; ++i) {
     load_lanes(W + i * cols, row);
-    sums = sums + v[i] * row;
+    add_lanes(v[i] * row, sums);
   }
   for (int i = at; i < rows; ++i) {
     load_lanes(W + i * cols, row);

@@ -21,7 +21,7 @@ inline void subtract_rows(const Real* factors, const Real* columns, int stride, 
   load_lanes(entries, left);
   for (int k = 0; k < count; ++k) {
     load_lanes(columns + k * stride, row);
-    left = left - factors[k * stride] * row;
+    subtract_lanes(factors[k * stride] * row, left);
   }
   store_lanes(left, entries);
 }

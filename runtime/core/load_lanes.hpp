@@ -1,5 +1,5 @@
 #pragma once
-// Lanes from a row of numbers, and into one.
+// Lanes from a row of numbers, into one, and sums of them.
 
 #include "core/lanes.hpp"
 
@@ -39,6 +39,33 @@ TREELINE_LOAD_INLINE void store_lanes(const Lanes<Real, count, fits>& lanes, Rea
   } else {
     store_lanes(lanes.low, row);
     store_lanes(lanes.high, row + count / 2);
+  }
+}
+
+/// Adds to lanes, and takes away from them, register by register: as an assignment of the whole
+/// some compilers call memcpy.
+template <class Real, int count, bool fits>
+TREELINE_LOAD_INLINE void add_lanes(const Lanes<Real, count, fits>& more,
+                                    Lanes<Real, count, fits>& sum) noexcept {
+  if constexpr (fits) {
+    sum.vector += more.vector;
+  } else if constexpr (count == 1) {
+    sum.value += more.value;
+  } else {
+    add_lanes(more.low, sum.low);
+    add_lanes(more.high, sum.high);
+  }
+}
+template <class Real, int count, bool fits>
+TREELINE_LOAD_INLINE void subtract_lanes(const Lanes<Real, count, fits>& less,
+                                         Lanes<Real, count, fits>& left) noexcept {
+  if constexpr (fits) {
+    left.vector -= less.vector;
+  } else if constexpr (count == 1) {
+    left.value -= less.value;
+  } else {
+    subtract_lanes(less.low, left.low);
+    subtract_lanes(less.high, left.high);
   }
 }
 

@@ -34,7 +34,7 @@ inline Real dot_of(const Real* a, const Real* b) noexcept {
   for (int i = 0; i < kInEights; i += 8) {
     load_lanes(a + i, x);
     load_lanes(b + i, y);
-    sums = sums + x * y;
+    add_lanes(x * y, sums);
   }
   Real s[8];
   store_lanes(sums, s);
