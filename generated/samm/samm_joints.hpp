@@ -43,12 +43,14 @@ inline constexpr const char* kTaskRowNames[6] = {
     "tool x", "tool y", "tool z", "tool rx", "tool ry", "tool rz"};
 
 /// Where a name first stands in a list of names; -1 if nowhere.
-template <int size>
+template <decltype(sizeof(0)) size>
 constexpr int index_of(const char* const (&names)[size], const char* name) noexcept {
-  for (int i = 0; i < size; ++i) {
+  int index = 0;
+  for (const char* const each : names) {
     int k = 0;
-    while (names[i][k] != '\0' && names[i][k] == name[k]) ++k;
-    if (names[i][k] == name[k]) return i;
+    while (each[k] != '\0' && each[k] == name[k]) ++k;
+    if (each[k] == name[k]) return index;
+    ++index;
   }
   return -1;
 }
