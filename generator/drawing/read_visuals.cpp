@@ -113,8 +113,9 @@ std::vector<Visual> visuals_of(const XMLElement& link, const std::string& file,
   return visuals;
 }
 
-/// The shapes by which a link collides, in the colour in which it is seen.
-void add_collisions(const XMLElement& link, const Color& color, std::vector<Visual>& visuals) {
+/// The shapes by which a link collides, in the colour in which it is seen. By value: `visuals`
+/// grows.
+void add_collisions(const XMLElement& link, Color color, std::vector<Visual>& visuals) {
   for (const XMLElement* element = link.FirstChildElement("collision"); element != nullptr;
        element = element->NextSiblingElement("collision")) {
     Visual visual;
