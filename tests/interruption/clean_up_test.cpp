@@ -18,6 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What programs that run in the background ignore is not ignored here.
+void clean_up_on_all_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_DFL);
+  clean_up_on_signals();
+}
+
 class CleanUp : public test::OwnFolder {
  protected:
   /// Runs `work` in a child that then waits to be ended by `signal`. Returns how it ended.
@@ -26,7 +32,7 @@ class CleanUp : public test::OwnFolder {
     if (pipe(ready) != 0) return -1;
     const pid_t child = fork();
     if (child == 0) {
-      clean_up_on_signals();
+      clean_up_on_all_signals();
       work();
       (void)!::write(ready[1], "x", 1);
       for (;;) pause();
@@ -79,7 +85,7 @@ TEST_F(CleanUp, TheFirstSignalIsAnsweredAndTheSecondEnds) {
   const pid_t child = fork();
   if (child == 0) {
     static int answer = ready[1];
-    clean_up_on_signals();
+    clean_up_on_all_signals();
     answer_signals([] { (void)!::write(answer, "a", 1); });
     (void)!::write(ready[1], "x", 1);
     for (;;) pause();
@@ -104,7 +110,7 @@ TEST_F(CleanUp, WaitsForWhatMustNotBeInterrupted) {
   ASSERT_EQ(pipe(ready), 0);
   const pid_t child = fork();
   if (child == 0) {
-    clean_up_on_signals();
+    clean_up_on_all_signals();
     {
       const Uninterrupted now;
       (void)!::write(ready[1], "x", 1);
