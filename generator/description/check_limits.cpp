@@ -37,9 +37,7 @@ void check_limits(const SceneElement& top, const Scene& scene) {
     top.error(
         fmt::format("{} limits the law of supported_control_torque, which this scene cannot "
                     "have: {}",
-                    key,
-                    scene.holds_rows() ? "there is no operational point, and no joint is passive"
-                                       : "nothing is held, and no joint is passive"),
+                    key, scene.holds_rows() ? kNoTask : "nothing is held, and no joint is passive"),
         "add constraints or passive joints, and operational_points; or remove the limits");
     return;
   }

@@ -5,6 +5,9 @@
 
 namespace treeline {
 
+/// What supported_control_torque lacks in a scene that holds rows and does not permit it.
+inline constexpr const char* kNoTask = "there is no operational point, and no joint is passive";
+
 /// What `limited_control_torque` calls.
 std::vector<Function> functions_of_limits(const Scene& scene);
 

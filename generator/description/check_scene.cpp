@@ -62,7 +62,7 @@ void report_constraints(const SceneElement& top, const Scene& scene, Function fu
     missing = "nothing is held between two links, and no joints are coupled";
     remedy = "errors of constraints to the world are those of their points; remove the function";
   } else if (scene.holds_rows()) {
-    missing = "there is no operational point, and no joint is passive";
+    missing = kNoTask;
     remedy = "add a list operational_points or passive, or remove the function";
   }
   top.error(fmt::format("{} is listed, but {}", function_name(function), missing), remedy);

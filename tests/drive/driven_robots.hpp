@@ -37,13 +37,18 @@ struct PlanarArm : TwoLink {
     J[3] = std::cos(q[0] + q[1]);
     J[2] = J[3] + std::cos(q[0]);
   }
+  /// J qdd of joints that accelerate the tip so.
+  static std::array<double, 2> without_bias(const double (&q)[2], const double (&qd)[2],
+                                            const double (&xdd)[2]) noexcept {
+    const double w = qd[0] + qd[1];
+    return {xdd[0] + std::cos(q[0]) * qd[0] * qd[0] + std::cos(q[0] + q[1]) * w * w,
+            xdd[1] + std::sin(q[0]) * qd[0] * qd[0] + std::sin(q[0] + q[1]) * w * w};
+  }
   static void control_torque(const double (&q)[2], const double (&qd)[2], const double (&)[2],
                              const double (&xdd)[2], double (&tau)[2]) noexcept {
     double J[4];
     jacobian(q, J);
-    const double w = qd[0] + qd[1];
-    const double a[2] = {xdd[0] + std::cos(q[0]) * qd[0] * qd[0] + std::cos(q[0] + q[1]) * w * w,
-                         xdd[1] + std::sin(q[0]) * qd[0] * qd[0] + std::sin(q[0] + q[1]) * w * w};
+    const auto a = without_bias(q, qd, xdd);
     const double d = J[0] * J[3] - J[1] * J[2];
     const double qdd[2] = {(J[3] * a[0] - J[1] * a[1]) / d, (J[0] * a[1] - J[2] * a[0]) / d};
     inverse_dynamics(q, qd, qdd, tau);

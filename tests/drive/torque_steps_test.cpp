@@ -102,9 +102,7 @@ struct PulledArm : Arm {
                              const double (&xdd)[2], double (&tau)[2]) noexcept {
     double J[4];
     jacobian(q, J);
-    const double w = qd[0] + qd[1];
-    const double a[2] = {xdd[0] + std::cos(q[0]) * qd[0] * qd[0] + std::cos(q[0] + q[1]) * w * w,
-                         xdd[1] + std::sin(q[0]) * qd[0] * qd[0] + std::sin(q[0] + q[1]) * w * w};
+    const auto a = without_bias(q, qd, xdd);
     const double A = J[0] * J[0] + J[1] * J[1] + 0.05;
     const double B = J[0] * J[2] + J[1] * J[3];
     const double C = J[2] * J[2] + J[3] * J[3] + 0.05;

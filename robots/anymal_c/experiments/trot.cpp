@@ -1,9 +1,9 @@
 #include "trot.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "anymal_simulated_joints.hpp"

@@ -80,8 +80,7 @@ class BallTurning {
         "rx",           "ry",        "rz",       "torque",   "friction_chosen",
         "friction_felt"};
     for (int i = 0; i < Plant::kFingers; ++i) names.push_back(fmt::format("pressure{}", i));
-    names = servo::with_coordinates(std::move(names), Plant::nq);
-    return names;
+    return servo::with_coordinates(std::move(names), Plant::nq);
   }
 
   static double share_of(const typename Plant::Touches& touches, double& least) {

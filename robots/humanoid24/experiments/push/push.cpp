@@ -1,7 +1,5 @@
 #include "push.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
