@@ -17,6 +17,7 @@ Matrix<Scalar> mass_matrix(const Model<Scalar>& model, VectorArg<Scalar> q) {
     const Body<Scalar>& outer = model.body(i);
     I[outer.parent] += k.X[i] * I[i] * k.X[i].transpose();
     const auto d = k.S[i].cols();
+    if (d == 0) continue;
     JointMatrix<Scalar> F = outer.multiplier * (I[i] * k.S[i]);
     M.block(outer.v, outer.v, d, d) += outer.multiplier * (k.S[i].transpose() * F);
     M.diagonal().segment(outer.v, d).array() +=
