@@ -208,9 +208,9 @@ void complain_of_rows(const SceneElement& top, const Scene& scene, const std::st
 /// Lambda exists only if the rows can be moved independently of each other. Rows in strict priority
 /// need not be.
 void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene) {
-  const bool yield = has_priorities(scene.operational_points);
-  const auto needs_lambda = [yield](Function f) {
-    return has_lambda(f) && !(f == Function::control_torque && yield);
+  const bool prioritized = has_priorities(scene.operational_points);
+  const auto needs_lambda = [prioritized](Function f) {
+    return has_lambda(f) && !(f == Function::control_torque && prioritized);
   };
   if (std::none_of(scene.functions.begin(), scene.functions.end(), needs_lambda)) return;
   Freedoms all;

@@ -97,24 +97,24 @@ struct Tree {
 /// The nearest double, as in emitted code. For Digits50 the value itself, so that tests can show
 /// that reductions change nothing.
 template <class Scalar>
-Scalar rounded(const Exact& value) {
-  if constexpr (std::is_same_v<Scalar, Exact>) {
+Scalar rounded(const Digits50& value) {
+  if constexpr (std::is_same_v<Scalar, Digits50>) {
     return value;
   } else {
     return Scalar(static_cast<double>(value));
   }
 }
 template <class Scalar>
-Vector3<Scalar> rounded(const ExactVector3& v) {
+Vector3<Scalar> rounded(const Digits50Vector3& v) {
   return {rounded<Scalar>(v(0)), rounded<Scalar>(v(1)), rounded<Scalar>(v(2))};
 }
 template <class Scalar>
-Symmetric3<Scalar> rounded_symmetric(const ExactMatrix3& A) {
+Symmetric3<Scalar> rounded_symmetric(const Digits50Matrix3& A) {
   return {rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2)),
           rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2)), rounded<Scalar>(A(2, 2))};
 }
 template <class Scalar>
-Matrix3<Scalar> rounded(const ExactMatrix3& A) {
+Matrix3<Scalar> rounded(const Digits50Matrix3& A) {
   return {{rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2))},
           {rounded<Scalar>(A(1, 0)), rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2))},
           {rounded<Scalar>(A(2, 0)), rounded<Scalar>(A(2, 1)), rounded<Scalar>(A(2, 2))}};
@@ -122,23 +122,23 @@ Matrix3<Scalar> rounded(const ExactMatrix3& A) {
 
 /// Rotation from cosine and sine, exact for quarter turns.
 template <class Scalar>
-PlanarRotation<Scalar> planar_rotation(const Exact& c, const Exact& s) {
-  return {rounded<Scalar>(snapped(c, Exact(1))), rounded<Scalar>(snapped(s, Exact(1)))};
+PlanarRotation<Scalar> planar_rotation(const Digits50& c, const Digits50& s) {
+  return {rounded<Scalar>(snapped(c, Digits50(1))), rounded<Scalar>(snapped(s, Digits50(1)))};
 }
 
 /// Factors R = Rz(a) Rx(alpha) Rz(b). The third column of R is (sin a sin alpha, -cos a sin alpha,
 /// cos alpha), its third row (sin alpha sin b, sin alpha cos b, cos alpha).
 template <class Scalar>
-Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
-  const Exact sine = sqrt(Exact(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
-  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b may join the joint's angle
+Rotation<Scalar> planar_factors(const Digits50Matrix3& R) {
+  const Digits50 sine = sqrt(Digits50(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
+  if (snapped(sine, Digits50(1)) == 0) {  // alpha is 0 or pi: b may join the joint's angle
     return {{},
-            planar_rotation<Scalar>(R(2, 2), Exact(0)),
-            planar_rotation<Scalar>(R(0, 0), Exact(-R(0, 1)))};
+            planar_rotation<Scalar>(R(2, 2), Digits50(0)),
+            planar_rotation<Scalar>(R(0, 0), Digits50(-R(0, 1)))};
   }
-  return {planar_rotation<Scalar>(Exact(-R(1, 2) / sine), Exact(R(0, 2) / sine)),
+  return {planar_rotation<Scalar>(Digits50(-R(1, 2) / sine), Digits50(R(0, 2) / sine)),
           planar_rotation<Scalar>(R(2, 2), sine),
-          planar_rotation<Scalar>(Exact(R(2, 1) / sine), Exact(R(2, 0) / sine))};
+          planar_rotation<Scalar>(Digits50(R(2, 1) / sine), Digits50(R(2, 0) / sine))};
 }
 
 template <class Scalar>
@@ -174,7 +174,7 @@ template <class Scalar>
 Tree<Scalar> constant_tree(const Mechanism& mechanism) {
   Tree<Scalar> tree;
   for (const MovingLink& link : mechanism.links) {
-    const ExactMatrix3 J = rotational_inertia(link.inertia);
+    const Digits50Matrix3 J = rotational_inertia(link.inertia);
     tree.links.push_back(
         {link,
          link.name,
@@ -218,11 +218,11 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
     tree.link_matter.push_back(
         {frame.link, rounded<Scalar>(matter.mass), rounded<Scalar>(matter.h)});
   }
-  Exact mass = mechanism.world.mass;
+  Digits50 mass = mechanism.world.mass;
   for (const MovingLink& link : mechanism.links) mass += link.inertia.mass;
   tree.world_moment = rounded<Scalar>(mechanism.world.h);
   tree.total_mass = rounded<Scalar>(mass);
-  tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Exact(1 / mass) : Exact(0));
+  tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Digits50(1 / mass) : Digits50(0));
   const auto& g = mechanism.gravity;
   tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};
   tree.nq = mechanism.nq();
