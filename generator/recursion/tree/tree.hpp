@@ -168,50 +168,36 @@ std::optional<TreeRolling<Scalar>> tree_rolling(const std::optional<MechanismRol
   return rolling;
 }
 
-/// What of the tree is constant: without inertias that are arguments, with the gravity and the
-/// points of the scene. See `tree_of`.
 template <class Scalar>
-Tree<Scalar> constant_tree(const Mechanism& mechanism) {
-  Tree<Scalar> tree;
-  for (const MovingLink& link : mechanism.links) {
-    const Digits50Matrix3 J = rotational_inertia(link.inertia);
-    tree.links.push_back(
-        {link,
-         link.name,
-         link.parent,
-         link.q_index,
-         link.v_index,
-         Scalar(link.multiplier),
-         rounded<Scalar>(link.offset),
-         planar_factors<Scalar>(link.placement.R),
-         rounded<Scalar>(link.placement.p),
-         {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
-          rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
-         link.defers_rotation,
-         link.carries_column,
-         link.spins,
-         tree_drive<Scalar>(link.drive)});
-  }
-  for (const MechanismPoint& point : mechanism.operational_points) {
-    tree.operational_points.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismPoint& point : mechanism.external_forces) {
-    tree.external_forces.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismPoint& point : mechanism.contacts) {
-    tree.contacts.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismLoop& loop : mechanism.loops) {
-    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second),
-                          tree_rolling<Scalar>(loop.rolling)});
-  }
-  tree.couplings = mechanism.couplings;
-  for (const MechanismPoint& point : mechanism.link_frames) {
-    tree.link_frames.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismPoint& point : mechanism.payload_frames) {
-    tree.payload_frames.push_back(tree_point<Scalar>(point));
-  }
+TreeLink<Scalar> tree_link(const MovingLink& link) {
+  const Digits50Matrix3 J = rotational_inertia(link.inertia);
+  return {link,
+          link.name,
+          link.parent,
+          link.q_index,
+          link.v_index,
+          Scalar(link.multiplier),
+          rounded<Scalar>(link.offset),
+          planar_factors<Scalar>(link.placement.R),
+          rounded<Scalar>(link.placement.p),
+          {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
+           rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
+          link.defers_rotation,
+          link.carries_column,
+          link.spins,
+          tree_drive<Scalar>(link.drive)};
+}
+
+template <class Scalar>
+std::vector<TreePoint<Scalar>> tree_points(const std::vector<MechanismPoint>& points) {
+  std::vector<TreePoint<Scalar>> result;
+  for (const MechanismPoint& point : points) result.push_back(tree_point<Scalar>(point));
+  return result;
+}
+
+/// The masses of the links of the file, of the world and of all together.
+template <class Scalar>
+void set_masses(const Mechanism& mechanism, Tree<Scalar>& tree) {
   for (std::size_t i = 0; i < mechanism.link_matter.size(); ++i) {
     const MechanismPoint& frame = mechanism.link_frames[i];
     const Inertia matter = transformed(mechanism.link_matter[i], frame.pose);
@@ -223,12 +209,31 @@ Tree<Scalar> constant_tree(const Mechanism& mechanism) {
   tree.world_moment = rounded<Scalar>(mechanism.world.h);
   tree.total_mass = rounded<Scalar>(mass);
   tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Digits50(1 / mass) : Digits50(0));
+  tree.has_world_matter = mechanism.world.mass != 0 || !mechanism.world.h.isZero(0);
+}
+
+/// What of the tree is constant: without inertias that are arguments, with the gravity and the
+/// points of the scene. See `tree_of`.
+template <class Scalar>
+Tree<Scalar> constant_tree(const Mechanism& mechanism) {
+  Tree<Scalar> tree;
+  for (const MovingLink& link : mechanism.links) tree.links.push_back(tree_link<Scalar>(link));
+  tree.operational_points = tree_points<Scalar>(mechanism.operational_points);
+  tree.external_forces = tree_points<Scalar>(mechanism.external_forces);
+  tree.contacts = tree_points<Scalar>(mechanism.contacts);
+  for (const MechanismLoop& loop : mechanism.loops) {
+    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second),
+                          tree_rolling<Scalar>(loop.rolling)});
+  }
+  tree.couplings = mechanism.couplings;
+  tree.link_frames = tree_points<Scalar>(mechanism.link_frames);
+  tree.payload_frames = tree_points<Scalar>(mechanism.payload_frames);
+  set_masses(mechanism, tree);
   const auto& g = mechanism.gravity;
   tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};
   tree.nq = mechanism.nq();
   tree.nv = mechanism.nv();
   tree.has_mimics = mechanism.has_mimics();
-  tree.has_world_matter = mechanism.world.mass != 0 || !mechanism.world.h.isZero(0);
   if constexpr (std::is_same_v<Scalar, Expression>) {
     mark_limbs(mechanism, tree);
   }
