@@ -61,7 +61,7 @@ void note_missing_scene(const Robot& robot, const Scene& scene, Diagnostics& dia
 
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
                                  const Robot& robot, Diagnostics& diagnostics,
-                                 const std::vector<Function>& functions) {
+                                 const std::vector<Function>& functions, FunctionsFrom from) {
   const auto document = parse_yaml(text, file_name, diagnostics);
   if (!document) return std::nullopt;
   // Without a scene, what cannot be is told of the robot.
@@ -72,6 +72,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   if (!functions.empty()) scene.functions = functions;
   if (!reading.failed) complete_scene(top, robot, scene);
   if (reading.failed) return std::nullopt;
+  if (from == FunctionsFrom::scene) warn_of_unused(top, scene);
   if (!file_name.empty() && scene.base == Base::floating && !(*document)["base"]) {
     top.note("the scene says nothing of the base, which floats, for no joint moves",
              "write base: floating or base: fixed to choose");
