@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "description/alias_lines.hpp"
 #include "description/check_scene.hpp"
 #include "description/default_base.hpp"
 #include "description/follow_target.hpp"
@@ -65,7 +66,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   const auto document = parse_yaml(text, file_name, diagnostics);
   if (!document) return std::nullopt;
   // Without a scene, what cannot be is told of the robot.
-  SceneReading reading{file_name.empty() ? robot.file : file_name, diagnostics};
+  SceneReading reading{file_name.empty() ? robot.file : file_name, diagnostics, alias_lines(text)};
   const SceneElement top(*document, "", reading);
   Scene scene = read_fields(top, robot);
   scene.file = file_name;
