@@ -46,7 +46,7 @@ class Search {
 
   /// Hill climbing: changes the state repeatedly and keeps changes for which the entry's bound
   /// grows.
-  FoundError climb(Seen best, const Result& result, int generations) {
+  FoundError hill_climb(Seen best, const Result& result, int generations) {
     const std::uint32_t node = result.values[best.found.entry].node();
     for (int i = 0; i < generations; ++i) {
       Points points;
@@ -140,10 +140,11 @@ std::vector<FoundError> search_worst(const Program& program, const Domain& domai
     std::stable_sort(seen[r].begin(), seen[r].end(),
                      [](const Seen& a, const Seen& b) { return is_less(b, a); });
     FoundError& most = worst.emplace_back();
-    const std::size_t climbs =
-        std::min(seen[r].size(), static_cast<std::size_t>(std::max(effort.climbs, 0)));
-    for (std::size_t i = 0; i < climbs; ++i) {
-      const FoundError found = search.climb(seen[r][i], program.results[r], effort.generations);
+    const std::size_t starts =
+        std::min(seen[r].size(), static_cast<std::size_t>(std::max(effort.starts, 0)));
+    for (std::size_t i = 0; i < starts; ++i) {
+      const FoundError found =
+          search.hill_climb(seen[r][i], program.results[r], effort.generations);
       most.size = std::max(most.size, found.size);
       if (found.error > most.error) most = {found.error, most.size, found.entry};
     }

@@ -13,13 +13,13 @@ namespace treeline::bounds {
 /// Effort of a search.
 struct SearchEffort {
   int batches = 16;       ///< of `kStatesAtOnce` states, drawn from the domain
-  int climbs = 2;         ///< per result, from the worst states drawn
-  int generations = 100;  ///< steps of a climb, each with `kStatesAtOnce` states
+  int starts = 2;         ///< of hill climbing, per result, at the worst states drawn
+  int generations = 100;  ///< steps from a start, each with `kStatesAtOnce` states
   std::uint64_t seed = 1;
 };
 
 /// Effort that takes some 30 ms for a graph of 10000 operations. Small graphs get more states,
-/// large ones shorter climbs.
+/// large ones fewer steps.
 SearchEffort default_effort(const Graph& graph);
 
 /// First-order bound of one result, in rounding units (see `ErrorPropagation`): that of its worst

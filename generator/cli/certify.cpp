@@ -70,8 +70,10 @@ void add_certify(CLI::App& app, int& exit_code) {
   add_input_options(*command, options->inputs);
   command->add_option("--choices", options->inputs.choices,
                       "Algorithms and lanes as this manifest.json records them, not by cost");
-  command->add_option("-o,--output", options->folder,
-                      "Folder for the scripts of all steps, and for the proofs of --coq");
+  command
+      ->add_option("-o,--output", options->folder,
+                   "Folder for the scripts of all steps, and for the proofs of --coq")
+      ->check(no_equals_sign());
   command
       ->add_option("--within", options->certify.within,
                    "How many times the stated bounds the proven ones may be")

@@ -31,7 +31,7 @@ constexpr const char* kHowToReadCheck =
     "              what is made with M^-1 multiplies the condition of M by its own;\n"
     "              and for each angle that is computed as q + offset its magnitude in rad.\n"
     "              damped_control_torque solves with Lambda^-1 + Delta: what is large beside the\n"
-    "              heaviest motions counts, a singularity does not\n"
+    "              limits of effective mass counts, a singularity does not\n"
     "  of bound    the largest share of its bound that any state's error takes\n"
     "  rounding    what the header states of rounding errors, in the result's unit; with a tilde\n"
     "              to first order; of rounding: the largest share of it, or of the first-order\n"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/print_diagnostics.hpp"
 #include "cli/write_output.hpp"
 #include "description/read_robot_text.hpp"
@@ -37,7 +38,8 @@ void add_convert(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* command = app.add_subcommand("convert", "Print the URDF as which an SDF file is read");
   command->add_option("robot", options->robot, "Robot, SDF")->required();
-  command->add_option("-o,--output", options->output, "File to write, else standard output");
+  command->add_option("-o,--output", options->output, "File to write, else standard output")
+      ->check(no_equals_sign());
   add_warnings_option(*command, options->warnings);
   command->footer(
       "Every command reads SDF where it reads URDF; this shows what it makes of it.\n"

@@ -181,9 +181,8 @@ void choose_start(LaunchedRobot& robot, DriveSettings& drive, Diagnostics& diagn
                    "place they are kept."});
 }
 
-int run(DriveOptions options) {
-  if (!options.replay.empty()) return run_replay(options);
-  Diagnostics diagnostics;
+/// What the options say together.
+void complete_settings(DriveOptions& options) {
   DriveSettings& drive = options.drive;
   drive.serves = !options.headless;
   constexpr std::string_view kUdp = "udp:";
@@ -191,36 +190,52 @@ int run(DriveOptions options) {
   drive.reads_input = options.script.empty();
   const bool is_typed = drive.reads_input && isatty(STDIN_FILENO) != 0;
   drive.real_time = drive.real_time || drive.serves || is_typed || !drive.udp_robot.empty();
+}
+
+/// How the simulated robot is not ideal, and the motion to follow.
+bool read_motion_and_robot(DriveOptions& options, LaunchedRobot& robot, Diagnostics& diagnostics) {
+  DriveSettings& drive = options.drive;
+  auto simulation = read_simulation(options.simulation, robot.description, drive.rate, diagnostics);
+  if (!simulation) return false;
+  drive.simulation = std::move(*simulation);
+  if (options.reference.empty()) return true;
+  auto reference = read_reference(options.reference, robot.description,
+                                  default_start(robot.description), diagnostics);
+  if (!reference) return false;
+  drive.reference = std::move(*reference);
+  robot.description.has_reference = true;
+  return true;
+}
+
+/// The robot and all that it is driven with. Everything that can be refused is refused here.
+std::optional<LaunchedRobot> prepare(DriveOptions& options, Diagnostics& diagnostics) {
+  DriveSettings& drive = options.drive;
   warn_of_listeners(drive, diagnostics);
-  std::optional<LaunchedRobot> robot;
   const auto packages = read_packages(options.packages, diagnostics);
   refuse_imperfect_hardware(options, diagnostics);
   refuse_record_of_input(options, diagnostics);
-  if (packages && !diagnostics.has_errors() && read_script(options.script, drive, diagnostics)) {
-    robot = launch_from(options.inputs, *packages, drive.meshes, diagnostics);
-  }
-  if (robot) {
-    auto simulation =
-        read_simulation(options.simulation, robot->description, drive.rate, diagnostics);
-    if (simulation) {
-      drive.simulation = std::move(*simulation);
-    } else {
-      robot.reset();
-    }
-  }
-  if (robot && !options.reference.empty()) {
-    auto reference = read_reference(options.reference, robot->description,
-                                    default_start(robot->description), diagnostics);
-    if (reference) {
-      drive.reference = std::move(*reference);
-      robot->description.has_reference = true;
-    } else {
-      robot.reset();
-    }
-  }
-  if (robot) choose_start(*robot, drive, diagnostics);
+  if (!packages || diagnostics.has_errors()) return std::nullopt;
+  if (!read_script(options.script, drive, diagnostics)) return std::nullopt;
+  auto robot = launch_from(options.inputs, *packages, drive.meshes, diagnostics);
+  if (!robot || !read_motion_and_robot(options, *robot, diagnostics)) return std::nullopt;
+  choose_start(*robot, drive, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return robot;
+}
+
+ExitCode exit_code_of(const DriveOutcome& outcome) {
+  if (outcome.script_failed) return kBadInput;
+  return outcome.fault.empty() ? kOk : kMismatch;
+}
+
+int run(DriveOptions options) {
+  if (!options.replay.empty()) return run_replay(options);
+  complete_settings(options);
+  Diagnostics diagnostics;
+  const auto robot = prepare(options, diagnostics);
   print_diagnostics(diagnostics, options.inputs.warnings);
-  if (!robot || diagnostics.has_errors()) return kBadInput;
+  if (!robot) return kBadInput;
+  const DriveSettings& drive = options.drive;
   Diagnostics of_drive;
   if (!options.act_as_robot.empty()) {
     const bool acted = act_as_robot(*robot, drive.start, drive.rate, drive.simulation,
@@ -236,9 +251,7 @@ int run(DriveOptions options) {
   const auto outcome = run_drive(*robot, drive, of_drive);
   print_diagnostics(of_drive, options.inputs.warnings);
   if (!outcome) return kBadInput;
-  const ExitCode exit_code = outcome->script_failed    ? kBadInput
-                             : !outcome->fault.empty() ? kMismatch
-                                                       : kOk;
+  const ExitCode exit_code = exit_code_of(*outcome);
   if (!options.headless) return exit_code;
   return write_output(outcome->state + "\n", OutputForm::json, exit_code);
 }
@@ -308,6 +321,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
 
 void add_drive(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DriveOptions>();
+  options->inputs.functions_from = FunctionsFrom::command;
   CLI::App* command = app.add_subcommand("drive", "Drive a simulated robot by its generated code");
   command->add_option("urdf", options->inputs.urdf, kRobotArgument)->required();
   command->add_option("scene", options->inputs.scene,

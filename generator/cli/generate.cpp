@@ -169,16 +169,22 @@ std::vector<std::string> files_read(const GenerateOptions& options, const Genera
   return files;
 }
 
-/// Writes the notes for a safety review, if they are asked for.
-bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
-                  Diagnostics& diagnostics) {
-  if (options.safety.empty()) return true;
+std::optional<std::vector<Evidence>> read_all_evidence(const GenerateOptions& options,
+                                                       const GeneratedInputs& made,
+                                                       Diagnostics& diagnostics) {
   std::vector<Evidence> evidence;
   for (const std::string& file : options.evidence) {
     auto read = read_evidence(file, made.inputs.scene.name, diagnostics);
-    if (!read) return false;
+    if (!read) return std::nullopt;
     evidence.push_back(std::move(*read));
   }
+  return evidence;
+}
+
+/// Writes the notes for a safety review, if they are asked for.
+bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
+                  const std::vector<Evidence>& evidence, Diagnostics& diagnostics) {
+  if (options.safety.empty()) return true;
   std::vector<std::string> read = files_read(options, made);
   read.insert(read.end(), options.evidence.begin(), options.evidence.end());
   return write_output_file(
@@ -213,10 +219,12 @@ int run(const GenerateOptions& options) {
     made = keep_tried(options.inputs, std::move(*made), failed, diagnostics);
   }
   ExitCode exit_code = failed ? kMismatch : kBadInput;
-  if (made) {
+  // Before anything is written: a folder without its notes would look as if it had none.
+  const auto evidence = made ? read_all_evidence(options, *made, diagnostics) : std::nullopt;
+  if (evidence) {
     if (options.verbose) print_log(made->generation);
     ExitCode delivered = deliver(options, *made, tuning, diagnostics);
-    if (delivered == kOk && !(write_safety(options, *made, diagnostics) &&
+    if (delivered == kOk && !(write_safety(options, *made, *evidence, diagnostics) &&
                               write_dependencies(options, *made, diagnostics))) {
       delivered = kBadInput;
     }
@@ -232,8 +240,10 @@ void add_generate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", "Write a robot's dynamics as C++ or C");
   add_input_options(*command, options->inputs);
-  auto* output = command->add_option("-o,--output", options->output,
-                                     "Folder to write; else the scene's name, in this folder");
+  auto* output = command
+                     ->add_option("-o,--output", options->output,
+                                  "Folder to write; else the scene's name, in this folder")
+                     ->check(no_equals_sign());
   command->add_option("--name", options->inputs.name,
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);
@@ -261,6 +271,7 @@ void add_generate(CLI::App& app, int& exit_code) {
           ->check(one_of({"text", "dot"}));
   compare->excludes(dump);
   json->excludes(dump);
+  output->excludes(dump);
   auto* safety = command->add_option("--safety", options->safety,
                                      "File for notes to a reviewer of functional safety");
   command

@@ -55,7 +55,9 @@ std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
     return std::nullopt;
   }
   auto choices = std::make_optional<Choices>();
-  if (!options.choices.empty()) choices = read_choices(options.choices, diagnostics);
+  if (!options.choices.empty()) {
+    choices = read_choices(options.choices, inputs->robot.name, diagnostics);
+  }
   if (!choices) return std::nullopt;
   return generate_from_inputs(options, std::move(*inputs), *choices, diagnostics);
 }

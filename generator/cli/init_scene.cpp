@@ -84,7 +84,8 @@ void add_init_scene(CLI::App& app, int& exit_code) {
       app.add_subcommand("init-scene", "Propose a scene for a robot, with comments, to start from");
   command->add_option("urdf", options->urdf, "Robot, URDF or SDF")->required();
   auto* output =
-      command->add_option("-o,--output", options->output, "File to write, else standard output");
+      command->add_option("-o,--output", options->output, "File to write, else standard output")
+          ->check(no_equals_sign());
   command->add_option("--base", options->base, "fixed or floating, instead of the guess")
       ->check(one_of({"fixed", "floating"}));
   command->add_flag("--force", options->force, "Overwrite the file");

@@ -19,6 +19,7 @@
 #include "inspect/inspect_robot.hpp"
 #include "inspect/print_base_parameters.hpp"
 #include "inspect/print_noise.hpp"
+#include "inspect/warn_of_limits.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 
@@ -64,6 +65,7 @@ std::optional<Inspection> inspect(const InspectOptions& options, Diagnostics& di
   }
   const Scene seen = scene.value_or(Scene{});
   note_noise(build_mechanism(read->robot, seen).noise, seen, diagnostics);
+  warn_of_limits(read->robot, seen, diagnostics);
   Report report = inspect_robot(read->robot, scene);
   return Inspection{std::move(read->files.urdf_text), std::move(read->robot), std::move(report)};
 }

@@ -60,6 +60,18 @@ CLI::Validator any_number() {
       "");
 }
 
+CLI::Validator no_equals_sign() {
+  return CLI::Validator(
+      [](std::string& given) {
+        if (!given.starts_with("=")) return std::string();
+        return fmt::format(
+            "\"{}\" begins with a sign that a short option does not have\n"
+            "write -o {}, or --output{}",
+            given, given.substr(1), given);
+      },
+      "");
+}
+
 bool has_size(const char* option, const std::vector<double>& given, int size,
               Diagnostics& diagnostics) {
   if (given.empty() || static_cast<int>(given.size()) == size) return true;

@@ -23,6 +23,10 @@ CLI::Validator whole_between(std::int64_t low, std::int64_t high);
 /// A finite number.
 CLI::Validator any_number();
 
+/// A path of a short option, which is written as `-o PATH`: of `-o=PATH` the sign would become part
+/// of the name.
+CLI::Validator no_equals_sign();
+
 /// Whether an option was given as many numbers as the robot has, or none; else an error that names
 /// the option.
 bool has_size(const char* option, const std::vector<double>& given, int size,

@@ -109,7 +109,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   auto read = read_robot_files(options.urdf, options.scene, diagnostics);
   if (!read) return std::nullopt;
   const std::vector<Function> functions = find_functions(options.functions, diagnostics);
-  auto scene = parse_scene_of(*read, diagnostics, functions);
+  auto scene = parse_scene_of(*read, diagnostics, functions, options.functions_from);
   if (!scene) return std::nullopt;
   apply(options, *scene, diagnostics);
   const bool listed = !options.functions.empty() || lists_functions(read->files.scene_text);

@@ -29,6 +29,7 @@ struct InputOptions {
   std::vector<std::string> functions;  ///< empty: the scene's
   std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
   Warnings warnings = Warnings::summary;
+  FunctionsFrom functions_from = FunctionsFrom::scene;
 };
 
 struct RobotAndScene {

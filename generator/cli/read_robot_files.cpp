@@ -4,7 +4,6 @@
 
 #include "description/print_joined_urdf.hpp"
 #include "description/read_robot_text.hpp"
-#include "description/read_scene.hpp"
 #include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
 
@@ -58,10 +57,11 @@ std::optional<RobotWithFiles> read_robot_files(const std::string& first, const s
 }
 
 std::optional<Scene> parse_scene_of(const RobotWithFiles& read, Diagnostics& diagnostics,
-                                    const std::vector<Function>& functions) {
+                                    const std::vector<Function>& functions, FunctionsFrom from) {
   const RobotFiles& files = read.files;
   if (files.scene.empty()) return read_scene("", read.robot, diagnostics, functions);
-  return parse_scene(files.scene_text, shown_path(files.scene), read.robot, diagnostics, functions);
+  return parse_scene(files.scene_text, shown_path(files.scene), read.robot, diagnostics, functions,
+                     from);
 }
 
 std::string shown_urdf(const RobotFiles& files) {

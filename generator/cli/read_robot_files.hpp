@@ -5,6 +5,7 @@
 
 #include "description/diagnostic.hpp"
 #include "description/read_robots.hpp"
+#include "description/read_scene.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 
@@ -37,7 +38,8 @@ std::optional<RobotWithFiles> read_robot_files(const std::string& first, const s
 /// The scene of these files for the robot, or the default one; `functions` go before what it lists,
 /// if there are any.
 std::optional<Scene> parse_scene_of(const RobotWithFiles& read, Diagnostics& diagnostics,
-                                    const std::vector<Function>& functions = {});
+                                    const std::vector<Function>& functions = {},
+                                    FunctionsFrom from = FunctionsFrom::scene);
 
 /// The URDF's text; of several robots all in one, see `print_joined_urdf`.
 std::string shown_urdf(const RobotFiles& files);

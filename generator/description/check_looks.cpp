@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kLooks = {"link", "visual", "collision", "geometry",
                                                     "material"};
+constexpr std::array<std::string_view, 5> kShapes = {"box", "cylinder", "capsule", "sphere",
+                                                     "mesh"};
 constexpr std::array<std::string_view, 8> kHoldAttributes = {
     "color", "texture", "origin", "box", "cylinder", "capsule", "sphere", "mesh"};
 
@@ -31,6 +33,19 @@ void pass_over_content(const UrdfElement& element) {
   }
 }
 
+/// A geometry is one shape: readers take the first.
+void pass_over_second_shape(const UrdfElement& geometry) {
+  const auto* const first = geometry.xml().FirstChildElement();
+  const auto* const second = first == nullptr ? nullptr : first->NextSiblingElement();
+  if (second == nullptr) return;
+  geometry.reading().pass_over(
+      Severity::warning, fmt::format("geometry/{}", second->Name()), second->GetLineNum(),
+      geometry.path(),
+      fmt::format("<{}> stands behind the shape of its <geometry> and is ignored", second->Name()),
+      is_one_of(second->Name(), kShapes) ? "give each shape a <visual> or <collision> of its own"
+                                         : "move it to where URDF has it, or remove it");
+}
+
 }  // namespace
 
 void check_looks(const UrdfElement& robot) {
@@ -39,6 +54,7 @@ void check_looks(const UrdfElement& robot) {
     if (is_one_of(element.name(), kHoldAttributes)) {
       pass_over_content(element);
     } else if (is_one_of(element.name(), kLooks)) {
+      if (element.name() == "geometry") pass_over_second_shape(element);
       check_looks(element);
     }
   }

@@ -158,11 +158,13 @@ void check_contacts(const SceneElement& top, const Robot& robot, const Scene& sc
                           contact.link),
               "put it on a link behind a joint that moves");
   }
+}
+
+void check_contacts_used(const SceneElement& top, const Scene& scene) {
   const bool used = std::any_of(scene.functions.begin(), scene.functions.end(), needs_contacts);
-  if (!scene.contacts.empty() && !used) {
-    top.warn("contacts are listed, but no function takes them",
-             "add contact_inverse_inertia, effective_mass or impulse_response to functions");
-  }
+  if (scene.contacts.empty() || used) return;
+  top.warn("contacts are listed, but no function takes them",
+           "add contact_inverse_inertia, effective_mass or impulse_response to functions");
 }
 
 /// A frame that cannot move needs no force to be held.
@@ -183,12 +185,18 @@ void check_constraints(const SceneElement& top, const Robot& robot, const Scene&
                           loop.first.name, loop.first.link, loop.second.link),
               "name two links with joints that move between them");
   }
+}
+
+void check_constraints_used(const SceneElement& top, const Scene& scene) {
   const bool listed = scene.holds_rows() || !scene.passive.empty();
   const bool used = std::any_of(scene.functions.begin(), scene.functions.end(), needs_constraints);
-  if (listed && !used) {
-    top.warn("constraints or passive joints are listed, but no function takes them",
-             "add constrained_forward_dynamics or supported_control_torque to functions");
-  }
+  if (!listed || used) return;
+  const bool has_function = scene.holds_rows() || !scene.operational_points.empty();
+  top.warn(
+      "constraints or passive joints are listed, but no function takes them",
+      has_function
+          ? "add constrained_forward_dynamics or supported_control_torque to functions"
+          : "add operational_points: supported_control_torque moves them without these joints");
 }
 
 /// More rows than coordinates that move them: an error where a bare solve is asked for, else said.
@@ -208,9 +216,9 @@ void complain_of_rows(const SceneElement& top, const Scene& scene, const std::st
 /// Lambda exists only if the rows can be moved independently of each other. Rows in strict priority
 /// need not be.
 void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene) {
-  const bool yield = has_priorities(scene.operational_points);
-  const auto needs_lambda = [yield](Function f) {
-    return has_lambda(f) && !(f == Function::control_torque && yield);
+  const bool prioritized = has_priorities(scene.operational_points);
+  const auto needs_lambda = [prioritized](Function f) {
+    return has_lambda(f) && !(f == Function::control_torque && prioritized);
   };
   if (std::none_of(scene.functions.begin(), scene.functions.end(), needs_lambda)) return;
   Freedoms all;
@@ -312,7 +320,6 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   check_damped(top, singular, scene);
   check_limits(top, scene);
   check_controller(top, robot, singular, scene);
-  check_forces_used(top, scene);
   check_inputs_used(top, scene);
   check_implicit_friction(top, scene);
   check_regressor_used(top, scene);
@@ -321,6 +328,12 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   check_rows(top, robot, scene);
   check_objects(top, robot, scene);
   check_joint_identifiers(top, robot, freedoms);
+}
+
+void warn_of_unused(const SceneElement& top, const Scene& scene) {
+  check_forces_used(top, scene);
+  check_contacts_used(top, scene);
+  check_constraints_used(top, scene);
 }
 
 }  // namespace treeline

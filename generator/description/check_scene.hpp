@@ -22,4 +22,7 @@ std::vector<Function> default_functions(const Scene& scene);
 /// coordinates that move them, names of joints that meet in one identifier.
 void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene);
 
+/// Warns of forces, contacts, constraints and passive joints that none of the functions takes.
+void warn_of_unused(const SceneElement& top, const Scene& scene);
+
 }  // namespace treeline

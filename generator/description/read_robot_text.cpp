@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "description/read_robots.hpp"
 #include "description/read_text_file.hpp"
 #include "description/scan_xml.hpp"
 #include "description/sdf/print_urdf.hpp"
@@ -54,6 +55,15 @@ std::optional<RobotText> as_robot_text(std::string text, const std::string& path
 std::optional<RobotText> read_robot_text(const std::string& path, Diagnostics& diagnostics) {
   auto text = read_text_file(path, diagnostics);
   if (!text) return std::nullopt;
+  if (is_scene_text(*text)) {
+    diagnostics.add({Severity::error, shown_path(path), 0, "", "this is a scene, not a robot",
+                     lists_robots(*text)
+                         ? "name a URDF or SDF; `generate`, `check` and `drive` take a scene that "
+                           "lists robots in place of one"
+                         : "name a URDF or SDF; `generate`, `check` and `drive` take a scene as "
+                           "their second argument, behind the robot"});
+    return std::nullopt;
+  }
   return as_robot_text(std::move(*text), path, diagnostics);
 }
 

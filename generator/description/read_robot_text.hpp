@@ -14,7 +14,8 @@ struct RobotText {
 };
 
 /// The URDF in a file, `-` is standard input; of an SDF file what it says as a URDF, see
-/// `description/sdf`, with a note that tells so. Other text is handed on as it is.
+/// `description/sdf`, with a note that tells so. A scene is an error; other text is handed on as it
+/// is.
 std::optional<RobotText> read_robot_text(const std::string& path, Diagnostics& diagnostics);
 
 /// The same of text that was read from `path`.

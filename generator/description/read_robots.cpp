@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "description/alias_lines.hpp"
 #include "description/default_base.hpp"
 #include "description/identifier.hpp"
 #include "description/parse_yaml.hpp"
@@ -173,7 +174,7 @@ std::optional<SceneRobots> read_robots(const std::string& scene_text, const std:
   const std::string shown = shown_path(scene_path);
   const auto document = parse_yaml(scene_text, shown, diagnostics);
   if (!document) return std::nullopt;
-  SceneReading reading{shown, diagnostics};
+  SceneReading reading{shown, diagnostics, alias_lines(scene_text)};
   const SceneElement list((*document)["robots"], "robots", reading);
   Reader reader(scene_path, diagnostics);
   const std::vector<SceneElement> items = list.items();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "description/alias_lines.hpp"
 #include "description/check_scene.hpp"
 #include "description/default_base.hpp"
 #include "description/follow_target.hpp"
@@ -61,17 +62,18 @@ void note_missing_scene(const Robot& robot, const Scene& scene, Diagnostics& dia
 
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
                                  const Robot& robot, Diagnostics& diagnostics,
-                                 const std::vector<Function>& functions) {
+                                 const std::vector<Function>& functions, FunctionsFrom from) {
   const auto document = parse_yaml(text, file_name, diagnostics);
   if (!document) return std::nullopt;
   // Without a scene, what cannot be is told of the robot.
-  SceneReading reading{file_name.empty() ? robot.file : file_name, diagnostics};
+  SceneReading reading{file_name.empty() ? robot.file : file_name, diagnostics, alias_lines(text)};
   const SceneElement top(*document, "", reading);
   Scene scene = read_fields(top, robot);
   scene.file = file_name;
   if (!functions.empty()) scene.functions = functions;
   if (!reading.failed) complete_scene(top, robot, scene);
   if (reading.failed) return std::nullopt;
+  if (from == FunctionsFrom::scene) warn_of_unused(top, scene);
   if (!file_name.empty() && scene.base == Base::floating && !(*document)["base"]) {
     top.note("the scene says nothing of the base, which floats, for no joint moves",
              "write base: floating or base: fixed to choose");

@@ -24,9 +24,14 @@ std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
                                 Diagnostics& diagnostics,
                                 const std::vector<Function>& functions = {});
 
+/// Who says which functions there are. A command that chooses them itself says what it leaves out
+/// of a scene; the scene's functions are then none of its business.
+enum class FunctionsFrom { scene, command };
+
 /// The same from text; `file_name` is for the diagnostics only. Empty text is the default scene.
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
                                  const Robot& robot, Diagnostics& diagnostics,
-                                 const std::vector<Function>& functions = {});
+                                 const std::vector<Function>& functions = {},
+                                 FunctionsFrom from = FunctionsFrom::scene);
 
 }  // namespace treeline

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 namespace treeline {
@@ -40,6 +41,28 @@ std::optional<std::string> read_to_end(std::FILE* file, const std::string& path,
   return text;
 }
 
+/// What the first bytes say of a file that no reader here could make sense of; empty: nothing.
+std::string_view name_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\x1f\x8b"sv)) return "gzip";
+  const bool is_utf16 = text.starts_with("\xff\xfe"sv) || text.starts_with("\xfe\xff"sv) ||
+                        text.starts_with("<\0"sv) || text.starts_with("\0<"sv);
+  return is_utf16 ? "UTF-16" : "";
+}
+
+/// The text, unless it is compressed or of another encoding, with an error.
+std::optional<std::string> as_utf8(std::optional<std::string> text, const std::string& path,
+                                   Diagnostics& diagnostics) {
+  const std::string_view encoding = text ? name_encoding(*text) : "";
+  if (encoding.empty()) return text;
+  if (encoding == "gzip") {
+    report(path, "the file is compressed by gzip", "unpack it with gunzip", diagnostics);
+  } else {
+    report(path, "the file is UTF-16 text", "save it as UTF-8 text", diagnostics);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string shown_path(const std::string& path) {
@@ -54,7 +77,10 @@ bool can_read_both(const std::string& urdf, const std::string& scene, Diagnostic
 }
 
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics) {
-  if (path == kStandardInput) return read_to_end(stdin, shown_path(path), diagnostics);
+  if (path == kStandardInput) {
+    return as_utf8(read_to_end(stdin, shown_path(path), diagnostics), shown_path(path),
+                   diagnostics);
+  }
   if (path.empty()) {
     report(path, "the name of a file to read is empty", "name the file", diagnostics);
     return std::nullopt;
@@ -71,7 +97,7 @@ std::optional<std::string> read_text_file(const std::string& path, Diagnostics& 
            "check the path and the permissions", diagnostics);
     return std::nullopt;
   }
-  return read_to_end(file.get(), path, diagnostics);
+  return as_utf8(read_to_end(file.get(), path, diagnostics), path, diagnostics);
 }
 
 }  // namespace treeline

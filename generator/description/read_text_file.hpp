@@ -8,7 +8,8 @@
 namespace treeline {
 
 /// All bytes of a file; `-` is standard input. Nothing, and an error that says why, when it is
-/// missing, is a folder, cannot be read or has more than 64 MiB (no description of a robot does).
+/// missing, is a folder, cannot be read, has more than 64 MiB (no description of a robot does), is
+/// compressed by gzip or is UTF-16 text.
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics);
 
 /// What messages call the file: the path, or `standard input`.

@@ -176,7 +176,7 @@ struct SceneRegressor {
 
 /// The effective masses beyond which a direction of the task yields near singularities: kg in rows
 /// of translation, kg m^2 in rows of rotation. See `core::damped_solve`.
-struct HeaviestMotion {
+struct EffectiveMassLimit {
   double mass = 0;
   double inertia = 0;
 };
@@ -252,7 +252,7 @@ struct Scene {
   std::string target = "generic";  ///< processor that the code is for, see `find_target`
   int batch = 0;  ///< states that the functions of NAME_batch.hpp take in one call; 0: none emitted
   SingularTasks singular = SingularTasks::smooth;
-  std::optional<HeaviestMotion> damped;       ///< asks for NAME_damped.hpp: damped_control_torque
+  std::optional<EffectiveMassLimit> damped;   ///< asks for NAME_damped.hpp: damped_control_torque
   std::optional<SceneController> controller;  ///< asks for NAME_controller.h
   /// Joint name -> inertia that its motor's rotor adds to the joint, kg m^2 (kg for sliding
   /// joints).

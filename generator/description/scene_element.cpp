@@ -18,6 +18,13 @@ constexpr std::size_t kMostItems = 4096;
 
 }  // namespace
 
+SceneElement::SceneElement(YAML::Node node, std::string path, SceneReading& reading, int alias_line)
+    : node_(std::move(node)), path_(std::move(path)), alias_line_(alias_line), reading_(&reading) {
+  const auto alias = reading.aliases.find(path_);
+  if (alias_line_ == 0 && alias != reading.aliases.end()) alias_line_ = alias->second;
+  line_ = alias_line_ > 0 ? alias_line_ : node_.Mark().line + 1;
+}
+
 void SceneElement::report(Severity severity, std::string fault, std::string remedy) const {
   const bool first_error = severity == Severity::error && !reading_->failed;
   reading_->failed = reading_->failed || severity == Severity::error;
@@ -60,7 +67,11 @@ bool SceneElement::has_few() const {
 }
 
 SceneElement SceneElement::inside(const YAML::Node& node, const std::string& step) const {
-  return {node, path_.empty() ? step : path_ + "/" + step, *reading_};
+  return {node, path_.empty() ? step : path_ + "/" + step, *reading_, alias_line_};
+}
+
+SceneElement SceneElement::item(std::size_t i) const {
+  return {node_[i], fmt::format("{}[{}]", path_, i), *reading_, alias_line_};
 }
 
 bool SceneElement::is(std::string_view word) const {
@@ -82,12 +93,16 @@ std::vector<SceneElement::Entry> SceneElement::entries(const std::string& remedy
     }
     const std::string key = pair.first.Scalar();
     if (!seen.insert(key).second) {
-      inside(pair.first, key).error("the key is given twice", "keep one of the two");
+      SceneElement repeated = inside(pair.first, key);
+      repeated.line_ = pair.first.Mark().line + 1;
+      repeated.error("the key is given twice", "keep one of the two");
       continue;
     }
     entries.emplace_back(key, inside(pair.second, key));
     // The place of an empty value is that of whatever follows it.
-    if (pair.second.IsNull()) entries.back().second.line_ = pair.first.Mark().line + 1;
+    if (pair.second.IsNull() && entries.back().second.alias_line_ == 0) {
+      entries.back().second.line_ = pair.first.Mark().line + 1;
+    }
   }
   return entries;
 }
@@ -116,7 +131,7 @@ std::vector<SceneElement> SceneElement::items() const {
   }
   if (!has_few()) return items;
   for (std::size_t i = 0; i < node_.size(); ++i) {
-    items.push_back({node_[i], fmt::format("{}[{}]", path_, i), *reading_});
+    items.push_back(item(i));
   }
   return items;
 }
@@ -170,8 +185,7 @@ std::optional<std::array<double, 3>> SceneElement::three_numbers(bool angles) co
   }
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto value =
-        SceneElement(node_[i], fmt::format("{}[{}]", path_, i), *reading_).number(angles);
+    const auto value = item(i).number(angles);
     if (!value) return std::nullopt;
     values[i] = *value;
   }

@@ -18,6 +18,7 @@ namespace treeline {
 struct SceneReading {
   std::string file;
   Diagnostics& diagnostics;
+  std::map<std::string, int> aliases = {};  ///< lines of `alias_lines`
   bool failed = false;
   int reports = 0;  ///< beyond a thousand, the next one says so and the rest are not listed
 };
@@ -34,10 +35,7 @@ class SceneElement {
   using Entry = std::pair<std::string, SceneElement>;
 
   SceneElement(YAML::Node node, std::string path, SceneReading& reading)
-      : node_(std::move(node)),
-        path_(std::move(path)),
-        line_(node_.Mark().line + 1),
-        reading_(&reading) {}
+      : SceneElement(std::move(node), std::move(path), reading, 0) {}
 
   void error(std::string fault, std::string remedy) const;
   void warn(std::string fault, std::string remedy) const;
@@ -64,14 +62,17 @@ class SceneElement {
   [[nodiscard]] std::optional<std::array<double, 3>> three_numbers(bool angles = false) const;
 
  private:
+  SceneElement(YAML::Node node, std::string path, SceneReading& reading, int alias_line);
   [[nodiscard]] SceneElement inside(const YAML::Node& node, const std::string& step) const;
+  [[nodiscard]] SceneElement item(std::size_t i) const;
   void report(Severity severity, std::string fault, std::string remedy) const;
   [[nodiscard]] std::string kind() const;
   [[nodiscard]] bool has_few() const;
 
   YAML::Node node_;
   std::string path_;
-  int line_;
+  int alias_line_;  ///< of the alias within which this is; 0: none
+  int line_ = 0;
   SceneReading* reading_;
 };
 

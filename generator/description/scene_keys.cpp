@@ -66,8 +66,8 @@ void read_functions(const SceneElement& element, Scene& scene) {
   std::sort(scene.functions.begin(), scene.functions.end());
 }
 
-std::optional<double> read_heaviest(const SceneElement& element, const SceneFields& fields,
-                                    const char* key) {
+std::optional<double> read_mass_limit(const SceneElement& element, const SceneFields& fields,
+                                      const char* key) {
   const auto found = fields.find(key);
   if (found == fields.end()) {
     element.error(fmt::format("the key \"{}\" is missing", key),
@@ -83,9 +83,9 @@ std::optional<double> read_heaviest(const SceneElement& element, const SceneFiel
 
 void read_damped(const SceneElement& element, Scene& scene) {
   const auto fields = element.fields({"mass", "inertia"});
-  const auto mass = read_heaviest(element, fields, "mass");
-  const auto inertia = read_heaviest(element, fields, "inertia");
-  if (mass && inertia) scene.damped = HeaviestMotion{*mass, *inertia};
+  const auto mass = read_mass_limit(element, fields, "mass");
+  const auto inertia = read_mass_limit(element, fields, "inertia");
+  if (mass && inertia) scene.damped = EffectiveMassLimit{*mass, *inertia};
 }
 
 void read_snap(const SceneElement& element, Scene& scene) {

@@ -62,7 +62,7 @@ DampedCost cost_of_damped_solve(int n, int velocities, bool single_precision) {
   add_turn(count, n, sweeps);
   add_turn(count, n, sweeps);
   add(count, 1, 0, 2, 0);                          // border
-  add(count, n, 2, 3, 2);                          // delta of each ease, and the quotient
+  add(count, n, 2, 3, 2);                          // delta of each eigenvalue, and the quotient
   add(count, n, 0, 1, 0);                          // S x
   add(count, pairs, 1, 2, 1);                      // pivots of L D L^T, and L
   add(count, n * (n - 1) * (n - 2) / 6, 1, 1, 0);  // what is below them

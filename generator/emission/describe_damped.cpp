@@ -73,9 +73,9 @@ std::string describe_damped_cost(const EmissionContext& context,
   return text + describe_rounding(context, "damped_control_torque");
 }
 
-std::string list_heaviest(const EmissionContext& context, const Syntax& syntax) {
+std::string list_effective_mass_limits(const EmissionContext& context, const Syntax& syntax) {
   std::string list;
-  for (const double value : context.heaviest) {
+  for (const double value : context.effective_mass_limits) {
     list += (list.empty() ? "" : ", ") + syntax.literal(value);
   }
   return list;

@@ -30,7 +30,7 @@ std::vector<Argument> list_damped_arguments(const std::vector<DampedCall>& calls
 /// Cost, stack and rounding, as every function of the contract states them.
 std::string describe_damped_cost(const EmissionContext& context, std::span<const Program> programs);
 
-/// The heaviest masses with commas between.
-std::string list_heaviest(const EmissionContext& context, const Syntax& syntax);
+/// The limits of effective mass with commas between.
+std::string list_effective_mass_limits(const EmissionContext& context, const Syntax& syntax);
 
 }  // namespace treeline

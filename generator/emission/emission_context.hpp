@@ -26,10 +26,11 @@ struct EmissionContext {
   bool misra = false;              ///< written as rules for safe code ask
   std::string target = "generic";  ///< processor, see `find_target`
   Optimize optimize = Optimize::speed;
-  bool prefetch = false;             ///< asks for NAME_prefetch
-  int lanes = 1;                     ///< numbers that the code may compute together
-  int batch = 0;                     ///< states a call of the functions in NAME_batch.hpp; 0: none
-  std::vector<double> heaviest;      ///< of each task row, for NAME_damped.hpp; empty: none
+  bool prefetch = false;  ///< asks for NAME_prefetch
+  int lanes = 1;          ///< numbers that the code may compute together
+  int batch = 0;          ///< states a call of the functions in NAME_batch.hpp; 0: none
+  std::vector<double>
+      effective_mass_limits;         ///< of each task row, for NAME_damped.hpp; empty: none
   bool limited = false;              ///< whether the scene asks for NAME_limited.hpp
   std::optional<LimitFacts> limits;  ///< for it, where it is printed
   bool controlled = false;           ///< the scene asks for a controller

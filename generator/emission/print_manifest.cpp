@@ -176,7 +176,8 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"domain", quote_json(context.domain)},
        {"functions",
         print_list(programs, [&context](const Program& p) { return print_function(context, p); }) +
-            (context.heaviest.empty() ? "" : print_damped_function(context, programs)) +
+            (context.effective_mass_limits.empty() ? ""
+                                                   : print_damped_function(context, programs)) +
             (context.limits ? print_limited_function(context, programs) : "")},
        {"measured", context.measured.empty()
                         ? ""

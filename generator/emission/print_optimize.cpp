@@ -42,7 +42,7 @@ std::vector<std::string> list_small_sources(const EmissionContext& context,
   for (const Program& program : batch) names.push_back("batch_" + program.name);
   if (context.controller) names.emplace_back("controller");
   if (context.language == Language::c) {  // in C++ they are headers
-    if (!context.heaviest.empty()) names.emplace_back("damped_control_torque");
+    if (!context.effective_mass_limits.empty()) names.emplace_back("damped_control_torque");
     if (context.limits) names.emplace_back("limited_control_torque");
   }
   return names;

@@ -13,8 +13,8 @@ SceneInertia ranges_of(const MechanismInertia& link) {
   SceneInertia ranges{link.frame.name};
   const auto mass = static_cast<double>(link.nominal.mass);
   if (!(mass > 0)) return ranges;
-  const auto first = static_cast<double>(Exact(sqrt(Exact(link.nominal.h.squaredNorm()))));
-  const auto second = static_cast<double>(Exact(link.nominal.Sigma.trace()));
+  const auto first = static_cast<double>(Digits50(sqrt(Digits50(link.nominal.h.squaredNorm()))));
+  const auto second = static_cast<double>(Digits50(link.nominal.Sigma.trace()));
   ranges.mass = 2 * mass;
   const double reach = 2 * (first / mass + std::sqrt(std::abs(second) / mass));
   if (reach > 0) ranges.reach = reach;

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "bounds/draw_inputs.hpp"
-#include "description/heaviest_rows.hpp"
+#include "description/effective_mass_limits.hpp"
 #include "generation/evaluate_damped.hpp"
 #include "program/evaluate.hpp"
 
@@ -67,29 +67,29 @@ std::vector<const Program*> called(const std::vector<GeneratedFunction>& functio
 
 template <class T>
 std::vector<T> damped(const std::vector<const Program*>& programs, const Values& values,
-                      const std::vector<double>& heaviest) {
+                      const std::vector<double>& mass_limits) {
   const auto to = [](const std::vector<double>& from) {
     return std::vector<T>(from.begin(), from.end());
   };
   return evaluate_damped_in<T>(
       {result_of<T>(*programs[0], values), result_of<T>(*programs[1], values),
        result_of<T>(*programs[2], values), result_of<T>(*programs[3], values), to(values.at("qdd")),
-       to(values.at("xdd_cmd")), to(heaviest)});
+       to(values.at("xdd_cmd")), to(mass_limits)});
 }
 
-/// The largest error of a torque, and of the ease.
+/// The largest error of a torque, and of the least eigenvalue.
 struct Errors {
-  double tau = 0, ease = 0;
+  double tau = 0, least_eigenvalue = 0;
 };
 
 template <class T>
 Errors errors_at(const std::vector<const Program*>& programs, const Values& values,
-                 const std::vector<double>& heaviest) {
-  const auto computed = damped<T>(programs, values, heaviest);
-  const auto exact = damped<long double>(programs, values, heaviest);
+                 const std::vector<double>& mass_limits) {
+  const auto computed = damped<T>(programs, values, mass_limits);
+  const auto exact = damped<long double>(programs, values, mass_limits);
   Errors errors;
   for (std::size_t i = 0; i < computed.size(); ++i) {
-    double& own = i + 1 == computed.size() ? errors.ease : errors.tau;
+    double& own = i + 1 == computed.size() ? errors.least_eigenvalue : errors.tau;
     own = std::max(own, static_cast<double>(std::abs(exact[i] - computed[i])));
   }
   return errors;
@@ -114,16 +114,16 @@ std::string describe_damped_rounding(const std::vector<GeneratedFunction>& funct
                                      const Scene& scene, const Domain& domain) {
   const auto programs = called(functions);
   Arguments arguments = arguments_of(programs);
-  const std::vector<double> heaviest = heaviest_rows(scene);
-  arguments.sizes.emplace_back("xdd_cmd", heaviest.size());
-  for (std::size_t i = 0; i < heaviest.size(); ++i) {
+  const std::vector<double> mass_limits = effective_mass_limits(scene);
+  arguments.sizes.emplace_back("xdd_cmd", mass_limits.size());
+  for (std::size_t i = 0; i < mass_limits.size(); ++i) {
     arguments.graph.input(fmt::format("xdd_cmd[{}]", i));
   }
   const bounds::InputSpace space(arguments.graph, domain);
   if (space.missing()) return "no bound is known: no range is stated for " + *space.missing();
   Rng rng(1);
   std::vector<bounds::States> inputs(arguments.graph.inputs().size());
-  std::vector<double> tau, ease;
+  std::vector<double> tau, least_eigenvalue;
   for (int state = 0; state < kBatches * static_cast<int>(bounds::kStatesAtOnce); ++state) {
     space.put(space.draw(rng), 0, inputs);
     Values values;
@@ -136,13 +136,13 @@ std::string describe_damped_rounding(const std::vector<GeneratedFunction>& funct
       }
     }
     const Errors errors = scene.real == Real::float32
-                              ? errors_at<float>(programs, values, heaviest)
-                              : errors_at<double>(programs, values, heaviest);
+                              ? errors_at<float>(programs, values, mass_limits)
+                              : errors_at<double>(programs, values, mass_limits);
     tau.push_back(errors.tau);
-    ease.push_back(errors.ease);
+    least_eigenvalue.push_back(errors.least_eigenvalue);
   }
   return fmt::format("in 50, 90, 99 of 100 states, as measured, at most {} in tau; {} in the ease",
-                     quantiles(std::move(tau)), quantiles(std::move(ease)));
+                     quantiles(std::move(tau)), quantiles(std::move(least_eigenvalue)));
 }
 
 }  // namespace treeline

@@ -27,7 +27,8 @@ struct Choices {
 /// Reads the choices that a manifest.json records, or that are written by hand in the same form:
 /// {"choices": [{"function": "gravity", "chosen": {"route": "...", "lanes": 4}}, ...]}. A batch
 /// function is called "batch_gravity". Errors: the file cannot be read or is not JSON of this form;
-/// a function does not exist.
-std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagnostics);
+/// a function does not exist; the file says that it is about another robot than `robot`.
+std::optional<Choices> read_choices(const std::string& path, const std::string& robot,
+                                    Diagnostics& diagnostics);
 
 }  // namespace treeline

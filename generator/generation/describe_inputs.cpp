@@ -19,12 +19,12 @@ std::string entries(std::size_t k, std::size_t size) {
 
 /// The ten parameters of a body, in the order of the arguments.
 std::string list_parameters(const Inertia& inertia) {
-  const ExactMatrix3 J = rotational_inertia(inertia);
-  const std::array<Exact, kInertialParameters> values{
+  const Digits50Matrix3 J = rotational_inertia(inertia);
+  const std::array<Digits50, kInertialParameters> values{
       inertia.mass, inertia.h(0), inertia.h(1), inertia.h(2), J(0, 0),
       J(0, 1),      J(1, 1),      J(0, 2),      J(1, 2),      J(2, 2)};
   std::vector<std::string> listed;
-  for (const Exact& value : values) listed.push_back(format_literal(static_cast<double>(value)));
+  for (const Digits50& value : values) listed.push_back(format_literal(static_cast<double>(value)));
   return fmt::format("{}", fmt::join(listed, ", "));
 }
 
@@ -41,17 +41,17 @@ void append_origins(const char* argument, const char* kind, const std::vector<Sc
 
 /// x, y, z, w of the rotations by roll, pitch and yaw about fixed axes, in this order.
 std::string list_quaternion(const std::array<double, 3>& rpy) {
-  std::array<Exact, 3> s, c;
+  std::array<Digits50, 3> s, c;
   for (std::size_t i = 0; i < 3; ++i) {
-    s[i] = sin(Exact(rpy[i]) / 2);
-    c[i] = cos(Exact(rpy[i]) / 2);
+    s[i] = sin(Digits50(rpy[i]) / 2);
+    c[i] = cos(Digits50(rpy[i]) / 2);
   }
-  const std::array<Exact, 4> entries{Exact(s[0] * c[1] * c[2] - c[0] * s[1] * s[2]),
-                                     Exact(c[0] * s[1] * c[2] + s[0] * c[1] * s[2]),
-                                     Exact(c[0] * c[1] * s[2] - s[0] * s[1] * c[2]),
-                                     Exact(c[0] * c[1] * c[2] + s[0] * s[1] * s[2])};
+  const std::array<Digits50, 4> entries{Digits50(s[0] * c[1] * c[2] - c[0] * s[1] * s[2]),
+                                        Digits50(c[0] * s[1] * c[2] + s[0] * c[1] * s[2]),
+                                        Digits50(c[0] * c[1] * s[2] - s[0] * s[1] * c[2]),
+                                        Digits50(c[0] * c[1] * c[2] + s[0] * s[1] * s[2])};
   std::vector<std::string> listed;
-  for (const Exact& entry : entries) {
+  for (const Digits50& entry : entries) {
     const bool noise = abs(entry) < kResolution;
     listed.push_back(format_literal(noise ? 0.0 : static_cast<double>(entry)));
   }
@@ -81,7 +81,7 @@ void append_base_parameters(const Mechanism& mechanism, std::vector<std::string>
     const ModelParameter& named = found->parameters[found->base[k].parameter];
     std::string text = describe(found->base[k], *found);
     if (named.kind == ModelParameter::Kind::coulomb) {
-      text += fmt::format(" of s(qd / {:.6g})", static_cast<double>(Exact(1 / named.sharpness)));
+      text += fmt::format(" of s(qd / {:.6g})", static_cast<double>(Digits50(1 / named.sharpness)));
     }
     notes.push_back(fmt::format("base_parameters {}: {}, {}, in the files {}", k, text,
                                 unit_of(named), format_literal(value)));

@@ -15,7 +15,7 @@ using Kind = ModelParameter::Kind;
 std::string describe_drive(const ModelParameter& parameter) {
   if (parameter.kind != Kind::coulomb) return name_of(parameter);
   return fmt::format("{}, whose column is s(qd / {:.6g})", name_of(parameter),
-                     static_cast<double>(Exact(1 / parameter.sharpness)));
+                     static_cast<double>(Digits50(1 / parameter.sharpness)));
 }
 
 void append_all(const Mechanism& mechanism, std::vector<std::string>& notes) {

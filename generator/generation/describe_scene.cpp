@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "description/effective_mass_limits.hpp"
 #include "description/find_joint.hpp"
-#include "description/heaviest_rows.hpp"
 #include "description/list_rows.hpp"
 #include "generation/describe_drives.hpp"
 #include "generation/describe_inputs.hpp"
@@ -256,7 +256,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.prefetch = scene.prefetch;
   context.lanes = scene.lanes;
   context.batch = scene.batch;
-  context.heaviest = heaviest_rows(scene);
+  context.effective_mass_limits = effective_mass_limits(scene);
   context.limited = scene.has_limits();
   context.controlled = scene.controller.has_value();
   context.coordinates = mechanism.nq();

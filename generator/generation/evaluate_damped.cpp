@@ -39,14 +39,14 @@ constexpr std::size_t kMostRows = 36;
 template <int rows, class T>
 T solve(const DampedInputsIn<T>& in, std::vector<T>& F) {
   T A[rows * rows];
-  T heaviest[rows];
+  T mass_limits[rows];
   T x[rows];
   std::copy(in.Lambda_inverse.begin(), in.Lambda_inverse.end(), A);
-  std::copy(in.heaviest.begin(), in.heaviest.end(), heaviest);
+  std::copy(in.mass_limits.begin(), in.mass_limits.end(), mass_limits);
   std::copy(F.begin(), F.end(), x);
-  const T ease = core::damped_solve(A, heaviest, x);
+  const T least_eigenvalue = core::damped_solve(A, mass_limits, x);
   std::copy(x, x + rows, F.begin());
-  return ease;
+  return least_eigenvalue;
 }
 
 /// `core::damped_solve` of as many rows as there are.
@@ -69,7 +69,7 @@ std::vector<To> to(const std::vector<double>& entries) {
 /// `core::add_damped_task_torque`, sizes known as it runs.
 template <class T>
 std::vector<T> evaluate_damped_in(DampedInputsIn<T> in) {
-  const std::size_t rows = in.heaviest.size();
+  const std::size_t rows = in.mass_limits.size();
   const std::size_t nv = in.tau.size();
   if (rows > kMostRows) return {};
   std::vector<T> F(rows);
@@ -77,11 +77,11 @@ std::vector<T> evaluate_damped_in(DampedInputsIn<T> in) {
     F[row] = in.xdd_cmd[row] - in.bias[row];
     for (std::size_t i = 0; i < nv; ++i) F[row] -= in.J[row * nv + i] * in.qdd_0[i];
   }
-  const T ease = solve_any(in, F, std::make_index_sequence<kMostRows>());
+  const T least_eigenvalue = solve_any(in, F, std::make_index_sequence<kMostRows>());
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < nv; ++i) in.tau[i] += in.J[row * nv + i] * F[row];
   }
-  in.tau.push_back(ease);
+  in.tau.push_back(least_eigenvalue);
   return in.tau;
 }
 
@@ -94,7 +94,7 @@ std::vector<double> evaluate_damped(Real real, const DampedInputs& inputs) {
   const auto entries = evaluate_damped_in<float>(
       {to<float>(inputs.Lambda_inverse), to<float>(inputs.J), to<float>(inputs.bias),
        to<float>(inputs.tau), to<float>(inputs.qdd_0), to<float>(inputs.xdd_cmd),
-       to<float>(inputs.heaviest)});
+       to<float>(inputs.mass_limits)});
   return {entries.begin(), entries.end()};
 }
 

@@ -11,7 +11,7 @@ template <class Scalar>
 struct DampedInputsIn {
   std::vector<Scalar> Lambda_inverse, J, bias;
   std::vector<Scalar> tau;  ///< inverse dynamics at qdd_0
-  std::vector<Scalar> qdd_0, xdd_cmd, heaviest;
+  std::vector<Scalar> qdd_0, xdd_cmd, mass_limits;
 };
 using DampedInputs = DampedInputsIn<double>;
 

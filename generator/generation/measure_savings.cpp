@@ -60,7 +60,7 @@ Savings measure_savings(const Robot& robot, const Scene& scene) {
   FunctionMechanisms mechanisms(robot, scene);
   EmissionContext context = describe_scene(robot, scene, reduced_mechanism(robot, scene));
   context.batch = 0;
-  context.heaviest.clear();
+  context.effective_mass_limits.clear();
   Savings savings{scene.name, {}};
   for (const Function function : possible_functions(scene)) {
     const GeneratedFunction generated =

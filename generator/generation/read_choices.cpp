@@ -38,14 +38,17 @@ std::string read_row(const Json& row, Choices& choices) {
 
 }  // namespace
 
-std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagnostics) {
+std::optional<Choices> read_choices(const std::string& path, const std::string& robot,
+                                    Diagnostics& diagnostics) {
   const auto text = read_text_file(path, diagnostics);
   if (!text) return std::nullopt;
   std::string fault;
+  std::string made_for = robot;
   Choices choices;
   try {
     const Json manifest = Json::parse(*text);
     choices.measured = manifest.value("measured", "");
+    made_for = manifest.value("robot", robot);
     for (const Json& row : manifest.at("choices")) {
       if (fault.empty()) fault = read_row(row, choices);
     }
@@ -54,7 +57,14 @@ std::optional<Choices> read_choices(const std::string& path, Diagnostics& diagno
   } catch (const Json::exception&) {
     fault = "there is no list of rows that say what is chosen";
   }
-  if (fault.empty()) return choices;
+  if (fault.empty() && made_for == robot) return choices;
+  if (fault.empty()) {
+    diagnostics.add(
+        {Severity::error, path, 0, "robot",
+         fmt::format("these choices are for the robot \"{}\", not for \"{}\"", made_for, robot),
+         "Name the manifest.json of a folder that was generated for this robot."});
+    return std::nullopt;
+  }
   diagnostics.add({Severity::error, path, 0, "choices", std::move(fault),
                    "Name the manifest.json of a generated folder."});
   return std::nullopt;

@@ -23,7 +23,7 @@ constexpr int kMostSteps = 2000;
 constexpr int kPatience = 25;       ///< steps without progress
 constexpr double kProgress = 1e-3;  ///< relative
 
-Vector3d to_double(const ExactVector3& v) {
+Vector3d to_double(const Digits50Vector3& v) {
   return v.cast<double>();
 }
 
@@ -46,11 +46,11 @@ double typical_mass(const Mechanism& mechanism) {
 BodyFrame frame_of(const Inertia& inertia, double length, double mass) {
   BodyFrame frame{Vector3d::Zero(), mass, length};
   if (inertia.mass > 0) {
-    frame.centre = to_double(ExactVector3(inertia.h / inertia.mass));
+    frame.centre = to_double(Digits50Vector3(inertia.h / inertia.mass));
     frame.mass = static_cast<double>(inertia.mass);
   }
   const Inertia centred =
-      transformed(inertia, {ExactMatrix3::Identity(), -frame.centre.cast<Exact>()});
+      transformed(inertia, {Digits50Matrix3::Identity(), -frame.centre.cast<Digits50>()});
   const double extent = centred.Sigma.cast<double>().norm() / frame.mass;
   if (extent > 0) frame.length = std::sqrt(extent);
   return frame;
@@ -58,7 +58,7 @@ BodyFrame frame_of(const Inertia& inertia, double length, double mass) {
 
 VectorXd numbers_of(const Inertia& inertia, const BodyFrame& frame) {
   const Inertia centred =
-      transformed(inertia, {ExactMatrix3::Identity(), -frame.centre.cast<Exact>()});
+      transformed(inertia, {Digits50Matrix3::Identity(), -frame.centre.cast<Digits50>()});
   const Vector3d h = to_double(centred.h) / (frame.mass * frame.length) * std::sqrt(2.0);
   const Matrix3d S = centred.Sigma.cast<double>() / (frame.mass * frame.length * frame.length);
   VectorXd numbers(kInertialNumbers);

@@ -81,8 +81,8 @@ struct Peak {
   double condition = 0, usual = 0, at = 0;
 };
 
-Peak climb(const Model<double>& model, const Points<double>& points, Vector<double> q,
-           const JointReport& joint) {
+Peak find_peak(const Model<double>& model, const Points<double>& points, Vector<double> q,
+               const JointReport& joint) {
   const double low = DrawnStates::lower(joint), high = DrawnStates::upper(joint);
   const auto at = [&](double value) {
     q[joint.q] = value;
@@ -157,7 +157,7 @@ void inspect_singularities(const Model<double>& model, const Points<double>& poi
     Peak worst;
     int closed = 0;
     for (const Vector<double>& q : drawn) {
-      const Peak peak = climb(model, points, q, *joint);
+      const Peak peak = find_peak(model, points, q, *joint);
       const bool closes =
           digits_lost(peak.condition) >= kSingularDigits && peak.condition > 100 * peak.usual;
       closed += closes ? 1 : 0;

@@ -199,7 +199,7 @@ PointReport inspect_point(const ScenePoint& point) {
 }
 
 int count_nonzero(const Inertia& inertia) {
-  const auto nonzero = [](const Exact& x) { return x != 0 ? 1 : 0; };
+  const auto nonzero = [](const Digits50& x) { return x != 0 ? 1 : 0; };
   int number = nonzero(inertia.mass);
   for (int i = 0; i < 3; ++i) {
     number += nonzero(inertia.h[i]);

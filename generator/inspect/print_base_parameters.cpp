@@ -27,7 +27,7 @@ std::string print_without_effect(const BaseParameters& found) {
 Json to_json(const BaseParameter& base, const BaseParameters& found, const Mechanism& mechanism) {
   const ModelParameter& named = found.parameters[base.parameter];
   Json combination = Json::array();
-  const auto add = [&](std::size_t parameter, const Exact& coefficient) {
+  const auto add = [&](std::size_t parameter, const Digits50& coefficient) {
     const ModelParameter& part = found.parameters[parameter];
     combination.push_back({{"parameter", name_of(part)},
                            {"unit", unit_of(part)},

@@ -54,7 +54,7 @@ void assume_damping(const Robot& robot, Scene& scene, Diagnostics& diagnostics) 
   const double mass = kTimesHeavier * moved_mass(robot, scene);
   const double radius = kShareOfReach * longest_way(robot, scene);
   if (!(mass > 0 && radius > 0)) return;
-  scene.damped = HeaviestMotion{mass, mass * radius * radius};
+  scene.damped = EffectiveMassLimit{mass, mass * radius * radius};
   diagnostics.add({Severity::note, scene.file, 0, "operational_points",
                    fmt::format("near singularities the task yields in directions that feel heavier "
                                "than {:.3g} kg or {:.3g} kg m^2",

@@ -50,19 +50,19 @@ std::string print_world_holds(const Scene& control, const Scene& links) {
 }
 
 /// What counts as too heavy to be moved by a row of the task, kg or kg m^2.
-std::string print_heaviest(const Scene& control) {
+std::string print_effective_mass_limits(const Scene& control) {
   constexpr double kNoLimit = 1e9;
-  std::string heaviest;
+  std::string limits;
   for (const ScenePoint& point : control.operational_points) {
     for (std::size_t row = 0; row < point.rows.size(); ++row) {
       if (!point.rows[row]) continue;
       const double stated = !control.damped ? kNoLimit
                             : row < 3       ? control.damped->mass
                                             : control.damped->inertia;
-      heaviest += fmt::format("{}, ", stated);
+      limits += fmt::format("{}, ", stated);
     }
   }
-  return fmt::format("  static constexpr double kHeaviest[] = {{{}}};\n", heaviest);
+  return fmt::format("  static constexpr double kEffectiveMassLimits[] = {{{}}};\n", limits);
 }
 
 std::string print_call(const char* function, const char* arguments, const char* input) {
@@ -117,7 +117,8 @@ std::string print_closed_loops(const Scene& control, const Mechanism& mechanism,
   text += print_call("inverse_dynamics", "input", "input") +
           print_call("forward_dynamics", "input, nullptr", "input");
   if (!control.operational_points.empty()) {
-    text += print_heaviest(control) + print_call("control_torque", "input, xdd", "input");
+    text +=
+        print_effective_mass_limits(control) + print_call("control_torque", "input, xdd", "input");
   }
   return text;
 }

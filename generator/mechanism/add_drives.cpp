@@ -11,19 +11,19 @@ Value value_of(const std::map<std::string, Value>& values, const std::string& jo
 }
 
 JointDrive drive_of(const MovingLink& link, const Scene& scene) {
-  const Exact m = link.multiplier;
+  const Digits50 m = link.multiplier;
   const SceneFriction friction = value_of(scene.joint_friction, link.joint);
   const SceneSpring spring = value_of(scene.joint_springs, link.joint);
   JointDrive drive;
-  drive.inertia = m * m * Exact(value_of(scene.armature, link.joint));
-  drive.damping = m * m * Exact(friction.damping);
+  drive.inertia = m * m * Digits50(value_of(scene.armature, link.joint));
+  drive.damping = m * m * Digits50(friction.damping);
   if (friction.friction > 0) {
-    drive.friction = m * Exact(friction.friction);
-    drive.sharpness = m / Exact(friction.width);
+    drive.friction = m * Digits50(friction.friction);
+    drive.sharpness = m / Digits50(friction.width);
   }
   if (spring.stiffness > 0 && m != 0) {
-    drive.stiffness = m * m * Exact(spring.stiffness);
-    drive.rest = (Exact(spring.rest) - link.offset) / m;
+    drive.stiffness = m * m * Digits50(spring.stiffness);
+    drive.rest = (Digits50(spring.rest) - link.offset) / m;
   }
   return drive;
 }

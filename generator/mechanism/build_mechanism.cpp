@@ -12,7 +12,7 @@
 #include "description/snap_angles.hpp"
 #include "description/with_rotors.hpp"
 #include "mechanism/add_drives.hpp"
-#include "mechanism/exact_from_file.hpp"
+#include "mechanism/digits50_from_file.hpp"
 #include "mechanism/place_inputs.hpp"
 #include "mechanism/place_scene.hpp"
 
@@ -20,9 +20,9 @@ namespace treeline {
 namespace {
 
 /// Cyclic permutation of the axes that takes z to `axis`.
-ExactMatrix3 z_to(StepAxis axis) {
-  if (axis == StepAxis::z) return ExactMatrix3::Identity();
-  ExactMatrix3 z_to_x = ExactMatrix3::Zero();
+Digits50Matrix3 z_to(StepAxis axis) {
+  if (axis == StepAxis::z) return Digits50Matrix3::Identity();
+  Digits50Matrix3 z_to_x = Digits50Matrix3::Zero();
   z_to_x(0, 2) = z_to_x(1, 0) = z_to_x(2, 1) = 1;
   return axis == StepAxis::x ? z_to_x : z_to_x.transpose();
 }
@@ -75,18 +75,18 @@ class Builder {
   /// Resolution of the files' numbers. A wider limit set by the scene applies only to single
   /// numbers of the files.
   static Resolution resolution_of(const NoiseLimits& limits) {
-    if (limits.angle == 0) return {Exact("1e-40"), 0};  // squares of 1e-17 count too
-    return {kResolution, Exact(limits.length) * kResolution / limits.angle};
+    if (limits.angle == 0) return {Digits50("1e-40"), 0};  // squares of 1e-17 count too
+    return {kResolution, Digits50(limits.length) * kResolution / limits.angle};
   }
 
-  ExactPose resolve(const ExactPose& pose, const std::string& element) {
+  Digits50Pose resolve(const Digits50Pose& pose, const std::string& element) {
     return resolved_as(pose, element, mechanism_);
   }
 
   /// Rotation that takes z to the joint's axis, if it has one.
-  ExactMatrix3 axis_rotation(const Joint& joint, const std::string& element) {
-    if (!info_of(joint.type).has_axis) return ExactMatrix3::Identity();
-    return resolve({rotation_from_z_to(unit_axis<Exact>(joint.axis)), ExactVector3::Zero()},
+  Digits50Matrix3 axis_rotation(const Joint& joint, const std::string& element) {
+    if (!info_of(joint.type).has_axis) return Digits50Matrix3::Identity();
+    return resolve({rotation_from_z_to(unit_axis<Digits50>(joint.axis)), Digits50Vector3::Zero()},
                    element + "/axis")
         .R;
   }
@@ -106,7 +106,7 @@ class Builder {
                            ? mechanism_.world
                            : mechanism_.links[static_cast<std::size_t>(place.link)].inertia;
     if (has_parameters_as_input(scene_, link.name)) return;
-    const Inertia own = link.inertial ? exact_inertia(*link.inertial) : Inertia{};
+    const Inertia own = link.inertial ? digits50_inertia(*link.inertial) : Inertia{};
     carrier = carrier + transformed(own, place.pose);
     if (link.inertial && (place.link < 0 || carrier_name(place) != link.name)) {
       mechanism_.notes.push_back(
@@ -124,9 +124,9 @@ class Builder {
     const std::string& link = robot_.links[static_cast<std::size_t>(joint.child)].name;
     const std::string element = fmt::format("robot/joint[{}]", joint.name);
     LinkPlace before{parent.link,
-                     resolve(parent.pose * exact_pose(joint.origin), element + "/origin")};
-    const ExactMatrix3 to_axis = axis_rotation(joint, element);
-    const std::optional<Exact> held = held_value(joint);
+                     resolve(parent.pose * digits50_pose(joint.origin), element + "/origin")};
+    const Digits50Matrix3 to_axis = axis_rotation(joint, element);
+    const std::optional<Digits50> held = held_value(joint);
     LinkPlace behind = before;
     if (held) {
       behind.pose = resolve(before.pose * displaced(joint.type, to_axis, *held), element);
@@ -139,8 +139,9 @@ class Builder {
     return behind;
   }
 
-  static ExactPose displaced(JointType type, const ExactMatrix3& to_axis, const Exact& value) {
-    ExactPose pose;
+  static Digits50Pose displaced(JointType type, const Digits50Matrix3& to_axis,
+                                const Digits50& value) {
+    Digits50Pose pose;
     if (info_of(type).slides()) {
       pose.p = to_axis.col(2) * value;
     } else {
@@ -151,7 +152,7 @@ class Builder {
 
   /// Adds a joint and the link behind it. Returns the place of the child's URDF frame.
   LinkPlace add_joint(const Joint& joint, const std::string& link, const LinkPlace& before,
-                      const ExactMatrix3& to_axis) {
+                      const Digits50Matrix3& to_axis) {
     const JointTypeInfo& type = info_of(joint.type);
     const FirstCoordinate first{mechanism_.nq(), mechanism_.nv()};
     if (!joint.mimic) {
@@ -186,21 +187,21 @@ class Builder {
   /// URDF frame on the last.
   LinkPlace add_steps(const JointTypeInfo& type, const JointNames& names,
                       const FirstCoordinate& first, const LinkPlace& before,
-                      const ExactMatrix3& to_axis) {
+                      const Digits50Matrix3& to_axis) {
     FirstCoordinate next = first;
-    LinkPlace place{before.link, before.pose * ExactPose{to_axis, ExactVector3::Zero()}};
+    LinkPlace place{before.link, before.pose * Digits50Pose{to_axis, Digits50Vector3::Zero()}};
     for (const JointTypeStep& step : type.steps) {
-      const ExactMatrix3 axis = z_to(step.axis);
+      const Digits50Matrix3 axis = z_to(step.axis);
       MovingLink moving = new_link(names.link + step.suffix, names.joint, place);
       static_cast<JointStep&>(moving) = step.motion;
-      moving.placement = resolve(place.pose * ExactPose{axis, ExactVector3::Zero()},
+      moving.placement = resolve(place.pose * Digits50Pose{axis, Digits50Vector3::Zero()},
                                  fmt::format("robot/joint[{}]", names.joint));
       moving.q_index = step.motion.continues_joint() ? first.q : next.q;
       moving.v_index = next.v;
       next.q += step.motion.coordinates();
       next.v += step.motion.velocities();
       mechanism_.links.push_back(moving);
-      place = {last_link(), {axis.transpose(), ExactVector3::Zero()}};
+      place = {last_link(), {axis.transpose(), Digits50Vector3::Zero()}};
     }
     place.pose.R = place.pose.R * to_axis.transpose();
     return place;
@@ -209,7 +210,7 @@ class Builder {
   LinkPlace add_floating_base(const std::string& link, const LinkPlace& before) {
     const JointTypeInfo& type = info_of(JointType::floating);
     add_coordinates(type, "base", unlimited());
-    return add_steps(type, {"base", link}, {0, 0}, before, ExactMatrix3::Identity());
+    return add_steps(type, {"base", link}, {0, 0}, before, Digits50Matrix3::Identity());
   }
 
   static MovingLink new_link(const std::string& link, const std::string& joint,
@@ -226,11 +227,11 @@ class Builder {
   void share_mimicked_coordinates() {
     for (const auto& [index, follower] : mimics_) {
       MovingLink& link = mechanism_.links[static_cast<std::size_t>(index)];
-      Exact multiplier = 1;
+      Digits50 multiplier = 1;
       const Joint* joint = follower;
       for (; joint->mimic; joint = &mimicked(*joint)) {
-        link.offset += multiplier * Exact(joint->mimic->offset);
-        multiplier *= Exact(joint->mimic->multiplier);
+        link.offset += multiplier * Digits50(joint->mimic->offset);
+        multiplier *= Digits50(joint->mimic->multiplier);
       }
       const FirstCoordinate shared = first_coordinate_[index_of(*joint)];
       link.multiplier = static_cast<double>(multiplier);
@@ -243,17 +244,17 @@ class Builder {
 
   /// Value at which the scene holds the joint, or the joint that it mimics. Nothing if the joint is
   /// free.
-  [[nodiscard]] std::optional<Exact> held_value(const Joint& joint) const {
+  [[nodiscard]] std::optional<Digits50> held_value(const Joint& joint) const {
     const auto locked = scene_.locked.find(joint.name);
     if (locked != scene_.locked.end()) {
-      return Exact(locked->second);
+      return Digits50(locked->second);
     }
     if (!joint.mimic) {
       return std::nullopt;
     }
-    const std::optional<Exact> followed = held_value(mimicked(joint));
-    return followed ? std::optional<Exact>(Exact(joint.mimic->multiplier) * *followed +
-                                           Exact(joint.mimic->offset))
+    const std::optional<Digits50> followed = held_value(mimicked(joint));
+    return followed ? std::optional<Digits50>(Digits50(joint.mimic->multiplier) * *followed +
+                                              Digits50(joint.mimic->offset))
                     : std::nullopt;
   }
 

@@ -37,7 +37,7 @@ void keep_angles(Mechanism& mechanism, Accuracy accuracy) {
       continue;
     }
     link.placement =
-        resolved(link.placement * ExactPose{rotation_z(link.offset), ExactVector3::Zero()},
+        resolved(link.placement * Digits50Pose{rotation_z(link.offset), Digits50Vector3::Zero()},
                  mechanism.resolution);
     link.offset = 0;
     mechanism.notes.push_back(

@@ -7,10 +7,10 @@
 
 namespace treeline {
 
-ExactMatrix3 rotation_z(const Exact& angle) {
-  const Exact c = cos(angle);
-  const Exact s = sin(angle);
-  ExactMatrix3 R = ExactMatrix3::Identity();
+Digits50Matrix3 rotation_z(const Digits50& angle) {
+  const Digits50 c = cos(angle);
+  const Digits50 s = sin(angle);
+  Digits50Matrix3 R = Digits50Matrix3::Identity();
   R(0, 0) = c;
   R(0, 1) = -s;
   R(1, 0) = s;
@@ -18,8 +18,8 @@ ExactMatrix3 rotation_z(const Exact& angle) {
   return R;
 }
 
-Inertia transformed(const Inertia& inertia, const ExactPose& pose) {
-  const ExactVector3 h = pose.R * inertia.h;
+Inertia transformed(const Inertia& inertia, const Digits50Pose& pose) {
+  const Digits50Vector3 h = pose.R * inertia.h;
   Inertia result;
   result.mass = inertia.mass;
   result.h = h + inertia.mass * pose.p;
@@ -32,8 +32,8 @@ Inertia operator+(const Inertia& a, const Inertia& b) {
   return {a.mass + b.mass, a.h + b.h, a.Sigma + b.Sigma};
 }
 
-ExactMatrix3 rotational_inertia(const Inertia& inertia) {
-  return inertia.Sigma.trace() * ExactMatrix3::Identity() - inertia.Sigma;
+Digits50Matrix3 rotational_inertia(const Inertia& inertia) {
+  return inertia.Sigma.trace() * Digits50Matrix3::Identity() - inertia.Sigma;
 }
 
 void resolve_inertia(Mechanism& mechanism, MovingLink& link) {

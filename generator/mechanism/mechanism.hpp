@@ -11,7 +11,7 @@
 #include "description/scene.hpp"
 #include "joint/joint_step.hpp"
 #include "mechanism/coordinate.hpp"
-#include "mechanism/exact.hpp"
+#include "mechanism/digits50_matrices.hpp"
 #include "mechanism/resolution.hpp"
 
 namespace treeline {
@@ -21,26 +21,26 @@ namespace treeline {
 /// rotational inertia is J = tr(Sigma) 1 - Sigma. After regrouping, the numbers are base inertial
 /// parameters and need not belong to any body.
 struct Inertia {
-  Exact mass = 0;
-  ExactVector3 h = ExactVector3::Zero();
-  ExactMatrix3 Sigma = ExactMatrix3::Zero();
+  Digits50 mass = 0;
+  Digits50Vector3 h = Digits50Vector3::Zero();
+  Digits50Matrix3 Sigma = Digits50Matrix3::Zero();
 };
 
 /// The same inertia seen from another frame, in which its own frame has `pose`.
-Inertia transformed(const Inertia& inertia, const ExactPose& pose);
+Inertia transformed(const Inertia& inertia, const Digits50Pose& pose);
 Inertia operator+(const Inertia& a, const Inertia& b);
 /// Rotational inertia J = tr(Sigma) 1 - Sigma about the frame's origin.
-ExactMatrix3 rotational_inertia(const Inertia& inertia);
+Digits50Matrix3 rotational_inertia(const Inertia& inertia);
 
 /// What sits in a joint and belongs to no link: the rotor of its motor, friction, a spring. The
 /// numbers are those that the joint's coordinate feels, see `add_drives`.
 struct JointDrive {
-  Exact inertia = 0;    ///< of the rotor, kg m^2 or kg
-  Exact damping = 0;    ///< N m s/rad or N s/m
-  Exact friction = 0;   ///< the most that Coulomb friction is, N m or N
-  Exact sharpness = 0;  ///< reciprocal of the speed within which it builds up, s/rad or s/m
-  Exact stiffness = 0;  ///< N m/rad or N/m
-  Exact rest = 0;       ///< coordinate at which the spring is slack
+  Digits50 inertia = 0;    ///< of the rotor, kg m^2 or kg
+  Digits50 damping = 0;    ///< N m s/rad or N s/m
+  Digits50 friction = 0;   ///< the most that Coulomb friction is, N m or N
+  Digits50 sharpness = 0;  ///< reciprocal of the speed within which it builds up, s/rad or s/m
+  Digits50 stiffness = 0;  ///< N m/rad or N/m
+  Digits50 rest = 0;       ///< coordinate at which the spring is slack
 };
 
 /// One degree of freedom (six for `floating`) and the link behind it. The pose of the link's frame
@@ -52,11 +52,11 @@ struct MovingLink : JointStep {
   std::string name;   ///< name of the first URDF link that the joint moves
   std::string joint;  ///< name of the URDF joint
   int parent = -1;    ///< index into Mechanism::links, smaller than the link's own; -1: world
-  ExactPose placement;
+  Digits50Pose placement;
   int q_index = 0;  ///< first coordinate
   int v_index = 0;  ///< first velocity
   double multiplier = 1;
-  Exact offset = 0;
+  Digits50 offset = 0;
   bool mimics = false;  ///< shares the coordinate of the joint that it mimics
   /// A rotor of `Scene::rotors`, a leaf without points: its inertia is symmetric about the axis, so
   /// that its frame need not turn.
@@ -65,7 +65,7 @@ struct MovingLink : JointStep {
   Inertia inertia;
   /// Radius of gyration about the frame's origin as in the file, of everything that the link
   /// carries; m.
-  Exact radius = 0;
+  Digits50 radius = 0;
   /// How recursions treat this link, see `defer_rotations` and `outward_motion`. Results are the
   /// same, costs differ. Both only apply to joints of one coordinate.
   bool defers_rotation = false, carries_column = false;
@@ -75,7 +75,7 @@ struct MovingLink : JointStep {
 struct MechanismPoint {
   std::string name;
   int link = -1;
-  ExactPose pose;  ///< pose of the point's frame in the link's frame
+  Digits50Pose pose;  ///< pose of the point's frame in the link's frame
   Axes axes = Axes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};
   int priority = 1;  ///< see `ScenePoint`
@@ -87,7 +87,7 @@ struct MechanismPoint {
 /// point's frame.
 struct MechanismGrasp {
   std::size_t point = 0;
-  ExactPose object;
+  Digits50Pose object;
 };
 
 /// A rigid body that hands hold. Its inertia is about the origin of its frame and in its axes.
@@ -108,9 +108,9 @@ struct MechanismInertia {
 /// URDF.
 struct MechanismTool {
   std::size_t point = 0;
-  MechanismPoint frame;      ///< where that frame is now
-  ExactVector3 nominal{};    ///< what the scene says
-  bool orientation = false;  ///< of an operational point: its axes are an argument, too
+  MechanismPoint frame;       ///< where that frame is now
+  Digits50Vector3 nominal{};  ///< what the scene says
+  bool orientation = false;   ///< of an operational point: its axes are an argument, too
 };
 
 /// What functions take as arguments of what changes the robot, see `SceneInputs`.
@@ -127,7 +127,7 @@ struct MechanismInputs {
 /// A contact that rolls, see `SceneRolling`.
 struct MechanismRolling {
   double radius = 0;
-  std::optional<ExactVector3> axis;  ///< of unit length, in the axes of the first frame
+  std::optional<Digits50Vector3> axis;  ///< of unit length, in the axes of the first frame
   std::optional<double> on_radius;
 };
 

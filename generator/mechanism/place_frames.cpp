@@ -33,11 +33,11 @@ int inertia_cost(const MovingLink& link, const Inertia& inertia) {
 }
 
 /// Decomposes R = Rz(a) Rx(alpha) Rz(b) and returns a. Returns false if alpha is a multiple of pi.
-bool left_turn(const ExactMatrix3& R, Exact& a) {
+bool left_turn(const Digits50Matrix3& R, Digits50& a) {
   if (is_parallel(R)) {
     return false;
   }
-  a = atan2(R(0, 2), Exact(-R(1, 2)));
+  a = atan2(R(0, 2), Digits50(-R(1, 2)));
   return true;
 }
 
@@ -45,25 +45,25 @@ bool left_turn(const ExactMatrix3& R, Exact& a) {
 struct Neighbourhood {
   MovingLink link;
   std::vector<MovingLink> children;
-  std::vector<ExactPose> points;
+  std::vector<Digits50Pose> points;
   Resolution resolution;
-  Exact farthest = 0;     ///< largest distance of the frame from its place in the file, m
-  ExactPose files_frame;  ///< pose of the file's frame in the present frame
+  Digits50 farthest = 0;     ///< largest distance of the frame from its place in the file, m
+  Digits50Pose files_frame;  ///< pose of the file's frame in the present frame
 
   [[nodiscard]] int cost() const {
     int sum = link_cost(link) + inertia_cost(link, link.inertia);
     for (const MovingLink& child : children) {
       sum += link_cost(child);
     }
-    for (const ExactPose& point : points) {
+    for (const Digits50Pose& point : points) {
       sum += pose_cost(point);
     }
     return sum;
   }
 
-  [[nodiscard]] Neighbourhood placed_by(const ExactPose& placement,
+  [[nodiscard]] Neighbourhood placed_by(const Digits50Pose& placement,
                                         Change* change = nullptr) const {
-    const ExactPose back = inverse(placement);
+    const Digits50Pose back = inverse(placement);
     Neighbourhood result = *this;
     result.link.placement = resolved(link.placement * placement, resolution, change);
     result.link.inertia = resolved(transformed(link.inertia, back), resolution, change);
@@ -72,7 +72,7 @@ struct Neighbourhood {
       child.placement = resolved(back * child.placement, resolution, change);
       absorb_turn(child, resolution, change);
     }
-    for (ExactPose& point : result.points) {
+    for (Digits50Pose& point : result.points) {
       point = resolved(back * point, resolution, change);
     }
     result.files_frame = back * files_frame;
@@ -81,14 +81,14 @@ struct Neighbourhood {
 
   /// The cost of `placed_by`, or any cost that is not below `limit` if that is not. What costs the
   /// most time comes last.
-  [[nodiscard]] int cost_below(int limit, const ExactPose& placement) const {
-    const ExactPose back = inverse(placement);
+  [[nodiscard]] int cost_below(int limit, const Digits50Pose& placement) const {
+    const Digits50Pose back = inverse(placement);
     int sum = absorbed_cost(link, resolved(link.placement * placement, resolution), resolution);
     for (const MovingLink& child : children) {
       if (sum >= limit) return sum;
       sum += absorbed_cost(child, resolved(back * child.placement, resolution), resolution);
     }
-    for (const ExactPose& point : points) {
+    for (const Digits50Pose& point : points) {
       if (sum >= limit) return sum;
       sum += pose_cost(resolved(back * point, resolution));
     }
@@ -96,47 +96,48 @@ struct Neighbourhood {
     return sum + inertia_cost(link, resolved(transformed(link.inertia, back), resolution));
   }
 
-  [[nodiscard]] bool is_near(const ExactVector3& shift) const {
-    const ExactVector3 moved = shift - files_frame.p;
+  [[nodiscard]] bool is_near(const Digits50Vector3& shift) const {
+    const Digits50Vector3 moved = shift - files_frame.p;
     return moved.dot(moved) <= farthest * farthest;
   }
 };
 
-std::vector<Exact> turn_candidates(const Neighbourhood& around) {
-  std::vector<Exact> turns{0, -right_turn(around.link.placement.R)};
-  const auto towards = [&turns](const ExactVector3& v) {
+std::vector<Digits50> turn_candidates(const Neighbourhood& around) {
+  std::vector<Digits50> turns{0, -right_turn(around.link.placement.R)};
+  const auto towards = [&turns](const Digits50Vector3& v) {
     if (v(0) != 0 || v(1) != 0) {
       turns.push_back(atan2(v(1), v(0)));
     }
   };
   for (const MovingLink& child : around.children) {
-    Exact turn;
+    Digits50 turn;
     if (left_turn(child.placement.R, turn)) {
       turns.push_back(turn);
     }
     towards(child.placement.p);
   }
-  for (const ExactPose& point : around.points) {
+  for (const Digits50Pose& point : around.points) {
     towards(point.p);
   }
   towards(around.link.inertia.h);
-  const ExactMatrix3& Sigma = around.link.inertia.Sigma;
+  const Digits50Matrix3& Sigma = around.link.inertia.Sigma;
   if (Sigma(0, 1) != 0) {
-    turns.push_back(atan2(Exact(2 * Sigma(0, 1)), Exact(Sigma(0, 0) - Sigma(1, 1))) / 2);
+    turns.push_back(atan2(Digits50(2 * Sigma(0, 1)), Digits50(Sigma(0, 0) - Sigma(1, 1))) / 2);
   }
   return turns;
 }
 
 /// Position on z of the common normal with the child's axis. The formula uses the sine, which keeps
 /// its digits if axes are nearly parallel.
-Exact foot_of_common_normal(const ExactPose& child) {
+Digits50 foot_of_common_normal(const Digits50Pose& child) {
   const auto& axis = child.R.col(2);
-  const Exact square = axis(0) * axis(0) + axis(1) * axis(1);
+  const Digits50 square = axis(0) * axis(0) + axis(1) * axis(1);
   return child.p(2) - axis(2) * (axis(0) * child.p(0) + axis(1) * child.p(1)) / square;
 }
 
-std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
-  std::vector<Exact> along{0, -(around.link.placement.R.transpose() * around.link.placement.p)(2)};
+std::vector<Digits50Vector3> slide_candidates(const Neighbourhood& around) {
+  std::vector<Digits50> along{0,
+                              -(around.link.placement.R.transpose() * around.link.placement.p)(2)};
   if (!is_parallel(around.link.placement.R)) {
     along.push_back(foot_of_common_normal(inverse(around.link.placement)));
   }
@@ -146,7 +147,7 @@ std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
       along.push_back(foot_of_common_normal(child.placement));
     }
   }
-  for (const ExactPose& point : around.points) {
+  for (const Digits50Pose& point : around.points) {
     along.push_back(point.p(2));
   }
   const Inertia& inertia = around.link.inertia;
@@ -155,21 +156,21 @@ std::vector<ExactVector3> slide_candidates(const Neighbourhood& around) {
       along.push_back(inertia.Sigma(i, 2) / inertia.h(i));
     }
   }
-  std::vector<ExactVector3> slides;
-  for (const Exact& distance : along) {
-    slides.emplace_back(ExactVector3(0, 0, distance));
+  std::vector<Digits50Vector3> slides;
+  for (const Digits50& distance : along) {
+    slides.emplace_back(Digits50Vector3(0, 0, distance));
   }
   return slides;
 }
 
 /// Candidates for the origin of a prismatic link, which may be anywhere.
-std::vector<ExactVector3> shift_candidates(const Neighbourhood& around) {
-  std::vector<ExactVector3> shifts{ExactVector3::Zero()};
+std::vector<Digits50Vector3> shift_candidates(const Neighbourhood& around) {
+  std::vector<Digits50Vector3> shifts{Digits50Vector3::Zero()};
   shifts.emplace_back(-(around.link.placement.R.transpose() * around.link.placement.p));
   for (const MovingLink& child : around.children) {
     shifts.push_back(child.placement.p);
   }
-  for (const ExactPose& point : around.points) {
+  for (const Digits50Pose& point : around.points) {
     shifts.push_back(point.p);
   }
   if (around.link.inertia.mass != 0) {
@@ -179,12 +180,12 @@ std::vector<ExactVector3> shift_candidates(const Neighbourhood& around) {
 }
 
 /// Candidates for the origin of the link's frame, without repetition and not too far away.
-std::vector<ExactVector3> origin_candidates(const Neighbourhood& around) {
-  const std::vector<ExactVector3> all = around.link.kind == JointKind::prismatic
-                                            ? shift_candidates(around)
-                                            : slide_candidates(around);
-  std::vector<ExactVector3> near;
-  for (const ExactVector3& shift : all) {
+std::vector<Digits50Vector3> origin_candidates(const Neighbourhood& around) {
+  const std::vector<Digits50Vector3> all = around.link.kind == JointKind::prismatic
+                                               ? shift_candidates(around)
+                                               : slide_candidates(around);
+  std::vector<Digits50Vector3> near;
+  for (const Digits50Vector3& shift : all) {
     if (around.is_near(shift) && std::find(near.begin(), near.end(), shift) == near.end()) {
       near.push_back(shift);
     }
@@ -192,16 +193,16 @@ std::vector<ExactVector3> origin_candidates(const Neighbourhood& around) {
   return near;
 }
 
-ExactPose best_placement(const Neighbourhood& around) {
-  ExactPose best;
+Digits50Pose best_placement(const Neighbourhood& around) {
+  Digits50Pose best;
   int best_cost = around.cost_below(std::numeric_limits<int>::max(), {});
-  const std::vector<ExactVector3> shifts = origin_candidates(around);
-  std::vector<Exact> tried;
-  for (const Exact& turn : turn_candidates(around)) {
+  const std::vector<Digits50Vector3> shifts = origin_candidates(around);
+  std::vector<Digits50> tried;
+  for (const Digits50& turn : turn_candidates(around)) {
     if (std::find(tried.begin(), tried.end(), turn) != tried.end()) continue;
     tried.push_back(turn);
-    const ExactMatrix3 R = rotation_z(turn);
-    for (const ExactVector3& shift : shifts) {
+    const Digits50Matrix3 R = rotation_z(turn);
+    for (const Digits50Vector3& shift : shifts) {
       const int cost = around.cost_below(best_cost, {R, shift});
       if (cost < best_cost) {
         best = {R, shift};
@@ -253,12 +254,12 @@ Neighbourhood neighbourhood(Mechanism& mechanism, int index) {
 }
 
 /// Distance from the frame's origin of what belongs to a link.
-Exact size_of(const Neighbourhood& around) {
-  const auto square = [](const ExactVector3& p) { return Exact(p.dot(p)); };
-  Exact most =
-      std::max(square(around.link.placement.p), Exact(around.link.radius * around.link.radius));
+Digits50 size_of(const Neighbourhood& around) {
+  const auto square = [](const Digits50Vector3& p) { return Digits50(p.dot(p)); };
+  Digits50 most =
+      std::max(square(around.link.placement.p), Digits50(around.link.radius * around.link.radius));
   for (const MovingLink& child : around.children) most = std::max(most, square(child.placement.p));
-  for (const ExactPose& point : around.points) most = std::max(most, square(point.p));
+  for (const Digits50Pose& point : around.points) most = std::max(most, square(point.p));
   return sqrt(most);
 }
 
@@ -269,18 +270,18 @@ class FramePlacer {
       farthest_.push_back(kFarthestSizes * size_of(neighbourhood(mechanism, static_cast<int>(i))));
     }
     files_frames_.resize(mechanism.links.size());
-    is_settled_.resize(mechanism.links.size(), false);
+    is_optimal_.resize(mechanism.links.size(), false);
   }
 
   /// Moves the frame of link `index` to the best candidate. Returns whether the cost decreased.
   bool place_link(int index) {
     const auto i = static_cast<std::size_t>(index);
-    if (is_settled_[i]) return false;
-    is_settled_[i] = true;
+    if (is_optimal_[i]) return false;
+    is_optimal_[i] = true;
     Neighbourhood around = neighbourhood(mechanism_, index);
     around.farthest = farthest_[i];
     around.files_frame = files_frames_[i];
-    const ExactPose placement = best_placement(around);
+    const Digits50Pose placement = best_placement(around);
     Change change;
     const Neighbourhood best = around.placed_by(placement, &change);
     if (best.cost() >= around.cost()) return false;
@@ -288,12 +289,12 @@ class FramePlacer {
                   mechanism_.noise);
     take(index, best, placement);
     files_frames_[i] = best.files_frame;
-    unsettle(index);
+    reopen(index);
     return true;
   }
 
  private:
-  void take(int index, const Neighbourhood& best, const ExactPose& placement) {
+  void take(int index, const Neighbourhood& best, const Digits50Pose& placement) {
     mechanism_.links[static_cast<std::size_t>(index)] = best.link;
     std::size_t child = 0;
     std::size_t point = 0;
@@ -309,20 +310,20 @@ class FramePlacer {
   }
 
   /// Placing the link may now pay, as may placing those next to it.
-  void unsettle(int index) {
-    is_settled_[static_cast<std::size_t>(index)] = false;
-    for (std::size_t i = 0; i < is_settled_.size(); ++i) {
+  void reopen(int index) {
+    is_optimal_[static_cast<std::size_t>(index)] = false;
+    for (std::size_t i = 0; i < is_optimal_.size(); ++i) {
       const bool is_child = mechanism_.links[i].parent == index;
       const bool is_parent =
           mechanism_.links[static_cast<std::size_t>(index)].parent == static_cast<int>(i);
-      if (is_child || is_parent) is_settled_[i] = false;
+      if (is_child || is_parent) is_optimal_[i] = false;
     }
   }
 
   Mechanism& mechanism_;
-  std::vector<Exact> farthest_;
-  std::vector<ExactPose> files_frames_;
-  std::vector<bool> is_settled_;  ///< the best candidate is known not to pay
+  std::vector<Digits50> farthest_;
+  std::vector<Digits50Pose> files_frames_;
+  std::vector<bool> is_optimal_;  ///< the best candidate is known not to pay
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanism/exact_from_file.hpp"
+#include "mechanism/digits50_from_file.hpp"
 
 namespace treeline {
 namespace {
@@ -28,7 +28,7 @@ std::vector<MechanismTool> place_tools(const std::vector<SceneTool>& tools,
   for (const SceneTool& tool : tools) {
     const std::size_t k = index_of_point(points, tool.point);
     placed.push_back({k, frames[index_of_link(robot, points[k].link)],
-                      exact_pose(points[k].origin).p, tool.orientation});
+                      digits50_pose(points[k].origin).p, tool.orientation});
   }
   return placed;
 }
@@ -51,7 +51,7 @@ MechanismInputs place_inputs(const Robot& robot, const Scene& scene,
   for (const SceneInertia& named : scene.inputs.parameters) {
     const std::size_t i = index_of_link(robot, named.link);
     const auto& own = robot.links[i].inertial;
-    inputs.parameters.push_back({frames[i], own ? exact_inertia(*own) : Inertia{}});
+    inputs.parameters.push_back({frames[i], own ? digits50_inertia(*own) : Inertia{}});
   }
   inputs.tools = place_tools(scene.inputs.tools, scene.operational_points, robot, frames);
   inputs.contacts = place_tools(scene.inputs.contacts, scene.contacts, robot, frames);

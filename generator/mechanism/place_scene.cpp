@@ -5,7 +5,7 @@
 #include <set>
 
 #include "description/rotation.hpp"
-#include "mechanism/exact_from_file.hpp"
+#include "mechanism/digits50_from_file.hpp"
 #include "mechanism/place_inputs.hpp"
 #include "mechanism/resolution.hpp"
 
@@ -26,8 +26,8 @@ const LinkPlace& place_of(const PlacedRobot& placed, const std::string& link) {
 
 MechanismPoint point(const PlacedRobot& placed, const ScenePoint& wanted, Mechanism& mechanism) {
   const LinkPlace& place = place_of(placed, wanted.link);
-  const ExactPose pose =
-      resolved_as(place.pose * exact_pose(wanted.origin), wanted.name, mechanism);
+  const Digits50Pose pose =
+      resolved_as(place.pose * digits50_pose(wanted.origin), wanted.name, mechanism);
   return {wanted.name, place.link, pose, wanted.axes, wanted.rows, wanted.priority};
 }
 
@@ -41,14 +41,14 @@ std::vector<MechanismPoint> points(const PlacedRobot& placed, const std::vector<
 /// A frame on a link, or on the world where `SceneLoop` permits it.
 MechanismPoint loop_end(const PlacedRobot& placed, const ScenePoint& wanted, Mechanism& mechanism) {
   if (wanted.link != kWorldEnd) return point(placed, wanted, mechanism);
-  const ExactPose pose = resolved_as(exact_pose(wanted.origin), wanted.name, mechanism);
+  const Digits50Pose pose = resolved_as(digits50_pose(wanted.origin), wanted.name, mechanism);
   return {wanted.name, -1, pose, wanted.axes, wanted.rows, wanted.priority};
 }
 
 std::optional<MechanismRolling> rolling(const SceneLoop& loop) {
   if (!loop.rolling) return std::nullopt;
   MechanismRolling rolling{loop.rolling->radius, {}, loop.rolling->on_radius};
-  if (loop.rolling->axis) rolling.axis = unit_axis<Exact>(*loop.rolling->axis);
+  if (loop.rolling->axis) rolling.axis = unit_axis<Digits50>(*loop.rolling->axis);
   return rolling;
 }
 
@@ -123,10 +123,10 @@ std::vector<MechanismPoint> payload_frames(const PlacedRobot& placed) {
 std::vector<MechanismObject> objects(const Scene& scene, const Resolution& resolution) {
   std::vector<MechanismObject> result;
   for (const SceneObject& object : scene.objects) {
-    result.push_back({object.name, resolved(exact_inertia(object.inertial), resolution), {}});
+    result.push_back({object.name, resolved(digits50_inertia(object.inertial), resolution), {}});
     for (const SceneGrasp& grasp : object.grasps) {
       result.back().grasps.push_back({index_of(scene.operational_points, grasp.point),
-                                      resolved(exact_pose(grasp.origin), resolution)});
+                                      resolved(digits50_pose(grasp.origin), resolution)});
     }
   }
   return result;
@@ -134,9 +134,10 @@ std::vector<MechanismObject> objects(const Scene& scene, const Resolution& resol
 
 }  // namespace
 
-ExactPose resolved_as(const ExactPose& pose, const std::string& element, Mechanism& mechanism) {
+Digits50Pose resolved_as(const Digits50Pose& pose, const std::string& element,
+                         Mechanism& mechanism) {
   Change change;
-  const ExactPose result = resolved(pose, mechanism.resolution, &change);
+  const Digits50Pose result = resolved(pose, mechanism.resolution, &change);
   add_decisions(change, element, mechanism.file, mechanism.noise);
   return result;
 }

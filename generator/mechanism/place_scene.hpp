@@ -12,7 +12,7 @@ namespace treeline {
 /// Where a link of the URDF is: on which moving link, -1 for the world, and with which pose.
 struct LinkPlace {
   int link = -1;
-  ExactPose pose;
+  Digits50Pose pose;
 };
 
 /// Index of a joint's first coordinate and velocity; -1 for a joint that does not move.
@@ -30,7 +30,8 @@ struct PlacedRobot {
 
 /// Returns the pose with its structure made exact, and records in the mechanism what was changed,
 /// under the name `element`.
-ExactPose resolved_as(const ExactPose& pose, const std::string& element, Mechanism& mechanism);
+Digits50Pose resolved_as(const Digits50Pose& pose, const std::string& element,
+                         Mechanism& mechanism);
 
 /// Adds all that the scene attaches to links or names of joints: points, forces, contacts, objects,
 /// constraints, loops, couplings, passive joints, payloads and inputs.

@@ -40,7 +40,7 @@ Inertia take_unmoved(const JointStep& joint, Inertia& inertia) {
                                            : take_second_moment(inertia);
 }
 
-std::string describe(const JointStep& joint, const Exact& mass) {
+std::string describe(const JointStep& joint, const Digits50& mass) {
   if (joint.kind == JointKind::prismatic) {
     return "rotational inertia moved to the parent; 4 numbers left";
   }
@@ -59,9 +59,9 @@ void regroup_inertias(Mechanism& mechanism) {
     if (link->is_floating()) {
       continue;
     }
-    const Exact mass = link->inertia.mass;
+    const Digits50 mass = link->inertia.mass;
     Inertia moved = take_unmoved(*link, link->inertia);
-    ExactPose placement = link->placement;
+    Digits50Pose placement = link->placement;
     if (link->kind == JointKind::prismatic) {
       placement.p.setZero();
     }

@@ -12,11 +12,11 @@
 namespace treeline {
 namespace {
 
-const Exact kResidue("1e-40");
+const Digits50 kResidue("1e-40");
 /// Rotations that are orthogonal within this limit are not orthogonalized again.
-const Exact kOrthogonal("1e-40");
+const Digits50 kOrthogonal("1e-40");
 
-bool is_within(const Exact& x, const Exact& limit) {
+bool is_within(const Digits50& x, const Digits50& limit) {
   return x <= limit && -x <= limit;
 }
 
@@ -30,14 +30,14 @@ struct Entry {
 
 /// Whether the other two entries in this row, or in this column, are within `limit` of 0, so that
 /// the entry is 1 or -1.
-bool is_alone(const ExactMatrix3& R, const Entry& at, const Exact& limit) {
+bool is_alone(const Digits50Matrix3& R, const Entry& at, const Digits50& limit) {
   return (is_within(R(at.i, at.column(1)), limit) && is_within(R(at.i, at.column(2)), limit)) ||
          (is_within(R(at.row(1), at.j), limit) && is_within(R(at.row(2), at.j), limit));
 }
 
 /// Whether there is nothing to do, a cheap test that holds for most rotations: no entry is within
 /// `limit` of 0 but not zero, and in no row two entries are zero while the third is not +-1.
-bool is_resolved(const ExactMatrix3& R, const Exact& limit) {
+bool is_resolved(const Digits50Matrix3& R, const Digits50& limit) {
   for (int i = 0; i < 3; ++i) {
     int zeros = 0;
     for (int j = 0; j < 3; ++j) {
@@ -45,7 +45,7 @@ bool is_resolved(const ExactMatrix3& R, const Exact& limit) {
       if (!zero && is_within(R(i, j), limit)) return false;
       zeros += zero ? 1 : 0;
     }
-    if (zeros == 2 && !is_within(Exact(abs(R(i, 0) + R(i, 1) + R(i, 2)) - 1), Exact(0))) {
+    if (zeros == 2 && !is_within(Digits50(abs(R(i, 0) + R(i, 1) + R(i, 2)) - 1), Digits50(0))) {
       return false;
     }
   }
@@ -53,15 +53,15 @@ bool is_resolved(const ExactMatrix3& R, const Exact& limit) {
 }
 
 /// Makes (c, s) a unit vector. If it is within `limit` of an axis, its components become 0 and +-1.
-void make_unit(Exact& c, Exact& s, const Exact& limit) {
+void make_unit(Digits50& c, Digits50& s, const Digits50& limit) {
   if (is_within(c, limit)) {
     c = 0;
     s = s < 0 ? -1 : 1;
   } else if (is_within(s, limit)) {
     s = 0;
     c = c < 0 ? -1 : 1;
-  } else if (const Exact square = c * c + s * s; !is_within(square - 1, kOrthogonal)) {
-    const Exact length = sqrt(square);
+  } else if (const Digits50 square = c * c + s * s; !is_within(square - 1, kOrthogonal)) {
+    const Digits50 length = sqrt(square);
     c /= length;
     s /= length;
   }
@@ -69,13 +69,13 @@ void make_unit(Exact& c, Exact& s, const Exact& limit) {
 
 /// Rotation nearest to R about an axis that both frames share. Row and column `at` contain +-1; the
 /// remaining block is [c, s; -s, c] or [c, s; s, -c].
-ExactMatrix3 with_shared_axis(const ExactMatrix3& R, const Entry& at, const Exact& limit) {
-  const Exact sign = R(at.i, at.j) < 0 ? -1 : 1;
+Digits50Matrix3 with_shared_axis(const Digits50Matrix3& R, const Entry& at, const Digits50& limit) {
+  const Digits50 sign = R(at.i, at.j) < 0 ? -1 : 1;
   const int i1 = at.row(1), i2 = at.row(2), j1 = at.column(1), j2 = at.column(2);
-  Exact c = (R(i1, j1) + sign * R(i2, j2)) / 2;
-  Exact s = (R(i1, j2) - sign * R(i2, j1)) / 2;
+  Digits50 c = (R(i1, j1) + sign * R(i2, j2)) / 2;
+  Digits50 s = (R(i1, j2) - sign * R(i2, j1)) / 2;
   make_unit(c, s, limit);
-  ExactMatrix3 result = ExactMatrix3::Zero();
+  Digits50Matrix3 result = Digits50Matrix3::Zero();
   result(at.i, at.j) = sign;
   result(i1, j1) = c;
   result(i1, j2) = s;
@@ -85,16 +85,16 @@ ExactMatrix3 with_shared_axis(const ExactMatrix3& R, const Entry& at, const Exac
 }
 
 /// Rotation nearest to R in which the entry `at` is 0.
-ExactMatrix3 with_zero(const ExactMatrix3& R, const Entry& at) {
-  ExactMatrix3 result = R;
+Digits50Matrix3 with_zero(const Digits50Matrix3& R, const Entry& at) {
+  Digits50Matrix3 result = R;
   result(at.i, at.j) = 0;
   if (is_within(R(at.i, at.j), kOrthogonal)) return result;
   const int i1 = at.row(1), i2 = at.row(2);
-  ExactVector3 first = result.row(at.i).transpose();
-  first /= Exact(sqrt(first.dot(first)));
-  ExactVector3 second = R.row(i1).transpose();
+  Digits50Vector3 first = result.row(at.i).transpose();
+  first /= Digits50(sqrt(first.dot(first)));
+  Digits50Vector3 second = R.row(i1).transpose();
   second -= first.dot(second) * first;
-  second /= Exact(sqrt(second.dot(second)));
+  second /= Digits50(sqrt(second.dot(second)));
   result.row(at.i) = first.transpose();
   result.row(i1) = second.transpose();
   for (int k = 0; k < 3; ++k) {
@@ -106,7 +106,7 @@ ExactMatrix3 with_zero(const ExactMatrix3& R, const Entry& at) {
 
 /// Finds the smallest entry that is within `limit` of 0. Nothing if an entry is zero already,
 /// because it might not stay zero if another one vanishes.
-std::optional<Entry> find_least(const ExactMatrix3& R, const Exact& limit) {
+std::optional<Entry> find_least(const Digits50Matrix3& R, const Digits50& limit) {
   std::optional<Entry> least;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -118,7 +118,7 @@ std::optional<Entry> find_least(const ExactMatrix3& R, const Exact& limit) {
   return least;
 }
 
-ExactMatrix3 resolved_rotation(const ExactMatrix3& R, const Exact& limit) {
+Digits50Matrix3 resolved_rotation(const Digits50Matrix3& R, const Digits50& limit) {
   if (is_resolved(R, limit)) return R;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -131,34 +131,34 @@ ExactMatrix3 resolved_rotation(const ExactMatrix3& R, const Exact& limit) {
 
 }  // namespace
 
-ExactPose resolved(const ExactPose& pose, const Resolution& resolution, Change* change) {
-  ExactPose result{resolved_rotation(pose.R, resolution.angle), pose.p};
-  const Exact largest =
-      std::max({Exact(abs(pose.p(0))), Exact(abs(pose.p(1))), Exact(abs(pose.p(2)))});
-  const Exact limit = std::max(resolution.length, Exact(kResidue * largest));
+Digits50Pose resolved(const Digits50Pose& pose, const Resolution& resolution, Change* change) {
+  Digits50Pose result{resolved_rotation(pose.R, resolution.angle), pose.p};
+  const Digits50 largest =
+      std::max({Digits50(abs(pose.p(0))), Digits50(abs(pose.p(1))), Digits50(abs(pose.p(2)))});
+  const Digits50 limit = std::max(resolution.length, Digits50(kResidue * largest));
   for (int i = 0; i < 3; ++i) {
     if (is_within(pose.p(i), limit)) result.p(i) = 0;
   }
   if (change) {
-    change->angle = std::max(change->angle, Exact((result.R - pose.R).cwiseAbs().maxCoeff()));
-    change->length = std::max(change->length, Exact((result.p - pose.p).cwiseAbs().maxCoeff()));
+    change->angle = std::max(change->angle, Digits50((result.R - pose.R).cwiseAbs().maxCoeff()));
+    change->length = std::max(change->length, Digits50((result.p - pose.p).cwiseAbs().maxCoeff()));
   }
   return result;
 }
 
-Exact resolved(const Exact& angle, const Resolution& resolution) {
-  return is_within(angle, resolution.angle) ? Exact(0) : angle;
+Digits50 resolved(const Digits50& angle, const Resolution& resolution) {
+  return is_within(angle, resolution.angle) ? Digits50(0) : angle;
 }
 
 namespace {
 
 /// Whether x^2 <= share^2 y, where y need not be positive.
-bool is_small(const Exact& x, const Exact& share, const Exact& y) {
+bool is_small(const Digits50& x, const Digits50& share, const Digits50& y) {
   return y > 0 && x * x <= share * share * y;
 }
 
-void drop(Exact& x, const Exact& size, Change* change) {
-  if (change) change->share = std::max(change->share, Exact(abs(x) / sqrt(size)));
+void drop(Digits50& x, const Digits50& size, Change* change) {
+  if (change) change->share = std::max(change->share, Digits50(abs(x) / sqrt(size)));
   x = 0;
 }
 
@@ -166,23 +166,23 @@ void drop(Exact& x, const Exact& size, Change* change) {
 
 Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* change) {
   Inertia result = inertia;
-  const Exact& share = resolution.angle;
-  const ExactMatrix3& Sigma = inertia.Sigma;
-  const Exact most = Sigma.cwiseAbs().maxCoeff();
-  const Exact residue = kResidue * most;
+  const Digits50& share = resolution.angle;
+  const Digits50Matrix3& Sigma = inertia.Sigma;
+  const Digits50 most = Sigma.cwiseAbs().maxCoeff();
+  const Digits50 residue = kResidue * most;
   // All three components of a balanced body's h may be residue. They have cancelled from mass times
   // the radius of gyration.
-  const Exact balanced = abs(inertia.mass) * most;
-  const Exact largest = inertia.h.cwiseAbs().maxCoeff();
-  const Exact least = kResidue * largest;
+  const Digits50 balanced = abs(inertia.mass) * most;
+  const Digits50 largest = inertia.h.cwiseAbs().maxCoeff();
+  const Digits50 least = kResidue * largest;
   // What is small beside the radius of gyration alone is not noise: the torque of gravity has no
   // other terms. Nor is what is large beside the other components: see `kOfDistance`.
-  const Exact of_robot = abs(inertia.mass) * resolution.length;
-  const Exact of_centre = std::max(share, Exact(kOfDistance * kResolution)) * largest;
-  const Exact noise = largest <= of_robot ? of_robot : std::min(of_robot, of_centre);
+  const Digits50 of_robot = abs(inertia.mass) * resolution.length;
+  const Digits50 of_centre = std::max(share, Digits50(kOfDistance * kResolution)) * largest;
+  const Digits50 noise = largest <= of_robot ? of_robot : std::min(of_robot, of_centre);
   for (int i = 0; i < 3; ++i) {
-    Exact& h = result.h(i);
-    const Exact bound = inertia.mass * Sigma(i, i);
+    Digits50& h = result.h(i);
+    const Digits50 bound = inertia.mass * Sigma(i, i);
     if (h != 0 && is_within(h, noise) && is_small(h, share, bound)) {
       drop(h, bound, change);
     } else if (is_within(h, least) || is_small(h, kResidue, balanced)) {
@@ -190,8 +190,8 @@ Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* c
     }
     if (is_within(Sigma(i, i), residue)) result.Sigma(i, i) = 0;
     const int j = (i + 1) % 3;
-    Exact& product = result.Sigma(i, j);
-    const Exact size = Sigma(i, i) * Sigma(j, j);
+    Digits50& product = result.Sigma(i, j);
+    const Digits50 size = Sigma(i, i) * Sigma(j, j);
     if (product != 0 && Sigma(i, i) > 0 && is_small(product, share, size)) {
       drop(product, size, change);
     } else if (is_within(product, residue)) {
@@ -204,7 +204,7 @@ Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* c
 
 void add_decisions(const Change& change, const std::string& element, const std::string& file,
                    NoiseDecisions& decisions) {
-  const auto add = [&](const Exact& by, const char* text) {
+  const auto add = [&](const Digits50& by, const char* text) {
     if (by > kOrthogonal) {
       decisions.push_back({file, 0, element, text, static_cast<double>(by)});
     }

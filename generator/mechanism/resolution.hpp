@@ -3,7 +3,7 @@
 #include <string>
 
 #include "description/noise.hpp"
-#include "mechanism/exact.hpp"
+#include "mechanism/digits50_matrices.hpp"
 
 namespace treeline {
 
@@ -12,15 +12,15 @@ namespace treeline {
 /// criterion for whether frames are rotated by quarter turns, axes are parallel or intersect, or
 /// bodies are balanced.
 struct Resolution {
-  Exact angle = 1e-30;  ///< rad
-  Exact length = 0;     ///< m
+  Digits50 angle = 1e-30;  ///< rad
+  Digits50 length = 0;     ///< m
 };
 
 /// Largest changes that `resolved` has made.
 struct Change {
-  Exact angle = 0;   ///< rad
-  Exact length = 0;  ///< m
-  Exact share = 0;   ///< relative to a body's moments
+  Digits50 angle = 0;   ///< rad
+  Digits50 length = 0;  ///< m
+  Digits50 share = 0;   ///< relative to a body's moments
 };
 
 /// Returns the pose with the structure that it has within `resolution`, exactly. Entries of R
@@ -28,7 +28,8 @@ struct Change {
 /// 50 digits. If several entries could vanish, but not together, the smallest does. Entries of p
 /// become 0 if they are at most `resolution.length`, or residue compared with the largest entry.
 /// Resolving a second time changes nothing. `change` receives the largest changes.
-ExactPose resolved(const ExactPose& pose, const Resolution& resolution, Change* change = nullptr);
+Digits50Pose resolved(const Digits50Pose& pose, const Resolution& resolution,
+                      Change* change = nullptr);
 
 struct Inertia;
 
@@ -38,7 +39,7 @@ struct Inertia;
 Inertia resolved(const Inertia& inertia, const Resolution& resolution, Change* change = nullptr);
 
 /// Returns the angle (rad), or 0 if it is within the resolution.
-Exact resolved(const Exact& angle, const Resolution& resolution);
+Digits50 resolved(const Digits50& angle, const Resolution& resolution);
 
 /// Records changes that are larger than the residue of 50 digits.
 void add_decisions(const Change& change, const std::string& element, const std::string& file,

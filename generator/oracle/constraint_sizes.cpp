@@ -87,7 +87,7 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
   condition_ = scaled_condition(Lambda_inverse_, (J_ * M_inverse_ * J_.transpose()).diagonal());
 }
 
-std::optional<LawSizes> ConstraintSizes::yielding(const interpreter::TaskLaw<double>& law) const {
+std::optional<LawSizes> ConstraintSizes::relaxed(const interpreter::TaskLaw<double>& law) const {
   if (Lambda_inverse_.size() == 0) return std::nullopt;
   VectorXd terms = (J_ * M_inverse_ * J_.transpose()).diagonal();
   if (tasks_ == Tasks::none) return find_law_sizes(Lambda_inverse_, terms, law);
@@ -117,9 +117,9 @@ std::optional<LawSizes> ConstraintSizes::yielding(const interpreter::TaskLaw<dou
 }
 
 std::vector<double> ConstraintSizes::sizes(const interpreter::TaskLaw<double>& law,
-                                           const std::optional<LawSizes>& yielding) const {
+                                           const std::optional<LawSizes>& relaxed) const {
   const MatrixXd Lambda =
-      yielding ? yielding->Lambda : MatrixXd(inverse_of(Lambda_inverse_).cwiseAbs());
+      relaxed ? relaxed->Lambda : MatrixXd(inverse_of(Lambda_inverse_).cwiseAbs());
   return tasks_ == Tasks::none ? constrained(Lambda) : supported(law, Lambda);
 }
 
@@ -151,16 +151,16 @@ std::vector<double> ConstraintSizes::supported(const interpreter::TaskLaw<double
   VectorXd rows = bias_ + J_ * magnitudes(state_.qdd);
   VectorXd asked = magnitudes(state_.xdd_cmd);
   rows.tail(tail).array() += asked.size() > 0 ? asked.maxCoeff() : 0;
-  VectorXd settled = VectorXd::Zero(static_cast<Eigen::Index>(passive.size()));
+  VectorXd passive_motion = VectorXd::Zero(static_cast<Eigen::Index>(passive.size()));
   if (parts.passive_moves) {
-    settled = passive_mobility() * VectorXd(gamma(passive));
-    rows.tail(tail) += J_p.bottomRows(tail) * settled;
+    passive_motion = passive_mobility() * VectorXd(gamma(passive));
+    rows.tail(tail) += J_p.bottomRows(tail) * passive_motion;
   }
   const VectorXd f_rows = Lambda * rows;
   gamma += J_.transpose() * f_rows;
   if (parts.passive_moves) {
-    settled += passive_mobility() * (J_p.transpose() * f_rows);
-    gamma += terms_.mass_matrix()(Eigen::all, passive) * settled;
+    passive_motion += passive_mobility() * (J_p.transpose() * f_rows);
+    gamma += terms_.mass_matrix()(Eigen::all, passive) * passive_motion;
   }
   VectorXd f = magnitudes(values_of(state_, Quantity::f_wanted));
   if (held_ > 0) {

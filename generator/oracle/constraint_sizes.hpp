@@ -27,10 +27,10 @@ class ConstraintSizes {
 
   /// Properties of the solve with rows that are relaxed by `law`; its condition is that of all
   /// solves together. Nothing without a law, or if M has no inverse.
-  [[nodiscard]] std::optional<LawSizes> yielding(const interpreter::TaskLaw<double>& law) const;
+  [[nodiscard]] std::optional<LawSizes> relaxed(const interpreter::TaskLaw<double>& law) const;
   /// Scale of each entry of the function's results, in their order.
   [[nodiscard]] std::vector<double> sizes(const interpreter::TaskLaw<double>& law,
-                                          const std::optional<LawSizes>& yielding) const;
+                                          const std::optional<LawSizes>& relaxed) const;
   /// Scales of J of all rows, and of how far loops are from closed.
   [[nodiscard]] const Eigen::MatrixXd& jacobian() const { return J_; }
   [[nodiscard]] const Eigen::VectorXd& loop_errors() const { return loops_.errors; }

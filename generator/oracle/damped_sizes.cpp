@@ -6,8 +6,9 @@ namespace treeline {
 
 DampedSizes find_damped_sizes(const Eigen::MatrixXd& Lambda_inverse, const Eigen::MatrixXd& terms,
                               const interpreter::Damping<double>& damping) {
-  const interpreter::Eases<double> of(Lambda_inverse, damping.heaviest);
-  const Eigen::VectorXd damped = interpreter::damped_eases<double>(of.values, damping.resolution);
+  const interpreter::ScaledEigensystem<double> of(Lambda_inverse, damping.effective_mass_limits);
+  const Eigen::VectorXd damped =
+      interpreter::damped_eigenvalues<double>(of.values, damping.resolution);
   const auto S = of.roots.asDiagonal();
   const Eigen::MatrixXd inverse =
       of.directions * damped.cwiseInverse().asDiagonal() * of.directions.transpose();

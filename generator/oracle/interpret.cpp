@@ -144,7 +144,7 @@ std::vector<Scalar> damped_control_torque(const Inputs<Scalar>& in) {
       in.model, in.points, in.q, in.qd, in.qdd, in.xdd_cmd, in.subject.damping, in.external,
       in.f_ext);
   std::vector<Scalar> entries = entries_of(damped.tau);
-  entries.push_back(damped.ease);
+  entries.push_back(damped.least_eigenvalue);
   return entries;
 }
 

@@ -116,7 +116,7 @@ Digits50 DenseProgram::lost_size(const Vector50& d_qdd, const Vector50& d_f) con
 
 void DenseProgram::set_cost() {
   const Digits50 k2 = Digits50(problem_.hierarchy) * problem_.hierarchy;
-  const Digits50 heaviest = problem_.M.diagonal().maxCoeff();
+  const Digits50 largest_inertia = problem_.M.diagonal().maxCoeff();
   H_ = Matrix50::Zero(size_, size_);
   h_ = Vector50::Zero(size_);
   H_.topLeftCorner(nv_, nv_) = problem_.M;
@@ -128,9 +128,9 @@ void DenseProgram::set_cost() {
     H_.topLeftCorner(nv_, nv_) += weight * row * row.transpose();
   }
   const Matrix50 free = free_forces();
-  H_.block(nv_, nv_, held_, held_) = free.transpose() * free / Digits50(k2 * heaviest);
+  H_.block(nv_, nv_, held_, held_) = free.transpose() * free / Digits50(k2 * largest_inertia);
   const Digits50 penalty = 10000 * k2;
-  H_(size_ - 1, size_ - 1) = penalty / Digits50(10 * heaviest);
+  H_(size_ - 1, size_ - 1) = penalty / Digits50(10 * largest_inertia);
   h_(size_ - 1) = penalty;
 }
 

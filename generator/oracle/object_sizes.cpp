@@ -56,8 +56,8 @@ ObjectSizes::ObjectSizes(const Subject<double>& subject, const State& state,
 
 /// Properties of the solve with Lambda^-1, or with Lambda^-1 + C Lambda_obj^-1 C^T if objects move
 /// freely, with relaxed rows.
-std::optional<LawSizes> ObjectSizes::yielding(Function function,
-                                              const interpreter::TaskLaw<double>& law) const {
+std::optional<LawSizes> ObjectSizes::relaxed(Function function,
+                                             const interpreter::TaskLaw<double>& law) const {
   if (Lambda_inverse_.size() == 0) return std::nullopt;
   MatrixXd A = Lambda_inverse_;
   MatrixXd terms = J_ * M_inverse_ * J_.transpose();
@@ -70,14 +70,14 @@ std::optional<LawSizes> ObjectSizes::yielding(Function function,
 }
 
 std::vector<double> ObjectSizes::sizes(Function function,
-                                       const std::optional<LawSizes>& yielding) const {
+                                       const std::optional<LawSizes>& relaxed) const {
   switch (function) {
     case Function::object_state:
       return object_state();
     case Function::object_control_torque:
-      return control_torque(yielding ? yielding->Lambda : Lambda_);
+      return control_torque(relaxed ? relaxed->Lambda : Lambda_);
     case Function::object_forward_dynamics:
-      return yielding ? forward_dynamics(*yielding) : forward_dynamics();
+      return relaxed ? forward_dynamics(*relaxed) : forward_dynamics();
     default:
       throw std::logic_error(std::string(function_name(function)) + " is not about objects");
   }

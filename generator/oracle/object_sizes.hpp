@@ -22,12 +22,12 @@ class ObjectSizes {
 
   /// Properties of the solve for all hands' forces, with rows relaxed by `law`. Its matrix is
   /// Lambda^-1, plus the mobility of objects that move freely. Nothing if there is no such matrix.
-  [[nodiscard]] std::optional<LawSizes> yielding(Function function,
-                                                 const interpreter::TaskLaw<double>& law) const;
-  /// Scale of each entry of the function's results, in their order. Without `yielding` for a plain
+  [[nodiscard]] std::optional<LawSizes> relaxed(Function function,
+                                                const interpreter::TaskLaw<double>& law) const;
+  /// Scale of each entry of the function's results, in their order. Without `relaxed` for a plain
   /// solve.
   [[nodiscard]] std::vector<double> sizes(Function function,
-                                          const std::optional<LawSizes>& yielding) const;
+                                          const std::optional<LawSizes>& relaxed) const;
   /// Condition number of Lambda^-1, scaled to a unit diagonal.
   [[nodiscard]] double condition() const { return condition_; }
 

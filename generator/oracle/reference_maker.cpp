@@ -67,7 +67,8 @@ void ReferenceMaker::complete(std::size_t i, const State& state,
 }
 
 /// Whether function `i` is a batch with the reference of the plain function before it. Its graph
-/// may be by another route. Where rows of a task yield, they yield in the axes of the route.
+/// may be by another route. Where rows of a task are relaxed, they are relaxed in the axes of the
+/// route.
 bool ReferenceMaker::shares_reference(std::size_t i) const {
   if (functions_[i].batch == 0) return false;
   const GeneratedFunction& plain = functions_[i - plain_];
@@ -110,7 +111,7 @@ void ReferenceMaker::compose_graph(StateReference& made) const {
   inputs.tau = graph_of(Function::inverse_dynamics);
   inputs.qdd_0 = made.state.qdd;
   inputs.xdd_cmd = made.state.xdd_cmd;
-  inputs.heaviest = entries_of(space_.subject.damping.heaviest);
+  inputs.mass_limits = entries_of(space_.subject.damping.effective_mass_limits);
   composed.graph = evaluate_damped(real_, inputs);
 }
 
@@ -122,15 +123,15 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   const auto law = law_at(functions_[i].program.law.get(), state.q, tools);
   const auto size_law = interpreter::cast<double>(law_at(size_laws_[i].get(), state.q, tools));
   FunctionReference reference;
-  const auto yielding = sizes.yielding(function, size_law);
-  const Conditions conditions = sizes.conditions(function, yielding);
+  const auto relaxed = sizes.relaxed(function, size_law);
+  const Conditions conditions = sizes.conditions(function, relaxed);
   reference.condition = conditions.largest();
   reference.amplification = conditions.amplification();
   // If rows are relaxed, every state has a reference, however fast the result changes there, unless
   // M itself is singular.
-  const bool yields =
+  const bool relaxes =
       size_laws_[i] != nullptr && std::isfinite(reference.condition) && is_regular(sizes);
-  reference.singular = !yields && !(reference.condition < kSingular / unit_of(real_));
+  reference.singular = !relaxes && !(reference.condition < kSingular / unit_of(real_));
   if (reference.singular) {
     reference.stays_finite = stays_finite(function, state, sizes, law);
     return reference;
@@ -139,11 +140,11 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   if (digits == Digits::in_real) {
     reference.low.assign(in_real.size(), 0);
     reference.high = std::move(in_real);
-    reference.size = sizes.sizes(function, reference.high, size_law, yielding);
+    reference.size = sizes.sizes(function, reference.high, size_law, relaxed);
     return reference;
   }
   split(interpret<Digits50>(function, *SubjectAt(exact_, state), state, law), reference);
-  reference.size = sizes.sizes(function, reference.high, size_law, yielding);
+  reference.size = sizes.sizes(function, reference.high, size_law, relaxed);
   reference.interpreter_error = error_in_ulp(in_real, reference, unit_of(real_));
   return reference;
 }

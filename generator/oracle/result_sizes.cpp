@@ -28,18 +28,19 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& A) {
 }
 
 /// Lambda^-1 plus the relaxation of rows in strict priority: c (1 - w) / w for each row.
-Eigen::MatrixXd with_yields(const interpreter::Points<double>& points, const Eigen::MatrixXd& A) {
-  const Eigen::VectorXd borders = interpreter::yield_borders<double>(points, A.diagonal());
+Eigen::MatrixXd with_relaxed_rows(const interpreter::Points<double>& points,
+                                  const Eigen::MatrixXd& A) {
+  const Eigen::VectorXd borders = interpreter::relaxation_borders<double>(points, A.diagonal());
   Eigen::MatrixXd left = A;
-  Eigen::MatrixXd yielded = A;
+  Eigen::MatrixXd relaxed = A;
   for (const int row : interpreter::rows_by_priority(points)) {
     const double c = std::max(left(row, row), 1e-9 * borders(row));
-    const double inverse = interpreter::yielding_inverse<double>(c, borders(row));
-    if (borders(row) > 0) yielded(row, row) += 1 / inverse - c;
+    const double inverse = interpreter::relaxed_inverse<double>(c, borders(row));
+    if (borders(row) > 0) relaxed(row, row) += 1 / inverse - c;
     const Eigen::VectorXd column = left.col(row);
     left -= column * (inverse * column.transpose());
   }
-  return yielded;
+  return relaxed;
 }
 
 }  // namespace
@@ -68,23 +69,23 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   Lambda_inverse_ = Lambda_inverse;
   Lambda_condition_ = scaled_condition(Lambda_inverse, lambda_inverse().diagonal());
   Lambda_ = inverse(Lambda_inverse).cwiseAbs();
-  if (subject.damping.heaviest.size() > 0) {
+  if (subject.damping.effective_mass_limits.size() > 0) {
     damped_ = find_damped_sizes(Lambda_inverse, lambda_inverse(), subject.damping);
   }
   control_condition_ = Lambda_condition_;
   control_Lambda_ = Lambda_;
   if (!interpreter::has_priorities(subject.points)) return;
-  const Eigen::MatrixXd yielded = with_yields(subject.points, Lambda_inverse);
-  const Eigen::VectorXd scale = lambda_inverse().diagonal() + (yielded - Lambda_inverse).diagonal();
-  control_condition_ = scaled_condition(yielded, scale);
-  control_Lambda_ = inverse(yielded).cwiseAbs();
+  const Eigen::MatrixXd relaxed = with_relaxed_rows(subject.points, Lambda_inverse);
+  const Eigen::VectorXd scale = lambda_inverse().diagonal() + (relaxed - Lambda_inverse).diagonal();
+  control_condition_ = scaled_condition(relaxed, scale);
+  control_Lambda_ = inverse(relaxed).cwiseAbs();
 }
 
-std::optional<LawSizes> ResultSizes::yielding(Function function,
-                                              const interpreter::TaskLaw<double>& law) const {
+std::optional<LawSizes> ResultSizes::relaxed(Function function,
+                                             const interpreter::TaskLaw<double>& law) const {
   if (law.borders.empty()) return std::nullopt;
-  if (needs_objects(function)) return objects_->yielding(function, law);
-  if (needs_constraints(function)) return of_constraints(function).yielding(law);
+  if (needs_objects(function)) return objects_->relaxed(function, law);
+  if (needs_constraints(function)) return of_constraints(function).relaxed(law);
   if (!has_lambda(function) || Lambda_inverse_.size() == 0) return std::nullopt;
   if (function == Function::control_torque && interpreter::has_priorities(subject_.points)) {
     return std::nullopt;
@@ -94,18 +95,18 @@ std::optional<LawSizes> ResultSizes::yielding(Function function,
 }
 
 Conditions ResultSizes::conditions(Function function,
-                                   const std::optional<LawSizes>& yielding) const {
+                                   const std::optional<LawSizes>& relaxed) const {
   if (function == Function::constraint_jacobian) return {constrained_->loop_condition()};
   const Solve solve = solve_of(function);
   if (needs_objects(function) && solve != Solve::none) {
-    return {M_condition_, yielding ? yielding->condition : objects_->condition()};
+    return {M_condition_, relaxed ? relaxed->condition : objects_->condition()};
   }
   if (needs_constraints(function) && solve != Solve::none) {
     const ConstraintSizes& constraints = of_constraints(function);
     return {std::max(M_condition_, constraints.loop_condition()),
-            yielding ? yielding->condition : constraints.condition()};
+            relaxed ? relaxed->condition : constraints.condition()};
   }
-  if (yielding) return {M_condition_, yielding->condition};
+  if (relaxed) return {M_condition_, relaxed->condition};
   switch (solve) {
     case Solve::mass_matrix:
       return {M_condition_};
@@ -125,7 +126,7 @@ Conditions ResultSizes::conditions(Function function,
 struct ResultSizes::Solved {
   const std::vector<double>& result;
   const interpreter::TaskLaw<double>& law;
-  const std::optional<LawSizes>& yielding;
+  const std::optional<LawSizes>& relaxed;
   const Eigen::MatrixXd& Lambda;
 };
 
@@ -209,8 +210,7 @@ struct ResultSizes::Table {
       {Function::lambda, [](Of of, In in) { return entries_of(of.lambda(in.Lambda)); }},
       {Function::control_torque,
        [](Of of, In in) {
-         return entries_of(
-             of.control_torque(in.yielding ? in.yielding->Lambda : of.control_Lambda_));
+         return entries_of(of.control_torque(in.relaxed ? in.relaxed->Lambda : of.control_Lambda_));
        }},
       {Function::point_velocity,
        [](Of of, In) { return entries_of(of.terms_.point_velocities(of.state_.qd)); }},
@@ -244,30 +244,29 @@ struct ResultSizes::Table {
        [](Of of, In) { return entries_of(of.constrained_->loop_errors()); }},
       {Function::constrained_forward_dynamics,
        [](Of of, In in) {
-         return of.of_constraints(Function::constrained_forward_dynamics)
-             .sizes(in.law, in.yielding);
+         return of.of_constraints(Function::constrained_forward_dynamics).sizes(in.law, in.relaxed);
        }},
       {Function::supported_control_torque,
        [](Of of, In in) {
-         return of.of_constraints(Function::supported_control_torque).sizes(in.law, in.yielding);
+         return of.of_constraints(Function::supported_control_torque).sizes(in.law, in.relaxed);
        }},
   };
 };
 
 std::vector<double> ResultSizes::sizes(Function function, const std::vector<double>& result,
                                        const interpreter::TaskLaw<double>& law,
-                                       const std::optional<LawSizes>& yielding) const {
+                                       const std::optional<LawSizes>& relaxed) const {
   constexpr std::span<const Row> of_robot(Table::kOfRobot), of_task(Table::kOfTask);
   static_assert(covers<is_about<FunctionGroup::robot, FunctionGroup::center_of_mass,
                                 FunctionGroup::derivatives>>(of_robot));
   static_assert(covers<is_about<FunctionGroup::points, FunctionGroup::constraints>>(of_task));
-  if (needs_objects(function)) return objects_->sizes(function, yielding);
+  if (needs_objects(function)) return objects_->sizes(function, relaxed);
   const Row* row = find_row(of_robot, function);
   if (row == nullptr) row = find_row(of_task, function);
   if (row == nullptr) {
     return contact_sizes(function, subject_, state_, M_inverse_, result, law);
   }
-  return row->sizes(*this, {result, law, yielding, yielding ? yielding->Lambda : Lambda_});
+  return row->sizes(*this, {result, law, relaxed, relaxed ? relaxed->Lambda : Lambda_});
 }
 
 const ConstraintSizes& ResultSizes::of_constraints(Function function) const {
@@ -331,7 +330,7 @@ Eigen::VectorXd ResultSizes::control_torque(const Eigen::MatrixXd& Lambda) const
 
 std::vector<double> ResultSizes::damped_control_torque() const {
   std::vector<double> entries = entries_of(control_torque(damped_->Lambda));
-  entries.push_back(damped_->ease);
+  entries.push_back(damped_->least_eigenvalue);
   return entries;
 }
 

@@ -21,17 +21,17 @@ class ResultSizes {
 
   /// Properties of the solve with rows that are relaxed by `law`. Nothing for functions without
   /// such a solve.
-  [[nodiscard]] std::optional<LawSizes> yielding(Function function,
-                                                 const interpreter::TaskLaw<double>& law) const;
+  [[nodiscard]] std::optional<LawSizes> relaxed(Function function,
+                                                const interpreter::TaskLaw<double>& law) const;
   /// Scale of each entry of the function's results, in their order. `result` is the function's
-  /// result with the law `law`, `yielding` the properties of its solve.
+  /// result with the law `law`, `relaxed` the properties of its solve.
   [[nodiscard]] std::vector<double> sizes(
       Function function, const std::vector<double>& result,
       const interpreter::TaskLaw<double>& law = {},
-      const std::optional<LawSizes>& yielding = std::nullopt) const;
+      const std::optional<LawSizes>& relaxed = std::nullopt) const;
   /// Condition numbers of the matrices that the function solves with; 1 where there is none.
   [[nodiscard]] Conditions conditions(Function function,
-                                      const std::optional<LawSizes>& yielding = std::nullopt) const;
+                                      const std::optional<LawSizes>& relaxed = std::nullopt) const;
 
  private:
   struct Solved;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "description/heaviest_rows.hpp"
+#include "description/effective_mass_limits.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "interpreter/damped_torque.hpp"
 #include "interpreter/points.hpp"
@@ -35,7 +35,7 @@ struct SubjectTool {
 /// A base parameter: the parameter that it is named after and what it combines.
 struct SubjectBase {
   interpreter::UnitParameter named;
-  std::vector<std::pair<interpreter::UnitParameter, Exact>> terms;
+  std::vector<std::pair<interpreter::UnitParameter, Digits50>> terms;
   std::vector<std::pair<std::size_t, double>> numbers;  ///< the same of the numbers of `BaseDomain`
 };
 
@@ -171,7 +171,7 @@ Subject<Scalar> make_subject(const Robot& robot, const Scene& scene,
   subject.loops = loops_from_scene(subject.model, robot, scene);
   subject.passive = passive_velocities(subject.model, robot, scene);
   if (!scene.objects.empty()) subject.chain = chain_from_scene<Scalar>(robot, scene);
-  subject.damping.heaviest = vector_of<Scalar>(heaviest_rows(scene));
+  subject.damping.effective_mass_limits = vector_of<Scalar>(effective_mass_limits(scene));
   // The values of `core::damped_solve`.
   subject.damping.resolution = Scalar(scene.real == Real::float32 ? 0x1p-17 : 0x1p-46);
   subject.inputs = inputs_of(scene, subject.model);

@@ -1,5 +1,5 @@
 # Writes FILE, which sets TREELINE_FUNCTIONS to every function that a scene may ask for: the names in
-# the rows of `kFunctions` in TABLE, functions/function.hpp, but for those that are never named.
+# the rows of `kFunctions` in TABLE, functions/function_rows.hpp, but for those that are never named.
 function(treeline_list_functions table file)
   file(READ ${table} text)
   string(REGEX MATCHALL

@@ -75,8 +75,8 @@ class ClosedLoops {
   }
 
   /// Forces of the motors that accelerate the rows of the task by `xdd`, with `posture` in what is
-  /// free beside them, while all stays closed. Directions that feel heavier than F::kHeaviest
-  /// yield.
+  /// free beside them, while all stays closed. Directions that feel heavier than
+  /// F::kEffectiveMassLimits yield.
   static void control_torque(const double (&q)[nq], const double (&qd)[nv],
                              const double (&posture)[nv], const double* xdd,
                              double (&tau)[nv]) noexcept {
@@ -289,7 +289,7 @@ class ClosedLoops {
       missing[i] = xdd[i] - missing[i] - task.moved(i, qdd);
       for (int j = 0; j < rows; ++j) Lambda_inv[i * rows + j] = task.along(i, task.J + j * nv);
     }
-    core::damped_solve(Lambda_inv, F::kHeaviest, missing);
+    core::damped_solve(Lambda_inv, F::kEffectiveMassLimits, missing);
     task.push(missing, qdd);
   }
 

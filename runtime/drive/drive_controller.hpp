@@ -105,10 +105,11 @@ class DriveController {
   static constexpr double kTurnSpeed = 1.0;      ///< rad/s
   static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
   static constexpr double kBlend = 0.25;         ///< s
-  static constexpr double kPostureRate = 3.0;    ///< rad/s, of the heaviest joint by its spring
-  static constexpr double kHandDamping = 2.0;    ///< 1/s, in gravity control
-  static constexpr double kGrip = 0.05;          ///< s in which a hand takes hold and lets go
-  static constexpr double kHandFilter = 25.0;    ///< 1/s, of where the hand is
+  static constexpr double kPostureRate =
+      3.0;  ///< rad/s, of the joint with the largest inertia, by its spring
+  static constexpr double kHandDamping = 2.0;  ///< 1/s, in gravity control
+  static constexpr double kGrip = 0.05;        ///< s in which a hand takes hold and lets go
+  static constexpr double kHandFilter = 25.0;  ///< 1/s, of where the hand is
 
   /// How near to its limits a joint is led by something else than a goal of its own.
   struct JointBounds {
@@ -169,6 +170,9 @@ class DriveController {
   void find_velocities(const State& state, const double* rotations,
                        double* velocities) const noexcept;
   void set_control(double time, const State& state, Control wanted) noexcept;
+  void apply_to_joints(double time, Instruction instruction,
+                       const servo::Message& message) noexcept;
+  void apply_to_point(double time, Instruction instruction, const servo::Message& message) noexcept;
   void move_joint(double time, const servo::Message& message) noexcept;
   void go_home(double time, double duration) noexcept;
   void move_pose(double time, const servo::Message& message, SmoothPose& pose) noexcept;

@@ -20,52 +20,30 @@ void DriveController<F>::apply(double time, const servo::Message& message) noexc
   if (message.kind != servo::MessageKind::instruction) {
     return;
   }
-  const int index = static_cast<int>(message.values[0]);
-  SmoothPose* const pose = pose_of(index);
-  stop_following(time, static_cast<Instruction>(message.index));
-  switch (static_cast<Instruction>(message.index)) {
+  const auto instruction = static_cast<Instruction>(message.index);
+  stop_following(time, instruction);
+  switch (instruction) {
     case Instruction::set_control:
-      set_control(time, state_, static_cast<Control>(index));
+      set_control(time, state_, static_cast<Control>(static_cast<int>(message.values[0])));
       break;
     case Instruction::move_joint:
-      set_control(time, state_, Control::joint);
-      move_joint(time, message);
-      break;
     case Instruction::move_posture:
-      move_joint(time, message);
-      break;
     case Instruction::go_home:
-      set_control(time, state_, Control::joint);
-      go_home(time, message.duration);
+    case Instruction::drag_joint:
+      apply_to_joints(time, instruction, message);
       break;
     case Instruction::move_point:
-      if (pose != nullptr) move_pose(time, message, *pose);
-      break;
     case Instruction::turn_point:
-      if (pose != nullptr) turn_pose(time, message, *pose);
-      break;
     case Instruction::drag_point:
-      if (pose != nullptr) drag_pose(time, message, *pose);
-      break;
-    case Instruction::drag_joint:
-      set_control(time, state_, Control::joint);
-      drag_joint(time, message);
+    case Instruction::hold_point:
+    case Instruction::release_point:
+      apply_to_point(time, instruction, message);
       break;
     case Instruction::pull_link:
       begin_pull(time, message);
       break;
     case Instruction::hold_all:
       hold_all(time);
-      break;
-    case Instruction::hold_point:
-      if (pose != nullptr) pose->hold(time);
-      if (index >= 0 && index < kPoints) free_[at(index)] = false;
-      break;
-    case Instruction::release_point:
-      if (index >= 0 && index < kPoints) {
-        free_[at(index)] = true;
-        blend_asked_ = true;
-      }
       break;
     case Instruction::set_gains:
       set_gains(message);
@@ -76,6 +54,41 @@ void DriveController<F>::apply(double time, const servo::Message& message) noexc
     case Instruction::follow:
       begin_following(time, message.duration);
       break;
+  }
+}
+
+template <class F>
+void DriveController<F>::apply_to_joints(double time, Instruction instruction,
+                                         const servo::Message& message) noexcept {
+  if (instruction != Instruction::move_posture) set_control(time, state_, Control::joint);
+  if (instruction == Instruction::go_home) {
+    go_home(time, message.duration);
+  } else if (instruction == Instruction::drag_joint) {
+    drag_joint(time, message);
+  } else {
+    move_joint(time, message);
+  }
+}
+
+template <class F>
+void DriveController<F>::apply_to_point(double time, Instruction instruction,
+                                        const servo::Message& message) noexcept {
+  const int index = static_cast<int>(message.values[0]);
+  const bool is_point = index >= 0 && index < kPoints;
+  if (instruction == Instruction::release_point) {
+    if (!is_point) return;
+    free_[at(index)] = true;
+    blend_asked_ = true;
+    return;
+  }
+  SmoothPose* const pose = pose_of(index);
+  if (pose == nullptr) return;
+  if (instruction == Instruction::move_point) move_pose(time, message, *pose);
+  if (instruction == Instruction::turn_point) turn_pose(time, message, *pose);
+  if (instruction == Instruction::drag_point) drag_pose(time, message, *pose);
+  if (instruction == Instruction::hold_point) {
+    pose->hold(time);
+    if (is_point) free_[at(index)] = false;
   }
 }
 

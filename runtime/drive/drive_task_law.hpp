@@ -97,13 +97,13 @@ void DriveController<F>::accelerate_by_springs(const State& state,
   double led[nv];
   accelerate_joints({0.0, 0.0}, state, led);
   double f[nv];
-  double heaviest = 0.0;
+  double largest_inertia = 0.0;
   for (int i = 0; i < nv; ++i) {
     f[i] = 0.0;
     for (int j = 0; j < nv; ++j) f[i] += A[i * nv + j] * led[j];
-    heaviest = std::fmax(heaviest, A[i * nv + i]);
+    largest_inertia = std::fmax(largest_inertia, A[i * nv + i]);
   }
-  const double K = kPostureRate * kPostureRate * heaviest;
+  const double K = kPostureRate * kPostureRate * largest_inertia;
   for_each_joint(
       [&](int iq, int iv) {
         const SmoothNumber& goal = joints_[at(iq)];

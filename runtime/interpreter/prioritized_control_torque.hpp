@@ -42,8 +42,8 @@ std::vector<int> rows_by_priority(const Points<Scalar>& points) {
 /// are controlled. `floors`, if any, has one entry per row; it is added to the sum, so that the
 /// border does not vanish together with it.
 template <class Scalar>
-Vector<Scalar> yield_borders(const Points<Scalar>& points, VectorArg<Scalar> mobilities,
-                             const std::vector<Scalar>& floors = {}) {
+Vector<Scalar> relaxation_borders(const Points<Scalar>& points, VectorArg<Scalar> mobilities,
+                                  const std::vector<Scalar>& floors = {}) {
   Vector<Scalar> borders(mobilities.size());
   int at = 0;
   for (const auto& point : points) {
@@ -63,7 +63,7 @@ Vector<Scalar> yield_borders(const Points<Scalar>& points, VectorArg<Scalar> mob
 /// w / c with the share w = t^8 / (1 + t^8), t = c / border, for a row whose inverse inertia in the
 /// null space of the rows above it is c.
 template <class Scalar>
-Scalar yielding_inverse(const Scalar& c, const Scalar& border) {
+Scalar relaxed_inverse(const Scalar& c, const Scalar& border) {
   if (border == 0) return Scalar(0);  // nothing can move this row
   const Scalar t = c / border;
   const Scalar t7 = t * t * t * t * t * t * t;
@@ -78,8 +78,8 @@ Scalar yielding_inverse(const Scalar& c, const Scalar& border) {
 /// Then tau = M qdd + b + g - J_ext^T f_ext (Khatib, Sentis, Park & Warren 2004, for rows as
 /// tasks). By the Sherman-Morrison formula this equals J^T F with (Lambda^-1 + diag(c (1 - w)/w)) F
 /// = what all rows lack. If all rows are independent it is Chang's table 6.1 in any order. If a row
-/// depends on rows above it, c falls below its border (`yield_borders`), its share w goes from 1 to
-/// 0, and only this row is relaxed; rows above are not affected.
+/// depends on rows above it, c falls below its border (`relaxation_borders`), its share w goes from
+/// 1 to 0, and only this row is relaxed; rows above are not affected.
 template <class Scalar>
 Vector<Scalar> prioritized_control_torque(const Model<Scalar>& model, PointsArg<Scalar> points,
                                           VectorArg<Scalar> q, VectorArg<Scalar> qd,
@@ -90,14 +90,14 @@ Vector<Scalar> prioritized_control_torque(const Model<Scalar>& model, PointsArg<
   const Matrix<Scalar> J = jacobian<Scalar>(model, points, q);
   Matrix<Scalar> NM_inverse = inverse_of_positive_definite<Scalar>(mass_matrix<Scalar>(model, q));
   const Vector<Scalar> mobilities = (J * NM_inverse * J.transpose()).diagonal();
-  const Vector<Scalar> borders = yield_borders<Scalar>(points, mobilities, floors);
+  const Vector<Scalar> borders = relaxation_borders<Scalar>(points, mobilities, floors);
   const Vector<Scalar> wanted = xdd_cmd - bias_acceleration<Scalar>(model, points, q, qd);
   Vector<Scalar> qdd = qdd_0;
   for (const int row : rows_by_priority(points)) {
     const Vector<Scalar> moved = NM_inverse * J.row(row).transpose();
     const Scalar c = J.row(row).dot(moved);
     const Scalar lacks = wanted(row) - J.row(row).dot(qdd);
-    const Scalar inverse = yielding_inverse<Scalar>(c, borders(row));
+    const Scalar inverse = relaxed_inverse<Scalar>(c, borders(row));
     qdd += moved * Scalar(inverse * lacks);
     NM_inverse -= moved * (inverse * moved.transpose());
   }

@@ -27,9 +27,9 @@ Matrix<Scalar> unit_forces(const Points<Scalar>& points, const Kinematics<Scalar
 /// from beginning to end, and the work done by the joints between.
 template <class Scalar>
 struct ForceSegment {
-  Matrix<Scalar> K;                                   ///< 6 x rows
-  Matrix6<Scalar> chi = Matrix6<Scalar>::Identity();  ///< maps forces from beginning to end
-  Matrix6<Scalar> yielded = Matrix6<Scalar>::Zero();  ///< sum of chi^T S D^-1 S^T chi
+  Matrix<Scalar> K;                                    ///< 6 x rows
+  Matrix6<Scalar> chi = Matrix6<Scalar>::Identity();   ///< maps forces from beginning to end
+  Matrix6<Scalar> mobility = Matrix6<Scalar>::Zero();  ///< sum of chi^T S D^-1 S^T chi
 };
 
 }  // namespace detail
@@ -75,7 +75,7 @@ Matrix<Scalar> lambda_inverse_by_reduced_unit_forces(const Model<Scalar>& model,
   PerBody<std::vector<Segment>> arriving(model.size(), {});
   Matrix<Scalar> Lambda_inverse = Matrix<Scalar>::Zero(rows, rows);
   const auto close = [&](const Segment& segment) {
-    Lambda_inverse += segment.K.transpose() * segment.yielded * segment.K;
+    Lambda_inverse += segment.K.transpose() * segment.mobility * segment.K;
     return Matrix<Scalar>(segment.chi * segment.K);
   };
   for (int i = model.size() - 1; i >= 0; --i) {
@@ -92,7 +92,7 @@ Matrix<Scalar> lambda_inverse_by_reduced_unit_forces(const Model<Scalar>& model,
     }
     if (k.S[i].cols() > 0) {
       const Matrix<Scalar> work = k.S[i].transpose() * segment.chi;
-      segment.yielded += work.transpose() * inertia.D_inverse[i] * work;
+      segment.mobility += work.transpose() * inertia.D_inverse[i] * work;
     }
     segment.chi = (forces.L[i] * segment.chi).eval();
     arriving[model.body(i).parent].push_back(std::move(segment));

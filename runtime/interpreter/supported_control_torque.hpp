@@ -219,10 +219,11 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
     const Vector<Scalar> balance = gamma_0(task.passive);
     missing.tail(tasks) += J_tp * (K_s * balance);
     const Vector<Scalar> f = bordered_inverse<Scalar>(A, law.rows) * missing;
-    const Vector<Scalar> settled = K_s * Vector<Scalar>(balance + J_tp.transpose() * f.tail(tasks));
+    const Vector<Scalar> passive_motion =
+        K_s * Vector<Scalar>(balance + J_tp.transpose() * f.tail(tasks));
     qdd += M_inverse * (rows.J.transpose() * f);
     for (Eigen::Index k = 0; k < passive; ++k) {
-      qdd(task.passive[static_cast<std::size_t>(k)]) -= settled(k);
+      qdd(task.passive[static_cast<std::size_t>(k)]) -= passive_motion(k);
     }
   } else {
     qdd += M_inverse * (rows.J.transpose() * (bordered_inverse<Scalar>(A, law.rows) * missing));

@@ -46,7 +46,7 @@ class CompliantBalls {
                  const BallMaterial& material) noexcept
       : radii_(radii), other_radius_(other_radius), material_(material) {}
 
-  /// Springs are stretched as the last call of `settle` left them.
+  /// Springs are stretched as the last call of `stretch_springs` left them.
   Touches touches(const Balls& balls, const MovingBall& other) const noexcept {
     Touches result;
     for (std::size_t i = 0; i < kCount; ++i) {
@@ -67,7 +67,7 @@ class CompliantBalls {
   }
 
   /// Lets `seconds` pass for the springs. To be called after each step of an integration.
-  void settle(double seconds, const Balls& balls, const MovingBall& other) noexcept {
+  void stretch_springs(double seconds, const Balls& balls, const MovingBall& other) noexcept {
     for (std::size_t i = 0; i < kCount; ++i) {
       const BallTouch touch = meet(balls[i], radii_[i], other);
       if (!(touch.depth > 0.0)) {

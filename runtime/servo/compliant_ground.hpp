@@ -25,7 +25,7 @@ class CompliantGround {
   explicit CompliantGround(const GroundMaterial& material) noexcept : material_(material) {}
 
   /// Forces (N) on points at `x` (m) with velocities `v` (m/s), world axes, z up. Springs end where
-  /// the last call of `settle` left them.
+  /// the last call of `slide_springs` left them.
   Vectors forces(const Vectors& x, const Vectors& v) const noexcept {
     Vectors result{};
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -48,7 +48,7 @@ class CompliantGround {
 
   /// Lets the springs' ends slide to where friction holds them, and lets go of points in the air.
   /// To be called after each step of an integration.
-  void settle(const Vectors& x) noexcept {
+  void slide_springs(const Vectors& x) noexcept {
     for (std::size_t i = 0; i < x.size(); ++i) {
       const bool touches = x[i][2] < 0.0;
       if (touches && !touching_[i]) ends_[i] = {x[i][0], x[i][1]};

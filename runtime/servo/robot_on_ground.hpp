@@ -35,7 +35,7 @@ class RobotOnGround {
   RobotOnGround(const StateOf<F>& state, int substeps, const Floating& floating,
                 const GroundMaterial& material = {}) noexcept
       : state_(state), substeps_(substeps), floating_(floating), ground_(material) {
-    settle();
+    slide_springs();
   }
 
   bool connected() const noexcept { return true; }
@@ -50,7 +50,7 @@ class RobotOnGround {
     };
     for (int step = 0; step < substeps_; ++step) {
       integrate_runge_kutta<nq, nv>(floating_, seconds / substeps_, accelerations_at, state_);
-      settle();
+      slide_springs();
     }
   }
 
@@ -67,10 +67,10 @@ class RobotOnGround {
     F::ground_points(q, qd, x, v);
     return ground_.forces(x, v);
   }
-  void settle() noexcept {
+  void slide_springs() noexcept {
     typename Ground::Vectors x, v;
     F::ground_points(state_.q, state_.qd, x, v);
-    ground_.settle(x);
+    ground_.slide_springs(x);
   }
 
   StateOf<F> state_;

@@ -99,7 +99,7 @@ Subjects damped_puma_for(const std::string& target, Real real, Language language
   Subjects subjects = puma_for(target, real,
                                {Function::jacobian, Function::bias_acceleration,
                                 Function::inverse_dynamics, Function::lambda_inverse});
-  subjects.scene.damped = HeaviestMotion{20, 2};
+  subjects.scene.damped = EffectiveMassLimit{20, 2};
   subjects.scene.language = language;
   subjects.generation = generate(subjects.robot, subjects.scene);
   return subjects;

@@ -8,8 +8,8 @@
 #include <regex>
 
 #include "bounds/lie_on_circle.hpp"
-#include "climb.hpp"
 #include "generate.hpp"
+#include "hill_climber.hpp"
 #include "sample.hpp"
 
 // Would catch: bounds that omit the rounding of an operation, that grow with every rotation, or
@@ -75,8 +75,8 @@ TEST(BoundRounding, RotationsDoNotEnlargeMatrices) {
   const RoundingBound bound = bound_of(sample);
   for (const double size : bound.size) EXPECT_LE(size, 4);  // by themselves above 1e5
   for (const double error : bound.error) EXPECT_LE(error, 30 * 200 * kUnit);
-  Climber climber(sample.program, sample.domain, 3);
-  for (std::size_t i = 0; i < 3; ++i) climber.climb(i, 300);
+  HillClimber climber(sample.program, sample.domain, 3);
+  for (std::size_t i = 0; i < 3; ++i) climber.hill_climb(i, 300);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_LE(climber.worst[i], bound.error[i]);
 }
 
@@ -120,8 +120,8 @@ TEST(BoundRounding, RoundingsOfATurnCountTogether) {
   const RoundingBound bound = bound_of(sample);
   // Products 1, sines sqrt 2, the sum 1, times the length.
   EXPECT_LE(bound.error[0], (2 + sqrt2) * sqrt2 * kUnit * (1 + 1e-6));
-  Climber climber(sample.program, sample.domain, 5);
-  climber.climb(0, 3000);
+  HillClimber climber(sample.program, sample.domain, 5);
+  climber.hill_climb(0, 3000);
   EXPECT_LE(climber.worst[0], bound.error[0]);
 }
 
@@ -139,8 +139,8 @@ TEST(BoundRounding, ProductsCancelThroughTurns) {
   const RoundingBound bound = bound_of(sample);
   EXPECT_NEAR(bound.size[0], 1, 1e-9);
   EXPECT_LE(bound.error[0], 40 * kUnit);
-  Climber climber(sample.program, sample.domain, 4);
-  climber.climb(0, 3000);
+  HillClimber climber(sample.program, sample.domain, 4);
+  climber.hill_climb(0, 3000);
   EXPECT_LE(climber.worst[0], bound.error[0]);
   EXPECT_LE(bound.error[0], 20 * climber.worst[0]);
 }
@@ -156,12 +156,12 @@ TEST(BoundRounding, SinesMayBeGiven) {
 }
 
 /// Ratio of the worst error found to the bound, over all entries.
-double climb_given(const Program& program, const Domain& domain, const RoundingBound& bound,
-                   Climber::Given given, int steps) {
-  Climber climber(program, domain, 11, given);
+double hill_climb_given(const Program& program, const Domain& domain, const RoundingBound& bound,
+                        HillClimber::Given given, int steps) {
+  HillClimber climber(program, domain, 11, given);
   double worst = 0;
   for (std::size_t i = 0; i < bound.error.size(); i += 1 + bound.error.size() / 12) {
-    climber.climb(i, steps);
+    climber.hill_climb(i, steps);
   }
   for (std::size_t i = 0; i < bound.error.size(); ++i) {
     if (bound.error[i] > 0) worst = std::max(worst, climber.worst[i] / bound.error[i]);
@@ -182,11 +182,11 @@ TEST(BoundRounding, GivenSinesMustLieOnTheCircle) {
   }
   sample.result(v);
   const RoundingBound bound = bound_of(sample);
-  const auto worst = [&](Climber::Given given) {
-    return climb_given(sample.program, sample.domain, bound, given, 2000);
+  const auto worst = [&](HillClimber::Given given) {
+    return hill_climb_given(sample.program, sample.domain, bound, given, 2000);
   };
-  EXPECT_LE(worst(Climber::Given::on_circle), 1);
-  EXPECT_GT(worst(Climber::Given::in_box), 2);
+  EXPECT_LE(worst(HillClimber::Given::on_circle), 1);
+  EXPECT_GT(worst(HillClimber::Given::in_box), 2);
   EXPECT_NE(describe(sample.domain, {"cos_q", "sin_q", "x"}).find("sin_q^2 + cos_q^2 = 1"),
             std::string::npos);
   EXPECT_EQ(describe(sample.domain, {"x"}), "|x| <= 1");
@@ -197,11 +197,12 @@ TEST(BoundRounding, RobotsWithGivenSinesStateTheCircle) {
   const Subjects made = load_functions("humanoid24", {Function::jacobian}, Sines::given);
   const GeneratedFunction& jacobian = made.generation.functions.front();
   ASSERT_TRUE(jacobian.rounding.is_proven());
-  const auto worst = [&](Climber::Given given) {
-    return climb_given(jacobian.program, made.generation.domain, jacobian.rounding, given, 400);
+  const auto worst = [&](HillClimber::Given given) {
+    return hill_climb_given(jacobian.program, made.generation.domain, jacobian.rounding, given,
+                            400);
   };
-  const double on_circle = worst(Climber::Given::on_circle);
-  const double in_box = worst(Climber::Given::in_box);
+  const double on_circle = worst(HillClimber::Given::on_circle);
+  const double in_box = worst(HillClimber::Given::in_box);
   std::printf("humanoid24 jacobian, worst found over bound: %.2f on the circle, %.2f in the box\n",
               on_circle, in_box);
   EXPECT_LE(on_circle, 1);

@@ -6,8 +6,8 @@
 
 #include "bounds/draw_inputs.hpp"
 #include "bounds/propagate_errors.hpp"
-#include "climb.hpp"
 #include "generate.hpp"
+#include "hill_climber.hpp"
 #include "sample.hpp"
 
 // Would catch: searches that stop before the worst states of a domain, or leave it.
@@ -87,15 +87,15 @@ TEST(FindTypical, KnowsTheQuantiles) {
 /// Checks that the stated bound covers a search of other states with more effort, and hill
 /// climbing. Returns the stated bound divided by the worst error found.
 double search_longer(const GeneratedFunction& generated, const Domain& domain,
-                     const SearchEffort& effort, int climbed) {
+                     const SearchEffort& effort, int steps) {
   const auto longer = bounds::search_worst(generated.program, domain, kUnit, effort);
-  Climber climber(generated.program, domain, effort.seed);
+  HillClimber climber(generated.program, domain, effort.seed);
   double worst = 0, stated = 0;
   std::size_t first = 0;
   for (std::size_t r = 0; r < longer.size(); ++r) {
     const double bound = generated.rounding.worst[r].error;
     EXPECT_GE(bound, longer[r].error * kUnit) << generated.program.name;
-    climber.climb(first + longer[r].entry, climbed);
+    climber.hill_climb(first + longer[r].entry, steps);
     for (std::size_t i = 0; i < generated.program.results[r].values.size(); ++i) {
       EXPECT_LE(climber.worst[first + i], bound) << generated.program.name << " entry " << i;
       worst = std::max(worst, climber.worst[first + i]);
@@ -144,7 +144,7 @@ TEST(SearchWorst, StatedBoundsOfRandomMechanismsHold) {
 }
 
 /// First-order bound of each entry at one state.
-std::vector<double> bounds_at(const Program& program, const Climber::Inputs& arguments) {
+std::vector<double> bounds_at(const Program& program, const HillClimber::Inputs& arguments) {
   bounds::ErrorPropagation errors(program.graph, kUnit);
   std::vector<bounds::States> inputs;
   for (const InputPlace& place : locate_inputs(program)) {
@@ -170,11 +170,11 @@ TEST(FindTypical, BoundsHoldAtTheStatesClimbedTo) {
     for (const GeneratedFunction& generated : made.generation.functions) {
       ASSERT_EQ(generated.rounding.kind, RoundingBound::Kind::typical);
       const Program& program = generated.program;
-      Climber climber(program, made.generation.domain, 3);
+      HillClimber climber(program, made.generation.domain, 3);
       double nearest = 0;
       for (std::size_t i = 0; i < climber.worst.size(); i += 5) {
         for (const int steps : {10, 100, 1000}) {
-          climber.climb(i, steps);
+          climber.hill_climb(i, steps);
           if (climber.at[i].empty()) continue;
           const std::vector<double> bounds = bounds_at(program, climber.at[i]);
           double size = 0;

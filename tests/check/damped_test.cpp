@@ -36,7 +36,7 @@ Subjects draw_damped(std::uint64_t seed, RandomOptions options, Real real, Sines
   Subjects made{drawn.robot, drawn.scene, {}};
   made.scene.real = real;
   made.scene.sin_cos = sines;
-  made.scene.damped = HeaviestMotion{20, 0.5};
+  made.scene.damped = EffectiveMassLimit{20, 0.5};
   made.scene.functions = {kDampedFunctions.begin(), kDampedFunctions.end()};
   made.generation = generate(made.robot, made.scene);
   return made;
@@ -52,14 +52,14 @@ TEST(CheckDamped, Ur10eThroughItsSingularities) {
   EXPECT_EQ(damped.singular, 0);
   EXPECT_TRUE(damped.bits_known);
   EXPECT_GT(digits_left(report, damped.worst.error), 13.5);
-  int yielding = 0, singular = 0;
+  int relaxed = 0, singular = 0;
   for (const StateReference& reference :
        make_references(subjects.robot, subjects.scene, subjects.generation, options.references)) {
-    const double ease = reference.functions.back().high.back();
-    yielding += ease < 1 ? 1 : 0;
-    singular += ease < 1e-6 ? 1 : 0;
+    const double least_eigenvalue = reference.functions.back().high.back();
+    relaxed += least_eigenvalue < 1 ? 1 : 0;
+    singular += least_eigenvalue < 1e-6 ? 1 : 0;
   }
-  EXPECT_GT(yielding, 30);
+  EXPECT_GT(relaxed, 30);
   EXPECT_GT(singular, 20);
   EXPECT_NE(print_text(report).find("damped_control_torque"), std::string::npos);
   EXPECT_NE(print_json(report).find("Lambda^-1 + Delta"), std::string::npos);
@@ -103,7 +103,7 @@ TEST(CheckDamped, WhereNoStateHasLambda) {
   elbow.name = "elbow";
   elbow.link = "link2";
   subjects.scene.operational_points.push_back(elbow);
-  subjects.scene.damped = HeaviestMotion{10, 1};
+  subjects.scene.damped = EffectiveMassLimit{10, 1};
   subjects.scene.functions = {kDampedFunctions.begin(), kDampedFunctions.end()};
   subjects.generation = generate(subjects.robot, subjects.scene);
   const auto report = check_or_throw(subjects, quick_options(60));
@@ -170,7 +170,7 @@ TEST(CheckDamped, MissingHeaderIsAnError) {
 // More rows than are supported: the report says that the bits are unknown, not that they differ.
 TEST(CheckDamped, ManyRowsHaveNoKnownBits) {
   DampedInputs inputs;
-  inputs.heaviest.assign(37, 1);
+  inputs.mass_limits.assign(37, 1);
   inputs.tau.assign(1, 0);
   EXPECT_TRUE(evaluate_damped(Real::float64, inputs).empty());
 }

@@ -70,11 +70,11 @@ GeneratedFunction cheapest(const Mechanism& mechanism, Function function) {
   generated.function = function;
   double least = 0;
   for (const Program& route : trace_function(mechanism, function)) {
-    Program settled = canonicalize(route);
-    const double weighted = cost(settled, count_operations(settled));
+    Program canonical = canonicalize(route);
+    const double weighted = cost(canonical, count_operations(canonical));
     if (!generated.program.results.empty() && !(weighted < least)) continue;
     least = weighted;
-    generated.program = std::move(settled);
+    generated.program = std::move(canonical);
   }
   return generated;
 }

@@ -59,7 +59,7 @@ TEST(CheckInputs, InFloatInBatchesAndDamped) {
   subjects.scene.inputs = inputs_of_puma();
   subjects.scene.real = Real::float32;
   subjects.scene.batch = 4;
-  subjects.scene.damped = HeaviestMotion{20, 0.5};
+  subjects.scene.damped = EffectiveMassLimit{20, 0.5};
   subjects.scene.functions = {kDampedFunctions.begin(), kDampedFunctions.end()};
   subjects.generation = generate(subjects.robot, subjects.scene);
   expect_right(subjects, 40);
@@ -85,7 +85,7 @@ TEST(CheckInputs, InC) {
   subjects.scene.language = Language::c;
   subjects.scene.lanes = 1;
   subjects.scene.sin_cos = Sines::given;
-  subjects.scene.damped = HeaviestMotion{20, 0.5};
+  subjects.scene.damped = EffectiveMassLimit{20, 0.5};
   subjects.generation = generate(subjects.robot, subjects.scene);
   expect_right(subjects, 40);
 }

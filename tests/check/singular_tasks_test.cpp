@@ -45,17 +45,17 @@ double error_of(const Program& program, Function function, const Subject<Digits5
                 const ResultSizes& sizes, const State& state) {
   const auto law = law_at(program.law.get(), state.q);
   const auto size_law = interpreter::cast<double>(law_at(law_of_sizes(program.law).get(), state.q));
-  const auto yielding = sizes.yielding(function, size_law);
+  const auto relaxed = sizes.relaxed(function, size_law);
   FunctionReference reference;
   for (const Digits50& x : interpret<Digits50>(function, exact, state, law)) {
     reference.high.push_back(static_cast<double>(x));
     reference.low.push_back(static_cast<double>(x - Digits50(reference.high.back())));
   }
-  reference.size = sizes.sizes(function, reference.high, size_law, yielding);
+  reference.size = sizes.sizes(function, reference.high, size_law, relaxed);
   const auto results = GraphRun(program).results(state, Real::float64);
   EXPECT_TRUE(are_finite(results)) << describe(program.route) << ", state " << state.index;
   return error_in_ulp(results, reference, unit_of(Real::float64)) /
-         sizes.conditions(function, yielding).largest();
+         sizes.conditions(function, relaxed).largest();
 }
 
 TEST(SingularTasks, OfEveryRouteAreTheInterpretersByTheSameLaw) {
@@ -99,7 +99,7 @@ TEST(SingularTasks, LeaveOrdinaryStatesAsTheBareSolveHasThem) {
     const StateSpace space{subject, smooth.generation.mechanism.coordinates, 1, false, {}};
     FunctionMechanisms with(smooth.robot, smooth.scene), without(bare.robot, bare.scene);
     const auto function = Function::control_torque;
-    const auto yielding = trace_function(with.of(function), function);
+    const auto relaxed = trace_function(with.of(function), function);
     const auto exact = trace_function(without.of(function), function);
     for (int index = 0; index < 200; ++index) {
       const State state = draw_state(space, index);
@@ -109,7 +109,7 @@ TEST(SingularTasks, LeaveOrdinaryStatesAsTheBareSolveHasThem) {
       reference.high = GraphRun(exact.front()).results(state, Real::float64);
       reference.low.assign(reference.high.size(), 0);
       reference.size = sizes.sizes(function, reference.high);
-      for (const Program& program : yielding) {
+      for (const Program& program : relaxed) {
         const auto results = GraphRun(program).results(state, Real::float64);
         const double error =
             error_in_ulp(results, reference, 0x1p-52) / sizes.conditions(function).largest();

@@ -147,6 +147,19 @@ TEST_F(DriveTest, IsRepeatable) {
   EXPECT_EQ(first["time"], second["time"]);
 }
 
+// Would catch: the advice to list functions, which `generate` has, beside what `drive` says itself.
+TEST_F(DriveTest, SaysOnceWhatItLeavesOfAScene) {
+  write("passive.yaml",
+        "passive: [joint2]\nexternal_forces: [{name: push, link: link3}]\n"
+        "functions: [gravity]\n");
+  const Outcome outcome = drive(kRobots + "/planar3r/planar3r.urdf passive.yaml", "start\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("left out while the robot is driven: external_forces, passive"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find("no function takes them"), std::string::npos) << outcome.err;
+}
+
 TEST_F(DriveTest, SaysWhatWentWrong) {
   const std::string robot = kRobots + "/planar3r/planar3r.urdf";
   const Outcome unknown = drive(robot, "start\njoint elbow to 1\n");

@@ -129,6 +129,17 @@ TEST_F(GenerateTest, DumpsTheGraphs) {
   EXPECT_EQ(text.out.rfind("; gravity:", 0), 0u);
   const Outcome dot = run(kUrdf + " " + kScene + " --functions gravity --dump dot");
   EXPECT_EQ(dot.out.rfind("digraph gravity {", 0), 0u);
+  const Outcome folder = run(kUrdf + " " + kScene + " --dump text -o out");
+  EXPECT_EQ(folder.exit_code, 2);
+  EXPECT_NE(folder.err.find("--output does not go with --dump"), std::string::npos) << folder.err;
+}
+
+// Would catch: a folder called `=out`.
+TEST_F(GenerateTest, ShortOptionsHaveNoEqualsSign) {
+  const Outcome outcome = run(kUrdf + " " + kScene + " -o=out");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("write -o out, or --output=out"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(root_ / "=out"));
 }
 
 // Would catch: a wrong exit code, a missing message, or half a folder after bad input.
@@ -207,6 +218,21 @@ TEST_F(GenerateTest, ChoicesThatCannotBeMadeAreBadInput) {
     EXPECT_FALSE(fs::exists(root_ / "out")) << text;
   }
   EXPECT_EQ(run(generate_by("none.json", "out")).exit_code, 1);
+}
+
+// Would catch: choices of another robot that are taken without a word; some that are written by
+// hand, without a robot's name, that are refused.
+TEST_F(GenerateTest, ChoicesOfAnotherRobotAreBadInput) {
+  const std::string choices =
+      R"("choices": [{"function": "forward_dynamics", "chosen": {"route": "aba"}}]})";
+  std::ofstream(root_ / "other.json") << R"({"robot": "ur10e", )" + choices;
+  const Outcome other = run(generate_by("other.json", "out"));
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.err.find("for the robot \"ur10e\", not for \"puma560\""), std::string::npos)
+      << other.err;
+  EXPECT_FALSE(fs::exists(root_ / "out"));
+  std::ofstream(root_ / "mine.json") << "{" + choices;
+  EXPECT_EQ(run(generate_by("mine.json", "out")).exit_code, 0);
 }
 
 // Would catch: a choice for batches, or the description of the measurement, that the next manifest

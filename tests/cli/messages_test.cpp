@@ -146,6 +146,53 @@ TEST_F(MessagesTest, UnknownKeysAndFunctionsGetTheList) {
                {"operational_points[0]/origin", "xyz", "rpy"});
 }
 
+// Would catch: a scene that is called broken XML where a robot is expected.
+TEST_F(MessagesTest, ASceneIsNoRobot) {
+  write("scene.yaml", "base: fixed\n");
+  write("robots.yaml", "robots: [{name: left, urdf: arm.urdf}]\n");
+  for (const char* arguments :
+       {"init-scene scene.yaml", "convert scene.yaml", "diff arm.urdf scene.yaml"}) {
+    expect_parts(messages(arguments, 1), {"scene.yaml: error: this is a scene, not a robot",
+                                          "as their second argument, behind the robot"});
+  }
+  expect_parts(messages("init-scene robots.yaml", 1),
+               {"robots.yaml: error: this is a scene, not a robot", "in place of one"});
+}
+
+// Would catch: a file in another encoding that is called broken.
+TEST_F(MessagesTest, EncodingsAreNamed) {
+  using namespace std::string_literals;
+  write("packed.urdf.gz", "\x1f\x8b\x08\x00\x00"s);
+  write("marked.urdf", "\xff\xfe<\0r\0"s);
+  write("bare.urdf", "<\0r\0o\0"s);
+  write("scene.yaml", "\xfe\xff\0b\0a"s);
+  expect_parts(messages("inspect packed.urdf.gz", 1), {"compressed by gzip", "gunzip"});
+  expect_parts(messages("inspect - <packed.urdf.gz", 1),
+               {"standard input: error: the file is compressed by gzip"});
+  for (const char* file : {"marked.urdf", "bare.urdf", "arm.urdf scene.yaml"}) {
+    expect_parts(messages("inspect "s + file, 1), {"the file is UTF-16 text", "UTF-8"});
+  }
+}
+
+// Would catch: limits that nobody has filled in and nobody is told of; a joint that the scene locks
+// anyway, or one that moves, among them.
+TEST_F(MessagesTest, InspectNamesLimitsThatPermitNoMotion) {
+  EXPECT_EQ(messages("inspect arm.urdf", 0), "");
+  const auto with_limits = [this](const std::string& limits) {
+    std::string text = kArm;
+    const std::string old = R"(lower="-1" upper="1" effort="1" velocity="1")";
+    write("limited.urdf", text.replace(text.find(old), old.size(), limits));
+  };
+  with_limits(R"(lower="0" upper="0" effort="1" velocity="1")");
+  expect_parts(messages("inspect limited.urdf", 0),
+               {"limited.urdf:3: warning: joint[elbow_joint]/limit", "the joint cannot move"});
+  with_limits(R"(lower="-1" upper="1" effort="1" velocity="0")");
+  expect_parts(messages("inspect limited.urdf", 0),
+               {"limited.urdf:3: warning: joint[elbow_joint]/limit", "the joint has no speed"});
+  write("locked.yaml", "base: floating\nlocked: {elbow_joint: 0}\n");
+  EXPECT_EQ(messages("inspect limited.urdf locked.yaml", 0).find("no speed"), std::string::npos);
+}
+
 // Would catch: the JSON library's own text.
 TEST_F(MessagesTest, ChoicesThatAreNoManifest) {
   write("choices.json", "{}");

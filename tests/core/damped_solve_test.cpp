@@ -21,25 +21,26 @@ template <int N>
 using Column = Eigen::Matrix<double, N, 1>;
 
 template <int N>
-double solve(const Square<N>& A, const Column<N>& heaviest, Column<N>& x) {
+double solve(const Square<N>& A, const Column<N>& mass_limits, Column<N>& x) {
   double entries[N * N];
   double limits[N];
   double b[N];
   Square<N>::Map(entries) = A;
-  Column<N>::Map(limits) = heaviest;
+  Column<N>::Map(limits) = mass_limits;
   Column<N>::Map(b) = x;
-  const double ease = damped_solve(entries, limits, b);
+  const double least_eigenvalue = damped_solve(entries, limits, b);
   x = Column<N>::Map(b);
-  return ease;
+  return least_eigenvalue;
 }
 
 /// S^-1 V diag(eigenvalues) V^T S^-1 with a random V.
-Square<6> matrix_of(const Column<6>& eases, const Column<6>& heaviest, std::mt19937& engine) {
+Square<6> matrix_of(const Column<6>& eigenvalues, const Column<6>& mass_limits,
+                    std::mt19937& engine) {
   std::normal_distribution<double> normal;
   const Square<6> random = Square<6>::NullaryExpr([&] { return normal(engine); });
   const Square<6> V = random.householderQr().householderQ();
-  const Column<6> inverse_roots = heaviest.cwiseSqrt().cwiseInverse();
-  const Square<6> B = V * eases.asDiagonal() * V.transpose();
+  const Column<6> inverse_roots = mass_limits.cwiseSqrt().cwiseInverse();
+  const Square<6> B = V * eigenvalues.asDiagonal() * V.transpose();
   return inverse_roots.asDiagonal() * (0.5 * (B + B.transpose())) * inverse_roots.asDiagonal();
 }
 
@@ -48,17 +49,17 @@ Column<6> random_column(std::mt19937& engine) {
   return Column<6>::NullaryExpr([&] { return normal(engine); });
 }
 
-const Column<6> kHeaviest = (Column<6>() << 100, 100, 100, 5, 5, 5).finished();
+const Column<6> kMassLimits = (Column<6>() << 100, 100, 100, 5, 5, 5).finished();
 
 TEST(DampedSolve, WhereNothingIsHeavyTheBitsAreThoseOfLdlt) {
   std::mt19937 engine(1);
   for (int i = 0; i < 100; ++i) {
-    Column<6> eases;
-    for (int k = 0; k < 6; ++k) eases(k) = std::pow(10.0, 0.001 + k * 0.8);
-    const Square<6> A = matrix_of(eases, kHeaviest, engine);
+    Column<6> eigenvalues;
+    for (int k = 0; k < 6; ++k) eigenvalues(k) = std::pow(10.0, 0.001 + k * 0.8);
+    const Square<6> A = matrix_of(eigenvalues, kMassLimits, engine);
     const Column<6> b = random_column(engine);
     Column<6> x = b;
-    EXPECT_GT(solve<6>(A, kHeaviest, x), 1.0);
+    EXPECT_GT(solve<6>(A, kMassLimits, x), 1.0);
     double factors[36];
     double exact[6];
     Square<6>::Map(factors) = A;
@@ -76,20 +77,21 @@ TEST(DampedSolve, ForceAndEnergyStayWithinTheirBounds) {
   double largest_force = 0;
   double largest_energy = 0;
   for (int i = 0; i < 3000; ++i) {
-    Column<6> eases;
+    Column<6> eigenvalues;
     for (int k = 0; k < 6; ++k) {
-      eases(k) = i % 3 == 0   ? (k < 3 ? 0.0 : 0.6)
-                 : i % 3 == 1 ? std::pow(10.0, exponent(engine))
-                              : 0.2 + 0.001 * (i % 1000);
+      eigenvalues(k) = i % 3 == 0   ? (k < 3 ? 0.0 : 0.6)
+                       : i % 3 == 1 ? std::pow(10.0, exponent(engine))
+                                    : 0.2 + 0.001 * (i % 1000);
     }
-    const Square<6> A = matrix_of(eases, kHeaviest, engine);
+    const Square<6> A = matrix_of(eigenvalues, kMassLimits, engine);
     const Column<6> b = random_column(engine);
     Column<6> F = b;
-    const double ease = solve<6>(A, kHeaviest, F);
+    const double least_eigenvalue = solve<6>(A, kMassLimits, F);
     ASSERT_TRUE(F.allFinite());
-    EXPECT_NEAR(ease, eases.minCoeff(), 1e-14 * eases.maxCoeff());
-    const double scale = kHeaviest.cwiseSqrt().cwiseProduct(b).norm();
-    largest_force = std::max(largest_force, F.cwiseQuotient(kHeaviest.cwiseSqrt()).norm() / scale);
+    EXPECT_NEAR(least_eigenvalue, eigenvalues.minCoeff(), 1e-14 * eigenvalues.maxCoeff());
+    const double scale = kMassLimits.cwiseSqrt().cwiseProduct(b).norm();
+    largest_force =
+        std::max(largest_force, F.cwiseQuotient(kMassLimits.cwiseSqrt()).norm() / scale);
     largest_energy = std::max(largest_energy, F.dot(A * F) / (scale * scale));
   }
   EXPECT_LE(largest_force, kLargestDampedForce * (1 + 1e-9));
@@ -101,13 +103,13 @@ TEST(DampedSolve, ForceAndEnergyStayWithinTheirBounds) {
 // Only heavy directions deviate: v_k^T S (b - A F) = 0 up to rounding for eigenvalues above 1.
 TEST(DampedSolve, WhatIsNotHeavyIsExact) {
   std::mt19937 engine(3);
-  const Column<6> eases = (Column<6>() << 1e4, 300, 20, 1.01, 0.3, 1e-13).finished();
+  const Column<6> eigenvalues = (Column<6>() << 1e4, 300, 20, 1.01, 0.3, 1e-13).finished();
   for (int i = 0; i < 100; ++i) {
-    const Square<6> A = matrix_of(eases, kHeaviest, engine);
+    const Square<6> A = matrix_of(eigenvalues, kMassLimits, engine);
     const Column<6> b = random_column(engine);
     Column<6> F = b;
-    solve<6>(A, kHeaviest, F);
-    const Column<6> roots = kHeaviest.cwiseSqrt();
+    solve<6>(A, kMassLimits, F);
+    const Column<6> roots = kMassLimits.cwiseSqrt();
     const Square<6> B = roots.asDiagonal() * A * roots.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Square<6>> eigen(B);
     const Column<6> missed =
@@ -171,25 +173,25 @@ TEST(DampedSolve, HasNoNumberThatIsNone) {
 // Other units of kg and m scale all results by their own factor. Powers of two are exact.
 TEST(DampedSolve, DoesNotDependOnUnits) {
   std::mt19937 engine(5);
-  const Column<6> eases = (Column<6>() << 50, 9, 2, 0.5, 0.1, 0).finished();
-  const Square<6> A = matrix_of(eases, kHeaviest, engine);
+  const Column<6> eigenvalues = (Column<6>() << 50, 9, 2, 0.5, 0.1, 0).finished();
+  const Square<6> A = matrix_of(eigenvalues, kMassLimits, engine);
   const Column<6> b = random_column(engine);
   Column<6> F = b;
-  solve<6>(A, kHeaviest, F);
+  solve<6>(A, kMassLimits, F);
   const Column<6> unit = (Column<6>() << 16, 16, 16, 1, 1, 1).finished();  // of length
   const double mass = 64;
   Column<6> scaled = b.cwiseProduct(unit);
   solve<6>(unit.asDiagonal() * A * unit.asDiagonal() / mass,
-           mass * kHeaviest.cwiseQuotient(unit.cwiseProduct(unit)), scaled);
+           mass * kMassLimits.cwiseQuotient(unit.cwiseProduct(unit)), scaled);
   EXPECT_LT((scaled.cwiseProduct(unit) / mass - F).norm(), 1e-12 * F.norm());
 }
 
 TEST(DampedSolve, ServesFloat) {
   const float A[4] = {2.0F, 2.0F, 2.0F, 2.0F};
-  const float heaviest[2] = {10.0F, 10.0F};
+  const float mass_limits[2] = {10.0F, 10.0F};
   float x[2] = {1.0F, -1.0F};
-  damped_solve(A, heaviest, x);
-  EXPECT_NEAR(x[0], 10.0F, 1e-4F);  // ease 0 along (1, -1): F = heaviest b
+  damped_solve(A, mass_limits, x);
+  EXPECT_NEAR(x[0], 10.0F, 1e-4F);  // eigenvalue 0 along (1, -1): F = mass_limits b
   EXPECT_NEAR(x[1], -10.0F, 1e-4F);
 }
 
@@ -198,24 +200,25 @@ TEST(DampedSolve, InFloatIsThatOfDouble) {
   std::mt19937 engine(9);
   std::uniform_real_distribution<double> exponent(-6, 2);
   for (int i = 0; i < 300; ++i) {
-    Column<6> eases;
-    for (int k = 0; k < 6; ++k) eases(k) = i % 5 == 0 && k < 2 ? 0 : std::pow(10, exponent(engine));
-    const Square<6> A = matrix_of(eases, kHeaviest, engine);
+    Column<6> eigenvalues;
+    for (int k = 0; k < 6; ++k)
+      eigenvalues(k) = i % 5 == 0 && k < 2 ? 0 : std::pow(10, exponent(engine));
+    const Square<6> A = matrix_of(eigenvalues, kMassLimits, engine);
     const Column<6> b = random_column(engine);
     float entries[36];
-    float heaviest[6];
+    float mass_limits[6];
     float x[6];
     Eigen::Matrix<float, 6, 6, Eigen::RowMajor>::Map(entries) = A.cast<float>();
-    Eigen::Matrix<float, 6, 1>::Map(heaviest) = kHeaviest.cast<float>();
+    Eigen::Matrix<float, 6, 1>::Map(mass_limits) = kMassLimits.cast<float>();
     Eigen::Matrix<float, 6, 1>::Map(x) = b.cast<float>();
-    const float ease = damped_solve(entries, heaviest, x);
+    const float least_eigenvalue = damped_solve(entries, mass_limits, x);
     Column<6> exact = b;
-    const double exact_ease = solve<6>(A, kHeaviest, exact);
-    const double largest = std::max(1.0, eases.maxCoeff());
-    EXPECT_NEAR(static_cast<double>(ease), exact_ease, 1e-6 * largest);
+    const double exact_least = solve<6>(A, kMassLimits, exact);
+    const double largest = std::max(1.0, eigenvalues.maxCoeff());
+    EXPECT_NEAR(static_cast<double>(least_eigenvalue), exact_least, 1e-6 * largest);
     // S^-1 F, for which no direction has an eigenvalue below 0.615, so only errors of A by some
     // roundings of the largest eigenvalue matter.
-    const Column<6> roots = kHeaviest.cwiseSqrt();
+    const Column<6> roots = kMassLimits.cwiseSqrt();
     const Column<6> error = Eigen::Matrix<float, 6, 1>::Map(x).cast<double>() - exact;
     EXPECT_LE(error.cwiseQuotient(roots).norm(), 1e-5 * largest * b.cwiseProduct(roots).norm());
   }

@@ -102,6 +102,11 @@ const Case kRobots[] = {
                        "</collision>"),
      {kWarning, 4, "robot/link[a]/collision/geometry/sphere", "<radius> stands inside <sphere>",
       "write <sphere radius="}},
+    {"SecondShape",
+     with_link(kBody + "<visual><geometry><box size='1 1 1'/>\n<sphere radius='1'/></geometry>"
+                       "</visual>"),
+     {kWarning, 4, "robot/link[a]/visual/geometry", "<sphere> stands behind the shape",
+      "a <visual> or <collision> of its own"}},
     {"StrayText",
      "<robot name='r'>\n<link name='a'/>\n stray</robot>",
      {kWarning, 3, "robot", "text stands between", "remove it"}},

@@ -46,14 +46,15 @@ namespace {
 
 template <int rows, int nv>
 void expect_counted() {
-  Counted A[rows * rows], J[rows * nv], bias[rows], qdd_0[nv], xdd[rows], heaviest[rows], tau[nv];
+  Counted A[rows * rows], J[rows * nv], bias[rows], qdd_0[nv], xdd[rows], mass_limits[rows],
+      tau[nv];
   for (int i = 0; i < rows; ++i) {
     A[i * rows + i] = Counted(1e-3 * (i + 1));
-    heaviest[i] = Counted(2);  // relaxes every direction: the longest path
+    mass_limits[i] = Counted(2);  // relaxes every direction: the longest path
     for (int j = 0; j < i; ++j) A[i * rows + j] = A[j * rows + i] = Counted(1e-4);
   }
   Counted::additions = Counted::products = Counted::quotients = Counted::roots = 0;
-  core::add_damped_task_torque<rows, nv>(A, J, bias, qdd_0, xdd, heaviest, tau);
+  core::add_damped_task_torque<rows, nv>(A, J, bias, qdd_0, xdd, mass_limits, tau);
   const DampedCost cost = cost_of_damped_solve(rows, nv, false);
   EXPECT_EQ(cost.count.add, Counted::additions);
   EXPECT_EQ(cost.count.mul, Counted::products);

@@ -30,8 +30,8 @@
 extern "C" {
 double sample_c_double_call_portable_root(double x);
 float sample_c_float_call_portable_root(float x);
-double sample_c_double_call_damped_solve(const double* A, const double* heaviest, double* x);
-float sample_c_float_call_damped_solve(const float* A, const float* heaviest, float* x);
+double sample_c_double_call_damped_solve(const double* A, const double* mass_limits, double* x);
+float sample_c_float_call_damped_solve(const float* A, const float* mass_limits, float* x);
 }
 
 // Would catch: any difference between the printed code, in C++ and in C, and the graph: an operand,

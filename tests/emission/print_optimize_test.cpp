@@ -42,7 +42,7 @@ TEST(PrintSmallCode, BalancedTakesWhatIsLargerThanACache) {
 TEST(PrintSmallCode, ListsControlInC) {
   EmissionContext context = test::sample_context("arm", false, Language::c);
   context.optimize = Optimize::size;
-  context.heaviest = {10, 10};
+  context.effective_mass_limits = {10, 10};
   context.limits = LimitFacts{};
   const std::string all = print_small_code(context, test::safe_programs(), {});
   EXPECT_NE(all.find("    damped_control_torque.c\n"), std::string::npos) << all;

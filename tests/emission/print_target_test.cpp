@@ -63,7 +63,7 @@ TEST(PrintTarget, PlacesDampedControlInC) {
   context.language = Language::c;
   context.velocities = 2;
   context.task_rows = 1;
-  context.heaviest = {10};
+  context.effective_mass_limits = {10};
   std::vector<Program> programs;
   for (const char* name : {"lambda_inverse", "jacobian", "bias_acceleration", "inverse_dynamics"}) {
     programs.push_back(give_input(name));

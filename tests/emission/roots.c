@@ -10,7 +10,7 @@ REAL JOIN(NAME, call_portable_root)(REAL x) {
   return JOIN(NAME, portable_square_root)(x);
 }
 
-REAL JOIN(NAME, call_damped_solve)(const REAL* A, const REAL* heaviest, REAL* x);
-REAL JOIN(NAME, call_damped_solve)(const REAL* A, const REAL* heaviest, REAL* x) {
-  return JOIN(NAME, damped_solve)(A, heaviest, x);
+REAL JOIN(NAME, call_damped_solve)(const REAL* A, const REAL* mass_limits, REAL* x);
+REAL JOIN(NAME, call_damped_solve)(const REAL* A, const REAL* mass_limits, REAL* x) {
+  return JOIN(NAME, damped_solve)(A, mass_limits, x);
 }

@@ -77,12 +77,12 @@ void compare_damped_solves(Function solve) {
   for (int i = 0; i < 20000; ++i) {
     const Real a = uniform(random), b = uniform(random), c = i % 3 == 0 ? 0 : uniform(random);
     const Real A[4] = {a * a, a * b, a * b, b * b + c * c};
-    const Real heaviest[2] = {Real(0.1) + a * a, 3};
+    const Real mass_limits[2] = {Real(0.1) + a * a, 3};
     Real expected[2] = {uniform(random), uniform(random)};
     Real actual[2] = {expected[0], expected[1]};
-    const Real ease = core::damped_solve(A, heaviest, expected);
-    const Real ease_in_c = solve(A, heaviest, actual);
-    ASSERT_EQ(std::memcmp(&ease, &ease_in_c, sizeof ease), 0) << i;
+    const Real least_eigenvalue = core::damped_solve(A, mass_limits, expected);
+    const Real least_in_c = solve(A, mass_limits, actual);
+    ASSERT_EQ(std::memcmp(&least_eigenvalue, &least_in_c, sizeof least_eigenvalue), 0) << i;
     ASSERT_EQ(std::memcmp(expected, actual, sizeof actual), 0) << i;
   }
 }

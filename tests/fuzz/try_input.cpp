@@ -80,13 +80,13 @@ std::string find_fault(const Robot& robot, const std::string& text) {
   return {};
 }
 
-bool is_finite(const Exact& x) {
+bool is_finite(const Digits50& x) {
   return std::isfinite(static_cast<double>(x));
 }
 
 std::string find_fault(const MovingLink& link) {
-  const ExactMatrix3& R = link.placement.R;
-  if ((R * R.transpose() - ExactMatrix3::Identity()).cwiseAbs().maxCoeff() > Exact(1e-20)) {
+  const Digits50Matrix3& R = link.placement.R;
+  if ((R * R.transpose() - Digits50Matrix3::Identity()).cwiseAbs().maxCoeff() > Digits50(1e-20)) {
     return "the frame of " + link.name + " is not orthogonal";
   }
   bool finite = is_finite(link.inertia.mass) && is_finite(link.offset);

@@ -11,13 +11,13 @@ namespace treeline::tests {
 namespace {
 
 /// One of the 24 rotations by quarter turns, or about some axes by other angles too.
-ExactMatrix3 draw_rotation(Rng& rng) {
-  ExactMatrix3 cycle = ExactMatrix3::Zero();
+Digits50Matrix3 draw_rotation(Rng& rng) {
+  Digits50Matrix3 cycle = Digits50Matrix3::Zero();
   cycle(0, 2) = cycle(1, 0) = cycle(2, 1) = 1;
-  ExactMatrix3 R = ExactMatrix3::Identity();
+  Digits50Matrix3 R = Digits50Matrix3::Identity();
   for (int axis = 0; axis < 3; ++axis) {
-    const Exact angle = Exact(rng.below(4)) * half_pi() +
-                        (rng.below(2) == 0 ? Exact(rng.uniform(-1.4, 1.4)) : Exact(0));
+    const Digits50 angle = Digits50(rng.below(4)) * half_pi() +
+                           (rng.below(2) == 0 ? Digits50(rng.uniform(-1.4, 1.4)) : Digits50(0));
     R = (cycle * rotation_z(angle) * R).eval();
   }
   return R;
@@ -43,7 +43,7 @@ MovingLink draw_link(Rng& rng) {
 
 TEST(AbsorbTurn, ThePriceIsTheCostOfTheLinkAsItIsBuilt) {
   Rng rng(1);
-  const Resolution resolution{Exact(4.4e-16), Exact(4.4e-16)};
+  const Resolution resolution{Digits50(4.4e-16), Digits50(4.4e-16)};
   int absorbed = 0;
   for (int round = 0; round < 400; ++round) {
     SCOPED_TRACE(round);

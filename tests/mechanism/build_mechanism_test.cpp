@@ -180,7 +180,7 @@ TEST(Locked, AtAQuarterTurnLeavesNoResidue) {
   Scene held;
   held.locked["second"] = 1.5707963267948966;
   for (const MovingLink& link : build_mechanism(robot, held).links) {
-    for (const Exact& entry : link.placement.R.reshaped()) {
+    for (const Digits50& entry : link.placement.R.reshaped()) {
       EXPECT_TRUE(entry == 0 || abs(entry) == 1) << link.name << " " << entry;
     }
   }
@@ -301,7 +301,7 @@ TEST(Points, OnTheWorldOrAFixedBaseDoNotMove) {
   ASSERT_EQ(mechanism.operational_points.size(), 3U);
   EXPECT_EQ(mechanism.operational_points[0].link, -1);
   EXPECT_EQ(mechanism.operational_points[1].link, -1);
-  EXPECT_EQ(mechanism.operational_points[1].pose.p(2), Exact(-0.3) + 1);
+  EXPECT_EQ(mechanism.operational_points[1].pose.p(2), Digits50(-0.3) + 1);
   EXPECT_EQ(mechanism.operational_points[2].link, 0);
 }
 

@@ -13,36 +13,36 @@
 namespace treeline::tests {
 namespace {
 
-ExactMatrix3 turn(int axis, const Exact& angle) {
-  ExactMatrix3 cycle = ExactMatrix3::Zero();
+Digits50Matrix3 turn(int axis, const Digits50& angle) {
+  Digits50Matrix3 cycle = Digits50Matrix3::Zero();
   cycle(0, 2) = cycle(1, 0) = cycle(2, 1) = 1;
-  ExactMatrix3 R = rotation_z(angle);
+  Digits50Matrix3 R = rotation_z(angle);
   for (int i = 0; i <= axis; ++i) R = (cycle * R * cycle.transpose()).eval();
   return R;
 }
 
 /// Deviation from an orthogonal matrix with determinant 1.
-double defect(const ExactMatrix3& R) {
-  const ExactMatrix3 off = R * R.transpose() - ExactMatrix3::Identity();
-  const Exact determinant = R.col(0).dot(R.col(1).cross(R.col(2)));
+double defect(const Digits50Matrix3& R) {
+  const Digits50Matrix3 off = R * R.transpose() - Digits50Matrix3::Identity();
+  const Digits50 determinant = R.col(0).dot(R.col(1).cross(R.col(2)));
   return static_cast<double>(
-      std::max(Exact(off.cwiseAbs().maxCoeff()), Exact(abs(determinant - 1))));
+      std::max(Digits50(off.cwiseAbs().maxCoeff()), Digits50(abs(determinant - 1))));
 }
 
-int count_zeros(const ExactMatrix3& R) {
-  return static_cast<int>((R.array() == Exact(0)).count());
+int count_zeros(const Digits50Matrix3& R) {
+  return static_cast<int>((R.array() == Digits50(0)).count());
 }
 
 Resolution of_files() {
-  return {Exact(kResolution), Exact(kResolution)};
+  return {Digits50(kResolution), Digits50(kResolution)};
 }
 
 /// Rotations with their number of zeros: one of the 24, one with a shared axis, one with a single
 /// zero, and a general one.
-std::vector<std::pair<ExactMatrix3, int>> rotations_and_their_zeros(Rng& rng) {
-  const auto quarter = [&] { return Exact(rng.below(4)) * half_pi(); };
-  const auto general = [&] { return Exact(rng.uniform(0.2, 1.3)); };
-  const ExactMatrix3 quarters = turn(0, quarter()) * turn(1, quarter()) * turn(2, quarter());
+std::vector<std::pair<Digits50Matrix3, int>> rotations_and_their_zeros(Rng& rng) {
+  const auto quarter = [&] { return Digits50(rng.below(4)) * half_pi(); };
+  const auto general = [&] { return Digits50(rng.uniform(0.2, 1.3)); };
+  const Digits50Matrix3 quarters = turn(0, quarter()) * turn(1, quarter()) * turn(2, quarter());
   const int axis = rng.below(3);
   return {{quarters, 6},
           {quarters * turn(axis, general()), 4},
@@ -56,17 +56,17 @@ TEST(Resolution, FindsTheStructureUnderNoiseAndLeavesARotation) {
     for (const auto& [R, zeros] : rotations_and_their_zeros(rng)) {
       for (const double noise : {0.0, 1e-60, 1e-45, 1e-38, 1e-30, 1e-27, 1e-20, 1e-17, 1e-16}) {
         SCOPED_TRACE(noise);
-        ExactMatrix3 noisy = R;
+        Digits50Matrix3 noisy = R;
         for (int i = 0; i < 3; ++i) {
-          noisy = (noisy * turn(i, Exact(noise) * Exact(rng.uniform(-1, 1)))).eval();
+          noisy = (noisy * turn(i, Digits50(noise) * Digits50(rng.uniform(-1, 1)))).eval();
         }
         Change change;
-        const ExactPose found = resolved({noisy, ExactVector3::Zero()}, of_files(), &change);
+        const Digits50Pose found = resolved({noisy, Digits50Vector3::Zero()}, of_files(), &change);
         EXPECT_EQ(count_zeros(found.R), zeros);
         EXPECT_LE(defect(found.R), 1e-39);
         EXPECT_LE((found.R - noisy).cwiseAbs().maxCoeff(), 4 * noise + 1e-48);
         EXPECT_LE((found.R - noisy).cwiseAbs().maxCoeff(), change.angle);
-        const ExactPose again = resolved(found, of_files());
+        const Digits50Pose again = resolved(found, of_files());
         EXPECT_EQ(again.R, found.R);
       }
     }
@@ -76,8 +76,8 @@ TEST(Resolution, FindsTheStructureUnderNoiseAndLeavesARotation) {
 // 1e-8 rad has a cosine of 1 in double, but it is an angle.
 TEST(Resolution, LeavesWhatDoubleCanTell) {
   for (const double angle : {1e-3, 1e-8, 1e-12, 1e-15}) {
-    const ExactPose pose{turn(0, angle), ExactVector3(0, 1, angle)};
-    const ExactPose found = resolved(pose, of_files());
+    const Digits50Pose pose{turn(0, angle), Digits50Vector3(0, 1, angle)};
+    const Digits50Pose found = resolved(pose, of_files());
     EXPECT_EQ(found.R(2, 1), pose.R(2, 1)) << angle;
     EXPECT_EQ(found.R(1, 1), pose.R(1, 1)) << angle;
     EXPECT_EQ(found.p, pose.p) << angle;
@@ -85,8 +85,8 @@ TEST(Resolution, LeavesWhatDoubleCanTell) {
 }
 
 TEST(Resolution, OfAKeptFileIsResidueAlone) {
-  const ExactPose pose{turn(0, Exact("1e-25")), ExactVector3(0, 1, Exact("1e-25"))};
-  const ExactPose found = resolved(pose, Resolution{});
+  const Digits50Pose pose{turn(0, Digits50("1e-25")), Digits50Vector3(0, 1, Digits50("1e-25"))};
+  const Digits50Pose found = resolved(pose, Resolution{});
   EXPECT_EQ(found.R(2, 1), pose.R(2, 1));
   EXPECT_EQ(found.p, pose.p);
 }
@@ -94,7 +94,7 @@ TEST(Resolution, OfAKeptFileIsResidueAlone) {
 TEST(Resolution, OfInertiasIsRelativeToTheirMoments) {
   Inertia inertia;
   inertia.mass = 2;
-  inertia.Sigma.diagonal() << Exact("1e-10"), 1, 1;
+  inertia.Sigma.diagonal() << Digits50("1e-10"), 1, 1;
   const auto with = [&](double h, double xy, double yz) {
     Inertia noisy = inertia;
     noisy.h(0) = h;
@@ -109,24 +109,24 @@ TEST(Resolution, OfInertiasIsRelativeToTheirMoments) {
   EXPECT_NE(with(1e-20, 1e-20, 1e-15).Sigma(0, 1), 0);
   EXPECT_NE(with(1e-20, 1e-20, 1e-15).Sigma(1, 2), 0);
   // A thin rod has this moment about itself, however small it is.
-  EXPECT_EQ(with(0, 0, 0).Sigma(0, 0), Exact("1e-10"));
+  EXPECT_EQ(with(0, 0, 0).Sigma(0, 0), Digits50("1e-10"));
 }
 
 /// Largest distance from its frame of what belongs to any link.
-Exact size_of(const Mechanism& mechanism) {
-  Exact most = 0;
+Digits50 size_of(const Mechanism& mechanism) {
+  Digits50 most = 0;
   for (const MovingLink& link : mechanism.links) {
-    most = std::max({most, link.radius, Exact(link.placement.p.norm())});
+    most = std::max({most, link.radius, Digits50(link.placement.p.norm())});
   }
   for (const auto* points : {&mechanism.operational_points, &mechanism.external_forces}) {
     for (const MechanismPoint& point : *points) {
-      most = std::max(most, Exact(point.pose.p.norm()));
+      most = std::max(most, Digits50(point.pose.p.norm()));
     }
   }
   return most;
 }
 
-void expect_sound_frames(const Mechanism& mechanism, const Exact& size) {
+void expect_sound_frames(const Mechanism& mechanism, const Digits50& size) {
   for (const MovingLink& link : mechanism.links) {
     EXPECT_LE(defect(link.placement.R), 1e-38) << link.name << "\n" << link.placement.R;
     EXPECT_LE(link.placement.p.norm(), 9 * size) << link.name;
@@ -151,7 +151,7 @@ TEST(Frames, StayNearTheirLinksWhateverTheNoise) {
                      << "seed " << seed << ", noise " << noise << ", limit " << limit);
         RandomMechanism noisy = with_noise(made, noise, seed);
         noisy.scene.noise = limit;
-        const Exact size = size_of(build_mechanism(noisy.robot, noisy.scene));
+        const Digits50 size = size_of(build_mechanism(noisy.robot, noisy.scene));
         expect_sound_frames(reduced_mechanism(noisy.robot, noisy.scene), size);
       }
     }
@@ -161,17 +161,17 @@ TEST(Frames, StayNearTheirLinksWhateverTheNoise) {
 /// Counts the constants that cost operations.
 int count_numbers(const Mechanism& mechanism) {
   int count = 0;
-  const auto add = [&](const Exact& x) { count += x == 0 || x == 1 || x == -1 ? 0 : 1; };
+  const auto add = [&](const Digits50& x) { count += x == 0 || x == 1 || x == -1 ? 0 : 1; };
   for (const MovingLink& link : mechanism.links) {
-    for (const Exact& x : link.placement.R.reshaped()) add(x);
-    for (const Exact& x : link.placement.p) add(x);
-    for (const Exact& x : link.inertia.h) add(x);
-    for (const Exact& x : link.inertia.Sigma.reshaped()) add(x);
+    for (const Digits50& x : link.placement.R.reshaped()) add(x);
+    for (const Digits50& x : link.placement.p) add(x);
+    for (const Digits50& x : link.inertia.h) add(x);
+    for (const Digits50& x : link.inertia.Sigma.reshaped()) add(x);
     add(link.offset);
   }
   for (const MechanismPoint& point : mechanism.operational_points) {
-    for (const Exact& x : point.pose.R.reshaped()) add(x);
-    for (const Exact& x : point.pose.p) add(x);
+    for (const Digits50& x : point.pose.R.reshaped()) add(x);
+    for (const Digits50& x : point.pose.p) add(x);
   }
   return count;
 }

@@ -13,15 +13,15 @@
 namespace treeline::tests {
 namespace {
 
-bool is_quarter_turn(const ExactMatrix3& R) {
-  for (const Exact& entry : R.reshaped()) {
+bool is_quarter_turn(const Digits50Matrix3& R) {
+  for (const Digits50& entry : R.reshaped()) {
     if (entry != 0 && entry != 1 && entry != -1) return false;
   }
   return true;
 }
 
-int nonzero_entries(const ExactVector3& v) {
-  return static_cast<int>((v.array() != Exact(0)).count());
+int nonzero_entries(const Digits50Vector3& v) {
+  return static_cast<int>((v.array() != Digits50(0)).count());
 }
 
 /// Prints every number of a mechanism with all digits.
@@ -74,8 +74,8 @@ TEST(Placements, UndoCarelessFrames) {
   Rng rng(11);
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
     MovingLink& link = mechanism.links[i];
-    const Exact angle = rng.rounded(-1, 1);
-    const ExactPose careless{rotation_z(angle), ExactVector3(0, 0, rng.rounded(-1, 1))};
+    const Digits50 angle = rng.rounded(-1, 1);
+    const Digits50Pose careless{rotation_z(angle), Digits50Vector3(0, 0, rng.rounded(-1, 1))};
     link.placement = link.placement * careless;
     link.offset = 0;
     link.inertia = transformed(link.inertia, inverse(careless));
@@ -147,13 +147,13 @@ TEST(Residue, OfABalancedShaftIsZero) {
   weight.origin.xyz = {-0.3, -0.1, 0};
   robot.links[4].inertial = weight;
   const Inertia inertia = reduced_mechanism(robot, {}).links[0].inertia;
-  EXPECT_EQ(inertia.h, ExactVector3::Zero());
+  EXPECT_EQ(inertia.h, Digits50Vector3::Zero());
   EXPECT_EQ(inertia.Sigma(0, 2), 0);
   EXPECT_EQ(inertia.Sigma(1, 2), 0);
 }
 
 /// Whether a number is a residue of cancellation.
-bool is_residue(const Exact& value) {
+bool is_residue(const Digits50& value) {
   return value != 0 && abs(value) < 1e-20;
 }
 
@@ -172,15 +172,15 @@ TEST(Residue, StaysInNoRandomMechanism) {
     const Mechanism mechanism = reduced_mechanism(made.robot, made.scene);
     for (const MovingLink& link : mechanism.links) {
       SCOPED_TRACE(link.name);
-      for (const Exact& x : link.placement.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
-      for (const Exact& x : link.placement.p) EXPECT_FALSE(is_residue(x)) << x;
-      for (const Exact& x : link.inertia.h) EXPECT_FALSE(is_residue(x)) << x;
-      for (const Exact& x : link.inertia.Sigma.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Digits50& x : link.placement.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Digits50& x : link.placement.p) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Digits50& x : link.inertia.h) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Digits50& x : link.inertia.Sigma.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
       EXPECT_FALSE(is_residue(link.offset)) << link.offset;
     }
     for (const MechanismPoint& point : mechanism.operational_points) {
-      for (const Exact& x : point.pose.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
-      for (const Exact& x : point.pose.p) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Digits50& x : point.pose.R.reshaped()) EXPECT_FALSE(is_residue(x)) << x;
+      for (const Digits50& x : point.pose.p) EXPECT_FALSE(is_residue(x)) << x;
     }
   }
 }

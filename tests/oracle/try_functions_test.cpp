@@ -73,7 +73,7 @@ TEST(TryFunctions, OfAllKinds) {
   RandomMechanism drawn = random_mechanism(3, options);
   Scene& scene = drawn.scene;
   scene.batch = 4;
-  scene.damped = HeaviestMotion{20, 0.5};
+  scene.damped = EffectiveMassLimit{20, 0.5};
   scene.contacts = {scene.operational_points.front()};
   scene.contacts.front().rows = {true, true, true, false, false, false};
   scene.contacts.front().axes = Axes::world;

@@ -87,7 +87,7 @@ function change_mode(robot, word) {
   } else {
     robot.mode = {start: 'running', brake: 'idle'}[word];
   }
-  robot.settle();
+  robot.take_as_goal();
   return done(word);
 }
 
@@ -105,13 +105,13 @@ const kMotions = [
 export function obey(robot, line) {
   if (/^(start|stop|brake|reset)$/.test(line)) return change_mode(robot, line);
   if (line === 'hold') {
-    robot.settle();
+    robot.take_as_goal();
     return done('holds');
   }
   const control = line.match(/^mode (joint|task|gravity)$/)?.[1];
   if (control) {
     robot.control = control;
-    robot.settle();
+    robot.take_as_goal();
     return done(`${control} control`);
   }
   if (line.startsWith('pull ')) return done('');

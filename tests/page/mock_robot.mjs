@@ -57,11 +57,11 @@ export class MockRobot {
     this.tip = tip;
     this.q = [0.3, -0.9, 0.6, 0.4, 0.7, 0.2].slice(0, this.moving.length);
     this.qd = this.q.map(() => 0);
-    this.settle();
+    this.take_as_goal();
   }
 
   /** Goals become what is. */
-  settle() {
+  take_as_goal() {
     this.goal = [...this.q];
     const {at, turn} = this.tip_at(this.q);
     this.goal_at = at;

@@ -44,7 +44,7 @@ TEST(BoundedInverse, IsBoundedAndVanishesNextToZeroOnBothSides) {
 }
 
 TEST(BoundedInverse, OfFloatStaysInItsRange) {
-  const YieldShape shape = inverse_inertia_shape(Real::float32);
+  const BoundedInverseShape shape = inverse_inertia_shape(Real::float32);
   for (const double ordinary : {1e-4, 1.0, 1e8}) {
     for (const double of_it : {0.0, 1e-9, 1e-3, 1.0, 4.0}) {
       const auto c = static_cast<float>(ordinary * of_it);
@@ -58,12 +58,12 @@ TEST(BoundedInverse, OfFloatStaysInItsRange) {
 
 // A row that no joint moves has the pivot 0. Would catch 0 / 0.
 TEST(BoundedInverse, OfZeroIsZeroAtTheLeastBorder) {
-  for (const YieldShape& shape :
+  for (const BoundedInverseShape& shape :
        {inverse_inertia_shape(Real::float32), jacobian_shape(Real::float32)}) {
     EXPECT_EQ(bounded_inverse(0.0F, shape.least, shape.power), 0);
     EXPECT_GE(std::pow(shape.least, shape.power), std::numeric_limits<float>::min());
   }
-  for (const YieldShape& shape :
+  for (const BoundedInverseShape& shape :
        {inverse_inertia_shape(Real::float64), jacobian_shape(Real::float64)}) {
     EXPECT_EQ(bounded_inverse(0.0, shape.least, shape.power), 0);
     EXPECT_GE(std::pow(shape.least, shape.power), std::numeric_limits<double>::min());

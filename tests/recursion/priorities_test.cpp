@@ -44,7 +44,7 @@ RandomMechanism crowded_robot(std::uint64_t seed) {
 /// Whether every point can move in some row of each kind that it lists, as the contract requires.
 bool can_move(const interpreter::Points<Digits50>& points, const Matrix50& A) {
   const Vector50 diagonal = A.diagonal();
-  return interpreter::yield_borders<Digits50>(points, diagonal).minCoeff() > Digits50(1e-12);
+  return interpreter::relaxation_borders<Digits50>(points, diagonal).minCoeff() > Digits50(1e-12);
 }
 
 struct Subject50 {
@@ -122,7 +122,7 @@ Vector50 force_by_elimination(const interpreter::Points<Digits50>& points, const
                               const Vector50& lacks) {
   const auto rows = interpreter::rows_by_priority(points);
   const Vector50 diagonal = A.diagonal();
-  const Vector50 all_borders = interpreter::yield_borders<Digits50>(points, diagonal);
+  const Vector50 all_borders = interpreter::relaxation_borders<Digits50>(points, diagonal);
   Digits50 packed[kRows * kRows], borders[kRows], x[kRows];
   for (int i = 0; i < kRows; ++i) {
     const int row = rows[static_cast<std::size_t>(i)];
@@ -180,11 +180,11 @@ Vector50 accelerations_under(const Subject50& s, const Inputs<Digits50>& in,
 /// The share that each row keeps, in the order of the scene's rows.
 Vector50 shares_of(const interpreter::Points<Digits50>& points, const Matrix50& A) {
   const Vector50 diagonal = A.diagonal();
-  const Vector50 borders = interpreter::yield_borders<Digits50>(points, diagonal);
+  const Vector50 borders = interpreter::relaxation_borders<Digits50>(points, diagonal);
   Matrix50 left = A;
   Vector50 shares(A.rows());
   for (const int row : interpreter::rows_by_priority(points)) {
-    const Digits50 inverse = interpreter::yielding_inverse<Digits50>(left(row, row), borders(row));
+    const Digits50 inverse = interpreter::relaxed_inverse<Digits50>(left(row, row), borders(row));
     shares(row) = inverse * left(row, row);
     const Vector50 column = left.col(row);
     left -= column * (inverse * column.transpose());
@@ -195,7 +195,7 @@ Vector50 shares_of(const interpreter::Points<Digits50>& points, const Matrix50& 
 // Meaning of strict priority: whatever lower rows command, the rows above that keep their whole
 // share accelerate as commanded, and so do lower rows that are compatible with them.
 TEST(Priorities, HigherTasksNeverNoticeLowerOnes) {
-  int yielding = 0, kept = 0;
+  int relaxed = 0, kept = 0;
   const int checked = for_each_crowd(70, 24, [&](const RandomMechanism& drawn, const auto& in) {
     RandomMechanism made = drawn;
     made.scene.external_forces.clear();
@@ -220,7 +220,7 @@ TEST(Priorities, HigherTasksNeverNoticeLowerOnes) {
       const int row = rows[k];
       // A share of 1 - 1e-16 has this error, times the forces that lower rows command.
       if (shares(row) < 1 - Digits50(1e-16)) {
-        ++yielding;
+        ++relaxed;
         continue;
       }
       ++kept;
@@ -230,7 +230,7 @@ TEST(Priorities, HigherTasksNeverNoticeLowerOnes) {
     }
   });
   EXPECT_GE(checked, 12);
-  EXPECT_GT(yielding, 40);
+  EXPECT_GT(relaxed, 40);
   EXPECT_GT(kept, 100);
 }
 

@@ -14,7 +14,7 @@
 #include "description/count_freedoms.hpp"
 #include "interpreter/physics.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "mechanism/exact_from_file.hpp"
+#include "mechanism/digits50_from_file.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/methods/energy_regressor.hpp"
@@ -139,9 +139,9 @@ class Regressor : public testing::TestWithParam<Seeded> {
       if (column.kind == Kind::coulomb) p(k) = model_.body(body_of(column)).friction;
       if (column.kind != Kind::inertial) continue;
       const Inertia& body = mechanism_.link_matter[column.frame];
-      const ExactMatrix3 J = rotational_inertia(body);
-      const Exact values[] = {body.mass, body.h(0), body.h(1), body.h(2), J(0, 0),
-                              J(0, 1),   J(1, 1),   J(0, 2),   J(1, 2),   J(2, 2)};
+      const Digits50Matrix3 J = rotational_inertia(body);
+      const Digits50 values[] = {body.mass, body.h(0), body.h(1), body.h(2), J(0, 0),
+                                 J(0, 1),   J(1, 1),   J(0, 2),   J(1, 2),   J(2, 2)};
       p(k) = values[column.entry];
     }
     return p;
@@ -263,8 +263,8 @@ TEST_P(Regressor, AreTheParametersOfArguments) {
 
 /// The ten parameters of a body whose moments are about its centre.
 Vector50 ten_parameters(const Inertial& body) {
-  const Inertia inertia = exact_inertia(body);
-  const ExactMatrix3 J = rotational_inertia(inertia);
+  const Inertia inertia = digits50_inertia(body);
+  const Digits50Matrix3 J = rotational_inertia(inertia);
   Vector50 ten(kInertialParameters);
   ten << inertia.mass, inertia.h, J(0, 0), J(0, 1), J(1, 1), J(0, 2), J(1, 2), J(2, 2);
   return ten;

@@ -67,6 +67,15 @@ TEST_F(SafetyNotes, TellProvenBoundsFromOthers) {
   EXPECT_EQ(row[1], "searched, not proven");
 }
 
+// Would catch: code without the notes that were asked for.
+TEST_F(SafetyNotes, NothingIsWrittenWithoutItsEvidence) {
+  write("no_report.json", "{}");
+  const test::Outcome outcome = generate("--evidence no_report.json");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("is no report of check or certify"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_.path() / "code"));
+}
+
 // Would catch: a table of the other language or profile, which names rules that the code keeps or
 // leaves out some that it does not.
 TEST_F(SafetyNotes, NameTheRulesThatTheCodeDeviatesFrom) {

@@ -42,7 +42,7 @@ TEST(CompliantBalls, RollWithoutSlipping) {
   other.spin = {0.0, 2.0, 0.0};
   balls[0].spin = {0.0, -2.0 * (kOther - 0.5 * kDepth) / (kRadius - 0.5 * kDepth), 0.0};
   auto rolling = contact();
-  for (int step = 0; step < 1000; ++step) rolling.settle(1e-3, balls, other);
+  for (int step = 0; step < 1000; ++step) rolling.stretch_springs(1e-3, balls, other);
   const BallTouch touch = rolling.touches(balls, other)[0];
   EXPECT_NEAR(touch.sliding[0], 0.0, 1e-15);  // of velocities of 0.06 m/s
   EXPECT_NEAR(touch.force[0], 0.0, 1e-10);    // of a spring that 0.06 m would stretch to 600 N
@@ -55,7 +55,7 @@ TEST(CompliantBalls, StickUntilFrictionIsUsedUp) {
   auto sliding = contact();
   const auto slide = [&](double way) {
     balls[0].velocity = {0.0, 1e-3, 0.0};  // the place stays, as matter flows past the contact
-    for (int step = 0; step < 1000; ++step) sliding.settle(way, balls, other);
+    for (int step = 0; step < 1000; ++step) sliding.stretch_springs(way, balls, other);
     balls[0].velocity = {};
   };
   slide(2e-5);  // 20 um, of 50 um that friction holds
@@ -64,7 +64,7 @@ TEST(CompliantBalls, StickUntilFrictionIsUsedUp) {
   slide(8e-5);  // 100 um in all
   EXPECT_NEAR(sliding.touches(balls, other)[0].force[1], -0.5 * 1e4 * kDepth, 1e-9);
   EXPECT_NEAR(sliding.slipped(), 5e-5, 1e-12);
-  sliding.settle(1.0, above(-kDepth), other);
+  sliding.stretch_springs(1.0, above(-kDepth), other);
   EXPECT_EQ(sliding.touches(balls, other)[0].force[1], 0.0);
 }
 

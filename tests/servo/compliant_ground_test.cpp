@@ -24,7 +24,7 @@ struct Block {
         v[0][k] += kStep * a[k];
         x[0][k] += kStep * v[0][k];
       }
-      ground.settle(x);
+      ground.slide_springs(x);
     }
   }
 };
@@ -51,7 +51,7 @@ TEST(CompliantGround, SlidesBeyondFriction) {
 
 TEST(CompliantGround, NeverPulls) {
   CompliantGround<1> ground{GroundMaterial{1e4, 60.0, 0.5}};
-  ground.settle({{{0.0, 0.0, -1e-3}}});
+  ground.slide_springs({{{0.0, 0.0, -1e-3}}});
   EXPECT_EQ(ground.forces({{{0.0, 0.0, -1e-3}}}, {{{0.0, 0.0, 1.0}}})[0][2], 0.0);
   EXPECT_EQ(ground.forces({{{0.0, 0.0, 1e-3}}}, {{{0.0, 0.0, -1.0}}})[0][2], 0.0);
   EXPECT_EQ(ground.forces({{{0.1, 0.0, 1e-3}}}, {{{1.0, 0.0, 0.0}}})[0][0], 0.0);

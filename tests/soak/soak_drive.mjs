@@ -142,11 +142,11 @@ const others = [];
 for (let i = 0; i < kOthers; ++i) others.push(misbehave(socket, dice(i + 1)));
 others.push(stall(Number(url.port), dice(99)));
 const begun = performance.now();
-let settled = 0;
+let steady_memory = 0;
 for (let i = 0; runs(); ++i) {
   good.send(`drag joint joint1 to ${(0.5 * Math.sin(i / 60)).toFixed(4)}`);
-  if (settled === 0 && performance.now() - begun > Math.min(60000, 250 * kSeconds)) {
-    settled = memory_of(server.program.pid);
+  if (steady_memory === 0 && performance.now() - begun > Math.min(60000, 250 * kSeconds)) {
+    steady_memory = memory_of(server.program.pid);
   }
   await pause(33);
 }
@@ -161,10 +161,10 @@ console.log(`good front end: ${good.asked} commands, ${good.replies.obeyed} obey
 console.log(`loop: ${mode} ${fault}, ${cycles} cycles, ${overruns} late; last second: period ` +
   `${period.mean.toFixed(1)} us, jitter ${jitter.p99.toFixed(1)} us at 99 %`);
 console.log(`refused: ${JSON.stringify(counts)}`);
-console.log(`memory: ${settled.toFixed(1)} MiB after the first minute, ${memory.toFixed(1)} at the end`);
+console.log(`memory: ${steady_memory.toFixed(1)} MiB after the first minute, ${memory.toFixed(1)} at the end`);
 const status = await server.close();
 const heap = server.said.match(/servo threads: (\d+) waits, (\d+) allocations/);
 if (heap) console.log(heap[0]);
 const failed = good.replies.obeyed < good.asked - good.replies.refused || mode !== 'running' ||
-  status !== 0 || memory > 1.1 * settled || (counts_heap && (!heap || Number(heap[2]) > 0));
+  status !== 0 || memory > 1.1 * steady_memory || (counts_heap && (!heap || Number(heap[2]) > 0));
 process.exit(failed ? 1 : 0);

@@ -187,12 +187,12 @@ bool Bench::damped_torque_is_bounded(const State& state) const {
   const auto q = vector_of(state.q);
   const auto none = interpreter::Vector<double>::Zero(model.nv).eval();
   const auto command = vector_of(state.xdd_cmd);
-  const auto heaviest = interpreter::Vector<double>::Constant(command.size(), 100.0).eval();
+  const auto mass_limits = interpreter::Vector<double>::Constant(command.size(), 100.0).eval();
   const auto M = interpreter::mass_matrix<double>(model, q).ldlt();
-  const interpreter::Vector<double> tau =
-      interpreter::damped_control_torque<double>(model, points, q, none, none, command, {heaviest})
-          .tau -
-      interpreter::gravity<double>(model, q);
+  const interpreter::Vector<double> tau = interpreter::damped_control_torque<double>(
+                                              model, points, q, none, none, command, {mass_limits})
+                                              .tau -
+                                          interpreter::gravity<double>(model, q);
   return tau.allFinite() && tau.dot(M.solve(tau)) <= 1.362 * 100 * command.squaredNorm() + 1e-6;
 }
 

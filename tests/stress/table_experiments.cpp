@@ -13,11 +13,11 @@ namespace {
 
 using interpreter::Digits50;
 using Matrix = interpreter::Matrix<double>;
-using Exact = interpreter::Matrix<Digits50>;
+using Matrix50 = interpreter::Matrix<Digits50>;
 
 /// Largest error of an entry over sqrt(A_ii A_jj), in ulp. A is positive semidefinite.
 template <class Actual>
-double error_in_ulp(const Actual& actual, const Exact& exact) {
+double error_in_ulp(const Actual& actual, const Matrix50& exact) {
   using std::sqrt;
   Digits50 worst = 0;
   for (Eigen::Index i = 0; i < exact.rows(); ++i) {
@@ -58,10 +58,10 @@ Finding big_base(const Effort& effort) {
   const Pair floating(make_arm(flying));
   const auto& model = fixed.rounded.model;
   const auto& points = fixed.rounded.points;
-  const Exact truth = interpreter::lambda_inverse<Digits50>(fixed.exact.model, fixed.exact.points,
-                                                            fixed.at<Digits50>());
+  const Matrix50 truth = interpreter::lambda_inverse<Digits50>(
+      fixed.exact.model, fixed.exact.points, fixed.at<Digits50>());
   const Matrix by_5_3 = interpreter::lambda_inverse<double>(model, points, fixed.at<double>());
-  const Exact floating_truth = interpreter::lambda_inverse<Digits50>(
+  const Matrix50 floating_truth = interpreter::lambda_inverse<Digits50>(
       floating.exact.model, floating.exact.points, floating.at<Digits50>());
   const double forces = error_in_ulp(by_5_3, truth);
   const double behind_floating =
@@ -121,8 +121,8 @@ std::pair<double, double> link_inertia_errors(const Case& of) {
     const auto Omega_exact =
         interpreter::link_inverse_inertias<Digits50>(pair.exact.model, pair.at<Digits50>());
     for (int i = 0; i < model.size(); ++i) {
-      worst_table = std::max(worst_table, error_in_ulp(Lambda[i], Exact(Lambda_exact[i])));
-      worst_inverse = std::max(worst_inverse, error_in_ulp(Omega[i], Exact(Omega_exact[i])));
+      worst_table = std::max(worst_table, error_in_ulp(Lambda[i], Matrix50(Lambda_exact[i])));
+      worst_inverse = std::max(worst_inverse, error_in_ulp(Omega[i], Matrix50(Omega_exact[i])));
     }
   }
   return {worst_table, worst_inverse};

@@ -27,7 +27,7 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> /*batch*/) {
   std::vector<GeneratedFile> files;
-  if (!context.heaviest.empty()) files = print_damped(context, programs);
+  if (!context.effective_mass_limits.empty()) files = print_damped(context, programs);
   if (context.limits) {
     for (GeneratedFile& file : print_limited(context, programs)) files.push_back(std::move(file));
   }

@@ -111,15 +111,15 @@ std::string print_damped_signature(const EmissionContext& context,
 
 GeneratedFile print_damped_header(const EmissionContext& context,
                                   std::span<const Program> programs) {
-  const std::string heaviest = fmt::format(
+  const std::string limits = fmt::format(
       "static const {} {}_heaviest[{}] = {{{}}};", context.single_precision ? "float" : "double",
-      context.name, context.task_rows, list_heaviest(context, make_syntax(context)));
+      context.name, context.task_rows, list_effective_mass_limits(context, make_syntax(context)));
   return {context.name + "_damped.h",
           fill_template(
               templates::kDamped,
               {{"robot", context.robot},
                {"name", context.name},
-               {"heaviest", wrap_line(heaviest, 0)},
+               {"heaviest", wrap_line(limits, 0)},
                {"cost", comment("///", describe_damped_cost(context, programs))},
                {"signature", wrap_line(print_damped_signature(context, programs) + ";", 0)}})};
 }

@@ -64,7 +64,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,
                                          std::span<const Program> /*batch*/) {
   std::vector<GeneratedFile> files;
-  const bool damped = !context.heaviest.empty();
+  const bool damped = !context.effective_mass_limits.empty();
   const bool limited = context.limits.has_value();
   if (damped) files = print_damped_runtime(context);
   if (limited) {

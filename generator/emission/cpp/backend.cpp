@@ -62,7 +62,7 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> batch) {
   std::vector<GeneratedFile> files;
-  if (!context.heaviest.empty()) {
+  if (!context.effective_mass_limits.empty()) {
     files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
   }
   if (context.misra) return files;  // neither templates nor libraries

@@ -66,7 +66,7 @@ bool has_c_calls(const EmissionContext& context) {
 std::vector<GeneratedFile> print_c_calls(const EmissionContext& context,
                                          std::span<const Program> programs) {
   if (!has_c_calls(context)) return {};
-  const bool damped = !context.heaviest.empty();
+  const bool damped = !context.effective_mass_limits.empty();
   std::string definitions;
   for (const Program& program : programs) {
     definitions += (definitions.empty() ? "" : "\n") + pass_function(context, program);

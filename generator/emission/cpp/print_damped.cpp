@@ -52,13 +52,13 @@ std::string print_task(const EmissionContext& context) {
 
 std::string print_damped(const EmissionContext& context, std::span<const Program> programs) {
   const std::vector<DampedCall> calls = list_damped_calls(programs);
-  const std::string heaviest = fmt::format("inline constexpr Real kHeaviest[kTaskRows] = {{{}}};",
-                                           list_heaviest(context, make_syntax(context)));
+  const std::string limits = fmt::format("inline constexpr Real kHeaviest[kTaskRows] = {{{}}};",
+                                         list_effective_mass_limits(context, make_syntax(context)));
   return fill_template(
       templates::kDamped,
       {{"robot", context.robot},
        {"name", context.name},
-       {"heaviest", wrap_line(heaviest, 0)},
+       {"heaviest", wrap_line(limits, 0)},
        {"cost", comment("///", describe_damped_cost(context, programs))},
        {"signature",
         wrap_line(print_damped_signature(list_damped_arguments(calls, context.task_rows)), 0)},

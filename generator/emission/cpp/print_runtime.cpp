@@ -62,7 +62,7 @@ void append_loop_headers(const EmissionContext& context, std::vector<GeneratedFi
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,
                                          std::span<const Program> batch) {
-  const bool damped = !context.heaviest.empty();
+  const bool damped = !context.effective_mass_limits.empty();
   const bool has_batch = !batch.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;

@@ -14,7 +14,7 @@ namespace treeline {
 /// this is smooth and branch-free, at most 0.7 / border, and zero at c = 0 as well as next to it on
 /// either side. The power is even, so the divisor is positive for every c. If c is many times the
 /// border, the result is 1/c up to a relative error of (border / c)^power.
-struct YieldShape {
+struct BoundedInverseShape {
   int power;     ///< 4, 6 or 8
   double share;  ///< border as a share of the pivot in an ordinary state
   double least;  ///< border whose power is a normal number: less would be 0, and 0 / 0 at c = 0
@@ -25,13 +25,15 @@ struct YieldShape {
 /// thousandth (float: a thirtieth) of its ordinary value, that is, about 2 (10) degrees from a
 /// singularity. The larger power costs one operation; in float it would exceed the range of numbers
 /// for small robots.
-constexpr YieldShape inverse_inertia_shape(Real real) {
-  return real == Real::float32 ? YieldShape{4, 0x1p-11, 0x1p-31} : YieldShape{6, 0x1p-17, 0x1p-170};
+constexpr BoundedInverseShape inverse_inertia_shape(Real real) {
+  return real == Real::float32 ? BoundedInverseShape{4, 0x1p-11, 0x1p-31}
+                               : BoundedInverseShape{6, 0x1p-17, 0x1p-170};
 }
 
 /// Shape for pivots of a Jacobian, which fall as the distance from a singularity.
-constexpr YieldShape jacobian_shape(Real real) {
-  return real == Real::float32 ? YieldShape{6, 0x1p-7, 0x1p-21} : YieldShape{8, 0x1p-10, 0x1p-127};
+constexpr BoundedInverseShape jacobian_shape(Real real) {
+  return real == Real::float32 ? BoundedInverseShape{6, 0x1p-7, 0x1p-21}
+                               : BoundedInverseShape{8, 0x1p-10, 0x1p-127};
 }
 
 /// c^(power - 1) / (c^power + border^power).

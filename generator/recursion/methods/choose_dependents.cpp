@@ -13,7 +13,7 @@ namespace treeline {
 namespace {
 
 /// What is left of a column that counts as zero, as a share of the rows' scaled entries.
-const Exact kResidue("1e-30");
+const Digits50 kResidue("1e-30");
 
 /// What ordinary states say of the rows and of the velocities.
 struct OrdinaryInertia {
@@ -37,8 +37,8 @@ OrdinaryInertia look_at_states(const Mechanism& mechanism) {
 
 /// By velocity, the power of two next to 1 / sqrt(M_vv): the same on every host. Empty if some
 /// velocity moves nothing.
-std::vector<Exact> velocity_scales(const OrdinaryInertia& ordinary) {
-  std::vector<Exact> scales;
+std::vector<Digits50> velocity_scales(const OrdinaryInertia& ordinary) {
+  std::vector<Digits50> scales;
   for (const std::vector<double>& inertias : ordinary.velocities) {
     const double inertia = median(inertias);
     if (!(inertia > 0)) return {};
@@ -75,15 +75,15 @@ std::vector<int> preference(const Mechanism& mechanism) {
 }
 
 /// [C scaled | 1] of the rows that are kept.
-ExactRows scaled_rows(const Mechanism& mechanism, const std::vector<std::size_t>& rows,
-                      const std::vector<Exact>& scales) {
+Digits50Rows scaled_rows(const Mechanism& mechanism, const std::vector<std::size_t>& rows,
+                         const std::vector<Digits50>& scales) {
   const auto nv = static_cast<Eigen::Index>(scales.size());
   const auto count = static_cast<Eigen::Index>(rows.size());
-  ExactRows C = ExactRows::Zero(count, nv + count);
+  Digits50Rows C = Digits50Rows::Zero(count, nv + count);
   for (Eigen::Index r = 0; r < count; ++r) {
     const auto& coupling = mechanism.couplings[rows[static_cast<std::size_t>(r)]];
     for (const auto& part : coupling.parts) {
-      C(r, part.v_index) += Exact(part.factor) * scales[static_cast<std::size_t>(part.v_index)];
+      C(r, part.v_index) += Digits50(part.factor) * scales[static_cast<std::size_t>(part.v_index)];
     }
     C(r, nv + r) = 1;
   }
@@ -91,21 +91,21 @@ ExactRows scaled_rows(const Mechanism& mechanism, const std::vector<std::size_t>
 }
 
 /// G and S from the rows that Gauss-Jordan elimination leaves.
-void read_off(const ReducedRows& reduced, const std::vector<Exact>& scales,
+void read_off(const ReducedRows& reduced, const std::vector<Digits50>& scales,
               CoupledVelocities& coupled) {
   const auto count = static_cast<Eigen::Index>(reduced.pivots.size());
   const auto nv = static_cast<Eigen::Index>(scales.size());
-  coupled.G = ExactRows::Zero(count, nv - count);
-  coupled.S = ExactRows::Zero(count, count);
+  coupled.G = Digits50Rows::Zero(count, nv - count);
+  coupled.S = Digits50Rows::Zero(count, count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Exact& own = scales[coupled.dependent[static_cast<std::size_t>(k)]];
+    const Digits50& own = scales[coupled.dependent[static_cast<std::size_t>(k)]];
     for (Eigen::Index i = 0; i < nv - count; ++i) {
       const std::size_t v = coupled.independent[static_cast<std::size_t>(i)];
-      const Exact share = snapped(reduced.rows(k, static_cast<Eigen::Index>(v)), Exact(1));
+      const Digits50 share = snapped(reduced.rows(k, static_cast<Eigen::Index>(v)), Digits50(1));
       coupled.G(k, i) = -share * own / scales[v];
     }
     for (Eigen::Index r = 0; r < count; ++r) {
-      coupled.S(k, r) = snapped(reduced.rows(k, nv + r), Exact(1)) * own;
+      coupled.S(k, r) = snapped(reduced.rows(k, nv + r), Digits50(1)) * own;
     }
   }
 }
@@ -117,7 +117,7 @@ std::optional<CoupledVelocities> choose_dependents(const Mechanism& mechanism) {
     return std::nullopt;
   }
   const OrdinaryInertia ordinary = look_at_states(mechanism);
-  const std::vector<Exact> scales = velocity_scales(ordinary);
+  const std::vector<Digits50> scales = velocity_scales(ordinary);
   if (scales.empty()) return std::nullopt;
   CoupledVelocities coupled;
   for (std::size_t r = 0; r < mechanism.couplings.size(); ++r) {

@@ -17,8 +17,8 @@ struct CoupledVelocities {
   std::vector<std::size_t> independent;  ///< ascending, so that factors of M keep their zeros
   std::vector<std::size_t> dependent;
   std::vector<std::size_t> rows;  ///< couplings that do not depend on couplings before them
-  ExactRows G;                    ///< dependent x independent
-  ExactRows S;                    ///< dependent x rows
+  Digits50Rows G;                 ///< dependent x independent
+  Digits50Rows S;                 ///< dependent x rows
 };
 
 /// Chooses the dependent velocities: those that move little in proportion to what a row moves, so

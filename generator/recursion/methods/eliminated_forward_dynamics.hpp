@@ -10,7 +10,7 @@
 namespace treeline {
 
 template <class Scalar>
-DenseMatrix<Scalar> rounded_matrix(const ExactRows& A) {
+DenseMatrix<Scalar> rounded_matrix(const Digits50Rows& A) {
   DenseMatrix<Scalar> result(static_cast<std::size_t>(A.rows()),
                              static_cast<std::size_t>(A.cols()));
   for (std::size_t i = 0; i < result.rows(); ++i) {

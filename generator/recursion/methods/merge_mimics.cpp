@@ -41,8 +41,8 @@ std::vector<bool> links_about_mimics(const Mechanism& mechanism) {
 /// Numbers between -1 and 1, the same on every host.
 class Numbers {
  public:
-  std::vector<Exact> draw(int count) {
-    std::vector<Exact> drawn;
+  std::vector<Digits50> draw(int count) {
+    std::vector<Digits50> drawn;
     for (int i = 0; i < count; ++i) {
       const auto bits = static_cast<double>(engine_() >> 11);
       drawn.emplace_back(bits * 0x1p-52 - 1);
@@ -56,18 +56,20 @@ class Numbers {
 
 /// Kinetic energies, and potential energies less those at the first state, of unit parameters: two
 /// rows for each state but the first.
-ExactRows sample_energies(const Mechanism& mechanism, const std::vector<ModelParameter>& columns) {
-  const auto tree = tree_of<Exact>(mechanism);
+Digits50Rows sample_energies(const Mechanism& mechanism,
+                             const std::vector<ModelParameter>& columns) {
+  const auto tree = tree_of<Digits50>(mechanism);
   const std::size_t states = columns.size() + kMoreStates;
-  ExactRows rows(static_cast<Eigen::Index>(2 * states), static_cast<Eigen::Index>(columns.size()));
+  Digits50Rows rows(static_cast<Eigen::Index>(2 * states),
+                    static_cast<Eigen::Index>(columns.size()));
   Numbers numbers;
-  std::vector<Exact> first;
+  std::vector<Digits50> first;
   for (std::size_t s = 0; s <= states; ++s) {
-    std::vector<Exact> q = numbers.draw(mechanism.nq());
-    for (Exact& each : q) each *= 3;
-    const std::vector<Exact> qd = numbers.draw(mechanism.nv());
-    const auto X = joint_transforms<Exact>(tree, q);
-    const std::vector<Exact> E = energy_regressor<Exact>(tree, X, qd, columns).values();
+    std::vector<Digits50> q = numbers.draw(mechanism.nq());
+    for (Digits50& each : q) each *= 3;
+    const std::vector<Digits50> qd = numbers.draw(mechanism.nv());
+    const auto X = joint_transforms<Digits50>(tree, q);
+    const std::vector<Digits50> E = energy_regressor<Digits50>(tree, X, qd, columns).values();
     if (s == 0) first.assign(E.begin() + static_cast<std::ptrdiff_t>(columns.size()), E.end());
     for (std::size_t k = 0; s > 0 && k < columns.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(2 * (s - 1)),
@@ -80,11 +82,11 @@ ExactRows sample_energies(const Mechanism& mechanism, const std::vector<ModelPar
 }
 
 /// The rows' columns, each divided by its length.
-ExactRow normalize_columns(ExactRows& rows) {
-  ExactRow lengths(rows.cols());
+Digits50Row normalize_columns(Digits50Rows& rows) {
+  Digits50Row lengths(rows.cols());
   for (Eigen::Index k = 0; k < rows.cols(); ++k) {
-    const Exact length = sqrt(Exact(rows.col(k).squaredNorm()));
-    lengths(k) = length > 0 ? length : Exact(1);
+    const Digits50 length = sqrt(Digits50(rows.col(k).squaredNorm()));
+    lengths(k) = length > 0 ? length : Digits50(1);
     rows.col(k) /= lengths(k);
   }
   return lengths;
@@ -106,14 +108,14 @@ bool is_about_mimics(const ModelParameter& parameter, const Mechanism& mechanism
 }
 
 /// Adds the columns that are no pivots to the base parameter of a row that is, by their shares.
-void add_shares(const ReducedRows& felt, std::size_t row, const ExactRow& lengths,
+void add_shares(const ReducedRows& felt, std::size_t row, const Digits50Row& lengths,
                 const std::vector<BaseParameter>& all, BaseParameter& base) {
   for (Eigen::Index k = 0; k < lengths.size(); ++k) {
     const bool is_base =
         std::count(felt.pivots.begin(), felt.pivots.end(), static_cast<int>(k)) > 0;
-    const Exact share = snapped(felt.rows(static_cast<Eigen::Index>(row), k), Exact(1));
+    const Digits50 share = snapped(felt.rows(static_cast<Eigen::Index>(row), k), Digits50(1));
     if (is_base || share == 0) continue;
-    const Exact factor = share * lengths(k) / lengths(felt.pivots[row]);
+    const Digits50 factor = share * lengths(k) / lengths(felt.pivots[row]);
     for (const auto& [parameter, coefficient] : all[static_cast<std::size_t>(k)].combination) {
       base.combination[parameter] += factor * coefficient;
     }
@@ -122,7 +124,7 @@ void add_shares(const ReducedRows& felt, std::size_t row, const ExactRow& length
 
 }  // namespace
 
-void merge_mimics(const Mechanism& mechanism, const Exact& tolerance, BaseParameters& found) {
+void merge_mimics(const Mechanism& mechanism, const Digits50& tolerance, BaseParameters& found) {
   const auto about_mimics = links_about_mimics(mechanism);
   const auto rest =
       std::stable_partition(found.base.begin(), found.base.end(), [&](const BaseParameter& base) {
@@ -136,8 +138,8 @@ void merge_mimics(const Mechanism& mechanism, const Exact& tolerance, BaseParame
   }
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
-  ExactRows energies = sample_energies(mechanism, columns);
-  const ExactRow lengths = normalize_columns(energies);
+  Digits50Rows energies = sample_energies(mechanism, columns);
+  const Digits50Row lengths = normalize_columns(energies);
   const ReducedRows felt = reduce(std::move(energies), order, tolerance);
   std::vector<BaseParameter> merged(rest, found.base.end());
   for (std::size_t row = 0; row < felt.pivots.size(); ++row) {

@@ -72,7 +72,7 @@ double rounded_border(double border) {
   return border > 0 && std::isfinite(border) ? std::exp2(std::round(std::log2(border))) : 0x1p-40;
 }
 
-double rounded_border(double ordinary, const YieldShape& shape) {
+double rounded_border(double ordinary, const BoundedInverseShape& shape) {
   return std::max(rounded_border(shape.share * ordinary), shape.least);
 }
 
@@ -103,7 +103,7 @@ bool OrdinaryPivots::has_dependent() const {
   return false;
 }
 
-std::vector<double> OrdinaryPivots::borders(const YieldShape& shape) const {
+std::vector<double> OrdinaryPivots::borders(const BoundedInverseShape& shape) const {
   std::vector<double> borders;
   for (std::size_t k = 0; k < rows(); ++k) {
     borders.push_back(rounded_border(is_dependent(k) ? diagonal(k) : median(pivots_[k]), shape));

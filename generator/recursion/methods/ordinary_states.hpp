@@ -69,7 +69,7 @@ double median(std::vector<double> values);
 
 /// A power of two: short in the code, and the same on every host.
 double rounded_border(double border);
-double rounded_border(double ordinary, const YieldShape& shape);
+double rounded_border(double ordinary, const BoundedInverseShape& shape);
 
 /// What is left of the rows of a symmetric matrix A when LDL^T eliminates those before them, state
 /// after state: their pivots, beside their diagonal entries.
@@ -86,7 +86,7 @@ class OrdinaryPivots {
   [[nodiscard]] bool has_dependent() const;
   /// For each row the share of the median of its pivots; of its diagonal entries if it depends on
   /// rows before it.
-  [[nodiscard]] std::vector<double> borders(const YieldShape& shape) const;
+  [[nodiscard]] std::vector<double> borders(const BoundedInverseShape& shape) const;
 
  private:
   std::vector<std::vector<double>> pivots_, diagonals_;

@@ -43,7 +43,7 @@ template <class Scalar>
 std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
                                                      const DenseMatrix<Scalar>& Lambda_inv,
                                                      const PivotRule& floor) {
-  constexpr double kYield = 8192;
+  constexpr double kInverseBorder = 8192;
   std::vector<PrioritizedRow<Scalar>> rows;
   std::vector<int> priorities;
   for (const TreePoint<Scalar>& point : tree.operational_points) {
@@ -58,7 +58,7 @@ std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
       const bool moves = may_move(tree, point.link, first == 3);
       for (std::size_t row = at; row < at + count; ++row) {
         // Rows that nothing can move are relaxed completely.
-        rows.push_back({row, moves ? Scalar(kYield) / mobility : Scalar(0.0)});
+        rows.push_back({row, moves ? Scalar(kInverseBorder) / mobility : Scalar(0.0)});
         priorities.push_back(point.priority);
       }
     }
@@ -72,7 +72,7 @@ std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
 /// w / c with the share w = t^8 / (1 + t^8), t = c / border. At c = 0 it is zero instead of
 /// infinite.
 template <class Scalar>
-Scalar yielding_inverse(const Scalar& c, const Scalar& inverse_border) {
+Scalar relaxed_inverse(const Scalar& c, const Scalar& inverse_border) {
   const Scalar t = c * inverse_border;
   const Scalar t2 = t * t;
   const Scalar t4 = t2 * t2;
@@ -84,7 +84,7 @@ Scalar yielding_inverse(const Scalar& c, const Scalar& inverse_border) {
 /// important first, pivot c_k is the inverse inertia of row k in the dynamically consistent null
 /// space of the rows above. So the recursion of prioritised tasks (Khatib, Sentis, Park & Warren
 /// 2004) is this elimination, and J^T F is its torque. As long as the rows are independent, all are
-/// achieved. For a row that is not, `yielding_inverse` replaces 1/c_k, and only this row is
+/// achieved. For a row that is not, `relaxed_inverse` replaces 1/c_k, and only this row is
 /// relaxed. The system that is solved is (Lambda^-1 + diag(c_k (1 - w_k) / w_k)) F = errors, in
 /// which the terms of the rows above are zero.
 template <class Scalar>
@@ -103,7 +103,7 @@ std::vector<Scalar> prioritized_task_force(const Tree<Scalar>& tree,
     }
   }
   const auto factor = factor_ldlt(std::move(A), [&rows](std::size_t k, const Scalar& c) {
-    return yielding_inverse(c, rows[k].inverse_border);
+    return relaxed_inverse(c, rows[k].inverse_border);
   });
   const std::vector<Scalar> solved = solve(factor, ordered);
   std::vector<Scalar> F(n);

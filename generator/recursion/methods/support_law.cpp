@@ -74,7 +74,7 @@ class SupportedStates {
 };
 
 SupportRules support_rules(const Mechanism& mechanism) {
-  const YieldShape shape = inverse_inertia_shape(mechanism.real);
+  const BoundedInverseShape shape = inverse_inertia_shape(mechanism.real);
   const SupportedStates states(mechanism);
   SupportRules rules;
   rules.held = states.held();

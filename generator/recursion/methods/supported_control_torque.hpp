@@ -167,10 +167,10 @@ std::vector<Scalar> multipliers_with_passive_motion(SupportedRows<Scalar>& rows,
                                                     const SupportRules& rules) {
   const PassiveMotion<Scalar> motion(block_of_velocities(M, passive), rows.J, rules);
   motion.subtract_from(rows.Lambda_inv);
-  const auto settled = motion.solve_for(rows.balance);
+  const auto passive_motion = motion.solve_for(rows.balance);
   for (std::size_t i = rules.held; i < rows.errors.size(); ++i) {
-    for (std::size_t k = 0; k < settled.size(); ++k) {
-      rows.errors[i] = rows.errors[i] + rows.J(i, k) * settled[k];
+    for (std::size_t k = 0; k < passive_motion.size(); ++k) {
+      rows.errors[i] = rows.errors[i] + rows.J(i, k) * passive_motion[k];
     }
   }
   auto f = solve(factor_ldlt(rows.Lambda_inv, rules.rows), rows.errors);

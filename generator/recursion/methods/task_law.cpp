@@ -63,7 +63,7 @@ std::vector<bool> first_grasps(const std::vector<TreeObject<double>>& objects) {
 }
 
 std::vector<double> row_borders(const Mechanism& mechanism, TaskLaw::Kind kind, LawPoints points,
-                                TaskBasis basis, const YieldShape& shape) {
+                                TaskBasis basis, const BoundedInverseShape& shape) {
   const auto posed = pose<double>(mechanism, points, ordinary_state(mechanism, 0));
   const auto free =
       kind == TaskLaw::Kind::grasp_forces ? first_grasps(posed.objects) : always_free(posed.tree);
@@ -75,7 +75,7 @@ std::vector<double> row_borders(const Mechanism& mechanism, TaskLaw::Kind kind, 
 }
 
 /// One for each contact: a share of the mean of its three diagonal entries.
-std::vector<double> normal_borders(const Mechanism& mechanism, const YieldShape& shape) {
+std::vector<double> normal_borders(const Mechanism& mechanism, const BoundedInverseShape& shape) {
   const auto pivots =
       ordinary_pivots(mechanism, TaskLaw::Kind::normals, LawPoints::contacts, TaskBasis{});
   std::vector<double> borders;
@@ -106,7 +106,7 @@ std::vector<double> mobility_floors(const Mechanism& mechanism) {
 
 /// Borders of the pivots of J; of those that are constant 0.
 std::vector<double> jacobian_borders(const TaskLaw& law, const std::vector<bool>& constant,
-                                     const YieldShape& shape) {
+                                     const BoundedInverseShape& shape) {
   std::vector<std::vector<double>> sizes(6);
   const auto [lone, a, b] = law.arm.rows();
   const std::vector<Pivot> last(law.pivots.begin() + 3, law.pivots.end());
@@ -133,24 +133,25 @@ std::vector<double> jacobian_borders(const TaskLaw& law, const std::vector<bool>
 
 /// 1 over the squared distance of the wrist's centre from the third joint's axis.
 double inverse_square_of_forearm(const Mechanism& mechanism) {
-  const ExactVector3& p = mechanism.links[3].placement.p;
-  const Exact square = p(0) * p(0) + p(1) * p(1);
-  return square > 0 ? static_cast<double>(Exact(1 / square)) : 0;
+  const Digits50Vector3& p = mechanism.links[3].placement.p;
+  const Digits50 square = p(0) * p(0) + p(1) * p(1);
+  return square > 0 ? static_cast<double>(Digits50(1 / square)) : 0;
 }
 
-LawAxes rows_of(const Matrix3<Exact>& A) {
+LawAxes rows_of(const Matrix3<Digits50>& A) {
   return {{{A.row_x.x, A.row_x.y, A.row_x.z},
            {A.row_y.x, A.row_y.y, A.row_y.z},
            {A.row_z.x, A.row_z.y, A.row_z.z}}};
 }
 
 /// Out of the axes of an arm's linear rows: across the third joint's column, along it, and alone.
-Matrix3<Exact> arm_rows(const Posed<Exact>& posed, const TaskLaw& law, const Matrix3<Exact>& axes) {
+Matrix3<Digits50> arm_rows(const Posed<Digits50>& posed, const TaskLaw& law,
+                           const Matrix3<Digits50>& axes) {
   const auto J = wrist_jacobian(posed.tree, posed.X, law.basis.axes_link);
   const auto [lone, a, b] = law.arm.rows();
   const auto& e_a = row_of(axes, static_cast<int>(a));
   const auto& e_b = row_of(axes, static_cast<int>(b));
-  const Exact inverse(law.arm.inverse_square);
+  const Digits50 inverse(law.arm.inverse_square);
   return {e_a * J(b, 2) - e_b * J(a, 2), (e_a * J(a, 2) + e_b * J(b, 2)) * inverse,
           row_of(axes, static_cast<int>(lone))};
 }
@@ -161,22 +162,22 @@ std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& 
                                  const GivenTools& tools) {
   const TaskBasis& basis = law.basis;
   if (!basis.in_link_axes && !basis.at_link_origin && basis.axes_link < 0) return {};
-  const auto posed = pose<Exact>(*law.mechanism, law.points, q, tools);
+  const auto posed = pose<Digits50>(*law.mechanism, law.points, q, tools);
   const auto poses = world_poses(posed.tree, posed.X);
-  const auto axes_of = [&](int link, const TreePoint<Exact>& point) {
-    if (link < 0 && !basis.in_link_axes && point.axes == Axes::world) return identity3<Exact>();
+  const auto axes_of = [&](int link, const TreePoint<Digits50>& point) {
+    if (link < 0 && !basis.in_link_axes && point.axes == Axes::world) return identity3<Digits50>();
     if (link < 0 && !basis.in_link_axes) return transposed(point_pose(poses, point).R);
     return transposed(poses[static_cast<std::size_t>(link < 0 ? point.link : link)].R);
   };
   std::vector<LawFrame> frames;
-  for (const TreePoint<Exact>& point : posed.tree.operational_points) {
+  for (const TreePoint<Digits50>& point : posed.tree.operational_points) {
     if (point.link < 0) {
-      frames.push_back({rows_of(identity3<Exact>()), rows_of(identity3<Exact>()), {}});
+      frames.push_back({rows_of(identity3<Digits50>()), rows_of(identity3<Digits50>()), {}});
       continue;
     }
     const int angular = law.angular_axes_link >= 0 ? law.angular_axes_link : basis.axes_link;
-    const Vector3<Exact> arm = poses[static_cast<std::size_t>(point.link)].R * point.p;
-    const Matrix3<Exact> axes = axes_of(basis.axes_link, point);
+    const Vector3<Digits50> arm = poses[static_cast<std::size_t>(point.link)].R * point.p;
+    const Matrix3<Digits50> axes = axes_of(basis.axes_link, point);
     const bool of_arm = law.kind == TaskLaw::Kind::jacobian;
     LawFrame frame{
         rows_of(of_arm ? arm_rows(posed, law, axes) : axes), rows_of(axes_of(angular, point)), {}};
@@ -232,7 +233,7 @@ std::shared_ptr<const TaskLaw> TaskLaws::find(TaskLaw::Kind kind, LawPoints poin
   const Key key{kind, points, basis.in_link_axes, basis.at_link_origin, basis.axes_link};
   auto& found = found_[key];
   if (found) return found;
-  const YieldShape shape = inverse_inertia_shape(mechanism_->real);
+  const BoundedInverseShape shape = inverse_inertia_shape(mechanism_->real);
   TaskLaw law;
   law.kind = kind;
   law.points = points;
@@ -254,7 +255,7 @@ std::shared_ptr<const TaskLaw> TaskLaws::resolved(int axes_link) {
   const auto wrist = order_wrist_pivots(*mechanism_);
   const double inverse_square = inverse_square_of_forearm(*mechanism_);
   if (!lone_row || !wrist || inverse_square == 0) return nullptr;
-  const YieldShape shape = jacobian_shape(mechanism_->real);
+  const BoundedInverseShape shape = jacobian_shape(mechanism_->real);
   TaskLaw law;
   law.kind = TaskLaw::Kind::jacobian;
   law.mechanism = mechanism_;

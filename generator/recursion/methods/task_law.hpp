@@ -77,14 +77,14 @@ inline constexpr const char* kBareSolve =
     "not finite where rows cannot be moved independently (singular: exact).";
 
 /// Directions in the world, row by row.
-using LawAxes = std::array<std::array<Exact, 3>, 3>;
+using LawAxes = std::array<std::array<Digits50, 3>, 3>;
 
 /// Rows of one point at a state. Linear rows are along `linear`, at the point moved by `shift`
 /// (world axes); angular rows are along `angular`. In laws of a Jacobian, the rows of `linear` need
 /// not have unit length.
 struct LawFrame {
   LawAxes linear, angular;
-  std::array<Exact, 3> shift;
+  std::array<Digits50, 3> shift;
 };
 
 /// What arguments say of operational points: entries of `tool` and `tool_orientation`. Those of the

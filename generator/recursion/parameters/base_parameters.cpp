@@ -17,8 +17,8 @@ namespace {
 using Kind = ModelParameter::Kind;
 
 /// Coefficients that are residue of cancellation in 50 digits.
-const Exact& residue() {
-  static const Exact kResidue("1e-25");
+const Digits50& residue() {
+  static const Digits50 kResidue("1e-25");
   return kResidue;
 }
 
@@ -36,24 +36,24 @@ Inertia unit_body(int entry) {
   const auto [i, j] = kEntries[static_cast<std::size_t>(entry - 4)];
   Inertia body;
   body.Sigma(i, j) = body.Sigma(j, i) = -1;
-  if (i == j) body.Sigma += ExactMatrix3::Identity() / 2;
+  if (i == j) body.Sigma += Digits50Matrix3::Identity() / 2;
   return body;
 }
 
 /// The inertial parameters of a body.
-std::array<Exact, kInertialParameters> parameters_of(const Inertia& body) {
-  const ExactMatrix3 J = rotational_inertia(body);
-  std::array<Exact, kInertialParameters> parameters{body.mass, body.h(0), body.h(1), body.h(2)};
+std::array<Digits50, kInertialParameters> parameters_of(const Inertia& body) {
+  const Digits50Matrix3 J = rotational_inertia(body);
+  std::array<Digits50, kInertialParameters> parameters{body.mass, body.h(0), body.h(1), body.h(2)};
   for (std::size_t k = 0; k < kEntries.size(); ++k) {
     parameters[4 + k] = J(kEntries[k][0], kEntries[k][1]);
   }
   return parameters;
 }
 
-void add(const Combination& terms, const Exact& factor, Combination& sum) {
+void add(const Combination& terms, const Digits50& factor, Combination& sum) {
   if (abs(factor) <= residue()) return;
   for (const auto& [parameter, coefficient] : terms) {
-    Exact& entry = sum[parameter];
+    Digits50& entry = sum[parameter];
     entry += factor * coefficient;
     if (abs(entry) <= residue()) sum.erase(parameter);
   }
@@ -74,7 +74,7 @@ class Inward {
       if (parameter.kind == Kind::inertial) sums_[parameter.frame][at(parameter.entry)][k] = 1;
       if (parameter.kind == Kind::rotor) rotors_[parameter.v] = k;
       if (parameter.kind == Kind::viscous || parameter.kind == Kind::coulomb)
-        found_.base.push_back({k, {{k, Exact(1)}}});
+        found_.base.push_back({k, {{k, Digits50(1)}}});
     }
   }
 
@@ -108,9 +108,9 @@ class Inward {
   }
 
   /// Numbers in the axes of the moving link, of the parameters of its frame.
-  [[nodiscard]] ExactRows numbers_by_parameter(std::size_t frame) const {
-    const ExactPose pose = in_units(mechanism_.link_frames[frame].pose, units_);
-    ExactRows numbers = ExactRows::Zero(kBodyNumbers, kBodyNumbers);
+  [[nodiscard]] Digits50Rows numbers_by_parameter(std::size_t frame) const {
+    const Digits50Pose pose = in_units(mechanism_.link_frames[frame].pose, units_);
+    Digits50Rows numbers = Digits50Rows::Zero(kBodyNumbers, kBodyNumbers);
     for (int k = 0; k < kInertialParameters; ++k) {
       numbers.col(k) = numbers_of(transformed(unit_body(k), pose)).transpose();
     }
@@ -150,13 +150,14 @@ class Inward {
     Inertia body = entry == kRotorNumber ? Inertia{} : unit_body(entry);
     for (std::size_t row = 0; row < felt.pivots.size(); ++row) {
       if (felt.pivots[row] == kRotorNumber) continue;
-      const Exact share = -felt.rows(static_cast<Eigen::Index>(row), entry);
+      const Digits50 share = -felt.rows(static_cast<Eigen::Index>(row), entry);
       const Inertia base = unit_body(felt.pivots[row]);
       body = body + Inertia{share * base.mass, share * base.h, share * base.Sigma};
     }
     const auto parent = at(motion.parent);
-    const ExactPose moved = inverse(in_units(mechanism_.link_frames[parent].pose, units_)) *
-                            motion.placement * in_units(mechanism_.link_frames[frame].pose, units_);
+    const Digits50Pose moved = inverse(in_units(mechanism_.link_frames[parent].pose, units_)) *
+                               motion.placement *
+                               in_units(mechanism_.link_frames[frame].pose, units_);
     const auto values = parameters_of(transformed(body, moved));
     for (std::size_t k = 0; k < values.size(); ++k) {
       add(sums_[frame][at(entry)], values[k], sums_[parent][k]);
@@ -164,15 +165,15 @@ class Inward {
   }
 
   /// Power of the unit of length in a parameter's unit.
-  [[nodiscard]] Exact unit_of(std::size_t parameter) const {
+  [[nodiscard]] Digits50 unit_of(std::size_t parameter) const {
     const ModelParameter& of = found_.parameters[parameter];
     const bool is_moment = of.kind == Kind::rotor ? !of.slides : of.entry > 3;
     if (is_moment) return units_.length * units_.length;
-    return of.kind == Kind::inertial && of.entry > 0 ? units_.length : Exact(1);
+    return of.kind == Kind::inertial && of.entry > 0 ? units_.length : Digits50(1);
   }
 
   void scale(BaseParameter& base) const {
-    const Exact own = unit_of(base.parameter);
+    const Digits50 own = unit_of(base.parameter);
     for (auto& [parameter, coefficient] : base.combination) coefficient *= own / unit_of(parameter);
   }
 
@@ -209,7 +210,7 @@ std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechan
   return memo.found;
 }
 
-Exact value_in_files(const ModelParameter& parameter, const Mechanism& mechanism) {
+Digits50 value_in_files(const ModelParameter& parameter, const Mechanism& mechanism) {
   if (!parameter.is_of_body()) {
     const auto link = std::find_if(
         mechanism.links.begin(), mechanism.links.end(),
@@ -230,9 +231,9 @@ Exact value_in_files(const ModelParameter& parameter, const Mechanism& mechanism
   return parameters_of(matter)[static_cast<std::size_t>(parameter.entry)];
 }
 
-Exact value_in_files(const BaseParameter& base, const BaseParameters& found,
-                     const Mechanism& mechanism) {
-  Exact value = 0;
+Digits50 value_in_files(const BaseParameter& base, const BaseParameters& found,
+                        const Mechanism& mechanism) {
+  Digits50 value = 0;
   for (const auto& [parameter, coefficient] : base.combination) {
     value += coefficient * value_in_files(found.parameters[parameter], mechanism);
   }

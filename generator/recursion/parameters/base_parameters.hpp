@@ -10,7 +10,7 @@
 namespace treeline {
 
 /// A linear combination of parameters: coefficients by index into a list of them.
-using Combination = std::map<std::size_t, Exact>;
+using Combination = std::map<std::size_t, Digits50>;
 
 /// A combination of parameters that the motion can tell from all others. Its column of a regressor
 /// is that of the parameter that it is named after, whose coefficient is one.
@@ -44,10 +44,10 @@ BaseParameters find_base_parameters(const Mechanism& mechanism, const SceneRegre
 std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechanism);
 
 /// What the files say of a parameter. Not for payloads, which no file has.
-Exact value_in_files(const ModelParameter& parameter, const Mechanism& mechanism);
+Digits50 value_in_files(const ModelParameter& parameter, const Mechanism& mechanism);
 /// What they say of a base parameter: the sum of its combination.
-Exact value_in_files(const BaseParameter& base, const BaseParameters& found,
-                     const Mechanism& mechanism);
+Digits50 value_in_files(const BaseParameter& base, const BaseParameters& found,
+                        const Mechanism& mechanism);
 
 /// `link2 Izz + 0.0225 link3 m - link3 Ixx`: of the parameter that it is named after first.
 std::string describe(const BaseParameter& base, const BaseParameters& found);

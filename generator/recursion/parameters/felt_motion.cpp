@@ -10,23 +10,23 @@ constexpr int kInertiaNumbers = 10;
 constexpr std::array<std::array<int, 2>, 6> kMoments = {
     {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
 
-using NumberMatrix = ExactRows;
+using NumberMatrix = Digits50Rows;
 
-ExactVector3 unit_vector(int axis) {
-  ExactVector3 unit = ExactVector3::Zero();
+Digits50Vector3 unit_vector(int axis) {
+  Digits50Vector3 unit = Digits50Vector3::Zero();
   unit(axis) = 1;
   return unit;
 }
 
-ExactMatrix3 cross_matrix(const ExactVector3& a) {
-  ExactMatrix3 A = ExactMatrix3::Zero();
+Digits50Matrix3 cross_matrix(const Digits50Vector3& a) {
+  Digits50Matrix3 A = Digits50Matrix3::Zero();
   A(2, 1) = a(0);
   A(0, 2) = a(1);
   A(1, 0) = a(2);
-  return A - ExactMatrix3(A.transpose());
+  return A - Digits50Matrix3(A.transpose());
 }
 
-ExactVector3 crossed(const ExactVector3& a, const ExactVector3& b) {
+Digits50Vector3 crossed(const Digits50Vector3& a, const Digits50Vector3& b) {
   return cross_matrix(a) * b;
 }
 
@@ -41,22 +41,22 @@ NumberMatrix matrix_of(const Change& change) {
 }
 
 /// Velocity of a frame's origin and angular velocity, in the frame's axes.
-struct ExactTwist {
-  ExactVector3 v = ExactVector3::Zero(), w = ExactVector3::Zero();
+struct Digits50Twist {
+  Digits50Vector3 v = Digits50Vector3::Zero(), w = Digits50Vector3::Zero();
 };
 
-ExactRow row_of(const ExactTwist& twist) {
-  ExactRow row(6);
+Digits50Row row_of(const Digits50Twist& twist) {
+  Digits50Row row(6);
   row << twist.v.transpose(), twist.w.transpose();
   return row;
 }
-ExactTwist twist_of(const ExactRow& row) {
+Digits50Twist twist_of(const Digits50Row& row) {
   return {row.head(3).transpose(), row.tail(3).transpose()};
 }
 
 /// One freedom of a joint: its axis in the link's frame.
 struct Freedom {
-  ExactTwist axis;
+  Digits50Twist axis;
 
   Freedom(const JointStep& step, int k) {
     (step.is_angular(k) ? axis.w : axis.v) = unit_vector(step.axis(k));
@@ -64,7 +64,7 @@ struct Freedom {
 
   /// Generator of what the coordinate does to numbers.
   [[nodiscard]] NumberMatrix generator() const {
-    const ExactMatrix3 turn = cross_matrix(axis.w);
+    const Digits50Matrix3 turn = cross_matrix(axis.w);
     return matrix_of([&](const Inertia& inertia) {
       Inertia rate;
       rate.h = turn * inertia.h + axis.v * inertia.mass;
@@ -74,50 +74,51 @@ struct Freedom {
     });
   }
   /// What the coordinate does to a velocity of the link before, seen from the link.
-  [[nodiscard]] ExactTwist rate(const ExactTwist& twist) const {
+  [[nodiscard]] Digits50Twist rate(const Digits50Twist& twist) const {
     return {crossed(twist.v, axis.w) + crossed(twist.w, axis.v), crossed(twist.w, axis.w)};
   }
 };
 
 /// The kinetic energy that two motions have together, a^T I b, as a row.
-ExactRow kinetic_row(const ExactTwist& a, const ExactTwist& b) {
-  ExactRow row = ExactRow::Zero(kBodyNumbers);
+Digits50Row kinetic_row(const Digits50Twist& a, const Digits50Twist& b) {
+  Digits50Row row = Digits50Row::Zero(kBodyNumbers);
   row(0) = a.v.dot(b.v);
   row.segment(1, 3) = (crossed(a.v, b.w) + crossed(b.v, a.w)).transpose();
-  const Exact trace = a.w.dot(b.w);
+  const Digits50 trace = a.w.dot(b.w);
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
     const auto [i, j] = kMoments[k];
-    const Exact product = a.w(i) * b.w(j);
+    const Digits50 product = a.w(i) * b.w(j);
     row(4 + static_cast<Eigen::Index>(k)) =
-        i == j ? Exact(trace - product) : Exact(-product - a.w(j) * b.w(i));
+        i == j ? Digits50(trace - product) : Digits50(-product - a.w(j) * b.w(i));
   }
   return row;
 }
 
 /// All that is known of how a link moves.
 struct Reach {
-  explicit Reach(const Exact& tolerance) : twists(tolerance), felt(tolerance), moving(tolerance) {}
+  explicit Reach(const Digits50& tolerance)
+      : twists(tolerance), felt(tolerance), moving(tolerance) {}
 
-  RowSpace twists;                ///< all its velocities
-  RowSpace felt;                  ///< kinetic energies, and differences of potential energy
-  std::vector<ExactRow> weights;  ///< potential energy with all coordinates at zero
-  RowSpace moving;                ///< what the steps of the joint so far have made felt
+  RowSpace twists;                   ///< all its velocities
+  RowSpace felt;                     ///< kinetic energies, and differences of potential energy
+  std::vector<Digits50Row> weights;  ///< potential energy with all coordinates at zero
+  RowSpace moving;                   ///< what the steps of the joint so far have made felt
 };
 
 /// Of the base: at rest, with a potential energy for each direction that gravity may have.
-Reach reach_of_base(const Mechanism& mechanism, const Exact& tolerance) {
+Reach reach_of_base(const Mechanism& mechanism, const Digits50& tolerance) {
   Reach base(tolerance);
-  std::vector<ExactVector3> directions;
+  std::vector<Digits50Vector3> directions;
   if (mechanism.inputs.gravity) {
     for (int axis = 0; axis < 3; ++axis) directions.push_back(unit_vector(axis));
   } else {
     const auto& g = mechanism.gravity;
-    const ExactVector3 gravity{Exact(g[0]), Exact(g[1]), Exact(g[2])};
-    const Exact size = sqrt(Exact(gravity.squaredNorm()));
+    const Digits50Vector3 gravity{Digits50(g[0]), Digits50(g[1]), Digits50(g[2])};
+    const Digits50 size = sqrt(Digits50(gravity.squaredNorm()));
     if (size > 0) directions.emplace_back(gravity / size);
   }
-  for (const ExactVector3& direction : directions) {
-    ExactRow weight = ExactRow::Zero(kBodyNumbers);
+  for (const Digits50Vector3& direction : directions) {
+    Digits50Row weight = Digits50Row::Zero(kBodyNumbers);
     weight.segment(1, 3) = -direction.transpose();
     base.weights.push_back(weight);
   }
@@ -125,24 +126,24 @@ Reach reach_of_base(const Mechanism& mechanism, const Exact& tolerance) {
 }
 
 /// The same motion as that of a frame that is fixed to the link. The rotor is left behind.
-Reach seen_from(const ExactPose& placement, const Reach& link, bool continues,
-                const Exact& tolerance) {
+Reach seen_from(const Digits50Pose& placement, const Reach& link, bool continues,
+                const Digits50& tolerance) {
   const NumberMatrix back =
       matrix_of([&](const Inertia& inertia) { return transformed(inertia, placement); });
-  const ExactMatrix3 Rt = placement.R.transpose();
+  const Digits50Matrix3 Rt = placement.R.transpose();
   Reach seen(tolerance);
-  for (const ExactRow& row : link.twists.basis()) {
-    const ExactTwist twist = twist_of(row);
+  for (const Digits50Row& row : link.twists.basis()) {
+    const Digits50Twist twist = twist_of(row);
     seen.twists.add(row_of({Rt * (twist.v + crossed(twist.w, placement.p)), Rt * twist.w}));
   }
-  for (const ExactRow& row : link.felt.basis()) seen.felt.add(row * back);
-  for (const ExactRow& row : link.weights) seen.weights.emplace_back(row * back);
+  for (const Digits50Row& row : link.felt.basis()) seen.felt.add(row * back);
+  for (const Digits50Row& row : link.weights) seen.weights.emplace_back(row * back);
   if (!continues) return seen;
-  for (const ExactRow& row : link.moving.basis()) seen.moving.add(row * back);
+  for (const Digits50Row& row : link.moving.basis()) seen.moving.add(row * back);
   return seen;
 }
 
-void make_felt(const ExactRow& row, Reach& reach) {
+void make_felt(const Digits50Row& row, Reach& reach) {
   reach.moving.add(row);
   reach.felt.add(row);
 }
@@ -150,23 +151,23 @@ void make_felt(const ExactRow& row, Reach& reach) {
 /// Lets the link move by one more freedom.
 void release(const Freedom& freedom, bool has_rotor, Reach& reach) {
   const NumberMatrix generator = freedom.generator();
-  for (const ExactRow& weight : reach.weights) make_felt(weight * generator, reach);
+  for (const Digits50Row& weight : reach.weights) make_felt(weight * generator, reach);
   for (std::size_t k = 0; k < reach.felt.basis().size(); ++k) {  // it grows
-    make_felt(ExactRow(reach.felt.basis()[k] * generator), reach);
+    make_felt(Digits50Row(reach.felt.basis()[k] * generator), reach);
   }
   for (std::size_t k = 0; k < reach.twists.basis().size(); ++k) {
-    const ExactTwist twist = twist_of(reach.twists.basis()[k]);
+    const Digits50Twist twist = twist_of(reach.twists.basis()[k]);
     reach.twists.add(row_of(freedom.rate(twist)));
     make_felt(kinetic_row(twist, freedom.axis), reach);
   }
-  ExactRow own = kinetic_row(freedom.axis, freedom.axis);
+  Digits50Row own = kinetic_row(freedom.axis, freedom.axis);
   if (has_rotor) own(kRotorNumber) = 1;
   make_felt(own, reach);
   reach.twists.add(row_of(freedom.axis));
 }
 
-ExactRows stacked(const std::vector<ExactRow>& rows) {
-  ExactRows matrix(static_cast<Eigen::Index>(rows.size()), kBodyNumbers);
+Digits50Rows stacked(const std::vector<Digits50Row>& rows) {
+  Digits50Rows matrix(static_cast<Eigen::Index>(rows.size()), kBodyNumbers);
   for (std::size_t i = 0; i < rows.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = rows[i];
   return matrix;
 }
@@ -201,12 +202,12 @@ class Outward {
  private:
   struct Step {
     Reach reach;
-    int parent = -1;      ///< the last link of the file before this step
-    ExactPose placement;  ///< in that link
+    int parent = -1;         ///< the last link of the file before this step
+    Digits50Pose placement;  ///< in that link
   };
 
   [[nodiscard]] Step step_to(const MovingLink& link) const {
-    const ExactPose placement = in_units(link.placement, units_);
+    const Digits50Pose placement = in_units(link.placement, units_);
     const auto parent = static_cast<std::size_t>(link.parent);
     const bool on_base = link.parent < 0;
     const bool continues = !on_base && frame_of_link_[parent] < 0;
@@ -237,15 +238,15 @@ class Outward {
 FeltUnits felt_units(const Mechanism& mechanism) {
   constexpr int kResolutions = 16;  // of several joints together
   FeltUnits units;
-  Exact longest = 0;
-  const auto look_at = [&](const ExactVector3& p) {
-    const Exact length = sqrt(Exact(p.squaredNorm()));
+  Digits50 longest = 0;
+  const auto look_at = [&](const Digits50Vector3& p) {
+    const Digits50 length = sqrt(Digits50(p.squaredNorm()));
     if (length > longest) longest = length;
   };
   for (const MovingLink& link : mechanism.links) look_at(link.placement.p);
   for (const MechanismPoint& frame : mechanism.link_frames) look_at(frame.pose.p);
   if (longest > 0) units.length = longest;
-  const Exact least("1e-30");
+  const Digits50 least("1e-30");
   units.tolerance = kResolutions * mechanism.resolution.angle;
   if (units.tolerance < least) units.tolerance = least;
   return units;
@@ -267,8 +268,8 @@ Inertia unit_inertia(int k) {
   return inertia;
 }
 
-ExactRow numbers_of(const Inertia& inertia) {
-  ExactRow numbers = ExactRow::Zero(kBodyNumbers);
+Digits50Row numbers_of(const Inertia& inertia) {
+  Digits50Row numbers = Digits50Row::Zero(kBodyNumbers);
   numbers(0) = inertia.mass;
   numbers.segment(1, 3) = inertia.h.transpose();
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
@@ -277,7 +278,7 @@ ExactRow numbers_of(const Inertia& inertia) {
   return numbers;
 }
 
-ExactPose in_units(const ExactPose& pose, const FeltUnits& units) {
+Digits50Pose in_units(const Digits50Pose& pose, const FeltUnits& units) {
   return {pose.R, pose.p / units.length};
 }
 

@@ -15,18 +15,18 @@ inline constexpr int kRotorNumber = 10;
 
 /// How the energies of a robot depend on the inertia of one link.
 struct FeltMotion {
-  int parent = -1;      ///< index into `Mechanism::link_frames` of the link before; -1: the world
-  ExactPose placement;  ///< of the link in that one, all coordinates of the joint at zero
+  int parent = -1;  ///< index into `Mechanism::link_frames` of the link before; -1: the world
+  Digits50Pose placement;  ///< of the link in that one, all coordinates of the joint at zero
   /// Rows by `kBodyNumbers`: a basis of all that the joint of this link makes of an inertia on it.
   /// An inertia of which all of this is zero does what it would do on the link before, there
   /// transformed by `placement`.
-  ExactRows moving;
+  Digits50Rows moving;
 };
 
 /// Units and limits of the decisions.
 struct FeltUnits {
-  Exact length = 1;     ///< m
-  Exact tolerance = 0;  ///< what rows may differ by and count as dependent
+  Digits50 length = 1;     ///< m
+  Digits50 tolerance = 0;  ///< what rows may differ by and count as dependent
 };
 
 /// Unit of length: the longest offset of a joint or of a link's frame. Tolerance: some of the
@@ -50,8 +50,8 @@ std::vector<FeltMotion> felt_motions(const Mechanism& mechanism, const FeltUnits
 /// The inertia whose number `k` is one, and all others zero.
 Inertia unit_inertia(int k);
 /// The numbers of an inertia but for the rotor's, which is zero.
-ExactRow numbers_of(const Inertia& inertia);
+Digits50Row numbers_of(const Inertia& inertia);
 /// The pose with its origin in other units of length.
-ExactPose in_units(const ExactPose& pose, const FeltUnits& units);
+Digits50Pose in_units(const Digits50Pose& pose, const FeltUnits& units);
 
 }  // namespace treeline

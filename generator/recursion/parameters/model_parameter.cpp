@@ -46,8 +46,8 @@ void append_of_joints(const Mechanism& mechanism, const SceneRegressor& asked, P
     if (!has_own_motor(mechanism, link)) continue;
     ModelParameter parameter{kind, link.joint, 0, 0, link.v_index, !link.is_angular(0)};
     if (kind == ParameterKind::coulomb) {
-      const Exact& own = link.drive.sharpness;
-      parameter.sharpness = own > 0 ? own : Exact(1 / Exact(asked.width));
+      const Digits50& own = link.drive.sharpness;
+      parameter.sharpness = own > 0 ? own : Digits50(1 / Digits50(asked.width));
     }
     parameters.push_back(parameter);
   }

@@ -19,12 +19,12 @@ struct ModelParameter {
     coulomb  ///< Coulomb friction of a joint, N m or N, which a smooth sign of its speed multiplies
   };
   Kind kind = Kind::inertial;
-  std::string owner;      ///< link or joint
-  std::size_t frame = 0;  ///< of a body's: index into `Mechanism::link_frames`, `payload_frames`
-  int entry = 0;          ///< of a body's: which of the ten, see `kInertialNames`
-  int v = 0;              ///< of a joint's: its velocity
-  bool slides = false;    ///< of a joint's: whether it does
-  Exact sharpness = 0;    ///< of Coulomb friction: reciprocal of its width, see `JointDrive`
+  std::string owner;       ///< link or joint
+  std::size_t frame = 0;   ///< of a body's: index into `Mechanism::link_frames`, `payload_frames`
+  int entry = 0;           ///< of a body's: which of the ten, see `kInertialNames`
+  int v = 0;               ///< of a joint's: its velocity
+  bool slides = false;     ///< of a joint's: whether it does
+  Digits50 sharpness = 0;  ///< of Coulomb friction: reciprocal of its width, see `JointDrive`
 
   [[nodiscard]] bool is_of_body() const { return kind == Kind::inertial || kind == Kind::payload; }
 };

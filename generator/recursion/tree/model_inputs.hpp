@@ -104,7 +104,7 @@ void realize_base_parameters(const BaseParameters& found, const std::vector<Scal
 /// The same body in another frame, in which its own frame has `pose` (parallel axes).
 template <class Scalar>
 InertialParameters<Scalar> transformed(const InertialParameters<Scalar>& body,
-                                       const ExactPose& pose) {
+                                       const Digits50Pose& pose) {
   const Rotation<Scalar> R = planar_factors<Scalar>(pose.R);
   const Vector3<Scalar> p = rounded<Scalar>(pose.p);
   const Vector3<Scalar> h = rotate(R, body.h);

@@ -45,26 +45,27 @@ DenseMatrix<Scalar> rounded_dense(const VirtualLinkage::Matrix& A) {
 
 /// Inverse of a symmetric matrix by its adjugate. Entries that are residue compared with the
 /// largest are zero.
-inline ExactMatrix3 inverse_of_symmetric(const ExactMatrix3& A) {
-  ExactMatrix3 adjugate;
+inline Digits50Matrix3 inverse_of_symmetric(const Digits50Matrix3& A) {
+  Digits50Matrix3 adjugate;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
       adjugate(j, i) = A(a, c) * A(b, d) - A(a, d) * A(b, c);
     }
   }
-  const Exact determinant = A.row(0).dot(adjugate.col(0));
-  const Exact scale = adjugate.cwiseAbs().maxCoeff();
-  return adjugate.unaryExpr([&](const Exact& x) { return Exact(snapped(x, scale) / determinant); });
+  const Digits50 determinant = A.row(0).dot(adjugate.col(0));
+  const Digits50 scale = adjugate.cwiseAbs().maxCoeff();
+  return adjugate.unaryExpr(
+      [&](const Digits50& x) { return Digits50(snapped(x, scale) / determinant); });
 }
 
 template <class Scalar>
 TreeObject<Scalar> tree_object(const Mechanism& mechanism, const MechanismObject& object) {
   const Inertia& inertia = object.inertia;
-  const ExactVector3 center = inertia.h / inertia.mass;
-  const ExactMatrix3 J = rotational_inertia(inertia);
+  const Digits50Vector3 center = inertia.h / inertia.mass;
+  const Digits50Matrix3 J = rotational_inertia(inertia);
   const Inertia about_center =
-      resolved(transformed(inertia, {ExactMatrix3::Identity(), -center}), mechanism.resolution);
+      resolved(transformed(inertia, {Digits50Matrix3::Identity(), -center}), mechanism.resolution);
   TreeObject<Scalar> result;
   result.name = object.name;
   result.inertia = {rounded<Scalar>(inertia.mass), rounded<Scalar>(inertia.h),
@@ -72,11 +73,11 @@ TreeObject<Scalar> tree_object(const Mechanism& mechanism, const MechanismObject
   result.center = rounded<Scalar>(center);
   result.central_inverse =
       rounded_symmetric<Scalar>(inverse_of_symmetric(rotational_inertia(about_center)));
-  result.inverse_mass = rounded<Scalar>(Exact(1 / inertia.mass));
-  std::vector<ExactVector3> points;
+  result.inverse_mass = rounded<Scalar>(Digits50(1 / inertia.mass));
+  std::vector<Digits50Vector3> points;
   for (const MechanismGrasp& grasp : object.grasps) {
     const MechanismPoint& hand = mechanism.operational_points[grasp.point];
-    const ExactPose held = resolved(hand.pose * grasp.object, mechanism.resolution);
+    const Digits50Pose held = resolved(hand.pose * grasp.object, mechanism.resolution);
     points.push_back(resolved(inverse(grasp.object), mechanism.resolution).p);
     result.grasps.push_back({hand.link, rounded<Scalar>(held.R), rounded<Scalar>(held.p),
                              rounded<Scalar>(points.back())});

@@ -97,24 +97,24 @@ struct Tree {
 /// The nearest double, as in emitted code. For Digits50 the value itself, so that tests can show
 /// that reductions change nothing.
 template <class Scalar>
-Scalar rounded(const Exact& value) {
-  if constexpr (std::is_same_v<Scalar, Exact>) {
+Scalar rounded(const Digits50& value) {
+  if constexpr (std::is_same_v<Scalar, Digits50>) {
     return value;
   } else {
     return Scalar(static_cast<double>(value));
   }
 }
 template <class Scalar>
-Vector3<Scalar> rounded(const ExactVector3& v) {
+Vector3<Scalar> rounded(const Digits50Vector3& v) {
   return {rounded<Scalar>(v(0)), rounded<Scalar>(v(1)), rounded<Scalar>(v(2))};
 }
 template <class Scalar>
-Symmetric3<Scalar> rounded_symmetric(const ExactMatrix3& A) {
+Symmetric3<Scalar> rounded_symmetric(const Digits50Matrix3& A) {
   return {rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2)),
           rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2)), rounded<Scalar>(A(2, 2))};
 }
 template <class Scalar>
-Matrix3<Scalar> rounded(const ExactMatrix3& A) {
+Matrix3<Scalar> rounded(const Digits50Matrix3& A) {
   return {{rounded<Scalar>(A(0, 0)), rounded<Scalar>(A(0, 1)), rounded<Scalar>(A(0, 2))},
           {rounded<Scalar>(A(1, 0)), rounded<Scalar>(A(1, 1)), rounded<Scalar>(A(1, 2))},
           {rounded<Scalar>(A(2, 0)), rounded<Scalar>(A(2, 1)), rounded<Scalar>(A(2, 2))}};
@@ -122,23 +122,23 @@ Matrix3<Scalar> rounded(const ExactMatrix3& A) {
 
 /// Rotation from cosine and sine, exact for quarter turns.
 template <class Scalar>
-PlanarRotation<Scalar> planar_rotation(const Exact& c, const Exact& s) {
-  return {rounded<Scalar>(snapped(c, Exact(1))), rounded<Scalar>(snapped(s, Exact(1)))};
+PlanarRotation<Scalar> planar_rotation(const Digits50& c, const Digits50& s) {
+  return {rounded<Scalar>(snapped(c, Digits50(1))), rounded<Scalar>(snapped(s, Digits50(1)))};
 }
 
 /// Factors R = Rz(a) Rx(alpha) Rz(b). The third column of R is (sin a sin alpha, -cos a sin alpha,
 /// cos alpha), its third row (sin alpha sin b, sin alpha cos b, cos alpha).
 template <class Scalar>
-Rotation<Scalar> planar_factors(const ExactMatrix3& R) {
-  const Exact sine = sqrt(Exact(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
-  if (snapped(sine, Exact(1)) == 0) {  // alpha is 0 or pi: b may join the joint's angle
+Rotation<Scalar> planar_factors(const Digits50Matrix3& R) {
+  const Digits50 sine = sqrt(Digits50(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)));
+  if (snapped(sine, Digits50(1)) == 0) {  // alpha is 0 or pi: b may join the joint's angle
     return {{},
-            planar_rotation<Scalar>(R(2, 2), Exact(0)),
-            planar_rotation<Scalar>(R(0, 0), Exact(-R(0, 1)))};
+            planar_rotation<Scalar>(R(2, 2), Digits50(0)),
+            planar_rotation<Scalar>(R(0, 0), Digits50(-R(0, 1)))};
   }
-  return {planar_rotation<Scalar>(Exact(-R(1, 2) / sine), Exact(R(0, 2) / sine)),
+  return {planar_rotation<Scalar>(Digits50(-R(1, 2) / sine), Digits50(R(0, 2) / sine)),
           planar_rotation<Scalar>(R(2, 2), sine),
-          planar_rotation<Scalar>(Exact(R(2, 1) / sine), Exact(R(2, 0) / sine))};
+          planar_rotation<Scalar>(Digits50(R(2, 1) / sine), Digits50(R(2, 0) / sine))};
 }
 
 template <class Scalar>
@@ -168,67 +168,72 @@ std::optional<TreeRolling<Scalar>> tree_rolling(const std::optional<MechanismRol
   return rolling;
 }
 
-/// What of the tree is constant: without inertias that are arguments, with the gravity and the
-/// points of the scene. See `tree_of`.
 template <class Scalar>
-Tree<Scalar> constant_tree(const Mechanism& mechanism) {
-  Tree<Scalar> tree;
-  for (const MovingLink& link : mechanism.links) {
-    const ExactMatrix3 J = rotational_inertia(link.inertia);
-    tree.links.push_back(
-        {link,
-         link.name,
-         link.parent,
-         link.q_index,
-         link.v_index,
-         Scalar(link.multiplier),
-         rounded<Scalar>(link.offset),
-         planar_factors<Scalar>(link.placement.R),
-         rounded<Scalar>(link.placement.p),
-         {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
-          rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
-         link.defers_rotation,
-         link.carries_column,
-         link.spins,
-         tree_drive<Scalar>(link.drive)});
-  }
-  for (const MechanismPoint& point : mechanism.operational_points) {
-    tree.operational_points.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismPoint& point : mechanism.external_forces) {
-    tree.external_forces.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismPoint& point : mechanism.contacts) {
-    tree.contacts.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismLoop& loop : mechanism.loops) {
-    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second),
-                          tree_rolling<Scalar>(loop.rolling)});
-  }
-  tree.couplings = mechanism.couplings;
-  for (const MechanismPoint& point : mechanism.link_frames) {
-    tree.link_frames.push_back(tree_point<Scalar>(point));
-  }
-  for (const MechanismPoint& point : mechanism.payload_frames) {
-    tree.payload_frames.push_back(tree_point<Scalar>(point));
-  }
+TreeLink<Scalar> tree_link(const MovingLink& link) {
+  const Digits50Matrix3 J = rotational_inertia(link.inertia);
+  return {link,
+          link.name,
+          link.parent,
+          link.q_index,
+          link.v_index,
+          Scalar(link.multiplier),
+          rounded<Scalar>(link.offset),
+          planar_factors<Scalar>(link.placement.R),
+          rounded<Scalar>(link.placement.p),
+          {rounded<Scalar>(link.inertia.mass), rounded<Scalar>(link.inertia.h),
+           rounded_symmetric<Scalar>(link.inertia.Sigma), rounded_symmetric<Scalar>(J)},
+          link.defers_rotation,
+          link.carries_column,
+          link.spins,
+          tree_drive<Scalar>(link.drive)};
+}
+
+template <class Scalar>
+std::vector<TreePoint<Scalar>> tree_points(const std::vector<MechanismPoint>& points) {
+  std::vector<TreePoint<Scalar>> result;
+  for (const MechanismPoint& point : points) result.push_back(tree_point<Scalar>(point));
+  return result;
+}
+
+/// The masses of the links of the file, of the world and of all together.
+template <class Scalar>
+void set_masses(const Mechanism& mechanism, Tree<Scalar>& tree) {
   for (std::size_t i = 0; i < mechanism.link_matter.size(); ++i) {
     const MechanismPoint& frame = mechanism.link_frames[i];
     const Inertia matter = transformed(mechanism.link_matter[i], frame.pose);
     tree.link_matter.push_back(
         {frame.link, rounded<Scalar>(matter.mass), rounded<Scalar>(matter.h)});
   }
-  Exact mass = mechanism.world.mass;
+  Digits50 mass = mechanism.world.mass;
   for (const MovingLink& link : mechanism.links) mass += link.inertia.mass;
   tree.world_moment = rounded<Scalar>(mechanism.world.h);
   tree.total_mass = rounded<Scalar>(mass);
-  tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Exact(1 / mass) : Exact(0));
+  tree.inverse_total_mass = rounded<Scalar>(mass > 0 ? Digits50(1 / mass) : Digits50(0));
+  tree.has_world_matter = mechanism.world.mass != 0 || !mechanism.world.h.isZero(0);
+}
+
+/// What of the tree is constant: without inertias that are arguments, with the gravity and the
+/// points of the scene. See `tree_of`.
+template <class Scalar>
+Tree<Scalar> constant_tree(const Mechanism& mechanism) {
+  Tree<Scalar> tree;
+  for (const MovingLink& link : mechanism.links) tree.links.push_back(tree_link<Scalar>(link));
+  tree.operational_points = tree_points<Scalar>(mechanism.operational_points);
+  tree.external_forces = tree_points<Scalar>(mechanism.external_forces);
+  tree.contacts = tree_points<Scalar>(mechanism.contacts);
+  for (const MechanismLoop& loop : mechanism.loops) {
+    tree.loops.push_back({tree_point<Scalar>(loop.first), tree_point<Scalar>(loop.second),
+                          tree_rolling<Scalar>(loop.rolling)});
+  }
+  tree.couplings = mechanism.couplings;
+  tree.link_frames = tree_points<Scalar>(mechanism.link_frames);
+  tree.payload_frames = tree_points<Scalar>(mechanism.payload_frames);
+  set_masses(mechanism, tree);
   const auto& g = mechanism.gravity;
   tree.gravity = {Scalar(g[0]), Scalar(g[1]), Scalar(g[2])};
   tree.nq = mechanism.nq();
   tree.nv = mechanism.nv();
   tree.has_mimics = mechanism.has_mimics();
-  tree.has_world_matter = mechanism.world.mass != 0 || !mechanism.world.h.isZero(0);
   if constexpr (std::is_same_v<Scalar, Expression>) {
     mark_limbs(mechanism, tree);
   }

@@ -5,18 +5,18 @@
 namespace treeline {
 namespace {
 
-using Vector = Eigen::Matrix<Exact, Eigen::Dynamic, 1>;
+using Vector = Eigen::Matrix<Digits50, Eigen::Dynamic, 1>;
 
-ExactVector3 cross(const ExactVector3& a, const ExactVector3& b) {
+Digits50Vector3 cross(const Digits50Vector3& a, const Digits50Vector3& b) {
   return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
 }
 
-ExactVector3 unit(const ExactVector3& v) {
-  return v / Exact(sqrt(Exact(v.dot(v))));
+Digits50Vector3 unit(const Digits50Vector3& v) {
+  return v / Digits50(sqrt(Digits50(v.dot(v))));
 }
 
 /// The forces of one hand are the resultant, moved to its point.
-Vector split_over_one(const std::vector<ExactVector3>& r, const Vector& wanted) {
+Vector split_over_one(const std::vector<Digits50Vector3>& r, const Vector& wanted) {
   Vector forces = wanted;
   forces.tail<3>() -= cross(r[0], wanted.head<3>());
   return forces;
@@ -24,21 +24,21 @@ Vector split_over_one(const std::vector<ExactVector3>& r, const Vector& wanted) 
 
 /// Half of the force each; the moment about the middle that the hands' own moments leave is borne
 /// by a couple of forces across the line between them and, about the line, by both hands alike.
-Vector split_over_two(const std::vector<ExactVector3>& r, const Vector& wanted) {
-  const ExactVector3 arm = r[1] - r[0];
-  const Exact length = sqrt(Exact(arm.dot(arm)));
-  const ExactVector3 x = arm / length;
-  const bool along_z = abs(x(2)) > Exact(9) / 10;
-  const ExactVector3 y = unit(along_z ? cross(ExactVector3::UnitX(), x)  //
-                                      : cross(ExactVector3::UnitZ(), x));
-  const ExactVector3 z = cross(x, y);
-  const ExactVector3 F = wanted.segment<3>(0);
-  const ExactVector3 M = wanted.segment<3>(3) - cross(ExactVector3((r[0] + r[1]) / 2), F);
-  const Exact tension = wanted(6), torsion = wanted(7), twist = M.dot(x) / 2;
-  const ExactVector3 bend_1 = wanted(8) * y + wanted(9) * z;
-  const ExactVector3 bend_2 = wanted(10) * y + wanted(11) * z;
-  const ExactVector3 across = M - x * M.dot(x) - bend_1 - bend_2;
-  const ExactVector3 couple = cross(across, x) / length;
+Vector split_over_two(const std::vector<Digits50Vector3>& r, const Vector& wanted) {
+  const Digits50Vector3 arm = r[1] - r[0];
+  const Digits50 length = sqrt(Digits50(arm.dot(arm)));
+  const Digits50Vector3 x = arm / length;
+  const bool along_z = abs(x(2)) > Digits50(9) / 10;
+  const Digits50Vector3 y = unit(along_z ? cross(Digits50Vector3::UnitX(), x)  //
+                                         : cross(Digits50Vector3::UnitZ(), x));
+  const Digits50Vector3 z = cross(x, y);
+  const Digits50Vector3 F = wanted.segment<3>(0);
+  const Digits50Vector3 M = wanted.segment<3>(3) - cross(Digits50Vector3((r[0] + r[1]) / 2), F);
+  const Digits50 tension = wanted(6), torsion = wanted(7), twist = M.dot(x) / 2;
+  const Digits50Vector3 bend_1 = wanted(8) * y + wanted(9) * z;
+  const Digits50Vector3 bend_2 = wanted(10) * y + wanted(11) * z;
+  const Digits50Vector3 across = M - x * M.dot(x) - bend_1 - bend_2;
+  const Digits50Vector3 couple = cross(across, x) / length;
   Vector forces(12);
   forces << F / 2 - couple - tension * x, bend_1 + (twist - torsion) * x,
       F / 2 + couple + tension * x, bend_2 + (twist + torsion) * x;
@@ -46,10 +46,10 @@ Vector split_over_two(const std::vector<ExactVector3>& r, const Vector& wanted) 
 }
 
 /// Unit vectors of the rods at each grasp: f_i gets -e_ij t, f_j gets +e_ij t.
-void add_tensions(const std::vector<ExactVector3>& r, const Vector& wanted, Vector& forces) {
+void add_tensions(const std::vector<Digits50Vector3>& r, const Vector& wanted, Vector& forces) {
   Eigen::Index rod = 6;
   const auto pull = [&](std::size_t i, std::size_t j) {
-    const ExactVector3 force = wanted(rod++) * unit(r[j] - r[i]);
+    const Digits50Vector3 force = wanted(rod++) * unit(r[j] - r[i]);
     forces.segment<3>(6 * static_cast<Eigen::Index>(i)) -= force;
     forces.segment<3>(6 * static_cast<Eigen::Index>(j)) += force;
   };
@@ -65,33 +65,33 @@ void add_tensions(const std::vector<ExactVector3>& r, const Vector& wanted, Vect
 
 /// Equal shares of the force, and forces phi x (r_i - middle) for the moment that the hands' own
 /// moments leave: the least forces that do it, orthogonal to those of the rods.
-Vector split_over_many(const std::vector<ExactVector3>& r, const Vector& wanted) {
+Vector split_over_many(const std::vector<Digits50Vector3>& r, const Vector& wanted) {
   const auto n = static_cast<Eigen::Index>(r.size());
-  ExactVector3 middle = ExactVector3::Zero();
-  for (const ExactVector3& point : r) {
-    middle += point / Exact(n);
+  Digits50Vector3 middle = Digits50Vector3::Zero();
+  for (const Digits50Vector3& point : r) {
+    middle += point / Digits50(n);
   }
-  const ExactVector3 F = wanted.segment<3>(0);
-  ExactVector3 M = wanted.segment<3>(3) - cross(middle, F);
-  ExactMatrix3 spread = ExactMatrix3::Zero();
+  const Digits50Vector3 F = wanted.segment<3>(0);
+  Digits50Vector3 M = wanted.segment<3>(3) - cross(middle, F);
+  Digits50Matrix3 spread = Digits50Matrix3::Zero();
   Vector forces = Vector::Zero(6 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const ExactVector3 arm = r[static_cast<std::size_t>(i)] - middle;
-    spread += Exact(arm.dot(arm)) * ExactMatrix3::Identity() - arm * arm.transpose();
+    const Digits50Vector3 arm = r[static_cast<std::size_t>(i)] - middle;
+    spread += Digits50(arm.dot(arm)) * Digits50Matrix3::Identity() - arm * arm.transpose();
     forces.segment<3>(6 * i + 3) = wanted.segment<3>(6 + 3 * (n - 2) + 3 * i);
     M -= forces.segment<3>(6 * i + 3);
   }
-  const ExactVector3 phi = spread.fullPivLu().solve(M);
+  const Digits50Vector3 phi = spread.fullPivLu().solve(M);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const ExactVector3 arm = r[static_cast<std::size_t>(i)] - middle;
-    forces.segment<3>(6 * i) = F / Exact(n) + cross(phi, arm);
+    const Digits50Vector3 arm = r[static_cast<std::size_t>(i)] - middle;
+    forces.segment<3>(6 * i) = F / Digits50(n) + cross(phi, arm);
   }
   add_tensions(r, wanted, forces);
   return forces;
 }
 
 void snap(VirtualLinkage::Matrix& A) {
-  const Exact scale = A.size() == 0 ? Exact(1) : Exact(A.cwiseAbs().maxCoeff());
+  const Digits50 scale = A.size() == 0 ? Digits50(1) : Digits50(A.cwiseAbs().maxCoeff());
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     for (Eigen::Index j = 0; j < A.cols(); ++j) {
       A(i, j) = snapped(A(i, j), scale);
@@ -101,7 +101,7 @@ void snap(VirtualLinkage::Matrix& A) {
 
 }  // namespace
 
-VirtualLinkage virtual_linkage(const std::vector<ExactVector3>& points) {
+VirtualLinkage virtual_linkage(const std::vector<Digits50Vector3>& points) {
   const auto n = static_cast<Eigen::Index>(points.size());
   VirtualLinkage linkage{VirtualLinkage::Matrix(6 * n, 6 * n), {}};
   for (Eigen::Index j = 0; j < 6 * n; ++j) {

@@ -16,13 +16,13 @@ namespace treeline {
 ///  N >= 3: tensions of the rods 12, 23, 31, then 1k, 2k, 3k of each further grasp k; then the
 ///    moments m_1 .. m_N, three each in the object's axes.
 struct VirtualLinkage {
-  using Matrix = Eigen::Matrix<Exact, Eigen::Dynamic, Eigen::Dynamic>;
+  using Matrix = Eigen::Matrix<Digits50, Eigen::Dynamic, Eigen::Dynamic>;
   Matrix split;  ///< W^-1, 6 N x 6 N: from [resultant; internal] to forces of the grasps
   Matrix read;   ///< lower rows of W, 6 (N - 1) x 6 N: from forces of the grasps to internal forces
 };
 
 /// Makes the linkage of grasps at `points` in the object's frame. The points must not coincide, nor
 /// lie on a line or in a plane where the definition needs more.
-VirtualLinkage virtual_linkage(const std::vector<ExactVector3>& points);
+VirtualLinkage virtual_linkage(const std::vector<Digits50Vector3>& points);
 
 }  // namespace treeline

@@ -64,7 +64,7 @@ class HandWithBall {
       servo::integrate_runge_kutta<nq, nv>({nq - 7}, step, accelerations_at, state_);
       Balls tips;
       const servo::MovingBall ball = look(state_.q, state_.qd, tips);
-      contacts_.settle(step, tips, ball);
+      contacts_.stretch_springs(step, tips, ball);
     }
   }
 

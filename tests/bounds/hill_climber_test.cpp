@@ -1,4 +1,4 @@
-#include "climb.hpp"
+#include "hill_climber.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using interpreter::Digits50;
 
 /// Errors of double compared with 50 digits, for the same inputs and constants.
-std::vector<double> true_errors(const Program& program, const Climber::Inputs& inputs) {
+std::vector<double> true_errors(const Program& program, const HillClimber::Inputs& inputs) {
   std::vector<std::vector<Digits50>> wide;
   for (const auto& entries : inputs) wide.emplace_back(entries.begin(), entries.end());
   const auto exact = evaluate<Digits50>(program, wide);
@@ -31,18 +31,18 @@ std::vector<double> true_errors(const Program& program, const Climber::Inputs& i
 }
 
 /// Ratio of the largest bound to the largest error found, over all entries.
-double climb_and_compare(const GeneratedFunction& generated, const Subjects& made,
-                         std::uint64_t seed, std::size_t targets, int steps) {
+double hill_climb_and_compare(const GeneratedFunction& generated, const Subjects& made,
+                              std::uint64_t seed, std::size_t targets, int steps) {
   EXPECT_TRUE(generated.rounding.is_proven()) << generated.rounding.missing;
   const std::vector<double>& bound = generated.rounding.error;
-  Climber climber(generated.program, made.generation.domain, seed);
+  HillClimber climber(generated.program, made.generation.domain, seed);
   std::vector<std::size_t> order(bound.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return bound[a] > bound[b]; });
   double worst = 0;
   for (const std::size_t target : std::span(order).first(std::min(order.size(), targets))) {
-    climber.climb(target, steps);
+    climber.hill_climb(target, steps);
     if (climber.at[target].empty()) continue;
     const auto errors = true_errors(generated.program, climber.at[target]);
     for (std::size_t i = 0; i < bound.size(); ++i) {
@@ -57,13 +57,13 @@ double climb_and_compare(const GeneratedFunction& generated, const Subjects& mad
 /// bound / worst found, the largest of all entries. RNEA: puma560 6.6, samm 3.1, ur10e 7.7,
 /// humanoid24 84. M: 4.0, 3.7, 4.2, 12. The rest is due to roundings that do not all have the same
 /// sign, and to motions and forces that are not largest at the same time.
-TEST(Climb, BoundsHoldAndAreTightForOurRobots) {
+TEST(HillClimber, BoundsHoldAndAreTightForOurRobots) {
   constexpr double kTight = 20, kTightOfLongTrees = 100;
   constexpr int kSteps = 4000;
   for (const char* name : {"puma560", "samm", "ur10e", "humanoid24"}) {
     const Subjects made = load_functions(name, {Function::inverse_dynamics, Function::mass_matrix});
     for (const GeneratedFunction& generated : made.generation.functions) {
-      const double ratio = climb_and_compare(generated, made, 1, 2, kSteps);
+      const double ratio = hill_climb_and_compare(generated, made, 1, 2, kSteps);
       EXPECT_LE(ratio, made.robot.joints.size() > 20 ? kTightOfLongTrees : kTight)
           << name << " " << generated.program.name;
       std::printf("%s %s: bound / worst found %.1f\n", name, generated.program.name.c_str(), ratio);
@@ -71,7 +71,7 @@ TEST(Climb, BoundsHoldAndAreTightForOurRobots) {
   }
 }
 
-TEST(Climb, BoundsHoldForRandomMechanisms) {
+TEST(HillClimber, BoundsHoldForRandomMechanisms) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     RandomOptions options;
@@ -84,7 +84,7 @@ TEST(Climb, BoundsHoldForRandomMechanisms) {
                                          {Function::inverse_dynamics, Function::mass_matrix,
                                           Function::jacobian, Function::bias_acceleration});
     for (const GeneratedFunction& generated : made.generation.functions) {
-      climb_and_compare(generated, made, seed, 2, 150);
+      hill_climb_and_compare(generated, made, seed, 2, 150);
     }
   }
 }

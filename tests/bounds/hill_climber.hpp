@@ -15,7 +15,7 @@ namespace treeline::tests {
 /// Searches the inputs for which a program's rounding errors are largest. The errors during the
 /// search are those of double compared with long double, which has 11 bits more. Constants are used
 /// as they are in the graph, so the result is a lower bound of the largest error.
-class Climber {
+class HillClimber {
  public:
   using Inputs = std::vector<std::vector<double>>;
 
@@ -23,8 +23,8 @@ class Climber {
   /// to one.
   enum class Given { on_circle, in_box };
 
-  Climber(const Program& program, const Domain& domain, std::uint64_t seed,
-          Given given = Given::on_circle)
+  HillClimber(const Program& program, const Domain& domain, std::uint64_t seed,
+              Given given = Given::on_circle)
       : program_(program), domain_(domain), rng_(seed), given_(given) {
     std::size_t entries = 0;
     for (const Result& result : program.results) entries += result.values.size();
@@ -34,7 +34,7 @@ class Climber {
 
   /// First increases the magnitude of entry `target` from its worst inputs so far, or from random
   /// ones, because errors grow with it, although irregularly. Then increases the error itself.
-  void climb(std::size_t target, int steps) {
+  void hill_climb(std::size_t target, int steps) {
     Inputs best = at[target].empty() ? draw() : at[target];
     for (const bool by_size : {true, false}) {
       double height = 0;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "description/diagnostic.hpp"
+#include "description/robot.hpp"
+#include "description/scene.hpp"
+
+namespace treeline {
+
+/// Warns of joints that move in the scene and whose limits permit no motion: one place (lower =
+/// upper), or no speed (velocity = 0), as exporters write where nobody has filled the limits in.
+/// Each of the two once, at the first such joint, with a count.
+void warn_of_limits(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace treeline
