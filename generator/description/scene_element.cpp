@@ -18,8 +18,9 @@ constexpr std::size_t kMostItems = 4096;
 
 }  // namespace
 
-SceneElement::SceneElement(YAML::Node node, std::string path, SceneReading& reading, int alias_line)
-    : node_(std::move(node)), path_(std::move(path)), alias_line_(alias_line), reading_(&reading) {
+SceneElement::SceneElement(const YAML::Node& node, std::string path, SceneReading& reading,
+                           int alias_line)
+    : node_(node), path_(std::move(path)), alias_line_(alias_line), reading_(&reading) {
   const auto alias = reading.aliases.find(path_);
   if (alias_line_ == 0 && alias != reading.aliases.end()) alias_line_ = alias->second;
   line_ = alias_line_ > 0 ? alias_line_ : node_.Mark().line + 1;

@@ -34,8 +34,8 @@ class SceneElement {
  public:
   using Entry = std::pair<std::string, SceneElement>;
 
-  SceneElement(YAML::Node node, std::string path, SceneReading& reading)
-      : SceneElement(std::move(node), std::move(path), reading, 0) {}
+  SceneElement(const YAML::Node& node, std::string path, SceneReading& reading)
+      : SceneElement(node, std::move(path), reading, 0) {}
 
   void error(std::string fault, std::string remedy) const;
   void warn(std::string fault, std::string remedy) const;
@@ -62,7 +62,7 @@ class SceneElement {
   [[nodiscard]] std::optional<std::array<double, 3>> three_numbers(bool angles = false) const;
 
  private:
-  SceneElement(YAML::Node node, std::string path, SceneReading& reading, int alias_line);
+  SceneElement(const YAML::Node& node, std::string path, SceneReading& reading, int alias_line);
   [[nodiscard]] SceneElement inside(const YAML::Node& node, const std::string& step) const;
   [[nodiscard]] SceneElement item(std::size_t i) const;
   void report(Severity severity, std::string fault, std::string remedy) const;

@@ -99,6 +99,8 @@ extern template void strided_product<Digits50>(const ProductSize&, Strided<const
 
 }  // namespace treeline
 
+// The standard library and Eigen prescribe these names.
+// NOLINTBEGIN(readability-identifier-naming)
 template <>
 class std::numeric_limits<treeline::Digits50> {
  public:
@@ -143,6 +145,7 @@ struct NumTraits<treeline::Digits50> : GenericNumTraits<treeline::Digits50> {
   static Real lowest() { return std::numeric_limits<Real>::lowest(); }
   static int digits10() { return std::numeric_limits<Real>::digits10; }
 };
+// NOLINTEND(readability-identifier-naming)
 
 namespace internal {
 

@@ -64,7 +64,8 @@ void strided_product(const ProductSize& size, Strided<const Scalar> a, Strided<c
 
 namespace detail {
 
-/// What Eigen asks of a product of the factors `Lhs` and `Rhs`.
+/// What Eigen asks of a product of the factors `Lhs` and `Rhs`, by names that it prescribes.
+// NOLINTBEGIN(readability-identifier-naming)
 template <class Lhs, class Rhs>
 struct StridedProduct {
   using Scalar = typename Lhs::Scalar;
@@ -115,6 +116,7 @@ struct StridedProduct {
     return {to.data(), to.rowStride(), to.colStride()};
   }
 };
+// NOLINTEND(readability-identifier-naming)
 
 template <class Lhs, class Rhs>
 concept StridedFactors = kHasStridedProducts<typename Lhs::Scalar> &&

@@ -72,7 +72,8 @@ inline constexpr bool treeline::kHasStridedProducts<treeline::interpreter::Dual<
 
 namespace Eigen {
 
-/// Properties of a scalar that Eigen needs.
+/// Properties of a scalar that Eigen needs, by names that it prescribes.
+// NOLINTBEGIN(readability-identifier-naming)
 template <class T>
 struct NumTraits<treeline::interpreter::Dual<T>> : NumTraits<T> {
   using Real = treeline::interpreter::Dual<T>;
@@ -81,5 +82,6 @@ struct NumTraits<treeline::interpreter::Dual<T>> : NumTraits<T> {
   using Literal = Real;
   enum { RequireInitialization = 1, IsComplex = 0, IsInteger = 0, IsSigned = 1 };
 };
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace Eigen
