@@ -137,6 +137,7 @@ CheckReport judge(const Scene& scene, const Generation& generation,
 
 bool CheckReport::passed() const {
   return stale.empty() && (!limits || limits->passed()) &&
+         (!batch_limits || batch_limits->passed()) &&
          std::all_of(functions.begin(), functions.end(),
                      [](const FunctionReport& function) { return function.passed(); });
 }
@@ -171,9 +172,14 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   CheckReport report = judge(scene, generation, references, options, *libraries);
   if (scene.has_limits()) {
-    report.limits = judge_limits(robot, scene, generation, references, *libraries->accurate,
-                                 options.references.threads);
-    report.limits->compiled = libraries->compilation.functions.at(kLimitedName);
+    const auto judge_one = [&](bool batch) {
+      LimitsReport limits = judge_limits(robot, scene, generation, references, *libraries->accurate,
+                                         batch, options.references.threads);
+      limits.compiled = libraries->compilation.functions.at(limits.name);
+      return limits;
+    };
+    report.limits = judge_one(false);
+    if (!generation.batch.empty()) report.batch_limits = judge_one(true);
   }
   report.robot = robot.name;
   report.reference_seconds = taken.count();

@@ -29,11 +29,11 @@ double of_sensitivity(Real real) {
 
 constexpr int kPerturbations = 2;
 
-std::size_t find_supported(const Generation& generation) {
+std::size_t find_supported(const Generation& generation, bool batch) {
   const auto functions = all_callable(generation);
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    const bool batch = functions[i].batch > 0;
-    if (!batch && functions[i].function == Function::supported_control_torque) return i;
+    if (functions[i].function != Function::supported_control_torque) continue;
+    if ((functions[i].batch > 0) == batch) return i;
   }
   throw std::logic_error("limits without supported_control_torque");
 }
@@ -47,14 +47,21 @@ struct LimitedCall {
   bool wrote_out_of_bounds = false;
 };
 
+/// A state with what both laws gave there. Entries of a batch go from lane to lane, so that calls
+/// are made one after the other.
+struct CalledState {
+  const State* state;
+  LimitedCall limited, unlimited;
+};
+
 class LimitsJudge {
  public:
   LimitsJudge(const Robot& robot, const Scene& scene, const Generation& generation,
-              const GeneratedLibrary& library)
+              const GeneratedLibrary& library, bool batch)
       : real_(scene.real),
         library_(library),
-        supported_(find_supported(generation)),
-        entry_(library.find_entry(kLimitedName)),
+        supported_(find_supported(generation, batch)),
+        entry_(library.find_entry(limited_stem(batch))),
         facts_(describe_limits(robot, scene, generation.mechanism, generation.functions)),
         subject_(make_subject<Digits50>(robot, scene, &generation.mechanism)) {
     if (entry_ == nullptr) throw std::logic_error("the entry of limits is not in the library");
@@ -74,8 +81,8 @@ class LimitsJudge {
   [[nodiscard]] LimitedCall call(const State& state) const;
   /// tau and f of the unlimited law.
   [[nodiscard]] LimitedCall call_unlimited(const State& state) const;
-  void note_call(const State& state, const LimitedCall& call, LimitsReport& report) const;
-  [[nodiscard]] Compared compare(const State& state) const;
+  void note_call(const LimitedCall& call, const LimitedCall& unlimited, LimitsReport& report) const;
+  [[nodiscard]] Compared compare(const CalledState& called) const;
   /// Sizes of the results of the unlimited law.
   struct Yardsticks {
     double tau, f, lost;
@@ -130,11 +137,10 @@ LimitedCall LimitsJudge::call_unlimited(const State& state) const {
   return call;
 }
 
-void LimitsJudge::note_call(const State& state, const LimitedCall& call,
+void LimitsJudge::note_call(const LimitedCall& call, const LimitedCall& unlimited,
                             LimitsReport& report) const {
   ++report.states;
   report.out_of_bounds += call.wrote_out_of_bounds ? 1 : 0;
-  const LimitedCall unlimited = call_unlimited(state);
   if (!are_finite(unlimited.tau) || !are_finite(unlimited.f)) {
     ++report.singular;
     return;
@@ -203,13 +209,13 @@ std::array<double, 4> LimitsJudge::errors_of(const LimitedCall& actual,
   return errors;
 }
 
-LimitsJudge::Compared LimitsJudge::compare(const State& state) const {
-  const LimitedCall result = call(state);
-  const LimitedCall unlimited = call_unlimited(state);
+LimitsJudge::Compared LimitsJudge::compare(const CalledState& called) const {
+  const auto& [at, result, unlimited] = called;
+  const State& state = *at;
   const LimitProblem problem =
       limit_problem(subject_, state, unlimited.tau, unlimited.f, hierarchy_of(real_));
   Compared compared;
-  compared.irregular = !has_ordinary_freedoms(problem, facts_);
+  compared.irregular = !fits_freedoms(problem, facts_, real_);
   if (compared.irregular) return compared;
   const auto optimum = find_limited_optimum(problem, facts_, result.sides);
   compared.certified = optimum.has_value();
@@ -230,28 +236,28 @@ LimitsJudge::Compared LimitsJudge::compare(const State& state) const {
   return compared;
 }
 
-/// Evenly spread over what is listed, at most `most`.
-std::vector<std::size_t> spread(const std::vector<std::size_t>& listed, std::size_t most) {
-  if (listed.size() <= most) return listed;
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(listed[i * listed.size() / most]);
-  return chosen;
+/// Places that are evenly spread over `count`, at most `most`.
+std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+  const std::size_t chosen = std::min(count, most);
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < chosen; ++i) places.push_back(i * count / chosen);
+  return places;
 }
 
 LimitsReport LimitsJudge::judge(const std::vector<StateReference>& references, int threads) {
   LimitsReport report;
-  std::vector<std::size_t> limited;
-  for (std::size_t i = 0; i < references.size(); ++i) {
-    const LimitedCall result = call(references[i].state);
-    note_call(references[i].state, result, report);
-    if (result.limited && result.solved) limited.push_back(i);
+  std::vector<CalledState> limited;
+  for (const auto& [state, functions] : references) {
+    CalledState called{&state, call(state), call_unlimited(state)};
+    note_call(called.limited, called.unlimited, report);
+    if (called.limited.limited && called.limited.solved) limited.push_back(std::move(called));
   }
-  const auto chosen = spread(limited, kMostCertified);
+  const auto chosen = spread(limited.size(), kMostCertified);
   std::vector<double> errors;
   std::mutex noting;
   const auto look_at = [&](std::size_t i) {
-    const State& state = references[chosen[i]].state;
-    const Compared compared = compare(state);
+    const State& state = *limited[chosen[i]].state;
+    const Compared compared = compare(limited[chosen[i]]);
     const std::lock_guard lock(noting);
     report.irregular += compared.irregular ? 1 : 0;
     report.certified += compared.certified ? 1 : 0;
@@ -282,16 +288,25 @@ LimitsReport LimitsJudge::judge(const std::vector<StateReference>& references, i
 std::vector<WorkSource> limited_sources(const Scene& scene, const Generation& generation) {
   if (!scene.has_limits()) return {};
   const auto functions = all_callable(generation);
-  const GeneratedFunction& supported = functions[find_supported(generation)];
-  return {{kLimitedName, scene.language == Language::c
-                             ? print_c_limited_entry(scene.name, supported)
-                             : print_limited_entry(scene.name, supported)}};
+  const GeneratedFunction& supported = functions[find_supported(generation, false)];
+  std::vector<WorkSource> sources{
+      {limited_stem(false), scene.language == Language::c
+                                ? print_c_limited_entry(scene.name, supported)
+                                : print_limited_entry(scene.name, supported)}};
+  if (!generation.batch.empty()) {
+    const GeneratedFunction& batch = functions[find_supported(generation, true)];
+    sources.push_back({limited_stem(true), print_limited_entry(scene.name, batch)});
+  }
+  return sources;
 }
 
 LimitsReport judge_limits(const Robot& robot, const Scene& scene, const Generation& generation,
                           const std::vector<StateReference>& references,
-                          const GeneratedLibrary& library, int threads) {
-  return LimitsJudge(robot, scene, generation, library).judge(references, threads);
+                          const GeneratedLibrary& library, bool batch, int threads) {
+  LimitsReport report =
+      LimitsJudge(robot, scene, generation, library, batch).judge(references, threads);
+  report.name = limited_stem(batch);
+  return report;
 }
 
 }  // namespace treeline

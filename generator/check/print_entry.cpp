@@ -114,11 +114,26 @@ std::string print_composed_entry(const std::string& name, const GeneratedFunctio
 }
 
 std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported) {
+  const bool batch = supported.batch > 0;
+  const std::string arguments = print_arguments(supported.program, supported.program.results.size(),
+                                                batch ? "batch_" : "", batch ? ".all()" : "");
+  const std::string call = batch ? fmt::format(
+                                       "{0}::LimitedTorque of_states[kStates] = {{}};\n"
+                                       "  {0}::batch::limited_control_torque({1}, of_states);\n"
+                                       "  const {0}::LimitedTorque& limited = of_states[lane];\n"
+                                       "  lane = (lane + 1) % kStates;",
+                                       name, arguments)
+                                 : fmt::format(
+                                       "{0}::LimitedTorque limited{{}};\n"
+                                       "  {0}::limited_control_torque({1}, limited);",
+                                       name, arguments);
   return fill_template(
       check_templates::kLimited,
       {{"name", name},
-       {"arguments",
-        print_arguments(supported.program, supported.program.results.size(), "", "") + ", "}});
+       {"header", name + (batch ? "_batch_limited" : "_limited")},
+       {"more", batch ? fill_template(check_templates::kBatch, {{"name", name}}) : ""},
+       {"entry", entry_symbol(limited_stem(batch))},
+       {"call", call}});
 }
 
 std::string print_c_limited_entry(const std::string& name, const GeneratedFunction& supported) {
@@ -128,6 +143,10 @@ std::string print_c_limited_entry(const std::string& name, const GeneratedFuncti
   for (std::size_t i = 0; i < program.results.size(); ++i) list += fmt::format("out[{}], ", i);
   return fill_template(check_templates::kCLimited,
                        {{"name", name}, {"NAME", in_capitals(name)}, {"arguments", list}});
+}
+
+std::string limited_stem(bool batch) {
+  return std::string(batch ? "batch_" : "") + "limited_control_torque";
 }
 
 std::string entry_symbol(const std::string& function) {

@@ -17,8 +17,9 @@ std::string print_entry(const std::string& name, const std::vector<GeneratedFunc
 /// compiles if the header declares the functions with as many arguments.
 std::string print_c_entry(const std::string& name, const std::vector<GeneratedFunction>& functions);
 
-/// Prints the source file with the entry of limited_control_torque, from NAME_limited.hpp;
-/// `supported` has the arguments that it takes.
+/// Prints the source file with the entry of limited_control_torque, from NAME_limited.hpp or, where
+/// `supported` is a batch function, NAME_batch_limited.hpp; `supported` has the arguments that it
+/// takes.
 std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported);
 
 /// The same in C. It includes limited_control_torque.c, so that nothing else compiles that.
@@ -26,6 +27,9 @@ std::string print_c_limited_entry(const std::string& name, const GeneratedFuncti
 
 /// Prints the source file with the entry of a composed function, from NAME_damped.hpp.
 std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated);
+
+/// Stem of the source with the entry of limited_control_torque, and the name of the entry.
+std::string limited_stem(bool batch);
 
 /// C symbol of a function's entry.
 std::string entry_symbol(const std::string& function);

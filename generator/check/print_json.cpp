@@ -189,6 +189,8 @@ std::string print_json(const CheckReport& report) {
       {"domain", report.domain},
       {"functions", list_functions(report)},
       {"limited_control_torque", report.limits ? to_json(*report.limits) : Json(nullptr)},
+      {"batch_limited_control_torque",
+       report.batch_limits ? to_json(*report.batch_limits) : Json(nullptr)},
       {"named_states", list(report.named_states)}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -155,8 +155,7 @@ std::string print_faults(const FunctionReport& f) {
   return text;
 }
 
-std::string print_limit_errors(const CheckReport& report) {
-  const LimitsReport& limits = *report.limits;
+std::string print_limit_errors(const CheckReport& report, const LimitsReport& limits) {
   if (limits.certified == 0) return "there is no error to tell";
   return fmt::format(
       "errors in ulp of the scale {} at the median, {} at most ({:.1f} digits, state {}, where "
@@ -168,31 +167,33 @@ std::string print_limit_errors(const CheckReport& report) {
       number(100 * limits.of_bound), limits.corrected);
 }
 
-std::string print_limits(const CheckReport& report) {
-  const LimitsReport& limits = *report.limits;
+std::string print_limits(const CheckReport& report, const LimitsReport& limits) {
   std::string text = fmt::format(
-      "limited_control_torque: something is limited at {} of {} states. {} of these were compared "
-      "with the optimum that KKT conditions certify in 50 digits: {}",
-      limits.limited, limits.states, limits.certified, print_limit_errors(report));
+      "{}: something is limited at {} of {} states. {} of these were compared with the optimum "
+      "that "
+      "KKT conditions certify in 50 digits: {}",
+      limits.name, limits.limited, limits.states, limits.certified,
+      print_limit_errors(report, limits));
   const auto note = [&text](int count, const char* what) {
     if (count > 0) text += fmt::format("; {} {}", count, what);
   };
-  note(limits.irregular,
-       "were not, where held rows depend on each other as they ordinarily do not");
+  note(
+      limits.irregular,
+      "were not, where held rows depend or all but depend on each other as they ordinarily do not");
   note(limits.unsolved, "are not solved, as their status says, and only clipped");
   note(limits.singular, "have no value of the unlimited law");
   text += fmt::format(". Code {} B, stack {} B, compiled in {:.1f} s",
                       print_if_known(limits.compiled.code_bytes),
                       print_if_known(limits.compiled.stack_bytes), limits.compiled.seconds);
   text = wrap_text(text + ".", 99) + "\n";
-  const auto fault = [&text](int count, const char* what) {
-    if (count > 0) text += fmt::format("limited_control_torque: {} at {} states\n", what, count);
+  const auto fault = [&](int count, const char* what) {
+    if (count > 0) text += fmt::format("{}: {} at {} states\n", limits.name, what, count);
   };
   fault(limits.beyond_limits, "torques beyond their limits");
   fault(limits.changed, "changes what is within its limits");
   fault(limits.out_of_bounds, "writes beyond its outputs");
   fault(limits.uncertain, "no limits that meet the KKT conditions were found");
-  if (!(limits.of_bound <= 1)) text += "limited_control_torque: beyond its bound\n";
+  if (!(limits.of_bound <= 1)) text += limits.name + ": beyond its bound\n";
   return text + "\n";
 }
 
@@ -221,11 +222,15 @@ std::string print_text(const CheckReport& report) {
   if (!report.domain.empty()) {
     text += wrap_text("rounding: for inputs of " + report.domain, 99) + "\n\n";
   }
-  if (report.limits) text += print_limits(report);
+  int failed = 0;
+  for (const auto* limits : {&report.limits, &report.batch_limits}) {
+    if (!*limits) continue;
+    text += print_limits(report, **limits);
+    failed += (*limits)->passed() ? 0 : 1;
+  }
   for (const FileDifference& file : report.stale) {
     text += fmt::format("{}/{}: {}\n", report.folder, file.name, difference_name(file.difference));
   }
-  int failed = report.limits && !report.limits->passed() ? 1 : 0;
   int without_value = 0;
   for (const FunctionReport& function : report.functions) {
     text += print_warning(report, function);

@@ -61,11 +61,12 @@ struct FunctionReport {
 /// Verdict on `limited_control_torque`. Where a limit is exceeded its result is compared with the
 /// optimum that KKT conditions certify in 50 digits; where none is, with the unlimited law's bits.
 struct LimitsReport {
+  std::string name;  ///< of the function, or of the batch function
   int states = 0;
   int singular = 0;       ///< states at which the unlimited law has no value
   int limited = 0;        ///< states at which something was changed
   int certified = 0;      ///< of these, those whose optimum was certified and compared
-  int irregular = 0;      ///< those looked at that have other freedoms than ordinary states
+  int irregular = 0;      ///< those looked at whose freedoms are more than ordinary, or not certain
   int uncertain = 0;      ///< those looked at whose conditions could not be met
   int unsolved = 0;       ///< states at which the iterations were used up or numbers did not fit
   int beyond_limits = 0;  ///< states with a torque beyond its limit
@@ -100,8 +101,9 @@ struct CheckReport {
   std::vector<FileDifference> stale;  ///< its differences from the code generated now
   std::string domain;                 ///< domain of inputs in which the rounding bounds hold
   std::vector<FunctionReport> functions;
-  std::optional<LimitsReport> limits;  ///< if the scene limits torques or forces
-  std::vector<State> named_states;     ///< states named in the reports of functions, each once
+  std::optional<LimitsReport> limits;        ///< if the scene limits torques or forces
+  std::optional<LimitsReport> batch_limits;  ///< if it has a batch besides
+  std::vector<State> named_states;  ///< states named in the reports of functions, each once
 
   [[nodiscard]] bool passed() const;
 };

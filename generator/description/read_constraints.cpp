@@ -93,6 +93,20 @@ SceneLoop read_loop(const SceneFields& fields, const ScenePoint& first, const st
   return loop;
 }
 
+/// Whether the keys of a cone, if any, are those that what rolls can have. Its rows are along the
+/// axes of the second frame, in which a plane's normal stays what it is.
+bool can_have_cone(const SceneLoop& loop, const SceneFields& fields) {
+  if (!loop.rolling) return true;
+  refuse(fields, "half_extents", "what rolls touches at a point, which has no extent",
+         "remove the key");
+  if (loop.rolling->on_radius) {
+    refuse(fields, "friction", "the normal of two balls turns with them, and rows do not",
+           "remove the key; on planes, what rolls can have friction");
+  }
+  return !fields.contains("half_extents") &&
+         !(loop.rolling->on_radius && fields.contains("friction"));
+}
+
 bool is_taken(const Scene& scene, const std::string& name) {
   const auto in = [&](const auto& list, const auto& name_of) {
     return std::any_of(list.begin(), list.end(),
@@ -122,16 +136,10 @@ void read_constraint(const SceneElement& item, const Robot& robot, Scene& scene)
   read_pose(fields, "origin", point.origin);
   read_held_rows(fields, point);
   check_name(item, point.name, scene);
-  if (fields.contains("rolling")) {
-    for (const char* key : kConeKeys) {
-      refuse(fields, key, "forces of rolling have no cone", "remove the key");
-    }
-    scene.loops.push_back(read_loop(fields, point, ends.other));
-    return;
-  }
-  if (!ends.to_world()) {
-    scene.loops.push_back(read_loop(fields, point, ends.other));
-    read_support_cone(item, fields, point, scene);
+  if (fields.contains("rolling") || !ends.to_world()) {
+    SceneLoop loop = read_loop(fields, point, ends.other);
+    if (can_have_cone(loop, fields)) read_support_cone(item, fields, loop.first, scene);
+    scene.loops.push_back(std::move(loop));
     return;
   }
   refuse(fields, "other_origin", "the world's frame is where it is", "leave out other_origin");

@@ -27,6 +27,11 @@ std::string print_list(const std::vector<Number>& numbers, const Print& print) {
   return "{" + (list.empty() ? print(Number{}) : list) + "}";
 }
 
+std::string describe_stack(const EmissionContext& context, int values) {
+  return fmt::format("Stack, an estimate: {} values, {} bytes, and what calls take.", values,
+                     values * (context.single_precision ? 4 : 8));
+}
+
 }  // namespace
 
 const Program& find_supported(std::span<const Program> programs) {
@@ -61,8 +66,24 @@ std::string describe_limited_cost(const EmissionContext& context,
                   "unknowns and {} rows: at most {} steps of at most {} flops.",
                   flops, cost.unknowns, cost.rows, cost.iterations, cost.flops_of_iteration),
       95);
-  return work + fmt::format("\nStack, an estimate: {} values, {} bytes, and what calls take.",
-                            cost.values, cost.values * (context.single_precision ? 4 : 8));
+  return work + "\n" + describe_stack(context, cost.values);
+}
+
+std::string describe_batch_limited_cost(const EmissionContext& context,
+                                        std::span<const Program> batch) {
+  int entries = 0;
+  for (const LimitedCall& call : list_limited_calls(context, batch)) {
+    const Argument& matrix = call.program->results.front().argument;
+    entries += matrix.rows * matrix.cols;
+  }
+  const LimitCost cost = cost_of_limits(*context.limits, context.velocities);
+  return wrap_text(
+             fmt::format("Cost: {} flops for each of {} states. Where a limit is reached in one, "
+                         "the matrices of all are computed together, and the programs of those "
+                         "that need it are solved one after the other.",
+                         count_operations(find_supported(batch)).flops(), context.batch),
+             95) +
+         "\n" + describe_stack(context, cost.values + context.batch * entries);
 }
 
 std::string describe_cones(const LimitFacts& facts) {

@@ -30,9 +30,11 @@ bool holds_rows(const EmissionContext& context);
 /// Freedoms of torques and internal forces, at least one.
 int count_freedoms(const LimitFacts& facts);
 
-/// Lines for comments: the cost of a call; the cones.
+/// Lines for comments: the cost of a call, of one for a batch; the cones.
 std::string describe_limited_cost(const EmissionContext& context,
                                   std::span<const Program> programs);
+std::string describe_batch_limited_cost(const EmissionContext& context,
+                                        std::span<const Program> batch);
 std::string describe_cones(const LimitFacts& facts);
 
 /// Initialisers of the structures for limits and for what is constant, without the outer braces.

@@ -20,6 +20,9 @@ namespace {
 /// How much more a level of priority weighs than the next: squares of accelerations times this.
 constexpr double kPriorityWeight = 100;
 
+/// A row of J that is this small beside others depends on them, or moves nothing.
+constexpr double kDependentRow = 1e-9;
+
 using Row = LimitFacts::Row;
 
 /// Places of a constraint's rows among its own held rows; -1 for those that are not held.
@@ -88,18 +91,26 @@ std::string note_of(const SceneCone& cone) {
   return note + fmt::format(", normal force at least {} N", cone.least_force);
 }
 
-void add_cones(const Scene& scene, LimitFacts& facts) {
+/// Constraints that can have cones, each with the place of its first held row.
+template <class Visit>
+void for_each_held(const Scene& scene, const Visit& visit) {
   int first = 0;
-  const auto add = [&](const ScenePoint& held) {
+  const auto pass = [&](const ScenePoint& held) {
+    visit(held, first);
+    first += static_cast<int>(std::count(held.rows.begin(), held.rows.end(), true));
+  };
+  for (const ScenePoint& held : scene.constraints) pass(held);
+  for (const SceneLoop& loop : scene.loops) pass(loop.first);
+}
+
+void add_cones(const Scene& scene, LimitFacts& facts) {
+  for_each_held(scene, [&](const ScenePoint& held, int first) {
     for (const SceneCone& cone : scene.cones) {
       if (cone.constraint != held.name) continue;
       for (Row& row : ConeRows(held, cone, first).rows()) facts.cones.push_back(std::move(row));
       facts.notes.push_back(note_of(cone));
     }
-    first += static_cast<int>(std::count(held.rows.begin(), held.rows.end(), true));
-  };
-  for (const ScenePoint& held : scene.constraints) add(held);
-  for (const SceneLoop& loop : scene.loops) add(loop.first);
+  });
 }
 
 void add_force_weights(const Scene& scene, LimitFacts& facts) {
@@ -133,23 +144,33 @@ std::vector<double> value_of(const Argument& argument, const std::vector<double>
   return values;
 }
 
-/// The rank of the held rows in ordinary states.
-int held_rank(const Mechanism& mechanism, const std::vector<GeneratedFunction>& functions) {
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// J of the held rows in ordinary states; none where nothing is held.
+std::vector<Rows> held_jacobians(const Mechanism& mechanism,
+                                 const std::vector<GeneratedFunction>& functions) {
+  std::vector<Rows> jacobians;
   const auto found = std::find_if(
       functions.begin(), functions.end(),
       [](const GeneratedFunction& each) { return each.function == Function::constraint_jacobian; });
-  if (found == functions.end()) return 0;
+  if (found == functions.end()) return jacobians;
   const Argument& J = found->program.results.front().argument;
-  Eigen::Index rank = 0;
   for (int state = 0; state < kOrdinaryStates; ++state) {
     std::vector<std::vector<double>> arguments;
     for (const Argument& argument : found->program.arguments) {
       arguments.push_back(value_of(argument, ordinary_state(mechanism, state)));
     }
     const std::vector<double> values = evaluate<double>(found->program, arguments).front();
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::ColPivHouseholderQR<Rows> factors(Rows::Map(values.data(), J.rows, J.cols));
-    factors.setThreshold(1e-9);
+    jacobians.emplace_back(Rows::Map(values.data(), J.rows, J.cols));
+  }
+  return jacobians;
+}
+
+int held_rank(const std::vector<Rows>& jacobians) {
+  Eigen::Index rank = 0;
+  for (const Rows& J : jacobians) {
+    Eigen::ColPivHouseholderQR<Rows> factors(J);
+    factors.setThreshold(kDependentRow);
     rank = std::max(rank, factors.rank());
   }
   return static_cast<int>(rank);
@@ -172,8 +193,28 @@ LimitFacts describe_limits(const Robot& robot, const Scene& scene, const Mechani
   add_task_weights(scene, facts);
   const int held = static_cast<int>(facts.force_weights.size());
   facts.freedoms = mechanism.nv() - static_cast<int>(facts.passive.size()) + held -
-                   held_rank(mechanism, functions);
+                   held_rank(held_jacobians(mechanism, functions));
   return facts;
+}
+
+void check_normals(const Scene& scene, const Mechanism& mechanism,
+                   const std::vector<GeneratedFunction>& functions, Diagnostics& diagnostics) {
+  if (scene.cones.empty()) return;
+  const std::vector<Rows> jacobians = held_jacobians(mechanism, functions);
+  for_each_held(scene, [&](const ScenePoint& held, int first) {
+    const bool limited =
+        std::any_of(scene.cones.begin(), scene.cones.end(),
+                    [&](const SceneCone& cone) { return cone.constraint == held.name; });
+    const Eigen::Index normal = first + places_of(held)[2];
+    const auto moves = [&](const Rows& J) {
+      return J.row(normal).cwiseAbs().maxCoeff() > kDependentRow * J.cwiseAbs().maxCoeff();
+    };
+    if (!limited || std::any_of(jacobians.begin(), jacobians.end(), moves)) return;
+    diagnostics.add({Severity::error, scene.file, 0, fmt::format("constraints[{}]", held.name),
+                     "no joint moves it along its normal, so that nothing tells the force of which "
+                     "friction is a share",
+                     "Let the robot lift there, as by `base: floating`, or remove friction."});
+  });
 }
 
 }  // namespace treeline

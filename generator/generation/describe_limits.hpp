@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "description/diagnostic.hpp"
 #include "emission/limit_facts.hpp"
 #include "generation/generate_code.hpp"
 
@@ -11,5 +12,10 @@ namespace treeline {
 /// constraint_jacobian where rows are held.
 LimitFacts describe_limits(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
                            const std::vector<GeneratedFunction>& functions);
+
+/// Reports constraints with friction along whose normal nothing can move, as of a wheel under a
+/// base that keeps its height: their normal force would be whatever suits the limits.
+void check_normals(const Scene& scene, const Mechanism& mechanism,
+                   const std::vector<GeneratedFunction>& functions, Diagnostics& diagnostics);
 
 }  // namespace treeline

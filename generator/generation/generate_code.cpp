@@ -317,6 +317,8 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (!generate_functions(mechanisms, scene, choices, tell, generation, diagnostics)) {
     return std::nullopt;
   }
+  check_normals(scene, generation.mechanism, generation.functions, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   if (scene.damped) generation.damped = compose_damped(generation.functions);
   EmissionContext context = context_of(robot, scene, provenance, generation);
   context.measured = choices.measured;

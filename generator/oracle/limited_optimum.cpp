@@ -18,6 +18,12 @@ using Dense50 = Eigen::Matrix<Digits50, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Held rows that depend on each other share their multiplier by this; it moves no digit of double.
 const Digits50 kRegularisation("1e-24");
+/// A row of J_s that has less than this share left outside the others depends on them.
+constexpr double kDependent = 1e-12;
+/// With less than this one, rounding decides whether it does.
+constexpr double all_but_dependent(Real real) {
+  return real == Real::float32 ? 1e-2 : 1e-7;
+}
 /// What counts as 0 of a multiplier or a violation, relative to what it is compared with.
 const Digits50 kResidue("1e-18");
 
@@ -25,13 +31,27 @@ Digits50 largest(const Vector50& x) {
   return x.size() == 0 ? Digits50(0) : Digits50(x.cwiseAbs().maxCoeff());
 }
 
-Eigen::Index rank_of(const Matrix50& A) {
-  if (A.size() == 0) return 0;
-  const Eigen::MatrixXd in_double =
-      A.unaryExpr([](const Digits50& x) { return static_cast<double>(x); });
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(in_double);
-  factors.setThreshold(1e-9);
+/// The rank of J_s L^-T, M = L L^T, whose rows have unit length: as the generated code counts it.
+Eigen::Index held_rank(const LimitProblem& problem, double tolerance) {
+  if (problem.J_s.size() == 0) return 0;
+  const auto in_double = [](const Matrix50& A) {
+    return Eigen::MatrixXd(A.unaryExpr([](const Digits50& x) { return static_cast<double>(x); }));
+  };
+  const Eigen::LLT<Eigen::MatrixXd> of_inertia(in_double(problem.M));
+  Eigen::MatrixXd columns = of_inertia.matrixL().solve(in_double(problem.J_s.transpose()));
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) columns.col(i).normalize();
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(columns);
+  factors.setThreshold(tolerance);
   return factors.rank();
+}
+
+/// The part of a change of J's entries that keeps all relations between its rows.
+Matrix50 keep_relations(const Matrix50& J, const Matrix50& change) {
+  if (J.size() == 0) return change;
+  Eigen::CompleteOrthogonalDecomposition<Dense50> factors(J.rows(), J.cols());
+  factors.setThreshold(Digits50("1e-20"));
+  factors.compute(Dense50(J));
+  return J * Matrix50(factors.pseudoInverse() * change);
 }
 
 /// The program in y = (d_qdd, d_f, slack): least 1/2 y^T H y + h^T y with E y = 0 and the limits.
@@ -286,7 +306,12 @@ LimitProblem perturbed(const LimitProblem& problem, double unit, std::uint64_t s
   LimitProblem changed = problem;
   const Matrix50 of_inertia = change();
   changed.M = of_inertia.transpose() * problem.M * of_inertia;
-  changed.J_s = problem.J_s * change();
+  Matrix50 of_entries = problem.J_s;
+  for (Eigen::Index i = 0; i < of_entries.rows(); ++i) {
+    const Digits50 size = largest(problem.J_s.row(i).transpose().cwiseQuotient(scales));
+    for (Eigen::Index v = 0; v < nv; ++v) of_entries(i, v) = drawn() * size * scales(v);
+  }
+  changed.J_s = problem.J_s * change() + keep_relations(problem.J_s, of_entries);
   changed.J_t = problem.J_t * change();
   for (Digits50& each : changed.tau) each *= 1 + drawn();
   for (Digits50& each : changed.f) each *= 1 + drawn();
@@ -300,9 +325,11 @@ LimitedOptimum point_at_limits(const LimitProblem& problem, const LimitFacts& fa
   return program.optimum(sides);
 }
 
-bool has_ordinary_freedoms(const LimitProblem& problem, const LimitFacts& facts) {
+bool fits_freedoms(const LimitProblem& problem, const LimitFacts& facts, Real real) {
+  const Eigen::Index rank = held_rank(problem, kDependent);
   const auto passive = static_cast<Eigen::Index>(facts.passive.size());
-  return problem.M.rows() + problem.f.size() - passive - rank_of(problem.J_s) == facts.freedoms;
+  return problem.M.rows() + problem.f.size() - passive - rank <= facts.freedoms &&
+         rank == held_rank(problem, all_but_dependent(real));
 }
 
 std::optional<LimitedOptimum> find_limited_optimum(const LimitProblem& problem,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "description/scene.hpp"
 #include "emission/limit_facts.hpp"
 #include "interpreter/digits50.hpp"
 #include "interpreter/types.hpp"
@@ -40,17 +41,18 @@ struct LimitedOptimum {
 };
 
 /// The same problem with M, J_s and J_t for velocities that differ by about `unit` of themselves,
-/// and tau and f by as much: what rounding of these numbers alone does. Relations between rows
-/// stay. The same seed gives the same problem.
+/// entries of J_s, tau and f by as much: what rounding of these numbers alone does. Relations
+/// between rows stay. The same seed gives the same problem.
 LimitProblem perturbed(const LimitProblem& problem, double unit, std::uint64_t seed);
 
 /// The point of least cost with these limits reached, whatever the others are.
 LimitedOptimum point_at_limits(const LimitProblem& problem, const LimitFacts& facts,
                                const LimitSides& sides);
 
-/// Whether as many changes keep the equations as in ordinary states, whose freedoms the generated
-/// code has. Held rows that depend on each other only here leave more.
-bool has_ordinary_freedoms(const LimitProblem& problem, const LimitFacts& facts);
+/// Whether no more changes keep the equations than in ordinary states, whose freedoms the generated
+/// code has, and their number is certain. Held rows that depend on each other only here leave more;
+/// of those that all but depend on each other rounding decides whether they do.
+bool fits_freedoms(const LimitProblem& problem, const LimitFacts& facts, Real real);
 
 /// Solves the KKT system of the limits that are reached in 50 digits, and changes these until all
 /// conditions hold: no limit is exceeded, and no multiplier has the wrong sign. The cost is

@@ -1,6 +1,5 @@
+#include "compiled_library.hpp"
 #include "data/list_data.hpp"
-#include "fixture.hpp"
-#include "generation/describe_limits.hpp"
 #include "oracle/limited_optimum.hpp"
 #include "program/evaluate.hpp"
 
@@ -92,6 +91,59 @@ TEST(LimitsCheck, ArmAtAWallInC) {
   expect_certified(arm("language: c\n"), 40, 10);
 }
 
+void expect_batch_certified(const Subjects& subjects, int least) {
+  const auto report = check_or_throw(subjects, quick_options(40));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  ASSERT_TRUE(report.batch_limits);
+  EXPECT_EQ(report.batch_limits->states, 40);
+  EXPECT_EQ(report.batch_limits->limited, report.limits->limited);
+  EXPECT_GE(report.batch_limits->certified, least) << print_text(report);
+  EXPECT_NE(print_text(report).find("batch_limited_control_torque: something"), std::string::npos);
+}
+
+TEST(LimitsCheck, ArmAtAWallInBatches) {
+  expect_batch_certified(arm("batch: 4\n"), 10);
+}
+
+TEST(LimitsCheck, ArmAtAWallInBatchesOfFloat) {
+  expect_batch_certified(arm("batch: 8\nreal: float\n"), 10);
+}
+
+// Without constraints there is no matrix of held rows.
+TEST(LimitsCheck, PassiveElbowInBatches) {
+  expect_batch_certified(
+      in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf",
+               "operational_points: [{name: tool, link: tool, rows: [x]}]\npassive: [elbow]\n"
+               "torque_limits: urdf\nbatch: 2\nfunctions: [supported_control_torque, "
+               "mass_matrix, jacobian]\n"),
+      5);
+}
+
+const Program& program_of(const std::vector<GeneratedFunction>& functions, Function function) {
+  return std::find_if(functions.begin(), functions.end(),
+                      [&](const auto& each) { return each.function == function; })
+      ->program;
+}
+
+// Would catch: a state that gets another one's matrices, forces or start.
+TEST(LimitsCheck, ABatchGivesEachStateTheBitsItWouldGetAlone) {
+  const Subjects subjects = arm("batch: 4\nlanes: 1\n");
+  for (const Function function : subjects.scene.functions) {
+    const auto& [functions, batch] =
+        std::tie(subjects.generation.functions, subjects.generation.batch);
+    ASSERT_EQ(key_of(program_of(functions, function).route),
+              key_of(program_of(batch, function).route));
+  }
+  const CompiledLibrary library(subjects);
+  const StateSpace states = library.states();
+  for (int i = 0; i < 200; ++i) {
+    const State state = draw_state(states, i);
+    const auto alone = library.limited(state), in_batch = library.limited(state, true);
+    EXPECT_TRUE(std::equal(alone.begin(), alone.end(), in_batch.begin(), in_batch.end(), same_bits))
+        << "state " << i;
+  }
+}
+
 // Twelve forces of which six carry nothing, a base without motors.
 TEST(LimitsCheck, QuadrupedOnFourFeet) {
   expect_certified(quadruped(), 20, 10);
@@ -163,7 +215,7 @@ TEST(LimitedOptimum, IsFoundFromAnyLimits) {
   facts.torque = {3};
   facts.task_weights = {1};
   facts.freedoms = 1;
-  EXPECT_TRUE(has_ordinary_freedoms(problem, facts));
+  EXPECT_TRUE(fits_freedoms(problem, facts, Real::float64));
   for (const int side : {-1, 0, 1}) {
     for (const int slack : {0, -1}) {
       const auto optimum = find_limited_optimum(problem, facts, {side, slack});

@@ -3,8 +3,6 @@
 // beyond their limits, forces outside of cones that could be kept, motions that no motor or support
 // can cause, a cost other than stated, dependent rows that are taken for independent ones, and a
 // start from the last cycle that changes the answer.
-#include "core/limited_torque.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -12,6 +10,8 @@
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include "core/limited_batch.hpp"
 
 namespace {
 
@@ -278,6 +278,57 @@ TEST(LimitedTorque, ConesThatCannotBeKeptAreWidenedAlike) {
     EXPECT_GE(outcome.limited.slack, 8 - 1e-9);
     EXPECT_NEAR(most_beyond_cones(support, outcome.f), outcome.limited.slack, 1e-6);
   }
+}
+
+// Would catch: a state of a batch that gets another one's matrices, forces or start, and matrices
+// that are computed where no state needs them.
+TEST(LimitedTorque, EachStateOfABatchAsAlone) {
+  std::mt19937 engine(4);
+  using Sizes = LimitSizes<9, 3, 4, 3, 4, 7>;
+  constexpr int kStates = 4, V = Sizes::kVelocities, H = Sizes::kHeld;
+  const auto put = [](const Matrix& from, int state, auto& rows) {
+    for (Eigen::Index i = 0; i < from.size(); ++i) {
+      rows[i][state] = from(i / from.cols(), i % from.cols());
+    }
+  };
+  int calls = 0, limited = 0;
+  for (const double torque : {4.0, 5.0, 100.0}) {
+    std::vector<Support<Sizes>> supports;
+    for (int k = 0; k < kStates; ++k) {
+      supports.push_back(random_support<Sizes>(0, torque, torque, engine));
+      supports.back().limits = supports.front().limits;
+    }
+    double tau[V][kStates], f[H][kStates];
+    LimitedTorque<double, Sizes> results[kStates] = {};
+    for (int k = 0; k < kStates; ++k) {
+      put(supports[static_cast<std::size_t>(k)].tau, k, tau);
+      put(supports[static_cast<std::size_t>(k)].f, k, f);
+    }
+    limit_torques(
+        supports.front().layout, supports.front().limits,
+        [&](auto& M, auto& J_s, auto& J_t) {
+          ++calls;
+          for (int k = 0; k < kStates; ++k) {
+            const auto& support = supports[static_cast<std::size_t>(k)];
+            put(support.M, k, M);
+            put(support.J_s, k, J_s);
+            put(support.J_t, k, J_t);
+          }
+        },
+        tau, f, results);
+    for (int k = 0; k < kStates; ++k) {
+      const auto alone = run(supports[static_cast<std::size_t>(k)]);
+      for (int v = 0; v < V; ++v) EXPECT_NEAR(tau[v][k], alone.tau(v), 1e-8);
+      for (int h = 0; h < H; ++h) EXPECT_NEAR(f[h][k], alone.f(h), 1e-8);
+      for (int t = 0; t < Sizes::kTask; ++t) {
+        EXPECT_NEAR(results[k].lost[t], alone.limited.lost[t], 1e-7);
+      }
+      limited += results[k].limited ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(calls, 2);
+  EXPECT_GE(limited, kStates);
+  EXPECT_LE(limited, 2 * kStates);
 }
 
 TEST(LimitedTorque, NoFiniteInputGivesNaN) {

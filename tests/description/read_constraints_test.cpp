@@ -132,7 +132,9 @@ TEST(ReadConstraints, RefusesWhatCannotRoll) {
   expect("rolling: {radius: 1, on_radius: 1}, rows: [x, y]", "normal of two balls");
   expect("rolling: {radius: 1}, contact: point", "holds other rows");
   expect("rolling: {radius: 1}, axes: local", "along the axes of the second frame");
-  expect("rolling: {radius: 1}, friction: 0.5", "have no cone");
+  expect("rolling: {radius: 1}, friction: 0.5, half_extents: [1, 1]", "no extent");
+  expect("rolling: {radius: 1}, friction: 0.5, rows: [x, y]", "does not hold all");
+  expect("rolling: {radius: 1, on_radius: 1}, friction: 0.5", "normal of two balls");
   expect("contact: point, rows: [x]", "rows are given too");
   expect("contact: pointed", "pointed");
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "check/judge_limits.hpp"
+#include "check/print_entry.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "generation/describe_limits.hpp"
@@ -66,13 +67,14 @@ std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scen
   std::vector<LanguageRow> rows;
   for (std::size_t i = 0; i < functions.size() && scene.has_limits(); ++i) {
     if (functions[i].function != Function::supported_control_torque) continue;
-    rows.push_back({scene.name, kLimitedName, compilers.cpp + " " + compilers.c, flags, states, 0});
+    rows.push_back(
+        {scene.name, limited_stem(false), compilers.cpp + " " + compilers.c, flags, states, 0});
     const auto sizes = limited_sizes(in_cpp);
     for (int index = 0; index < states; ++index) {
       const State state = draw_state(space, index);
       const bool same =
-          have_same_bits(cpp.call_entry(cpp.find_entry(kLimitedName), i, state, sizes),
-                         c.call_entry(c.find_entry(kLimitedName), i, state, sizes));
+          have_same_bits(cpp.call_entry(cpp.find_entry(limited_stem(false)), i, state, sizes),
+                         c.call_entry(c.find_entry(limited_stem(false)), i, state, sizes));
       rows.back().bits_differ += same ? 0 : 1;
     }
   }

@@ -78,6 +78,9 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   }
   if (context.limits) {
     files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});
+    if (!batch.empty()) {
+      files.push_back({context.name + "_batch_limited.hpp", print_batch_limited(context, batch)});
+    }
   }
   if (context.controller) {
     for (GeneratedFile& file : print_controller(context, *context.controller)) {

@@ -19,19 +19,29 @@ std::string print_call(const Program& program, const std::string& results) {
   return fmt::format("{}({}{});", program.name, list, results);
 }
 
-std::string print_signature(const EmissionContext& context, const Program& supported) {
+/// `states` is "[kStates]" of a batch, else empty; `limited` the parameter of that name.
+std::string print_signature(const EmissionContext& context, const Program& supported,
+                            const char* states, const char* limited) {
   std::string list;
   for (const Argument& argument : supported.arguments) {
-    list += fmt::format("const Real (&{})[{}], ", argument.name, argument.rows * argument.cols);
+    list += fmt::format("const Real (&{})[{}]{}, ", argument.name, argument.rows * argument.cols,
+                        states);
   }
-  list += fmt::format("Real (&tau)[{}], ", context.velocities);
+  list += fmt::format("Real (&tau)[{}]{}, ", context.velocities, states);
   if (holds_rows(context)) {
-    list += fmt::format("Real (&f)[{}], ", context.limits->force_weights.size());
+    list += fmt::format("Real (&f)[{}]{}, ", context.limits->force_weights.size(), states);
   }
   return fmt::format(
-      "inline void limited_control_torque({}LimitedTorque& limited, "
-      "const TorqueLimits& limits = kTorqueLimits) noexcept {{",
-      list);
+      "inline void limited_control_torque({}{}, const TorqueLimits& limits = kTorqueLimits) "
+      "noexcept {{",
+      list, limited);
+}
+
+/// The call of the unlimited law. Without held rows f has one entry that nothing reads.
+std::string print_supported(const EmissionContext& context, const Program& supported,
+                            const char* states) {
+  if (holds_rows(context)) return print_call(supported, "tau, f");
+  return fmt::format("Real f[1]{} = {{}};\n", states) + print_call(supported, "tau");
 }
 
 std::string print_matrices(const EmissionContext& context, std::span<const Program> programs) {
@@ -69,7 +79,6 @@ std::string print_limited(const EmissionContext& context, std::span<const Progra
       fmt::format("using LimitSizes = detail::LimitSizes<{}, {}, {}, {}, {}, {}>;",
                   context.velocities, facts.passive.size(), facts.force_weights.size(),
                   context.task_rows, facts.cones.size(), count_freedoms(facts));
-  const std::string without = holds_rows(context) ? "" : "Real f[1] = {};\n";
   return fill_template(
       templates::kLimited,
       {{"robot", context.robot},
@@ -79,9 +88,25 @@ std::string print_limited(const EmissionContext& context, std::span<const Progra
        {"notes", comment("///", describe_cones(facts))},
        {"limits", print_limits(context)},
        {"cost", comment("///", describe_limited_cost(context, programs))},
-       {"signature", wrap_line(print_signature(context, supported), 0)},
-       {"supported", without + print_call(supported, holds_rows(context) ? "tau, f" : "tau")},
+       {"signature",
+        wrap_line(print_signature(context, supported, "", "LimitedTorque& limited"), 0)},
+       {"supported", print_supported(context, supported, "")},
        {"matrices", print_matrices(context, programs)}});
+}
+
+std::string print_batch_limited(const EmissionContext& context, std::span<const Program> batch) {
+  const Program& supported = find_supported(batch);
+  return fill_template(
+      templates::kBatchLimited,
+      {{"robot", context.robot},
+       {"name", context.name},
+       {"states", std::to_string(context.batch)},
+       {"cost", comment("///", describe_batch_limited_cost(context, batch))},
+       {"signature", wrap_line(print_signature(context, supported, "[kStates]",
+                                               "LimitedTorque (&limited)[kStates]"),
+                               0)},
+       {"supported", print_supported(context, supported, "[kStates]")},
+       {"matrices", print_matrices(context, batch)}});
 }
 
 }  // namespace treeline::cpp

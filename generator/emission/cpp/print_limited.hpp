@@ -12,4 +12,7 @@ namespace treeline::cpp {
 /// limits. Throws std::logic_error where a function is not among `programs`.
 std::string print_limited(const EmissionContext& context, std::span<const Program> programs);
 
+/// `NAME_batch_limited.hpp`: the same for several states, composed of functions of a batch.
+std::string print_batch_limited(const EmissionContext& context, std::span<const Program> batch);
+
 }  // namespace treeline::cpp

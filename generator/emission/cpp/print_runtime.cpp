@@ -104,6 +104,9 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"symmetric_eigen.hpp", print_header(context, templates::kSymmetricEigen)});
   }
   if (limited) append_limit_headers(context, files);
+  if (limited && has_batch) {
+    files.push_back({"limited_batch.hpp", print_header(context, templates::kLimitedBatch)});
+  }
   if (loops) append_loop_headers(context, files);
   if (damped || limited || controlled) {
     files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});

@@ -9,6 +9,7 @@ namespace treeline::cpp::templates {
 extern const std::string_view kActiveRowFactors;
 extern const std::string_view kBatch;
 extern const std::string_view kBatchFunction;
+extern const std::string_view kBatchLimited;
 extern const std::string_view kCCalls;
 extern const std::string_view kCMakeLists;
 extern const std::string_view kCalls;
@@ -33,6 +34,7 @@ extern const std::string_view kLdlt;
 extern const std::string_view kLimitCoordinates;
 extern const std::string_view kLimitProgram;
 extern const std::string_view kLimited;
+extern const std::string_view kLimitedBatch;
 extern const std::string_view kLimitedTorque;
 extern const std::string_view kLinkFactors;
 extern const std::string_view kLinkFunctions;
