@@ -73,7 +73,9 @@ std::string describe_cpp(const Scene& scene) {
        "share, are declared before they are assigned",
        "every one is assigned once, before it is read, without a branch between"},
       {"0.2.1 (advisory)", "constants of the headers may be unused in a translation unit",
-       "they are for callers"}};
+       "they are for callers"},
+      {"6.0.3 (advisory)", "`<stdint.h>` declares its types in the global namespace",
+       "toolchains for microcontrollers that have no library of C++ lack `<cstdint>`"}};
   if (!misra) {
     const std::vector<Deviation> plain = {
         {"4.1.1 (required)", "`__restrict`, attributes, vectors and builtins of GCC and Clang",
