@@ -283,9 +283,10 @@ std::vector<WorkSource> limited_sources(const Scene& scene, const Generation& ge
   if (!scene.has_limits()) return {};
   const auto functions = all_callable(generation);
   const GeneratedFunction& supported = functions[find_supported(generation)];
-  return {{kLimitedName, scene.language == Language::c
-                             ? print_c_limited_entry(scene.name, supported)
-                             : print_limited_entry(scene.name, supported)}};
+  return {{kLimitedName,
+           scene.language == Language::c
+               ? print_c_limited_entry(scene.name, supported)
+               : print_limited_entry(scene.name, supported, scene.profile == Profile::misra)}};
 }
 
 LimitsReport judge_limits(const Robot& robot, const Scene& scene, const Generation& generation,

@@ -92,6 +92,10 @@ TEST(LimitsCheck, ArmAtAWallInC) {
   expect_certified(arm("language: c\n"), 40, 10);
 }
 
+TEST(LimitsCheck, ArmAtAWallInCodeForSafety) {
+  expect_certified(arm("profile: misra\n"), 40, 10);
+}
+
 // Twelve forces of which six carry nothing, a base without motors.
 TEST(LimitsCheck, QuadrupedOnFourFeet) {
   expect_certified(quadruped(), 20, 10);

@@ -117,8 +117,8 @@ TEST(EmitInC, RefusesWhatItDoesNotHave) {
   };
   EmissionContext context = test::sample_context("arm", false, Language::c);
   EXPECT_TRUE(elements(context).empty());
-  context.batch = 4;
-  EXPECT_EQ(elements(context), std::vector<std::string>{"batch"});
+  context.controlled = true;
+  EXPECT_EQ(elements(context), std::vector<std::string>{"controller"});
   EXPECT_EQ(elements(test::sample_context("math", false, Language::c)),
             std::vector<std::string>{"name"});
 }
