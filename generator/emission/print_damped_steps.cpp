@@ -59,7 +59,7 @@ Phrases list_phrases_of_cpp(const EmissionContext& context) {
 std::map<std::string, std::string> list_phrases(const EmissionContext& context) {
   if (context.language == Language::c) {
     return {{"inline", "static inline"},
-            {"bool", "_Bool"},
+            {"bool", "bool"},
             {"int", "int"},
             {"prefix", context.name + "_"},
             {"ref", "*"},

@@ -42,6 +42,8 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
        {"includes", context.misra ? "\n#include <stdint.h>" : ""},
        {"form", loops ? "loops over its links and straight-line code" : "straight-line code"},
        {"branch", loops ? "no branch on data" : "no branch"},
+       {"and_same", loops ? "and" : "and same"},
+       {"time_where", loops ? "same time, where" : "time, where"},
        {"integer", context.misra ? "int32_t" : "int"},
        {"bytes", single ? "4" : "8"},
        {"fraction", single ? "23" : "52"},
