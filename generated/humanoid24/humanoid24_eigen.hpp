@@ -11,6 +11,7 @@
 // allocates unless they have it already. Sizes that are known and wrong do not compile; others are
 // an eigen_assert.
 #include <Eigen/Core>
+#include <cstddef>
 #include <type_traits>
 
 #include "humanoid24.hpp"
@@ -66,6 +67,10 @@ void resize(Object& object) {
   }
 }
 
+/// What a function takes.
+template <int rows, int cols>
+using Array = Real[static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols)];
+
 /// The elements of an object as the array that a function takes: its own, or a copy.
 template <int rows, int cols, class Object, bool in_order = lies_in_order<Object>()>
 class Input {
@@ -78,7 +83,7 @@ class Input {
       copy(object.eval());
     }
   }
-  const Real (&array() const)[rows * cols] { return copy_; }
+  const Array<rows, cols>& array() const { return copy_; }
 
  private:
   template <class Elements>
@@ -88,7 +93,7 @@ class Input {
     }
   }
 
-  Real copy_[rows * cols];
+  Array<rows, cols> copy_;
 };
 
 template <int rows, int cols, class Object>
@@ -97,8 +102,8 @@ class Input<rows, cols, Object, true> {
   explicit Input(const Object& object) : object_(object) {
     eigen_assert((has_size<rows, cols>(object)));
   }
-  const Real (&array() const)[rows * cols] {
-    return *reinterpret_cast<const Real(*)[rows * cols]>(object_.data());
+  const Array<rows, cols>& array() const {
+    return *reinterpret_cast<const Array<rows, cols>*>(object_.data());
   }
 
  private:
@@ -118,19 +123,19 @@ class Output {
       object_.coeffRef(i / object_.cols(), i % object_.cols()) = numbers_[i];
     }
   }
-  Real (&array())[rows * cols] { return numbers_; }
+  Array<rows, cols>& array() { return numbers_; }
 
  private:
   Object& object_;
-  Real numbers_[rows * cols];
+  Array<rows, cols> numbers_;
 };
 
 template <int rows, int cols, class Object>
 class Output<rows, cols, Object, true> {
  public:
   explicit Output(Object& object) : object_(object) { resize<rows, cols>(object); }
-  Real (&array())[rows * cols] {
-    return *reinterpret_cast<Real(*)[rows * cols]>(object_.data());
+  Array<rows, cols>& array() {
+    return *reinterpret_cast<Array<rows, cols>*>(object_.data());
   }
 
  private:

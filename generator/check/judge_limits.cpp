@@ -290,12 +290,13 @@ std::vector<WorkSource> limited_sources(const Scene& scene, const Generation& ge
   const auto functions = all_callable(generation);
   const GeneratedFunction& supported = functions[find_supported(generation, false)];
   std::vector<WorkSource> sources{
-      {limited_stem(false), scene.language == Language::c
-                                ? print_c_limited_entry(scene.name, supported)
-                                : print_limited_entry(scene.name, supported)}};
-  if (!generation.batch.empty()) {
+      {limited_stem(false),
+       scene.language == Language::c
+           ? print_c_limited_entry(scene.name, supported)
+           : print_limited_entry(scene.name, supported, scene.profile == Profile::misra)}};
+  if (!generation.batch.empty() && scene.language == Language::cpp) {
     const GeneratedFunction& batch = functions[find_supported(generation, true)];
-    sources.push_back({limited_stem(true), print_limited_entry(scene.name, batch)});
+    sources.push_back({limited_stem(true), print_limited_entry(scene.name, batch, false)});
   }
   return sources;
 }

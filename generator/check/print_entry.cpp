@@ -62,6 +62,35 @@ std::string print_batch(const std::string& name, const GeneratedFunction& genera
          fill(stem + "_all", "all_", "", "");
 }
 
+/// The same in C.
+std::string print_c_batch(const std::string& name, const GeneratedFunction& generated) {
+  const Program& program = generated.program;
+  std::string spread, hand_on, arrays, arguments;
+  const auto append = [&](const Argument& argument, const char* direction, std::size_t i) {
+    const std::string rows = fmt::format("{}_{}", direction, i);
+    const int size = argument.rows * argument.cols;
+    const bool is_result = std::string_view(direction) == "out";
+    spread +=
+        fmt::format("{0}_real {1}[{2}];\n{3}({4}[{5}], {6}, {1});\n", name, rows,
+                    size * generated.batch, is_result ? "fill" : "spread", direction, i, size);
+    if (is_result) hand_on += fmt::format("hand_on({}, {}, out[{}]);\n", rows, size, i);
+    arrays += (arrays.empty() ? "" : ", ") + rows;
+    arguments += fmt::format("{}{}[{}]", arguments.empty() ? "" : ", ", direction, i);
+  };
+  for (std::size_t i = 0; i < program.arguments.size(); ++i) append(program.arguments[i], "in", i);
+  for (std::size_t i = 0; i < program.results.size(); ++i) {
+    append(program.results[i].argument, "out", i);
+  }
+  return fill_template(check_templates::kCBatchFunction, {{"name", name},
+                                                          {"NAME", in_capitals(name)},
+                                                          {"entry", source_stem(generated)},
+                                                          {"function", program.name},
+                                                          {"spread", spread},
+                                                          {"arrays", arrays},
+                                                          {"hand_on", hand_on},
+                                                          {"arguments", arguments}});
+}
+
 }  // namespace
 
 std::string print_entry(const std::string& name, const std::vector<GeneratedFunction>& functions) {
@@ -82,8 +111,14 @@ std::string print_c_entry(const std::string& name,
                           const std::vector<GeneratedFunction>& functions) {
   std::string text;
   std::string header = name;
+  bool has_batch = false;
   for (const GeneratedFunction& generated : functions) {
     const Program& program = generated.program;
+    if (generated.batch > 0) {
+      has_batch = true;
+      text += print_c_batch(name, generated);
+      continue;
+    }
     const std::size_t outputs = count_written(generated);
     std::string list;
     for (std::size_t i = 0; i < program.arguments.size(); ++i) list += fmt::format("in[{}], ", i);
@@ -102,8 +137,11 @@ std::string print_c_entry(const std::string& name,
                                                         {"function", program.name},
                                                         {"arguments", list}});
   }
+  const std::string more = has_batch ? fill_template(check_templates::kCBatch,
+                                                     {{"name", name}, {"NAME", in_capitals(name)}})
+                                     : "";
   return fill_template(check_templates::kCEntry,
-                       {{"name", name}, {"header", header}, {"functions", text}});
+                       {{"name", name}, {"header", header}, {"more", more}, {"functions", text}});
 }
 
 std::string print_composed_entry(const std::string& name, const GeneratedFunction& generated) {
@@ -113,7 +151,8 @@ std::string print_composed_entry(const std::string& name, const GeneratedFunctio
                                                  {"functions", print_plain(name, generated)}});
 }
 
-std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported) {
+std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported,
+                                bool is_safe) {
   const bool batch = supported.batch > 0;
   const std::string arguments = print_arguments(supported.program, supported.program.results.size(),
                                                 batch ? "batch_" : "", batch ? ".all()" : "");
@@ -127,12 +166,18 @@ std::string print_limited_entry(const std::string& name, const GeneratedFunction
                                        "{0}::LimitedTorque limited{{}};\n"
                                        "  {0}::limited_control_torque({1}, limited);",
                                        name, arguments);
+  const std::string sizes = name + (is_safe ? "::" : "::LimitSizes::");
   return fill_template(
       check_templates::kLimited,
       {{"name", name},
        {"header", name + (batch ? "_batch_limited" : "_limited")},
        {"more", batch ? fill_template(check_templates::kBatch, {{"name", name}}) : ""},
        {"entry", entry_symbol(limited_stem(batch))},
+       {"tasks", sizes + (is_safe ? "kTaskRows" : "kTask")},
+       {"rows", sizes + (is_safe ? "kLimitRows" : "kRows")},
+       {"unknowns", sizes + "kUnknowns"},
+       {"slack_at", sizes + (is_safe ? "kFreedoms" : "kSlackAt")},
+       {"sides", is_safe ? "sides" : "program.sides"},
        {"call", call}});
 }
 

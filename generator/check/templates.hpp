@@ -7,6 +7,8 @@ namespace treeline::check_templates {
 // Files of templates/, embedded when the generator is built.
 extern const std::string_view kBatch;
 extern const std::string_view kBytesOfReal;
+extern const std::string_view kCBatch;
+extern const std::string_view kCBatchFunction;
 extern const std::string_view kCEntry;
 extern const std::string_view kCFunction;
 extern const std::string_view kCLimited;

@@ -75,7 +75,7 @@ void BodyPrinter::print_statement(const std::string& statement) {
 }
 
 std::string BodyPrinter::define(std::uint32_t node, const std::string& value) const {
-  return kept_elsewhere_[node] ? syntax_.store(names_[node], value)
+  return kept_elsewhere_[node] ? syntax_.store(syntax_, names_[node], value)
                                : syntax_.keep(syntax_.number, names_[node], value);
 }
 
@@ -90,7 +90,8 @@ void BodyPrinter::print_node(std::uint32_t node) {
 
 void BodyPrinter::print_stores(std::uint32_t node) {
   for (const Store& store : stores_[node]) {
-    print_statement(syntax_.store(store.target, expressions_.signed_reference(store.value)));
+    print_statement(
+        syntax_.store(syntax_, store.target, expressions_.signed_reference(store.value)));
   }
 }
 

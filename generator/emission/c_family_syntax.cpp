@@ -46,7 +46,7 @@ std::string keep_constant(const std::string& type, const std::string& name,
   return fmt::format("const {} {} = {};", type, name, value);
 }
 
-std::string assign(const std::string& target, const std::string& value) {
+std::string assign(const Syntax& /*own*/, const std::string& target, const std::string& value) {
   return fmt::format("{} = {};", target, value);
 }
 

@@ -8,16 +8,21 @@
 namespace treeline {
 namespace {
 
+char in_other_case(char c) {
+  const auto letter = static_cast<unsigned char>(c);
+  return static_cast<char>(std::isupper(letter) != 0 ? std::tolower(letter) : std::toupper(letter));
+}
+
 /// `puma560`, `sin_cos.hpp`: `TREELINE_PUMA560_SIN_COS_HPP`. Two robots' files of one name must
 /// not hide each other, those of robots `s` and `si` neither: a file is the robot's own where its
-/// whole name stands before the rest.
+/// whole name stands before the rest. Nor those of `arm` and `Arm`, which is `aRM` here.
 std::string guard_name(const std::string& robot, const std::string& file) {
   const bool own = file.starts_with(robot + ".") || file.starts_with(robot + "_");
-  std::string name = "TREELINE_" + (own ? "" : robot + "_") + file;
+  std::string name = (own ? "" : robot + "_") + file;
   for (char& c : name) {
-    c = c == '.' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    c = c == '.' ? '_' : in_other_case(c);
   }
-  return name;
+  return "TREELINE_" + name;
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ Phrases list_phrases_of_c(const EmissionContext& context) {
 Phrases list_phrases_of_cpp(const EmissionContext& context) {
   const int rows = context.task_rows;
   const int rotations = (2 * count_sweeps(context) * (rows - 1)) + 1;
-  return {{"rows_constant", fmt::format("inline constexpr std::int32_t kRows = {};", rows)},
-          {"local_rows", "constexpr std::int32_t N = kRows;"},
+  return {{"rows_constant", fmt::format("inline constexpr int32_t kRows = {};", rows)},
+          {"local_rows", "constexpr int32_t N = kRows;"},
           {"sweeps_constant",
-           fmt::format("inline constexpr std::int32_t kSweeps = {};", count_sweeps(context))},
+           fmt::format("inline constexpr int32_t kSweeps = {};", count_sweeps(context))},
           {"sweeps_count", "kSweeps"},
           {"begin_turns", "struct Turns {"},
           {"end_turns", "};"},
@@ -59,7 +59,7 @@ Phrases list_phrases_of_cpp(const EmissionContext& context) {
 std::map<std::string, std::string> list_phrases(const EmissionContext& context) {
   if (context.language == Language::c) {
     return {{"inline", "static inline"},
-            {"bool", "_Bool"},
+            {"bool", "bool"},
             {"int", "int"},
             {"prefix", context.name + "_"},
             {"ref", "*"},
@@ -67,9 +67,8 @@ std::map<std::string, std::string> list_phrases(const EmissionContext& context) 
             {"address", "&"},
             {"noexcept", ""}};
   }
-  return {
-      {"inline", "inline"}, {"bool", "bool"}, {"int", "std::int32_t"}, {"prefix", ""},
-      {"ref", "&"},         {"value", ""},    {"address", ""},         {"noexcept", " noexcept"}};
+  return {{"inline", "inline"}, {"bool", "bool"}, {"int", "int32_t"}, {"prefix", ""},
+          {"ref", "&"},         {"value", ""},    {"address", ""},    {"noexcept", " noexcept"}};
 }
 
 std::string print_damped_steps(const EmissionContext& context) {

@@ -73,7 +73,9 @@ std::string describe_cpp(const Scene& scene) {
        "share, are declared before they are assigned",
        "every one is assigned once, before it is read, without a branch between"},
       {"0.2.1 (advisory)", "constants of the headers may be unused in a translation unit",
-       "they are for callers"}};
+       "they are for callers"},
+      {"6.0.3 (advisory)", "`<stdint.h>` declares its types in the global namespace",
+       "toolchains for microcontrollers that have no library of C++ lack `<cstdint>`"}};
   if (!misra) {
     const std::vector<Deviation> plain = {
         {"4.1.1 (required)", "`__restrict`, attributes, vectors and builtins of GCC and Clang",
@@ -90,18 +92,33 @@ std::string describe_cpp(const Scene& scene) {
          "g++ warns of the sign of array bounds that are template parameters"}};
     deviations.insert(deviations.end(), plain.begin(), plain.end());
   }
+  if (misra && scene.controller) {
+    deviations.push_back(
+        {"10.2.1 (required), 10.2.2 (advisory)",
+         "enumerations of NAME_controller.h are unscoped and have no underlying type",
+         "the header is for C as well"});
+    deviations.push_back({"10.2.3 (required)",
+                          "controller.cpp compares their values with those of the controller's own",
+                          "while it is compiled, so that both agree"});
+  }
   std::string text = misra ? describe_profile() : std::string();
   text +=
       "Compared by hand with the rules of MISRA C++:2023: no free tool checks them. What rules say "
-      "of classes, exceptions, the heap, pointers and the library does not apply: the code has "
-      "none.\n";
+      "of classes, exceptions, the heap and the library does not apply: the code has none.";
+  const bool has_pointers = scene.has_limits() || scene.controller;
+  text += misra && !has_pointers ? " Nor has it pointers.\n" : "\n";
+  if (misra && has_pointers) {
+    text +=
+        "Limited control and the controller pass rows of matrices by pointers: none decays from an "
+        "array (7.11.2), and none leaves its array (8.7.1), since loops end at its size.\n";
+  }
   text += print_table(deviations);
   text += misra
               ? "\n`language: c` gives C99 of the same bits, which cppcheck compares with MISRA "
                 "C:2012.\n"
               : "\nNAME_calls.hpp, NAME_eigen.hpp and c_calls.cpp, damped, limited and batched "
                 "functions and the controller were not compared. `profile: misra` leaves out what "
-                "is required above, and of them all but damped control.\n";
+                "is required above, and of them the first three and batched functions.\n";
   return text;
 }
 

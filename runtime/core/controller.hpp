@@ -31,10 +31,10 @@ inline void add_push(const typename Robot::Input& input, const Measured<Robot>& 
                      const typename Robot::State& state, RealOf<Robot> force,
                      RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   using Real = RealOf<Robot>;
-  Real f[6 * Robot::kPoints];
-  for (int i = 0; i < 6 * Robot::kPoints; ++i) {
-    const int axis = i - 6 * state.press_point;
-    f[i] = axis >= 0 && axis < 3 ? -force * state.direction[axis] : Real(0);
+  Real f[(Robot::kPoints > 0) ? (6 * Robot::kPoints) : 1];
+  for (int i = 0; i < (6 * Robot::kPoints); ++i) {
+    const int axis = i - (6 * state.press_point);
+    f[i] = ((axis >= 0) && (axis < 3)) ? (-force * state.direction[axis]) : Real(0);
   }
   Real push[Robot::kJoints];
   Robot::push_torque(input, at, f, push);
@@ -57,7 +57,9 @@ inline void law_torque(const typename Robot::Config& config, const typename Robo
       task_law<Robot>(config, input, at, state, output, qdd_0, xdd_cmd, force);
       Robot::task_torque(input, at, qdd_0, xdd_cmd, tau);
       if constexpr (Robot::kForce) {
-        if (state.pressing != 0) add_push<Robot>(input, at, state, force, tau);
+        if (state.pressing != 0) {
+          add_push<Robot>(input, at, state, force, tau);
+        }
       }
       return;
     }
@@ -74,12 +76,12 @@ inline void fade_switch(const typename Robot::Config& config, bool switched,
                         typename Robot::State& state,
                         RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   using Real = RealOf<Robot>;
-  const Real rate = config.fade > Real(0) ? Real(1) / config.fade : Real(0);
+  const Real rate = (config.fade > Real(0)) ? (Real(1) / config.fade) : Real(0);
   if (switched) {
     state.fade_ticks = 0;
     for (int i = 0; i < Robot::kJoints; ++i) {
-      const bool fades = rate > Real(0) && state.known != 0;
-      state.left_over[i] = fades ? state.tau[i] - tau[i] : Real(0);
+      const bool fades = (rate > Real(0)) && (state.known != 0);
+      state.left_over[i] = fades ? (state.tau[i] - tau[i]) : Real(0);
     }
   }
   const Real share = fade_out(share_left(seconds(state.fade_ticks, config.period), rate));
@@ -98,11 +100,13 @@ inline void mode_torque(const typename Robot::Config& config, const typename Rob
   if (mode_of<Robot>(state) == Mode::running) {
     law_torque<Robot>(config, input, at, state, output, tau);
     fade_switch<Robot>(config, switched, state, tau);
-    if (all_finite(tau)) return;
+    if (all_finite(tau)) {
+      return;
+    }
     raise_fault<Robot>(kFaultTorque, state);
   }
   brake_torque<Robot>(config, input, at, tau);
-  if (mode_of<Robot>(state) == Mode::stopping && rests<Robot>(config, input)) {
+  if ((mode_of<Robot>(state) == Mode::stopping) && rests<Robot>(config, input)) {
     apply_event<Robot>(Event::at_rest, state);
   }
 }
@@ -150,8 +154,12 @@ inline void controller_step(const typename Robot::Config& config, typename Robot
   }
   const bool switched = take_command<Robot>(config, input, at, seen, state, output);
   const uint32_t found = seen ? check_motion<Robot>(config, state, input) : kFaultMeasurement;
-  if (found != 0) raise_fault<Robot>(found, state);
-  if (is_stale<Robot>(config, state)) raise_fault<Robot>(kFaultStale, state);
+  if (found != 0) {
+    raise_fault<Robot>(found, state);
+  }
+  if (is_stale<Robot>(config, state)) {
+    raise_fault<Robot>(kFaultStale, state);
+  }
   Real tau[Robot::kJoints];
   bool finite = false;
   if (seen) {
@@ -163,7 +171,7 @@ inline void controller_step(const typename Robot::Config& config, typename Robot
   } else {
     blind_torque<Robot>(config, state, tau);
   }
-  state.cut = output.factor < Real(1) ? 1 : 0;
+  state.cut = (output.factor < Real(1)) ? 1 : 0;
   for (int i = 0; i < Robot::kJoints; ++i) {
     state.tau[i] = tau[i];
     output.tau[i] = tau[i];

@@ -31,8 +31,8 @@ inline void raise_fault(uint32_t faults, typename Robot::State& state) noexcept 
 template <class Robot>
 inline bool is_stale(const typename Robot::Config& config, typename Robot::State& state) noexcept {
   count_tick(state.command_ticks);
-  return config.stale_ticks > 0 && state.command_ticks > config.stale_ticks &&
-         mode_of<Robot>(state) == Mode::running;
+  return (config.stale_ticks > 0) && (state.command_ticks > config.stale_ticks) &&
+         (mode_of<Robot>(state) == Mode::running);
 }
 
 /// Begins to hold the joints where they are.
@@ -53,7 +53,7 @@ inline bool is_within_limits(const typename Robot::Config& config,
                              const RealOf<Robot> (&goal)[Robot::kJoints]) noexcept {
   bool within_all = true;
   for (int i = 0; i < Robot::kJoints; ++i) {
-    within_all = within_all && goal[i] >= config.lower[i] && goal[i] <= config.upper[i];
+    within_all = within_all && (goal[i] >= config.lower[i]) && (goal[i] <= config.upper[i]);
   }
   return within_all;
 }
@@ -61,23 +61,23 @@ inline bool is_within_limits(const typename Robot::Config& config,
 /// Whether the duration is positive and finite.
 template <class Real>
 constexpr bool is_duration(Real duration) noexcept {
-  return is_finite(duration) && duration > Real(0);
+  return is_finite(duration) && (duration > Real(0));
 }
 
 /// Whether a vector is of length 1 to a hundredth.
 template <class Real>
 constexpr bool is_unit(Real x, Real y, Real z) noexcept {
-  return magnitude(x * x + y * y + z * z - Real(1)) < Real(0.02);
+  return magnitude((x * x) + (y * y) + (z * z) - Real(1)) < Real(0.02);
 }
 
 /// Whether the rows are of length 1, and each is the cross product of the two others.
 template <class Real>
 constexpr bool is_rotation(const Real (&R)[9]) noexcept {
-  const Real x = R[1] * R[5] - R[2] * R[4];
-  const Real y = R[2] * R[3] - R[0] * R[5];
-  const Real z = R[0] * R[4] - R[1] * R[3];
+  const Real x = (R[1] * R[5]) - (R[2] * R[4]);
+  const Real y = (R[2] * R[3]) - (R[0] * R[5]);
+  const Real z = (R[0] * R[4]) - (R[1] * R[3]);
   return is_unit(R[0], R[1], R[2]) && is_unit(R[3], R[4], R[5]) &&
-         magnitude(x * R[6] + y * R[7] + z * R[8] - Real(1)) < Real(0.03);
+         (magnitude((x * R[6]) + (y * R[7]) + (z * R[8]) - Real(1)) < Real(0.03));
 }
 
 /// Joints to a posture, from the reference if they were following one. Returns whether the law
@@ -105,7 +105,7 @@ inline bool begin_posture(const typename Robot::Config& config, const typename R
 template <class Robot>
 inline bool is_pressing(const typename Robot::State& state, int point) noexcept {
   if constexpr (Robot::kForce) {
-    return state.pressing != 0 && state.press_point == point;
+    return (state.pressing != 0) && (state.press_point == point);
   }
   return false;
 }
@@ -122,7 +122,9 @@ inline void stop_pressing(typename Robot::State& state) noexcept {
 template <class Robot>
 inline bool enter_task(const typename Robot::Config& config, const Measured<Robot>& at,
                        typename Robot::State& state) noexcept {
-  if (state.law == Robot::kTaskLaw) return false;
+  if (state.law == Robot::kTaskLaw) {
+    return false;
+  }
   state.law = Robot::kTaskLaw;
   stop_pressing<Robot>(state);
   for (int i = 0; i < Robot::kJoints; ++i) {
@@ -152,7 +154,9 @@ inline bool begin_pose(const typename Robot::Config& config, const typename Robo
   } else {
     point_reference<Robot>(config, state, point, now);
   }
-  if (pressed) stop_pressing<Robot>(state);
+  if (pressed) {
+    stop_pressing<Robot>(state);
+  }
   move_point<Robot>(now, input.command.position, input.command.rotation, input.command.duration,
                     point, state);
   return entered || pressed;
@@ -178,9 +182,13 @@ template <class Robot>
 inline bool is_sound(const typename Robot::Config& config,
                      const typename Robot::Command& command) noexcept {
   const auto kind = static_cast<MessageKind>(command.kind);
-  if (!is_duration(command.duration)) return false;
-  if (kind == MessageKind::set_posture) return is_within_limits<Robot>(config, command.goal);
-  const bool of_point = command.point >= 0 && command.point < Robot::kPoints;
+  if (!is_duration(command.duration)) {
+    return false;
+  }
+  if (kind == MessageKind::set_posture) {
+    return is_within_limits<Robot>(config, command.goal);
+  }
+  const bool of_point = (command.point >= 0) && (command.point < Robot::kPoints);
   if constexpr (Robot::kTask) {
     if (kind == MessageKind::move_point) {
       return of_point && all_finite(command.position) && is_rotation(command.rotation);
@@ -188,7 +196,7 @@ inline bool is_sound(const typename Robot::Config& config,
   }
   if constexpr (Robot::kForce) {
     if (kind == MessageKind::press) {
-      return of_point && magnitude(command.force) <= config.largest_force &&
+      return of_point && (magnitude(command.force) <= config.largest_force) &&
              is_unit(command.direction[0], command.direction[1], command.direction[2]);
     }
   }
@@ -200,16 +208,20 @@ template <class Robot>
 inline bool begin_motion(const typename Robot::Config& config, const typename Robot::Input& input,
                          const Measured<Robot>& at, typename Robot::State& state,
                          typename Robot::Output& output) noexcept {
-  if (mode_of<Robot>(state) != Mode::running || !is_sound<Robot>(config, input.command)) {
+  if ((mode_of<Robot>(state) != Mode::running) || !is_sound<Robot>(config, input.command)) {
     output.refused = 1;
     return false;
   }
   const auto kind = static_cast<MessageKind>(input.command.kind);
   if constexpr (Robot::kTask) {
-    if (kind == MessageKind::move_point) return begin_pose<Robot>(config, input, at, state);
+    if (kind == MessageKind::move_point) {
+      return begin_pose<Robot>(config, input, at, state);
+    }
   }
   if constexpr (Robot::kForce) {
-    if (kind == MessageKind::press) return begin_press<Robot>(config, input, at, state);
+    if (kind == MessageKind::press) {
+      return begin_press<Robot>(config, input, at, state);
+    }
   }
   return begin_posture<Robot>(config, input, state);
 }
@@ -235,22 +247,28 @@ inline bool apply_command(const typename Robot::Config& config, const typename R
     case MessageKind::instruction:  // only tells that whoever commands is there
       return false;
     case MessageKind::reset:
-      output.refused = seen && before == Mode::faulted ? 0 : 1;
-      if (output.refused != 0) return false;
+      output.refused = (seen && (before == Mode::faulted)) ? 0 : 1;
+      if (output.refused != 0) {
+        return false;
+      }
       admit<Robot>(config, input, state);
       state.faults = 0;
       apply_event<Robot>(Event::reset, state);
       return false;
     case MessageKind::start:
-      output.refused = seen && before == Mode::idle ? 0 : 1;
-      if (output.refused != 0) return false;
+      output.refused = (seen && (before == Mode::idle)) ? 0 : 1;
+      if (output.refused != 0) {
+        return false;
+      }
       apply_event<Robot>(Event::start, state);
       start_holding<Robot>(config, input, state);
       return true;
     default:
       break;
   }
-  if (seen) return begin_motion<Robot>(config, input, at, state, output);
+  if (seen) {
+    return begin_motion<Robot>(config, input, at, state, output);
+  }
   output.refused = 1;
   return false;
 }
@@ -260,7 +278,9 @@ template <class Robot>
 inline bool take_command(const typename Robot::Config& config, const typename Robot::Input& input,
                          const Measured<Robot>& at, bool seen, typename Robot::State& state,
                          typename Robot::Output& output) noexcept {
-  if (input.command.sequence == state.sequence) return false;
+  if (input.command.sequence == state.sequence) {
+    return false;
+  }
   state.sequence = input.command.sequence;
   state.command_ticks = 0;
   return apply_command<Robot>(config, input, at, seen, state, output);

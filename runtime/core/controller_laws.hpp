@@ -26,9 +26,9 @@ struct Measured {
   RealOf<Robot> sin_q[Robot::kJoints];
   RealOf<Robot> cos_q[Robot::kJoints];
   RealOf<Robot> gravity[Robot::kJoints];
-  RealOf<Robot> position[Robot::kPoints > 0 ? 3 * Robot::kPoints : 1];
-  RealOf<Robot> rotation[Robot::kPoints > 0 ? 9 * Robot::kPoints : 1];
-  RealOf<Robot> velocity[Robot::kPoints > 0 ? 6 * Robot::kPoints : 1];
+  RealOf<Robot> position[(Robot::kPoints > 0) ? (3 * Robot::kPoints) : 1];
+  RealOf<Robot> rotation[(Robot::kPoints > 0) ? (9 * Robot::kPoints) : 1];
+  RealOf<Robot> velocity[(Robot::kPoints > 0) ? (6 * Robot::kPoints) : 1];
 };
 
 /// Desired motion of one point in world axes, linear over angular.
@@ -40,9 +40,9 @@ struct PointMotion {
   Real acceleration[6];
 };
 
-template <int N, class Real>
+template <size_t N, class Real>
 inline void copy_numbers(const Real* from, Real (&to)[N]) noexcept {
-  for (int i = 0; i < N; ++i) {
+  for (size_t i = 0; i < N; ++i) {
     to[i] = from[i];
   }
 }
@@ -55,7 +55,7 @@ inline Real seconds(int32_t ticks, Real period) noexcept {
 /// Counts a step; stops where a counter would run over.
 inline void count_tick(int32_t& ticks) noexcept {
   constexpr int32_t kMost = 0x3fffffff;
-  ticks += ticks < kMost ? 1 : 0;
+  ticks += (ticks < kMost) ? 1 : 0;
 }
 
 /// Reference of the joints at this step.
@@ -65,7 +65,7 @@ inline void joint_reference(const typename Robot::Config& config,
                             RealOf<Robot> (&v)[Robot::kJoints],
                             RealOf<Robot> (&a)[Robot::kJoints]) noexcept {
   const auto left = share_left(seconds(state.joint_ticks, config.period), state.joint_rate);
-  quintic_at(state.joint_motion, left, state.joint_rate, p, v, a);
+  quintic_at(&state.joint_motion[0], left, state.joint_rate, p, v, a);
 }
 
 /// Leads the joints from a state to rest in `goal`. The motion takes `duration`, and as much longer
@@ -80,7 +80,7 @@ inline void move_joints(const typename Robot::Config& config,
   using Real = RealOf<Robot>;
   for (int i = 0; i < Robot::kJoints; ++i) {
     const Real least = Real(1.875) * magnitude(goal[i] - p[i]) / config.speed[i];
-    duration = duration > least ? duration : least;
+    duration = (duration > least) ? duration : least;
   }
   quintic_to_rest(p, v, a, goal, duration, &state.joint_motion[0]);
   state.joint_rate = Real(1) / duration;
@@ -98,8 +98,8 @@ inline void joint_law(const typename Robot::Config& config, const typename Robot
   for (int i = 0; i < Robot::kJoints; ++i) {
     const Real w = config.joint_frequency[i];
     output.joint_error[i] = p[i] - input.q[i];
-    qdd[i] +=
-        w * (Real(2) * config.joint_damping[i] * (v[i] - input.qd[i]) + w * output.joint_error[i]);
+    qdd[i] += w * ((Real(2) * config.joint_damping[i] * (v[i] - input.qd[i])) +
+                   (w * output.joint_error[i]));
   }
   count_tick(state.joint_ticks);
 }
@@ -155,7 +155,7 @@ inline void move_point(const PointMotion<RealOf<Robot>>& now, const RealOf<Robot
   quintic_to_rest(from, now.velocity, now.acceleration, to, duration,
                   &state.point_motion[24 * point]);
   for (int i = 0; i < 9; ++i) {
-    state.point_from[9 * point + i] = now.rotation[i];
+    state.point_from[(9 * point) + i] = now.rotation[i];
   }
   state.point_rate[point] = Real(1) / duration;
   state.point_ticks[point] = 0;
@@ -186,11 +186,11 @@ inline void point_law(const typename Robot::Config& config, const Measured<Robot
   measured_motion<Robot>(at, point, now);
   pose_error(now.position, now.rotation, wanted.position, wanted.rotation, error);
   for (int i = 0; i < 6; ++i) {
-    const Real w = config.task_frequency[6 * point + i];
-    output.task_error[6 * point + i] = error[i];
-    xdd[i] = wanted.acceleration[i] + w * (Real(2) * config.task_damping[6 * point + i] *
-                                               (wanted.velocity[i] - now.velocity[i]) +
-                                           w * error[i]);
+    const Real w = config.task_frequency[(6 * point) + i];
+    output.task_error[(6 * point) + i] = error[i];
+    xdd[i] = wanted.acceleration[i] + (w * ((Real(2) * config.task_damping[(6 * point) + i] *
+                                             (wanted.velocity[i] - now.velocity[i])) +
+                                            (w * error[i])));
   }
   count_tick(state.point_ticks[point]);
 }
@@ -215,14 +215,14 @@ inline RealOf<Robot> force_law(const typename Robot::Config& config,
   Real measured = Real(0);
   for (int i = 0; i < 3; ++i) {
     along += state.direction[i] * xdd[i];
-    speed += state.direction[i] * at.velocity[6 * point + i];
+    speed += state.direction[i] * at.velocity[(6 * point) + i];
     measured += state.direction[i] * input.force[i];
   }
   const Real lack = wanted - measured;
-  const Real more = state.cut == 0 ? config.force_rate * config.period * lack : Real(0);
+  const Real more = (state.cut == 0) ? (config.force_rate * config.period * lack) : Real(0);
   state.force_integral = within(state.force_integral + more, config.largest_force);
   const Real acceleration =
-      config.force_gain * (lack + state.force_integral) - config.force_damping * speed;
+      (config.force_gain * (lack + state.force_integral)) - (config.force_damping * speed);
   for (int i = 0; i < 3; ++i) {
     xdd[i] += state.direction[i] * (acceleration - along);
   }
@@ -237,13 +237,15 @@ inline void select_rows(const Measured<Robot>& at, int point, const RealOf<Robot
                         int& row, RealOf<Robot> (&xdd_cmd)[Robot::kRows]) noexcept {
   using Real = RealOf<Robot>;
   for (int i = 0; i < 6; ++i) {
-    if (!Robot::kControls[6 * point + i]) continue;
+    if (!Robot::kControls[(6 * point) + i]) {
+      continue;
+    }
     Real value = xdd[i];
     if (Robot::kOwnAxes[point]) {
-      const int part = i < 3 ? 0 : 3;
+      const int part = (i < 3) ? 0 : 3;
       value = Real(0);
       for (int k = 0; k < 3; ++k) {
-        value += at.rotation[9 * point + 3 * k + (i - part)] * xdd[part + k];
+        value += at.rotation[(9 * point) + (3 * k) + (i - part)] * xdd[part + k];
       }
     }
     xdd_cmd[row] = value;
@@ -264,7 +266,7 @@ inline void task_law(const typename Robot::Config& config, const typename Robot:
     Real xdd[6];
     point_law<Robot>(config, at, point, state, output, xdd);
     if constexpr (Robot::kForce) {
-      if (state.pressing != 0 && point == state.press_point) {
+      if ((state.pressing != 0) && (point == state.press_point)) {
         force = force_law<Robot>(config, input, at, state, output, xdd);
       }
     }
@@ -272,7 +274,7 @@ inline void task_law(const typename Robot::Config& config, const typename Robot:
   }
   for (int i = 0; i < Robot::kJoints; ++i) {
     const Real w = config.posture_frequency[i];
-    qdd_0[i] = w * (w * (state.posture[i] - input.q[i]) - Real(2) * input.qd[i]);
+    qdd_0[i] = w * ((w * (state.posture[i] - input.q[i])) - (Real(2) * input.qd[i]));
   }
 }
 

@@ -4,6 +4,7 @@
 //
 // `Robot` is the struct of constants and functions that is emitted beside these headers.
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "core/mode.hpp"
@@ -16,12 +17,12 @@
 namespace treeline::core {
 
 /// Bits of a controller's faults.
-inline constexpr uint32_t kFaultMeasurement = 1;  ///< q, qd or a force is not finite
-inline constexpr uint32_t kFaultPosition = 2;     ///< beyond a limit by more than the margin
-inline constexpr uint32_t kFaultSpeed = 4;        ///< beyond a limit by more than the margin
-inline constexpr uint32_t kFaultTorque = 8;       ///< the law's torque is not finite
-inline constexpr uint32_t kFaultStale = 16;       ///< no command for too many steps
-inline constexpr uint32_t kFaultEmergency = 32;   ///< emergency stop, by command
+inline constexpr uint32_t kFaultMeasurement = 1U;  ///< q, qd or a force is not finite
+inline constexpr uint32_t kFaultPosition = 2U;     ///< beyond a limit by more than the margin
+inline constexpr uint32_t kFaultSpeed = 4U;        ///< beyond a limit by more than the margin
+inline constexpr uint32_t kFaultTorque = 8U;       ///< the law's torque is not finite
+inline constexpr uint32_t kFaultStale = 16U;       ///< no command for too many steps
+inline constexpr uint32_t kFaultEmergency = 32U;   ///< emergency stop, by command
 
 /// What a controller computes with: the type that its functions take.
 template <class Robot>
@@ -29,13 +30,13 @@ using RealOf = typename Robot::Real;
 
 template <class Real>
 constexpr bool is_finite(Real x) noexcept {
-  return x - x == Real(0);
+  return (x - x) == Real(0);
 }
 
-template <int N, class Real>
+template <size_t N, class Real>
 constexpr bool all_finite(const Real (&x)[N]) noexcept {
   bool finite = true;
-  for (int i = 0; i < N; ++i) {
+  for (size_t i = 0; i < N; ++i) {
     finite = finite && is_finite(x[i]);
   }
   return finite;
@@ -43,13 +44,13 @@ constexpr bool all_finite(const Real (&x)[N]) noexcept {
 
 template <class Real>
 constexpr Real magnitude(Real x) noexcept {
-  return x < Real(0) ? -x : x;
+  return (x < Real(0)) ? -x : x;
 }
 
 /// `x` between -most and most; 0 for NaN.
 template <class Real>
 constexpr Real within(Real x, Real most) noexcept {
-  return x > most ? most : (x < -most ? -most : (x == x ? x : Real(0)));
+  return (x > most) ? most : ((x < -most) ? -most : ((x == x) ? x : Real(0)));
 }
 
 /// How far a coordinate is beyond its limits, rad or m; negative within them.
@@ -58,7 +59,7 @@ inline RealOf<Robot> beyond_limits(const typename Robot::Config& config,
                                    const typename Robot::Input& input, int i) noexcept {
   const RealOf<Robot> above = input.q[i] - config.upper[i];
   const RealOf<Robot> below = config.lower[i] - input.q[i];
-  return above > below ? above : below;
+  return (above > below) ? above : below;
 }
 
 /// Whether all that was measured and is not an argument of constants is finite.
@@ -80,12 +81,12 @@ inline uint32_t check_motion(const typename Robot::Config& config, typename Robo
   uint32_t faults = 0;
   for (int i = 0; i < Robot::kJoints; ++i) {
     const Real beyond = beyond_limits<Robot>(config, input, i);
-    if (beyond > config.position_margin + state.admitted[i]) {
+    if (beyond > (config.position_margin + state.admitted[i])) {
       faults |= kFaultPosition;
     }
-    const Real now = beyond > Real(0) ? beyond : Real(0);
-    state.admitted[i] = state.admitted[i] < now ? state.admitted[i] : now;
-    if (magnitude(input.qd[i]) > config.speed[i] * (Real(1) + config.speed_margin)) {
+    const Real now = (beyond > Real(0)) ? beyond : Real(0);
+    state.admitted[i] = (state.admitted[i] < now) ? state.admitted[i] : now;
+    if (magnitude(input.qd[i]) > (config.speed[i] * (Real(1) + config.speed_margin))) {
       faults |= kFaultSpeed;
     }
   }
@@ -98,7 +99,7 @@ inline void admit(const typename Robot::Config& config, const typename Robot::In
                   typename Robot::State& state) noexcept {
   for (int i = 0; i < Robot::kJoints; ++i) {
     const RealOf<Robot> beyond = beyond_limits<Robot>(config, input, i);
-    state.admitted[i] = beyond > RealOf<Robot>(0) ? beyond : RealOf<Robot>(0);
+    state.admitted[i] = (beyond > RealOf<Robot>(0)) ? beyond : RealOf<Robot>(0);
   }
 }
 
@@ -107,7 +108,7 @@ inline bool rests(const typename Robot::Config& config,
                   const typename Robot::Input& input) noexcept {
   bool rests = true;
   for (int i = 0; i < Robot::kJoints; ++i) {
-    rests = rests && magnitude(input.qd[i]) <= config.rest_speed;
+    rests = rests && (magnitude(input.qd[i]) <= config.rest_speed);
   }
   return rests;
 }
@@ -123,17 +124,17 @@ inline RealOf<Robot> saturate(const typename Robot::Config& config,
   using Real = RealOf<Robot>;
   Real factor = Real(1);
   for (int i = 0; i < Robot::kJoints; ++i) {
-    const Real most = tau[i] < held[i] ? -config.torque[i] : config.torque[i];
+    const Real most = (tau[i] < held[i]) ? -config.torque[i] : config.torque[i];
     const Real room = most - held[i];
     const Real asked = tau[i] - held[i];
     if (magnitude(asked) > magnitude(room)) {
       const Real share = room / asked;
-      factor = share < factor ? share : factor;
+      factor = (share < factor) ? share : factor;
     }
   }
   for (int i = 0; i < Robot::kJoints; ++i) {
-    if (config.saturation == Robot::kScale && factor < Real(1)) {
-      tau[i] = held[i] + factor * (tau[i] - held[i]);
+    if ((config.saturation == Robot::kScale) && (factor < Real(1))) {
+      tau[i] = held[i] + (factor * (tau[i] - held[i]));
     }
     tau[i] = within(tau[i], config.torque[i]);
   }

@@ -31,13 +31,13 @@ constexpr Mode next_mode(Mode mode, Event event) noexcept {
     case Event::fault:
       return Mode::faulted;
     case Event::start:
-      return mode == Mode::idle ? Mode::running : mode;
+      return (mode == Mode::idle) ? Mode::running : mode;
     case Event::stop:
-      return mode == Mode::running ? Mode::stopping : mode;
+      return (mode == Mode::running) ? Mode::stopping : mode;
     case Event::at_rest:
-      return mode == Mode::stopping ? Mode::idle : mode;
+      return (mode == Mode::stopping) ? Mode::idle : mode;
     case Event::reset:
-      return mode == Mode::faulted ? Mode::idle : mode;
+      return (mode == Mode::faulted) ? Mode::idle : mode;
   }
   return mode;
 }
@@ -74,14 +74,14 @@ enum class MessageKind : uint8_t {
 /// Whether a number that came from outside is a kind. A message kind has eight bits: without this
 /// question, 256 would be taken for an emergency stop and 260 for a start.
 constexpr bool is_message_kind(int32_t kind) noexcept {
-  return kind >= 0 && kind <= static_cast<int32_t>(MessageKind::press);
+  return (kind >= 0) && (kind <= static_cast<int32_t>(MessageKind::press));
 }
 
 /// Urgency of a message. Of two waiting messages the more urgent one is applied first. The order is
 /// that of MessageKind up to `start`; all later kinds are equally urgent.
 constexpr int urgency(MessageKind kind) noexcept {
   constexpr int kLeast = static_cast<int>(MessageKind::move_point);
-  return static_cast<int>(kind) < kLeast ? kLeast - static_cast<int>(kind) : 0;
+  return (static_cast<int>(kind) < kLeast) ? (kLeast - static_cast<int>(kind)) : 0;
 }
 
 }  // namespace treeline::core

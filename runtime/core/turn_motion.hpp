@@ -9,24 +9,24 @@ namespace steps {
 
 template <class Real>
 constexpr Real dot(const Real (&a)[3], const Real (&b)[3]) noexcept {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return (a[0] * b[0]) + (a[1] * b[1]) + (a[2] * b[2]);
 }
 
 /// sum_k (-x)^k / (2k + first)! and its derivative by x. The series of sine and cosine, whose terms
 /// left out are below a rounding of the sum for x <= 12, an angle of 3.4 rad.
 template <class Real>
 constexpr void alternating_series(Real x, int first, Real& sum, Real& slope) noexcept {
-  constexpr int kTerms = sizeof(Real) < sizeof(double) ? 9 : 15;
+  constexpr int kTerms = (sizeof(Real) < sizeof(double)) ? 9 : 15;
   Real last = Real(1);
   for (int k = 2; k <= first; ++k) {
-    last /= Real(k);
+    last /= static_cast<Real>(k);
   }
   Real s = Real(1);
   Real d = Real(0);
   for (int k = kTerms; k > 0; --k) {
-    const Real ratio = Real(1) / Real((2 * k + first - 1) * (2 * k + first));
-    d = -ratio * (s + x * d);
-    s = Real(1) - ratio * x * s;
+    const Real ratio = Real(1) / static_cast<Real>(((2 * k) + first - 1) * ((2 * k) + first));
+    d = -ratio * (s + (x * d));
+    s = Real(1) - (ratio * x * s);
   }
   sum = last * s;
   slope = last * d;
@@ -59,9 +59,9 @@ inline void turn_rates(const Real (&r)[3], const Real (&rd)[3], const Real (&rdd
   steps::cross(r, turned, twice_turned);
   steps::cross(rd, across, mixed);
   for (int i = 0; i < 3; ++i) {
-    w[i] = rd[i] + B * across[i] + C * twice_across[i];
-    wd[i] = rdd[i] + B * turned[i] + C * (twice_turned[i] + mixed[i]) +
-            twice * (dB * across[i] + dC * twice_across[i]);
+    w[i] = rd[i] + (B * across[i]) + (C * twice_across[i]);
+    wd[i] = rdd[i] + (B * turned[i]) + (C * (twice_turned[i] + mixed[i])) +
+            (twice * ((dB * across[i]) + (dC * twice_across[i])));
   }
 }
 
@@ -70,7 +70,8 @@ template <class Real>
 constexpr void turn_by(const Real (&A)[9], const Real (&B)[9], Real (&product)[9]) noexcept {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      product[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+      product[(3 * i) + j] =
+          (A[3 * i] * B[j]) + (A[(3 * i) + 1] * B[3 + j]) + (A[(3 * i) + 2] * B[6 + j]);
     }
   }
 }

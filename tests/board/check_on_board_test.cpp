@@ -137,6 +137,14 @@ TEST(OnBoard, RunsTheDampedLawOfSafeSmallCode) {
   EXPECT_NE(print_text(report).find("`optimize`"), std::string::npos);
 }
 
+// Would catch: a header of the library of C++, which this toolchain does not have.
+TEST(OnBoard, RunsSafeCodeWithoutALibrary) {
+  Subjects subjects = damped_puma_for("rv32imfc", Real::float32, Language::cpp);
+  subjects.scene.profile = Profile::misra;
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  expect_damped(run_on_board(subjects, board_options(20)));
+}
+
 // Would catch: eigenvectors written out, or sweeps that repeat until some matrix is diagonal.
 TEST(OnBoard, TheDampedLawFitsASmallCore) {
   const BoardReport report =

@@ -91,6 +91,10 @@ TEST(LimitsCheck, ArmAtAWallInC) {
   expect_certified(arm("language: c\n"), 40, 10);
 }
 
+TEST(LimitsCheck, ArmAtAWallInCodeForSafety) {
+  expect_certified(arm("profile: misra\n"), 40, 10);
+}
+
 void expect_batch_certified(const Subjects& subjects, int least) {
   const auto report = check_or_throw(subjects, quick_options(40));
   EXPECT_TRUE(report.passed()) << print_text(report);

@@ -115,10 +115,11 @@ TEST_F(GenerateTest, WritesC) {
 
 // Would catch: a scene of which a part is left out without a word.
 TEST_F(GenerateTest, RefusesWhatCDoesNotHave) {
-  std::ofstream(root_ / "batch.yaml") << "{language: c, batch: 4}";
-  const Outcome outcome = run(kUrdf + " batch.yaml --output arm");
+  std::ofstream(root_ / "controlled.yaml")
+      << "{language: c, controller: {laws: [joint_impedance]}}";
+  const Outcome outcome = run(kUrdf + " controlled.yaml --output arm");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("cannot be had in C yet"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("which C cannot include"), std::string::npos) << outcome.err;
   EXPECT_FALSE(fs::exists(root_ / "arm"));
 }
 

@@ -8,7 +8,7 @@ file(MAKE_DIRECTORY ${FOLDER})
 run(${TREELINE} generate ${ROBOTS}/puma560/puma560.urdf ${SOURCE}/puma.yaml --output ${FOLDER}/puma_arm)
 set(generated ${FOLDER}/puma_arm)
 run(${HOST} -std=c++17 -O2 -fPIC -shared -nostdlib -ffreestanding -fno-exceptions -fno-rtti
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wl,--no-undefined -I${generated}
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wmissing-declarations -Werror -Wl,--no-undefined -I${generated}
   ${generated}/controller.cpp ${generated}/controller_kinematics.cpp
   ${generated}/controller_joint_torque.cpp ${generated}/controller_push_torque.cpp
   ${generated}/controller_task_torque.cpp

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
       treeline::test::sample_context(argv[2], single_precision, language);
   context.misra = misra;
   context.prefetch = !misra && !single_precision;
-  context.batch = is_c || misra ? 0 : treeline::test::kSampleBatch;
+  context.batch = misra ? 0 : treeline::test::kSampleBatch;
+  if (is_c && !single_precision) context.lanes = 8;  // batches in vectors, those in float in loops
   const auto programs = misra ? treeline::test::safe_programs() : treeline::test::sample_programs();
   std::vector<treeline::Program> batch;
   if (context.batch > 0) batch = programs;

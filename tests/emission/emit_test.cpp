@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "emission/c/print_source.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/guard_headers.hpp"
 #include "emission/print_optimize.hpp"
 #include "emission/sample.hpp"
 
@@ -104,6 +106,27 @@ TEST(EmitInC, MakesTheFolder) {
   EXPECT_NE(text_of(files, "corner_cases.c").find("  (void)unread;\n"), std::string::npos);
 }
 
+// Would catch: headers of two robots of which one hides the other, whose names differ in case.
+TEST(Emit, GuardsHeadersOfEachRobot) {
+  const auto guards_of = [](const std::string& robot) {
+    std::vector<GeneratedFile> files = {{robot + ".hpp", "#pragma once\n"},
+                                        {robot + "_joints.hpp", "#pragma once\n"},
+                                        {"sin_cos.hpp", "#pragma once\n"}};
+    guard_headers(robot, files);
+    std::vector<std::string> guards;
+    for (const GeneratedFile& file : files) {
+      guards.push_back(file.text.substr(0, file.text.find('\n')));
+    }
+    return guards;
+  };
+  EXPECT_EQ(guards_of("arm")[1], "#ifndef TREELINE_ARM_JOINTS_HPP");
+  std::set<std::string> all;
+  for (const char* robot : {"arm", "Arm", "ARM", "aRm"}) {
+    for (const std::string& guard : guards_of(robot))
+      EXPECT_TRUE(all.insert(guard).second) << guard;
+  }
+}
+
 // Would catch: something that a scene asks for and C does not have, left out without a word; a
 // header that hides one of C's own.
 TEST(EmitInC, RefusesWhatItDoesNotHave) {
@@ -117,8 +140,8 @@ TEST(EmitInC, RefusesWhatItDoesNotHave) {
   };
   EmissionContext context = test::sample_context("arm", false, Language::c);
   EXPECT_TRUE(elements(context).empty());
-  context.batch = 4;
-  EXPECT_EQ(elements(context), std::vector<std::string>{"batch"});
+  context.controlled = true;
+  EXPECT_EQ(elements(context), std::vector<std::string>{"controller"});
   EXPECT_EQ(elements(test::sample_context("math", false, Language::c)),
             std::vector<std::string>{"name"});
 }

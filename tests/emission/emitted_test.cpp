@@ -14,8 +14,10 @@
 #include "emission/sample.hpp"
 #include "program/evaluate.hpp"
 #include "sample_c_double.h"
+#include "sample_c_double_batch.h"
 #include "sample_c_double_joints.h"
 #include "sample_c_float.h"
+#include "sample_c_float_batch.h"
 #include "sample_c_float_joints.h"
 #include "sample_double.h"
 #include "sample_double_batch.hpp"
@@ -92,6 +94,16 @@ void compare_batches(Function corner_cases) {
 TEST(Emitted, BatchesEqualTheGraphToTheBit) {
   compare_batches<double>(sample_double::batch::corner_cases);
   compare_batches<float>(sample_float::batch::corner_cases);
+}
+
+// In vectors and in loops.
+TEST(Emitted, BatchesInCEqualTheGraphToTheBit) {
+  compare_batches<double>([](auto& q, auto& unread, auto& delta, auto& out, auto& second) {
+    sample_c_double_batch_corner_cases(q[0], unread[0], delta[0], out[0], second[0]);
+  });
+  compare_batches<float>([](auto& q, auto& unread, auto& delta, auto& out, auto& second) {
+    sample_c_float_batch_corner_cases(q[0], unread[0], delta[0], out[0], second[0]);
+  });
 }
 
 TEST(Emitted, TwoLinkArmEqualsTheGraphToTheBit) {

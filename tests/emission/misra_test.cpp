@@ -6,9 +6,11 @@
 
 #include "emission/backend/backend.hpp"
 #include "emission/c/print_damped.hpp"
+#include "emission/c/print_limited.hpp"
 #include "emission/emit.hpp"
 #include "emission/guard_headers.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
+#include "emission/misra/print_limited_runtime.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/sample.hpp"
 
@@ -17,15 +19,30 @@
 namespace treeline {
 namespace {
 
+/// Of the sample: a motor, a joint without one, three forces in a cone.
+LimitFacts limits_of_two() {
+  LimitFacts limits;
+  limits.passive = {1};
+  limits.force_weights = {1, 1, 1};
+  limits.torque = {80, 0};
+  limits.cones = {{0, {0, 0, -1}, -2}};
+  limits.task_weights = {1, 1};
+  limits.freedoms = 2;
+  return limits;
+}
+
 std::vector<GeneratedFile> emit_safe(Language language, bool single_precision) {
   EmissionContext context = test::sample_context("arm", single_precision, language);
   context.misra = true;
   Diagnostics diagnostics;
   auto files = emit(context, test::safe_programs(), diagnostics);
   EXPECT_TRUE(diagnostics.list().empty());
-  for (GeneratedFile& file : language == Language::c ? c::print_damped_runtime(context)
-                                                     : misra::print_damped_runtime(context)) {
-    files.push_back(std::move(file));
+  const bool is_c = language == Language::c;
+  context.limits = limits_of_two();
+  for (auto& more :
+       {is_c ? c::print_damped_runtime(context) : misra::print_damped_runtime(context),
+        is_c ? c::print_limited_runtime(context) : misra::print_limited_runtime(context)}) {
+    files.insert(files.end(), more.begin(), more.end());
   }
   guard_headers(context.name, files);
   std::erase_if(files, [](const GeneratedFile& file) {
@@ -129,8 +146,7 @@ TEST(Misra, RefusesWhatItDoesNotHave) {
     keys.push_back(diagnostic.element);
     EXPECT_FALSE(diagnostic.remedy.empty());
   }
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{"lanes", "batch", "torque_limits, friction", "controller"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"lanes", "batch"}));
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scen
 
 std::vector<LanguageRow> compare_languages_of(const std::string& urdf, const std::string& scene,
                                               const std::vector<Function>& functions, Real real,
-                                              int lanes, const Compilers& compilers, int states) {
+                                              int lanes, const Compilers& compilers, int states,
+                                              const Manner& manner) {
   Diagnostics diagnostics;
   const auto robot = read_urdf(urdf, diagnostics);
   if (!robot) fail_with(diagnostics, urdf);
@@ -99,7 +100,8 @@ std::vector<LanguageRow> compare_languages_of(const std::string& urdf, const std
   if (!read) fail_with(diagnostics, urdf + " " + scene);
   read->real = real;
   read->lanes = lanes;
-  read->batch = 0;
+  read->batch = manner.batch;
+  read->profile = manner.profile;
   return compare_languages(*robot, *read, compilers, "-O2 -ffp-contract=off", states);
 }
 

@@ -21,6 +21,12 @@ struct Compilers {
   std::string cpp, c;
 };
 
+/// How both languages are generated beside what a scene says.
+struct Manner {
+  Profile profile = Profile::plain;
+  int batch = 0;  ///< states a call of further functions; 0: none
+};
+
 /// Generates the scene's functions, and limited_control_torque where it has limits, in C++ and in
 /// C, compiles both with `flags`, calls them in the same states of all classes and compares bits.
 /// Throws std::runtime_error if something cannot be generated or compiled.
@@ -29,10 +35,10 @@ std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scen
                                            int states);
 
 /// Reads a URDF and, if it has a name, a scene, with these functions instead if there are any, and
-/// compares at -O2 without contraction. A batch, which C does not have, is left out. Throws
-/// std::runtime_error.
+/// compares at -O2 without contraction. Throws std::runtime_error.
 std::vector<LanguageRow> compare_languages_of(const std::string& urdf, const std::string& scene,
                                               const std::vector<Function>& functions, Real real,
-                                              int lanes, const Compilers& compilers, int states);
+                                              int lanes, const Compilers& compilers, int states,
+                                              const Manner& manner = {});
 
 }  // namespace treeline::tests

@@ -48,11 +48,11 @@ TEST(Languages, DampedControlHasTheSameBits) {
 }
 
 void compare_limited(const std::string& robot, const std::string& scene, Real real,
-                     const Compilers& compilers) {
+                     const Compilers& compilers, Profile profile = Profile::plain) {
   const auto rows = compare_languages_of(kRobots + "/" + robot + "/" + robot + ".urdf", scene,
                                          {Function::supported_control_torque, Function::mass_matrix,
                                           Function::constraint_jacobian, Function::jacobian},
-                                         real, 1, compilers, kStates);
+                                         real, 1, compilers, kStates, {profile, 0});
   expect_same_bits(rows, 5);
   EXPECT_EQ(rows.front().function, "limited_control_torque");
 }
@@ -65,6 +65,33 @@ TEST(Languages, LimitedControlHasTheSameBits) {
   compare_limited("ur10e", wall, Real::float64, kClang);
   compare_limited("humanoid24", kScenes + "/experiments/humanoid24_limits.yaml", Real::float64,
                   kGcc);
+}
+
+// Loops of C as C++ has them, with a root of its own.
+TEST(Languages, SafeLimitedControlHasTheSameBits) {
+  const std::string wall = kScenes + "/consumers/misra_limits.yaml";
+  compare_limited("ur10e", wall, Real::float64, kClang, Profile::misra);
+  compare_limited("ur10e", wall, Real::float32, kGcc, Profile::misra);
+  compare_limited("humanoid24", kScenes + "/experiments/humanoid24_limits.yaml", Real::float64,
+                  kGcc, Profile::misra);
+}
+
+// In vectors and in loops, of more states than a vector of the machine holds. `call` checks another
+// state each time. Would catch: a row at another place, one state's sine for all, a constant.
+TEST(Languages, BatchesHaveTheSameBits) {
+  const std::string puma = kRobots + "/puma560/";
+  for (const auto& [lanes, compilers] : {std::pair{1, kGcc}, {8, kGcc}, {8, kClang}}) {
+    const auto rows =
+        compare_languages_of(puma + "puma560.urdf", puma + "scene.yaml",
+                             {Function::gravity, Function::mass_matrix, Function::control_torque},
+                             Real::float64, lanes, compilers, kStates, {Profile::plain, 8});
+    expect_same_bits(rows, 6);
+    EXPECT_EQ(rows.back().function.substr(0, 6), "batch_");
+  }
+  expect_same_bits(
+      compare_languages_of(puma + "puma560.urdf", puma + "scene.yaml", {Function::inverse_dynamics},
+                           Real::float32, 4, kGcc, kStates, {Profile::plain, 4}),
+      2);
 }
 
 // Its limbs are alike and share lanes.

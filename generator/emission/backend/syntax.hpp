@@ -27,7 +27,7 @@ struct Syntax {
   /// A value of the type that is named once and stays: `const Real x = value;`.
   std::string (*keep)(const std::string& type, const std::string& name, const std::string& value);
   /// An element of a result: `y[2] = value;`.
-  std::string (*store)(const std::string& target, const std::string& value);
+  std::string (*store)(const Syntax& own, const std::string& target, const std::string& value);
   /// A number that is read from an array, where reading it takes more than its name.
   std::string (*read)(const std::string& element);
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "emission/c/print_batch.hpp"
 #include "emission/c/print_contract.hpp"
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_joints.hpp"
@@ -22,15 +23,16 @@ std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
           "velocity_names", "velocity_limits", "effort_limits",     "task_row_names"};
 }
 
-/// Damped and limited control.
+/// Functions of several states at once, damped and limited control.
 std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
-                                      std::span<const Program> /*batch*/) {
+                                      std::span<const Program> batch) {
   std::vector<GeneratedFile> files;
   if (!context.effective_mass_limits.empty()) files = print_damped(context, programs);
   if (context.limits) {
     for (GeneratedFile& file : print_limited(context, programs)) files.push_back(std::move(file));
   }
+  for (GeneratedFile& file : print_batch(context, batch)) files.push_back(std::move(file));
   return files;
 }
 

@@ -39,7 +39,9 @@ std::string describe_needs(const EmissionContext& context) {
       "its\n"
       "headers {}. C++ may include this file too.\n"
       "Same input, same bits; and same time, where the target has instructions for {}.{}",
-      context.limits ? "<float.h>, <stdbool.h> and <stdint.h>" : "<float.h> and <stdint.h>",
+      context.limits || !context.effective_mass_limits.empty()
+          ? "<float.h>, <stdbool.h> and <stdint.h>"
+          : "<float.h> and <stdint.h>",
       context.single_precision ? "float" : "double",
       context.limits ? "\nLimited control branches, in a bounded number of steps." : "");
 }

@@ -52,14 +52,39 @@ void add_constants(const EmissionContext& context, Holes& holes) {
   add("penalty", core::kSlackPenalty<Real>);
 }
 
-Holes list_holes(const EmissionContext& context) {
+/// Enumerators that the header of the contract names.
+std::string print_sizes(const EmissionContext& context, const std::string& name) {
+  const LimitFacts& facts = *context.limits;
+  const LimitCost cost = cost_of_limits(facts, context.velocities);
+  const std::size_t motors = static_cast<std::size_t>(context.velocities) - facts.passive.size();
+  const std::pair<const char*, std::pair<std::size_t, const char*>> sizes[] = {
+      {"PASSIVE", {facts.passive.size(), "  // velocities without a motor"}},
+      {"MOTORS", {motors, ""}},
+      {"HELD_ROWS", {facts.force_weights.size(), "  // of constraints"}},
+      {"CONES", {facts.cones.size(), "  // rows of them"}},
+      {"FREEDOMS", {static_cast<std::size_t>(count_freedoms(facts)), ""}},
+      {"UNKNOWNS", {static_cast<std::size_t>(cost.unknowns), "  // of the program"}},
+      {"LIMIT_ROWS", {static_cast<std::size_t>(cost.rows), "  // motors, cones"}}};
+  std::string text;
+  for (const auto& [word, size] : sizes) {
+    const bool last = word == std::string_view("LIMIT_ROWS");
+    text += fmt::format("  {}_{} = {}{}{}\n", name, word, size.first, last ? "" : ",", size.second);
+  }
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Holes list_limit_holes(const EmissionContext& context, const std::string& name,
+                       const std::string& capitals) {
   const LimitFacts& facts = *context.limits;
   const Sizes sizes(context);
   const LimitCost cost = cost_of_limits(facts, context.velocities);
   const int mass_at = sizes.passive + sizes.held + sizes.tasks;
   Holes holes = {
-      {"name", context.name},
-      {"NAME", name_in_capitals(context)},
+      {"name", name},
+      {"NAME", capitals},
       {"robot", context.robot},
       {"real", number_type(context)},
       {"passive", std::to_string(sizes.passive)},
@@ -79,7 +104,8 @@ Holes list_holes(const EmissionContext& context) {
       {"most_iterations", std::to_string(core::most_iterations(cost.unknowns, cost.rows))},
       {"zero", number_literal(context, "0.0")},
       {"one", number_literal(context, "1.0")},
-      {"ten", number_literal(context, "10.0")}};
+      {"ten", number_literal(context, "10.0")},
+      {"sizes", print_sizes(context, capitals)}};
   if (context.single_precision) {
     add_constants<float>(context, holes);
   } else {
@@ -88,8 +114,7 @@ Holes list_holes(const EmissionContext& context) {
   return holes;
 }
 
-/// The template with those of the holes that it has.
-std::string fill(std::string_view text, const Holes& holes) {
+std::string fill_limits(std::string_view text, const Holes& holes) {
   Holes used;
   for (const auto& [name, value] : holes) {
     if (text.find("{{" + name + "}}") != text.npos) used[name] = value;
@@ -97,28 +122,7 @@ std::string fill(std::string_view text, const Holes& holes) {
   return fill_template(text, used);
 }
 
-/// Enumerators that the header of the contract names.
-std::string print_sizes(const EmissionContext& context) {
-  const LimitFacts& facts = *context.limits;
-  const LimitCost cost = cost_of_limits(facts, context.velocities);
-  const std::string name = name_in_capitals(context);
-  const std::size_t motors = static_cast<std::size_t>(context.velocities) - facts.passive.size();
-  const std::pair<const char*, std::pair<std::size_t, const char*>> sizes[] = {
-      {"PASSIVE", {facts.passive.size(), "  // velocities without a motor"}},
-      {"MOTORS", {motors, ""}},
-      {"HELD_ROWS", {facts.force_weights.size(), "  // of constraints"}},
-      {"CONES", {facts.cones.size(), "  // rows of them"}},
-      {"FREEDOMS", {static_cast<std::size_t>(count_freedoms(facts)), ""}},
-      {"UNKNOWNS", {static_cast<std::size_t>(cost.unknowns), "  // of the program"}},
-      {"LIMIT_ROWS", {static_cast<std::size_t>(cost.rows), "  // motors, cones"}}};
-  std::string text;
-  for (const auto& [word, size] : sizes) {
-    const bool last = word == std::string_view("LIMIT_ROWS");
-    text += fmt::format("  {}_{} = {}{}{}\n", name, word, size.first, last ? "" : ",", size.second);
-  }
-  text.pop_back();
-  return text;
-}
+namespace {
 
 std::string print_head(const EmissionContext& context, const Program& supported) {
   std::string list;
@@ -184,34 +188,45 @@ std::vector<GeneratedFile> print_limited(const EmissionContext& context,
   const bool holds = holds_rows(context);
   const std::string head = print_head(context, supported);
   const std::string zeros = fmt::format(" = {{{}}}", number_literal(context, "0.0"));
-  Holes holes = list_holes(context);
-  holes["sizes"] = print_sizes(context);
+  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
+  holes["types"] = print_limit_types(holes);
   holes["notes"] = comment("///", describe_cones(*context.limits));
   holes["cost"] = comment("///", describe_limited_cost(context, programs));
   holes["signature"] = wrap_line(head + ";", 0);
   std::vector<GeneratedFile> files = {
-      {context.name + "_limited.h", fill(templates::kLimited, holes)}};
+      {context.name + "_limited.h", fill_limits(templates::kLimited, holes)}};
   holes["limits"] = print_limits(context);
   holes["section"] = print_section_macro(context);
   holes["signature"] = print_section(context) + wrap_line(head + " {", 0);
   const std::string without = holds ? "" : fmt::format("{} f[1]{};\n", number_type(context), zeros);
   holes["supported"] = without + print_call(context, supported, holds ? "tau, f" : "tau");
   holes["matrices"] = print_matrices(context, programs);
-  files.push_back({"limited_control_torque.c", fill(templates::kLimitedSource, holes)});
+  files.push_back({"limited_control_torque.c", fill_limits(templates::kLimitedSource, holes)});
+  return files;
+}
+
+std::string print_limit_types(const Holes& holes) {
+  return fill_limits(templates::kLimitTypes, holes);
+}
+
+std::vector<GeneratedFile> print_limit_headers(const Holes& holes) {
+  const std::pair<const char*, std::string_view> headers[] = {
+      {"limited_torque", templates::kLimitedTorque},
+      {"limit_program", templates::kLimitProgram},
+      {"force_basis", templates::kForceBasis},
+      {"enter_rows", templates::kEnterRows},
+      {"quadratic_program", templates::kQuadraticProgram}};
+  std::vector<GeneratedFile> files;
+  for (const auto& [name, text] : headers) files.push_back({name, fill_limits(text, holes)});
   return files;
 }
 
 std::vector<GeneratedFile> print_limited_runtime(const EmissionContext& context) {
-  Holes holes = list_holes(context);
+  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
+  holes["contract"] = holes["types_header"] = context.name + "_limited.h";
   holes["layout"] = print_layout(context);
-  const std::pair<const char*, std::string_view> headers[] = {
-      {"limited_torque.h", templates::kLimitedTorque},
-      {"limit_program.h", templates::kLimitProgram},
-      {"force_basis.h", templates::kForceBasis},
-      {"enter_rows.h", templates::kEnterRows},
-      {"quadratic_program.h", templates::kQuadraticProgram}};
-  std::vector<GeneratedFile> files;
-  for (const auto& [name, text] : headers) files.push_back({name, fill(text, holes)});
+  std::vector<GeneratedFile> files = print_limit_headers(holes);
+  for (GeneratedFile& file : files) file.name += ".h";
   return files;
 }
 

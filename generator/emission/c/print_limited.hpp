@@ -1,6 +1,9 @@
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "emission/emission_context.hpp"
@@ -17,5 +20,19 @@ std::vector<GeneratedFile> print_limited(const EmissionContext& context,
 /// The headers of the quadratic program, in the number type and the sizes of the robot. They
 /// include square_root.h.
 std::vector<GeneratedFile> print_limited_runtime(const EmissionContext& context);
+
+/// What stands in the holes of the templates of limited control, but what differs in C++ of
+/// `profile: misra`. `name` and `capitals` stand before names.
+std::map<std::string, std::string> list_limit_holes(const EmissionContext& context,
+                                                    const std::string& name,
+                                                    const std::string& capitals);
+
+/// The template with those of the holes that it has.
+std::string fill_limits(std::string_view text, const std::map<std::string, std::string>& holes);
+
+/// The types of limits, and the headers of the quadratic program. The latter need the holes
+/// `contract` and `types_header`, which name files, and `layout`.
+std::string print_limit_types(const std::map<std::string, std::string>& holes);
+std::vector<GeneratedFile> print_limit_headers(const std::map<std::string, std::string>& holes);
 
 }  // namespace treeline::c

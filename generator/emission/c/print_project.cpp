@@ -10,6 +10,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
                           std::span<const Program> batch) {
   std::string sources;
   for (const Program& program : programs) sources += program.name + ".c\n";
+  for (const Program& program : batch) sources += "batch_" + program.name + ".c\n";
   if (!context.effective_mass_limits.empty()) sources += "damped_control_torque.c\n";
   if (context.limits) sources += "limited_control_torque.c\n";
   if (context.prefetch) sources += "prefetch.c\n";

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "emission/c/lift_steps.hpp"
+#include "emission/c/print_batch.hpp"
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_limited.hpp"
 #include "emission/c/templates.hpp"
@@ -62,7 +63,7 @@ std::string print_lanes(const EmissionContext& context, std::span<const Program>
 
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,
-                                         std::span<const Program> /*batch*/) {
+                                         std::span<const Program> batch) {
   std::vector<GeneratedFile> files;
   const bool damped = !context.effective_mass_limits.empty();
   const bool limited = context.limits.has_value();
@@ -74,12 +75,14 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back(context.misra ? misra::print_square_root(context)
                                   : GeneratedFile{"square_root.h", print_square_root(context)});
   }
-  if (damped || limited || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+  if (damped || limited || std::any_of(batch.begin(), batch.end(), uses_trigonometry) ||
+      std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.h", print_sin_cos(context)});
   }
   if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {
     files.push_back({"lanes.h", print_lanes(context, programs)});
   }
+  for (GeneratedFile& file : print_batch_runtime(context, batch)) files.push_back(std::move(file));
   return files;
 }
 

@@ -8,11 +8,6 @@
 namespace treeline::c {
 void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
   misra::refuse(context, diagnostics);
-  if (context.batch > 0) {
-    diagnostics.add({Severity::error, "", 0, "batch",
-                     "functions of several states in one call cannot be had in C yet",
-                     "Leave `batch` out, or generate C++ (`language: c++`)."});
-  }
   if (context.controlled) {
     diagnostics.add({Severity::error, "", 0, "controller",
                      "a controller is compiled from C++17 (runtime/core), which C cannot include",

@@ -5,6 +5,8 @@
 namespace treeline::c::templates {
 
 // The files of templates/c/, embedded when the generator is built (see embed_files.cmake).
+extern const std::string_view kBatch;
+extern const std::string_view kBatchFunction;
 extern const std::string_view kCMakeLists;
 extern const std::string_view kContract;
 extern const std::string_view kDamped;
@@ -18,13 +20,16 @@ extern const std::string_view kFunction;
 extern const std::string_view kJoints;
 extern const std::string_view kLanes;
 extern const std::string_view kLimitProgram;
+extern const std::string_view kLimitTypes;
 extern const std::string_view kLimited;
 extern const std::string_view kLimitedSource;
 extern const std::string_view kLimitedTorque;
 extern const std::string_view kNumber;
 extern const std::string_view kQuadraticProgram;
 extern const std::string_view kSinCos;
+extern const std::string_view kSinCosStates;
 extern const std::string_view kSquareRoot;
+extern const std::string_view kStates;
 extern const std::string_view kStepsInDouble;
 extern const std::string_view kStepsInFloat;
 

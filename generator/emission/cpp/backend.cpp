@@ -65,7 +65,15 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   if (!context.effective_mass_limits.empty()) {
     files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
   }
-  if (context.misra) return files;  // neither templates nor libraries
+  if (context.limits) {
+    files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});
+  }
+  if (context.controller) {
+    for (GeneratedFile& file : print_controller(context, *context.controller)) {
+      files.push_back(std::move(file));
+    }
+  }
+  if (context.misra) return files;  // no library, no vectors
   files.insert(files.end(), {{context.name + "_calls.hpp", print_calls(context, programs)},
                              {context.name + "_eigen.hpp", print_eigen(context, programs)}});
   for (GeneratedFile& file : print_c_calls(context, programs)) files.push_back(std::move(file));
@@ -76,16 +84,8 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   for (const Program& program : batch) {
     files.push_back({"batch_" + program.name + ".cpp", print_batch_source(context, program)});
   }
-  if (context.limits) {
-    files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});
-    if (!batch.empty()) {
-      files.push_back({context.name + "_batch_limited.hpp", print_batch_limited(context, batch)});
-    }
-  }
-  if (context.controller) {
-    for (GeneratedFile& file : print_controller(context, *context.controller)) {
-      files.push_back(std::move(file));
-    }
+  if (context.limits && !batch.empty()) {
+    files.push_back({context.name + "_batch_limited.hpp", print_batch_limited(context, batch)});
   }
   return files;
 }

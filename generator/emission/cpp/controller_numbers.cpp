@@ -65,7 +65,7 @@ void add_default_holes(const EmissionContext& context, const ControllerUnit& uni
   holes["task_defaults"] =
       unit.task_torque
           ? fmt::format(
-                "for (int i = 0; i < 6 * Robot::kPoints; ++i) {{\n"
+                "for (int i = 0; i < (6 * Robot::kPoints); ++i) {{\n"
                 "  config->task_frequency[i] = {};\n  config->task_damping[i] = {};\n}}\n"
                 "for (int i = 0; i < Robot::kJoints; ++i) {{\n"
                 "  config->posture_frequency[i] = {};\n}}\n",

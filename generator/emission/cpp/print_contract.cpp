@@ -39,10 +39,12 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   auto values = describe_contract(context);
   values.insert(
       {{"beside", context.misra ? "" : fmt::format(kBeside, context.name, list_c_headers(context))},
-       {"includes", context.misra ? "\n#include <cstdint>" : ""},
+       {"includes", context.misra ? "\n#include <stdint.h>" : ""},
        {"form", loops ? "loops over its links and straight-line code" : "straight-line code"},
        {"branch", loops ? "no branch on data" : "no branch"},
-       {"integer", context.misra ? "std::int32_t" : "int"},
+       {"and_same", loops ? "and" : "and same"},
+       {"time_where", loops ? "same time, where" : "time, where"},
+       {"integer", context.misra ? "int32_t" : "int"},
        {"bytes", single ? "4" : "8"},
        {"fraction", single ? "23" : "52"},
        {"least", single ? "149" : "1074"},

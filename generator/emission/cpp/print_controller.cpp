@@ -13,6 +13,7 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/misra/follow_rules.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
@@ -273,11 +274,24 @@ std::string print_task_functions(const ControllerUnit& unit) {
   return text;
 }
 
-std::string print_step(const EmissionContext& context, const ControllerUnit& unit) {
+std::string print_functions(const EmissionContext& context, const ControllerUnit& unit) {
   std::string declarations;
   for (const Program* const program : unit.programs()) {
     declarations += print_declaration(*program) + "\n";
   }
+  return fill_template(templates::kControllerFunctions,
+                       {{"name", context.name}, {"declarations", declarations}});
+}
+
+/// A function of the controller, which another header than that of the contract declares.
+std::string print_function(const EmissionContext& context, const Program& program) {
+  const std::string contract = fmt::format("#include \"{}.hpp\"", context.name);
+  std::string text = print_source(context, program);
+  return text.replace(text.find(contract), contract.size(),
+                      "#include \"controller_functions.hpp\"");
+}
+
+std::string print_step(const EmissionContext& context, const ControllerUnit& unit) {
   const bool reads_at = takes(unit.joint_torque, "sin_q");
   const std::vector<Argument> inputs = list_inputs(unit);
   Holes holes = {{"name", context.name},
@@ -285,7 +299,6 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                  {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
                  {"section", print_section_macro(context)},
                  {"code_section", print_section(context)},
-                 {"declarations", declarations},
                  {"joints", std::to_string(unit.joints.size())},
                  {"points", std::to_string(unit.points.size())},
                  {"rows", std::to_string(std::max(1, unit.rows))},
@@ -298,7 +311,8 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                  {"joint_call", print_step_call(unit.joint_torque)},
                  {"task_functions", print_task_functions(unit)}};
   add_controller_numbers(context, unit, holes);
-  return fill_template(templates::kControllerSource, holes);
+  const std::string text = fill_template(templates::kControllerSource, holes);
+  return context.misra ? misra::follow_rules(context, text) : text;
 }
 
 }  // namespace
@@ -306,9 +320,10 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
 std::vector<GeneratedFile> print_controller(const EmissionContext& context,
                                             const ControllerUnit& unit) {
   std::vector<GeneratedFile> files = {{context.name + "_controller.h", print_header(context, unit)},
-                                      {"controller.cpp", print_step(context, unit)}};
+                                      {"controller.cpp", print_step(context, unit)},
+                                      {"controller_functions.hpp", print_functions(context, unit)}};
   for (const Program* const program : unit.programs()) {
-    files.push_back({program->name + ".cpp", print_source(context, *program)});
+    files.push_back({program->name + ".cpp", print_function(context, *program)});
   }
   return files;
 }

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
+#include "emission/c/print_limited.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/misra/templates.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {
@@ -56,9 +60,10 @@ std::string print_matrices(const EmissionContext& context, std::span<const Progr
 }
 
 std::string print_limits(const EmissionContext& context) {
+  const Syntax syntax = make_syntax(context);
+  const std::string none = context.misra ? syntax.literal(1e30) : "detail::kNoLimit<Real>";
   return wrap_line(fmt::format("inline constexpr TorqueLimits kTorqueLimits = {{{}}};",
-                               print_torque_limits(*context.limits, make_syntax(context),
-                                                   "detail::kNoLimit<Real>", "{}")),
+                               print_torque_limits(*context.limits, syntax, none, "{}")),
                    0);
 }
 
@@ -70,9 +75,36 @@ std::string print_layout(const EmissionContext& context) {
       0);
 }
 
+/// By a loop: of an initialiser compilers make a call of memset.
+std::string print_zeros(const EmissionContext& context, const char* array,
+                        const std::string& size) {
+  return fmt::format("for (int32_t i = 0; i < {}; ++i) {{\n  {}[i] = {};\n}}\n", size, array,
+                     make_syntax(context).literal(0));
+}
+
+/// By the loops of C, for `profile: misra`.
+std::string print_safe_limited(const EmissionContext& context, std::span<const Program> programs) {
+  auto holes = c::list_limit_holes(context, context.name, "");
+  std::string matrices;
+  for (const LimitedCall& call : list_limited_calls(context, programs)) {
+    matrices += print_call(*call.program, call.result) + "\n";
+  }
+  if (!holds_rows(context)) matrices += print_zeros(context, "J_s", holes["held_entries"]);
+  if (context.task_rows == 0) matrices += print_zeros(context, "J_t", holes["task_entries"]);
+  holes["notes"] = comment("///", describe_cones(*context.limits));
+  holes["limits"] = print_limits(context);
+  holes["cost"] = comment("///", describe_limited_cost(context, programs));
+  holes["signature"] = wrap_line(
+      print_signature(context, find_supported(programs), "", "LimitedTorque& limited"), 0);
+  holes["supported"] = print_supported(context, find_supported(programs), "");
+  holes["matrices"] = matrices;
+  return c::fill_limits(misra::templates::kLimited, holes);
+}
+
 }  // namespace
 
 std::string print_limited(const EmissionContext& context, std::span<const Program> programs) {
+  if (context.misra) return print_safe_limited(context, programs);
   const LimitFacts& facts = *context.limits;
   const Program& supported = find_supported(programs);
   const std::string sizes =

@@ -7,7 +7,9 @@
 #include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/misra/follow_rules.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
+#include "emission/misra/print_limited_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
 
 namespace treeline::cpp {
@@ -57,11 +59,43 @@ void append_loop_headers(const EmissionContext& context, std::vector<GeneratedFi
   for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
 }
 
+/// For `profile: misra`, which has headers of its own.
+std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
+                                              std::span<const Program> programs) {
+  std::vector<GeneratedFile> files;
+  const bool damped = !context.effective_mass_limits.empty();
+  const bool limited = context.limits.has_value();
+  const bool controlled = context.controller != nullptr;
+  if (damped || controlled || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+    files.push_back({"sin_cos.hpp", misra::print_sin_cos(context)});
+  }
+  if (controlled) {
+    for (const GeneratedFile& file : list_controller_headers()) {
+      files.push_back(
+          {file.name, misra::follow_rules_in_header(context, print_header(context, file.text))});
+    }
+    files.push_back({"controller_sizes.hpp", misra::print_controller_sizes(context)});
+  }
+  if (damped) {
+    for (GeneratedFile& file : misra::print_damped_runtime(context)) {
+      files.push_back(std::move(file));
+    }
+  }
+  if (limited) {
+    for (GeneratedFile& file : misra::print_limited_runtime(context)) {
+      files.push_back(std::move(file));
+    }
+  }
+  if ((limited || controlled) && !damped) files.push_back(misra::print_square_root(context));
+  return files;
+}
+
 }  // namespace
 
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,
                                          std::span<const Program> batch) {
+  if (context.misra) return print_safe_runtime(context, programs);
   const bool damped = !context.effective_mass_limits.empty();
   const bool has_batch = !batch.empty();
   const bool limited = context.limits.has_value();
@@ -71,8 +105,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   std::vector<GeneratedFile> files;
   if (loops || has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
-    files.push_back({"sin_cos.hpp", context.misra ? misra::print_sin_cos(context)
-                                                  : print_header(context, templates::kSinCos)});
+    files.push_back({"sin_cos.hpp", print_header(context, templates::kSinCos)});
   }
   bool lanes = has_batch || limited || std::any_of(programs.begin(), programs.end(), uses_lanes);
   if (controlled) {
@@ -91,12 +124,6 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   }
   if (has_batch) {
     files.push_back({"states.hpp", print_header(context, templates::kStates)});
-  }
-  if (damped && context.misra) {
-    for (GeneratedFile& file : misra::print_damped_runtime(context)) {
-      files.push_back(std::move(file));
-    }
-    return files;
   }
   if (damped) {
     files.push_back({"damped_solve.hpp", print_header(context, templates::kDampedSolve)});

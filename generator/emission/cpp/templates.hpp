@@ -16,6 +16,7 @@ extern const std::string_view kCalls;
 extern const std::string_view kContract;
 extern const std::string_view kController;
 extern const std::string_view kControllerCommands;
+extern const std::string_view kControllerFunctions;
 extern const std::string_view kControllerHeader;
 extern const std::string_view kControllerLaws;
 extern const std::string_view kControllerSafety;

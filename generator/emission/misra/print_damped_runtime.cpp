@@ -38,7 +38,7 @@ std::string print_powers(const EmissionContext& context, const char* name, int f
 std::string print_root_steps(const EmissionContext& context) {
   const bool single = context.single_precision;
   const bool is_c = context.language == Language::c;
-  const std::string bits = fmt::format("{}uint{}_t", is_c ? "" : "std::", single ? 32 : 64);
+  const std::string bits = fmt::format("uint{}_t", single ? 32 : 64);
   const char* const real = single ? "float" : "double";
   const auto cast = [&](const std::string& type) {
     return is_c ? fmt::format("({})", type) : fmt::format("static_cast<{}>", type);
@@ -54,7 +54,6 @@ std::string print_root_steps(const EmissionContext& context) {
        {"to_bits", cast(bits)},
        {"to_real", cast(real)},
        {"fraction", single ? "23" : "52"},
-       {"wide", is_c ? "uint64_t" : "std::uint64_t"},
        {"heron_steps", single ? "3" : "4"},
        {"third", number_literal(context, single ? "0x1.555556p-2" : "0x1.5555555555555p-2")},
        {"half", number_literal(context, "0.5")},

@@ -43,7 +43,7 @@ std::string print_turn_head(const EmissionContext& context, bool is_c, const cha
                     "                                        {1}* sine_of_x, {1}* cosine_of_x) {{",
                     context.name, real)
               : fmt::format(
-                    "inline void turn_by_quarters(std::int32_t place, {0} sine, {0} cosine,\n"
+                    "inline void turn_by_quarters(int32_t place, {0} sine, {0} cosine,\n"
                     "                             {0}& sine_of_angle, {0}& cosine_of_angle) "
                     "noexcept {{",
                     real);
@@ -70,8 +70,7 @@ std::string print_steps(const EmissionContext& context, bool is_c) {
        {"sin_cos_remainder", lifted.at("sin_cos_remainder")},
        {"real", real},
        {"rest", single ? "excess" : "tail"},
-       {"index", is_c ? "int32_t" : "std::int32_t"},
-       {"to_index", is_c ? "(int32_t)" : "static_cast<std::int32_t>"},
+       {"to_index", is_c ? "(int32_t)" : "static_cast<int32_t>"},
        // Static: of a table on the stack compilers make a call of memcpy.
        {"table", is_c ? "static const" : "static constexpr"},
        {"sine_of_angle", is_c ? "*sine_of_x" : "sine_of_angle"},

@@ -21,17 +21,6 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
     report("prefetch", "code is loaded by builtins, which `profile: misra` does not use",
            "Leave `prefetch` out.");
   }
-  if (context.language == Language::c) return;
-  if (context.limited) {
-    report("torque_limits, friction",
-           "limited_control_torque is written as templates, which `profile: misra` does not have",
-           "Leave the limits out, or generate C (`language: c`).");
-  }
-  if (context.controlled) {
-    report("controller",
-           "controllers are written as templates, which `profile: misra` does not have",
-           "Leave `controller` out and call the functions.");
-  }
 }
 
 }  // namespace treeline::misra

@@ -1,0 +1,198 @@
+#include "emission/c/print_batch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "emission/c/print_source.hpp"
+#include "emission/c/syntax.hpp"
+#include "emission/c/templates.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/comment.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/print_body.hpp"
+#include "emission/print_target.hpp"
+#include "emission/wrap_line.hpp"
+
+namespace treeline::c {
+namespace {
+
+bool has_vectors(const EmissionContext& context) {
+  return context.lanes > 1;
+}
+
+const char* number_type(const EmissionContext& context) {
+  return context.single_precision ? "float" : "double";
+}
+
+std::string head_of(const EmissionContext& context, const Program& program, const char* suffix) {
+  std::string list;
+  const auto append = [&](const Argument& argument, const char* qualifier) {
+    list += (list.empty() ? "" : ", ") + print_array(context, qualifier, argument.name + suffix,
+                                                     argument.rows * argument.cols * context.batch);
+  };
+  for (const Argument& argument : program.arguments) append(argument, "const ");
+  for (const Result& result : program.results) append(result.argument, "");
+  return fmt::format("void {}_batch_{}({})", context.name, program.name, list);
+}
+
+std::string print_unread(const Program& program) {
+  std::string statements;
+  for (const Argument& argument : program.arguments) {
+    if (!reads(program, argument)) statements += fmt::format("  (void){}_rows;\n", argument.name);
+  }
+  return statements;
+}
+
+std::set<std::string> find_taken(const EmissionContext& context, const Program& program) {
+  std::set<std::string> taken = {context.name};
+  for (const char* own : {"states", "row", "sin_cos", "sin_cos_of", "sin_cos_states"}) {
+    taken.insert(fmt::format("{}_{}", context.name, own));
+  }
+  for (const std::string& prefix : {std::string("batch_"), std::string("state_of_")}) {
+    taken.insert(fmt::format("{}_{}{}", context.name, prefix, program.name));
+  }
+  for (const Argument& argument : program.arguments) taken.insert(argument.name + "_rows");
+  for (const Result& result : program.results) taken.insert(result.argument.name + "_rows");
+  return find_taken_names(program, taken);
+}
+
+/// The arguments as arrays of vectors, and the statements of the scalar function with them.
+std::string print_in_vectors(const EmissionContext& context, const Program& program) {
+  std::string text;
+  for (const Argument& argument : program.arguments) {
+    if (!reads(program, argument)) continue;
+    text += fmt::format("  const {0}_row* const {1} = (const {0}_row*){1}_rows;\n", context.name,
+                        argument.name);
+  }
+  for (const Result& result : program.results) {
+    text += fmt::format("  {0}_row* const {1} = ({0}_row*){1}_rows;\n", context.name,
+                        result.argument.name);
+  }
+  return text + print_body(program, make_states_syntax(context), find_taken(context, program));
+}
+
+/// A function of one state, which a loop calls.
+std::string print_state_function(const EmissionContext& context, const Program& program) {
+  std::string list;
+  const auto append = [&](const Argument& argument, const char* qualifier) {
+    list += (list.empty() ? "" : ", ") +
+            print_array(context, qualifier, argument.name, argument.rows * argument.cols);
+  };
+  for (const Argument& argument : program.arguments) {
+    if (reads(program, argument)) append(argument, "const ");
+  }
+  for (const Result& result : program.results) append(result.argument, "");
+  const std::string head =
+      fmt::format("static void {}_state_of_{}({}) {{", context.name, program.name, list);
+  return wrap_line(head, 0) +
+         print_body(program, make_syntax(context), find_taken(context, program)) + "}\n\n";
+}
+
+/// `for (...) { to = from; }` over the elements of an argument.
+std::string print_copy(const Argument& argument, const std::string& to, const std::string& from) {
+  return fmt::format("    for (int i = 0; i < {}; ++i) {{\n      {} = {};\n    }}\n",
+                     argument.rows * argument.cols, to, from);
+}
+
+std::string print_loop(const EmissionContext& context, const Program& program) {
+  std::string arrays, before, behind, list;
+  const auto append = [&](const Argument& argument, std::string& copies, bool is_result) {
+    const std::string one = fmt::format("{}[i]", argument.name);
+    const std::string row =
+        fmt::format("{}_rows[(i * {}_STATES) + k]", argument.name, name_in_capitals(context));
+    arrays += fmt::format("    {} {}[{}];\n", number_type(context), argument.name,
+                          argument.rows * argument.cols);
+    copies += is_result ? print_copy(argument, row, one) : print_copy(argument, one, row);
+    list += (list.empty() ? "" : ", ") + argument.name;
+  };
+  for (const Argument& argument : program.arguments) {
+    if (reads(program, argument)) append(argument, before, false);
+  }
+  for (const Result& result : program.results) append(result.argument, behind, true);
+  return fmt::format(
+      "  for (int k = 0; k < {}_STATES; ++k) {{\n{}{}{}{}  }}\n", name_in_capitals(context), arrays,
+      before, wrap_line(fmt::format("{}_state_of_{}({});", context.name, program.name, list), 4),
+      behind);
+}
+
+std::string print_batch_source(const EmissionContext& context, const Program& program) {
+  const bool vectors = has_vectors(context);
+  std::string includes;
+  if (vectors) includes = "#include \"states.h\"\n";
+  if (!vectors && uses_trigonometry(program)) includes = "#include \"sin_cos.h\"\n";
+  return fill_template(
+      templates::kBatchFunction,
+      {{"head", describe_source(program)},
+       {"cost", describe_cost(program)},
+       {"states", std::to_string(context.batch)},
+       {"name", context.name},
+       {"includes", includes},
+       {"section", print_section_macro(context)},
+       {"before", vectors ? "" : print_state_function(context, program)},
+       {"signature",
+        print_section(context) + wrap_line(head_of(context, program, "_rows") + " {", 0)},
+       {"unread", print_unread(program)},
+       {"body", vectors ? print_in_vectors(context, program) : print_loop(context, program)}});
+}
+
+}  // namespace
+
+std::string print_batch_signature(const EmissionContext& context, const Program& program) {
+  return head_of(context, program, "");
+}
+
+GeneratedFile print_batch_header(const EmissionContext& context,
+                                 std::span<const Program> programs) {
+  std::string declarations;
+  for (const Program& program : programs) {
+    declarations += comment("///", describe_method(program) +
+                                       describe_rounding(context, "batch_" + program.name)) +
+                    wrap_line(print_batch_signature(context, program) + ";", 0);
+  }
+  declarations.pop_back();
+  const bool copies = context.language == Language::cpp || has_vectors(context);
+  return {
+      context.name + "_batch.h",
+      fill_template(templates::kBatch,
+                    {{"robot", context.robot},
+                     {"name", context.name},
+                     {"NAME", name_in_capitals(context)},
+                     {"states", std::to_string(context.batch)},
+                     {"note", copies ? " At -O0 GCC may copy states by memcpy where the target\n"
+                                       "// has no floating-point unit."
+                                     : ""},
+                     {"declarations", declarations}})};
+}
+
+std::vector<GeneratedFile> print_batch(const EmissionContext& context,
+                                       std::span<const Program> programs) {
+  if (programs.empty()) return {};
+  std::vector<GeneratedFile> files = {print_batch_header(context, programs)};
+  for (const Program& program : programs) {
+    files.push_back({"batch_" + program.name + ".c", print_batch_source(context, program)});
+  }
+  return files;
+}
+
+std::vector<GeneratedFile> print_batch_runtime(const EmissionContext& context,
+                                               std::span<const Program> programs) {
+  if (programs.empty() || !has_vectors(context)) return {};
+  const bool sines = std::any_of(programs.begin(), programs.end(), uses_trigonometry);
+  const int size = context.single_precision ? 4 : 8;
+  const std::string of_states =
+      fill_template(templates::kSinCosStates, {{"name", context.name},
+                                               {"real", number_type(context)},
+                                               {"states", std::to_string(context.batch)}});
+  return {{"states.h", fill_template(templates::kStates,
+                                     {{"name", context.name},
+                                      {"real", number_type(context)},
+                                      {"size", std::to_string(size)},
+                                      {"bytes", std::to_string(size * context.batch)},
+                                      {"sin_cos", sines ? "#include \"sin_cos.h\"\n\n" : ""},
+                                      {"of_states", sines ? of_states : ""}})}};
+}
+
+}  // namespace treeline::c

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "emission/emission_context.hpp"
+#include "emission/generated_file.hpp"
+#include "program/program.hpp"
+
+namespace treeline::c {
+
+/// The head of a function of several states, `void NAME_batch_gravity(...)`, without what follows.
+std::string print_batch_signature(const EmissionContext& context, const Program& program);
+
+/// NAME_batch.h: functions that take rows of states, with their contracts.
+GeneratedFile print_batch_header(const EmissionContext& context, std::span<const Program> programs);
+
+/// NAME_batch.h, and a source for each function: in vectors where the scene asks for lanes, else in
+/// a loop over the states.
+std::vector<GeneratedFile> print_batch(const EmissionContext& context,
+                                       std::span<const Program> programs);
+
+/// The header that the sources include, where they have vectors.
+std::vector<GeneratedFile> print_batch_runtime(const EmissionContext& context,
+                                               std::span<const Program> programs);
+
+}  // namespace treeline::c
