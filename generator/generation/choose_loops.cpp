@@ -42,8 +42,7 @@ double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
 }  // namespace
 
 bool prefers_loops(const Scene& scene) {
-  return scene.optimize == Optimize::size && scene.language == Language::cpp &&
-         scene.profile == Profile::plain;
+  return scene.optimize == Optimize::size && scene.profile == Profile::plain;
 }
 
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,

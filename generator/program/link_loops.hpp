@@ -18,7 +18,7 @@ struct LinkTableData {
   std::vector<core::loops::Link<double>> links;
   std::vector<std::string> names;  ///< of the links
   std::vector<core::loops::LinkPoint<double>> points;
-  int rows = 0;
+  std::vector<core::loops::PointRow> rows;
 };
 
 /// How a function is emitted that loops over a table of links: a call of the function of its name

@@ -6,6 +6,7 @@
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_joints.hpp"
 #include "emission/c/print_limited.hpp"
+#include "emission/c/print_loops.hpp"
 #include "emission/c/print_project.hpp"
 #include "emission/c/print_runtime.hpp"
 #include "emission/c/print_source.hpp"
@@ -22,7 +23,7 @@ std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
           "velocity_names", "velocity_limits", "effort_limits",     "task_row_names"};
 }
 
-/// Damped and limited control.
+/// Damped and limited control, tables of links.
 std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> /*batch*/) {
@@ -31,6 +32,7 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   if (context.limits) {
     for (GeneratedFile& file : print_limited(context, programs)) files.push_back(std::move(file));
   }
+  for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   return files;
 }
 

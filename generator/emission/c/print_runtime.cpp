@@ -9,6 +9,7 @@
 #include "emission/c/lift_steps.hpp"
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_limited.hpp"
+#include "emission/c/print_loops.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
@@ -74,12 +75,15 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back(context.misra ? misra::print_square_root(context)
                                   : GeneratedFile{"square_root.h", print_square_root(context)});
   }
-  if (damped || limited || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+  std::vector<GeneratedFile> loops = print_loop_headers(context, programs);
+  if (damped || limited || !loops.empty() ||
+      std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.h", print_sin_cos(context)});
   }
   if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {
     files.push_back({"lanes.h", print_lanes(context, programs)});
   }
+  for (GeneratedFile& file : loops) files.push_back(std::move(file));
   return files;
 }
 

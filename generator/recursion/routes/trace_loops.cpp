@@ -115,7 +115,6 @@ loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
   loops::LinkPoint<double> row{};
   row.link = static_cast<short>(point.link);
   row.world = point.axes == Axes::world;
-  std::copy(point.rows.begin(), point.rows.end(), row.rows);
   const Matrix3<double> axes = transposed(point.R);
   const Vector3<double> each[3] = {axes.row_x, axes.row_y, axes.row_z};
   for (int k = 0; k < 3; ++k) {
@@ -126,6 +125,13 @@ loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
   const double p[3] = {point.p.x, point.p.y, point.p.z};
   std::copy(std::begin(p), std::end(p), row.p);
   return row;
+}
+
+void append_rows(const TreePoint<double>& point, short index, LinkTableData& table) {
+  for (short k = 0; k < 6; ++k) {
+    if (!point.rows[static_cast<std::size_t>(k)]) continue;
+    table.rows.push_back({index, static_cast<short>(k % 3), k >= 3});
+  }
 }
 
 /// Numbers the slots: links on one way out that carry one link each share theirs.
@@ -156,9 +162,9 @@ LinkTableData make_table(const Mechanism& mechanism, bool with_points) {
   number_slots(table);
   if (!with_points) return table;
   for (const TreePoint<double>& point : tree.operational_points) {
+    append_rows(point, static_cast<short>(table.points.size()), table);
     table.points.push_back(table_point(point));
   }
-  table.rows = mechanism.task_rows();
   return table;
 }
 
@@ -179,7 +185,7 @@ struct LoopTrace {
     std::vector<loops::LinkPose<Number>> poses;
     loops::BasePose<Number> base;
     std::vector<loops::Spatial<Number>> wrenches;
-    std::vector<loops::LinkMotion<Number>> motions, point_motions;
+    std::vector<loops::LinkMotion<Number>> motions;
   };
   struct Inertias {
     std::vector<loops::LinkInertia<Number>> inertias;
@@ -188,6 +194,7 @@ struct LoopTrace {
   };
   struct Rows {
     std::vector<loops::LinkAxes<Number>> link_axes;
+    std::vector<loops::LinkMotion<Number>> point_motions;
     std::vector<loops::Spatial<Number>> forces;
     std::vector<short> links;
     std::vector<Number> errors, Lambda_inv;
@@ -214,8 +221,7 @@ struct LoopTrace {
       links.push_back(to);
     }
     for (const loops::LinkPoint<double>& from : table.points) {
-      loops::LinkPoint<Number> to{from.link, from.world, {}, {}, {}};
-      std::copy(std::begin(from.rows), std::end(from.rows), to.rows);
+      loops::LinkPoint<Number> to{from.link, from.world, {}, {}};
       lift(from.axes, to.axes);
       lift(from.p, to.p);
       points.push_back(to);
@@ -223,14 +229,14 @@ struct LoopTrace {
     for (const double yield : plan.yields) yields.push_back(Number(yield));
     const auto n = table.links.size();
     const auto slots = static_cast<std::size_t>(table.slots);
-    const auto count = static_cast<std::size_t>(table.rows);
+    const std::size_t count = table.rows.size();
     motions.poses.resize(n);
     motions.wrenches.resize(n);
     motions.motions.resize(slots);
-    motions.point_motions.resize(table.points.size());
     inertias.inertias.resize(slots);
     inertias.projections.resize(n);
     rows.link_axes.resize(table.points.size());
+    rows.point_motions.resize(table.points.size());
     rows.forces.resize(count);
     rows.links.resize(count);
     rows.errors.resize(count);
@@ -240,10 +246,10 @@ struct LoopTrace {
   template <bool floats>
   [[nodiscard]] loops::LinkTable<Number, floats, true> table_of(const LinkTableData& from) const {
     const auto& g = from.gravity;
-    return {links.data(),  static_cast<int>(links.size()),
-            from.slots,    {Number(g[0]), Number(g[1]), Number(g[2])},
-            points.data(), static_cast<int>(points.size()),
-            from.rows};
+    return {links.data(),     static_cast<int>(links.size()),
+            from.slots,       {Number(g[0]), Number(g[1]), Number(g[2])},
+            points.data(),    static_cast<int>(points.size()),
+            from.rows.data(), static_cast<int>(from.rows.size())};
   }
 
   std::vector<loops::Link<Number>> links;
