@@ -18,7 +18,8 @@ std::string_view trimmed(std::string_view line) {
 }
 
 void append_word(std::string_view word, std::string& text) {
-  text += (text.empty() ? "" : " ") + std::string(word);
+  if (!text.empty()) text += ' ';
+  text += word;
 }
 
 /// Reads lines until one ends in `end`, as one line.

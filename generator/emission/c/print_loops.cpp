@@ -134,6 +134,13 @@ std::vector<GeneratedFile> print_loops(const EmissionContext& context,
                          {{"robot", context.robot}, {"name", context.name}, {"tables", text}})}};
 }
 
+std::string joined_loops(const EmissionContext& context, std::span<const Program> programs) {
+  const auto looping = std::count_if(programs.begin(), programs.end(), [](const Program& program) {
+    return program.loops != nullptr;
+  });
+  return looping < 2 ? "" : fmt::format("${{CMAKE_CURRENT_BINARY_DIR}}/{}_loops", context.name);
+}
+
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
