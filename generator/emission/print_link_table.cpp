@@ -41,7 +41,7 @@ std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
 }
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
-  LinkTableText text{&table, {}, {}, {}, numbers(syntax, table.gravity)};
+  LinkTableText text{&table, {}, {}, {}, {}, numbers(syntax, table.gravity)};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -51,6 +51,10 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
   }
   for (const core::loops::PointRow& row : table.rows) {
     text.rows += fmt::format("    {{{}, {}, {}}},\n", row.point, row.axis, row.angular);
+  }
+  for (const core::loops::LinkDrive<double>& drive : table.drives) {
+    const double row[] = {drive.damping, drive.stiffness, drive.rest};
+    text.drives += wrap_line(numbers(syntax, row) + ",", 4);
   }
   return text;
 }
@@ -73,8 +77,8 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
     LinkTableText text = print_link_table(program.loops->table, syntax);
     bool is_new = true;
     for (const LinkTableText& other : tables) {
-      const bool same =
-          other.links == text.links && other.points == text.points && other.rows == text.rows;
+      const bool same = other.links == text.links && other.points == text.points &&
+                        other.rows == text.rows && other.drives == text.drives;
       const bool alike = other.data->links.size() == text.data->links.size() &&
                          other.data->slots == text.data->slots &&
                          has_points(*other.data) != has_points(*text.data);

@@ -19,6 +19,7 @@ struct LinkTableData {
   std::vector<std::string> names;  ///< of the links
   std::vector<core::loops::LinkPoint<double>> points;
   std::vector<core::loops::PointRow> rows;
+  std::vector<core::loops::LinkDrive<double>> drives;  ///< of all links, or none
 };
 
 /// How a function is emitted that loops over a table of links: a call of the function of its name

@@ -13,7 +13,7 @@ void inverse_dynamics(const Table& table, const Real* q, const Sines& sines, con
   LinkMotion<Real>* const no_points = nullptr;
   place_links(table, q, sines, motions);
   move_links(table, qd, qdd, motions, no_points);
-  gather_forces(table, qdd, motions, tau);
+  gather_forces(table, q, qd, qdd, motions, tau);
 }
 
 template <class Table, class Real, class Sines, class Motions>
@@ -86,7 +86,7 @@ void control_torque(const Table& table, const Real* yields, const Real* q, const
   factor<power>(&rows.Lambda_inv[0], table.rows, yields);
   solve(&rows.Lambda_inv[0], table.rows, &rows.errors[0]);
   add_row_forces(table, rows, motions);
-  gather_forces(table, qdd_0, motions, tau);
+  gather_forces(table, q, qd, qdd_0, motions, tau);
 }
 
 }  // namespace treeline::core::loops

@@ -182,9 +182,18 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
   }
 }
 
+/// Adds what friction and the spring of a joint take.
+template <class Table, class Real>
+void add_drive(const Table& table, int i, const Real& q, const Real& qd, Real& tau) noexcept {
+  if (table.drives == nullptr) return;
+  const LinkDrive<Real>& drive = table.drives[i];
+  tau = tau + drive.damping * qd + drive.stiffness * (q - drive.rest);
+}
+
 /// Inward pass: joint forces of the wrenches on links, which are lost.
 template <class Table, class Real, class Motions>
-void gather_forces(const Table& table, const Real* qdd, Motions& motions, Real* tau) noexcept {
+void gather_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
+                   Motions& motions, Real* tau) noexcept {
   for (int i = table.count - 1; i >= 0; --i) {
     const int at = velocity_at<Table>(i);
     Spatial<Real>& wrench = motions.wrenches[i];
@@ -197,6 +206,9 @@ void gather_forces(const Table& table, const Real* qdd, Motions& motions, Real* 
     }
     const Link<Real>& link = table.links[i];
     tau[at] = along_joint(table, i, wrench) + link.rotor * entry(qdd, at);
+    if constexpr (Table::kDriven) {
+      add_drive(table, i, q[coordinate_at<Table>(i)], entry(qd, at), tau[at]);
+    }
     if (link.parent >= 0) {
       wrench_to_parent(table, i, motions.poses[i], wrench);
       add(wrench, motions.wrenches[link.parent]);

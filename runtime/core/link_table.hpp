@@ -46,13 +46,22 @@ struct PointRow {
   bool angular;
 };
 
+/// Viscous friction and spring of a joint.
+template <class Real>
+struct LinkDrive {
+  Real damping;
+  Real stiffness;
+  Real rest;  ///< coordinate at which the spring is slack
+};
+
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
-/// each other joint has one. `sliding`: there are prismatic joints.
-template <class Number, bool floats, bool sliding>
+/// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives.
+template <class Number, bool floats, bool sliding, bool driven = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
   static constexpr bool kSliding = sliding;
+  static constexpr bool kDriven = driven;
 
   const Link<Real>* links;
   int count;
@@ -62,6 +71,7 @@ struct LinkTable {
   int point_count = 0;
   const PointRow* point_rows = nullptr;
   int rows = 0;
+  const LinkDrive<Real>* drives = nullptr;  ///< of all links; none: no joint has any
 };
 
 /// Where the joint of link `i` has its velocity.

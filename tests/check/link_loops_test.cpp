@@ -87,14 +87,17 @@ TEST(LinkLoopsCheck, HumanoidThatFloatsInFloat) {
   expect_right(load_unmade("humanoid24", "scene_floating.yaml"), Real::float32, all_with_form());
 }
 
-TEST(LinkLoopsCheck, SlidingJointsRotorsAndSomeRowsOfLocalAxes) {
+TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
   auto subjects = load_unmade("samm", "scene.yaml");
   for (ScenePoint& point : subjects.scene.operational_points) {
     point.axes = Axes::local;
     point.rows = {true, true, true, false, false, true};
   }
   for (const Joint& joint : subjects.robot.joints) {
-    if (info_of(joint.type).has_one_freedom()) subjects.scene.armature[joint.name] = 0.2;
+    if (!info_of(joint.type).has_one_freedom()) continue;
+    subjects.scene.armature[joint.name] = 0.2;
+    subjects.scene.joint_friction[joint.name].damping = 3;
+    if (joint.child % 2 == 0) subjects.scene.joint_springs[joint.name] = {40, 0.3};
   }
   expect_right(subjects, Real::float64, all_with_form());
 }

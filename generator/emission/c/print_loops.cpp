@@ -42,10 +42,16 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
     points = fmt::format("{0}_points, {1}, {0}_rows, {2}", context.name, data.points.size(),
                          data.rows.size());
   }
+  std::string drives = "NULL";
+  if (!data.drives.empty()) {
+    drives = name + "_drives";
+    text += fmt::format("static const {}link_drive {}[{}] = {{\n{}}};\n", type, drives,
+                        data.links.size(), table.drives);
+  }
   return text +
-         wrap_line(fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}}};", type,
-                               table_name(context, data), name, data.links.size(), data.slots,
-                               table.gravity, points),
+         wrap_line(fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}}};",
+                               type, table_name(context, data), name, data.links.size(), data.slots,
+                               table.gravity, points, drives),
                    0);
 }
 
@@ -64,6 +70,7 @@ std::string print_sizes(const EmissionContext& context, std::span<const Program>
       {"POINTS", one_or(largest->points.size())},
       {"ROWS", one_or(largest->rows.size())},
       {"FLOATS", largest->floats ? 1 : 0},
+      {"DRIVEN", largest->drives.empty() ? 0 : 1},
       {"SLIDING", largest->sliding ? 1 : 0}};
   std::string text;
   for (const auto& [name, size] : sizes) {

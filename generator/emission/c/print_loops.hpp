@@ -21,8 +21,8 @@ std::vector<GeneratedFile> print_loops(const EmissionContext& context,
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs);
 
-/// The stem of a source that CMake makes of those of the functions that loop, so that they share the
-/// loops, which are static functions in C; empty where there are fewer than two.
+/// The stem of a source that CMake makes of those of the functions that loop, so that they share
+/// the loops, which are static functions in C; empty where there are fewer than two.
 std::string joined_loops(const EmissionContext& context, std::span<const Program> programs);
 
 }  // namespace treeline::c

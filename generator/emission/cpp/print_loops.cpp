@@ -23,7 +23,7 @@ std::string print_table(const LinkTableText& table) {
   const std::size_t links = data.links.size();
   std::string text = fmt::format("inline constexpr loops::Link<Real> k{}Links[{}] = {{\n{}}};\n",
                                  prefix, links, table.links);
-  std::string points;
+  std::string points = data.drives.empty() ? "" : ", nullptr, 0, nullptr, 0";
   if (has_points(data)) {
     text += fmt::format(
         "inline constexpr loops::LinkPoint<Real> kPoints[{0}] = {{\n{1}}};\n"
@@ -31,10 +31,16 @@ std::string print_table(const LinkTableText& table) {
         data.points.size(), table.points, data.rows.size(), table.rows);
     points = fmt::format(", kPoints, {}, kPointRows, {}", data.points.size(), data.rows.size());
   }
-  return text + wrap_line(fmt::format("inline constexpr loops::LinkTable<Real, {}, {}> k{}Table = "
-                                      "{{k{}Links, {}, {}, {}{}}};",
-                                      data.floats, data.sliding, prefix, prefix, links, data.slots,
-                                      table.gravity, points),
+  if (!data.drives.empty()) {
+    text += fmt::format("inline constexpr loops::LinkDrive<Real> k{}Drives[{}] = {{\n{}}};\n",
+                        prefix, links, table.drives);
+    points += fmt::format(", k{}Drives", prefix);
+  }
+  const std::string head =
+      fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> k{}Table", data.floats,
+                  data.sliding, data.drives.empty() ? "" : ", true", prefix);
+  return text + wrap_line(fmt::format("{} = {{k{}Links, {}, {}, {}{}}};", head, prefix, links,
+                                      data.slots, table.gravity, points),
                           0);
 }
 
