@@ -7,12 +7,9 @@
 namespace treeline {
 namespace {
 
-void note_bits_on_board(const std::vector<double>& results, const FunctionReference& reference,
-                        int state, BoardFunction& function) {
-  if (std::equal(results.begin(), results.end(), reference.graph.begin(), reference.graph.end(),
-                 same_bits)) {
-    return;
-  }
+void note_bits_on_board(const GeneratedFunction& generated, const std::vector<double>& results,
+                        const FunctionReference& reference, int state, BoardFunction& function) {
+  if (are_bits_of_graph(generated, results, reference.graph)) return;
   if (function.bits_differ++ == 0) function.first_bits_differ = state;
 }
 
@@ -32,7 +29,7 @@ void judge_calls(std::size_t i, const GeneratedFunction& generated, const BoardC
   const Bound bound = contracted ? find_bound(i, generated.function, references) : Bound{};
   for (std::size_t s = 0; s < references.size(); ++s) {
     const FunctionReference& reference = references[s].functions[i];
-    note_bits_on_board(calls.results[s], reference, references[s].state.index, function);
+    note_bits_on_board(generated, calls.results[s], reference, references[s].state.index, function);
     if (contracted) note_error_on_board(calls.results[s], reference, bound, real, function);
   }
   function.states = static_cast<int>(references.size());

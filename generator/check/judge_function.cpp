@@ -10,7 +10,6 @@
 namespace treeline {
 namespace {
 
-/// Loops over links add zeros that their graph leaves out, which makes zeros positive.
 bool same_or_zero(double a, double b) {
   return same_bits(a, b) || (a == 0 && b == 0);
 }
@@ -19,9 +18,7 @@ void note_bits(const GeneratedFunction& generated, const CallResult& result,
                const StateReference& reference, const FunctionReference& function,
                FunctionReport& report) {
   report.bits_known = report.bits_known && !function.graph.empty();
-  const bool same =
-      std::equal(result.entries.begin(), result.entries.end(), function.graph.begin(),
-                 function.graph.end(), generated.program.loops ? same_or_zero : same_bits);
+  const bool same = are_bits_of_graph(generated, result.entries, function.graph);
   report.out_of_bounds += result.wrote_out_of_bounds ? 1 : 0;
   if (same || !report.bits_known) return;
   if (report.bits_differ++ == 0) report.first_bits_differ = reference.state.index;
@@ -87,6 +84,12 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
 bool same_bits(double a, double b) {
   if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
   return a == b && std::signbit(a) == std::signbit(b);
+}
+
+bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
+                       const std::vector<double>& graph) {
+  return std::equal(results.begin(), results.end(), graph.begin(), graph.end(),
+                    generated.program.loops ? same_or_zero : same_bits);
 }
 
 double quantile(std::vector<double>& values, double share) {

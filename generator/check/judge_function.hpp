@@ -21,6 +21,11 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
 /// Whether the numbers are equal including their signs, or both are NaN.
 bool same_bits(double a, double b);
 
+/// Whether results are those of the function's graph to the bit. Of loops over links zeros may have
+/// another sign: they add zeros that the graph leaves out.
+bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
+                       const std::vector<double>& graph);
+
 /// Value below which the given share of the values lies. Changes the order of the values.
 double quantile(std::vector<double>& values, double share);
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "description/printable.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
@@ -109,11 +107,11 @@ std::size_t count_work(const LinkLoops& loops) {
   const LinkTableData& table = loops.table;
   const std::size_t links = table.links.size();
   const auto slots = static_cast<std::size_t>(table.slots);
-  const auto rows = static_cast<std::size_t>(table.rows);
+  const std::size_t rows = table.rows.size();
   const std::size_t points = table.points.size();
-  std::size_t count = 9 * links + 9 * slots + 9 * std::max<std::size_t>(points, 1) + 9;
+  std::size_t count = 9 * links + 9 * slots + 9;
   if (loops.uses_inertias) count += 7 * links + 27 * slots + (table.floats ? 36 : 1);
-  if (loops.uses_rows) count += 9 * points + (8 + rows) * rows;
+  if (loops.uses_rows) count += 18 * points + (8 + rows) * rows;
   return count;
 }
 
@@ -133,10 +131,10 @@ std::string describe_stack(const EmissionContext& context, const Program& progra
 
 std::string describe_loops(const EmissionContext& context) {
   return fmt::format(
-      "Branches are on the table in {}_links.hpp alone, so that every input takes the same "
+      "Branches are on the table in {}_links{} alone, so that every input takes the same "
       "instructions where the target has some for Real. Rounding is that of the operations of the "
       "loops in their order, as the generator traced them.",
-      context.name);
+      context.name, context.language == Language::c ? ".h" : ".hpp");
 }
 
 }  // namespace

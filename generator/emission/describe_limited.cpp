@@ -89,7 +89,8 @@ std::string describe_batch_limited_cost(const EmissionContext& context,
 std::string describe_cones(const LimitFacts& facts) {
   std::string text;
   for (const std::string& note : facts.notes) {
-    text += (text.empty() ? "" : "\n") + wrap_text(note + ".", 95);
+    if (!text.empty()) text += "\n";
+    text += wrap_text(note + ".", 95);
   }
   return text.empty() ? "No forces are limited." : text;
 }

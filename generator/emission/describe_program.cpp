@@ -37,6 +37,11 @@ std::set<std::string> find_taken_names(const Program& program, std::set<std::str
   return taken;
 }
 
+bool has_loops(std::span<const Program> programs) {
+  return std::any_of(programs.begin(), programs.end(),
+                     [](const Program& program) { return program.loops != nullptr; });
+}
+
 bool uses_lanes(const Program& program) {
   return !program.packs.empty();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
 
 #include "program/program.hpp"
@@ -20,6 +21,9 @@ bool is_long(const Program& program);
 
 /// Whether some numbers of the emitted function share registers.
 bool uses_lanes(const Program& program);
+
+/// Whether a function loops over a table of links.
+bool has_loops(std::span<const Program> programs);
 
 /// Whether the emitted function needs sine and cosine.
 bool uses_trigonometry(const Program& program);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "emission/backend/backend.hpp"
+#include "emission/c/print_loops.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/describe_program.hpp"
 #include "passes/count_operations.hpp"
@@ -44,6 +45,9 @@ std::vector<std::string> list_small_sources(const EmissionContext& context,
   if (context.language == Language::c) {  // in C++ they are headers
     if (!context.effective_mass_limits.empty()) names.emplace_back("damped_control_torque");
     if (context.limits) names.emplace_back("limited_control_torque");
+    if (const std::string joined = c::joined_loops(context, programs); !joined.empty()) {
+      names.push_back(joined);
+    }
   }
   return names;
 }

@@ -15,6 +15,7 @@ namespace {
 
 /// Numbers of a row of the table of links.
 constexpr double kNumbersOfLink = 22;
+constexpr double kNumbersOfDrive = 3;
 
 /// Bytes of code by g++ 12 -Os: of an operation in straight lines, and of the loops, whatever the
 /// robot is. Those of a number type that the target computes by calls take more, see `emulates`.
@@ -34,16 +35,16 @@ double bytes_of_lines(const Scene& scene, const Program& program) {
 
 double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
   const SizeModel model = model_of(scene);
-  return static_cast<double>(loops.table.links.size()) * kNumbersOfLink * bytes_of(scene.real) +
-         model.motions + (loops.uses_inertias ? model.inertias : 0) +
-         (loops.uses_rows ? model.rows : 0);
+  const double numbers = static_cast<double>(loops.table.links.size()) * kNumbersOfLink +
+                         static_cast<double>(loops.table.drives.size()) * kNumbersOfDrive;
+  return numbers * bytes_of(scene.real) + model.motions +
+         (loops.uses_inertias ? model.inertias : 0) + (loops.uses_rows ? model.rows : 0);
 }
 
 }  // namespace
 
 bool prefers_loops(const Scene& scene) {
-  return scene.optimize == Optimize::size && scene.language == Language::cpp &&
-         scene.profile == Profile::plain;
+  return scene.optimize == Optimize::size && scene.profile == Profile::plain;
 }
 
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,

@@ -8,7 +8,7 @@
 namespace treeline {
 
 /// Whether the code's size decides whether functions loop over a table of links: `optimize: size`
-/// in C++.
+/// in `profile: plain`.
 bool prefers_loops(const Scene& scene);
 
 /// Makes a function that was generated as straight lines one that loops over a table of links, if

@@ -20,10 +20,8 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
          "functions.");
   }
   if (scene.optimize == Optimize::size && !prefers_loops(scene)) {
-    note(
-        "optimize", "loops over links, the smallest code, are written in plain C++ alone",
-        "Functions stay straight lines for -Os. C calls C++ by its header NAME.h (`language: c++`, "
-        "`profile: plain`).");
+    note("optimize", "loops over links, the smallest code, are written in `profile: plain` alone",
+         "Functions stay straight lines for -Os.");
   }
 }
 

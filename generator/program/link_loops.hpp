@@ -18,7 +18,8 @@ struct LinkTableData {
   std::vector<core::loops::Link<double>> links;
   std::vector<std::string> names;  ///< of the links
   std::vector<core::loops::LinkPoint<double>> points;
-  int rows = 0;
+  std::vector<core::loops::PointRow> rows;
+  std::vector<core::loops::LinkDrive<double>> drives;  ///< of all links, or none
 };
 
 /// How a function is emitted that loops over a table of links: a call of the function of its name

@@ -1,35 +1,19 @@
 #pragma once
 // Functions of a robot by loops over a table of its links, with the arguments of the generated
-// functions. What `Work` they take is not read. C++17, freestanding.
+// functions. What is in their work space before is not read. C++17, freestanding.
 
 #include "core/link_rows.hpp"
-#include "core/sin_cos.hpp"
 
 namespace treeline::core::loops {
-
-struct ComputedSines {
-  template <class Real>
-  void operator()(int, const Real& angle, Real& sine, Real& cosine) const noexcept {
-    sin_cos(angle, sine, cosine);
-  }
-};
-
-template <class Real>
-struct GivenSines {
-  const Real *sin_q, *cos_q;
-  void operator()(int i, const Real&, Real& sine, Real& cosine) const noexcept {
-    sine = sin_q[i];
-    cosine = cos_q[i];
-  }
-};
 
 /// tau = M qdd + b + g
 template <class Table, class Real, class Sines, class Motions>
 void inverse_dynamics(const Table& table, const Real* q, const Sines& sines, const Real* qd,
                       const Real* qdd, Real* tau, Motions& motions) noexcept {
+  LinkMotion<Real>* const no_points = nullptr;
   place_links(table, q, sines, motions);
-  move_links(table, qd, qdd, motions);
-  gather_forces(table, qdd, motions, tau);
+  move_links(table, qd, qdd, motions, no_points);
+  gather_forces(table, q, qd, qdd, motions, tau);
 }
 
 template <class Table, class Real, class Sines, class Motions>
@@ -96,13 +80,13 @@ void control_torque(const Table& table, const Real* yields, const Real* q, const
                     const Real* qd, const Real* qdd_0, const Real* xdd_cmd, Real* tau,
                     Motions& motions, Inertias& inertias, Rows& rows) noexcept {
   place_links(table, q, sines, motions);
-  move_links(table, qd, qdd_0, motions);
+  move_links(table, qd, qdd_0, motions, &rows.point_motions[0]);
   find_lambda_inverse(table, motions, inertias, rows);
-  find_errors(table, xdd_cmd, motions, rows);
+  find_errors(table, xdd_cmd, rows);
   factor<power>(&rows.Lambda_inv[0], table.rows, yields);
   solve(&rows.Lambda_inv[0], table.rows, &rows.errors[0]);
   add_row_forces(table, rows, motions);
-  gather_forces(table, qdd_0, motions, tau);
+  gather_forces(table, q, qd, qdd_0, motions, tau);
 }
 
 }  // namespace treeline::core::loops

@@ -30,8 +30,8 @@ template <class Real, int links, int slots, bool floats>
 struct InertiaWork {
   LinkInertia<Real> inertias[slots];
   LinkProjection<Real> projections[links];
-  Real base[floats ? 36
-                   : 1];  ///< factors of the articulated inertia of a floating base, see `factor`
+  /// Factors of the articulated inertia of a floating base, see `factor`.
+  Real base[floats ? 36 : 1];
 };
 
 /// R M R^T for the rotation in the plane of the axes i and j.
@@ -50,8 +50,8 @@ void turn_matrix(const Turn<Real>& r, int i, int j, Real (&M)[9]) noexcept {
   d = d + st;
   b = ct - b2;
   b2 = ct - old;
-  turn(r, M[3 * i + k], M[3 * j + k]);
-  turn(r, M[3 * k + i], M[3 * k + j]);
+  turn_plane(r, M[3 * i + k], M[3 * j + k]);
+  turn_plane(r, M[3 * k + i], M[3 * k + j]);
 }
 
 /// Moves an inertia from the origin of its frame to where that has origin p: B becomes
@@ -84,19 +84,24 @@ void shift_inertia(const Real (&p)[3], LinkInertia<Real>& inertia) noexcept {
   }
 }
 
+/// A matrix in the axes of the link's parent.
+template <class Real>
+void matrix_to_parent(const Link<Real>& link, const LinkPose<Real>& pose, Real (&M)[9]) noexcept {
+  turn_matrix(pose.turn, 0, 1, M);
+  turn_matrix(link.alpha, 1, 2, M);
+  turn_matrix(link.a, 0, 1, M);
+}
+
 /// Makes the inertia that link `i` passes on one of its parent.
 template <class Table, class Real>
-void to_parent(const Table& table, int i, const LinkPose<Real>& pose,
-               LinkInertia<Real>& inertia) noexcept {
+void inertia_to_parent(const Table& table, int i, const LinkPose<Real>& pose,
+                       LinkInertia<Real>& inertia) noexcept {
   const Link<Real>& link = table.links[i];
   Real p[3];
-  find_origin(table, link, pose, p);
-  Real(*const parts[3])[9] = {&inertia.A, &inertia.B, &inertia.C};
-  for (Real(*part)[9] : parts) {
-    turn_matrix(pose.turn, 0, 1, *part);
-    turn_matrix(link.alpha, 1, 2, *part);
-    turn_matrix(link.a, 0, 1, *part);
-  }
+  find_origin(table, i, pose, p);
+  matrix_to_parent(link, pose, inertia.A);
+  matrix_to_parent(link, pose, inertia.B);
+  matrix_to_parent(link, pose, inertia.C);
   shift_inertia(p, inertia);
 }
 
@@ -116,30 +121,30 @@ void add_own(const Link<Real>& link, LinkInertia<Real>& sum) noexcept {
 }
 
 template <class Real>
-void clear(LinkInertia<Real>& inertia) noexcept {
+void clear_inertia(LinkInertia<Real>& inertia) noexcept {
   for (int k = 0; k < 9; ++k) inertia.A[k] = inertia.B[k] = inertia.C[k] = Real(0.0);
 }
 
 /// Passes the inertia in the slot of link `i` on to that of its parent. Where both share one, the
 /// parent has no other yet.
-template <class Table, class Real, class Motions, class Work>
+template <class Table, class Real, class Motions, class Inertias>
 void pass_on(const Table& table, int i, const Motions& motions, LinkInertia<Real>& inertia,
-             Work& work) noexcept {
+             Inertias& inertias) noexcept {
   const Link<Real>& link = table.links[i];
   if (link.parent < 0) {
-    clear(inertia);
+    clear_inertia(inertia);
     return;
   }
-  to_parent(table, i, motions.poses[i], inertia);
+  inertia_to_parent(table, i, motions.poses[i], inertia);
   const short slot = table.links[link.parent].slot;
   if (slot == link.slot) return;
-  LinkInertia<Real>& parent = work.inertias[slot];
+  LinkInertia<Real>& parent = inertias.inertias[slot];
   for (int k = 0; k < 9; ++k) {
     parent.A[k] = parent.A[k] + inertia.A[k];
     parent.B[k] = parent.B[k] + inertia.B[k];
     parent.C[k] = parent.C[k] + inertia.C[k];
   }
-  clear(inertia);
+  clear_inertia(inertia);
 }
 
 /// U = I S of the joint of link `i`.
@@ -192,7 +197,7 @@ void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
   }
   Real* const own_rows = slides ? IA.A : IA.C;
   for (int k = 0; k < 3; ++k) {
-    Real& across = slides ? IA.B[6 + k] : IA.B[3 * k + 2];
+    Real& across = IA.B[slides ? 6 + k : 3 * k + 2];
     across = across * held;
     Real& column = own_rows[3 * k + 2];
     column = column * held;
@@ -201,77 +206,78 @@ void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
 }
 
 /// Inward pass of articulated bodies: u and 1 / D of joints, factors of a floating base.
-template <class Table, class Motions, class Work, class Real = typename Table::Real>
-void articulate(const Table& table, const Motions& motions, Work& work) noexcept {
-  for (int k = 0; k < table.slots; ++k) clear(work.inertias[k]);
+template <class Table, class Motions, class Inertias, class Real = typename Table::Real>
+void articulate(const Table& table, const Motions& motions, Inertias& inertias) noexcept {
+  for (int k = 0; k < table.slots; ++k) clear_inertia(inertias.inertias[k]);
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
-    LinkInertia<Real>& IA = work.inertias[link.slot];
+    LinkInertia<Real>& IA = inertias.inertias[link.slot];
     add_own(link, IA);
-    if (Table::is_floating(i)) {
-      copy_to(IA, &work.base[0], 6);
-      factor<0, Real>(&work.base[0], 6, nullptr);
+    if (is_floating<Table>(i)) {
+      copy_to(IA, &inertias.base[0], 6);
+      const Real* const none = nullptr;
+      factor<0>(&inertias.base[0], 6, none);
       continue;
     }
-    release_joint(table, i, IA, work.projections[i]);
-    pass_on(table, i, motions, IA, work);
+    release_joint(table, i, IA, inertias.projections[i]);
+    pass_on(table, i, motions, IA, inertias);
   }
 }
 
-/// M by composite bodies. Uses `inertias` of `work` alone.
-template <class Table, class Real, class Motions, class Work>
-void find_mass_matrix(const Table& table, const Motions& motions, Work& work, Real* M) noexcept {
-  const int nv = Table::velocity(table.count);
+/// M by composite bodies. Uses `inertias.inertias` alone.
+template <class Table, class Real, class Motions, class Inertias>
+void find_mass_matrix(const Table& table, const Motions& motions, Inertias& inertias,
+                      Real* M) noexcept {
+  const int nv = velocity_at<Table>(table.count);
   for (int k = 0; k < nv * nv; ++k) M[k] = Real(0.0);
-  for (int k = 0; k < table.slots; ++k) clear(work.inertias[k]);
+  for (int k = 0; k < table.slots; ++k) clear_inertia(inertias.inertias[k]);
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
-    LinkInertia<Real>& inertia = work.inertias[link.slot];
+    LinkInertia<Real>& inertia = inertias.inertias[link.slot];
     add_own(link, inertia);
-    if (Table::is_floating(i)) {
+    if (is_floating<Table>(i)) {
       copy_to(inertia, M, nv);
       continue;
     }
-    const int at = Table::velocity(i);
+    const int at = velocity_at<Table>(i);
     Spatial<Real> wrench;
     find_column(table, i, inertia, wrench);
     M[at * nv + at] = along_joint(table, i, wrench) + link.rotor;
     for (int j = i; table.links[j].parent >= 0;) {
-      to_parent(table, j, motions.poses[j], wrench);
+      wrench_to_parent(table, j, motions.poses[j], wrench);
       j = table.links[j].parent;
-      const int entries = Table::is_floating(j) ? 6 : 1;
+      const int entries = is_floating<Table>(j) ? 6 : 1;
       for (int k = 0; k < entries; ++k) {
-        const Real& force = entries == 1 ? along_joint(table, j, wrench)
-                            : k < 3      ? wrench.linear[k]
-                                         : wrench.angular[k - 3];
-        const int other = Table::velocity(j) + k;
+        Real force = along_joint(table, j, wrench);
+        if (entries == 6) force = k < 3 ? wrench.linear[k] : wrench.angular[k - 3];
+        const int other = velocity_at<Table>(j) + k;
         M[at * nv + other] = force;
         M[other * nv + at] = force;
       }
     }
-    pass_on(table, i, motions, inertia, work);
+    pass_on(table, i, motions, inertia, inertias);
   }
 }
 
-/// qdd of joint forces `tau` by articulated bodies, once `work` is articulated. On entry qdd has
-/// the forces at qdd = 0. Uses `wrenches` of `motions`.
-template <class Table, class Real, class Motions, class Work>
-void find_accelerations(const Table& table, const Real* tau, Motions& motions, const Work& work,
-                        Real* qdd) noexcept {
-  for (int i = 0; i < table.count; ++i) clear(motions.wrenches[i]);
+/// qdd of joint forces `tau` by articulated bodies, once `inertias` is articulated. On entry qdd
+/// has the forces at qdd = 0. Uses `wrenches` of `motions`.
+template <class Table, class Real, class Motions, class Inertias>
+void find_accelerations(const Table& table, const Real* tau, Motions& motions,
+                        const Inertias& inertias, Real* qdd) noexcept {
+  for (int i = 0; i < table.count; ++i) clear_spatial(motions.wrenches[i]);
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
-    const int at = Table::velocity(i);
+    const int at = velocity_at<Table>(i);
     Spatial<Real>& wrench = motions.wrenches[i];
-    if (Table::is_floating(i)) {
+    if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         qdd[k] = tau[k] - qdd[k] - wrench.linear[k];
         qdd[k + 3] = tau[k + 3] - qdd[k + 3] - wrench.angular[k];
       }
-      solve(&work.base[0], 6, qdd);
+      solve(&inertias.base[0], 6, qdd);
       continue;
     }
-    const LinkProjection<Real>& joint = work.projections[i];
+    const LinkProjection<Real>& joint = inertias.projections[i];
     Real& along = along_joint(table, i, wrench);
     const Real missing = tau[at] - qdd[at];
     const Real left = missing - along;
@@ -282,29 +288,29 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions, c
       wrench.angular[k] = wrench.angular[k] + joint.u.angular[k] * left;
     }
     along = missing - link.rotor * joint.inverse_D * left;
-    to_parent(table, i, motions.poses[i], wrench);
+    wrench_to_parent(table, i, motions.poses[i], wrench);
     add(wrench, motions.wrenches[link.parent]);
   }
   for (int i = 0; i < table.count; ++i) {
     const Link<Real>& link = table.links[i];
     Spatial<Real>& twist = motions.wrenches[i];  // acceleration without what velocities add
-    if (Table::is_floating(i)) {
+    if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         twist.linear[k] = qdd[k];
         twist.angular[k] = qdd[k + 3];
       }
       continue;
     }
-    const int at = Table::velocity(i);
-    const LinkProjection<Real>& joint = work.projections[i];
-    clear(twist);
+    const int at = velocity_at<Table>(i);
+    const LinkProjection<Real>& joint = inertias.projections[i];
+    clear_spatial(twist);
     if (link.parent >= 0) {
       add(motions.wrenches[link.parent], twist);
       Real p[3];
-      find_origin(table, link, motions.poses[i], p);
+      find_origin(table, i, motions.poses[i], p);
       add_cross(twist.angular, p, twist.linear);
-      to_child(link, motions.poses[i], twist.linear);
-      to_child(link, motions.poses[i], twist.angular);
+      turn_to_child(link, motions.poses[i], twist.linear);
+      turn_to_child(link, motions.poses[i], twist.angular);
     }
     Real& along = along_joint(table, i, twist);
     const Real held = link.rotor * joint.inverse_D;

@@ -2,6 +2,7 @@
 // Inverse dynamics by loops over a table of links: recursive Newton-Euler. C++17, freestanding.
 
 #include "core/link_table.hpp"
+#include "core/sin_cos.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
@@ -16,14 +17,13 @@ struct LinkMotion {
   Real w[3], wd[3], a[3];
 };
 
-/// What inverse dynamics keeps of each link, of the links on the way out, and of points.
-template <class Real, int links, int slots, int points>
+/// What inverse dynamics keeps of each link, and of the links on the way out.
+template <class Real, int links, int slots>
 struct MotionWork {
   LinkPose<Real> poses[links];
   BasePose<Real> base;
   Spatial<Real> wrenches[links];
   LinkMotion<Real> motions[slots];
-  LinkMotion<Real> point_motions[points > 0 ? points : 1];
 };
 
 /// sum += wd x r + w x (w x r)
@@ -60,11 +60,11 @@ void move_link(const Table& table, int i, const LinkPose<Real>& pose, const Real
                const Real& qdd, LinkMotion<Real>& motion) noexcept {
   const Link<Real>& link = table.links[i];
   Real p[3];
-  find_origin(table, link, pose, p);
+  find_origin(table, i, pose, p);
   add_rotation(motion, p, motion.a);
-  to_child(link, pose, motion.w);
-  to_child(link, pose, motion.wd);
-  to_child(link, pose, motion.a);
+  turn_to_child(link, pose, motion.w);
+  turn_to_child(link, pose, motion.wd);
+  turn_to_child(link, pose, motion.a);
   const bool slides = Table::kSliding && link.slides;
   Real(&moved)[3] = slides ? motion.a : motion.wd;
   const Real rate = slides ? Real(2.0) * qd : qd;
@@ -112,18 +112,36 @@ void find_wrench(const Link<Real>& link, const LinkMotion<Real>& motion,
   add_cross(link.h, motion.a, wrench.angular);
 }
 
-/// Poses of all links. `sines(i, angle, sine, cosine)` are those of the angle of coordinate `i`.
-template <class Table, class Real, class Sines, class Work>
-void place_links(const Table& table, const Real* q, const Sines& sines, Work& work) noexcept {
+/// Calls with (i, angle, sine, cosine) give those of the angle of coordinate `i`: computed.
+struct ComputedSines {
+  template <class Real>
+  void operator()(int, const Real& angle, Real& sine, Real& cosine) const noexcept {
+    sin_cos(angle, sine, cosine);
+  }
+};
+
+/// The same, from arguments of the function.
+template <class Real>
+struct GivenSines {
+  const Real *sin_q, *cos_q;
+  void operator()(int i, const Real&, Real& sine, Real& cosine) const noexcept {
+    sine = sin_q[i];
+    cosine = cos_q[i];
+  }
+};
+
+/// Poses of all links, by the sines and cosines of the joints' angles.
+template <class Table, class Real, class Sines, class Motions>
+void place_links(const Table& table, const Real* q, const Sines& sines, Motions& motions) noexcept {
   for (int i = 0; i < table.count; ++i) {
-    if (Table::is_floating(i)) {
-      place_base(table, q, work.base);
+    if (is_floating<Table>(i)) {
+      place_base(table, q, motions.base);
       continue;
     }
     const Link<Real>& link = table.links[i];
-    const int at = Table::coordinate(i);
+    const int at = coordinate_at<Table>(i);
     const Real moved = q[at] + link.offset;
-    LinkPose<Real>& pose = work.poses[i];
+    LinkPose<Real>& pose = motions.poses[i];
     pose.slide = moved;
     Real& c = pose.turn.c;
     Real& s = pose.turn.s;
@@ -133,41 +151,53 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Work& wo
       continue;
     }
     sines(at, moved, s, c);
-    turn(link.b, c, s);
+    turn_plane(link.b, c, s);
   }
 }
 
-/// Outward pass: motions of points, wrenches that move the links. Without qd or qdd these are 0.
-template <class Table, class Real, class Work>
-void move_links(const Table& table, const Real* qd, const Real* qdd, Work& work) noexcept {
+/// Outward pass: wrenches that move the links, and motions of the table's points. Without qd or qdd
+/// these are 0.
+template <class Table, class Real, class Motions>
+void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& motions,
+                LinkMotion<Real>* point_motions) noexcept {
   for (int i = 0; i < table.count; ++i) {
     const Link<Real>& link = table.links[i];
-    LinkMotion<Real>& motion = work.motions[link.slot];
-    if (Table::is_floating(i)) {
-      move_base(table, work.base, qd, qdd, motion);
+    LinkMotion<Real>& motion = motions.motions[link.slot];
+    if (is_floating<Table>(i)) {
+      move_base(table, motions.base, qd, qdd, motion);
     } else {
       if (link.parent < 0) {
         rest(table, motion);
-      } else if (const short slot = table.links[link.parent].slot; slot != link.slot) {
-        copy(work.motions[slot], motion);
+      } else {
+        const short slot = table.links[link.parent].slot;
+        if (slot != link.slot) copy(motions.motions[slot], motion);
       }
-      const int at = Table::velocity(i);
-      move_link(table, i, work.poses[i], entry(qd, at), entry(qdd, at), motion);
+      const int at = velocity_at<Table>(i);
+      move_link(table, i, motions.poses[i], entry(qd, at), entry(qdd, at), motion);
     }
-    find_wrench(link, motion, work.wrenches[i]);
+    find_wrench(link, motion, motions.wrenches[i]);
     for (int k = 0; k < table.point_count; ++k) {
-      if (table.points[k].link == i) copy(motion, work.point_motions[k]);
+      if (table.points[k].link == i) copy(motion, point_motions[k]);
     }
   }
 }
 
+/// Adds what friction and the spring of a joint take.
+template <class Table, class Real>
+void add_drive(const Table& table, int i, const Real& q, const Real& qd, Real& tau) noexcept {
+  if (table.drives == nullptr) return;
+  const LinkDrive<Real>& drive = table.drives[i];
+  tau = tau + drive.damping * qd + drive.stiffness * (q - drive.rest);
+}
+
 /// Inward pass: joint forces of the wrenches on links, which are lost.
-template <class Table, class Real, class Work>
-void gather_forces(const Table& table, const Real* qdd, Work& work, Real* tau) noexcept {
+template <class Table, class Real, class Motions>
+void gather_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
+                   Motions& motions, Real* tau) noexcept {
   for (int i = table.count - 1; i >= 0; --i) {
-    const int at = Table::velocity(i);
-    Spatial<Real>& wrench = work.wrenches[i];
-    if (Table::is_floating(i)) {
+    const int at = velocity_at<Table>(i);
+    Spatial<Real>& wrench = motions.wrenches[i];
+    if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         tau[k] = wrench.linear[k];
         tau[k + 3] = wrench.angular[k];
@@ -176,9 +206,12 @@ void gather_forces(const Table& table, const Real* qdd, Work& work, Real* tau) n
     }
     const Link<Real>& link = table.links[i];
     tau[at] = along_joint(table, i, wrench) + link.rotor * entry(qdd, at);
+    if constexpr (Table::kDriven) {
+      add_drive(table, i, q[coordinate_at<Table>(i)], entry(qd, at), tau[at]);
+    }
     if (link.parent >= 0) {
-      to_parent(table, i, work.poses[i], wrench);
-      add(wrench, work.wrenches[link.parent]);
+      wrench_to_parent(table, i, motions.poses[i], wrench);
+      add(wrench, motions.wrenches[link.parent]);
     }
   }
 }

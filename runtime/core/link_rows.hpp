@@ -14,33 +14,21 @@ namespace treeline::core::loops {
 template <class Real, int points, int rows>
 struct RowWork {
   LinkAxes<Real> link_axes[points];  ///< of the points' links
-  Spatial<Real> forces[rows];        ///< unit forces on their way to the base
-  short links[rows];                 ///< where they have got to
+  LinkMotion<Real> point_motions[points];
+  Spatial<Real> forces[rows];  ///< unit forces on their way to the base
+  short links[rows];           ///< where they have got to
   Real errors[rows];
   Real Lambda_inv[rows * rows];
 };
 
-/// Calls `visit(row, point, axis, angular)` for each row of the points.
-template <class Table, class Visit>
-void for_each_row(const Table& table, const Visit& visit) noexcept {
-  int row = 0;
+template <class Table, class Motions, class Rows>
+void find_point_axes(const Table& table, const Motions& motions, Rows& rows) noexcept {
   for (int p = 0; p < table.point_count; ++p) {
-    for (int k = 0; k < 6; ++k) {
-      if (!table.points[p].rows[k]) continue;
-      visit(row, p, k % 3, k >= 3);
-      ++row;
-    }
+    find_axes(table, &motions.poses[0], motions.base, table.points[p].link, rows.link_axes[p]);
   }
 }
 
-template <class Table, class Motions, class Work>
-void find_point_axes(const Table& table, const Motions& motions, Work& work) noexcept {
-  for (int p = 0; p < table.point_count; ++p) {
-    find_axes(table, &motions.poses[0], motions.base, table.points[p].link, work.link_axes[p]);
-  }
-}
-
-/// The direction of a row in the axes of the point's link.
+/// The direction along an axis of a point, in the axes of its link.
 template <class Real>
 void find_direction(const LinkPoint<Real>& point, const LinkAxes<Real>& link_axes, int axis,
                     Real (&e)[3]) noexcept {
@@ -49,40 +37,41 @@ void find_direction(const LinkPoint<Real>& point, const LinkAxes<Real>& link_axe
   }
 }
 
-/// The wrench on the point's link of a force, or moment, along a row.
-template <class Real>
-void find_unit_force(const LinkPoint<Real>& point, const LinkAxes<Real>& link_axes, int axis,
-                     bool angular, Spatial<Real>& wrench) noexcept {
-  clear(wrench);
-  if (angular) {
-    find_direction(point, link_axes, axis, wrench.angular);
+/// The wrench on the point's link of a force, or moment, along row `r`.
+template <class Table, class Rows, class Real>
+void find_unit_force(const Table& table, const Rows& rows, int r, Spatial<Real>& wrench) noexcept {
+  const PointRow& row = table.point_rows[r];
+  const LinkPoint<Real>& point = table.points[row.point];
+  clear_spatial(wrench);
+  if (row.angular) {
+    find_direction(point, rows.link_axes[row.point], row.axis, wrench.angular);
   } else {
-    find_direction(point, link_axes, axis, wrench.linear);
+    find_direction(point, rows.link_axes[row.point], row.axis, wrench.linear);
     add_cross(point.p, wrench.linear, wrench.angular);
   }
 }
 
 /// Lambda^-1 += work D^-1 work^T of a joint, for the rows that have got to link `i`.
-template <class Table, class Real, class Work>
+template <class Table, class Real, class Rows>
 void absorb(const Table& table, int i, const Real* work_of_rows, const Real& inverse_D,
-            Work& work) noexcept {
+            Rows& rows) noexcept {
   for (int r = 0; r < table.rows; ++r) {
-    if (work.links[r] != i) continue;
+    if (rows.links[r] != i) continue;
     const Real scaled = work_of_rows[r] * inverse_D;
     for (int s = 0; s <= r; ++s) {
-      if (work.links[s] != i) continue;
-      Real& sum = work.Lambda_inv[r * table.rows + s];
+      if (rows.links[s] != i) continue;
+      Real& sum = rows.Lambda_inv[r * table.rows + s];
       sum = sum + scaled * work_of_rows[s];
     }
   }
 }
 
 /// Lambda^-1 += K^T IA^-1 K for the unit forces that have got to a floating base.
-template <class Table, class Inertias, class Work, class Real = typename Table::Real>
-void absorb_in_base(const Table& table, const Inertias& inertias, Work& work) noexcept {
+template <class Table, class Inertias, class Rows, class Real = typename Table::Real>
+void absorb_in_base(const Table& table, const Inertias& inertias, Rows& rows) noexcept {
   for (int r = 0; r < table.rows; ++r) {
-    if (work.links[r] != 0) continue;
-    Spatial<Real>& K = work.forces[r];
+    if (rows.links[r] != 0) continue;
+    Spatial<Real>& K = rows.forces[r];
     Real x[6];
     for (int k = 0; k < 3; ++k) {
       x[k] = K.linear[k];
@@ -96,105 +85,104 @@ void absorb_in_base(const Table& table, const Inertias& inertias, Work& work) no
   }
   for (int k = 0; k < 6; ++k) {
     for (int r = 0; r < table.rows; ++r) {
-      work.errors[r] = k < 3 ? work.forces[r].linear[k] : work.forces[r].angular[k - 3];
+      rows.errors[r] = k < 3 ? rows.forces[r].linear[k] : rows.forces[r].angular[k - 3];
     }
-    absorb(table, 0, &work.errors[0], inertias.base[7 * k], work);
+    absorb(table, 0, &rows.errors[0], inertias.base[7 * k], rows);
   }
 }
 
 /// The lower triangle of Lambda^-1, the sum over joints of (S^T K)^T D^-1 (S^T K) with the unit
 /// forces K of the rows propagated inward (PV-OSIM), once `inertias` is articulated. Uses `errors`.
-template <class Table, class Motions, class Inertias, class Work, class Real = typename Table::Real>
+template <class Table, class Motions, class Inertias, class Rows, class Real = typename Table::Real>
 void propagate_forces(const Table& table, const Motions& motions, const Inertias& inertias,
-                      Work& work) noexcept {
-  for (int k = 0; k < table.rows * table.rows; ++k) work.Lambda_inv[k] = Real(0.0);
-  for_each_row(table, [&](int row, int p, int axis, bool angular) {
-    find_unit_force(table.points[p], work.link_axes[p], axis, angular, work.forces[row]);
-    work.links[row] = table.points[p].link;
-  });
+                      Rows& rows) noexcept {
+  for (int k = 0; k < table.rows * table.rows; ++k) rows.Lambda_inv[k] = Real(0.0);
+  for (int r = 0; r < table.rows; ++r) {
+    find_unit_force(table, rows, r, rows.forces[r]);
+    rows.links[r] = table.points[table.point_rows[r].point].link;
+  }
   for (int i = table.count - 1; i >= 0; --i) {
-    if (Table::is_floating(i)) {
-      absorb_in_base(table, inertias, work);
+    if (is_floating<Table>(i)) {
+      absorb_in_base(table, inertias, rows);
       continue;
     }
     const LinkProjection<Real>& joint = inertias.projections[i];
     for (int r = 0; r < table.rows; ++r) {
-      work.errors[r] = along_joint(table, i, work.forces[r]);
+      rows.errors[r] = along_joint(table, i, rows.forces[r]);
     }
-    absorb(table, i, &work.errors[0], joint.inverse_D, work);
+    absorb(table, i, &rows.errors[0], joint.inverse_D, rows);
     for (int r = 0; r < table.rows; ++r) {
-      if (work.links[r] != i) continue;
-      Spatial<Real>& K = work.forces[r];
-      const Real along = work.errors[r];
+      if (rows.links[r] != i) continue;
+      Spatial<Real>& K = rows.forces[r];
+      const Real along = rows.errors[r];
       for (int k = 0; k < 3; ++k) {
         K.linear[k] = K.linear[k] - joint.u.linear[k] * along;
         K.angular[k] = K.angular[k] - joint.u.angular[k] * along;
       }
       along_joint(table, i, K) = table.links[i].rotor * joint.inverse_D * along;
-      to_parent(table, i, motions.poses[i], K);
-      work.links[r] = table.links[i].parent;
+      wrench_to_parent(table, i, motions.poses[i], K);
+      rows.links[r] = table.links[i].parent;
     }
   }
 }
 
 /// Lambda^-1 from its lower triangle.
-template <class Table, class Real, class Work>
-void copy_lambda_inverse(const Table& table, const Work& work, Real* Lambda_inv) noexcept {
+template <class Table, class Real, class Rows>
+void copy_lambda_inverse(const Table& table, const Rows& rows, Real* Lambda_inv) noexcept {
   const int n = table.rows;
   for (int r = 0; r < n; ++r) {
     for (int s = 0; s <= r; ++s) {
-      Lambda_inv[r * n + s] = Lambda_inv[s * n + r] = work.Lambda_inv[r * n + s];
+      Lambda_inv[r * n + s] = Lambda_inv[s * n + r] = rows.Lambda_inv[r * n + s];
     }
   }
 }
 
 /// Lambda from the lower triangle of Lambda^-1, which is lost. For `power` and `yields` see
 /// `factor`.
-template <int power, class Table, class Real, class Work>
-void invert_rows(const Table& table, const Real* yields, Work& work, Real* Lambda) noexcept {
+template <int power, class Table, class Real, class Rows>
+void invert_rows(const Table& table, const Real* yields, Rows& rows, Real* Lambda) noexcept {
   const int n = table.rows;
-  factor<power>(&work.Lambda_inv[0], n, yields);
+  factor<power>(&rows.Lambda_inv[0], n, yields);
   for (int s = 0; s < n; ++s) {
-    for (int r = 0; r < n; ++r) work.errors[r] = Real(r == s ? 1.0 : 0.0);
-    solve(&work.Lambda_inv[0], n, &work.errors[0]);
-    for (int r = s; r < n; ++r) Lambda[r * n + s] = Lambda[s * n + r] = work.errors[r];
+    for (int r = 0; r < n; ++r) rows.errors[r] = r == s ? Real(1.0) : Real(0.0);
+    solve(&rows.Lambda_inv[0], n, &rows.errors[0]);
+    for (int r = s; r < n; ++r) Lambda[r * n + s] = Lambda[s * n + r] = rows.errors[r];
   }
 }
 
 /// xdd_cmd - (Jd qd + J qdd_0), from the motions of the points.
-template <class Table, class Real, class Motions, class Work>
-void find_errors(const Table& table, const Real* xdd_cmd, const Motions& motions,
-                 Work& work) noexcept {
-  for_each_row(table, [&](int row, int p, int axis, bool angular) {
-    const LinkPoint<Real>& point = table.points[p];
-    const LinkMotion<Real>& motion = motions.point_motions[p];
+template <class Table, class Real, class Rows>
+void find_errors(const Table& table, const Real* xdd_cmd, Rows& rows) noexcept {
+  for (int r = 0; r < table.rows; ++r) {
+    const PointRow& row = table.point_rows[r];
+    const LinkPoint<Real>& point = table.points[row.point];
+    const LinkMotion<Real>& motion = rows.point_motions[row.point];
     Real e[3];
-    find_direction(point, work.link_axes[p], axis, e);
+    find_direction(point, rows.link_axes[row.point], row.axis, e);
     Real moved[3];
     for (int j = 0; j < 3; ++j) {
-      const Real* const own = &work.link_axes[p].rows[3 * j];
+      const Real* const own = &rows.link_axes[row.point].rows[3 * j];
       const Real weight =
           own[0] * table.gravity[0] + own[1] * table.gravity[1] + own[2] * table.gravity[2];
-      moved[j] = angular ? motion.wd[j] : motion.a[j] + weight;
+      moved[j] = row.angular ? motion.wd[j] : motion.a[j] + weight;
     }
-    if (!angular) add_rotation(motion, point.p, moved);
-    work.errors[row] = xdd_cmd[row] - dot(e, moved);
-  });
+    if (!row.angular) add_rotation(motion, point.p, moved);
+    rows.errors[r] = xdd_cmd[r] - dot(e, moved);
+  }
 }
 
 /// Adds the wrenches of forces along the rows to those of links: J^T F.
-template <class Table, class Motions, class Work>
-void add_row_forces(const Table& table, const Work& work, Motions& motions) noexcept {
-  using Real = typename Table::Real;
-  for_each_row(table, [&](int row, int p, int axis, bool angular) {
+template <class Table, class Motions, class Rows, class Real = typename Table::Real>
+void add_row_forces(const Table& table, const Rows& rows, Motions& motions) noexcept {
+  for (int r = 0; r < table.rows; ++r) {
     Spatial<Real> wrench;
-    find_unit_force(table.points[p], work.link_axes[p], axis, angular, wrench);
+    find_unit_force(table, rows, r, wrench);
     for (int k = 0; k < 3; ++k) {
-      wrench.linear[k] = wrench.linear[k] * work.errors[row];
-      wrench.angular[k] = wrench.angular[k] * work.errors[row];
+      wrench.linear[k] = wrench.linear[k] * rows.errors[r];
+      wrench.angular[k] = wrench.angular[k] * rows.errors[r];
     }
-    add(wrench, motions.wrenches[table.points[p].link]);
-  });
+    add(wrench, motions.wrenches[table.points[table.point_rows[r].point].link]);
+  }
 }
 
 }  // namespace treeline::core::loops

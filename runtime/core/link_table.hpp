@@ -35,18 +35,33 @@ template <class Real>
 struct LinkPoint {
   short link;
   bool world;    ///< axes of the world; else `axes`
-  bool rows[6];  ///< which of x y z rx ry rz
   Real axes[9];  ///< row-major; a row is an axis, in the link's axes
   Real p[3];     ///< in the link's axes
 };
 
+/// A row of the task: an operational point's motion along an axis, or its rotation about it.
+struct PointRow {
+  short point;
+  short axis;
+  bool angular;
+};
+
+/// Viscous friction and spring of a joint.
+template <class Real>
+struct LinkDrive {
+  Real damping;
+  Real stiffness;
+  Real rest;  ///< coordinate at which the spring is slack
+};
+
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
-/// each other joint has one. `sliding`: there are prismatic joints.
-template <class Number, bool floats, bool sliding>
+/// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives.
+template <class Number, bool floats, bool sliding, bool driven = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
   static constexpr bool kSliding = sliding;
+  static constexpr bool kDriven = driven;
 
   const Link<Real>* links;
   int count;
@@ -54,14 +69,28 @@ struct LinkTable {
   Real gravity[3];
   const LinkPoint<Real>* points = nullptr;
   int point_count = 0;
-  int rows = 0;  ///< of all points
-
-  /// Where the joint of link `i` has its velocity, and its coordinate.
-  static constexpr int velocity(int i) { return floats && i > 0 ? i + 5 : i; }
-  static constexpr int coordinate(int i) { return floats && i > 0 ? i + 6 : i; }
-  /// Whether link `i` is a floating base.
-  static constexpr bool is_floating(int i) { return floats && i == 0; }
+  const PointRow* point_rows = nullptr;
+  int rows = 0;
+  const LinkDrive<Real>* drives = nullptr;  ///< of all links; none: no joint has any
 };
+
+/// Where the joint of link `i` has its velocity.
+template <class Table>
+constexpr int velocity_at(int i) noexcept {
+  return Table::kFloats && i > 0 ? i + 5 : i;
+}
+
+/// Where the joint of link `i` has its coordinate.
+template <class Table>
+constexpr int coordinate_at(int i) noexcept {
+  return Table::kFloats && i > 0 ? i + 6 : i;
+}
+
+/// Whether link `i` is a floating base.
+template <class Table>
+constexpr bool is_floating(int i) noexcept {
+  return Table::kFloats && i == 0;
+}
 
 /// What a joint's coordinate makes of a link's pose.
 template <class Real>
@@ -90,13 +119,13 @@ void clear(Real (&v)[3]) noexcept {
 }
 
 template <class Real>
-inline void turn(const Turn<Real>& r, Real& x, Real& y) noexcept {
+inline void turn_plane(const Turn<Real>& r, Real& x, Real& y) noexcept {
   const Real old = x;
   x = r.c * old - r.s * y;
   y = r.s * old + r.c * y;
 }
 template <class Real>
-inline void turn_back(const Turn<Real>& r, Real& x, Real& y) noexcept {
+inline void turn_plane_back(const Turn<Real>& r, Real& x, Real& y) noexcept {
   const Real old = x;
   x = r.c * old + r.s * y;
   y = r.c * y - r.s * old;
@@ -117,43 +146,43 @@ void add_cross(const Real (&a)[3], const Real (&b)[3], Real (&sum)[3]) noexcept 
 
 /// From a link's axes to its parent's. Not for a floating base.
 template <class Real>
-void to_parent(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
-  turn(pose.turn, v[0], v[1]);
-  turn(link.alpha, v[1], v[2]);
-  turn(link.a, v[0], v[1]);
+void turn_to_parent(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
+  turn_plane(pose.turn, v[0], v[1]);
+  turn_plane(link.alpha, v[1], v[2]);
+  turn_plane(link.a, v[0], v[1]);
 }
 template <class Real>
-void to_child(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
-  turn_back(link.a, v[0], v[1]);
-  turn_back(link.alpha, v[1], v[2]);
-  turn_back(pose.turn, v[0], v[1]);
+void turn_to_child(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
+  turn_plane_back(link.a, v[0], v[1]);
+  turn_plane_back(link.alpha, v[1], v[2]);
+  turn_plane_back(pose.turn, v[0], v[1]);
 }
 
-/// The link's origin in the axes of its parent.
+/// The origin of link `i` in the axes of its parent.
 template <class Table, class Real>
-void find_origin(const Table&, const Link<Real>& link, const LinkPose<Real>& pose,
-                 Real (&p)[3]) noexcept {
+void find_origin(const Table& table, int i, const LinkPose<Real>& pose, Real (&p)[3]) noexcept {
+  const Link<Real>& link = table.links[i];
   for (int k = 0; k < 3; ++k) p[k] = link.p[k];
   if constexpr (Table::kSliding) {
     if (!link.slides) return;
     Real along[3];
     clear(along);
     along[2] = pose.slide;
-    turn(link.alpha, along[1], along[2]);
-    turn(link.a, along[0], along[1]);
+    turn_plane(link.alpha, along[1], along[2]);
+    turn_plane(link.a, along[0], along[1]);
     for (int k = 0; k < 3; ++k) p[k] = p[k] + along[k];
   }
 }
 
 /// From a wrench on link `i` to the same on its parent. Not for a floating base.
 template <class Table, class Real>
-void to_parent(const Table& table, int i, const LinkPose<Real>& pose,
-               Spatial<Real>& wrench) noexcept {
+void wrench_to_parent(const Table& table, int i, const LinkPose<Real>& pose,
+                      Spatial<Real>& wrench) noexcept {
   const Link<Real>& link = table.links[i];
   Real p[3];
-  find_origin(table, link, pose, p);
-  to_parent(link, pose, wrench.linear);
-  to_parent(link, pose, wrench.angular);
+  find_origin(table, i, pose, p);
+  turn_to_parent(link, pose, wrench.linear);
+  turn_to_parent(link, pose, wrench.angular);
   add_cross(p, wrench.linear, wrench.angular);
 }
 
@@ -166,7 +195,7 @@ void add(const Spatial<Real>& more, Spatial<Real>& sum) noexcept {
 }
 
 template <class Real>
-void clear(Spatial<Real>& spatial) noexcept {
+void clear_spatial(Spatial<Real>& spatial) noexcept {
   clear(spatial.linear);
   clear(spatial.angular);
 }
@@ -196,9 +225,9 @@ void place_base(const Table& table, const Real* q, BasePose<Real>& base) noexcep
     column[k] = t * v[k] + tw * v[l];
     column[l] = t * v[l] - tw * v[k];
     const Link<Real>& link = table.links[0];
-    turn(link.b, column[0], column[1]);
-    turn(link.alpha, column[1], column[2]);
-    turn(link.a, column[0], column[1]);
+    turn_plane(link.b, column[0], column[1]);
+    turn_plane(link.alpha, column[1], column[2]);
+    turn_plane(link.a, column[0], column[1]);
     for (int m = 0; m < 3; ++m) base.Q[3 * m + j] = column[m];
   }
 }
@@ -217,13 +246,13 @@ void find_axes(const Table& table, const LinkPose<Real>* poses, const BasePose<R
     clear(v);
     v[j] = Real(1.0);
     for (int i = link; i >= 0; i = table.links[i].parent) {
-      if (Table::is_floating(i)) {
+      if (is_floating<Table>(i)) {
         const Real old[3] = {v[0], v[1], v[2]};
         for (int m = 0; m < 3; ++m) {
           v[m] = base.Q[3 * m] * old[0] + base.Q[3 * m + 1] * old[1] + base.Q[3 * m + 2] * old[2];
         }
       } else {
-        to_parent(table.links[i], poses[i], v);
+        turn_to_parent(table.links[i], poses[i], v);
       }
     }
     for (int m = 0; m < 3; ++m) axes.rows[3 * j + m] = v[m];

@@ -168,6 +168,28 @@ TEST(OnBoard, RunsC) {
   }
 }
 
+// Would catch: loops that are taken for wrong because of a zero's sign, and loops in C that call
+// what a board does not have.
+TEST(OnBoard, RunsLoopsOverLinks) {
+  for (const Language language : {Language::cpp, Language::c}) {
+    SCOPED_TRACE(language == Language::c ? "C" : "C++");
+    Subjects subjects = load_unmade("humanoid24", "scene.yaml");
+    subjects.scene.target = "cortex-m4f";
+    subjects.scene.real = Real::float32;
+    subjects.scene.functions = {Function::inverse_dynamics, Function::mass_matrix};
+    subjects.scene.optimize = Optimize::size;
+    subjects.scene.language = language;
+    follow_target(subjects.scene);
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    const BoardReport report = run_on_board(subjects, board_options(10));
+    EXPECT_TRUE(report.passed()) << print_text(report);
+    for (const BoardFunction& function : report.functions) {
+      EXPECT_LT(function.text_bytes + function.constant_bytes, 5000) << function.name;
+      EXPECT_TRUE(function.takes_constant_time()) << function.name;
+    }
+  }
+}
+
 // Would catch: a choice that does not ask what operations cost on the target. A Cortex-M4F does not
 // wait for operands, so that the route of fewer operations wins there, though its chain is longer.
 TEST(OnBoard, CostsOfTheTargetDecide) {

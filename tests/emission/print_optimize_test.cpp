@@ -5,8 +5,10 @@
 #include <memory>
 #include <utility>
 
+#include "emission/backend/backend.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/sample.hpp"
+#include "program/link_loops.hpp"
 
 // Would catch: flags that the scene did not ask for, on functions that have nothing to gain, and
 // names of files that CMake does not have.
@@ -50,6 +52,27 @@ TEST(PrintSmallCode, ListsControlInC) {
   context.language = Language::cpp;
   const std::string headers = print_small_code(context, test::safe_programs(), {});
   EXPECT_EQ(headers.find("control_torque"), std::string::npos) << headers;
+}
+
+// Would catch: a joined source of loops that is compiled for speed, or beside those that it joins.
+TEST(PrintSmallCode, JoinsLoopsInC) {
+  EmissionContext context = test::sample_context("arm", false, Language::c);
+  context.optimize = Optimize::size;
+  std::vector<Program> programs = test::safe_programs();
+  const auto loops = std::make_shared<const LinkLoops>();
+  programs[0].loops = loops;
+  EXPECT_EQ(print_small_code(context, programs, {}).find("_loops"), std::string::npos);
+  programs[1].loops = loops;
+  const std::string path = "${CMAKE_CURRENT_BINARY_DIR}/arm_loops.c\n";
+  EXPECT_NE(print_small_code(context, programs, {}).find("    " + path), std::string::npos);
+  const std::string project = backend_of(Language::c).print_project(context, programs, {});
+  const std::string library = project.substr(project.find("add_library"));
+  const std::string sources = library.substr(0, library.find(')'));
+  EXPECT_NE(sources.find("  " + path), std::string::npos) << sources;
+  EXPECT_EQ(sources.find(programs[0].name), std::string::npos) << sources;
+  EXPECT_NE(sources.find("  long_chain.c\n"), std::string::npos) << sources;
+  const std::string joined = project.substr(0, project.find("add_library"));
+  EXPECT_NE(joined.find("    " + programs[0].name + ".c\n"), std::string::npos) << joined;
 }
 
 /// Of two operations for each link.

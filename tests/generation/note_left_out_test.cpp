@@ -27,9 +27,10 @@ TEST(NoteLeftOut, SaysWhatIsMissing) {
   scene.optimize = Optimize::size;
   EXPECT_EQ(keys_of(scene), Keys{});
   scene.language = Language::c;
+  EXPECT_EQ(keys_of(scene), Keys{});
+  scene.profile = Profile::misra;
   EXPECT_EQ(keys_of(scene), Keys{"optimize"});
   scene.language = Language::cpp;
-  scene.profile = Profile::misra;
   EXPECT_EQ(keys_of(scene), Keys{"optimize"});
   scene.profile = Profile::plain;
   scene.name = "math";

@@ -7,6 +7,7 @@
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_joints.hpp"
 #include "emission/c/print_limited.hpp"
+#include "emission/c/print_loops.hpp"
 #include "emission/c/print_project.hpp"
 #include "emission/c/print_runtime.hpp"
 #include "emission/c/print_source.hpp"
@@ -23,7 +24,7 @@ std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
           "velocity_names", "velocity_limits", "effort_limits",     "task_row_names"};
 }
 
-/// Functions of several states at once, damped and limited control.
+/// Functions of several states at once, damped and limited control, tables of links.
 std::vector<GeneratedFile> print_more(const EmissionContext& context,
                                       std::span<const Program> programs,
                                       std::span<const Program> batch) {
@@ -33,6 +34,7 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
     for (GeneratedFile& file : print_limited(context, programs)) files.push_back(std::move(file));
   }
   for (GeneratedFile& file : print_batch(context, batch)) files.push_back(std::move(file));
+  for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   return files;
 }
 

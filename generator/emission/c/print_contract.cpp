@@ -7,6 +7,7 @@
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_contract.hpp"
+#include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -26,7 +27,7 @@ std::string print_array_macro(const EmissionContext& context) {
 }
 
 /// What the functions are made of.
-std::string describe_needs(const EmissionContext& context) {
+std::string describe_needs(const EmissionContext& context, std::span<const Program> programs) {
   if (context.language == Language::cpp) {
     return fmt::format(
         "Programs in C99 and C++ include this file. The functions are those of\n"
@@ -34,15 +35,18 @@ std::string describe_needs(const EmissionContext& context) {
         "passes each call on and copies nothing. No library is needed, not even that of C++.",
         context.name);
   }
+  const bool loops = has_loops(programs);
+  const bool flags = context.limits || !context.effective_mass_limits.empty();
+  const char* const headers = loops   ? "<float.h>, <stdbool.h>, <stddef.h> and <stdint.h>"
+                              : flags ? "<float.h>, <stdbool.h> and <stdint.h>"
+                                      : "<float.h> and <stdint.h>";
   return fmt::format(
-      "The code needs C99 and nothing else: no library, no heap, no branch, no global state; of "
-      "its\n"
-      "headers {}. C++ may include this file too.\n"
+      "The code needs C99 and nothing else: no library, no heap, no {} {}. C++ may include this "
+      "file too.\n"
       "Same input, same bits; and same time, where the target has instructions for {}.{}",
-      context.limits || !context.effective_mass_limits.empty()
-          ? "<float.h>, <stdbool.h> and <stdint.h>"
-          : "<float.h> and <stdint.h>",
-      context.single_precision ? "float" : "double",
+      loops ? "branch on data, no global state;\nof its headers"
+            : "branch, no global state; of its\nheaders",
+      headers, context.single_precision ? "float" : "double",
       context.limits ? "\nLimited control branches, in a bounded number of steps." : "");
 }
 
@@ -60,7 +64,9 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   const bool single = context.single_precision;
   auto values = describe_contract(context);
   values.insert({{"NAME", name_in_capitals(context)},
-                 {"needs", comment("//", describe_needs(context))},
+                 {"form", has_loops(programs) ? "loops over its links and straight-line code"
+                                              : "straight-line code"},
+                 {"needs", comment("//", describe_needs(context, programs))},
                  {"array", print_array_macro(context)},
                  {"macros", single ? "FLT" : "DBL"},
                  {"exponent", single ? "128" : "1024"},

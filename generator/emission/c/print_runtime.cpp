@@ -10,6 +10,7 @@
 #include "emission/c/print_batch.hpp"
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_limited.hpp"
+#include "emission/c/print_loops.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
@@ -75,7 +76,9 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back(context.misra ? misra::print_square_root(context)
                                   : GeneratedFile{"square_root.h", print_square_root(context)});
   }
-  if (damped || limited || std::any_of(batch.begin(), batch.end(), uses_trigonometry) ||
+  std::vector<GeneratedFile> loops = print_loop_headers(context, programs);
+  if (damped || limited || !loops.empty() ||
+      std::any_of(batch.begin(), batch.end(), uses_trigonometry) ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.h", print_sin_cos(context)});
   }
@@ -83,6 +86,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"lanes.h", print_lanes(context, programs)});
   }
   for (GeneratedFile& file : print_batch_runtime(context, batch)) files.push_back(std::move(file));
+  for (GeneratedFile& file : loops) files.push_back(std::move(file));
   return files;
 }
 

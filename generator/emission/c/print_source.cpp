@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "emission/c/print_loops.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
@@ -93,6 +94,18 @@ Body print_body_of(const EmissionContext& context, const Program& program,
   return text;
 }
 
+std::string print_loop_source(const EmissionContext& context, const Program& program) {
+  return fill_template(
+      templates::kLoopFunction,
+      {{"head", describe_source(program)},
+       {"cost", describe_cost(program)},
+       {"name", context.name},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"signature", print_section(context) + print_prefetch_section(context) +
+                         wrap_line(print_signature(context, program) + " {", 0)},
+       {"body", print_loop_body(context, program)}});
+}
+
 }  // namespace
 
 std::string print_array(const EmissionContext& context, const char* qualifier,
@@ -115,6 +128,7 @@ std::string print_signature(const EmissionContext& context, const Program& progr
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
+  if (program.loops) return print_loop_source(context, program);
   const std::set<std::string> taken =
       find_taken_names(program, {context.name, fmt::format("{}_{}", context.name, program.name),
                                  fmt::format("{}_sin_cos", context.name)});

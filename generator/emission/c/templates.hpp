@@ -24,6 +24,8 @@ extern const std::string_view kLimitTypes;
 extern const std::string_view kLimited;
 extern const std::string_view kLimitedSource;
 extern const std::string_view kLimitedTorque;
+extern const std::string_view kLinks;
+extern const std::string_view kLoopFunction;
 extern const std::string_view kNumber;
 extern const std::string_view kQuadraticProgram;
 extern const std::string_view kSinCos;

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "emission/comment.hpp"
 #include "emission/cpp/print_c_calls.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_contract.hpp"
+#include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 
 namespace treeline::cpp {
@@ -34,8 +33,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                                    {"signature", print_declaration(program)}});
   }
   const bool single = context.single_precision;
-  const bool loops = std::any_of(programs.begin(), programs.end(),
-                                 [](const Program& program) { return program.loops != nullptr; });
+  const bool loops = has_loops(programs);
   auto values = describe_contract(context);
   values.insert(
       {{"beside", context.misra ? "" : fmt::format(kBeside, context.name, list_c_headers(context))},

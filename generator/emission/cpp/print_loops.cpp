@@ -2,104 +2,46 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <span>
-#include <stdexcept>
 
-#include "description/printable.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_link_table.hpp"
 #include "emission/wrap_line.hpp"
-#include "program/link_loops.hpp"
 
 namespace treeline::cpp {
 namespace {
 
-using core::loops::Link;
-using core::loops::LinkPoint;
-
-class TablePrinter {
- public:
-  explicit TablePrinter(const EmissionContext& context) : syntax_(make_syntax(context)) {}
-
-  [[nodiscard]] std::string number(double value) const {
-    if (value == 0) return syntax_.literal(0);
-    return (value < 0 ? "-" : "") + syntax_.literal(std::abs(value));
-  }
-  [[nodiscard]] std::string numbers(std::span<const double> values) const {
-    std::string list;
-    for (const double value : values) list += (list.empty() ? "" : ", ") + number(value);
-    return "{" + list + "}";
-  }
-  [[nodiscard]] std::string link(const Link<double>& of) const {
-    const double turns[3][2] = {{of.a.c, of.a.s}, {of.alpha.c, of.alpha.s}, {of.b.c, of.b.s}};
-    return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", of.parent, of.slot,
-                       of.slides, numbers(turns[0]), numbers(turns[1]), numbers(turns[2]),
-                       numbers(of.p), number(of.offset), number(of.rotor), number(of.mass),
-                       numbers(of.h), numbers(of.J));
-  }
-  [[nodiscard]] std::string point(const LinkPoint<double>& of) const {
-    std::string rows;
-    for (const bool row : of.rows) rows += fmt::format("{}{}", rows.empty() ? "" : ", ", row);
-    return fmt::format("{{{}, {}, {{{}}}, {}, {}}}", of.link, of.world, rows, numbers(of.axes),
-                       numbers(of.p));
-  }
-
- private:
-  Syntax syntax_;
-};
-
-/// Functions of points have link frames of their own, placed around these.
 const char* prefix_of(const LinkTableData& table) {
-  return table.points.empty() ? "" : "Point";
+  return has_points(table) ? "Point" : "";
 }
 
-std::string print_table(const TablePrinter& printer, const LinkTableData& table) {
-  const char* const prefix = prefix_of(table);
-  std::string text = fmt::format("inline constexpr loops::Link<Real> k{}Links[{}] = {{\n", prefix,
-                                 table.links.size());
-  for (std::size_t i = 0; i < table.links.size(); ++i) {
-    text += fmt::format("    // {}\n", printable(table.names[i])) +
-            wrap_line(printer.link(table.links[i]) + ",", 4);
+std::string print_table(const LinkTableText& table) {
+  const LinkTableData& data = *table.data;
+  const char* const prefix = prefix_of(data);
+  const std::size_t links = data.links.size();
+  std::string text = fmt::format("inline constexpr loops::Link<Real> k{}Links[{}] = {{\n{}}};\n",
+                                 prefix, links, table.links);
+  std::string points = data.drives.empty() ? "" : ", nullptr, 0, nullptr, 0";
+  if (has_points(data)) {
+    text += fmt::format(
+        "inline constexpr loops::LinkPoint<Real> kPoints[{0}] = {{\n{1}}};\n"
+        "inline constexpr loops::PointRow kPointRows[{2}] = {{\n{3}}};\n",
+        data.points.size(), table.points, data.rows.size(), table.rows);
+    points = fmt::format(", kPoints, {}, kPointRows, {}", data.points.size(), data.rows.size());
   }
-  text += "};\n";
-  std::string points;
-  if (!table.points.empty()) {
-    text += fmt::format("inline constexpr loops::LinkPoint<Real> kPoints[{}] = {{\n",
-                        table.points.size());
-    for (const LinkPoint<double>& point : table.points) {
-      text += wrap_line(printer.point(point) + ",", 4);
-    }
-    text += "};\n";
-    points = fmt::format(", kPoints, {}, {}", table.points.size(), table.rows);
+  if (!data.drives.empty()) {
+    text += fmt::format("inline constexpr loops::LinkDrive<Real> k{}Drives[{}] = {{\n{}}};\n",
+                        prefix, links, table.drives);
+    points += fmt::format(", k{}Drives", prefix);
   }
-  return text +
-         wrap_line(fmt::format("inline constexpr loops::LinkTable<Real, {}, {}> k{}Table = "
-                               "{{k{}Links, {}, {}, {}{}}};",
-                               table.floats, table.sliding, prefix, prefix, table.links.size(),
-                               table.slots, printer.numbers(table.gravity), points),
-                   0);
-}
-
-/// The texts of the tables that the functions use, each once: with and without points.
-std::vector<std::string> print_tables(const EmissionContext& context,
-                                      std::span<const Program> programs) {
-  const TablePrinter printer(context);
-  std::vector<std::string> tables, prefixes;
-  for (const Program& program : programs) {
-    if (!program.loops) continue;
-    std::string text = print_table(printer, program.loops->table);
-    if (std::find(tables.begin(), tables.end(), text) != tables.end()) continue;
-    std::string prefix = prefix_of(program.loops->table);
-    if (std::find(prefixes.begin(), prefixes.end(), prefix) != prefixes.end()) {
-      throw std::logic_error(program.name + ": a table of links of its own");
-    }
-    tables.push_back(std::move(text));
-    prefixes.push_back(std::move(prefix));
-  }
-  return tables;
+  const std::string head =
+      fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> k{}Table", data.floats,
+                  data.sliding, data.drives.empty() ? "" : ", true", prefix);
+  return text + wrap_line(fmt::format("{} = {{k{}Links, {}, {}, {}{}}};", head, prefix, links,
+                                      data.slots, table.gravity, points),
+                          0);
 }
 
 std::string element(const Argument& argument) {
@@ -108,12 +50,13 @@ std::string element(const Argument& argument) {
 
 /// The constants of the function's law, if it has one. They are the function's own: two of the
 /// namespace would meet where a build joins sources.
-std::string print_yields(const EmissionContext& context, const LinkLoops& loops) {
-  if (loops.yields.empty()) return {};
+std::string print_borders(const EmissionContext& context, const LinkLoops& loops) {
+  const std::string yields = print_yields(loops, make_syntax(context));
+  if (yields.empty()) return {};
   return "  // Borders of the pivots of rows that yield, to the power of their law.\n" +
-         wrap_line(fmt::format("static constexpr Real kYields[{}] = {};", loops.yields.size(),
-                               TablePrinter(context).numbers(loops.yields)),
-                   2);
+         wrap_line(
+             fmt::format("static constexpr Real kYields[{}] = {};", loops.yields.size(), yields),
+             2);
 }
 
 }  // namespace
@@ -123,9 +66,8 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   const LinkTableData& table = loops.table;
   const std::size_t links = table.links.size();
   std::string work = "motions";
-  std::string text = print_yields(context, loops);
-  text += fmt::format("  detail::loops::MotionWork<Real, {}, {}, {}> motions;\n", links,
-                      table.slots, table.points.size());
+  std::string text = print_borders(context, loops);
+  text += fmt::format("  detail::loops::MotionWork<Real, {}, {}> motions;\n", links, table.slots);
   if (loops.uses_inertias) {
     text += fmt::format("  detail::loops::InertiaWork<Real, {}, {}, {}> inertias;\n", links,
                         table.slots, table.floats);
@@ -133,7 +75,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   }
   if (loops.uses_rows) {
     text += fmt::format("  detail::loops::RowWork<Real, {}, {}> rows;\n", table.points.size(),
-                        table.rows);
+                        table.rows.size());
     work += ", rows";
   }
   const auto& arguments = program.arguments;
@@ -157,10 +99,10 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
 
 std::vector<GeneratedFile> print_loops(const EmissionContext& context,
                                        std::span<const Program> programs) {
-  const std::vector<std::string> tables = print_tables(context, programs);
+  const std::vector<LinkTableText> tables = list_link_tables(programs, make_syntax(context));
   if (tables.empty()) return {};
   std::string text;
-  for (const std::string& table : tables) text += (text.empty() ? "" : "\n") + table;
+  for (const LinkTableText& table : tables) text += (text.empty() ? "" : "\n") + print_table(table);
   return {{context.name + "_links.hpp",
            fill_template(templates::kLinks,
                          {{"robot", context.robot}, {"name", context.name}, {"tables", text}})}};

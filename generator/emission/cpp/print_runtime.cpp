@@ -100,8 +100,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   const bool has_batch = !batch.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
-  const bool loops = std::any_of(programs.begin(), programs.end(),
-                                 [](const Program& program) { return program.loops != nullptr; });
+  const bool loops = has_loops(programs);
   std::vector<GeneratedFile> files;
   if (loops || has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {

@@ -7,6 +7,7 @@
 
 #include "program/link_loops.hpp"
 #include "recursion/methods/task_law.hpp"
+#include "recursion/routes/make_link_table.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/tree/counted.hpp"
 #include "recursion/tree/declare_inputs.hpp"
@@ -62,8 +63,7 @@ std::string find_obstacle(const MovingLink& link, std::size_t index, bool floats
   if (link.is_of_ball()) return says("is a ball joint");
   if (link.is_floating()) return index == 0 ? "" : says("is floating, and not the base");
   if (link.multiplier != 1 || link.v_index != shift) return says("shares a coordinate");
-  if (link.drive.damping != 0 || link.drive.friction != 0) return says("has friction");
-  if (link.drive.stiffness != 0) return says("has a spring");
+  if (link.drive.friction != 0) return says("has Coulomb friction");
   if (given_sines && link.offset != 0) return says("has an angle of its own, and sines are given");
   return {};
 }
@@ -87,81 +87,6 @@ std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form, bool
   return {};
 }
 
-loops::Turn<double> table_turn(const PlanarRotation<double>& r) {
-  return {r.c, r.s};
-}
-
-loops::Link<double> table_link(const TreeLink<double>& link) {
-  const auto& [mass, h, Sigma, J] = link.inertia;
-  loops::Link<double> row{};
-  row.parent = static_cast<short>(link.parent);
-  row.slides = link.kind == JointKind::prismatic;
-  row.a = table_turn(link.R.a);
-  row.alpha = table_turn(link.R.alpha);
-  row.b = table_turn(link.R.b);
-  row.offset = link.offset;
-  row.rotor = link.drive.inertia;
-  row.mass = mass;
-  const double p[3] = {link.p.x, link.p.y, link.p.z};
-  const double moment[3] = {h.x, h.y, h.z};
-  const double inertia[6] = {J.xx, J.xy, J.xz, J.yy, J.yz, J.zz};
-  std::copy(std::begin(p), std::end(p), row.p);
-  std::copy(std::begin(moment), std::end(moment), row.h);
-  std::copy(std::begin(inertia), std::end(inertia), row.J);
-  return row;
-}
-
-loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
-  loops::LinkPoint<double> row{};
-  row.link = static_cast<short>(point.link);
-  row.world = point.axes == Axes::world;
-  std::copy(point.rows.begin(), point.rows.end(), row.rows);
-  const Matrix3<double> axes = transposed(point.R);
-  const Vector3<double> each[3] = {axes.row_x, axes.row_y, axes.row_z};
-  for (int k = 0; k < 3; ++k) {
-    const double e[3] = {each[k].x, each[k].y, each[k].z};
-    // Rows along the world's axes do not read these.
-    for (int j = 0; j < 3; ++j) row.axes[3 * k + j] = row.world ? 0 : e[j];
-  }
-  const double p[3] = {point.p.x, point.p.y, point.p.z};
-  std::copy(std::begin(p), std::end(p), row.p);
-  return row;
-}
-
-/// Numbers the slots: links on one way out that carry one link each share theirs.
-void number_slots(LinkTableData& table) {
-  std::vector<int> children(table.links.size());
-  for (const auto& link : table.links) {
-    if (link.parent >= 0) ++children[static_cast<std::size_t>(link.parent)];
-  }
-  for (auto& link : table.links) {
-    if (link.parent < 0) continue;
-    const auto parent = static_cast<std::size_t>(link.parent);
-    const int slot = table.links[parent].slot + (children[parent] > 1 ? 1 : 0);
-    link.slot = static_cast<short>(slot);
-    table.slots = std::max(table.slots, slot + 1);
-  }
-}
-
-LinkTableData make_table(const Mechanism& mechanism, bool with_points) {
-  const auto tree = constant_tree<double>(mechanism);
-  LinkTableData table;
-  table.floats = tree.links.front().is_floating();
-  table.gravity = mechanism.gravity;
-  for (const TreeLink<double>& link : tree.links) {
-    table.links.push_back(table_link(link));
-    table.names.push_back(link.name);
-    table.sliding = table.sliding || table.links.back().slides;
-  }
-  number_slots(table);
-  if (!with_points) return table;
-  for (const TreePoint<double>& point : tree.operational_points) {
-    table.points.push_back(table_point(point));
-  }
-  table.rows = mechanism.task_rows();
-  return table;
-}
-
 template <class Number>
 loops::Turn<Number> lifted(const loops::Turn<double>& r) {
   return {Number(r.c), Number(r.s)};
@@ -179,7 +104,7 @@ struct LoopTrace {
     std::vector<loops::LinkPose<Number>> poses;
     loops::BasePose<Number> base;
     std::vector<loops::Spatial<Number>> wrenches;
-    std::vector<loops::LinkMotion<Number>> motions, point_motions;
+    std::vector<loops::LinkMotion<Number>> motions;
   };
   struct Inertias {
     std::vector<loops::LinkInertia<Number>> inertias;
@@ -188,6 +113,7 @@ struct LoopTrace {
   };
   struct Rows {
     std::vector<loops::LinkAxes<Number>> link_axes;
+    std::vector<loops::LinkMotion<Number>> point_motions;
     std::vector<loops::Spatial<Number>> forces;
     std::vector<short> links;
     std::vector<Number> errors, Lambda_inv;
@@ -214,23 +140,25 @@ struct LoopTrace {
       links.push_back(to);
     }
     for (const loops::LinkPoint<double>& from : table.points) {
-      loops::LinkPoint<Number> to{from.link, from.world, {}, {}, {}};
-      std::copy(std::begin(from.rows), std::end(from.rows), to.rows);
+      loops::LinkPoint<Number> to{from.link, from.world, {}, {}};
       lift(from.axes, to.axes);
       lift(from.p, to.p);
       points.push_back(to);
     }
+    for (const loops::LinkDrive<double>& from : table.drives) {
+      drives.push_back({Number(from.damping), Number(from.stiffness), Number(from.rest)});
+    }
     for (const double yield : plan.yields) yields.push_back(Number(yield));
     const auto n = table.links.size();
     const auto slots = static_cast<std::size_t>(table.slots);
-    const auto count = static_cast<std::size_t>(table.rows);
+    const std::size_t count = table.rows.size();
     motions.poses.resize(n);
     motions.wrenches.resize(n);
     motions.motions.resize(slots);
-    motions.point_motions.resize(table.points.size());
     inertias.inertias.resize(slots);
     inertias.projections.resize(n);
     rows.link_axes.resize(table.points.size());
+    rows.point_motions.resize(table.points.size());
     rows.forces.resize(count);
     rows.links.resize(count);
     rows.errors.resize(count);
@@ -238,16 +166,23 @@ struct LoopTrace {
   }
 
   template <bool floats>
-  [[nodiscard]] loops::LinkTable<Number, floats, true> table_of(const LinkTableData& from) const {
+  [[nodiscard]] loops::LinkTable<Number, floats, true, true> table_of(
+      const LinkTableData& from) const {
     const auto& g = from.gravity;
-    return {links.data(),  static_cast<int>(links.size()),
-            from.slots,    {Number(g[0]), Number(g[1]), Number(g[2])},
-            points.data(), static_cast<int>(points.size()),
-            from.rows};
+    return {links.data(),
+            static_cast<int>(links.size()),
+            from.slots,
+            {Number(g[0]), Number(g[1]), Number(g[2])},
+            points.data(),
+            static_cast<int>(points.size()),
+            from.rows.data(),
+            static_cast<int>(from.rows.size()),
+            drives.empty() ? nullptr : drives.data()};
   }
 
   std::vector<loops::Link<Number>> links;
   std::vector<loops::LinkPoint<Number>> points;
+  std::vector<loops::LinkDrive<Number>> drives;
   std::vector<Number> yields;
   Motions motions;
   Inertias inertias;
@@ -357,7 +292,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
   const Graph::Scope scope(program.graph);
   const TracedInputs inputs(mechanism, function, program);
   const auto plan = std::make_shared<LinkLoops>();
-  plan->table = make_table(mechanism, form->rows);
+  plan->table = make_link_table(mechanism, form->rows);
   plan->uses_inertias = form->inertias;
   plan->uses_rows = form->rows;
   plan->solves = form->solves;

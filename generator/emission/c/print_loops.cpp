@@ -1,0 +1,179 @@
+#include "emission/c/print_loops.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "emission/c/syntax.hpp"
+#include "emission/c/templates.hpp"
+#include "emission/c/translate_loops.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/print_link_table.hpp"
+#include "emission/wrap_line.hpp"
+
+namespace treeline::c {
+namespace {
+
+bool takes_sines(const Program& program) {
+  return program.arguments.size() > 1 && program.arguments[1].name == "sin_q";
+}
+
+std::string table_name(const EmissionContext& context, const LinkTableData& table) {
+  return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : "");
+}
+
+std::string print_table(const EmissionContext& context, const LinkTableText& table) {
+  const LinkTableData& data = *table.data;
+  const std::string name = context.name + (has_points(data) ? "_point" : "");
+  const std::string type = context.name + "_loops_";
+  std::string text = fmt::format("static const {}link {}_links[{}] = {{\n{}}};\n", type, name,
+                                 data.links.size(), table.links);
+  std::string points = "NULL, 0, NULL, 0";
+  if (has_points(data)) {
+    text += fmt::format(
+        "static const {0}link_point {1}_points[{2}] = {{\n{3}}};\n"
+        "static const {0}point_row {1}_rows[{4}] = {{\n{5}}};\n",
+        type, context.name, data.points.size(), table.points, data.rows.size(), table.rows);
+    points = fmt::format("{0}_points, {1}, {0}_rows, {2}", context.name, data.points.size(),
+                         data.rows.size());
+  }
+  std::string drives = "NULL";
+  if (!data.drives.empty()) {
+    drives = name + "_drives";
+    text += fmt::format("static const {}link_drive {}[{}] = {{\n{}}};\n", type, drives,
+                        data.links.size(), table.drives);
+  }
+  return text +
+         wrap_line(fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}}};",
+                               type, table_name(context, data), name, data.links.size(), data.slots,
+                               table.gravity, points, drives),
+                   0);
+}
+
+/// Sizes of arrays, and what the table has: constants in C, where C++ has parameters of templates.
+std::string print_sizes(const EmissionContext& context, std::span<const Program> programs) {
+  const LinkTableData* largest = nullptr;
+  for (const Program& program : programs) {
+    if (!program.loops) continue;
+    const LinkTableData& table = program.loops->table;
+    if (largest == nullptr || has_points(table)) largest = &table;
+  }
+  const auto one_or = [](std::size_t count) { return std::max<std::size_t>(count, 1); };
+  const std::pair<const char*, std::size_t> sizes[] = {
+      {"LINKS", largest->links.size()},
+      {"SLOTS", static_cast<std::size_t>(largest->slots)},
+      {"POINTS", one_or(largest->points.size())},
+      {"ROWS", one_or(largest->rows.size())},
+      {"FLOATS", largest->floats ? 1 : 0},
+      {"DRIVEN", largest->drives.empty() ? 0 : 1},
+      {"SLIDING", largest->sliding ? 1 : 0}};
+  std::string text;
+  for (const auto& [name, size] : sizes) {
+    text += fmt::format("{}  {}_LOOPS_{} = {}", text.empty() ? "" : ",\n",
+                        name_in_capitals(context), name, size);
+  }
+  return fmt::format("/// Of the robot's tables.\nenum {{\n{}\n}};\n", text);
+}
+
+/// What a header says of itself and includes, as C has it.
+std::string print_opening(std::string_view header) {
+  std::string text;
+  std::istringstream lines{std::string(header)};
+  for (std::string line; std::getline(lines, line) && !line.starts_with("namespace ");) {
+    const std::size_t standard = line.find("C++17");
+    if (standard != line.npos) line.replace(standard, 5, "C99");
+    const std::size_t file = line.find(".hpp\"");
+    if (line.starts_with("#include \"core/") && file != line.npos) {
+      line = "#include \"" + line.substr(15, file - 15) + ".h\"";
+    }
+    const bool of_compiler =
+        line.starts_with("#if") || line.starts_with("#endif") || line.starts_with("#pragma GCC");
+    const bool doubled = line.empty() && text.ends_with("\n\n");
+    if (!of_compiler && !doubled) text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string print_loop_body(const EmissionContext& context, const Program& program) {
+  const LinkLoops& loops = *program.loops;
+  const std::string prefix = context.name + "_loops_";
+  const std::string yields = print_yields(loops, make_syntax(context));
+  std::string text;
+  if (!yields.empty()) {
+    text = "  // Borders of the pivots of rows that yield, to the power of their law.\n" +
+           wrap_line(fmt::format("static const {} yields[{}] = {};",
+                                 context.single_precision ? "float" : "double", loops.yields.size(),
+                                 yields),
+                     2);
+  }
+  std::string list = loops.solves ? fmt::format("{}, ", loops.power) : "";
+  list += "&" + table_name(context, loops.table);
+  if (loops.solves) list += yields.empty() ? ", NULL" : ", yields";
+  for (const Argument& argument : program.arguments) list += ", " + argument.name;
+  list += ", " + program.results.front().argument.name;
+  const std::pair<const char*, bool> works[] = {
+      {"motion", true}, {"inertia", loops.uses_inertias}, {"row", loops.uses_rows}};
+  for (const auto& [work, used] : works) {
+    if (!used) continue;
+    text += fmt::format("  {0}{1}_work {1}s;\n", prefix, work);
+    list += fmt::format(", &{}s", work);
+  }
+  return text + wrap_line(fmt::format("{}{}({});", prefix, program.name, list), 2);
+}
+
+std::vector<GeneratedFile> print_loops(const EmissionContext& context,
+                                       std::span<const Program> programs) {
+  const std::vector<LinkTableText> tables = list_link_tables(programs, make_syntax(context));
+  if (tables.empty()) return {};
+  std::string text;
+  for (const LinkTableText& table : tables) {
+    text += (text.empty() ? "" : "\n") + print_table(context, table);
+  }
+  return {{context.name + "_links.h",
+           fill_template(templates::kLinks,
+                         {{"robot", context.robot}, {"name", context.name}, {"tables", text}})}};
+}
+
+std::string joined_loops(const EmissionContext& context, std::span<const Program> programs) {
+  const auto looping = std::count_if(programs.begin(), programs.end(), [](const Program& program) {
+    return program.loops != nullptr;
+  });
+  return looping < 2 ? "" : fmt::format("${{CMAKE_CURRENT_BINARY_DIR}}/{}_loops", context.name);
+}
+
+std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
+                                              std::span<const Program> programs) {
+  if (!has_loops(programs)) return {};
+  LoopTranslator translator(context, std::any_of(programs.begin(), programs.end(), takes_sines));
+  const std::pair<const char*, std::string_view> headers[] = {
+      {"link_table.h", cpp::templates::kLinkTable},
+      {"link_factors.h", cpp::templates::kLinkFactors},
+      {"link_motion.h", cpp::templates::kLinkMotion},
+      {"link_inertia.h", cpp::templates::kLinkInertia},
+      {"link_rows.h", cpp::templates::kLinkRows},
+      {"link_functions.h", cpp::templates::kLinkFunctions}};
+  std::vector<GeneratedFile> files;
+  for (const auto& [name, header] : headers) {
+    std::string text = print_opening(header);
+    if (files.empty()) {
+      text +=
+          "#include <stdbool.h>\n#include <stddef.h>\n\n" + print_sizes(context, programs) + "\n";
+    }
+    for (const LoopItem& item : parse_loops(header)) {
+      const std::string translated = translator.translate(item);
+      if (!translated.empty()) text += translated + "\n";
+    }
+    text.pop_back();
+    files.push_back({name, text});
+  }
+  return files;
+}
+
+}  // namespace treeline::c

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "emission/backend/syntax.hpp"
+#include "program/link_loops.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// A table of links as initializers, which C and C++ write alike: the lists of its links, points,
+/// rows of points and drives without the braces around them, gravity with its braces.
+struct LinkTableText {
+  const LinkTableData* data;
+  std::string links, points, rows, drives, gravity;
+};
+
+/// The tables of the functions that loop, each once: with and without points. Throws
+/// std::logic_error where there are more.
+std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
+                                            const Syntax& syntax);
+
+/// Borders of the pivots of rows that yield, with braces; empty where the function has no such law.
+std::string print_yields(const LinkLoops& loops, const Syntax& syntax);
+
+/// Functions of points have link frames of their own, placed around these.
+bool has_points(const LinkTableData& table);
+
+}  // namespace treeline

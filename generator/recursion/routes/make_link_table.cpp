@@ -1,0 +1,108 @@
+#include "recursion/routes/make_link_table.hpp"
+
+#include <algorithm>
+
+#include "recursion/tree/tree.hpp"
+
+namespace treeline {
+
+namespace loops = core::loops;
+
+namespace {
+
+loops::Turn<double> table_turn(const PlanarRotation<double>& r) {
+  return {r.c, r.s};
+}
+
+loops::Link<double> table_link(const TreeLink<double>& link) {
+  const auto& [mass, h, Sigma, J] = link.inertia;
+  loops::Link<double> row{};
+  row.parent = static_cast<short>(link.parent);
+  row.slides = link.kind == JointKind::prismatic;
+  row.a = table_turn(link.R.a);
+  row.alpha = table_turn(link.R.alpha);
+  row.b = table_turn(link.R.b);
+  row.offset = link.offset;
+  row.rotor = link.drive.inertia;
+  row.mass = mass;
+  const double p[3] = {link.p.x, link.p.y, link.p.z};
+  const double moment[3] = {h.x, h.y, h.z};
+  const double inertia[6] = {J.xx, J.xy, J.xz, J.yy, J.yz, J.zz};
+  std::copy(std::begin(p), std::end(p), row.p);
+  std::copy(std::begin(moment), std::end(moment), row.h);
+  std::copy(std::begin(inertia), std::end(inertia), row.J);
+  return row;
+}
+
+loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
+  loops::LinkPoint<double> row{};
+  row.link = static_cast<short>(point.link);
+  row.world = point.axes == Axes::world;
+  const Matrix3<double> axes = transposed(point.R);
+  const Vector3<double> each[3] = {axes.row_x, axes.row_y, axes.row_z};
+  for (int k = 0; k < 3; ++k) {
+    const double e[3] = {each[k].x, each[k].y, each[k].z};
+    // Rows along the world's axes do not read these.
+    for (int j = 0; j < 3; ++j) row.axes[3 * k + j] = row.world ? 0 : e[j];
+  }
+  const double p[3] = {point.p.x, point.p.y, point.p.z};
+  std::copy(std::begin(p), std::end(p), row.p);
+  return row;
+}
+
+void append_rows(const TreePoint<double>& point, short index, LinkTableData& table) {
+  for (short k = 0; k < 6; ++k) {
+    if (!point.rows[static_cast<std::size_t>(k)]) continue;
+    table.rows.push_back({index, static_cast<short>(k % 3), k >= 3});
+  }
+}
+
+/// Numbers the slots: links on one way out that carry one link each share theirs.
+void number_slots(LinkTableData& table) {
+  std::vector<int> children(table.links.size());
+  for (const auto& link : table.links) {
+    if (link.parent >= 0) ++children[static_cast<std::size_t>(link.parent)];
+  }
+  for (auto& link : table.links) {
+    if (link.parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(link.parent);
+    const int slot = table.links[parent].slot + (children[parent] > 1 ? 1 : 0);
+    link.slot = static_cast<short>(slot);
+    table.slots = std::max(table.slots, slot + 1);
+  }
+}
+
+/// Friction and springs of all links, where there are any.
+void add_drives(const Tree<double>& tree, LinkTableData& table) {
+  const bool driven = std::any_of(tree.links.begin(), tree.links.end(), [](const auto& link) {
+    return link.drive.damping != 0 || link.drive.stiffness != 0;
+  });
+  if (!driven) return;
+  for (const TreeLink<double>& link : tree.links) {
+    table.drives.push_back({link.drive.damping, link.drive.stiffness, link.drive.rest});
+  }
+}
+
+}  // namespace
+
+LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
+  const auto tree = constant_tree<double>(mechanism);
+  LinkTableData table;
+  table.floats = tree.links.front().is_floating();
+  table.gravity = mechanism.gravity;
+  for (const TreeLink<double>& link : tree.links) {
+    table.links.push_back(table_link(link));
+    table.names.push_back(link.name);
+    table.sliding = table.sliding || table.links.back().slides;
+  }
+  number_slots(table);
+  add_drives(tree, table);
+  if (!with_points) return table;
+  for (const TreePoint<double>& point : tree.operational_points) {
+    append_rows(point, static_cast<short>(table.points.size()), table);
+    table.points.push_back(table_point(point));
+  }
+  return table;
+}
+
+}  // namespace treeline

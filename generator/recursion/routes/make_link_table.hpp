@@ -1,0 +1,12 @@
+#pragma once
+
+#include "mechanism/mechanism.hpp"
+#include "program/link_loops.hpp"
+
+namespace treeline {
+
+/// The table of the robot's links, over which functions loop; with its operational points and their
+/// rows on demand.
+LinkTableData make_link_table(const Mechanism& mechanism, bool with_points);
+
+}  // namespace treeline

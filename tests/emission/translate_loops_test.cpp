@@ -1,0 +1,135 @@
+#include "emission/c/translate_loops.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "emission/cpp/templates.hpp"
+
+// Would catch: loops over links that C gets otherwise than C++ has them, and a part of C++ that is
+// passed on to C unread. Whether C computes the same is for `check`: link_loops_test.cpp there.
+namespace treeline {
+namespace {
+
+EmissionContext arm() {
+  EmissionContext context;
+  context.name = "arm";
+  context.single_precision = true;
+  return context;
+}
+
+std::string in_c(const std::string& declarations, bool given_sines = false) {
+  c::LoopTranslator translator(arm(), given_sines);
+  std::string text;
+  for (const c::LoopItem& item :
+       c::parse_loops("namespace treeline::core::loops {\n" + declarations +
+                      "}  // namespace treeline::core::loops\n")) {
+    text += translator.translate(item);
+  }
+  return text;
+}
+
+const std::string kPair =
+    "template <class Real>\n"
+    "struct Pair {\n"
+    "  Real c, s;  ///< of an angle\n"
+    "};\n";
+
+TEST(TranslateLoops, NamesTypesAndSizesOfTheRobot) {
+  EXPECT_EQ(in_c(kPair + "/// Work space.\n"
+                         "template <class Real, int links>\n"
+                         "struct Turns {\n"
+                         "  Pair<Real> pairs[2 * links];\n"
+                         "  int rows = 0;\n"
+                         "};\n"),
+            "typedef struct {\n"
+            "  float c, s;  ///< of an angle\n"
+            "} arm_loops_pair;\n"
+            "/// Work space.\n"
+            "typedef struct {\n"
+            "  arm_loops_pair pairs[2 * ARM_LOOPS_LINKS];\n"
+            "  int rows;\n"
+            "} arm_loops_turns;\n");
+}
+
+TEST(TranslateLoops, MakesReferencesPointers) {
+  EXPECT_EQ(
+      in_c(kPair + "template <int power, class Real>\n"
+                   "inline void turn(const Pair<Real>& r, const Real& by, Real& x) noexcept {\n"
+                   "  static_assert(power > 0, \"\");\n"
+                   "  if constexpr (power == 2) x = x * by;\n"
+                   "  x = r.c * x -\n"
+                   "      r.s;  // once\n"
+                   "}\n"
+                   "template <class Real>\n"
+                   "void twice(Pair<Real>& r, Real (&v)[3]) noexcept {\n"
+                   "  Real& first = v[0];\n"
+                   "  turn<2>(r, Real(2.0), first);\n"
+                   "  turn<3, Real>(r, first, r.s);\n"
+                   "}\n"),
+      "typedef struct {\n"
+      "  float c, s;  ///< of an angle\n"
+      "} arm_loops_pair;\n"
+      "static inline void arm_loops_turn(int power, const arm_loops_pair* r, float by, "
+      "float* x) {\n"
+      "  if (power == 2) *x = *x * by;\n"
+      "  *x = r->c * *x - r->s;  // once\n"
+      "}\n"
+      "static inline void arm_loops_twice(arm_loops_pair* r, float v[3]) {\n"
+      "  float* const first = &v[0];\n"
+      "  arm_loops_turn(2, r, 2.0F, first);\n"
+      "  arm_loops_turn(3, r, *first, &r->s);\n"
+      "}\n");
+}
+
+TEST(TranslateLoops, TakesSinesWhereTheyAreGiven) {
+  const std::string place =
+      "template <class Real, class Sines>\n"
+      "void place(int i, const Real& q, const Sines& sines, Real& s, Real& c) noexcept {\n"
+      "  sines(i, q, s, c);\n"
+      "}\n";
+  EXPECT_EQ(in_c(place),
+            "static inline void arm_loops_place(int i, float q, float* s, float* c) {\n"
+            "  arm_sin_cos_of(q, s, c);\n"
+            "}\n");
+  EXPECT_EQ(in_c(place, true),
+            "static inline void arm_loops_place(int i, float q, const float* sin_q, const float* "
+            "cos_q, float* s,\n    float* c) {\n"
+            "  *s = sin_q[i];\n"
+            "  *c = cos_q[i];\n"
+            "}\n");
+}
+
+TEST(TranslateLoops, RefusesWhatItDoesNotUnderstand) {
+  const auto function = [](const std::string& body) {
+    return "template <class Real>\nvoid f(Real& x) noexcept {\n" + body + "}\n";
+  };
+  EXPECT_NO_THROW(in_c(function("  x = x + x;\n")));
+  EXPECT_THROW(in_c(function("  x = std::abs(x);\n")), std::logic_error);
+  EXPECT_THROW(in_c(function("  auto y = x;\n")), std::logic_error);
+  EXPECT_THROW(in_c(function("  f(x, x);\n")), std::logic_error);
+  EXPECT_THROW(in_c("void f(std::span<double> x) noexcept {\n}\n"), std::logic_error);
+  EXPECT_THROW(in_c("double f(int i) {\n}\n"), std::logic_error);
+  EXPECT_THROW(c::parse_loops("namespace treeline::core {\n}\n"), std::logic_error);
+}
+
+// Every header, as emitted: nothing of it is lost.
+TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
+  c::LoopTranslator translator(arm(), false);
+  constexpr std::string_view kFunction = ") noexcept {\n";
+  for (const std::string_view header :
+       {cpp::templates::kLinkTable, cpp::templates::kLinkFactors, cpp::templates::kLinkMotion,
+        cpp::templates::kLinkInertia, cpp::templates::kLinkRows, cpp::templates::kLinkFunctions}) {
+    int expected = 0;
+    int found = 0;
+    for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;
+    for (const c::LoopItem& item : c::parse_loops(header)) {
+      found += translator.translate(item).find("static inline ") != std::string::npos ? 1 : 0;
+    }
+    EXPECT_GT(expected, 3) << header.substr(0, 100);
+    EXPECT_EQ(found, expected) << header.substr(0, 100);
+  }
+}
+
+}  // namespace
+}  // namespace treeline
