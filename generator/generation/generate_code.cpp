@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -20,8 +21,10 @@
 #include "generation/for_each_index.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/note_left_out.hpp"
+#include "generation/only_by_name.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
+#include "recursion/routes/constraint_routes.hpp"
 #include "recursion/routes/trace_loops.hpp"
 
 namespace treeline {
@@ -112,6 +115,24 @@ std::optional<Choice> take_chosen(const std::string& name, const OperationCosts&
   return choice;
 }
 
+/// The cheapest of those that need not be named. Those that must be are rejected, behind the
+/// others.
+Choice choose_unnamed(std::vector<Program> candidates, const OperationCosts& costs) {
+  const auto first =
+      std::stable_partition(candidates.begin(), candidates.end(),
+                            [](const Program& each) { return !is_only_by_name(each); });
+  std::vector<Program> named(std::make_move_iterator(first),
+                             std::make_move_iterator(candidates.end()));
+  candidates.erase(first, candidates.end());
+  // There is at least one route that need not be named.
+  Choice choice = *choose(std::move(candidates), costs);
+  if (named.empty()) return choice;
+  Choice last = *choose(std::move(named), costs);
+  choice.rejected.push_back(std::move(last.chosen));
+  choice.rejected.insert(choice.rejected.end(), last.rejected.begin(), last.rejected.end());
+  return choice;
+}
+
 GeneratedFunction generated_from(Function function, Choice choice, Routes& routes) {
   GeneratedFunction generated;
   generated.function = function;
@@ -132,6 +153,17 @@ std::string list_routes(const Mechanism& mechanism, Function function, RouteOpti
   return text;
 }
 
+/// What to do about a route that is not there, with what keeps this robot from it where that is
+/// known.
+std::string describe_remedy(const Mechanism& mechanism, Function function, const std::string& route,
+                            const RouteOptions& options) {
+  const std::string others = list_routes(mechanism, function, options);
+  const std::string obstacle =
+      route.starts_with(kEliminatedKey) ? why_not_eliminated(mechanism, function) : "";
+  return obstacle.empty() ? fmt::format("Choose one of {}.", others)
+                          : fmt::format("{} Or choose one of {}.", obstacle, others);
+}
+
 /// The function by the route that is chosen for it, else by the one of least cost.
 std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, Function function,
                                                     RouteOptions options,
@@ -147,7 +179,7 @@ std::optional<GeneratedFunction> generate_by_choice(const Mechanism& mechanism, 
                      fmt::format("the route that is chosen, `{}` in {} lanes, is none of this "
                                  "robot's and scene's",
                                  choice->second.route, options.lanes),
-                     fmt::format("Choose one of {}.", list_routes(mechanism, function, options))});
+                     describe_remedy(mechanism, function, choice->second.route, options)});
     return std::nullopt;
   }
   generated->other_lanes = options.lanes == scene_lanes ? 0 : options.lanes;
@@ -230,8 +262,7 @@ std::vector<Program> programs_of(const std::vector<GeneratedFunction>& functions
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function,
                                     const RouteOptions& options) {
   Routes routes = run_routes(mechanism, function, options);
-  // There is at least one route.
-  Choice choice = *choose(std::move(routes.candidates), options.costs);
+  Choice choice = choose_unnamed(std::move(routes.candidates), options.costs);
   return generated_from(function, std::move(choice), routes);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "description/follow_target.hpp"
+#include "generation/only_by_name.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/take_sines.hpp"
@@ -30,7 +31,10 @@ class RouteRunner {
     for (const Program& program : programs) {
       costs.push_back(cost_of(program, options_.costs));
     }
-    const double least = std::min_element(costs.begin(), costs.end(), is_cheaper)->weighted;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (!is_only_by_name(programs[i])) least = std::min(least, costs[i].weighted);
+    }
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (costs[i].weighted <= options_.prune_above * least) {
         routes.candidates.push_back(finish(std::move(programs[i]), routes));
@@ -49,6 +53,7 @@ class RouteRunner {
     for (const Program& candidate : routes.candidates) {
       const Cost cost = cost_of(candidate, options_.costs);
       costs[key_of(cost.route)] = cost.weighted;
+      if (is_only_by_name(candidate)) continue;
       least = std::min(least, cost.weighted);
     }
     for (Program& program : trace_function(with_limbs, function_, options_.lanes)) {

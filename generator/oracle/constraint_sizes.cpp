@@ -74,21 +74,27 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
     Lambda_inverse_ = interpreter::lambda_inverse<double>(subject.model, seen_.points, q);
   } else {
     const MatrixXd J = jacobian_of_rows();
-    MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
+    M_ = interpreter::mass_matrix<double>(subject.model, q);
     if (is_stepped) {
       const auto drives = interpreter::implicit_drives<double>(
           subject.model, q, vector_of<double>(state.qd), step.front());
-      M += drives.inertia;
+      M_ += drives.inertia;
       step_forces_ = drives.force.cwiseAbs();
-      M_inverse_ = inverse_of(M).cwiseAbs();
+      M_inverse_ = inverse_of(M_).cwiseAbs();
     }
-    Lambda_inverse_ = J * M.ldlt().solve(J.transpose());
+    Lambda_inverse_ = J * M_.ldlt().solve(J.transpose());
   }
   condition_ = scaled_condition(Lambda_inverse_, (J_ * M_inverse_ * J_.transpose()).diagonal());
 }
 
 std::optional<LawSizes> ConstraintSizes::relaxed(const interpreter::TaskLaw<double>& law) const {
   if (Lambda_inverse_.size() == 0) return std::nullopt;
+  if (!law.pivots.empty()) {
+    const EliminationTerms eliminated = elimination_terms();
+    LawSizes found = find_elimination_sizes(eliminated, law);
+    if (tasks_ == Tasks::all) found.condition *= condition_of_tasks(eliminated, law, found.Lambda);
+    return found;
+  }
   VectorXd terms = (J_ * M_inverse_ * J_.transpose()).diagonal();
   if (tasks_ == Tasks::none) return find_law_sizes(Lambda_inverse_, terms, law);
   const auto task = supported_task(subject_, state_);
@@ -118,6 +124,11 @@ std::optional<LawSizes> ConstraintSizes::relaxed(const interpreter::TaskLaw<doub
 
 std::vector<double> ConstraintSizes::sizes(const interpreter::TaskLaw<double>& law,
                                            const std::optional<LawSizes>& relaxed) const {
+  if (relaxed && !law.pivots.empty()) {
+    return tasks_ == Tasks::none
+               ? eliminated_sizes(elimination_terms(), law, relaxed->Lambda)
+               : eliminated_torque_sizes(elimination_terms(), law, relaxed->Lambda);
+  }
   const MatrixXd Lambda =
       relaxed ? relaxed->Lambda : MatrixXd(inverse_of(Lambda_inverse_).cwiseAbs());
   return tasks_ == Tasks::none ? constrained(Lambda) : supported(law, Lambda);
@@ -137,6 +148,24 @@ std::vector<double> ConstraintSizes::constrained(const MatrixXd& Lambda) const {
   std::vector<double> entries = entries_of(VectorXd(free + M_inverse_ * (J_.transpose() * f)));
   append(f, entries);
   return entries;
+}
+
+EliminationTerms ConstraintSizes::elimination_terms() const {
+  EliminationTerms terms{
+      jacobian_of_rows(), J_, M_, terms_.mass_matrix().cwiseMax(M_.cwiseAbs()), {}, bias_, {}};
+  if (tasks_ == Tasks::all) {
+    terms.forces = terms_.forces(state_.qd, state_.qdd, state_.f_ext);
+    terms.qdd_0 = magnitudes(state_.qdd);
+    const VectorXd asked = magnitudes(state_.xdd_cmd);
+    terms.asked.tail(J_.rows() - held_).array() += asked.size() > 0 ? asked.maxCoeff() : 0;
+    return terms;
+  }
+  const std::vector<double> none(state_.qd.size(), 0);
+  const VectorXd gains = magnitudes(values_of(state_, Quantity::stabilisation));
+  terms.forces =
+      magnitudes(state_.tau) + terms_.forces(state_.qd, none, state_.f_ext) + step_forces_;
+  terms.asked += gains(0) * (J_ * magnitudes(state_.qd)) + gains(1) * loops_.errors;
+  return terms;
 }
 
 /// Sizes of gamma + J_s^T f, gamma = M qdd + b + g - J_ext^T f_ext, and of f. Like the torques of a

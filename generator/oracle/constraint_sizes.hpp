@@ -6,6 +6,7 @@
 
 #include "interpreter/task_law.hpp"
 #include "oracle/draw_state.hpp"
+#include "oracle/elimination_sizes.hpp"
 #include "oracle/law_sizes.hpp"
 #include "oracle/loop_sizes.hpp"
 #include "oracle/subject.hpp"
@@ -41,6 +42,8 @@ class ConstraintSizes {
 
  private:
   [[nodiscard]] std::vector<double> constrained(const Eigen::MatrixXd& Lambda) const;
+  /// The same with dependent velocities eliminated, from these terms.
+  [[nodiscard]] EliminationTerms elimination_terms() const;
   [[nodiscard]] std::vector<double> supported(const interpreter::TaskLaw<double>& law,
                                               const Eigen::MatrixXd& Lambda) const;
   /// Sizes of K^-1, the inverse inertia of passive joints.
@@ -66,6 +69,7 @@ class ConstraintSizes {
   LoopSizes loops_;
   Eigen::Index anchored_ = 0, held_ = 0;  ///< rows held to the world, and all that are held
   Eigen::MatrixXd J_, Lambda_inverse_;
+  Eigen::MatrixXd M_;  ///< of the step, if there is one; empty without loops and step
   Eigen::VectorXd bias_;
   double condition_ = 1;
 };

@@ -1,5 +1,6 @@
 #include "oracle/interpret_constraints.hpp"
 
+#include "interpreter/eliminated_forward_dynamics.hpp"
 #include "interpreter/loop_instances.hpp"
 #include "oracle/entries.hpp"
 
@@ -23,10 +24,26 @@ interpreter::ConstrainedMotion<Scalar> constrained_motion(const Subject<Scalar>&
       vector_of<Scalar>(state.f_ext),
       subject.loops,
       Scalar(step.empty() ? 0.0 : step.front())};
+  if (!law.pivots.empty()) {
+    return interpreter::eliminated_forward_dynamics<Scalar>(subject.model, at, law);
+  }
   return law.borders.empty() ? interpreter::constrained_forward_dynamics<Scalar>(
                                    subject.model, subject.constraints, at)
                              : interpreter::constrained_forward_dynamics<Scalar>(
                                    subject.model, subject.constraints, at, law);
+}
+
+template <class Scalar>
+interpreter::SupportedTorque<Scalar> supported_torque(
+    const interpreter::Model<Scalar>& model, const interpreter::SupportedTask<Scalar>& task,
+    const interpreter::Vector<Scalar>& q, const interpreter::Vector<Scalar>& qd,
+    const interpreter::TaskLaw<Scalar>& law) {
+  if (!law.pivots.empty()) {
+    return interpreter::eliminated_control_torque<Scalar>(model, task, q, qd, law);
+  }
+  return law.borders.empty() ? interpreter::supported_control_torque<Scalar>(model, task, q, qd)
+                             : interpreter::supported_control_torque<Scalar>(
+                                   model, task, q, qd, interpreter::split_law<Scalar>(law, task));
 }
 
 }  // namespace
@@ -54,12 +71,8 @@ std::vector<Scalar> interpret_constraints(Function function, const Subject<Scala
     return entries;
   }
   const auto task = supported_task(subject, state);
-  const auto qd = vector_of<Scalar>(state.qd);
   const auto torque =
-      law.borders.empty()
-          ? interpreter::supported_control_torque<Scalar>(subject.model, task, q, qd)
-          : interpreter::supported_control_torque<Scalar>(
-                subject.model, task, q, qd, interpreter::split_law<Scalar>(law, task));
+      supported_torque<Scalar>(subject.model, task, q, vector_of<Scalar>(state.qd), law);
   append(torque.tau, entries);
   append(torque.f, entries);
   return entries;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "functions/function.hpp"
+#include "interpreter/supported_control_torque.hpp"
 #include "interpreter/task_law.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/subject.hpp"

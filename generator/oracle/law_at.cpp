@@ -29,7 +29,7 @@ interpreter::TaskLaw<Digits50> law_at(const TaskLaw* law, const std::vector<doub
                              {frame.shift[0], frame.shift[1], frame.shift[2]}});
   }
   for (std::size_t k = 0; k < law->pivots.size(); ++k) {
-    const int first = k < 3 ? 0 : 3;
+    const int first = law->kind == TaskLaw::Kind::jacobian && k >= 3 ? 3 : 0;
     result.pivots.emplace_back(first + static_cast<int>(law->pivots[k].row),
                                first + static_cast<int>(law->pivots[k].column));
   }

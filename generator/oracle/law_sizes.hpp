@@ -12,7 +12,7 @@ namespace treeline {
 /// row may be steep.
 struct LawSizes {
   double condition = 1;
-  Eigen::MatrixXd Lambda;
+  Eigen::MatrixXd Lambda;  ///< J_D^+ where dependent velocities are eliminated
 };
 
 /// Finds these properties at `q`. `law` must be a law on Lambda^-1, not on a Jacobian. `terms` has

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generation/function_mechanisms.hpp"
+#include "generation/only_by_name.hpp"
 #include "generation/run_routes.hpp"
 
 namespace treeline {
@@ -78,6 +79,7 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
     Routes routes = run_routes(mechanism, function, options);
     const std::size_t first = all.size();
     for (Program& candidate : routes.candidates) {
+      if (is_only_by_name(candidate)) continue;
       GeneratedFunction& made =
           all.emplace_back(generated_from(function, std::move(candidate), options.costs));
       made.other_lanes = lanes;

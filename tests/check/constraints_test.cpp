@@ -1,5 +1,6 @@
 #include "data/list_data.hpp"
 #include "fixture.hpp"
+#include "recursion/closed_robots.hpp"
 
 // Robots that stand, or have joints without a motor, from the file to the compiled code. Would
 // catch: rows of constraints in another order than the scene's, a law that the interpreter does not
@@ -124,6 +125,72 @@ TEST(LoopsCheck, StewartPlatform) {
                         "operational_points: [{name: plate, link: plate}]\npassive: [" + passive +
                             ", rim]\n" + kLoops),
                4, 6);
+}
+
+/// The robot of a closed loop in this scene, its functions by elimination if they are `named`.
+std::optional<Generation> generate_closed(const Robot& robot, const Scene& scene, bool named,
+                                          Diagnostics& diagnostics) {
+  Choices choices;
+  for (const Function function : scene.functions) {
+    if (named) choices.plain[function] = {"eliminated", 0};
+  }
+  return generate_code(robot, scene, {"robot.urdf", "no text", "scene.yaml", "no text"},
+                       diagnostics, choices);
+}
+
+void expect_right_by_elimination(const ClosedRobot& closed) {
+  auto [robot, scene] = read_closed(closed);
+  scene.functions.push_back(Function::supported_control_torque);
+  Diagnostics diagnostics;
+  auto generation = generate_closed(robot, scene, true, diagnostics);
+  ASSERT_TRUE(generation);
+  for (const GeneratedFunction& each : generation->functions) {
+    EXPECT_EQ(each.chosen.route.algorithm, "eliminated");
+  }
+  expect_right({robot, scene, std::move(*generation)}, 2, 60);
+}
+
+// Drawn states come near poses where passive joints do not follow.
+TEST(EliminatedLoopsCheck, FourBarInFloat) {
+  ClosedRobot closed = closed_robots()[0];
+  closed.scene += "real: float\n";
+  expect_right_by_elimination(closed);
+}
+
+TEST(EliminatedLoopsCheck, DeltaWithABeltAndATask) {
+  ClosedRobot closed = closed_robots()[4];
+  closed.scene += "operational_points: [{name: hand, link: platform, rows: [y, z]}]\n";
+  expect_right_by_elimination(closed);
+}
+
+/// The algorithm that is taken for the motion of a four-bar with these passive joints, on an arm
+/// of so many.
+std::string algorithm_with(const std::string& passive, int arm) {
+  const auto [robot, scene] =
+      read_closed({"four_bar", "four_bar", four_bar_scene("[x, z]", passive)}, arm);
+  Diagnostics diagnostics;
+  const auto generation = generate_closed(robot, scene, false, diagnostics);
+  return generation ? generation->functions.front().chosen.route.algorithm : "";
+}
+
+// What carries the loop makes forces dear. A driven rocker leads to poses where the crank does not
+// follow.
+TEST(EliminatedLoops, AreTakenUnaskedWhereTheySaveAndPassiveJointsFollow) {
+  EXPECT_EQ(algorithm_with("[coupler_joint, rocker_joint]", 3), "eliminated");
+  EXPECT_EQ(algorithm_with("[crank_joint, coupler_joint]", 3), "constrained/ltdl-inward");
+  EXPECT_EQ(algorithm_with("[]", 3), "constrained/ltdl-inward");
+  EXPECT_EQ(algorithm_with("[coupler_joint, rocker_joint]", 0), "constrained/ltdl-inward");
+}
+
+TEST(EliminatedLoops, AreRefusedInWordsWithoutPassiveJoints) {
+  const auto [robot, scene] = read_closed({"four_bar", "four_bar", four_bar_scene("[x, z]", "[]")});
+  Diagnostics diagnostics;
+  EXPECT_FALSE(generate_closed(robot, scene, true, diagnostics));
+  ASSERT_TRUE(diagnostics.has_errors());
+  const std::string text = to_string(diagnostics.list().back());
+  EXPECT_NE(text.find("Name under `passive` the joints that the loops determine"),
+            std::string::npos)
+      << text;
 }
 
 /// A floating body of 1.5 kg with the moments of a disc about y, whose contact with the world

@@ -19,8 +19,8 @@
 // Joints that couplings move, eliminated or held by forces. Would catch: a wrong projection or bias
 // of dependent accelerations, a force of a coupling with a wrong sign or factor, rows that are
 // given twice and share their force, digits lost by the choice of what is eliminated, and a route
-// that is offered where rows move with the pose. The oracle is the interpreter's dense KKT system
-// in 50 digits.
+// that is offered for loops whose passive joints no scene names. The oracle is the interpreter's
+// dense KKT system in 50 digits.
 
 namespace treeline::tests {
 namespace {
@@ -233,8 +233,8 @@ TEST(EliminationCounts, SaveAFifthAgainstForces) {
   }
 }
 
-// Rows of a loop move with the pose: a pivot that is good in one pose is none in another.
-TEST(EliminationCounts, LoopsAreHeldByForces) {
+// Rows of a loop move with the pose. Which joints they determine is for the scene to say.
+TEST(EliminationCounts, LoopsWithoutPassiveJointsAreHeldByForces) {
   const auto counts = operations(
       "four_bar",
       "constraints: [{name: closing, between: [rocker, coupler], origin: {xyz: [0, 0, 0.25]}, "

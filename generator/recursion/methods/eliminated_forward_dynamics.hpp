@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "recursion/algebra/orthogonal_columns.hpp"
 #include "recursion/methods/choose_dependents.hpp"
+#include "recursion/methods/choose_loop_dependents.hpp"
 #include "recursion/methods/constrained_forward_dynamics.hpp"
 #include "recursion/methods/factor_mass_matrix.hpp"
 #include "recursion/methods/mass_matrix.hpp"
@@ -21,17 +23,93 @@ DenseMatrix<Scalar> rounded_matrix(const Digits50Rows& A) {
   return result;
 }
 
+/// How couplings make dependent velocities follow: qd_D = G qd_I + S c with constants.
+template <class Scalar>
+struct CoupledRates {
+  DenseMatrix<Scalar> G, S;
+
+  explicit CoupledRates(const CoupledVelocities& coupled)
+      : G(rounded_matrix<Scalar>(coupled.G)), S(rounded_matrix<Scalar>(coupled.S)) {}
+
+  /// S c.
+  [[nodiscard]] std::vector<Scalar> led_by(const std::vector<Scalar>& c) const {
+    std::vector<Scalar> g(S.rows(), Scalar(0.0));
+    for (std::size_t r = 0; r < c.size(); ++r) {
+      for (std::size_t d = 0; d < g.size(); ++d) g[d] = g[d] + S(d, r) * c[r];
+    }
+    return g;
+  }
+  /// S^T x.
+  [[nodiscard]] std::vector<Scalar> forces_for(const std::vector<Scalar>& x) const {
+    std::vector<Scalar> f(S.cols(), Scalar(0.0));
+    for (std::size_t r = 0; r < f.size(); ++r) {
+      for (std::size_t d = 0; d < x.size(); ++d) f[r] = f[r] + S(d, r) * x[d];
+    }
+    return f;
+  }
+};
+
+/// The same of loops in a pose: S = J_D^+, where columns yield that those before them leave
+/// nothing.
+template <class Scalar>
+class LoopedRates {
+ public:
+  DenseMatrix<Scalar> G;
+
+  LoopedRates(const DenseMatrix<Scalar>& J, const LoopedVelocities& looped)
+      : G(looped.dependent.size(), looped.independent.size()),
+        solver_(columns_in(J, looped), looped.rule) {
+    for (std::size_t i = 0; i < looped.independent.size(); ++i) {
+      std::vector<Scalar> column;
+      for (const std::size_t row : looped.rows) column.push_back(J(row, looped.independent[i]));
+      const auto moved = solver_.solve(std::move(column));
+      for (std::size_t d = 0; d < moved.size(); ++d) G(d, i) = -moved[d];
+    }
+  }
+
+  [[nodiscard]] std::vector<Scalar> led_by(const std::vector<Scalar>& c) const {
+    return solver_.solve(c);
+  }
+  [[nodiscard]] std::vector<Scalar> forces_for(const std::vector<Scalar>& x) const {
+    return solver_.solve_transposed(x);
+  }
+
+ private:
+  /// J_D.
+  static DenseMatrix<Scalar> columns_in(const DenseMatrix<Scalar>& J,
+                                        const LoopedVelocities& looped) {
+    DenseMatrix<Scalar> J_D(looped.rows.size(), looped.dependent.size());
+    for (std::size_t i = 0; i < J_D.rows(); ++i) {
+      for (std::size_t d = 0; d < J_D.cols(); ++d) {
+        J_D(i, d) = J(looped.rows[i], looped.dependent[d]);
+      }
+    }
+    return J_D;
+  }
+
+  OrthogonalColumns<Scalar> solver_;
+};
+
+template <class Scalar>
+CoupledRates<Scalar> rates_of(const DenseMatrix<Scalar>&, const CoupledVelocities& coupled) {
+  return CoupledRates<Scalar>(coupled);
+}
+template <class Scalar>
+LoopedRates<Scalar> rates_of(const DenseMatrix<Scalar>& J, const LoopedVelocities& looped) {
+  return {J, looped};
+}
+
 /// M seen from the independent velocities: N = [M_DI + M_DD G], M_s = M_II + M_ID G + G^T N.
 template <class Scalar>
 struct ReducedInertia {
   DenseMatrix<Scalar> N, M_s;
 };
 
-template <class Scalar>
+template <class Scalar, class Velocities>
 ReducedInertia<Scalar> reduce_inertia(const DenseMatrix<Scalar>& M, const DenseMatrix<Scalar>& G,
-                                      const CoupledVelocities& coupled) {
-  const auto& I = coupled.independent;
-  const auto& D = coupled.dependent;
+                                      const Velocities& velocities) {
+  const auto& I = velocities.independent;
+  const auto& D = velocities.dependent;
   ReducedInertia<Scalar> reduced{DenseMatrix<Scalar>(D.size(), I.size()),
                                  DenseMatrix<Scalar>(I.size(), I.size())};
   for (std::size_t d = 0; d < D.size(); ++d) {
@@ -54,32 +132,30 @@ ReducedInertia<Scalar> reduce_inertia(const DenseMatrix<Scalar>& M, const DenseM
   return reduced;
 }
 
-/// S c: accelerations of the dependent velocities that lead the couplings back,
-///     c = -stabilisation[0] C qd - stabilisation[1] error.
+/// Accelerations that the rows lack where the independent velocities have none, with what leads
+/// them back: c = -Jd qd - stabilisation[0] J qd - stabilisation[1] error.
 template <class Scalar>
-std::vector<Scalar> leading_back(const LoopRows<Scalar>& rows, const DenseMatrix<Scalar>& S,
-                                 const CoupledVelocities& coupled,
-                                 const ConstrainedInputs<Scalar>& inputs) {
-  const auto velocities = velocities_of(rows.J, inputs.qd);
-  std::vector<Scalar> g(coupled.dependent.size(), Scalar(0.0));
-  for (std::size_t r = 0; r < coupled.rows.size(); ++r) {
-    const std::size_t row = coupled.rows[r];
-    const Scalar c =
-        -(velocities[row] * inputs.stabilisation[0] + rows.errors[row] * inputs.stabilisation[1]);
-    for (std::size_t d = 0; d < g.size(); ++d) g[d] = g[d] + S(d, r) * c;
+std::vector<Scalar> asked_of_rows(const LoopRows<Scalar>& rows,
+                                  const std::vector<std::size_t>& kept,
+                                  const ConstrainedInputs<Scalar>& inputs) {
+  const auto speeds = velocities_of(rows.J, inputs.qd);
+  std::vector<Scalar> c;
+  for (const std::size_t row : kept) {
+    c.push_back(-(rows.bias[row] + speeds[row] * inputs.stabilisation[0] +
+                  rows.errors[row] * inputs.stabilisation[1]));
   }
-  return g;
+  return c;
 }
 
 /// Forces in the direction of the independent velocities: (1, G^T) x.
-template <class Scalar>
+template <class Scalar, class Velocities>
 std::vector<Scalar> projected(const std::vector<Scalar>& x, const DenseMatrix<Scalar>& G,
-                              const CoupledVelocities& coupled) {
+                              const Velocities& velocities) {
   std::vector<Scalar> result;
-  for (std::size_t i = 0; i < coupled.independent.size(); ++i) {
-    result.push_back(x[coupled.independent[i]]);
-    for (std::size_t d = 0; d < coupled.dependent.size(); ++d) {
-      result[i] = result[i] + G(d, i) * x[coupled.dependent[d]];
+  for (std::size_t i = 0; i < velocities.independent.size(); ++i) {
+    result.push_back(x[velocities.independent[i]]);
+    for (std::size_t d = 0; d < velocities.dependent.size(); ++d) {
+      result[i] = result[i] + G(d, i) * x[velocities.dependent[d]];
     }
   }
   return result;
@@ -95,43 +171,42 @@ std::vector<Scalar> plus_product(std::vector<Scalar> b, const DenseMatrix<Scalar
   return b;
 }
 
-/// Motion under joint forces while couplings hold, with the velocities that they determine
-/// eliminated: qdd_D = G qdd_I + g in M qdd = net + C^T f, net = tau - b - g + J_ext^T f_ext. The
-/// projection by (1, G^T) removes the forces,
+/// Motion under joint forces while rows hold, with the velocities that they determine eliminated:
+/// qdd_D = G qdd_I + g in M qdd = net + J^T f, net = tau - b - g + J_ext^T f_ext. The projection by
+/// (1, G^T) removes the forces,
 ///     M_s qdd_I = (1, G^T) (net - M g),
-/// and the rows of D give them: f = S^T (M qdd - net)_D. A coupling that depends on those before it
-/// has force 0. (Cluster joints with constant Jacobians: Chignoli, Adrian, Kim, Wensing 2023.)
-template <class Scalar>
+/// and the rows of D give them: f = S^T (M qdd - net)_D. A row that depends on those before it has
+/// force 0. `velocities`: `CoupledVelocities`, whose G and S are constant, or `LoopedVelocities`.
+/// (Cluster joints: Chignoli, Adrian, Kim, Wensing 2023.)
+template <class Scalar, class Velocities>
 ConstrainedMotion<Scalar> eliminated_forward_dynamics(const Tree<Scalar>& tree,
                                                       const std::vector<JointTransform<Scalar>>& X,
                                                       const ConstrainedInputs<Scalar>& inputs,
-                                                      const CoupledVelocities& coupled) {
-  const auto& D = coupled.dependent;
-  const auto G = rounded_matrix<Scalar>(coupled.G), S = rounded_matrix<Scalar>(coupled.S);
+                                                      const Velocities& velocities) {
+  const auto& I = velocities.independent;
+  const auto& D = velocities.dependent;
   const auto rows = loop_rows(tree, X, inputs.q, inputs.qd);
+  const auto rates = rates_of(rows.J, velocities);
   const auto M = mass_matrix(tree, X);
-  const auto reduced = reduce_inertia(M, G, coupled);
-  const auto g = leading_back(rows, S, coupled, inputs);
+  const auto reduced = reduce_inertia(M, rates.G, velocities);
+  const auto g = rates.led_by(asked_of_rows(rows, velocities.rows, inputs));
   std::vector<Scalar> net = inverse_dynamics<Scalar>(tree, X, {inputs.qd, {}}, inputs.applied);
   for (std::size_t v = 0; v < net.size(); ++v) {
     net[v] = inputs.tau[v] - net[v];
     for (std::size_t d = 0; d < D.size(); ++d) net[v] = net[v] - M(v, D[d]) * g[d];
   }
-  const auto qdd_I = solve(factor_ltdl(reduced.M_s), projected(net, G, coupled));
-  const auto qdd_D = plus_product(g, G, qdd_I);
+  const auto qdd_I = solve(factor_ltdl(reduced.M_s), projected(net, rates.G, velocities));
+  const auto qdd_D = plus_product(g, rates.G, qdd_I);
   ConstrainedMotion<Scalar> motion{std::vector<Scalar>(net.size()),
                                    std::vector<Scalar>(rows.J.rows(), Scalar(0.0))};
-  for (std::size_t i = 0; i < qdd_I.size(); ++i) motion.qdd[coupled.independent[i]] = qdd_I[i];
+  for (std::size_t i = 0; i < qdd_I.size(); ++i) motion.qdd[I[i]] = qdd_I[i];
   std::vector<Scalar> lacking;  // M qdd - net
   for (std::size_t d = 0; d < D.size(); ++d) {
     motion.qdd[D[d]] = qdd_D[d];
     lacking.push_back(-net[D[d]]);
   }
-  lacking = plus_product(lacking, reduced.N, qdd_I);
-  for (std::size_t r = 0; r < coupled.rows.size(); ++r) {
-    Scalar& f = motion.f[coupled.rows[r]];
-    for (std::size_t d = 0; d < D.size(); ++d) f = f + S(d, r) * lacking[d];
-  }
+  const auto f = rates.forces_for(plus_product(lacking, reduced.N, qdd_I));
+  for (std::size_t r = 0; r < f.size(); ++r) motion.f[velocities.rows[r]] = f[r];
   return motion;
 }
 

@@ -215,6 +215,12 @@ std::string describe(const TaskLaw& law) {
           "{} of what is ordinary, and is exact to rounding above {}. Constraints that cannot "
           "carry the motion leave part of it to forces that tau lacks.",
           single ? "5e-4" : "8e-6", single ? "3e-2" : "1e-3");
+    case TaskLaw::Kind::eliminated:
+      return fmt::format(
+          "finite everywhere; where passive joints do not follow the others, one of them does not "
+          "hold its loop, smoothly and alone: where the square of its hold falls below {} of what "
+          "is ordinary. Exact to rounding above {}.",
+          single ? "5e-4" : "8e-6", single ? "3e-2" : "1e-3");
     case TaskLaw::Kind::normals:
       return fmt::format(
           "finite everywhere; along what cannot be moved the mass tends to 0, smoothly, where the "

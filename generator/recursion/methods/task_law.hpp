@@ -49,6 +49,7 @@ struct TaskLaw {
     normals,          ///< n^T Lambda_c^-1 n of each contact separately
     priorities,       ///< borders are added to mobilities, see `rows_by_priority`
     supported,        ///< of a supported control torque, see `split_rules`
+    eliminated,       ///< passive velocities out of rows of loops, see `LoopedVelocities`
     jacobian          ///< resolved acceleration: elimination of J in the order of `pivots`
   };
   Kind kind = Kind::inverse_inertia;
@@ -58,8 +59,13 @@ struct TaskLaw {
   int angular_axes_link = -1;  ///< for `jacobian`: of the angular rows; `basis`: the linear ones
   PivotRule rule;
   /// For `jacobian`: the pivots, in the rows of `law_frames`. Those of the arm are across the third
-  /// joint's column, along it, and the lone row; those of the wrist are in its axes.
+  /// joint's column, along it, and the lone row; those of the wrist are in its axes. For
+  /// `eliminated`: the rows of loops that are kept, and beside them, in the order in which they are
+  /// eliminated, the dependent velocities.
   std::vector<Pivot> pivots;
+  /// Whether something may yield where the robot is at work: a route with this law is taken only
+  /// where it is named.
+  bool only_by_name = false;
   ArmPlane arm;
 };
 

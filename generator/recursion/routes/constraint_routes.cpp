@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "recursion/methods/eliminated_control_torque.hpp"
 #include "recursion/methods/eliminated_forward_dynamics.hpp"
 #include "recursion/methods/operational_quantities.hpp"
 #include "recursion/methods/supported_control_torque.hpp"
@@ -43,21 +44,25 @@ std::vector<Result> trace_constrained_motion(const Trace& trace, const LambdaCho
                                   rule));
 }
 
-std::vector<Result> trace_eliminated_motion(const Trace& trace, const CoupledVelocities& coupled) {
-  return motion_results(
-      eliminated_forward_dynamics<Expression>(trace.tree, trace.X, motion_inputs(trace), coupled));
+template <class Velocities>
+std::vector<Result> trace_eliminated_motion(const Trace& trace, const Velocities& velocities) {
+  return motion_results(eliminated_forward_dynamics<Expression>(trace.tree, trace.X,
+                                                                motion_inputs(trace), velocities));
 }
 
-std::vector<Result> trace_supported_torque(const Trace& trace, const LambdaChoice& choice,
-                                           const SupportRules& rules,
-                                           const std::vector<int>& passive) {
+std::vector<Expression> asked_of_tasks(const Trace& trace) {
   const auto& asked = trace.in[Quantity::xdd_cmd];
   std::vector<Expression> xdd_cmd;
   for (const std::size_t row : task_row_order(*trace.mechanism)) xdd_cmd.push_back(asked[row]);
-  const auto torque = supported_control_torque<Expression>(
-      trace.tree, trace.X,
-      {{trace.qd(), trace.qdd()}, xdd_cmd, trace.in[Quantity::f_wanted], trace.applied()}, passive,
-      choice, rules);
+  return xdd_cmd;
+}
+
+SupportedInputs<Expression> torque_inputs(const Trace& trace,
+                                          const std::vector<Expression>& xdd_cmd) {
+  return {{trace.qd(), trace.qdd()}, xdd_cmd, trace.in[Quantity::f_wanted], trace.applied()};
+}
+
+std::vector<Result> torque_results(const SupportedTorque<Expression>& torque) {
   std::vector<Result> results{
       vector_result("tau", "joint forces, 0 where no motor is", torque.tau)};
   if (!torque.f.empty()) {
@@ -65,6 +70,21 @@ std::vector<Result> trace_supported_torque(const Trace& trace, const LambdaChoic
         "f", "forces of the constraints on the robot, in their rows, N, N m", torque.f));
   }
   return results;
+}
+
+std::vector<Result> trace_supported_torque(const Trace& trace, const LambdaChoice& choice,
+                                           const SupportRules& rules,
+                                           const std::vector<int>& passive) {
+  const auto xdd_cmd = asked_of_tasks(trace);
+  return torque_results(supported_control_torque<Expression>(
+      trace.tree, trace.X, torque_inputs(trace, xdd_cmd), passive, choice, rules));
+}
+
+std::vector<Result> trace_eliminated_torque(const Trace& trace, const LoopedVelocities& looped,
+                                            const PivotRule& rule) {
+  const auto xdd_cmd = asked_of_tasks(trace);
+  return torque_results(eliminated_control_torque<Expression>(
+      trace.tree, trace.X, torque_inputs(trace, xdd_cmd), looped, rule));
 }
 
 std::vector<Result> trace_jacobian(const Trace& trace) {
@@ -84,6 +104,8 @@ std::vector<Result> trace_errors(const Trace& trace) {
 
 using Law = std::shared_ptr<const TaskLaw>;
 
+constexpr const char* kEliminatedWords = "passive joints of loops eliminated, M = L^T D L";
+
 Route supported_route(const RouteQuery& query, const LambdaChoice& choice, const Law& law) {
   return {on_top_of(route_id(choice, query.tree), "supported", "support-consistent, one system"),
           [choice, rules = split_rules(*law), passive = query.seen.passive](const Trace& trace) {
@@ -100,12 +122,60 @@ Route constrained_route(const RouteQuery& query, const LambdaChoice& choice, con
       law};
 }
 
-/// Rows that are constant may give velocities in place of forces.
+/// By which passive velocities yield, then the rows of tasks.
+TaskLaw law_of(const LoopedVelocities& looped, const Mechanism& seen) {
+  TaskLaw law;
+  law.kind = TaskLaw::Kind::eliminated;
+  law.mechanism = std::make_shared<const Mechanism>(seen);
+  law.rule = looped.rule;
+  for (std::size_t k = 0; k < looped.rows.size(); ++k) {
+    law.pivots.push_back({looped.rows[k], looped.dependent[k]});
+  }
+  return law;
+}
+
+void append_loop_elimination(const RouteQuery& query, std::vector<Route>& routes) {
+  const LoopDependents chosen = choose_loop_dependents(query.seen);
+  if (!chosen.velocities) return;
+  TaskLaw law = law_of(*chosen.velocities, query.seen);
+  law.only_by_name = !chosen.velocities->follows;
+  routes.push_back({{kEliminatedKey, kEliminatedWords},
+                    [looped = *chosen.velocities](const Trace& trace) {
+                      return trace_eliminated_motion(trace, looped);
+                    },
+                    std::make_shared<const TaskLaw>(std::move(law))});
+}
+
+/// The same for torques, where loops determine every joint without a motor and every row is needed:
+/// forces have no choice then. Where passive joints do not follow, forces have no answer either.
+void append_eliminated_torque(const RouteQuery& query, const TaskLaw& supported,
+                              std::vector<Route>& routes) {
+  if (!why_not_eliminated(query.seen, query.function).empty()) return;
+  const LoopDependents chosen = choose_loop_dependents(query.seen);
+  const std::size_t rows = chosen.velocities->rows.size();
+  TaskLaw law = law_of(*chosen.velocities, query.seen);
+  const PivotRule of_rows = split_rules(supported).rows;
+  const PivotRule of_tasks{
+      of_rows.power,
+      {of_rows.borders.begin() + static_cast<std::ptrdiff_t>(rows), of_rows.borders.end()}};
+  law.rule.borders.insert(law.rule.borders.end(), of_tasks.borders.begin(), of_tasks.borders.end());
+  const std::string singular = describe(law) + " Rows of tasks yield likewise.";
+  routes.push_back({{kEliminatedKey, kEliminatedWords},
+                    [looped = *chosen.velocities, of_tasks](const Trace& trace) {
+                      return trace_eliminated_torque(trace, looped, of_tasks);
+                    },
+                    std::make_shared<const TaskLaw>(std::move(law)),
+                    singular});
+}
+
+/// Rows that are constant, and those of loops that determine passive joints, may give velocities in
+/// place of forces.
 void append_elimination(const RouteQuery& query, const Law& law, std::vector<Route>& routes) {
+  if (!query.seen.loops.empty()) append_loop_elimination(query, routes);
   const auto coupled = choose_dependents(query.seen);
   if (!coupled) return;
   routes.push_back(
-      {{"eliminated", "joints that couplings move eliminated, M = L^T D L"},
+      {{kEliminatedKey, "joints that couplings move eliminated, M = L^T D L"},
        [coupled = *coupled](const Trace& trace) { return trace_eliminated_motion(trace, coupled); },
        law,
        "finite everywhere; couplings hold exactly, and one that depends on those "
@@ -127,11 +197,28 @@ std::vector<Route> solving_routes(const RouteQuery& query) {
     routes.push_back(supports ? supported_route(query, choice, law)
                               : constrained_route(query, choice, law));
   }
+  if (supports && !query.seen.loops.empty()) append_eliminated_torque(query, *law, routes);
   if (!supports) append_elimination(query, law, routes);
   return routes;
 }
 
 }  // namespace
+
+std::string why_not_eliminated(const Mechanism& mechanism, Function function) {
+  if (function == Function::constrained_forward_dynamics) {
+    return choose_dependents(mechanism) ? "" : choose_loop_dependents(mechanism).obstacle;
+  }
+  if (function != Function::supported_control_torque) return "Nothing is held.";
+  if (mechanism.singular == SingularTasks::exact) return "Write `singular: smooth`.";
+  const LoopDependents chosen = choose_loop_dependents(mechanism);
+  if (!chosen.velocities) return chosen.obstacle;
+  if (chosen.velocities->rows.size() != mechanism.passive.size()) {
+    return "Other passive joints move by themselves.";
+  }
+  return chosen.velocities->rows.size() == static_cast<std::size_t>(mechanism.held_rows())
+             ? ""
+             : "Leave out rows that the rest of the loop prevents.";
+}
 
 std::vector<Route> constraint_routes(const RouteQuery& query) {
   if (query.function == Function::constraint_jacobian) {
