@@ -31,18 +31,54 @@ Digits50 largest(const Vector50& x) {
   return x.size() == 0 ? Digits50(0) : Digits50(x.cwiseAbs().maxCoeff());
 }
 
-/// The rank of J_s L^-T, M = L L^T, whose rows have unit length: as the generated code counts it.
-Eigen::Index held_rank(const LimitProblem& problem, double tolerance) {
-  if (problem.J_s.size() == 0) return 0;
-  const auto in_double = [](const Matrix50& A) {
-    return Eigen::MatrixXd(A.unaryExpr([](const Digits50& x) { return static_cast<double>(x); }));
-  };
-  const Eigen::LLT<Eigen::MatrixXd> of_inertia(in_double(problem.M));
-  Eigen::MatrixXd columns = of_inertia.matrixL().solve(in_double(problem.J_s.transpose()));
-  for (Eigen::Index i = 0; i < columns.cols(); ++i) columns.col(i).normalize();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(columns);
-  factors.setThreshold(tolerance);
-  return factors.rank();
+/// Which columns of a matrix are independent of those before them, by Gram and Schmidt.
+struct IndependentColumns {
+  std::vector<Eigen::Index> independent;
+  std::vector<Eigen::Index> dependent;
+  bool certain = true;  ///< rounding decides none
+};
+
+IndependentColumns find_independent(const Matrix50& columns, Real real) {
+  IndependentColumns found;
+  Matrix50 basis(columns.rows(), columns.cols());
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    const auto before = basis.leftCols(static_cast<Eigen::Index>(found.independent.size()));
+    Vector50 left = columns.col(j);
+    for (int pass = 0; pass < 2; ++pass) left -= before * Vector50(before.transpose() * left);
+    const Digits50 length = columns.col(j).norm();
+    const Digits50 share = length == 0 ? Digits50(0) : Digits50(left.norm() / length);
+    const bool depends = share <= all_but_dependent(real);
+    if (depends && share > kDependent) found.certain = false;
+    if (!depends) basis.col(before.cols()) = left.normalized();
+    (depends ? found.dependent : found.independent).push_back(j);
+  }
+  return found;
+}
+
+/// The equations of d_qdd, as columns in coordinates in which M is 1: passive entries of M d_qdd
+/// that no force of the held rows balances, then the held rows.
+Matrix50 equations_of_motion(const LimitProblem& problem, const LimitFacts& facts,
+                             const Matrix50& weighted, const IndependentColumns& carried) {
+  const Eigen::LLT<Dense50> of_inertia(Dense50(problem.M));
+  const Dense50 rows = of_inertia.matrixU();
+  const auto count = static_cast<Eigen::Index>(carried.dependent.size());
+  Matrix50 equations(problem.M.rows(), count + problem.J_s.rows());
+  const Matrix50 basis = weighted(Eigen::all, carried.independent);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Index j = carried.dependent[static_cast<std::size_t>(k)];
+    equations.col(k) = rows.col(facts.passive[static_cast<std::size_t>(j)]);
+    if (carried.independent.empty()) continue;
+    const Vector50 relation = Dense50(basis.transpose() * basis)
+                                  .ldlt()
+                                  .solve(Vector50(basis.transpose() * weighted.col(j)));
+    for (Eigen::Index r = 0; r < relation.size(); ++r) {
+      const Eigen::Index other = carried.independent[static_cast<std::size_t>(r)];
+      equations.col(k) -= relation(r) * rows.col(facts.passive[static_cast<std::size_t>(other)]);
+    }
+  }
+  equations.rightCols(problem.J_s.rows()) =
+      of_inertia.matrixL().solve(Dense50(problem.J_s.transpose()));
+  return equations;
 }
 
 /// The part of a change of J's entries that keeps all relations between its rows.
@@ -326,10 +362,20 @@ LimitedOptimum point_at_limits(const LimitProblem& problem, const LimitFacts& fa
 }
 
 bool fits_freedoms(const LimitProblem& problem, const LimitFacts& facts, Real real) {
-  const Eigen::Index rank = held_rank(problem, kDependent);
+  const auto held = problem.f.size();
   const auto passive = static_cast<Eigen::Index>(facts.passive.size());
-  return problem.M.rows() + problem.f.size() - passive - rank <= facts.freedoms &&
-         rank == held_rank(problem, all_but_dependent(real));
+  Matrix50 weighted(held, passive);
+  for (Eigen::Index h = 0; h < held; ++h) {
+    weighted.row(h) =
+        facts.force_weights[static_cast<std::size_t>(h)] * problem.J_s(h, facts.passive);
+  }
+  const IndependentColumns carried = find_independent(weighted, real);
+  const Matrix50 equations = equations_of_motion(problem, facts, weighted, carried);
+  const IndependentColumns all = find_independent(equations, real);
+  const IndependentColumns rows = find_independent(equations.rightCols(held), real);
+  const auto rank = static_cast<Eigen::Index>(rows.independent.size());
+  return problem.M.rows() + held - passive - rank <= facts.freedoms && carried.certain &&
+         all.certain && rows.certain;
 }
 
 std::optional<LimitedOptimum> find_limited_optimum(const LimitProblem& problem,
