@@ -23,8 +23,8 @@ const Program& find_program(std::span<const Program> programs, const std::string
 template <class Number, class Print>
 std::string print_list(const std::vector<Number>& numbers, const Print& print) {
   std::string list;
-  for (const Number& number : numbers) list += (list.empty() ? "" : ", ") + print(number);
-  return "{" + (list.empty() ? print(Number{}) : list) + "}";
+  for (const Number& number : numbers) list.append(list.empty() ? "" : ", ").append(print(number));
+  return fmt::format("{{{}}}", list.empty() ? print(Number{}) : list);
 }
 
 std::string describe_stack(const EmissionContext& context, int values) {

@@ -56,7 +56,8 @@ std::string print_step_call(const Program& program, const std::string& forces = 
   std::string text;
   for (std::size_t at = 0; at < call.size();) {
     const std::size_t end = call.find('\n', at);
-    text += (text.empty() ? "" : "\n") + call.substr(at + kIndentation, end - at - kIndentation);
+    if (!text.empty()) text += '\n';
+    text.append(call, at + kIndentation, end - at - kIndentation);
     at = end + 1;
   }
   return text;
@@ -87,12 +88,12 @@ std::vector<Argument> list_inputs(const ControllerUnit& unit) {
 std::string in_comment(std::string text, std::size_t columns = 94) {
   for (const char* mark : {"*/", "/*"}) {
     for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {
-      text.insert(at + 1, " ");
+      text.insert(at + 1, 1, ' ');
     }
   }
   std::string wrapped = wrap_text(text, columns);
   for (std::size_t at = wrapped.find('\n'); at != std::string::npos; at = wrapped.find('\n', at)) {
-    wrapped.insert(at + 1, " ");
+    wrapped.insert(at + 1, 1, ' ');
     at += 2;
   }
   return wrapped;
