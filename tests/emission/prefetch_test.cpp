@@ -6,7 +6,9 @@
 #include "sample_c_double/sample_c_double_batch.h"
 #include "sample_c_double/sample_c_double_prefetch.h"
 #include "sample_double/sample_double.hpp"
+#include "sample_double/sample_double_batch.h"
 #include "sample_double/sample_double_batch.hpp"
+#include "sample_double/sample_double_prefetch.h"
 #include "sample_double/sample_double_prefetch.hpp"
 
 extern "C" {
@@ -55,18 +57,20 @@ TEST(Prefetch, LoadsTheFunctionsOwnSection) {
   sample_double::prefetch_corner_cases();
   sample_c_double_prefetch_inverse_dynamics();
   sample_c_double_prefetch_corner_cases();
+  sample_double_prefetch_inverse_dynamics();  // C++ called as C
 }
 
 TEST(Prefetch, LoadsBatches) {
   expect_alone(__start_treeline_sample_double_batch_inverse_dynamics,
                __stop_treeline_sample_double_batch_inverse_dynamics,
                &sample_double::batch::inverse_dynamics, &sample_double::inverse_dynamics,
-               &sample_double::batch::corner_cases);
+               &sample_double::batch::corner_cases, &sample_double_batch_inverse_dynamics);
   expect_alone(__start_treeline_sample_c_double_batch_inverse_dynamics,
                __stop_treeline_sample_c_double_batch_inverse_dynamics,
                &sample_c_double_batch_inverse_dynamics, &sample_c_double_inverse_dynamics,
                &sample_c_double_batch_corner_cases);
   sample_double::prefetch_batch_inverse_dynamics();
+  sample_double_prefetch_batch_corner_cases();
   sample_c_double_prefetch_batch_inverse_dynamics();
 }
 
