@@ -51,7 +51,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
         {program.name + std::string(backend.source), backend.print_source(context, program)});
   }
   append(backend.print_more(context, programs, batch), files);
-  append(print_prefetch(context, programs), files);
+  append(print_prefetch(context, programs, batch), files);
   for (GeneratedFile& file : files) file.text = harmless(file.text);
   append(backend.print_runtime(context, programs, batch), files);
   guard_headers(context.name, files);

@@ -16,10 +16,11 @@ std::string section_of(const EmissionContext& context, const std::string& functi
   return fmt::format("treeline_{}_{}", context.name, function);
 }
 
-std::string print_bounds(const EmissionContext& context, std::span<const Program> programs) {
+std::string print_bounds(const EmissionContext& context,
+                         const std::vector<std::string>& functions) {
   std::string text;
-  for (const Program& program : programs) {
-    const std::string section = section_of(context, program.name);
+  for (const std::string& function : functions) {
+    const std::string section = section_of(context, function);
     text += fmt::format(
         "extern const char __start_{0}[] TREELINE_BOUND;\nextern const char __stop_{0}[] "
         "TREELINE_BOUND;\n",
@@ -28,38 +29,62 @@ std::string print_bounds(const EmissionContext& context, std::span<const Program
   return text;
 }
 
+GeneratedFile print_header(const EmissionContext& context, const std::string& declarations,
+                           bool is_c) {
+  return {context.name + (is_c ? "_prefetch.h" : "_prefetch.hpp"),
+          fill_template(
+              is_c ? templates::kPrefetchHeaderC : templates::kPrefetchHeaderCpp,
+              {{"robot", context.robot}, {"name", context.name}, {"declarations", declarations}})};
+}
+
 }  // namespace
 
+std::vector<std::string> list_prefetched(std::span<const Program> programs,
+                                         std::span<const Program> batch) {
+  std::vector<std::string> functions;
+  for (const Program& program : programs) functions.push_back(program.name);
+  for (const Program& program : batch) functions.push_back("batch_" + program.name);
+  return functions;
+}
+
+GeneratedFile print_prefetch_for_c(const EmissionContext& context,
+                                   std::span<const Program> programs,
+                                   std::span<const Program> batch) {
+  std::string declarations;
+  for (const std::string& function : list_prefetched(programs, batch)) {
+    declarations += fmt::format("void {}_prefetch_{}(void);\n", context.name, function);
+  }
+  return print_header(context, declarations, true);
+}
+
 std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
-                                          std::span<const Program> programs) {
+                                          std::span<const Program> programs,
+                                          std::span<const Program> batch) {
   if (!context.prefetch) return {};
+  const std::vector<std::string> functions = list_prefetched(programs, batch);
   const bool is_c = context.language == Language::c;
   const std::string prefix = is_c ? context.name + "_" : "";
   const char* const arguments = is_c ? "(void)" : "() noexcept";
   std::string declarations, definitions, nothing;
-  for (const Program& program : programs) {
-    const std::string head = fmt::format("void {}prefetch_{}{}", prefix, program.name, arguments);
-    const std::string section = section_of(context, program.name);
+  for (const std::string& function : functions) {
+    const std::string head = fmt::format("void {}prefetch_{}{}", prefix, function, arguments);
+    const std::string section = section_of(context, function);
     declarations += head + ";\n";
     definitions += head + " {\n" +
                    wrap_line(fmt::format("{0}load(__start_{1}, __stop_{1});", prefix, section), 2) +
                    "}\n";
     nothing += head + " {}\n";
   }
-  const std::string header = is_c ? ".h" : ".hpp";
-  return {{context.name + "_prefetch" + header,
-           fill_template(
-               is_c ? templates::kPrefetchHeaderC : templates::kPrefetchHeaderCpp,
-               {{"robot", context.robot}, {"name", context.name}, {"declarations", declarations}})},
+  return {print_header(context, declarations, is_c),
           {is_c ? "prefetch.c" : "prefetch.cpp",
            fill_template(is_c ? templates::kPrefetchC : templates::kPrefetchCpp,
                          {{"name", context.name},
-                          {"bounds", print_bounds(context, programs)},
+                          {"bounds", print_bounds(context, functions)},
                           {"definitions", definitions},
                           {"nothing", nothing}})}};
 }
 
-std::string print_prefetch_macro(const EmissionContext& context, const Program& program) {
+std::string print_prefetch_macro(const EmissionContext& context, const std::string& function) {
   if (!context.prefetch) return {};
   return fmt::format(
       "\n// For {}_prefetch: a section of its own.\n"
@@ -69,7 +94,7 @@ std::string print_prefetch_macro(const EmissionContext& context, const Program& 
       "#else\n"
       "#define TREELINE_OWN_SECTION\n"
       "#endif\n",
-      context.name, section_of(context, program.name));
+      context.name, section_of(context, function));
 }
 
 std::string print_prefetch_section(const EmissionContext& context) {

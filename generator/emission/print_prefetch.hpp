@@ -11,13 +11,24 @@
 namespace treeline {
 
 /// NAME_prefetch and prefetch, header and source in the context's language: functions that load the
-/// code of each of the programs' functions into caches. None unless the scene asks for them.
+/// code of each of the programs' functions into caches, for one state and for `batch`. None unless
+/// the scene asks for them.
 std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
-                                          std::span<const Program> programs);
+                                          std::span<const Program> programs,
+                                          std::span<const Program> batch);
+
+/// NAME_prefetch.h, for C.
+GeneratedFile print_prefetch_for_c(const EmissionContext& context,
+                                   std::span<const Program> programs,
+                                   std::span<const Program> batch);
+
+/// What can be loaded: `gravity`, `batch_gravity`.
+std::vector<std::string> list_prefetched(std::span<const Program> programs,
+                                         std::span<const Program> batch);
 
 /// What stands before the source of a function whose code can be loaded: the macro that gives it a
 /// section of its own. Empty unless the scene asks for it.
-std::string print_prefetch_macro(const EmissionContext& context, const Program& program);
+std::string print_prefetch_macro(const EmissionContext& context, const std::string& function);
 
 /// What stands before the function itself.
 std::string print_prefetch_section(const EmissionContext& context);

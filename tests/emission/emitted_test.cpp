@@ -20,6 +20,7 @@
 #include "sample_c_float_batch.h"
 #include "sample_c_float_joints.h"
 #include "sample_double.h"
+#include "sample_double_batch.h"
 #include "sample_double_batch.hpp"
 #include "sample_double_calls.hpp"
 #include "sample_double_eigen.hpp"
@@ -96,8 +97,11 @@ TEST(Emitted, BatchesEqualTheGraphToTheBit) {
   compare_batches<float>(sample_float::batch::corner_cases);
 }
 
-// In vectors and in loops.
+// In vectors, in loops, and those of C++ called as C.
 TEST(Emitted, BatchesInCEqualTheGraphToTheBit) {
+  compare_batches<double>([](auto& q, auto& unread, auto& delta, auto& out, auto& second) {
+    sample_double_batch_corner_cases(q[0], unread[0], delta[0], out[0], second[0]);
+  });
   compare_batches<double>([](auto& q, auto& unread, auto& delta, auto& out, auto& second) {
     sample_c_double_batch_corner_cases(q[0], unread[0], delta[0], out[0], second[0]);
   });

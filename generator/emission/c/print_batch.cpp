@@ -13,6 +13,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -87,7 +88,7 @@ std::string print_state_function(const EmissionContext& context, const Program& 
   for (const Result& result : program.results) append(result.argument, "");
   const std::string head =
       fmt::format("static void {}_state_of_{}({}) {{", context.name, program.name, list);
-  return wrap_line(head, 0) +
+  return print_prefetch_section(context) + wrap_line(head, 0) +
          print_body(program, make_syntax(context), find_taken(context, program)) + "}\n\n";
 }
 
@@ -130,10 +131,11 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
        {"states", std::to_string(context.batch)},
        {"name", context.name},
        {"includes", includes},
-       {"section", print_section_macro(context)},
+       {"section",
+        print_section_macro(context) + print_prefetch_macro(context, "batch_" + program.name)},
        {"before", vectors ? "" : print_state_function(context, program)},
-       {"signature",
-        print_section(context) + wrap_line(head_of(context, program, "_rows") + " {", 0)},
+       {"signature", print_section(context) + print_prefetch_section(context) +
+                         wrap_line(head_of(context, program, "_rows") + " {", 0)},
        {"unread", print_unread(program)},
        {"body", vectors ? print_in_vectors(context, program) : print_loop(context, program)}});
 }

@@ -32,8 +32,8 @@ std::string describe_needs(const EmissionContext& context, std::span<const Progr
     return fmt::format(
         "Programs in C99 and C++ include this file. The functions are those of\n"
         "{}.hpp, with the same bits: c_calls.cpp, in C++17,\n"
-        "passes each call on and copies nothing. No library is needed, not even that of C++.",
-        context.name);
+        "passes each call on and copies {} library is needed, not even that of C++.",
+        context.name, context.limits ? "limits and their outcome only.\nNo" : "nothing. No");
   }
   const bool loops = has_loops(programs);
   const bool flags = context.limits || !context.effective_mass_limits.empty();

@@ -163,16 +163,6 @@ std::string print_matrices(const EmissionContext& context, std::span<const Progr
   return text;
 }
 
-std::string print_limits(const EmissionContext& context) {
-  const Syntax syntax = make_syntax(context);
-  const std::string zero = syntax.literal(0);
-  const std::string no_cones = fmt::format("{{0, 0, {{{0}, {0}, {0}, {0}, {0}, {0}}}, {0}}}", zero);
-  return wrap_line(
-      fmt::format("const {0}_torque_limits {0}_default_limits = {{{1}}};", context.name,
-                  print_torque_limits(*context.limits, syntax, syntax.literal(1e30), no_cones)),
-      0);
-}
-
 std::string print_layout(const EmissionContext& context) {
   return wrap_line(
       fmt::format("static const {0}_support_layout {0}_layout = {{{1}}};", context.name,
@@ -182,27 +172,47 @@ std::string print_layout(const EmissionContext& context) {
 
 }  // namespace
 
-std::vector<GeneratedFile> print_limited(const EmissionContext& context,
-                                         std::span<const Program> programs) {
-  const Program& supported = find_supported(programs);
-  const bool holds = holds_rows(context);
-  const std::string head = print_head(context, supported);
-  const std::string zeros = fmt::format(" = {{{}}}", number_literal(context, "0.0"));
+std::string print_default_limits(const EmissionContext& context) {
+  const Syntax syntax = make_syntax(context);
+  const std::string zero = syntax.literal(0);
+  const std::string no_cones = fmt::format("{{0, 0, {{{0}, {0}, {0}, {0}, {0}, {0}}}, {0}}}", zero);
+  return wrap_line(
+      fmt::format("const {0}_torque_limits {0}_default_limits = {{{1}}};", context.name,
+                  print_torque_limits(*context.limits, syntax, syntax.literal(1e30), no_cones)),
+      0);
+}
+
+std::string print_limited_signature(const EmissionContext& context,
+                                    std::span<const Program> programs) {
+  return print_head(context, find_supported(programs));
+}
+
+GeneratedFile print_limited_header(const EmissionContext& context,
+                                   std::span<const Program> programs) {
   Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
   holes["types"] = print_limit_types(holes);
   holes["notes"] = comment("///", describe_cones(*context.limits));
   holes["cost"] = comment("///", describe_limited_cost(context, programs));
-  holes["signature"] = wrap_line(head + ";", 0);
-  std::vector<GeneratedFile> files = {
-      {context.name + "_limited.h", fill_limits(templates::kLimited, holes)}};
-  holes["limits"] = print_limits(context);
+  holes["method"] = context.language == Language::c ? "limited_torque.h" : "limited_torque.hpp";
+  holes["signature"] = wrap_line(print_limited_signature(context, programs) + ";", 0);
+  return {context.name + "_limited.h", fill_limits(templates::kLimited, holes)};
+}
+
+std::vector<GeneratedFile> print_limited(const EmissionContext& context,
+                                         std::span<const Program> programs) {
+  const Program& supported = find_supported(programs);
+  const bool holds = holds_rows(context);
+  const std::string zeros = fmt::format(" = {{{}}}", number_literal(context, "0.0"));
+  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
+  holes["limits"] = print_default_limits(context);
   holes["section"] = print_section_macro(context);
-  holes["signature"] = print_section(context) + wrap_line(head + " {", 0);
+  holes["signature"] =
+      print_section(context) + wrap_line(print_limited_signature(context, programs) + " {", 0);
   const std::string without = holds ? "" : fmt::format("{} f[1]{};\n", number_type(context), zeros);
   holes["supported"] = without + print_call(context, supported, holds ? "tau, f" : "tau");
   holes["matrices"] = print_matrices(context, programs);
-  files.push_back({"limited_control_torque.c", fill_limits(templates::kLimitedSource, holes)});
-  return files;
+  return {print_limited_header(context, programs),
+          {"limited_control_torque.c", fill_limits(templates::kLimitedSource, holes)}};
 }
 
 std::string print_limit_types(const Holes& holes) {

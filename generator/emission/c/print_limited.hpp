@@ -17,6 +17,14 @@ namespace treeline::c {
 std::vector<GeneratedFile> print_limited(const EmissionContext& context,
                                          std::span<const Program> programs);
 
+/// NAME_limited.h, which C++ has beside its own header; the head of the function that it declares,
+/// without what follows; and the definition of `NAME_default_limits`.
+GeneratedFile print_limited_header(const EmissionContext& context,
+                                   std::span<const Program> programs);
+std::string print_limited_signature(const EmissionContext& context,
+                                    std::span<const Program> programs);
+std::string print_default_limits(const EmissionContext& context);
+
 /// The headers of the quadratic program, in the number type and the sizes of the robot. They
 /// include square_root.h.
 std::vector<GeneratedFile> print_limited_runtime(const EmissionContext& context);

@@ -100,7 +100,7 @@ std::string print_loop_source(const EmissionContext& context, const Program& pro
       {{"head", describe_source(program)},
        {"cost", describe_cost(program)},
        {"name", context.name},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
        {"signature", print_section(context) + print_prefetch_section(context) +
                          wrap_line(print_signature(context, program) + " {", 0)},
        {"body", print_loop_body(context, program)}});
@@ -139,7 +139,7 @@ std::string print_source(const EmissionContext& context, const Program& program)
        {"cost", describe_cost(program)},
        {"name", context.name},
        {"includes", print_includes(program)},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
        {"parts", body.parts},
        {"signature", print_section(context) + print_prefetch_section(context) +
                          wrap_line(print_signature(context, program) + " {", 0)},

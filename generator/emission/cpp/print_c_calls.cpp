@@ -1,15 +1,23 @@
 #include "emission/cpp/print_c_calls.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
 
 #include "emission/c/hides_header.hpp"
+#include "emission/c/print_batch.hpp"
 #include "emission/c/print_contract.hpp"
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_joints.hpp"
+#include "emission/c/print_limited.hpp"
 #include "emission/c/print_source.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_damped.hpp"
+#include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -57,6 +65,96 @@ std::string pass_damped_function(const EmissionContext& context,
                            "damped_control_torque", list, "return ");
 }
 
+std::string pass_batch_function(const EmissionContext& context, const Program& program) {
+  std::string list;
+  const auto append = [&](const Argument& argument) {
+    list += fmt::format("{}{}::rows_at<{}>({})", list.empty() ? "" : ", ", context.name,
+                        argument.rows * argument.cols, argument.name);
+  };
+  for (const Argument& argument : program.arguments) append(argument);
+  for (const Result& result : program.results) append(result.argument);
+  return print_passed_call(context, c::print_batch_signature(context, program),
+                           "batch::" + program.name, list);
+}
+
+std::string pass_limited_function(const EmissionContext& context,
+                                  std::span<const Program> programs) {
+  std::string list;
+  for (const Argument& argument : find_supported(programs).arguments) {
+    list += pass(context, argument) + ", ";
+  }
+  list += pass(context, "tau", context.velocities) + ", ";
+  if (holds_rows(context)) {
+    list += pass(context, "f", static_cast<int>(context.limits->force_weights.size())) + ", ";
+  }
+  const std::string call =
+      fmt::format("{}::limited_control_torque({}own, own_limits);", context.name, list);
+  return fill_template(
+      templates::kCCallsLimited,
+      {{"name", context.name},
+       {"limits", c::print_default_limits(context)},
+       {"signature", print_section(context) +
+                         wrap_line(c::print_limited_signature(context, programs) + " {", 0)},
+       {"call", wrap_line(call, 2)}});
+}
+
+/// What c_calls.cpp consists of, and the headers that declare it.
+struct Parts {
+  std::string includes, helpers;
+  std::vector<std::string> definitions;
+  std::vector<GeneratedFile> headers;
+};
+
+/// Behind other lines: the header of C and that of C++.
+void include_both(const EmissionContext& context, const char* what, Parts& parts) {
+  parts.includes +=
+      fmt::format("\n#include \"{0}_{1}.h\"\n#include \"{0}_{1}.hpp\"", context.name, what);
+}
+
+/// The functions of one state.
+Parts pass_functions(const EmissionContext& context, std::span<const Program> programs) {
+  Parts parts;
+  parts.includes = fmt::format("#include \"{}.h\"", context.name);
+  parts.headers = {{context.name + ".h", c::print_contract(context, programs)},
+                   {context.name + "_joints.h", c::print_joints(context)}};
+  for (const Program& program : programs) {
+    parts.definitions.push_back(pass_function(context, program));
+  }
+  if (context.effective_mass_limits.empty()) return parts;
+  parts.includes =
+      fmt::format("#include \"{0}_damped.h\"\n#include \"{0}_damped.hpp\"", context.name);
+  parts.definitions.push_back(pass_damped_function(context, programs));
+  parts.headers.push_back(c::print_damped_header(context, programs));
+  return parts;
+}
+
+void pass_batch(const EmissionContext& context, std::span<const Program> batch, Parts& parts) {
+  include_both(context, "batch", parts);
+  parts.helpers += fill_template(templates::kCCallsBatch, {{"name", context.name}}) + "\n";
+  for (const Program& program : batch) {
+    parts.definitions.push_back(pass_batch_function(context, program));
+  }
+  parts.headers.push_back(c::print_batch_header(context, batch));
+}
+
+void pass_limited(const EmissionContext& context, std::span<const Program> programs, Parts& parts) {
+  include_both(context, "limited", parts);
+  const auto holes = c::list_limit_holes(context, context.name, name_in_capitals(context));
+  parts.helpers += c::fill_limits(templates::kCCallsLimits, holes) + "\n";
+  parts.definitions.push_back(pass_limited_function(context, programs));
+  parts.headers.push_back(c::print_limited_header(context, programs));
+}
+
+void pass_prefetch(const EmissionContext& context, std::span<const Program> programs,
+                   std::span<const Program> batch, Parts& parts) {
+  include_both(context, "prefetch", parts);
+  for (const std::string& function : list_prefetched(programs, batch)) {
+    parts.definitions.push_back(fmt::format(
+        "void {0}_prefetch_{1}(void) {{\n  {0}::prefetch_{1}();\n}}\n", context.name, function));
+  }
+  parts.headers.push_back(print_prefetch_for_c(context, programs, batch));
+}
+
 }  // namespace
 
 bool has_c_calls(const EmissionContext& context) {
@@ -64,25 +162,22 @@ bool has_c_calls(const EmissionContext& context) {
 }
 
 std::vector<GeneratedFile> print_c_calls(const EmissionContext& context,
-                                         std::span<const Program> programs) {
+                                         std::span<const Program> programs,
+                                         std::span<const Program> batch) {
   if (!has_c_calls(context)) return {};
-  const bool damped = !context.effective_mass_limits.empty();
-  std::string definitions;
-  for (const Program& program : programs) {
-    definitions += (definitions.empty() ? "" : "\n") + pass_function(context, program);
-  }
-  if (damped) definitions += "\n" + pass_damped_function(context, programs);
-  const std::string includes =
-      damped ? fmt::format("#include \"{0}_damped.h\"\n#include \"{0}_damped.hpp\"", context.name)
-             : fmt::format("#include \"{}.h\"", context.name);
-  std::vector<GeneratedFile> files = {
-      {context.name + ".h", c::print_contract(context, programs)},
-      {context.name + "_joints.h", c::print_joints(context)},
-      {"c_calls.cpp", fill_template(templates::kCCalls, {{"name", context.name},
-                                                         {"includes", includes},
-                                                         {"section", print_section_macro(context)},
-                                                         {"definitions", definitions}})}};
-  if (damped) files.push_back(c::print_damped_header(context, programs));
+  Parts parts = pass_functions(context, programs);
+  if (!batch.empty()) pass_batch(context, batch, parts);
+  if (context.limits) pass_limited(context, programs, parts);
+  if (context.prefetch) pass_prefetch(context, programs, batch, parts);
+  std::vector<GeneratedFile> files = std::move(parts.headers);
+  files.push_back(
+      {"c_calls.cpp",
+       fill_template(templates::kCCalls,
+                     {{"name", context.name},
+                      {"includes", parts.includes},
+                      {"section", print_section_macro(context)},
+                      {"helpers", parts.helpers},
+                      {"definitions", fmt::format("{}", fmt::join(parts.definitions, "\n"))}})});
   return files;
 }
 

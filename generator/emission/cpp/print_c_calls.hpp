@@ -14,10 +14,11 @@ namespace treeline::cpp {
 /// NAME.h would hide one of C's own.
 bool has_c_calls(const EmissionContext& context);
 
-/// NAME.h, NAME_joints.h and, with damped control, NAME_damped.h, as `language: c` has them, and
-/// c_calls.cpp, which implements them by the functions of NAME.hpp. Empty where there are none, see
-/// `has_c_calls`.
+/// NAME.h, NAME_joints.h and, where there are such functions, NAME_damped.h, NAME_batch.h,
+/// NAME_limited.h and NAME_prefetch.h, as `language: c` has them, and c_calls.cpp, which implements
+/// them by the functions of C++. Empty where there are none, see `has_c_calls`.
 std::vector<GeneratedFile> print_c_calls(const EmissionContext& context,
-                                         std::span<const Program> programs);
+                                         std::span<const Program> programs,
+                                         std::span<const Program> batch);
 
 }  // namespace treeline::cpp

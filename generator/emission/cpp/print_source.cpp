@@ -123,7 +123,7 @@ std::string print_loop_source(const EmissionContext& context, const Program& pro
       {{"head", describe_source(program)},
        {"cost", describe_cost(program)},
        {"name", context.name},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
        {"signature", print_section(context) + print_prefetch_section(context) +
                          wrap_line(print_head(program, "") + " {", 0)},
        {"body", print_loop_body(context, program)}});
@@ -152,7 +152,7 @@ std::string print_source(const EmissionContext& context, const Program& program)
        {"name", context.name},
        {"includes", print_includes(program)},
        {"lanes", print_lanes_type(program)},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program)},
+       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
        {"signature", print_section(context) + print_prefetch_section(context) +
                          wrap_line(print_head(program, "TREELINE_RESTRICT ") + " {", 0)},
        {"body", print_body(program, make_syntax(context), find_taken(context, program))}});

@@ -1,0 +1,35 @@
+# C++ with limits, batches and prefetch called from C, beside the same in C: see limits_from_c.c.
+# cmake -DTREELINE=program -DROBOTS=dir -DFOLDER=dir -DHOST=c++ -P limits_from_c.cmake
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+set(tests ${CMAKE_CURRENT_LIST_DIR})
+file(REMOVE_RECURSE ${FOLDER})
+file(READ ${tests}/misra_limits.yaml scene)
+file(WRITE ${FOLDER}/scene.yaml "${scene}\nbatch: 4\nlanes: 1\nprefetch: true\n")
+set(includes)
+foreach(case arm:c++:cpp inc:c:c)
+  string(REPLACE ":" ";" case ${case})
+  list(GET case 0 name)
+  list(GET case 1 language)
+  list(GET case 2 ending)
+  run(${TREELINE} generate ${ROBOTS}/ur10e/ur10e.urdf ${FOLDER}/scene.yaml --name ${name}
+    --language ${language} --output ${FOLDER}/${name})
+  list(APPEND includes -I${FOLDER}/${name})
+  file(GLOB sources ${FOLDER}/${name}/*.${ending})
+  set(compile ${HOST} -std=c++17 -Wmissing-declarations -fno-exceptions -fno-rtti)
+  if(language STREQUAL "c")
+    set(compile gcc -std=c99 -Wmissing-prototypes)
+  endif()
+  file(MAKE_DIRECTORY ${FOLDER}/${name}/objects)
+  foreach(source IN LISTS sources)
+    get_filename_component(stem ${source} NAME_WE)
+    run(${compile} -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -O2 -ffp-contract=off
+      -ffreestanding -I${FOLDER}/${name} -c ${source} -o ${FOLDER}/${name}/objects/${stem}.o)
+  endforeach()
+endforeach()
+file(GLOB objects ${FOLDER}/*/objects/*.o)
+# Without the library of C++.
+run(gcc -std=c99 -pedantic -Wall -Wextra -Werror ${includes} ${tests}/limits_from_c.c ${objects} -lm
+  -o ${FOLDER}/limits_from_c)
+run(${FOLDER}/limits_from_c)
