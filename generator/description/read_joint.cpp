@@ -176,9 +176,10 @@ void read_dynamics(const UrdfElement& joint, Joint& result) {
   result.friction = element->number("friction").value_or(0);
   for (const auto& [name, value] :
        {std::pair{"damping", result.damping}, {"friction", result.friction}}) {
-    if (value < 0)
+    if (value < 0) {
       element->warn(fmt::format("{}={} is negative", name, value), "give a positive one",
                     Minor::form);
+    }
   }
 }
 

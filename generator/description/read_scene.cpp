@@ -89,7 +89,8 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   snap_angles(robot, scene, diagnostics);
   if (scene.noise <= kResolution) return scene;
   NoiseDecisions decisions;
-  scene = without_noise(std::move(scene), noise_limits(robot, scene), &decisions);
+  const auto limits = noise_limits(robot, scene);
+  scene = without_noise(std::move(scene), limits, &decisions);
   scene.taken_exact = std::move(decisions);
   return scene;
 }
