@@ -37,8 +37,10 @@ std::string describe(const Mimic& mimic, const Robot& robot) {
 class Walk {
  public:
   Walk(const Robot& robot, const Scene& scene, Report& report)
-      : robot_(robot), scene_(scene), report_(report) {
-    if (scene.base == Base::floating) add_floating_base();
+      : robot_(robot), scene_(scene), report_(report) {}
+
+  void visit_all() {
+    if (scene_.base == Base::floating) add_floating_base();
     add_links();
     number_mimics();
   }
@@ -233,7 +235,7 @@ Report inspect_robot(const Robot& robot, const std::optional<Scene>& given) {
   report.scene = scene.file;
   report.base = scene.base == Base::floating ? "floating" : "fixed";
   report.gravity = scene.gravity;
-  Walk(robot, scene, report);
+  Walk(robot, scene, report).visit_all();
   for (const ScenePoint& point : scene.operational_points) {
     report.operational_points.push_back(inspect_point(point));
   }
