@@ -302,8 +302,9 @@ std::string draw_legend(const Styles& styles) {
 
 std::string draw_svg(const BenchReport& report) {
   const int count = static_cast<int>(report.functions.size());
+  const int rows = (count + kColumns - 1) / kColumns;
   const double width = kPanelWidth * kColumns;
-  const double height = kHead + kPanelHeight * ((count + kColumns - 1) / kColumns);
+  const double height = kHead + kPanelHeight * rows;
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"10\">\n"
@@ -322,8 +323,9 @@ std::string draw_svg(const BenchReport& report) {
   const Styles styles(report);
   text += draw_legend(styles);
   for (int i = 0; i < count; ++i) {
+    const int row = i / kColumns;
     const Panel panel(report.functions[static_cast<std::size_t>(i)], styles,
-                      kPanelWidth * (i % kColumns), kHead + kPanelHeight * (i / kColumns));
+                      kPanelWidth * (i % kColumns), kHead + kPanelHeight * row);
     text += panel.draw();
   }
   return text + "</svg>\n";

@@ -11,11 +11,11 @@ TREELINE_CARRY("html", "index.html");
 TREELINE_CARRY("script", "page.js");
 TREELINE_CARRY("style", "page.css");
 
-extern "C" {
+extern "C" {  // NOLINTBEGIN(readability-identifier-naming): symbols of the text above
 extern const char treeline_page_html[], treeline_page_html_end[];
 extern const char treeline_page_script[], treeline_page_script_end[];
 extern const char treeline_page_style[], treeline_page_style_end[];
-}
+}  // NOLINTEND(readability-identifier-naming)
 
 namespace treeline::drive {
 
