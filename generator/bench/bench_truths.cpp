@@ -4,7 +4,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "interpreter/joint_parts.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -12,6 +12,8 @@
 #include "interpreter/instances.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "oracle/condition.hpp"
+#include "oracle/entries.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/term_sizes.hpp"
 

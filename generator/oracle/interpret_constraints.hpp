@@ -6,6 +6,7 @@
 #include "interpreter/supported_control_torque.hpp"
 #include "interpreter/task_law.hpp"
 #include "oracle/draw_state.hpp"
+#include "oracle/entries.hpp"
 #include "oracle/subject.hpp"
 
 namespace treeline {

@@ -9,8 +9,7 @@
 #include <cmath>
 
 #include "description/read_urdf.hpp"
-#include "interpreter/digits50.hpp"
-#include "interpreter/object_forward_dynamics.hpp"
+#include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "core/damped_solve.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
-#include "interpreter/damped_torque.hpp"
+#include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "singular_run.hpp"
 #include "ur10e_damped.hpp"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "description/rotation.hpp"
 #include "interpreter/physics.hpp"
 
 // From a URDF's numbers to the interpreter's model. Would catch: a joint order, quarter turn,

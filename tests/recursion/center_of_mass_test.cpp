@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/routes/trace_function.hpp"

@@ -2,6 +2,7 @@
 
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/methods/centroidal_momentum.hpp"

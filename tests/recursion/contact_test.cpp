@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/least_flops.hpp"

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/central_differences.hpp"
 #include "recursion/function_results.hpp"

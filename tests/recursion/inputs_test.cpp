@@ -10,6 +10,7 @@
 #include <array>
 
 #include "description/count_freedoms.hpp"
+#include "description/rotation.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"

@@ -6,6 +6,7 @@
 #include "joined_mechanisms.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/chain_from_scene.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/routes/trace_function.hpp"

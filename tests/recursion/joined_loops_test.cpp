@@ -5,6 +5,7 @@
 
 #include "joined_mechanisms.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/methods/constrained_forward_dynamics.hpp"
 #include "recursion/tree/supported_mechanism.hpp"

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <numeric>
 
+#include "description/rotation.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
 #include "joined_mechanisms.hpp"
 #include "oracle/chain_from_scene.hpp"

@@ -2,6 +2,7 @@
 
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/central_differences.hpp"
 #include "recursion/checked_programs.hpp"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"
 #include "recursion/methods/point_motion.hpp"

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"
 #include "recursion/template_results.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "data/list_data.hpp"
-#include "interpreter/interpreter.hpp"
+#include "interpreter/instances.hpp"
 #include "load_robot.hpp"
 
 namespace treeline {

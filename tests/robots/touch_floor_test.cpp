@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "interpreter/interpreter.hpp"
+#include "interpreter/instances.hpp"
 #include "load_robot.hpp"
 
 namespace treeline {

@@ -10,6 +10,7 @@
 #include "interpreter/instances.hpp"
 #include "interpreter/propagate_unit_forces.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/entries.hpp"
 #include "oracle/interpret.hpp"
 #include "oracle/reference.hpp"
 #include "oracle/result_sizes.hpp"

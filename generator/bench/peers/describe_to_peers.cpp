@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "description/rotation.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {
