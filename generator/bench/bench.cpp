@@ -15,6 +15,17 @@ namespace {
 
 constexpr std::size_t kTimedStates = 64;
 
+/// Where each result ends that is compared. Forces are not where some rows depend on others: who
+/// carries them is a choice.
+std::vector<std::size_t> compared_ends(const GeneratedFunction& function) {
+  std::vector<std::size_t> ends;
+  for (const Result& result : function.program.results) {
+    ends.push_back((ends.empty() ? 0 : ends.back()) + result.values.size());
+    if (function.function == Function::constrained_forward_dynamics) break;
+  }
+  return ends;
+}
+
 class Bench {
  public:
   /// `work` is an empty folder for compiling.
@@ -28,7 +39,7 @@ class Bench {
     if (!builds) return std::nullopt;
     tell("generating", 1, 1);
     truths_.emplace(robot_, scene_, builds->front().functions, options_);
-    for (const StateReference& reference : truths_->in_float()) {
+    for (const StateReference& reference : truths_->timed()) {
       if (timed_.size() < kTimedStates) timed_.push_back(reference.state);
     }
     if (!compile(*builds)) return std::nullopt;
@@ -83,6 +94,10 @@ class Bench {
     if (options_.peers.peers.empty()) return true;
     const auto description = describe_to_peers(robot_, scene_, no_peers_);
     if (!description) return true;
+    if (truths_->lacks_held_states()) {
+      no_peers_ = "no state was found that keeps the constraints";
+      return true;
+    }
     const GeneratedFile urdf{"peers.urdf", print_plain_urdf(robot_, scene_)};
     const auto folder = work_ / "peers";
     if (!write_files(folder, {urdf}, diagnostics_)) return false;
@@ -91,7 +106,7 @@ class Bench {
            static_cast<int>(options_.peers.peers.size()));
       auto made =
           peer_contenders(peer, *description, folder / urdf.name, scene_, functions, timed_);
-      if (truths_->has_quaternions() && !made.contenders.empty()) {
+      if (truths_->has_quaternions() && !scene_.holds_rows() && !made.contenders.empty()) {
         made.peer.remarks.emplace_back("is compared where quaternions have unit length in double");
       }
       peers_.push_back(std::move(made.peer));
@@ -118,13 +133,10 @@ class Bench {
 
   BenchFunction measure_function(const GeneratedFunction& function, std::size_t i) const {
     BenchFunction made{function.function, {}, 0, 0};
-    for (const StateReference& reference : truths_->in_float()) {
+    for (const StateReference& reference : truths_->timed()) {
       ++(is_comparable(reference.functions[i]) ? made.states : made.singular);
     }
-    std::vector<std::size_t> ends;
-    for (const Result& result : function.program.results) {
-      ends.push_back((ends.empty() ? 0 : ends.back()) + result.values.size());
-    }
+    const std::vector<std::size_t> ends = compared_ends(function);
     std::vector<TimedPass> passes;
     for (const Contender& contender : contenders_) {
       if (contender.variant.function != function.function) continue;

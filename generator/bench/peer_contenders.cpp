@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace treeline {
 namespace {
 
-constexpr std::size_t kMostInputs = 4;
+constexpr std::size_t kMostInputs = 6;
 using PeerInputs = std::array<const double*, kMostInputs>;
 
 /// Pointers to the inputs in the order of the generated contract, without external forces. Those
@@ -30,6 +31,12 @@ std::string beyond_peers(const Scene& scene, const GeneratedFunction& function) 
     return "external forces";
   }
   if (!scene.inputs.empty()) return "inputs";
+  if (function.function == Function::constrained_forward_dynamics) {
+    if (!scene.couplings.empty()) return "couplings";
+    const bool rolls = std::any_of(scene.loops.begin(), scene.loops.end(),
+                                   [](const SceneLoop& loop) { return loop.rolling.has_value(); });
+    if (rolls) return "what rolls";
+  }
   if (function.function == Function::inverse_dynamics_regressor &&
       scene.regressor != SceneRegressor{}) {
     return "columns other than the parameters of all links";

@@ -46,6 +46,9 @@ std::string print_function(const BenchFunction& function) {
   if (!function.rows.front().variant.method.empty()) {
     title += fmt::format(", {}", function.rows.front().variant.method);
   }
+  if (function.function == Function::constrained_forward_dynamics) {
+    title += "; double at states that keep the constraints, compared by qdd";
+  }
   if (function.singular > 0) {
     title += fmt::format("; {} of {} states left out, singular in float", function.singular,
                          function.singular + function.states);

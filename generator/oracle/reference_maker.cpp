@@ -48,11 +48,15 @@ ReferenceMaker::ReferenceMaker(const Robot& robot, const Scene& scene, const Gen
 }
 
 StateReference ReferenceMaker::make(int index) const {
-  return make(index, Digits::fifty);
+  return make(draw_state(space_, index));
+}
+
+StateReference ReferenceMaker::make(State state) const {
+  return make(std::move(state), Digits::fifty);
 }
 
 StateReference ReferenceMaker::estimate(int index) const {
-  return make(index, Digits::in_real);
+  return make(draw_state(space_, index), Digits::in_real);
 }
 
 void ReferenceMaker::complete(std::size_t i, const State& state,
@@ -76,8 +80,8 @@ bool ReferenceMaker::shares_reference(std::size_t i) const {
          key_of(functions_[i].chosen.route) == key_of(plain.chosen.route);
 }
 
-StateReference ReferenceMaker::make(int index, Digits digits) const {
-  StateReference made{draw_state(space_, index), {}};
+StateReference ReferenceMaker::make(State state, Digits digits) const {
+  StateReference made{std::move(state), {}};
   const SubjectAt subject(space_.subject, made.state);
   const ResultSizes sizes(*subject, made.state);
   for (std::size_t i = 0; i < functions_.size(); ++i) {

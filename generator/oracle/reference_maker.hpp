@@ -24,6 +24,8 @@ class ReferenceMaker {
   [[nodiscard]] const std::vector<GeneratedFunction>& functions() const { return functions_; }
   /// Makes state `index` with all its references.
   [[nodiscard]] StateReference make(int index) const;
+  /// Makes the references of a state from elsewhere, which has every argument of the functions.
+  [[nodiscard]] StateReference make(State state) const;
   /// Makes state `index` without the 50 digits, in a small part of the time: `high` and the sizes
   /// come from the interpreter in Real, and `interpreter_error` is unknown.
   [[nodiscard]] StateReference estimate(int index) const;
@@ -33,7 +35,7 @@ class ReferenceMaker {
  private:
   enum class Digits { in_real, fifty };
 
-  [[nodiscard]] StateReference make(int index, Digits digits) const;
+  [[nodiscard]] StateReference make(State state, Digits digits) const;
   [[nodiscard]] bool shares_reference(std::size_t i) const;
   void compose_graph(StateReference& made) const;
   [[nodiscard]] FunctionReference interpret_at(std::size_t i, const State& state,

@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "check/fixture.hpp"
+#include "oracle/entries.hpp"
 
 // States in which variants are measured. Would catch: quaternions that all have unit length, or
-// none of which has, peers that are measured with quaternions of another length, and numbers that
-// float cannot hold.
+// none of which has, peers that are measured with quaternions of another length, numbers that float
+// cannot hold, and constraints that states of double do not keep.
 
 namespace treeline::tests {
 namespace {
@@ -62,6 +63,43 @@ TEST(BenchTruths, AreTheSameForAllWithoutAQuaternion) {
   EXPECT_FALSE(truths.has_quaternions());
   const Variant peer{Function::gravity, VariantGroup::peer, "peer", Real::float64};
   EXPECT_EQ(&truths.of(peer), &truths.in_float());
+}
+
+/// Largest velocity of a row that the scene holds.
+double largest_slip(const Subjects& subjects, const StateReference& reference) {
+  const auto subject = make_subject<double>(subjects.robot, subjects.scene);
+  const auto J = interpreter::jacobian<double>(subject.model, subject.constraints,
+                                               vector_of<double>(reference.state.q));
+  return (J * vector_of<double>(reference.state.qd)).cwiseAbs().maxCoeff();
+}
+
+TEST(BenchTruths, OfDoubleKeepConstraints) {
+  const Subjects subjects = load_unmade("humanoid24", "scene_stand.yaml");
+  BenchOptions options;
+  options.states = 6;
+  const BenchTruths truths(subjects.robot, subjects.scene, {}, options);
+  EXPECT_FALSE(truths.lacks_held_states());
+  const Variant in_double{Function::gravity, VariantGroup::emitted, "double", Real::float64};
+  EXPECT_EQ(&truths.timed(), &truths.of(in_double));
+  const Variant peer{Function::gravity, VariantGroup::peer, "peer", Real::float64};
+  EXPECT_EQ(count_lengths(truths.of(peer)), std::pair(6, 0));
+  EXPECT_EQ(count_lengths(truths.timed()), std::pair(6, 0));
+  for (const StateReference& held : truths.timed()) EXPECT_LT(largest_slip(subjects, held), 1e-14);
+  for (const StateReference& free : truths.in_float()) EXPECT_GT(largest_slip(subjects, free), 0.1);
+}
+
+TEST(BenchTruths, SayWhereNothingKeepsConstraints) {
+  Subjects subjects = load_unmade("planar3r", "scene.yaml");
+  SceneLoop loop;
+  loop.first = {"far", subjects.robot.links.back().name, {{100, 0, 0}, {}}, Axes::local};
+  loop.second = {"far", subjects.robot.links.front().name, {}, Axes::local};
+  loop.first.rows = loop.second.rows = {true, true, false, false, false, false};
+  subjects.scene.loops = {loop};
+  BenchOptions options;
+  options.states = 2;
+  const BenchTruths truths(subjects.robot, subjects.scene, {}, options);
+  EXPECT_TRUE(truths.lacks_held_states());
+  EXPECT_EQ(&truths.timed(), &truths.in_float());
 }
 
 }  // namespace

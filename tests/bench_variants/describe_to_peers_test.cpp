@@ -77,6 +77,46 @@ TEST(DescribeToPeers, NamesTheLinkOfEachVelocity) {
   EXPECT_TRUE(parse_urdf(print_plain_urdf(*robot, scene), "plain.urdf", diagnostics));
 }
 
+TEST(DescribeToPeers, NamesWhatIsHeld) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(R"(<robot name="two">
+      <link name="a"/><link name="b"/><link name="c"/>
+      <joint name="first" type="continuous">
+        <parent link="a"/><child link="b"/><axis xyz="0 1 0"/>
+      </joint>
+      <joint name="second" type="continuous">
+        <parent link="a"/><child link="c"/><axis xyz="0 1 0"/>
+      </joint></robot>)",
+                                "two.urdf", diagnostics);
+  ASSERT_TRUE(robot);
+  const auto scene = parse_scene(R"(
+constraints:
+  - {name: closing, between: [b, c], origin: {xyz: [1, 0, 0]}, other_origin: {xyz: [0, 0, 2]}, rows: [x, z]}
+  - {name: foot, between: [c, world], rows: [z, ry], axes: local}
+functions: [constraint_jacobian]
+)",
+                                 "scene.yaml", *robot, diagnostics);
+  ASSERT_TRUE(scene);
+  std::string why_not;
+  const auto description = describe_to_peers(*robot, *scene, why_not);
+  ASSERT_TRUE(description);
+  ASSERT_EQ(description->constraints.size(), 2U);
+  const PeerConstraint& foot = description->constraints[0];
+  EXPECT_EQ(foot.name, "foot");
+  EXPECT_EQ(foot.frame.link, "c");
+  EXPECT_EQ(foot.frame.rows, (std::array{false, false, true, false, true, false}));
+  EXPECT_FALSE(foot.frame.world_axes);
+  EXPECT_FALSE(foot.other);
+  const PeerConstraint& closing = description->constraints[1];
+  EXPECT_EQ(closing.name, "closing");
+  EXPECT_EQ(closing.frame.link, "b");
+  EXPECT_EQ(closing.frame.p, (std::array<double, 3>{1, 0, 0}));
+  EXPECT_EQ(closing.frame.rows, (std::array{true, false, true, false, false, false}));
+  ASSERT_TRUE(closing.other);
+  EXPECT_EQ(closing.other->link, "c");
+  EXPECT_EQ(closing.other->p, (std::array<double, 3>{0, 0, 2}));
+}
+
 std::string refusal(RandomOptions options) {
   const RandomMechanism drawn = random_mechanism(1, options);
   std::string why_not;

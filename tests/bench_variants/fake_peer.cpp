@@ -2,6 +2,7 @@
 //   mass_matrix       relative error of 1e-9; twice as large before it is finished
 //   forward_dynamics  right, by two routes
 //   inverse_dynamics  zero
+//   constrained_forward_dynamics  zero, and a force that is none
 // The inertia about the joint is 2, the moment of weight about it is 1.5 g sin(q).
 #include <cmath>
 #include <fstream>
@@ -33,6 +34,11 @@ void inverse_dynamics(void*, const double* const*, double* out) {
   out[0] = 0;
 }
 
+void constrained_forward_dynamics(void*, const double* const*, double* out) {
+  out[0] = 0;
+  out[1] = 1e9;
+}
+
 Opened open(const Robot& robot, const Tell& tell) {
   if (robot.floating) {
     tell("has no floating base");
@@ -40,13 +46,20 @@ Opened open(const Robot& robot, const Tell& tell) {
   }
   if (!std::ifstream(robot.urdf)) throw std::runtime_error("cannot read the robot");
   tell("moves " + std::string(robot.links[0]) + " alone");
+  for (int i = 0; i < robot.constraint_count; ++i) {
+    const Constraint& held = robot.constraints[i];
+    const std::string other = held.other.link == nullptr ? "the world" : held.other.link;
+    tell("holds " + std::string(held.name) + " between " + held.frame.link + " and " + other);
+  }
   Opened opened;
   auto& pendulum = opened.keep<Pendulum>();
   pendulum.g = -robot.gravity[2];
-  opened.routines = {{"inverse_dynamics", "", &pendulum, inverse_dynamics, nullptr},
-                     {"mass_matrix", "", &pendulum, mass_matrix, halve},
-                     {"forward_dynamics", "first", &pendulum, forward_dynamics, nullptr},
-                     {"forward_dynamics", "second", &pendulum, forward_dynamics, nullptr}};
+  opened.routines = {
+      {"inverse_dynamics", "", &pendulum, inverse_dynamics, nullptr},
+      {"mass_matrix", "", &pendulum, mass_matrix, halve},
+      {"forward_dynamics", "first", &pendulum, forward_dynamics, nullptr},
+      {"forward_dynamics", "second", &pendulum, forward_dynamics, nullptr},
+      {"constrained_forward_dynamics", "", &pendulum, constrained_forward_dynamics, nullptr}};
   return opened;
 }
 

@@ -14,7 +14,8 @@
 
 // A module whose results are known is loaded and measured. Would catch: a peer that gets another
 // one's time or error, a peer that is listed although it computes something else, a call into a
-// module of another version, and a limitation of a peer that is not reported.
+// module of another version, a limitation of a peer that is not reported, and rows held on another
+// link.
 
 namespace treeline::tests {
 namespace {
@@ -144,6 +145,29 @@ TEST(Peers, AreMeasuredBesideOurs) {
   expect_marks(*report);
 }
 
+// A pendulum whose end is held does not move, whatever forces hold it.
+TEST(Peers, AreComparedByTheMotionWhereRowsAreHeld) {
+  const auto report = bench_pendulum(
+      "constraints: [{name: end, between: [arm, world], origin: {xyz: [0, 0, -1]}, rows: [x, z]}]\n"
+      "functions: [constrained_forward_dynamics]\n");
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->peers.at(0).remarks,
+            (std::vector<std::string>{"moves arm alone", "holds end between arm and the world"}));
+  const auto rows = peer_rows(find(*report, Function::constrained_forward_dynamics));
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_LT(rows[0]->norm.worst, 1e-14);
+  EXPECT_NE(print_table(*report).find("compared by qdd"), std::string::npos);
+}
+
+TEST(Peers, AreNotAskedToHoldWhatTheyCannot) {
+  const auto report = bench_pendulum(
+      "couplings: [{name: brake, joints: {hinge: 1}}]\n"
+      "functions: [constrained_forward_dynamics]\n");
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->peers.at(0).remarks.back(),
+            "is not asked for constrained_forward_dynamics with couplings");
+}
+
 TEST(Peers, SayWhatTheyCannotDo) {
   const auto report = bench_pendulum("base: floating\nfunctions: [gravity]\n");
   ASSERT_TRUE(report);
@@ -169,7 +193,7 @@ std::string fault_of(const std::filesystem::path& module) {
 
 TEST(LoadPeer, RefusesWhatIsNone) {
   EXPECT_EQ(fault_of(TREELINE_LATER_PEER),
-            "is of version 2 of the interface, this program of version 1");
+            "is of version 3 of the interface, this program of version 2");
   EXPECT_EQ(fault_of(TREELINE_NO_PEER), "is no module of a peer: it has no symbol treeline_peer");
   const TemporaryFolder work;
   const auto broken = work.path() / "broken.so";

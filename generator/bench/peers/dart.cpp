@@ -1,51 +1,23 @@
-// DART: inverse and forward dynamics, nonlinear effects, and the mass matrix. Compiled without
+// DART: inverse and forward dynamics, nonlinear effects, the mass matrix, and steps with rows held.
+// Compiled without
 // -march=native, because Eigen's alignment would differ from that of Debian's library.
 #include <tinyxml2.h>
 
 #include <dart/config.hpp>
 #include <dart/dynamics/BodyNode.hpp>
-#include <dart/dynamics/FreeJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/utils/urdf/DartLoader.hpp>
 #include <iostream>
 
+#include "bench/peers/dart_solver.hpp"
+#include "bench/peers/dart_step.hpp"
 #include "bench/peers/make_peer.hpp"
 
 namespace treeline::peer {
 namespace {
 
 namespace dynamics = dart::dynamics;
-
-struct Solver {
-  dynamics::SkeletonPtr skeleton;
-  std::vector<Eigen::Index> place;  ///< index in DART's velocities, by entry of our qd
-  bool floating = false;
-  Eigen::VectorXd q, x;
-
-  /// Converts a free joint's position. DART has the logarithm of the rotation followed by the
-  /// position, we have position and quaternion.
-  void load_position(const double* from) {
-    std::size_t at = 0;
-    if (floating) {
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.linear() = Eigen::Quaterniond(from[6], from[3], from[4], from[5]).toRotationMatrix();
-      pose.translation() << from[0], from[1], from[2];
-      q.head<6>() = dynamics::FreeJoint::convertToPositions(pose);
-      at = 6;
-    }
-    const std::size_t extra = floating ? 1 : 0;
-    for (; at < place.size(); ++at) q(place[at]) = from[at + extra];
-    skeleton->setPositions(q);
-  }
-  const Eigen::VectorXd& ordered(const double* from) {
-    for (std::size_t i = 0; i < place.size(); ++i) x(place[i]) = from[i];
-    return x;
-  }
-  void store(const Eigen::VectorXd& from, double* to) const {
-    for (std::size_t i = 0; i < place.size(); ++i) to[i] = from(place[i]);
-  }
-};
 
 void inverse_dynamics(void* self, const double* const* in, double* out) {
   auto& s = *static_cast<Solver*>(self);
@@ -148,6 +120,7 @@ Opened open(const Robot& robot, const Tell& tell) {
                      {"nonlinear_effects", "", &s, nonlinear_effects, nullptr},
                      {"forward_dynamics", "", &s, forward_dynamics, nullptr},
                      {"mass_matrix", "", &s, mass_matrix, nullptr}};
+  if (robot.constraint_count > 0) add_held_step(robot, tell, s, opened);
   return opened;
 }
 

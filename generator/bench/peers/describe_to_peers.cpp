@@ -50,6 +50,15 @@ std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene
   for (const ScenePoint& point : scene.operational_points) {
     description.points.push_back(point_of(point));
   }
+  for (const ScenePoint& held : scene.constraints) {
+    description.constraints.push_back({held.name, point_of(held), std::nullopt});
+  }
+  for (const SceneLoop& loop : scene.loops) {
+    if (loop.rolling) continue;
+    PeerPoint frame = point_of(loop.first);
+    frame.rows = loop.second.rows;
+    description.constraints.push_back({loop.first.name, frame, point_of(loop.second)});
+  }
   return description;
 }
 

@@ -10,7 +10,7 @@
 
 namespace treeline {
 
-/// An operational point, see `peer::Point`.
+/// A frame of a link, see `peer::Point`.
 struct PeerPoint {
   std::string link;
   std::array<double, 9> R{};
@@ -19,12 +19,20 @@ struct PeerPoint {
   bool world_axes = true;
 };
 
+/// Rows that are held, see `peer::Constraint`.
+struct PeerConstraint {
+  std::string name;
+  PeerPoint frame;
+  std::optional<PeerPoint> other;  ///< absent: the world
+};
+
 /// Description of a robot in a scene for peers, in addition to its URDF; see `peer::Robot`.
 struct PeerDescription {
   bool floating = false;
   std::array<double, 3> gravity{};
-  std::vector<std::string> links;  ///< the link that each entry of qd moves
-  std::vector<PeerPoint> points;   ///< operational points
+  std::vector<std::string> links;                ///< the link that each entry of qd moves
+  std::vector<PeerPoint> points;                 ///< operational points
+  std::vector<PeerConstraint> constraints = {};  ///< without couplings and what rolls
 };
 
 /// Makes the description. Returns nothing for a robot that peers cannot handle; `why_not` receives

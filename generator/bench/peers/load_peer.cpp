@@ -36,6 +36,12 @@ peer::Point point_of(const PeerPoint& from) {
   return point;
 }
 
+peer::Constraint constraint_of(const PeerConstraint& from) {
+  peer::Constraint constraint{from.name.c_str(), point_of(from.frame), {}};
+  if (from.other) constraint.other = point_of(*from.other);
+  return constraint;
+}
+
 }  // namespace
 
 std::optional<LoadedPeer> load_peer(const std::filesystem::path& path, Diagnostics& diagnostics) {
@@ -69,12 +75,17 @@ OpenedPeer open_peer(const LoadedPeer& peer, const std::filesystem::path& urdf,
   for (const std::string& link : description.links) links.push_back(link.c_str());
   std::vector<peer::Point> points;
   for (const PeerPoint& point : description.points) points.push_back(point_of(point));
+  std::vector<peer::Constraint> constraints;
+  for (const PeerConstraint& each : description.constraints) {
+    constraints.push_back(constraint_of(each));
+  }
   const std::string file = urdf.string();
   const auto& g = description.gravity;
   const peer::Robot robot{file.c_str(),       description.floating,
                           {g[0], g[1], g[2]}, static_cast<int>(links.size()),
                           links.data(),       static_cast<int>(points.size()),
-                          points.data()};
+                          points.data(),      static_cast<int>(constraints.size()),
+                          constraints.data()};
   OpenedPeer made;
   const auto listen = [](void* listener, const char* sentence) {
     static_cast<OpenedPeer*>(listener)->sentences.emplace_back(sentence);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <exception>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -27,6 +29,20 @@ struct Opened {
 };
 
 using Tell = std::function<void(const std::string& sentence)>;
+
+/// Whether rotation is held. Libraries hold the three rows of a point or all six of a frame: says
+/// so where the scene holds fewer.
+inline bool holds_turns(const Constraint& constraint, const Tell& tell) {
+  const auto& rows = constraint.frame.rows;
+  const bool turns = rows[3] || rows[4] || rows[5];
+  const auto held = std::count(std::begin(rows), std::end(rows), true);
+  const int all = turns ? 6 : 3;
+  if (held < all) {
+    tell("holds " + std::to_string(all) + " rows of " + constraint.name +
+         ", where the scene holds " + std::to_string(held));
+  }
+  return turns;
+}
 
 /// Makes a peer from the function that reads a robot. A robot that it cannot handle has no
 /// routines. Exceptions of the library become remarks.

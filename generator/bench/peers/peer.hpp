@@ -7,7 +7,7 @@
 namespace treeline::peer {
 
 /// Version of this interface. Changes with anything below.
-inline constexpr int kVersion = 1;
+inline constexpr int kVersion = 2;
 
 /// A frame fixed to a link: an operational point.
 struct Point {
@@ -16,6 +16,15 @@ struct Point {
   double p[3];      ///< its origin in the link's frame, m
   bool rows[6];     ///< which of x y z rx ry rz are controlled
   bool world_axes;  ///< false: the frame's own axes
+};
+
+/// Rows of a frame that are held, see `SceneLoop` and `Scene::constraints`.
+struct Constraint {
+  const char* name;
+  Point frame;  ///< `rows`: which are held, along the axes of the frame or of the world
+  /// The frame relative to which they are held, and along whose axes. Its link is null if it is the
+  /// world, where the frame is held wherever it is.
+  Point other;
 };
 
 /// A robot and the properties of its scene.
@@ -29,11 +38,14 @@ struct Robot {
   const char* const* links;  ///< the link that each entry of qd moves
   int point_count;
   const Point* points;
+  int constraint_count;
+  const Constraint* constraints;
 };
 
 /// Calls a function once. The inputs are in the order of the generated contract (q for matrices and
 /// gravity, q qd, q qd qdd, q qd tau, q qd qdd_0 xdd_cmd). The results follow each other, in the
-/// project's order of joints and axes, matrices row-major.
+/// project's order of joints and axes, matrices row-major. `constrained_forward_dynamics` is called
+/// at states that keep the constraints, without stabilisation, and gives its first result alone.
 using Call = void (*)(void* solver, const double* const* inputs, double* output);
 
 /// Converts an output into that order if the library's own form is different but equally useful

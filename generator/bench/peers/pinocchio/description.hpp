@@ -1,16 +1,24 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace treeline::peer::pin {
 
-/// A frame fixed to a link. All six of its rows are controlled, in world axes.
+/// A frame fixed to a link. Of an operational point all six rows are controlled, in world axes.
 struct Point {
   std::string link;
   std::array<double, 9> R{};  ///< in the link's frame, row-major
   std::array<double, 3> p{};
+};
+
+/// A frame that is held relative to another one, or to the world.
+struct Held {
+  Point first;
+  std::optional<Point> second;
+  bool turns = false;  ///< rotation is held, too
 };
 
 /// Everything that Pinocchio needs to know about a robot.
@@ -20,6 +28,7 @@ struct Description {
   std::vector<std::string> links;  ///< the link that each entry of qd moves
   std::array<double, 3> gravity{};
   std::vector<Point> points;
+  std::vector<Held> held = {};
 };
 
 }  // namespace treeline::peer::pin

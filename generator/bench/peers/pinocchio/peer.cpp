@@ -1,5 +1,5 @@
 // Pinocchio: recursive Newton-Euler, articulated bodies, M, M^-1, derivatives, the regressor,
-// momentum about the centre of mass, and every route to J M^-1 J^T.
+// momentum about the centre of mass, every route to J M^-1 J^T, and motion with rows held.
 #include <pinocchio/config.hpp>
 
 #include "bench/peers/make_peer.hpp"
@@ -75,17 +75,27 @@ void finish_centroidal_map(void* solver, double* out) {
   }
 }
 
+Point frame_of(const peer::Point& point) {
+  Point described{point.link, {}, {}};
+  std::copy_n(point.R, 9, described.R.begin());
+  std::copy_n(point.p, 3, described.p.begin());
+  return described;
+}
+
 /// Describes a point. Returns false if it has other rows or axes than the routes support.
 bool describe(const peer::Point& point, std::vector<Point>& points) {
   if (!point.world_axes) return false;
   if (std::find(std::begin(point.rows), std::end(point.rows), false) != std::end(point.rows)) {
     return false;
   }
-  Point described{point.link, {}, {}};
-  std::copy_n(point.R, 9, described.R.begin());
-  std::copy_n(point.p, 3, described.p.begin());
-  points.push_back(described);
+  points.push_back(frame_of(point));
   return true;
+}
+
+Held describe(const peer::Constraint& constraint, const Tell& tell) {
+  Held described{frame_of(constraint.frame), std::nullopt, holds_turns(constraint, tell)};
+  if (constraint.other.link != nullptr) described.second = frame_of(constraint.other);
+  return described;
 }
 
 Description describe(const Robot& robot, const Tell& tell) {
@@ -100,6 +110,9 @@ Description describe(const Robot& robot, const Tell& tell) {
     tell("is asked for points whose rows are all controlled, in the world's axes, only");
     description.points.clear();
     break;
+  }
+  for (int i = 0; i < robot.constraint_count; ++i) {
+    description.held.push_back(describe(robot.constraints[i], tell));
   }
   return description;
 }
@@ -133,8 +146,23 @@ void add_operational_space(Solver<double>& s, void* contacts, std::vector<Routin
   routines.insert(routines.end(), std::begin(all), std::end(all));
 }
 
+/// Where rows depend on each other, the plain solve divides by what vanishes. Pinocchio's header
+/// advises this mu there.
+void add_constrained_dynamics(const Solver<double>& s, const std::vector<Held>& held,
+                              Opened& opened) {
+  const std::pair<const char*, ProximalWay> ways[] = {
+      {"constraintDynamics", {}},
+      {"constraintDynamics, mu 1e-12, at most 10 iterations", {1e-12, 1e-12, 10}}};
+  for (const auto& [route, way] : ways) {
+    opened.solvers.push_back(make_constraint_solver(s, held, way));
+    opened.routines.push_back({"constrained_forward_dynamics", route, opened.solvers.back().get(),
+                               call_constrained_dynamics, nullptr});
+  }
+}
+
 Opened open(const Robot& robot, const Tell& tell) {
-  auto read = read_solver(describe(robot, tell));
+  const Description description = describe(robot, tell);
+  auto read = read_solver(description);
   if (!read) {
     tell("does not read the robot as it is described");
     return {};
@@ -142,6 +170,7 @@ Opened open(const Robot& robot, const Tell& tell) {
   Opened opened;
   auto& s = opened.keep<Solver<double>>(*std::move(read));
   add_dynamics(s, opened.routines);
+  if (!description.held.empty()) add_constrained_dynamics(s, description.held, opened);
   if (s.points.empty()) return opened;
   opened.solvers.push_back(make_contact_solver(s));
   add_operational_space(s, opened.solvers.back().get(), opened.routines);

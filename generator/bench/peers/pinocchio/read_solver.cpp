@@ -20,12 +20,9 @@ Model read_model(const Description& description) {
 
 pinocchio::FrameIndex add_point(const Point& point, Model& model) {
   const auto link = model.frames[model.getBodyId(point.link)];
-  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const pinocchio::SE3 on_link(Eigen::Map<const Rows>(point.R.data()),
-                               Eigen::Map<const Eigen::Vector3d>(point.p.data()));
   return model.addFrame(pinocchio::Frame("point_" + point.link, link.parentJoint,
-                                         model.getBodyId(point.link), link.placement * on_link,
-                                         pinocchio::OP_FRAME));
+                                         model.getBodyId(point.link),
+                                         link.placement * pose_of(point), pinocchio::OP_FRAME));
 }
 
 /// Returns the place of each of our velocities among Pinocchio's. Those of one joint are

@@ -4,6 +4,8 @@
 #include <pinocchio/multibody/model.hpp>
 #include <vector>
 
+#include "bench/peers/pinocchio/description.hpp"
+
 /// Pinocchio behind the plain calls of the benchmark. Templates on the scalar: `double` is timed,
 /// CppADCodeGen's scalar is recorded. Each algorithm has its own source file, because it costs a
 /// compiler half a minute and two gigabytes.
@@ -13,6 +15,13 @@ template <class Scalar>
 using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Pose of a frame in its link's.
+inline pinocchio::SE3 pose_of(const Point& point) {
+  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  return {Eigen::Map<const Rows>(point.R.data()),
+          Eigen::Map<const Eigen::Vector3d>(point.p.data())};
+}
 
 /// A model, and memory for everything that a call writes. No call allocates.
 template <class Scalar>
