@@ -65,6 +65,10 @@ std::string print_yields(const LinkLoops& loops, const Syntax& syntax) {
   return loops.yields.empty() ? std::string() : numbers(syntax, loops.yields);
 }
 
+std::size_t count_base_entries(const LinkTableData& table) {
+  return table.floats ? 36 : 1;
+}
+
 bool has_points(const LinkTableData& table) {
   return !table.points.empty();
 }

@@ -25,6 +25,9 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
 /// Borders of the pivots of rows that yield, with braces; empty where the function has no such law.
 std::string print_yields(const LinkLoops& loops, const Syntax& syntax);
 
+/// Entries of the factors of a floating base in the work space; without one an array of C has one.
+std::size_t count_base_entries(const LinkTableData& table);
+
 /// Functions of points have link frames of their own, placed around these.
 bool has_points(const LinkTableData& table);
 

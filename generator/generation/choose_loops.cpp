@@ -43,10 +43,6 @@ double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
 
 }  // namespace
 
-bool prefers_loops(const Scene& scene) {
-  return scene.optimize == Optimize::size && scene.profile == Profile::plain;
-}
-
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                   GeneratedFunction& generated, Diagnostics& diagnostics) {
   TracedLoops traced =

@@ -7,10 +7,6 @@
 
 namespace treeline {
 
-/// Whether the code's size decides whether functions loop over a table of links: `optimize: size`
-/// in `profile: plain`.
-bool prefers_loops(const Scene& scene);
-
 /// Makes a function that was generated as straight lines one that loops over a table of links, if
 /// it has this form and its code is estimated to be smaller so; with `always` whether it is or not.
 /// Its program is as traced, see `trace_loops`. A note says what kept a function with this form

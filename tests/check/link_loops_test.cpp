@@ -5,8 +5,8 @@
 // Functions that loop over a table of links, from the file to the compiled code, against 50 digits
 // and against their own bounds. Would catch: a recursion that is wrong for a kind of joint, for
 // rotors, for branches of the tree or for rows of some axes; a table in another order than the
-// headers read it; a law of rows that yield with other borders than the oracle's; C that is not
-// what the headers of C++ say.
+// headers read it; a law of rows that yield with other borders than the oracle's; C, or code by
+// rules for safe code, that is not what the headers of C++ say.
 
 namespace treeline::tests {
 namespace {
@@ -17,11 +17,9 @@ const std::vector<Function> kDynamics = {Function::inverse_dynamics, Function::g
 const std::vector<Function> kOfPoints = {Function::lambda_inverse, Function::lambda,
                                          Function::control_torque};
 
-/// The robot with these functions, all as loops.
-Subjects as_loops(Subjects subjects, Real real, std::vector<Function> functions,
-                  Language language) {
+/// The robot with these functions, all as loops, in the language and profile of its scene.
+Subjects as_loops(Subjects subjects, Real real, std::vector<Function> functions) {
   subjects.scene.optimize = Optimize::size;
-  subjects.scene.language = language;
   subjects.scene.real = real;
   subjects.scene.lanes = 1;
   subjects.scene.damped.reset();
@@ -45,9 +43,8 @@ std::vector<Function> all_with_form() {
   return functions;
 }
 
-void expect_right_in(Language language, const Subjects& unmade, Real real,
-                     const std::vector<Function>& of) {
-  const Subjects subjects = as_loops(unmade, real, of, language);
+void expect_right_in(const Subjects& unmade, Real real, const std::vector<Function>& of) {
+  const Subjects subjects = as_loops(unmade, real, of);
   for (const GeneratedFunction& generated : subjects.generation.functions) {
     EXPECT_TRUE(generated.program.loops) << generated.program.name;
   }
@@ -63,11 +60,18 @@ void expect_right_in(Language language, const Subjects& unmade, Real real,
 }
 
 /// In both languages, whose loops are held to the bits of one graph.
-void expect_right(const Subjects& unmade, Real real, const std::vector<Function>& of) {
+void expect_right(Subjects unmade, Real real, const std::vector<Function>& of) {
   for (const Language language : {Language::cpp, Language::c}) {
     SCOPED_TRACE(language == Language::c ? "C" : "C++");
-    expect_right_in(language, unmade, real, of);
+    unmade.scene.language = language;
+    expect_right_in(unmade, real, of);
   }
+}
+
+/// Of `profile: misra`, which may not have other bits either.
+void expect_safe(Subjects unmade, Real real) {
+  unmade.scene.profile = Profile::misra;
+  expect_right(std::move(unmade), real, all_with_form());
 }
 
 Subjects read(const std::string& urdf, const std::string& scene_text) {
@@ -87,6 +91,10 @@ TEST(LinkLoopsCheck, HumanoidThatFloatsInFloat) {
   expect_right(load_unmade("humanoid24", "scene_floating.yaml"), Real::float32, all_with_form());
 }
 
+TEST(LinkLoopsCheck, SafeCodeOfAHumanoidThatFloats) {
+  expect_safe(load_unmade("humanoid24", "scene_floating.yaml"), Real::float32);
+}
+
 TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
   auto subjects = load_unmade("samm", "scene.yaml");
   for (ScenePoint& point : subjects.scene.operational_points) {
@@ -100,6 +108,7 @@ TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
     if (joint.child % 2 == 0) subjects.scene.joint_springs[joint.name] = {40, 0.3};
   }
   expect_right(subjects, Real::float64, all_with_form());
+  expect_safe(subjects, Real::float64);
 }
 
 TEST(LinkLoopsCheck, GivenSinesAndPlainSolves) {

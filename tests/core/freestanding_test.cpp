@@ -132,7 +132,7 @@ void use_link_loops(Data& data) noexcept {
   static constexpr loops::LinkTable<Real, true, true, true> kTable = {
       kLinks, 3, 2, {0, 0, -10}, kPoint, 1, kRows, 2, kDrives};
   loops::MotionWork<Real, 3, 2> motions;
-  loops::InertiaWork<Real, 3, 2, true> inertias;
+  loops::InertiaWork<Real, 3, 2, 36> inertias;
   loops::RowWork<Real, 1, 2> rows;
   const loops::ComputedSines sines;
   const Real* const q = data.a9;

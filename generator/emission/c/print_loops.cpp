@@ -55,23 +55,26 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
                    0);
 }
 
-/// Sizes of arrays, and what the table has: constants in C, where C++ has parameters of templates.
-std::string print_sizes(const EmissionContext& context, std::span<const Program> programs) {
+/// The table that has what others have. `programs` have loops.
+const LinkTableData& find_largest(std::span<const Program> programs) {
   const LinkTableData* largest = nullptr;
   for (const Program& program : programs) {
     if (!program.loops) continue;
     const LinkTableData& table = program.loops->table;
     if (largest == nullptr || has_points(table)) largest = &table;
   }
+  return *largest;
+}
+
+/// Sizes of arrays: constants in C, where C++ has parameters of templates.
+std::string print_sizes(const EmissionContext& context, const LinkTableData& table) {
   const auto one_or = [](std::size_t count) { return std::max<std::size_t>(count, 1); };
   const std::pair<const char*, std::size_t> sizes[] = {
-      {"LINKS", largest->links.size()},
-      {"SLOTS", static_cast<std::size_t>(largest->slots)},
-      {"POINTS", one_or(largest->points.size())},
-      {"ROWS", one_or(largest->rows.size())},
-      {"FLOATS", largest->floats ? 1 : 0},
-      {"DRIVEN", largest->drives.empty() ? 0 : 1},
-      {"SLIDING", largest->sliding ? 1 : 0}};
+      {"LINKS", table.links.size()},
+      {"SLOTS", static_cast<std::size_t>(table.slots)},
+      {"POINTS", one_or(table.points.size())},
+      {"ROWS", one_or(table.rows.size())},
+      {"BASE_ENTRIES", count_base_entries(table)}};
   std::string text;
   for (const auto& [name, size] : sizes) {
     text += fmt::format("{}  {}_LOOPS_{} = {}", text.empty() ? "" : ",\n",
@@ -91,10 +94,9 @@ std::string print_opening(std::string_view header) {
     if (line.starts_with("#include \"core/") && file != line.npos) {
       line = "#include \"" + line.substr(15, file - 15) + ".h\"";
     }
-    const bool of_compiler =
-        line.starts_with("#if") || line.starts_with("#endif") || line.starts_with("#pragma GCC");
-    const bool doubled = line.empty() && text.ends_with("\n\n");
-    if (!of_compiler && !doubled) text += line + "\n";
+    // C++ has the types bool and nullptr without a header.
+    if (line == "#include <stdint.h>") text += "#include <stdbool.h>\n#include <stddef.h>\n";
+    text += line + "\n";
   }
   return text;
 }
@@ -151,7 +153,9 @@ std::string joined_loops(const EmissionContext& context, std::span<const Program
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
-  LoopTranslator translator(context, std::any_of(programs.begin(), programs.end(), takes_sines));
+  const LinkTableData& table = find_largest(programs);
+  LoopTranslator translator(context, {table.floats, table.sliding, !table.drives.empty()},
+                            std::any_of(programs.begin(), programs.end(), takes_sines));
   const std::pair<const char*, std::string_view> headers[] = {
       {"link_table.h", cpp::templates::kLinkTable},
       {"link_factors.h", cpp::templates::kLinkFactors},
@@ -162,10 +166,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   std::vector<GeneratedFile> files;
   for (const auto& [name, header] : headers) {
     std::string text = print_opening(header);
-    if (files.empty()) {
-      text +=
-          "#include <stdbool.h>\n#include <stddef.h>\n\n" + print_sizes(context, programs) + "\n";
-    }
+    if (files.empty()) text += print_sizes(context, table) + "\n";
     for (const LoopItem& item : parse_loops(header)) {
       const std::string translated = translator.translate(item);
       if (!translated.empty()) text += translated + "\n";

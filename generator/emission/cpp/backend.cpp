@@ -73,12 +73,12 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
       files.push_back(std::move(file));
     }
   }
+  for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   if (context.misra) return files;  // no library, no vectors
   files.insert(files.end(), {{context.name + "_calls.hpp", print_calls(context, programs)},
                              {context.name + "_eigen.hpp", print_eigen(context, programs)}});
   for (GeneratedFile& file : print_c_calls(context, programs, batch))
     files.push_back(std::move(file));
-  for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   if (!batch.empty()) {
     files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});
   }

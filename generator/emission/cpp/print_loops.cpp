@@ -29,17 +29,18 @@ std::string print_table(const LinkTableText& table) {
         "inline constexpr loops::LinkPoint<Real> kPoints[{0}] = {{\n{1}}};\n"
         "inline constexpr loops::PointRow kPointRows[{2}] = {{\n{3}}};\n",
         data.points.size(), table.points, data.rows.size(), table.rows);
-    points = fmt::format(", kPoints, {}, kPointRows, {}", data.points.size(), data.rows.size());
+    points =
+        fmt::format(", &kPoints[0], {}, &kPointRows[0], {}", data.points.size(), data.rows.size());
   }
   if (!data.drives.empty()) {
     text += fmt::format("inline constexpr loops::LinkDrive<Real> k{}Drives[{}] = {{\n{}}};\n",
                         prefix, links, table.drives);
-    points += fmt::format(", k{}Drives", prefix);
+    points += fmt::format(", &k{}Drives[0]", prefix);
   }
   const std::string head =
       fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> k{}Table", data.floats,
                   data.sliding, data.drives.empty() ? "" : ", true", prefix);
-  return text + wrap_line(fmt::format("{} = {{k{}Links, {}, {}, {}{}}};", head, prefix, links,
+  return text + wrap_line(fmt::format("{} = {{&k{}Links[0], {}, {}, {}{}}};", head, prefix, links,
                                       data.slots, table.gravity, points),
                           0);
 }
@@ -70,7 +71,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   text += fmt::format("  detail::loops::MotionWork<Real, {}, {}> motions;\n", links, table.slots);
   if (loops.uses_inertias) {
     text += fmt::format("  detail::loops::InertiaWork<Real, {}, {}, {}> inertias;\n", links,
-                        table.slots, table.floats);
+                        table.slots, count_base_entries(table));
     work += ", inertias";
   }
   if (loops.uses_rows) {
@@ -82,7 +83,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   const bool given = arguments.size() > 1 && arguments[1].name == "sin_q";
   std::string list = fmt::format("detail::k{}Table, ", prefix_of(table));
   if (loops.solves) {
-    list += loops.yields.empty() ? "static_cast<const Real*>(nullptr), " : "kYields, ";
+    list += loops.yields.empty() ? "static_cast<const Real*>(nullptr), " : "&kYields[0], ";
   }
   list += element(arguments[0]);
   list += given ? ", detail::loops::GivenSines<Real>{&sin_q[0], &cos_q[0]}"

@@ -1,6 +1,7 @@
 #include "recursion/routes/make_link_table.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "recursion/tree/tree.hpp"
 
@@ -17,7 +18,7 @@ loops::Turn<double> table_turn(const PlanarRotation<double>& r) {
 loops::Link<double> table_link(const TreeLink<double>& link) {
   const auto& [mass, h, Sigma, J] = link.inertia;
   loops::Link<double> row{};
-  row.parent = static_cast<short>(link.parent);
+  row.parent = static_cast<std::int16_t>(link.parent);
   row.slides = link.kind == JointKind::prismatic;
   row.a = table_turn(link.R.a);
   row.alpha = table_turn(link.R.alpha);
@@ -36,7 +37,7 @@ loops::Link<double> table_link(const TreeLink<double>& link) {
 
 loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
   loops::LinkPoint<double> row{};
-  row.link = static_cast<short>(point.link);
+  row.link = static_cast<std::int16_t>(point.link);
   row.world = point.axes == Axes::world;
   const Matrix3<double> axes = transposed(point.R);
   const Vector3<double> each[3] = {axes.row_x, axes.row_y, axes.row_z};
@@ -50,10 +51,10 @@ loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
   return row;
 }
 
-void append_rows(const TreePoint<double>& point, short index, LinkTableData& table) {
-  for (short k = 0; k < 6; ++k) {
+void append_rows(const TreePoint<double>& point, std::int16_t index, LinkTableData& table) {
+  for (std::int16_t k = 0; k < 6; ++k) {
     if (!point.rows[static_cast<std::size_t>(k)]) continue;
-    table.rows.push_back({index, static_cast<short>(k % 3), k >= 3});
+    table.rows.push_back({index, static_cast<std::int16_t>(k % 3), k >= 3});
   }
 }
 
@@ -67,7 +68,7 @@ void number_slots(LinkTableData& table) {
     if (link.parent < 0) continue;
     const auto parent = static_cast<std::size_t>(link.parent);
     const int slot = table.links[parent].slot + (children[parent] > 1 ? 1 : 0);
-    link.slot = static_cast<short>(slot);
+    link.slot = static_cast<std::int16_t>(slot);
     table.slots = std::max(table.slots, slot + 1);
   }
 }
@@ -99,7 +100,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   add_drives(tree, table);
   if (!with_points) return table;
   for (const TreePoint<double>& point : tree.operational_points) {
-    append_rows(point, static_cast<short>(table.points.size()), table);
+    append_rows(point, static_cast<std::int16_t>(table.points.size()), table);
     table.points.push_back(table_point(point));
   }
   return table;

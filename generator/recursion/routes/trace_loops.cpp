@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "program/link_loops.hpp"
@@ -115,7 +116,7 @@ struct LoopTrace {
     std::vector<loops::LinkAxes<Number>> link_axes;
     std::vector<loops::LinkMotion<Number>> point_motions;
     std::vector<loops::Spatial<Number>> forces;
-    std::vector<short> links;
+    std::vector<std::int16_t> links;
     std::vector<Number> errors, Lambda_inv;
   };
 
