@@ -122,7 +122,8 @@ function(treeline_generate target)
     list(APPEND sources prefetch)
   endif()
   if(ending STREQUAL "c")
-    list(APPEND sources damped_control_torque limited_control_torque)  # in C++ headers
+    list(APPEND sources damped_control_torque limited_control_torque
+      batch_limited_control_torque)  # in C++ headers
   else()
     list(APPEND sources c_calls)
   endif()
