@@ -28,11 +28,10 @@ std::string numbers(const Syntax& syntax, std::span<const double> values) {
 
 std::string print_link(const Syntax& syntax, const Link<double>& of) {
   const double turns[3][2] = {{of.a.c, of.a.s}, {of.alpha.c, of.alpha.s}, {of.b.c, of.b.s}};
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", of.parent, of.slot,
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", of.parent, of.slot,
                      of.slides, numbers(syntax, turns[0]), numbers(syntax, turns[1]),
-                     numbers(syntax, turns[2]), numbers(syntax, of.p), number(syntax, of.offset),
-                     number(syntax, of.rotor), number(syntax, of.mass), numbers(syntax, of.h),
-                     numbers(syntax, of.J));
+                     numbers(syntax, turns[2]), numbers(syntax, of.p), number(syntax, of.rotor),
+                     number(syntax, of.mass), numbers(syntax, of.h), numbers(syntax, of.J));
 }
 
 std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
@@ -41,7 +40,7 @@ std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
 }
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
-  LinkTableText text{&table, {}, {}, {}, {}, numbers(syntax, table.gravity)};
+  LinkTableText text{&table, {}, {}, {}, {}, {}, numbers(syntax, table.gravity)};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -55,6 +54,10 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
   for (const core::loops::LinkDrive<double>& drive : table.drives) {
     const double row[] = {drive.damping, drive.stiffness, drive.rest};
     text.drives += wrap_line(numbers(syntax, row) + ",", 4);
+  }
+  for (const core::loops::LinkFriction<double>& friction : table.frictions) {
+    const double row[] = {friction.force, friction.sharpness};
+    text.frictions += wrap_line(numbers(syntax, row) + ",", 4);
   }
   return text;
 }
@@ -82,7 +85,8 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
     bool is_new = true;
     for (const LinkTableText& other : tables) {
       const bool same = other.links == text.links && other.points == text.points &&
-                        other.rows == text.rows && other.drives == text.drives;
+                        other.rows == text.rows && other.drives == text.drives &&
+                        other.frictions == text.frictions;
       const bool alike = other.data->links.size() == text.data->links.size() &&
                          other.data->slots == text.data->slots &&
                          has_points(*other.data) != has_points(*text.data);

@@ -11,10 +11,10 @@
 namespace treeline {
 
 /// A table of links as initializers, which C and C++ write alike: the lists of its links, points,
-/// rows of points and drives without the braces around them, gravity with its braces.
+/// rows of points, drives and frictions without the braces around them, gravity with its braces.
 struct LinkTableText {
   const LinkTableData* data;
-  std::string links, points, rows, drives, gravity;
+  std::string links, points, rows, drives, frictions, gravity;
 };
 
 /// The tables of the functions that loop, each once: with and without points. Throws

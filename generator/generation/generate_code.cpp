@@ -357,7 +357,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (scene.controller) {
     if (tell) tell("the controller");
     context.controller = std::make_shared<const ControllerUnit>(
-        compose_controller(robot, scene, generation.mechanism));
+        compose_controller(robot, scene, generation.mechanism, diagnostics));
   }
   generation.files =
       emit(context, programs_of(generation.functions), diagnostics, programs_of(generation.batch));

@@ -19,12 +19,15 @@ struct LinkTableData {
   std::vector<std::string> names;  ///< of the links
   std::vector<core::loops::LinkPoint<double>> points;
   std::vector<core::loops::PointRow> rows;
-  std::vector<core::loops::LinkDrive<double>> drives;  ///< of all links, or none
+  // Of all links, or none.
+  std::vector<core::loops::LinkDrive<double>> drives;
+  std::vector<core::loops::LinkFriction<double>> frictions;
 };
 
-/// How a function is emitted that loops over a table of links: a call of the function of its name
-/// in `runtime/core/link_functions.hpp`, of which the program's graph is the trace.
+/// How a function is emitted that loops over a table of links: a call of `function` in
+/// `runtime/core/link_functions.hpp`, of which the program's graph is the trace.
 struct LinkLoops {
+  std::string function;
   LinkTableData table;
   bool uses_inertias = false, uses_rows = false;  ///< which work space it needs beside motions
   bool solves = false;                            ///< takes the law by which rows yield

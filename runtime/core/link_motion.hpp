@@ -3,6 +3,7 @@
 
 #include <stddef.h>
 
+#include "core/link_friction.hpp"
 #include "core/link_table.hpp"
 #include "core/sin_cos.hpp"
 
@@ -148,21 +149,20 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Motions&
       place_base(table, q, motions.base);
     } else {
       const int at = coordinate_at<Table>(i);
-      const Real moved = q[at] + link.offset;
-      pose.slide = moved;
+      pose.slide = q[at];
       if (slides(table, i)) {
         c = link.b.c;
         s = link.b.s;
       } else {
-        sines(at, moved, s, c);
+        sines(at, q[at], s, c);
         turn_plane(link.b, c, s);
       }
     }
   }
 }
 
-/// Outward pass: wrenches that move the links, and motions of the table's points. Without qd or qdd
-/// these are 0.
+/// Outward pass: wrenches that move the links, and motions of the table's points, where there is a
+/// place for these. Without qd or qdd these are 0.
 template <class Table, class Real, class Motions>
 void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& motions,
                 LinkMotion<Real>* point_motions) noexcept {
@@ -185,19 +185,28 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
     }
     find_wrench(link, motion, motions.wrenches[i]);
     for (int k = 0; k < table.point_count; ++k) {
-      if (table.points[k].link == i) {
+      if ((point_motions != nullptr) && (table.points[k].link == i)) {
         copy(motion, point_motions[k]);
       }
     }
   }
 }
 
-/// Adds what friction and the spring of a joint take.
+/// Adds what viscous friction and the spring of a joint take.
 template <class Table, class Real>
 void add_drive(const Table& table, int i, const Real& q, const Real& qd, Real& tau) noexcept {
   if (table.drives != nullptr) {
     const LinkDrive<Real>& drive = table.drives[i];
     tau = tau + (drive.damping * qd) + (drive.stiffness * (q - drive.rest));
+  }
+}
+
+/// Adds what the Coulomb friction of a joint takes.
+template <class Table, class Real>
+void add_friction(const Table& table, int i, const Real& qd, Real& tau) noexcept {
+  if (table.frictions != nullptr) {
+    const LinkFriction<Real>& friction = table.frictions[i];
+    tau = tau + (friction.force * friction_sign<Real>(friction.sharpness * qd));
   }
 }
 
@@ -221,6 +230,9 @@ void gather_forces(const Table& table, const Real* q, const Real* qd, const Real
       } else {
         static_cast<void>(q);
         static_cast<void>(qd);
+      }
+      if constexpr (Table::kRubbing) {
+        add_friction(table, i, entry(qd, at), tau[at]);
       }
       if (link.parent >= 0) {
         wrench_to_parent(table, i, motions.poses[i], wrench);

@@ -27,9 +27,8 @@ struct Link {
   Turn<Real> a;
   Turn<Real> alpha;
   Turn<Real> b;
-  Real p[3];    ///< in the parent's axes
-  Real offset;  ///< added to the coordinate
-  Real rotor;   ///< inertia that the joint alone feels
+  Real p[3];   ///< in the parent's axes
+  Real rotor;  ///< inertia that the joint alone feels
   Real mass;
   Real h[3];  ///< first moment
   Real J[6];  ///< rotational inertia about the frame's origin: xx xy xz yy yz zz
@@ -59,14 +58,23 @@ struct LinkDrive {
   Real rest;  ///< coordinate at which the spring is slack
 };
 
+/// Coulomb friction of a joint: `force` times the smooth sign of `sharpness` times the velocity.
+template <class Real>
+struct LinkFriction {
+  Real force;
+  Real sharpness;
+};
+
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
-/// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives.
-template <class Number, bool floats, bool sliding, bool driven = false>
+/// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
+/// `rubbing`: Coulomb friction.
+template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
   static constexpr bool kSliding = sliding;
   static constexpr bool kDriven = driven;
+  static constexpr bool kRubbing = rubbing;
 
   const Link<Real>* links;
   int count;
@@ -76,7 +84,9 @@ struct LinkTable {
   int point_count = 0;
   const PointRow* point_rows = nullptr;
   int rows = 0;
-  const LinkDrive<Real>* drives = nullptr;  ///< of all links; none: no joint has any
+  // Of all links; none: no joint has any.
+  const LinkDrive<Real>* drives = nullptr;
+  const LinkFriction<Real>* frictions = nullptr;
 };
 
 /// Where the joint of link `i` has its velocity.

@@ -105,17 +105,53 @@ TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
     if (!info_of(joint.type).has_one_freedom()) continue;
     subjects.scene.armature[joint.name] = 0.2;
     subjects.scene.joint_friction[joint.name].damping = 3;
+    if (joint.child % 3 == 0) subjects.scene.joint_friction[joint.name] = {1, 5, 0.05};
     if (joint.child % 2 == 0) subjects.scene.joint_springs[joint.name] = {40, 0.3};
   }
   expect_right(subjects, Real::float64, all_with_form());
   expect_safe(subjects, Real::float64);
 }
 
+TEST(LinkLoopsCheck, CoulombFrictionAlone) {
+  auto subjects = load_unmade("planar3r", "scene.yaml");
+  for (const Joint& joint : subjects.robot.joints) {
+    if (!info_of(joint.type).has_one_freedom()) continue;
+    subjects.scene.joint_friction[joint.name] = {0, 2, 0.1};
+  }
+  expect_right(subjects, Real::float32,
+               {Function::inverse_dynamics, Function::gravity, Function::forward_dynamics});
+}
+
+// Some angles of the humanoid have offsets.
 TEST(LinkLoopsCheck, GivenSinesAndPlainSolves) {
-  auto subjects = load_unmade("ur10e", "scene.yaml");
-  subjects.scene.sin_cos = Sines::given;
-  subjects.scene.singular = SingularTasks::exact;
-  expect_right(subjects, Real::float64, {Function::inverse_dynamics, Function::control_torque});
+  for (const char* robot : {"ur10e", "humanoid24"}) {
+    auto subjects = load_unmade(robot, "scene.yaml");
+    subjects.scene.sin_cos = Sines::given;
+    subjects.scene.singular = SingularTasks::exact;
+    const std::vector<Function> functions = {Function::inverse_dynamics, Function::control_torque};
+    for (const auto& each : as_loops(subjects, Real::float64, functions).generation.functions) {
+      EXPECT_EQ(each.program.arguments[1].name, "sin_q") << robot;
+      EXPECT_EQ(each.program.arguments[2].name, "cos_q") << robot;
+    }
+    expect_right(subjects, Real::float64, functions);
+  }
+}
+
+// Friction at the end of a step takes an argument that loops do not know.
+TEST(LinkLoopsCheck, ImplicitFrictionStaysAsLines) {
+  auto subjects = load_unmade("humanoid24", "scene.yaml");
+  subjects.scene.optimize = Optimize::size;
+  subjects.scene.damped.reset();
+  subjects.scene.functions = {Function::forward_dynamics};
+  subjects.scene.joint_friction["ankle"].damping = 2;
+  subjects.scene.implicit_friction = true;
+  Diagnostics diagnostics;
+  const auto generation = generate_code(subjects.robot, subjects.scene,
+                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
+  ASSERT_TRUE(generation);
+  EXPECT_FALSE(generation->functions.front().program.loops);
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_NE(diagnostics.list().front().fault.find("implicit"), std::string::npos);
 }
 
 TEST(LinkLoopsCheck, WhatTheTableCannotSayStaysAsLines) {

@@ -150,15 +150,16 @@ TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
   c::LoopTranslator translator(arm(), {}, false);
   constexpr std::string_view kFunction = ") noexcept {\n";
   for (const std::string_view header :
-       {cpp::templates::kLinkTable, cpp::templates::kLinkFactors, cpp::templates::kLinkMotion,
-        cpp::templates::kLinkInertia, cpp::templates::kLinkRows, cpp::templates::kLinkFunctions}) {
+       {cpp::templates::kLinkTable, cpp::templates::kLinkFactors, cpp::templates::kLinkFriction,
+        cpp::templates::kLinkMotion, cpp::templates::kLinkInertia, cpp::templates::kLinkRows,
+        cpp::templates::kLinkFunctions}) {
     int expected = 0;
     int found = 0;
     for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;
     for (const c::LoopItem& item : c::parse_loops(header)) {
       found += translator.translate(item).find("static inline ") != std::string::npos ? 1 : 0;
     }
-    EXPECT_GT(expected, 3) << header.substr(0, 100);
+    EXPECT_GT(expected, 2) << header.substr(0, 100);
     EXPECT_EQ(found, expected) << header.substr(0, 100);
   }
 }

@@ -48,11 +48,18 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
     text += fmt::format("static const {}link_drive {}[{}] = {{\n{}}};\n", type, drives,
                         data.links.size(), table.drives);
   }
+  std::string frictions = "NULL";
+  if (!data.frictions.empty()) {
+    frictions = name + "_frictions";
+    text += fmt::format("static const {}link_friction {}[{}] = {{\n{}}};\n", type, frictions,
+                        data.links.size(), table.frictions);
+  }
   return text +
-         wrap_line(fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}}};",
-                               type, table_name(context, data), name, data.links.size(), data.slots,
-                               table.gravity, points, drives),
-                   0);
+         wrap_line(
+             fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}, {}}};",
+                         type, table_name(context, data), name, data.links.size(), data.slots,
+                         table.gravity, points, drives, frictions),
+             0);
 }
 
 /// The table that has what others have. `programs` have loops.
@@ -127,7 +134,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
     text += fmt::format("  {0}{1}_work {1}s;\n", prefix, work);
     list += fmt::format(", &{}s", work);
   }
-  return text + wrap_line(fmt::format("{}{}({});", prefix, program.name, list), 2);
+  return text + wrap_line(fmt::format("{}{}({});", prefix, loops.function, list), 2);
 }
 
 std::vector<GeneratedFile> print_loops(const EmissionContext& context,
@@ -154,11 +161,13 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
   const LinkTableData& table = find_largest(programs);
-  LoopTranslator translator(context, {table.floats, table.sliding, !table.drives.empty()},
-                            std::any_of(programs.begin(), programs.end(), takes_sines));
+  LoopTranslator translator(
+      context, {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty()},
+      std::any_of(programs.begin(), programs.end(), takes_sines));
   const std::pair<const char*, std::string_view> headers[] = {
       {"link_table.h", cpp::templates::kLinkTable},
       {"link_factors.h", cpp::templates::kLinkFactors},
+      {"link_friction.h", cpp::templates::kLinkFriction},
       {"link_motion.h", cpp::templates::kLinkMotion},
       {"link_inertia.h", cpp::templates::kLinkInertia},
       {"link_rows.h", cpp::templates::kLinkRows},

@@ -132,7 +132,10 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
       capitals_(name_in_capitals(context) + "_LOOPS_"),
       number_(context.single_precision ? "float" : "double"),
       suffix_(context.single_precision ? "F" : ""),
-      table_{{"Floats", table.floats}, {"Sliding", table.sliding}, {"Driven", table.driven}},
+      table_{{"Floats", table.floats},
+             {"Sliding", table.sliding},
+             {"Driven", table.driven},
+             {"Rubbing", table.rubbing}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
                                                        {"Motions", "motion_work"},

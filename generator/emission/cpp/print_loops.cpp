@@ -17,13 +17,23 @@ const char* prefix_of(const LinkTableData& table) {
   return has_points(table) ? "Point" : "";
 }
 
+bool is_driven(const LinkTableData& table) {
+  return !table.drives.empty() || !table.frictions.empty();
+}
+
+/// What a table says of friction and springs, behind the arguments that it always has.
+std::string print_drive_kinds(const LinkTableData& table) {
+  if (!is_driven(table)) return "";
+  return fmt::format(", {}{}", !table.drives.empty(), table.frictions.empty() ? "" : ", true");
+}
+
 std::string print_table(const LinkTableText& table) {
   const LinkTableData& data = *table.data;
   const char* const prefix = prefix_of(data);
   const std::size_t links = data.links.size();
   std::string text = fmt::format("inline constexpr loops::Link<Real> k{}Links[{}] = {{\n{}}};\n",
                                  prefix, links, table.links);
-  std::string points = data.drives.empty() ? "" : ", nullptr, 0, nullptr, 0";
+  std::string points = is_driven(data) ? ", nullptr, 0, nullptr, 0" : "";
   if (has_points(data)) {
     text += fmt::format(
         "inline constexpr loops::LinkPoint<Real> kPoints[{0}] = {{\n{1}}};\n"
@@ -37,9 +47,13 @@ std::string print_table(const LinkTableText& table) {
                         prefix, links, table.drives);
     points += fmt::format(", &k{}Drives[0]", prefix);
   }
-  const std::string head =
-      fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> k{}Table", data.floats,
-                  data.sliding, data.drives.empty() ? "" : ", true", prefix);
+  if (!data.frictions.empty()) {
+    text += fmt::format("inline constexpr loops::LinkFriction<Real> k{}Frictions[{}] = {{\n{}}};\n",
+                        prefix, links, table.frictions);
+    points += fmt::format("{}, &k{}Frictions[0]", data.drives.empty() ? ", nullptr" : "", prefix);
+  }
+  const std::string head = fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> k{}Table",
+                                       data.floats, data.sliding, print_drive_kinds(data), prefix);
   return text + wrap_line(fmt::format("{} = {{&k{}Links[0], {}, {}, {}{}}};", head, prefix, links,
                                       data.slots, table.gravity, points),
                           0);
@@ -93,7 +107,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   }
   list += ", " + element(program.results.front().argument);
   return text +
-         wrap_line(fmt::format("detail::loops::{}{}({}, {});", program.name,
+         wrap_line(fmt::format("detail::loops::{}{}({}, {});", loops.function,
                                loops.solves ? fmt::format("<{}>", loops.power) : "", list, work),
                    2);
 }

@@ -7,6 +7,7 @@
 #include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_limited_runtime.hpp"
@@ -51,6 +52,7 @@ void append_limit_headers(const EmissionContext& context, std::vector<GeneratedF
 std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context) {
   const std::pair<const char*, std::string_view> headers[] = {
       {"link_factors.hpp", templates::kLinkFactors},
+      {"link_friction.hpp", templates::kLinkFriction},
       {"link_functions.hpp", templates::kLinkFunctions},
       {"link_inertia.hpp", templates::kLinkInertia},
       {"link_motion.hpp", templates::kLinkMotion},
@@ -68,7 +70,7 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
   const bool damped = !context.effective_mass_limits.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
-  const bool loops = has_loops(programs);
+  const bool loops = has_loops(list_sources(context, programs));
   if (damped || controlled || loops ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", misra::print_sin_cos(context)});
@@ -109,7 +111,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   const bool has_batch = !batch.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
-  const bool loops = has_loops(programs);
+  const bool loops = has_loops(list_sources(context, programs));
   std::vector<GeneratedFile> files;
   if (loops || has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {

@@ -22,13 +22,13 @@ std::string parameter(const Argument& argument, const char* qualifier, const std
   return fmt::format("{}Real (&{})[{}]", qualifier, name, argument.rows * argument.cols);
 }
 
-/// The definition's head: restrict-qualified, and without names for arguments that the function
-/// does not read. `restrict` stands before the names.
+/// The definition's head: restrict-qualified, and without names for arguments that straight lines
+/// do not read. `restrict` stands before the names.
 std::string print_head(const Program& program, const std::string& restrict) {
   std::string list;
   for (const Argument& argument : program.arguments) {
     list += (list.empty() ? "" : ", ") + parameter(argument, "const ",
-                                                   reads(program, argument)
+                                                   program.loops || reads(program, argument)
                                                        ? restrict + argument.name
                                                        : "/*" + argument.name + "*/");
   }

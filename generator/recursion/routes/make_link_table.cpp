@@ -1,6 +1,7 @@
 #include "recursion/routes/make_link_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "recursion/tree/tree.hpp"
@@ -15,6 +16,15 @@ loops::Turn<double> table_turn(const PlanarRotation<double>& r) {
   return {r.c, r.s};
 }
 
+/// The rotation by what a joint adds to its coordinate, behind the last of the placement: both are
+/// about the joint's axis.
+PlanarRotation<double> turned_on(const PlanarRotation<double>& b, double offset) {
+  if (offset == 0) return b;
+  const double c = std::cos(offset);
+  const double s = std::sin(offset);
+  return {b.c * c - b.s * s, b.s * c + b.c * s};
+}
+
 loops::Link<double> table_link(const TreeLink<double>& link) {
   const auto& [mass, h, Sigma, J] = link.inertia;
   loops::Link<double> row{};
@@ -22,11 +32,12 @@ loops::Link<double> table_link(const TreeLink<double>& link) {
   row.slides = link.kind == JointKind::prismatic;
   row.a = table_turn(link.R.a);
   row.alpha = table_turn(link.R.alpha);
-  row.b = table_turn(link.R.b);
-  row.offset = link.offset;
+  row.b = table_turn(row.slides ? link.R.b : turned_on(link.R.b, link.offset));
   row.rotor = link.drive.inertia;
   row.mass = mass;
-  const double p[3] = {link.p.x, link.p.y, link.p.z};
+  const Vector3<double> origin =
+      row.slides ? link.p + rotate(link.R, Vector3<double>{0, 0, link.offset}) : link.p;
+  const double p[3] = {origin.x, origin.y, origin.z};
   const double moment[3] = {h.x, h.y, h.z};
   const double inertia[6] = {J.xx, J.xy, J.xz, J.yy, J.yz, J.zz};
   std::copy(std::begin(p), std::end(p), row.p);
@@ -78,9 +89,12 @@ void add_drives(const Tree<double>& tree, LinkTableData& table) {
   const bool driven = std::any_of(tree.links.begin(), tree.links.end(), [](const auto& link) {
     return link.drive.damping != 0 || link.drive.stiffness != 0;
   });
-  if (!driven) return;
+  const bool rubbing = std::any_of(tree.links.begin(), tree.links.end(),
+                                   [](const auto& link) { return link.drive.friction != 0; });
   for (const TreeLink<double>& link : tree.links) {
-    table.drives.push_back({link.drive.damping, link.drive.stiffness, link.drive.rest});
+    const TreeDrive<double>& drive = link.drive;
+    if (driven) table.drives.push_back({drive.damping, drive.stiffness, drive.rest});
+    if (rubbing) table.frictions.push_back({drive.friction, drive.sharpness});
   }
 }
 

@@ -22,7 +22,13 @@ struct TracedLoops {
   std::optional<Program> program;
   std::string obstacle;  ///< "`elbow` mimics a joint"; empty where the function has no such form
 };
+struct LoopOptions {
+  /// Reads sin_q[i] and cos_q[i] of angles, as `take_sines` names them; the program's arguments do
+  /// not list them.
+  bool given_sines = false;
+  bool with_points = false;  ///< the table has points even if the function does not need them
+};
 TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
-                        bool given_sines);
+                        const LoopOptions& options);
 
 }  // namespace treeline
