@@ -40,7 +40,7 @@ std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
 }
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
-  LinkTableText text{&table, {}, {}, {}, {}, {}, numbers(syntax, table.gravity)};
+  LinkTableText text{&table, false, {}, {}, {}, {}, {}, numbers(syntax, table.gravity)};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -84,14 +84,18 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
     LinkTableText text = print_link_table(program.loops->table, syntax);
     bool is_new = true;
     for (const LinkTableText& other : tables) {
-      const bool same = other.links == text.links && other.points == text.points &&
-                        other.rows == text.rows && other.drives == text.drives &&
-                        other.frictions == text.frictions;
+      const bool around_same = other.data->around_points == text.data->around_points;
+      const bool same_kind = around_same && has_points(*other.data) == has_points(*text.data);
+      const bool same_links = other.links == text.links && other.drives == text.drives &&
+                              other.frictions == text.frictions;
+      const bool same_points = other.points == text.points && other.rows == text.rows;
       const bool alike = other.data->links.size() == text.data->links.size() &&
-                         other.data->slots == text.data->slots &&
-                         has_points(*other.data) != has_points(*text.data);
-      if (!same && !alike) throw std::logic_error(program.name + ": a table of links of its own");
-      is_new = is_new && !same;
+                         other.data->slots == text.data->slots;
+      if (!alike || (around_same && !same_links) || (same_kind && !same_points)) {
+        throw std::logic_error(program.name + ": a table of links of its own");
+      }
+      text.shares = text.shares || around_same;
+      is_new = is_new && !same_kind;
     }
     if (is_new) tables.push_back(std::move(text));
   }

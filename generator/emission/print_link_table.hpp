@@ -14,11 +14,12 @@ namespace treeline {
 /// rows of points, drives and frictions without the braces around them, gravity with its braces.
 struct LinkTableText {
   const LinkTableData* data;
+  bool shares = false;  ///< links, drives and frictions with a table before it
   std::string links, points, rows, drives, frictions, gravity;
 };
 
-/// The tables of the functions that loop, each once: with and without points. Throws
-/// std::logic_error where there are more.
+/// The tables of the functions that loop, each once: with points, without points around the same
+/// frames, and without points around their own. Throws std::logic_error where there are more.
 std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
                                             const Syntax& syntax);
 

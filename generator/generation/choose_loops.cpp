@@ -48,8 +48,8 @@ double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
 
 /// With the arguments that it reads.
 TracedLoops trace(const Mechanism& mechanism, Function function, const Program& lines,
-                  const LoopOptions& options) {
-  TracedLoops traced = trace_loops(mechanism, function, lines, options);
+                  bool given_sines) {
+  TracedLoops traced = trace_loops(mechanism, function, lines, given_sines);
   if (traced.program) declare_sines(*traced.program);
   return traced;
 }
@@ -67,8 +67,8 @@ void report(const Program& lines, const TracedLoops& traced, bool always,
 
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                   GeneratedFunction& generated, Diagnostics& diagnostics) {
-  TracedLoops traced = trace(mechanism, generated.function, generated.program,
-                             {scene.sin_cos == Sines::given, false});
+  TracedLoops traced =
+      trace(mechanism, generated.function, generated.program, scene.sin_cos == Sines::given);
   if (!traced.program) {
     if (always || !traced.obstacle.empty()) report(generated.program, traced, always, diagnostics);
     return;
@@ -92,8 +92,7 @@ std::vector<Program> choose_loops_together(const Mechanism& mechanism, const Sce
   double loops = 0;  // once for all
   double calls = 0;
   for (const LoopCandidate& each : candidates) {
-    TracedLoops traced =
-        trace(mechanism, each.function, *each.lines, {true, !mechanism.operational_points.empty()});
+    TracedLoops traced = trace(mechanism, each.function, *each.lines, true);
     if (!traced.program) {
       report(*each.lines, traced, false, diagnostics);
       return {};

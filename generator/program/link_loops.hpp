@@ -13,6 +13,8 @@ namespace treeline {
 struct LinkTableData {
   bool floats = false;   ///< the first link is a floating base
   bool sliding = false;  ///< there are prismatic joints
+  /// Link frames are placed around operational points, even where the table has none of these.
+  bool around_points = false;
   int slots = 1;
   std::array<double, 3> gravity{};
   std::vector<core::loops::Link<double>> links;

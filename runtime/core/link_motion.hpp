@@ -161,8 +161,8 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Motions&
   }
 }
 
-/// Outward pass: wrenches that move the links, and motions of the table's points, where there is a
-/// place for these. Without qd or qdd these are 0.
+/// Outward pass: wrenches that move the links, and motions of the table's points. Without qd or qdd
+/// these are 0.
 template <class Table, class Real, class Motions>
 void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& motions,
                 LinkMotion<Real>* point_motions) noexcept {
@@ -185,7 +185,7 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
     }
     find_wrench(link, motion, motions.wrenches[i]);
     for (int k = 0; k < table.point_count; ++k) {
-      if ((point_motions != nullptr) && (table.points[k].link == i)) {
+      if (table.points[k].link == i) {
         copy(motion, point_motions[k]);
       }
     }

@@ -24,15 +24,23 @@ bool takes_sines(const Program& program) {
 }
 
 std::string table_name(const EmissionContext& context, const LinkTableData& table) {
-  return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : "");
+  const char* const own = table.around_points ? "point_link_" : "";
+  return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : own);
 }
 
 std::string print_table(const EmissionContext& context, const LinkTableText& table) {
   const LinkTableData& data = *table.data;
-  const std::string name = context.name + (has_points(data) ? "_point" : "");
+  const std::string name = context.name + (data.around_points ? "_point" : "");
   const std::string type = context.name + "_loops_";
-  std::string text = fmt::format("static const {}link {}_links[{}] = {{\n{}}};\n", type, name,
-                                 data.links.size(), table.links);
+  std::string text;
+  const auto declare = [&](const char* kind, const char* array, const std::string& rows) {
+    if (rows.empty() || table.shares) return;
+    text += fmt::format("static const {}{} {}_{}[{}] = {{\n{}}};\n", type, kind, name, array,
+                        data.links.size(), rows);
+  };
+  declare("link", "links", table.links);
+  declare("link_drive", "drives", table.drives);
+  declare("link_friction", "frictions", table.frictions);
   std::string points = "NULL, 0, NULL, 0";
   if (has_points(data)) {
     text += fmt::format(
@@ -42,18 +50,8 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
     points = fmt::format("{0}_points, {1}, {0}_rows, {2}", context.name, data.points.size(),
                          data.rows.size());
   }
-  std::string drives = "NULL";
-  if (!data.drives.empty()) {
-    drives = name + "_drives";
-    text += fmt::format("static const {}link_drive {}[{}] = {{\n{}}};\n", type, drives,
-                        data.links.size(), table.drives);
-  }
-  std::string frictions = "NULL";
-  if (!data.frictions.empty()) {
-    frictions = name + "_frictions";
-    text += fmt::format("static const {}link_friction {}[{}] = {{\n{}}};\n", type, frictions,
-                        data.links.size(), table.frictions);
-  }
+  const std::string drives = data.drives.empty() ? "NULL" : name + "_drives";
+  const std::string frictions = data.frictions.empty() ? "NULL" : name + "_frictions";
   return text +
          wrap_line(
              fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}, {}}};",

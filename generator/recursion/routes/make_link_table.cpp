@@ -104,6 +104,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   const auto tree = constant_tree<double>(mechanism);
   LinkTableData table;
   table.floats = tree.links.front().is_floating();
+  table.around_points = !tree.operational_points.empty();
   table.gravity = mechanism.gravity;
   for (const TreeLink<double>& link : tree.links) {
     table.links.push_back(table_link(link));

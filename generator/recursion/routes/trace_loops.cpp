@@ -316,7 +316,7 @@ void count(Function function, const LoopArguments<PlainExpression>& with, LinkLo
 }  // namespace
 
 TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
-                        const LoopOptions& options) {
+                        bool given_sines) {
   const LoopForm* const form = find_form(function);
   if (form == nullptr) return {};
   if (auto obstacle = find_obstacle(mechanism, *form); !obstacle.empty()) {
@@ -332,7 +332,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
   const TracedInputs inputs(mechanism, function, program);
   const auto plan = std::make_shared<LinkLoops>();
   plan->function = function_name(function);
-  plan->table = make_link_table(mechanism, form->rows || options.with_points);
+  plan->table = make_link_table(mechanism, form->rows);
   plan->uses_inertias = form->inertias;
   plan->uses_rows = form->rows;
   plan->solves = form->solves;
@@ -352,7 +352,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
       std::vector<PlainExpression>(result.values.size()),
       {},
       {}};
-  if (options.given_sines) give_sines(mechanism, program.graph, with);
+  if (given_sines) give_sines(mechanism, program.graph, with);
   run(function, *plan, with);
   count(function, with, *plan);
   program.results = {{result.argument, {}}};

@@ -22,13 +22,10 @@ struct TracedLoops {
   std::optional<Program> program;
   std::string obstacle;  ///< "`elbow` mimics a joint"; empty where the function has no such form
 };
-struct LoopOptions {
-  /// Reads sin_q[i] and cos_q[i] of angles, as `take_sines` names them; the program's arguments do
-  /// not list them.
-  bool given_sines = false;
-  bool with_points = false;  ///< the table has points even if the function does not need them
-};
+
+/// With `given_sines` it reads sin_q[i] and cos_q[i] of angles, as `take_sines` names them; its
+/// arguments do not list them.
 TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
-                        const LoopOptions& options);
+                        bool given_sines);
 
 }  // namespace treeline
