@@ -288,16 +288,17 @@ LimitsReport LimitsJudge::judge(const std::vector<StateReference>& references, i
 std::vector<WorkSource> limited_sources(const Scene& scene, const Generation& generation) {
   if (!scene.has_limits()) return {};
   const auto functions = all_callable(generation);
-  const GeneratedFunction& supported = functions[find_supported(generation, false)];
-  std::vector<WorkSource> sources{
-      {limited_stem(false),
-       scene.language == Language::c
-           ? print_c_limited_entry(scene.name, supported)
-           : print_limited_entry(scene.name, supported, scene.profile == Profile::misra)}};
-  if (!generation.batch.empty() && scene.language == Language::cpp) {
-    const GeneratedFunction& batch = functions[find_supported(generation, true)];
-    sources.push_back({limited_stem(true), print_limited_entry(scene.name, batch, false)});
-  }
+  std::vector<WorkSource> sources;
+  const auto add = [&](bool batch) {
+    const GeneratedFunction& supported = functions[find_supported(generation, batch)];
+    sources.push_back(
+        {limited_stem(batch),
+         scene.language == Language::c
+             ? print_c_limited_entry(scene.name, supported)
+             : print_limited_entry(scene.name, supported, scene.profile == Profile::misra)});
+  };
+  add(false);
+  if (!generation.batch.empty()) add(true);
   return sources;
 }
 

@@ -62,33 +62,68 @@ std::string print_batch(const std::string& name, const GeneratedFunction& genera
          fill(stem + "_all", "all_", "", "");
 }
 
-/// The same in C.
-std::string print_c_batch(const std::string& name, const GeneratedFunction& generated) {
-  const Program& program = generated.program;
+/// How an entry of C spreads one state over rows, hands its results on, and names both.
+struct RowsOfC {
   std::string spread, hand_on, arrays, arguments;
+};
+
+RowsOfC print_c_rows(const std::string& name, const GeneratedFunction& generated) {
+  const Program& program = generated.program;
+  RowsOfC text;
   const auto append = [&](const Argument& argument, const char* direction, std::size_t i) {
     const std::string rows = fmt::format("{}_{}", direction, i);
     const int size = argument.rows * argument.cols;
     const bool is_result = std::string_view(direction) == "out";
-    spread +=
+    text.spread +=
         fmt::format("{0}_real {1}[{2}];\n{3}({4}[{5}], {6}, {1});\n", name, rows,
                     size * generated.batch, is_result ? "fill" : "spread", direction, i, size);
-    if (is_result) hand_on += fmt::format("hand_on({}, {}, out[{}]);\n", rows, size, i);
-    arrays += (arrays.empty() ? "" : ", ") + rows;
-    arguments += fmt::format("{}{}[{}]", arguments.empty() ? "" : ", ", direction, i);
+    if (is_result) text.hand_on += fmt::format("hand_on({}, {}, out[{}]);\n", rows, size, i);
+    text.arrays += (text.arrays.empty() ? "" : ", ") + rows;
+    text.arguments += fmt::format("{}{}[{}]", text.arguments.empty() ? "" : ", ", direction, i);
   };
   for (std::size_t i = 0; i < program.arguments.size(); ++i) append(program.arguments[i], "in", i);
   for (std::size_t i = 0; i < program.results.size(); ++i) {
     append(program.results[i].argument, "out", i);
   }
+  return text;
+}
+
+/// The entries of a batch function in C.
+std::string print_c_batch(const std::string& name, const GeneratedFunction& generated) {
+  const RowsOfC rows = print_c_rows(name, generated);
   return fill_template(check_templates::kCBatchFunction, {{"name", name},
                                                           {"NAME", in_capitals(name)},
                                                           {"entry", source_stem(generated)},
-                                                          {"function", program.name},
-                                                          {"spread", spread},
-                                                          {"arrays", arrays},
-                                                          {"hand_on", hand_on},
-                                                          {"arguments", arguments}});
+                                                          {"function", generated.program.name},
+                                                          {"spread", rows.spread},
+                                                          {"arrays", rows.arrays},
+                                                          {"hand_on", rows.hand_on},
+                                                          {"arguments", rows.arguments}});
+}
+
+std::string print_c_batch_helpers(const std::string& name) {
+  return fill_template(check_templates::kCBatch, {{"name", name}, {"NAME", in_capitals(name)}});
+}
+
+/// The call of limited control in C, of one state or of several.
+std::string print_c_limited_call(const std::string& name, const GeneratedFunction& supported) {
+  const Program& program = supported.program;
+  if (supported.batch > 0) {
+    const RowsOfC rows = print_c_rows(name, supported);
+    return fmt::format(
+        "{0}{1}_limited_torque of_states[{2}_STATES] = {{0}};\n"
+        "{1}_batch_limited_control_torque({3}, of_states, &{1}_default_limits);\n"
+        "{4}const {1}_limited_torque limited = of_states[checked_state];\n"
+        "checked_state = (checked_state + 1) % {2}_STATES;",
+        rows.spread, name, in_capitals(name), rows.arrays, rows.hand_on);
+  }
+  std::string list;
+  for (std::size_t i = 0; i < program.arguments.size(); ++i) list += fmt::format("in[{}], ", i);
+  for (std::size_t i = 0; i < program.results.size(); ++i) list += fmt::format("out[{}], ", i);
+  return fmt::format(
+      "{0}_limited_torque limited = {{0}};\n"
+      "{0}_limited_control_torque({1}&limited, &{0}_default_limits);",
+      name, list);
 }
 
 }  // namespace
@@ -137,9 +172,7 @@ std::string print_c_entry(const std::string& name,
                                                         {"function", program.name},
                                                         {"arguments", list}});
   }
-  const std::string more = has_batch ? fill_template(check_templates::kCBatch,
-                                                     {{"name", name}, {"NAME", in_capitals(name)}})
-                                     : "";
+  const std::string more = has_batch ? print_c_batch_helpers(name) : "";
   return fill_template(check_templates::kCEntry,
                        {{"name", name}, {"header", header}, {"more", more}, {"functions", text}});
 }
@@ -182,12 +215,13 @@ std::string print_limited_entry(const std::string& name, const GeneratedFunction
 }
 
 std::string print_c_limited_entry(const std::string& name, const GeneratedFunction& supported) {
-  const Program& program = supported.program;
-  std::string list;
-  for (std::size_t i = 0; i < program.arguments.size(); ++i) list += fmt::format("in[{}], ", i);
-  for (std::size_t i = 0; i < program.results.size(); ++i) list += fmt::format("out[{}], ", i);
+  const bool batch = supported.batch > 0;
   return fill_template(check_templates::kCLimited,
-                       {{"name", name}, {"NAME", in_capitals(name)}, {"arguments", list}});
+                       {{"name", name},
+                        {"NAME", in_capitals(name)},
+                        {"stem", limited_stem(batch)},
+                        {"more", batch ? print_c_batch_helpers(name) : ""},
+                        {"call", print_c_limited_call(name, supported)}});
 }
 
 std::string limited_stem(bool batch) {

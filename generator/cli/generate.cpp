@@ -123,14 +123,15 @@ bool may_write_to_default(const std::string& output, PackageKind package,
   return false;
 }
 
-/// Tools but CMake compile a library with one set of flags.
+/// Tools without CMake compile a library with one set of flags.
 void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
-  const bool has_flags_by_source = package == PackageKind::none || package == PackageKind::cmake;
+  const bool has_flags_by_source = package == PackageKind::none || package == PackageKind::cmake ||
+                                   package == PackageKind::zephyr;
   if (has_flags_by_source || scene.optimize != Optimize::balanced) return;
   diagnostics.add(
       {Severity::note, "", 0, "optimize",
-       "`balanced` compiles long functions alone for small code, but the package has one "
-       "set of flags for all: it compiles them for speed",
+       "`balanced` compiles long functions alone for small code, but packages of this tool can "
+       "state one set of flags for all sources: it compiles them for speed",
        "Choose `size`, or set -Os yourself for the files that src/CMakeLists.txt lists."});
 }
 

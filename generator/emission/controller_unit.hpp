@@ -15,6 +15,7 @@ namespace treeline {
 struct ControllerUnit {
   SceneController settings;            ///< without the limits, which are below
   Program kinematics;                  ///< poses, velocities, gravity: `controller_kinematics`
+  std::optional<Program> gravity;      ///< of its own where it loops: `controller_gravity`
   Program joint_torque;                ///< inverse dynamics: `controller_joint_torque`
   std::optional<Program> task_torque;  ///< of a law of tasks: `controller_task_torque`
   std::optional<Program> push_torque;  ///< of a law of forces: `controller_push_torque`
@@ -38,6 +39,7 @@ struct ControllerUnit {
 
   [[nodiscard]] std::vector<const Program*> programs() const {
     std::vector<const Program*> all = {&kinematics, &joint_torque};
+    if (gravity) all.push_back(&*gravity);
     if (task_torque) all.push_back(&*task_torque);
     if (push_torque) all.push_back(&*push_torque);
     return all;

@@ -7,8 +7,8 @@
 #include "emission/backend/backend.hpp"
 #include "emission/check_emission.hpp"
 #include "emission/comment.hpp"
-#include "emission/controller_unit.hpp"
 #include "emission/guard_headers.hpp"
+#include "emission/list_sources.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_prefetch.hpp"
 
@@ -17,15 +17,6 @@ namespace {
 
 void append(std::vector<GeneratedFile> more, std::vector<GeneratedFile>& files) {
   std::move(more.begin(), more.end(), std::back_inserter(files));
-}
-
-/// The functions that are emitted as sources: those asked for, and those of the controller.
-std::vector<Program> list_sources(const EmissionContext& context,
-                                  std::span<const Program> programs) {
-  std::vector<Program> sources(programs.begin(), programs.end());
-  if (!context.controller) return sources;
-  for (const Program* const program : context.controller->programs()) sources.push_back(*program);
-  return sources;
 }
 
 }  // namespace

@@ -28,11 +28,10 @@ std::string numbers(const Syntax& syntax, std::span<const double> values) {
 
 std::string print_link(const Syntax& syntax, const Link<double>& of) {
   const double turns[3][2] = {{of.a.c, of.a.s}, {of.alpha.c, of.alpha.s}, {of.b.c, of.b.s}};
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", of.parent, of.slot,
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", of.parent, of.slot,
                      of.slides, numbers(syntax, turns[0]), numbers(syntax, turns[1]),
-                     numbers(syntax, turns[2]), numbers(syntax, of.p), number(syntax, of.offset),
-                     number(syntax, of.rotor), number(syntax, of.mass), numbers(syntax, of.h),
-                     numbers(syntax, of.J));
+                     numbers(syntax, turns[2]), numbers(syntax, of.p), number(syntax, of.rotor),
+                     number(syntax, of.mass), numbers(syntax, of.h), numbers(syntax, of.J));
 }
 
 std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
@@ -41,7 +40,7 @@ std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
 }
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
-  LinkTableText text{&table, {}, {}, {}, {}, numbers(syntax, table.gravity)};
+  LinkTableText text{&table, false, {}, {}, {}, {}, {}, numbers(syntax, table.gravity)};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -56,6 +55,10 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
     const double row[] = {drive.damping, drive.stiffness, drive.rest};
     text.drives += wrap_line(numbers(syntax, row) + ",", 4);
   }
+  for (const core::loops::LinkFriction<double>& friction : table.frictions) {
+    const double row[] = {friction.force, friction.sharpness};
+    text.frictions += wrap_line(numbers(syntax, row) + ",", 4);
+  }
   return text;
 }
 
@@ -63,6 +66,10 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
 
 std::string print_yields(const LinkLoops& loops, const Syntax& syntax) {
   return loops.yields.empty() ? std::string() : numbers(syntax, loops.yields);
+}
+
+std::size_t count_base_entries(const LinkTableData& table) {
+  return table.floats ? 36 : 1;
 }
 
 bool has_points(const LinkTableData& table) {
@@ -77,13 +84,18 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
     LinkTableText text = print_link_table(program.loops->table, syntax);
     bool is_new = true;
     for (const LinkTableText& other : tables) {
-      const bool same = other.links == text.links && other.points == text.points &&
-                        other.rows == text.rows && other.drives == text.drives;
+      const bool around_same = other.data->around_points == text.data->around_points;
+      const bool same_kind = around_same && has_points(*other.data) == has_points(*text.data);
+      const bool same_links = other.links == text.links && other.drives == text.drives &&
+                              other.frictions == text.frictions;
+      const bool same_points = other.points == text.points && other.rows == text.rows;
       const bool alike = other.data->links.size() == text.data->links.size() &&
-                         other.data->slots == text.data->slots &&
-                         has_points(*other.data) != has_points(*text.data);
-      if (!same && !alike) throw std::logic_error(program.name + ": a table of links of its own");
-      is_new = is_new && !same;
+                         other.data->slots == text.data->slots;
+      if (!alike || (around_same && !same_links) || (same_kind && !same_points)) {
+        throw std::logic_error(program.name + ": a table of links of its own");
+      }
+      text.shares = text.shares || around_same;
+      is_new = is_new && !same_kind;
     }
     if (is_new) tables.push_back(std::move(text));
   }

@@ -11,19 +11,23 @@
 namespace treeline {
 
 /// A table of links as initializers, which C and C++ write alike: the lists of its links, points,
-/// rows of points and drives without the braces around them, gravity with its braces.
+/// rows of points, drives and frictions without the braces around them, gravity with its braces.
 struct LinkTableText {
   const LinkTableData* data;
-  std::string links, points, rows, drives, gravity;
+  bool shares = false;  ///< links, drives and frictions with a table before it
+  std::string links, points, rows, drives, frictions, gravity;
 };
 
-/// The tables of the functions that loop, each once: with and without points. Throws
-/// std::logic_error where there are more.
+/// The tables of the functions that loop, each once: with points, without points around the same
+/// frames, and without points around their own. Throws std::logic_error where there are more.
 std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
                                             const Syntax& syntax);
 
 /// Borders of the pivots of rows that yield, with braces; empty where the function has no such law.
 std::string print_yields(const LinkLoops& loops, const Syntax& syntax);
+
+/// Entries of the factors of a floating base in the work space; without one an array of C has one.
+std::size_t count_base_entries(const LinkTableData& table);
 
 /// Functions of points have link frames of their own, placed around these.
 bool has_points(const LinkTableData& table);

@@ -45,6 +45,7 @@ std::vector<std::string> list_small_sources(const EmissionContext& context,
   if (context.language == Language::c) {  // in C++ they are headers
     if (!context.effective_mass_limits.empty()) names.emplace_back("damped_control_torque");
     if (context.limits) names.emplace_back("limited_control_torque");
+    if (context.limits && !batch.empty()) names.emplace_back("batch_limited_control_torque");
     if (const std::string joined = c::joined_loops(context, programs); !joined.empty()) {
       names.push_back(joined);
     }

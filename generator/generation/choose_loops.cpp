@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "description/follow_target.hpp"
 #include "passes/count_operations.hpp"
+#include "passes/take_sines.hpp"
 #include "program/link_loops.hpp"
 #include "recursion/routes/trace_loops.hpp"
 #include "target/target.hpp"
@@ -14,8 +16,10 @@ namespace treeline {
 namespace {
 
 /// Numbers of a row of the table of links.
-constexpr double kNumbersOfLink = 22;
+constexpr double kNumbersOfLink = 21;
 constexpr double kNumbersOfDrive = 3;
+constexpr double kNumbersOfFriction = 2;
+constexpr double kBytesOfCall = 120;  // of a function of the loops
 
 /// Bytes of code by g++ 12 -Os: of an operation in straight lines, and of the loops, whatever the
 /// robot is. Those of a number type that the target computes by calls take more, see `emulates`.
@@ -29,39 +33,48 @@ SizeModel model_of(const Scene& scene) {
   return {7, 1900, 2200, 1800};
 }
 
-double bytes_of_lines(const Scene& scene, const Program& program) {
-  return count_operations(program).flops() * model_of(scene).operation;
+double bytes_of_lines(const Scene& scene, int flops) {
+  return flops * model_of(scene).operation;
 }
 
 double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
   const SizeModel model = model_of(scene);
   const double numbers = static_cast<double>(loops.table.links.size()) * kNumbersOfLink +
-                         static_cast<double>(loops.table.drives.size()) * kNumbersOfDrive;
+                         static_cast<double>(loops.table.drives.size()) * kNumbersOfDrive +
+                         static_cast<double>(loops.table.frictions.size()) * kNumbersOfFriction;
   return numbers * bytes_of(scene.real) + model.motions +
          (loops.uses_inertias ? model.inertias : 0) + (loops.uses_rows ? model.rows : 0);
 }
 
-}  // namespace
-
-bool prefers_loops(const Scene& scene) {
-  return scene.optimize == Optimize::size && scene.profile == Profile::plain;
+/// With the arguments that it reads.
+TracedLoops trace(const Mechanism& mechanism, Function function, const Program& lines,
+                  bool given_sines) {
+  TracedLoops traced = trace_loops(mechanism, function, lines, given_sines);
+  if (traced.program) declare_sines(*traced.program);
+  return traced;
 }
+
+/// Says what keeps a function from loops.
+void report(const Program& lines, const TracedLoops& traced, bool always,
+            Diagnostics& diagnostics) {
+  diagnostics.add({always ? Severity::error : Severity::note, "", 0, lines.name,
+                   fmt::format("cannot loop over a table of links: {}",
+                               traced.obstacle.empty() ? "it has no such form" : traced.obstacle),
+                   always ? "Choose another route." : "It stays as straight lines."});
+}
+
+}  // namespace
 
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                   GeneratedFunction& generated, Diagnostics& diagnostics) {
   TracedLoops traced =
-      trace_loops(mechanism, generated.function, generated.program, scene.sin_cos == Sines::given);
+      trace(mechanism, generated.function, generated.program, scene.sin_cos == Sines::given);
   if (!traced.program) {
-    if (!always && traced.obstacle.empty()) return;
-    diagnostics.add({always ? Severity::error : Severity::note, "", 0,
-                     function_name(generated.function),
-                     fmt::format("cannot loop over a table of links: {}",
-                                 traced.obstacle.empty() ? "it has no such form" : traced.obstacle),
-                     always ? "Choose another route." : "It stays as straight lines."});
+    if (always || !traced.obstacle.empty()) report(generated.program, traced, always, diagnostics);
     return;
   }
-  if (!always &&
-      bytes_of_loops(scene, *traced.program->loops) >= bytes_of_lines(scene, generated.program)) {
+  if (!always && bytes_of_loops(scene, *traced.program->loops) >=
+                     bytes_of_lines(scene, count_operations(generated.program).flops())) {
     return;
   }
   const OperationCosts& costs = operation_costs(*find_target(scene.target), bytes_of(scene.real));
@@ -69,6 +82,27 @@ void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
   loops.rejected = std::move(generated.rejected);
   loops.rejected.insert(loops.rejected.begin(), std::move(generated.chosen));
   generated = std::move(loops);
+}
+
+std::vector<Program> choose_loops_together(const Mechanism& mechanism, const Scene& scene,
+                                           std::span<const LoopCandidate> candidates,
+                                           Diagnostics& diagnostics) {
+  std::vector<Program> programs;
+  double lines = 0;
+  double loops = 0;  // once for all
+  double calls = 0;
+  for (const LoopCandidate& each : candidates) {
+    TracedLoops traced = trace(mechanism, each.function, *each.lines, true);
+    if (!traced.program) {
+      report(*each.lines, traced, false, diagnostics);
+      return {};
+    }
+    lines += bytes_of_lines(scene, each.flops);
+    loops = std::max(loops, bytes_of_loops(scene, *traced.program->loops));
+    calls += kBytesOfCall;
+    programs.push_back(std::move(*traced.program));
+  }
+  return loops + calls < lines ? std::move(programs) : std::vector<Program>{};
 }
 
 }  // namespace treeline

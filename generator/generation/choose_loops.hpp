@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "description/diagnostic.hpp"
 #include "description/scene.hpp"
 #include "generation/generate_code.hpp"
@@ -7,15 +10,24 @@
 
 namespace treeline {
 
-/// Whether the code's size decides whether functions loop over a table of links: `optimize: size`
-/// in `profile: plain`.
-bool prefers_loops(const Scene& scene);
-
 /// Makes a function that was generated as straight lines one that loops over a table of links, if
 /// it has this form and its code is estimated to be smaller so; with `always` whether it is or not.
 /// Its program is as traced, see `trace_loops`. A note says what kept a function with this form
 /// from it; with `always` an error.
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                   GeneratedFunction& generated, Diagnostics& diagnostics);
+
+/// A function of a program that calls several, as straight lines.
+struct LoopCandidate {
+  Function function;
+  const Program* lines;
+  int flops;  ///< that the lines take in the program
+};
+
+/// The functions as loops over one table of links, which reads given sines; empty where the code is
+/// estimated to be smaller as straight lines, or, with a note, where one of them cannot loop.
+std::vector<Program> choose_loops_together(const Mechanism& mechanism, const Scene& scene,
+                                           std::span<const LoopCandidate> candidates,
+                                           Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -1,13 +1,17 @@
 #include "generation/compose_controller.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "description/find_joint.hpp"
+#include "generation/choose_loops.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
 #include "passes/canonicalize.hpp"
+#include "passes/count_operations.hpp"
 #include "passes/run_passes.hpp"
 #include "passes/take_sines.hpp"
 #include "recursion/routes/trace_together.hpp"
@@ -48,20 +52,58 @@ Program trace_push(const Robot& robot, const Scene& scene) {
   return finish(std::move(program), "controller_push_torque");
 }
 
-Program trace_kinematics(const Robot& robot, const Scene& scene) {
+constexpr const char* kKinematics = "controller_kinematics";
+constexpr const char* kPoses = "poses and velocities [v; w] of the operational points";
+constexpr const char* kGravity = "g: the joint forces that hold the robot at rest";
+
+Program trace_kinematics(const Robot& robot, const Scene& scene,
+                         const std::vector<Function>& functions, const std::string& equation) {
   FunctionMechanisms mechanisms(robot, scene);
-  std::vector<Function> functions = {Function::gravity};
-  if (scene.controller->task) {
-    functions = {Function::forward_kinematics, Function::point_velocity, Function::gravity};
-  }
   const Mechanism& mechanism = mechanisms.of(functions[functions.size() > 1 ? 1 : 0]);
   Program program = trace_together(mechanism, functions, scene.lanes);
-  program.equation =
-      scene.controller->task
-          ? "poses and velocities [v; w] of the operational points, and the joint forces g that "
-            "hold the robot at rest"
-          : "g: the joint forces that hold the robot at rest";
-  return finish(std::move(program), "controller_kinematics");
+  program.equation = equation;
+  return finish(std::move(program), kKinematics);
+}
+
+Program trace_poses(const Robot& robot, const Scene& scene) {
+  return trace_kinematics(robot, scene, {Function::forward_kinematics, Function::point_velocity},
+                          kPoses);
+}
+
+/// All that a step measures.
+Program trace_kinematics(const Robot& robot, const Scene& scene) {
+  if (!scene.controller->task) return trace_kinematics(robot, scene, {Function::gravity}, kGravity);
+  return trace_kinematics(
+      robot, scene, {Function::forward_kinematics, Function::point_velocity, Function::gravity},
+      fmt::format("{}, and the joint forces g that hold the robot at rest", kPoses));
+}
+
+/// Makes dynamics loops over links where the code is smaller so.
+void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& unit,
+                     Diagnostics& diagnostics) {
+  FunctionMechanisms mechanisms(robot, scene);
+  const Mechanism& mechanism =
+      mechanisms.of(unit.task_torque ? Function::control_torque : Function::inverse_dynamics);
+  const bool task = unit.task_torque.has_value();
+  const auto flops = [](const Program& program) { return count_operations(program).flops(); };
+  const Program poses = task ? trace_poses(robot, scene) : Program();
+  const Program gravity = trace_kinematics(robot, scene, {Function::gravity}, kGravity);
+  std::vector<LoopCandidate> candidates = {
+      {Function::gravity, &gravity, flops(unit.kinematics) - (task ? flops(poses) : 0)},
+      {Function::inverse_dynamics, &unit.joint_torque, flops(unit.joint_torque)}};
+  if (task) {
+    candidates.push_back({Function::control_torque, &*unit.task_torque, flops(*unit.task_torque)});
+  }
+  std::vector<Program> loops = choose_loops_together(mechanism, scene, candidates, diagnostics);
+  if (loops.empty()) return;
+  if (task) {
+    unit.kinematics = poses;
+    unit.gravity = named(std::move(loops[0]), "controller_gravity");
+    unit.task_torque = std::move(loops[2]);
+  } else {
+    unit.kinematics = std::move(loops[0]);
+  }
+  unit.joint_torque = std::move(loops[1]);
 }
 
 Program trace_torque(const Robot& robot, const Scene& scene, Function function, const char* name) {
@@ -102,15 +144,19 @@ std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& 
 }  // namespace
 
 ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
-                                  const Mechanism& mechanism) {
+                                  const Mechanism& mechanism, Diagnostics& diagnostics) {
   ControllerUnit unit;
   unit.settings = *scene.controller;
   unit.joints = list_joints(robot, scene, mechanism);
   unit.kinematics = trace_kinematics(robot, scene);
   unit.joint_torque =
       trace_torque(robot, scene, Function::inverse_dynamics, "controller_joint_torque");
+  if (scene.controller->task) {
+    unit.task_torque =
+        trace_torque(robot, scene, Function::control_torque, "controller_task_torque");
+  }
+  if (scene.optimize == Optimize::size) loop_over_links(robot, scene, unit, diagnostics);
   if (!scene.controller->task) return unit;
-  unit.task_torque = trace_torque(robot, scene, Function::control_torque, "controller_task_torque");
   if (scene.controller->force) unit.push_torque = trace_push(robot, scene);
   for (const ScenePoint& point : scene.operational_points) {
     unit.points.push_back({point.name, point.rows, point.axes == Axes::local});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "emission/controller_unit.hpp"
@@ -10,9 +11,10 @@ namespace treeline {
 /// The controller that the scene asks for. Its functions take sines and cosines as arguments, so
 /// that a step computes each joint's once. Poses and velocities of points and the torque of gravity
 /// are one function: they share transforms. The law stands between it and the torque, since it
-/// takes square roots and comparisons, which expression graphs do not have. `mechanism` is that of
-/// the whole scene.
+/// takes square roots and comparisons, which expression graphs do not have. With `optimize: size`
+/// dynamics loop over links where that is smaller; a note says what kept them from it. `mechanism`
+/// is that of the whole scene.
 ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
-                                  const Mechanism& mechanism);
+                                  const Mechanism& mechanism, Diagnostics& diagnostics);
 
 }  // namespace treeline

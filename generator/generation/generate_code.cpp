@@ -215,7 +215,7 @@ void generate_in_form(const Scene& scene, const Choices& choices, Job& job) {
   job.generated = generate_by_choice(*job.mechanism, job.function, route_options(scene, job.batch),
                                      routes, job.diagnostics);
   if (!job.generated || job.batch) return;
-  if (loops || (!chosen && prefers_loops(scene))) {
+  if (loops || (!chosen && scene.optimize == Optimize::size)) {
     choose_loops(*job.mechanism, scene, loops, *job.generated, job.diagnostics);
   }
 }
@@ -357,7 +357,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (scene.controller) {
     if (tell) tell("the controller");
     context.controller = std::make_shared<const ControllerUnit>(
-        compose_controller(robot, scene, generation.mechanism));
+        compose_controller(robot, scene, generation.mechanism, diagnostics));
   }
   generation.files =
       emit(context, programs_of(generation.functions), diagnostics, programs_of(generation.batch));

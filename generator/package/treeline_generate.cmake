@@ -114,7 +114,7 @@ function(treeline_generate target)
   endif()
   treeline_find_key("${arg_SCENE}" controller controller)
   if(controller)
-    list(APPEND sources controller controller_kinematics controller_joint_torque
+    list(APPEND sources controller controller_kinematics controller_gravity controller_joint_torque
       controller_push_torque controller_task_torque)
   endif()
   treeline_find_key("${arg_SCENE}" prefetch prefetch)
@@ -122,7 +122,8 @@ function(treeline_generate target)
     list(APPEND sources prefetch)
   endif()
   if(ending STREQUAL "c")
-    list(APPEND sources damped_control_torque limited_control_torque)  # in C++ headers
+    list(APPEND sources damped_control_torque limited_control_torque
+      batch_limited_control_torque)  # in C++ headers
   else()
     list(APPEND sources c_calls)
   endif()

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "description/printable.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_optimize.hpp"
 #include "target/target.hpp"
 
 namespace treeline {
@@ -25,11 +28,41 @@ bool is_header(const std::string& file) {
 /// without fused operations, so that the bits are those of every other machine.
 std::vector<std::string> flags_of(const Scene& scene) {
   std::vector<std::string> flags = {"-fno-fast-math"};
-  if (scene.optimize == Optimize::size) flags.emplace_back("-Os");
+  if (scene.optimize == Optimize::size) flags.emplace_back(kSmallCodeFlag);
   if (scene.language == Language::cpp) flags.emplace_back("-std=gnu++17");
   const Target* const target = find_target(scene.target);
   if (target != nullptr && !target->contracts) flags.emplace_back("-ffp-contract=off");
   return flags;
+}
+
+/// The sources that the emitted CMakeLists.txt compiles with -Os whatever the project compiles
+/// with.
+std::vector<std::string> find_small_sources(const Generation& generation) {
+  const auto file = std::find_if(generation.files.begin(), generation.files.end(),
+                                 [](const auto& each) { return each.name == "CMakeLists.txt"; });
+  if (file == generation.files.end()) return {};
+  const std::size_t end =
+      file->text.find(fmt::format("PROPERTY COMPILE_OPTIONS {}", kSmallCodeFlag));
+  if (end == std::string::npos) return {};
+  const std::size_t begin = file->text.rfind("set_property(SOURCE\n", end);
+  std::istringstream lines(file->text.substr(begin, end - begin));
+  std::vector<std::string> sources;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = line.substr(std::min(line.find_first_not_of(' '), line.size()));
+    if (is_source(name)) sources.push_back(name);
+  }
+  return sources;
+}
+
+/// Lines of CMake that compile for small code what `optimize: balanced` says; with `size` the flags
+/// of all do.
+std::string print_small_sources(const Scene& scene, const Generation& generation) {
+  if (scene.optimize != Optimize::balanced) return {};
+  std::string text;
+  for (const std::string& source : find_small_sources(generation)) text += "../src/" + source + " ";
+  return text.empty() ? text
+                      : fmt::format("set_property(SOURCE {}APPEND PROPERTY COMPILE_OPTIONS {})",
+                                    text, kSmallCodeFlag);
 }
 
 /// Text that is harmless in JSON, XML and lists of properties: letters, digits, some punctuation.
@@ -75,6 +108,7 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
           {"functions", fmt::format("{}", fmt::join(functions, ", "))},
           {"keywords", fmt::format("{}", fmt::join(keywords, "\n"))},
           {"requirement", is_c ? "" : "\tdepends on CPP"},
+          {"small_sources", print_small_sources(scene, generation)},
           {"sources", fmt::format("{}", fmt::join(sources, "\n"))},
           {"pack_files", fmt::format("{}", fmt::join(pack_files, "\n"))},
           {"flags", fmt::format("{}", fmt::join(flags, " "))},

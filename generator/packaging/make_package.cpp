@@ -39,7 +39,7 @@ std::vector<PackageFolder> for_zephyr(const PackageFacts& facts) {
        {fill("module.yml", templates::kZephyrModule, facts, {"robot", "name"}),
         fill("Kconfig", templates::kZephyrKconfig, facts, {"NAME", "name", "requirement", "robot"}),
         fill("CMakeLists.txt", templates::kZephyrCMakeLists, facts,
-             {"NAME", "name", "sources", "flags"})}}};
+             {"NAME", "name", "sources", "flags", "small_sources"})}}};
 }
 
 std::vector<PackageFolder> for_arduino(const PackageFacts& facts, const Scene& scene,

@@ -68,7 +68,10 @@ bool reads_sines(const Program& program) {
                      [](const std::string& input) { return input.starts_with("sin_q["); });
 }
 
+}  // namespace
+
 void declare_sines(Program& program) {
+  if (!reads_sines(program)) return;
   const auto q = std::find_if(program.arguments.begin(), program.arguments.end(),
                               [](const Argument& argument) { return argument.name == "q"; });
   const int rows = q->rows;
@@ -76,8 +79,6 @@ void declare_sines(Program& program) {
       program.arguments.insert(q + 1, {"sin_q", rows, 1, "sines of q; read for angles only"});
   program.arguments.insert(behind + 1, {"cos_q", rows, 1, "cosines of q; read for angles only"});
 }
-
-}  // namespace
 
 Program take_sines(const Program& program) {
   SineTaker taker(program.graph);
@@ -89,7 +90,7 @@ Program take_sines(const Program& program) {
     }
     return r.copy(node);
   });
-  if (reads_sines(taken)) declare_sines(taken);
+  declare_sines(taken);
   return taken;
 }
 

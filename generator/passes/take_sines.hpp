@@ -11,4 +11,7 @@ namespace treeline {
 /// of multiples of an angle (mimic joints with a factor) are still computed.
 Program take_sines(const Program& program);
 
+/// Adds sin_q and cos_q to the arguments where the program reads them.
+void declare_sines(Program& program);
+
 }  // namespace treeline

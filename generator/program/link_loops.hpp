@@ -13,18 +13,23 @@ namespace treeline {
 struct LinkTableData {
   bool floats = false;   ///< the first link is a floating base
   bool sliding = false;  ///< there are prismatic joints
+  /// Link frames are placed around operational points, even where the table has none of these.
+  bool around_points = false;
   int slots = 1;
   std::array<double, 3> gravity{};
   std::vector<core::loops::Link<double>> links;
   std::vector<std::string> names;  ///< of the links
   std::vector<core::loops::LinkPoint<double>> points;
   std::vector<core::loops::PointRow> rows;
-  std::vector<core::loops::LinkDrive<double>> drives;  ///< of all links, or none
+  // Of all links, or none.
+  std::vector<core::loops::LinkDrive<double>> drives;
+  std::vector<core::loops::LinkFriction<double>> frictions;
 };
 
-/// How a function is emitted that loops over a table of links: a call of the function of its name
-/// in `runtime/core/link_functions.hpp`, of which the program's graph is the trace.
+/// How a function is emitted that loops over a table of links: a call of `function` in
+/// `runtime/core/link_functions.hpp`, of which the program's graph is the trace.
 struct LinkLoops {
+  std::string function;
   LinkTableData table;
   bool uses_inertias = false, uses_rows = false;  ///< which work space it needs beside motions
   bool solves = false;                            ///< takes the law by which rows yield

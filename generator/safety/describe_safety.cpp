@@ -150,8 +150,9 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
     text += fmt::format("\n## {}\n\n{}", title, body);
   };
   section("Inputs and outputs", print_files(generation, provenance));
-  const bool loops = std::any_of(generation.functions.begin(), generation.functions.end(),
-                                 [](const auto& each) { return each.program.loops != nullptr; });
+  const bool loops = std::any_of(
+      generation.files.begin(), generation.files.end(),
+      [](const GeneratedFile& file) { return file.name.starts_with("link_functions."); });
   section("Behaviour of the code", std::string(kBehaviour) + (loops ? kLooping : "") +
                                        (generation.damped ? kDamped : "") +
                                        (scene.has_limits() ? kLimited : ""));

@@ -7,15 +7,21 @@ namespace treeline::core::loops {
 /// border^power). `yield` is the border to that power. Without a power 1 / c.
 template <int power, class Real>
 Real bounded_inverse(const Real& c, const Real& yield) noexcept {
-  static_assert(power == 0 || power == 4 || power == 6, "a law for rows that yield");
-  if constexpr (power == 0) {
-    return Real(1.0) / c;
-  } else {
+  static_assert((power == 0) || (power == 4) || (power == 6), "a law for rows that yield");
+  Real dividend = Real(1.0);
+  Real divisor = c;
+  if constexpr (power != 0) {
     const Real c2 = c * c;
     const Real c3 = c2 * c;
-    if constexpr (power == 4) return c3 / (c2 * c2 + yield);
-    return c3 * c2 / (c3 * c3 + yield);
+    if constexpr (power == 4) {
+      dividend = c3;
+      divisor = (c2 * c2) + yield;
+    } else {
+      dividend = c3 * c2;
+      divisor = (c3 * c3) + yield;
+    }
   }
+  return dividend / divisor;
 }
 
 /// Factors the row-major n x n matrix A in place, of which the lower triangle is read: L below the
@@ -23,12 +29,14 @@ Real bounded_inverse(const Real& c, const Real& yield) noexcept {
 template <int power, class Real>
 void factor(Real* A, int n, const Real* yields) noexcept {
   for (int k = 0; k < n; ++k) {
-    Real& pivot = A[k * n + k];
-    pivot = bounded_inverse<power>(pivot, power == 0 ? pivot : yields[k]);
+    Real& pivot = A[(k * n) + k];
+    pivot = bounded_inverse<power>(pivot, (power == 0) ? pivot : yields[k]);
     for (int i = n - 1; i > k; --i) {  // from below, so that the rows above are still A's
-      const Real l = A[i * n + k] * pivot;
-      for (int j = k + 1; j <= i; ++j) A[i * n + j] = A[i * n + j] - l * A[j * n + k];
-      A[i * n + k] = l;
+      const Real l = A[(i * n) + k] * pivot;
+      for (int j = k + 1; j <= i; ++j) {
+        A[(i * n) + j] = A[(i * n) + j] - (l * A[(j * n) + k]);
+      }
+      A[(i * n) + k] = l;
     }
   }
 }
@@ -37,7 +45,9 @@ void factor(Real* A, int n, const Real* yields) noexcept {
 template <class Real>
 void solve_lower(const Real* factors, int n, Real* x) noexcept {
   for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < i; ++k) x[i] = x[i] - factors[i * n + k] * x[k];
+    for (int k = 0; k < i; ++k) {
+      x[i] = x[i] - (factors[(i * n) + k] * x[k]);
+    }
   }
 }
 
@@ -46,8 +56,10 @@ template <class Real>
 void solve(const Real* factors, int n, Real* x) noexcept {
   solve_lower(factors, n, x);
   for (int i = n - 1; i >= 0; --i) {
-    x[i] = x[i] * factors[i * n + i];
-    for (int k = i + 1; k < n; ++k) x[i] = x[i] - factors[k * n + i] * x[k];
+    x[i] = x[i] * factors[(i * n) + i];
+    for (int k = i + 1; k < n; ++k) {
+      x[i] = x[i] - (factors[(k * n) + i] * x[k]);
+    }
   }
 }
 

@@ -5,18 +5,15 @@
 #include "core/link_factors.hpp"
 #include "core/link_motion.hpp"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
-
 namespace treeline::core::loops {
 
 /// Inertia of bodies at a link's frame, [A B; B^T C]: f = A a + B wd, n = B^T a + C wd. All three
 /// are row-major 3x3, A and C symmetric.
 template <class Real>
 struct LinkInertia {
-  Real A[9], B[9], C[9];
+  Real A[9];
+  Real B[9];
+  Real C[9];
 };
 
 /// u = IA S / D without its own entry, and 1 / D of a joint; D includes its rotor.
@@ -26,12 +23,12 @@ struct LinkProjection {
   Real inverse_D;
 };
 
-template <class Real, int links, int slots, bool floats>
+template <class Real, size_t links, size_t slots, size_t base_entries>
 struct InertiaWork {
   LinkInertia<Real> inertias[slots];
   LinkProjection<Real> projections[links];
-  /// Factors of the articulated inertia of a floating base, see `factor`.
-  Real base[floats ? 36 : 1];
+  /// Factors of the articulated inertia of a floating base, see `factor`; else one entry.
+  Real base[base_entries];
 };
 
 /// R M R^T for the rotation in the plane of the axes i and j.
@@ -39,10 +36,10 @@ template <class Real>
 void turn_matrix(const Turn<Real>& r, int i, int j, Real (&M)[9]) noexcept {
   const int k = 3 - i - j;
   Real& a = M[4 * i];
-  Real& b = M[3 * i + j];
-  Real& b2 = M[3 * j + i];
+  Real& b = M[(3 * i) + j];
+  Real& b2 = M[(3 * j) + i];
   Real& d = M[4 * j];
-  const Real t = r.s * (a - d) + r.c * (b + b2);
+  const Real t = (r.s * (a - d)) + (r.c * (b + b2));
   const Real st = r.s * t;
   const Real ct = r.c * t;
   const Real old = b;
@@ -50,8 +47,8 @@ void turn_matrix(const Turn<Real>& r, int i, int j, Real (&M)[9]) noexcept {
   d = d + st;
   b = ct - b2;
   b2 = ct - old;
-  turn_plane(r, M[3 * i + k], M[3 * j + k]);
-  turn_plane(r, M[3 * k + i], M[3 * k + j]);
+  turn_plane(r, M[(3 * i) + k], M[(3 * j) + k]);
+  turn_plane(r, M[(3 * k) + i], M[(3 * k) + j]);
 }
 
 /// Moves an inertia from the origin of its frame to where that has origin p: B becomes
@@ -65,21 +62,21 @@ void shift_inertia(const Real (&p)[3], LinkInertia<Real>& inertia) noexcept {
     const int s = (r + 1) % 3;
     const int t = (r + 2) % 3;
     for (int k = 0; k < 3; ++k) {
-      C[3 * k + r] = C[3 * k + r] - (B[3 * s + k] * p[t] - B[3 * t + k] * p[s]);
+      C[(3 * k) + r] = C[(3 * k) + r] - ((B[(3 * s) + k] * p[t]) - (B[(3 * t) + k] * p[s]));
     }
   }
   for (int r = 0; r < 3; ++r) {
     const int s = (r + 1) % 3;
     const int t = (r + 2) % 3;
     for (int k = 0; k < 3; ++k) {
-      B[3 * k + r] = B[3 * k + r] - (A[3 * k + s] * p[t] - A[3 * k + t] * p[s]);
+      B[(3 * k) + r] = B[(3 * k) + r] - ((A[(3 * k) + s] * p[t]) - (A[(3 * k) + t] * p[s]));
     }
   }
   for (int r = 0; r < 3; ++r) {
     const int s = (r + 1) % 3;
     const int t = (r + 2) % 3;
     for (int k = 0; k < 3; ++k) {
-      C[3 * r + k] = C[3 * r + k] + (p[s] * B[3 * t + k] - p[t] * B[3 * s + k]);
+      C[(3 * r) + k] = C[(3 * r) + k] + ((p[s] * B[(3 * t) + k]) - (p[t] * B[(3 * s) + k]));
     }
   }
 }
@@ -105,24 +102,30 @@ void inertia_to_parent(const Table& table, int i, const LinkPose<Real>& pose,
   shift_inertia(p, inertia);
 }
 
-/// Inertia of link `i` alone, added to that of the links that it carries.
+/// Inertia of a link alone, added to that of the links that it carries.
 template <class Real>
 void add_own(const Link<Real>& link, LinkInertia<Real>& sum) noexcept {
   const Real(&J)[6] = link.J;
   const Real rows[9] = {J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5]};
-  for (int k = 0; k < 9; ++k) sum.C[k] = sum.C[k] + rows[k];
+  for (int k = 0; k < 9; ++k) {
+    sum.C[k] = sum.C[k] + rows[k];
+  }
   for (int k = 0; k < 3; ++k) {  // B = -[h]x
     sum.A[4 * k] = sum.A[4 * k] + link.mass;
     const int l = (k + 1) % 3;
     const int m = (k + 2) % 3;
-    sum.B[3 * k + l] = sum.B[3 * k + l] + link.h[m];
-    sum.B[3 * l + k] = sum.B[3 * l + k] - link.h[m];
+    sum.B[(3 * k) + l] = sum.B[(3 * k) + l] + link.h[m];
+    sum.B[(3 * l) + k] = sum.B[(3 * l) + k] - link.h[m];
   }
 }
 
 template <class Real>
 void clear_inertia(LinkInertia<Real>& inertia) noexcept {
-  for (int k = 0; k < 9; ++k) inertia.A[k] = inertia.B[k] = inertia.C[k] = Real(0.0);
+  for (int k = 0; k < 9; ++k) {
+    inertia.A[k] = Real(0.0);
+    inertia.B[k] = Real(0.0);
+    inertia.C[k] = Real(0.0);
+  }
 }
 
 /// Passes the inertia in the slot of link `i` on to that of its parent. Where both share one, the
@@ -133,28 +136,29 @@ void pass_on(const Table& table, int i, const Motions& motions, LinkInertia<Real
   const Link<Real>& link = table.links[i];
   if (link.parent < 0) {
     clear_inertia(inertia);
-    return;
+  } else {
+    inertia_to_parent(table, i, motions.poses[i], inertia);
+    const int16_t slot = table.links[link.parent].slot;
+    if (slot != link.slot) {
+      LinkInertia<Real>& parent = inertias.inertias[slot];
+      for (int k = 0; k < 9; ++k) {
+        parent.A[k] = parent.A[k] + inertia.A[k];
+        parent.B[k] = parent.B[k] + inertia.B[k];
+        parent.C[k] = parent.C[k] + inertia.C[k];
+      }
+      clear_inertia(inertia);
+    }
   }
-  inertia_to_parent(table, i, motions.poses[i], inertia);
-  const short slot = table.links[link.parent].slot;
-  if (slot == link.slot) return;
-  LinkInertia<Real>& parent = inertias.inertias[slot];
-  for (int k = 0; k < 9; ++k) {
-    parent.A[k] = parent.A[k] + inertia.A[k];
-    parent.B[k] = parent.B[k] + inertia.B[k];
-    parent.C[k] = parent.C[k] + inertia.C[k];
-  }
-  clear_inertia(inertia);
 }
 
 /// U = I S of the joint of link `i`.
 template <class Table, class Real>
 void find_column(const Table& table, int i, const LinkInertia<Real>& inertia,
                  Spatial<Real>& U) noexcept {
-  const bool slides = Table::kSliding && table.links[i].slides;
+  const bool along = slides(table, i);
   for (int k = 0; k < 3; ++k) {
-    U.linear[k] = slides ? inertia.A[3 * k + 2] : inertia.B[3 * k + 2];
-    U.angular[k] = slides ? inertia.B[6 + k] : inertia.C[3 * k + 2];
+    U.linear[k] = along ? inertia.A[(3 * k) + 2] : inertia.B[(3 * k) + 2];
+    U.angular[k] = along ? inertia.B[6 + k] : inertia.C[(3 * k) + 2];
   }
 }
 
@@ -163,10 +167,10 @@ template <class Real>
 void copy_to(const LinkInertia<Real>& inertia, Real* matrix, int columns) noexcept {
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
-      matrix[k * columns + l] = inertia.A[3 * k + l];
-      matrix[k * columns + l + 3] = inertia.B[3 * k + l];
-      matrix[(k + 3) * columns + l] = inertia.B[3 * l + k];
-      matrix[(k + 3) * columns + l + 3] = inertia.C[3 * k + l];
+      matrix[(k * columns) + l] = inertia.A[(3 * k) + l];
+      matrix[(k * columns) + l + 3] = inertia.B[(3 * k) + l];
+      matrix[((k + 3) * columns) + l] = inertia.B[(3 * l) + k];
+      matrix[((k + 3) * columns) + l + 3] = inertia.C[(3 * k) + l];
     }
   }
 }
@@ -183,23 +187,26 @@ void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
   joint.inverse_D = Real(1.0) / (own + link.rotor);
   own = Real(0.0);
   const Real held = link.rotor * joint.inverse_D;
-  const bool slides = Table::kSliding && link.slides;
+  const bool along = slides(table, i);
   for (int k = 0; k < 3; ++k) {
     joint.u.linear[k] = U.linear[k] * joint.inverse_D;
     joint.u.angular[k] = U.angular[k] * joint.inverse_D;
   }
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
-      IA.A[3 * k + l] = IA.A[3 * k + l] - U.linear[k] * joint.u.linear[l];
-      IA.B[3 * k + l] = IA.B[3 * k + l] - U.linear[k] * joint.u.angular[l];
-      IA.C[3 * k + l] = IA.C[3 * k + l] - U.angular[k] * joint.u.angular[l];
+      IA.A[(3 * k) + l] = IA.A[(3 * k) + l] - (U.linear[k] * joint.u.linear[l]);
+      IA.B[(3 * k) + l] = IA.B[(3 * k) + l] - (U.linear[k] * joint.u.angular[l]);
+      IA.C[(3 * k) + l] = IA.C[(3 * k) + l] - (U.angular[k] * joint.u.angular[l]);
     }
   }
-  Real* const own_rows = slides ? IA.A : IA.C;
+  Real(&own_rows)[9] = along ? IA.A : IA.C;
   for (int k = 0; k < 3; ++k) {
-    Real& across = IA.B[slides ? 6 + k : 3 * k + 2];
-    across = across * held;
-    Real& column = own_rows[3 * k + 2];
+    int at = (3 * k) + 2;
+    if (along) {
+      at = 6 + k;
+    }
+    IA.B[at] = IA.B[at] * held;
+    Real& column = own_rows[(3 * k) + 2];
     column = column * held;
     own_rows[6 + k] = column;
   }
@@ -208,7 +215,9 @@ void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
 /// Inward pass of articulated bodies: u and 1 / D of joints, factors of a floating base.
 template <class Table, class Motions, class Inertias, class Real = typename Table::Real>
 void articulate(const Table& table, const Motions& motions, Inertias& inertias) noexcept {
-  for (int k = 0; k < table.slots; ++k) clear_inertia(inertias.inertias[k]);
+  for (int k = 0; k < table.slots; ++k) {
+    clear_inertia(inertias.inertias[k]);
+  }
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
     LinkInertia<Real>& IA = inertias.inertias[link.slot];
@@ -217,10 +226,10 @@ void articulate(const Table& table, const Motions& motions, Inertias& inertias) 
       copy_to(IA, &inertias.base[0], 6);
       const Real* const none = nullptr;
       factor<0>(&inertias.base[0], 6, none);
-      continue;
+    } else {
+      release_joint(table, i, IA, inertias.projections[i]);
+      pass_on(table, i, motions, IA, inertias);
     }
-    release_joint(table, i, IA, inertias.projections[i]);
-    pass_on(table, i, motions, IA, inertias);
   }
 }
 
@@ -229,33 +238,40 @@ template <class Table, class Real, class Motions, class Inertias>
 void find_mass_matrix(const Table& table, const Motions& motions, Inertias& inertias,
                       Real* M) noexcept {
   const int nv = velocity_at<Table>(table.count);
-  for (int k = 0; k < nv * nv; ++k) M[k] = Real(0.0);
-  for (int k = 0; k < table.slots; ++k) clear_inertia(inertias.inertias[k]);
+  for (int k = 0; k < (nv * nv); ++k) {
+    M[k] = Real(0.0);
+  }
+  for (int k = 0; k < table.slots; ++k) {
+    clear_inertia(inertias.inertias[k]);
+  }
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
     LinkInertia<Real>& inertia = inertias.inertias[link.slot];
     add_own(link, inertia);
     if (is_floating<Table>(i)) {
       copy_to(inertia, M, nv);
-      continue;
-    }
-    const int at = velocity_at<Table>(i);
-    Spatial<Real> wrench;
-    find_column(table, i, inertia, wrench);
-    M[at * nv + at] = along_joint(table, i, wrench) + link.rotor;
-    for (int j = i; table.links[j].parent >= 0;) {
-      wrench_to_parent(table, j, motions.poses[j], wrench);
-      j = table.links[j].parent;
-      const int entries = is_floating<Table>(j) ? 6 : 1;
-      for (int k = 0; k < entries; ++k) {
-        Real force = along_joint(table, j, wrench);
-        if (entries == 6) force = k < 3 ? wrench.linear[k] : wrench.angular[k - 3];
-        const int other = velocity_at<Table>(j) + k;
-        M[at * nv + other] = force;
-        M[other * nv + at] = force;
+    } else {
+      const int at = velocity_at<Table>(i);
+      Spatial<Real> wrench;
+      find_column(table, i, inertia, wrench);
+      M[(at * nv) + at] = along_joint(table, i, wrench) + link.rotor;
+      int j = i;
+      while (table.links[j].parent >= 0) {
+        wrench_to_parent(table, j, motions.poses[j], wrench);
+        j = table.links[j].parent;
+        const int entries = is_floating<Table>(j) ? 6 : 1;
+        for (int k = 0; k < entries; ++k) {
+          Real force = along_joint(table, j, wrench);
+          if (entries == 6) {
+            force = (k < 3) ? wrench.linear[k] : wrench.angular[k - 3];
+          }
+          const int other = velocity_at<Table>(j) + k;
+          M[(at * nv) + other] = force;
+          M[(other * nv) + at] = force;
+        }
       }
+      pass_on(table, i, motions, inertia, inertias);
     }
-    pass_on(table, i, motions, inertia, inertias);
   }
 }
 
@@ -264,10 +280,12 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
 template <class Table, class Real, class Motions, class Inertias>
 void find_accelerations(const Table& table, const Real* tau, Motions& motions,
                         const Inertias& inertias, Real* qdd) noexcept {
-  for (int i = 0; i < table.count; ++i) clear_spatial(motions.wrenches[i]);
+  for (int i = 0; i < table.count; ++i) {
+    clear_spatial(motions.wrenches[i]);
+  }
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
-    const int at = velocity_at<Table>(i);
+    const LinkProjection<Real>& joint = inertias.projections[i];
     Spatial<Real>& wrench = motions.wrenches[i];
     if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
@@ -275,53 +293,50 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
         qdd[k + 3] = tau[k + 3] - qdd[k + 3] - wrench.angular[k];
       }
       solve(&inertias.base[0], 6, qdd);
-      continue;
+    } else {
+      const int at = velocity_at<Table>(i);
+      Real& along = along_joint(table, i, wrench);
+      const Real missing = tau[at] - qdd[at];
+      const Real left = missing - along;
+      qdd[at] = left;
+      if (link.parent >= 0) {
+        for (int k = 0; k < 3; ++k) {
+          wrench.linear[k] = wrench.linear[k] + (joint.u.linear[k] * left);
+          wrench.angular[k] = wrench.angular[k] + (joint.u.angular[k] * left);
+        }
+        along = missing - (link.rotor * joint.inverse_D * left);
+        wrench_to_parent(table, i, motions.poses[i], wrench);
+        add(wrench, motions.wrenches[link.parent]);
+      }
     }
-    const LinkProjection<Real>& joint = inertias.projections[i];
-    Real& along = along_joint(table, i, wrench);
-    const Real missing = tau[at] - qdd[at];
-    const Real left = missing - along;
-    qdd[at] = left;
-    if (link.parent < 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      wrench.linear[k] = wrench.linear[k] + joint.u.linear[k] * left;
-      wrench.angular[k] = wrench.angular[k] + joint.u.angular[k] * left;
-    }
-    along = missing - link.rotor * joint.inverse_D * left;
-    wrench_to_parent(table, i, motions.poses[i], wrench);
-    add(wrench, motions.wrenches[link.parent]);
   }
   for (int i = 0; i < table.count; ++i) {
     const Link<Real>& link = table.links[i];
+    const LinkProjection<Real>& joint = inertias.projections[i];
     Spatial<Real>& twist = motions.wrenches[i];  // acceleration without what velocities add
     if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         twist.linear[k] = qdd[k];
         twist.angular[k] = qdd[k + 3];
       }
-      continue;
+    } else {
+      const int at = velocity_at<Table>(i);
+      clear_spatial(twist);
+      if (link.parent >= 0) {
+        add(motions.wrenches[link.parent], twist);
+        Real p[3];
+        find_origin(table, i, motions.poses[i], p);
+        add_cross(twist.angular, p, twist.linear);
+        turn_to_child(link, motions.poses[i], twist.linear);
+        turn_to_child(link, motions.poses[i], twist.angular);
+      }
+      Real& along = along_joint(table, i, twist);
+      const Real held = link.rotor * joint.inverse_D;
+      qdd[at] = (joint.inverse_D * qdd[at]) - dot(joint.u.linear, twist.linear) -
+                dot(joint.u.angular, twist.angular) - (along - (held * along));
+      along = along + qdd[at];
     }
-    const int at = velocity_at<Table>(i);
-    const LinkProjection<Real>& joint = inertias.projections[i];
-    clear_spatial(twist);
-    if (link.parent >= 0) {
-      add(motions.wrenches[link.parent], twist);
-      Real p[3];
-      find_origin(table, i, motions.poses[i], p);
-      add_cross(twist.angular, p, twist.linear);
-      turn_to_child(link, motions.poses[i], twist.linear);
-      turn_to_child(link, motions.poses[i], twist.angular);
-    }
-    Real& along = along_joint(table, i, twist);
-    const Real held = link.rotor * joint.inverse_D;
-    qdd[at] = joint.inverse_D * qdd[at] - dot(joint.u.linear, twist.linear) -
-              dot(joint.u.angular, twist.angular) - (along - held * along);
-    along = along + qdd[at];
   }
 }
 
 }  // namespace treeline::core::loops
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

@@ -1,24 +1,24 @@
 #pragma once
 // Inverse dynamics by loops over a table of links: recursive Newton-Euler. C++17, freestanding.
 
+#include <stddef.h>
+
+#include "core/link_friction.hpp"
 #include "core/link_table.hpp"
 #include "core/sin_cos.hpp"
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
 
 namespace treeline::core::loops {
 
 /// Motion of a link's frame, in its axes. `a` is the acceleration of its origin minus gravity.
 template <class Real>
 struct LinkMotion {
-  Real w[3], wd[3], a[3];
+  Real w[3];
+  Real wd[3];
+  Real a[3];
 };
 
 /// What inverse dynamics keeps of each link, and of the links on the way out.
-template <class Real, int links, int slots>
+template <class Real, size_t links, size_t slots>
 struct MotionWork {
   LinkPose<Real> poses[links];
   BasePose<Real> base;
@@ -49,7 +49,8 @@ void copy(const LinkMotion<Real>& from, LinkMotion<Real>& to) noexcept {
 template <class Table, class Real>
 void rest(const Table& table, LinkMotion<Real>& motion) noexcept {
   for (int k = 0; k < 3; ++k) {
-    motion.w[k] = motion.wd[k] = Real(0.0);
+    motion.w[k] = Real(0.0);
+    motion.wd[k] = Real(0.0);
     motion.a[k] = -table.gravity[k];
   }
 }
@@ -65,32 +66,37 @@ void move_link(const Table& table, int i, const LinkPose<Real>& pose, const Real
   turn_to_child(link, pose, motion.w);
   turn_to_child(link, pose, motion.wd);
   turn_to_child(link, pose, motion.a);
-  const bool slides = Table::kSliding && link.slides;
-  Real(&moved)[3] = slides ? motion.a : motion.wd;
-  const Real rate = slides ? Real(2.0) * qd : qd;
-  moved[0] = moved[0] + motion.w[1] * rate;
-  moved[1] = moved[1] - motion.w[0] * rate;
+  const bool along = slides(table, i);
+  Real(&moved)[3] = along ? motion.a : motion.wd;
+  Real rate = qd;
+  if (along) {
+    rate = Real(2.0) * qd;
+  }
+  moved[0] = moved[0] + (motion.w[1] * rate);
+  moved[1] = moved[1] - (motion.w[0] * rate);
   moved[2] = moved[2] + qdd;
-  if (!slides) motion.w[2] = motion.w[2] + qd;
+  if (!along) {
+    motion.w[2] = motion.w[2] + qd;
+  }
 }
 
 /// An entry of an argument that may be missing: then it is 0.
 template <class Real>
 Real entry(const Real* argument, int i) noexcept {
-  return argument == nullptr ? Real(0.0) : argument[i];
+  return (argument == nullptr) ? Real(0.0) : argument[i];
 }
 
 template <class Table, class Real>
 void move_base(const Table& table, const BasePose<Real>& base, const Real* qd, const Real* qdd,
                LinkMotion<Real>& motion) noexcept {
-  const Real* const Q = base.Q;
+  const Real* const Q = &base.Q[0];
   Real v[3];
   for (int k = 0; k < 3; ++k) {
     v[k] = entry(qd, k);
     motion.w[k] = entry(qd, k + 3);
     motion.wd[k] = entry(qdd, k + 3);
-    motion.a[k] = entry(qdd, k) - (Q[k] * table.gravity[0] + Q[3 + k] * table.gravity[1] +
-                                   Q[6 + k] * table.gravity[2]);
+    motion.a[k] = entry(qdd, k) - ((Q[k] * table.gravity[0]) + (Q[3 + k] * table.gravity[1]) +
+                                   (Q[6 + k] * table.gravity[2]));
   }
   add_cross(motion.w, v, motion.a);
 }
@@ -123,7 +129,8 @@ struct ComputedSines {
 /// The same, from arguments of the function.
 template <class Real>
 struct GivenSines {
-  const Real *sin_q, *cos_q;
+  const Real* sin_q;
+  const Real* cos_q;
   void operator()(int i, const Real&, Real& sine, Real& cosine) const noexcept {
     sine = sin_q[i];
     cosine = cos_q[i];
@@ -134,24 +141,23 @@ struct GivenSines {
 template <class Table, class Real, class Sines, class Motions>
 void place_links(const Table& table, const Real* q, const Sines& sines, Motions& motions) noexcept {
   for (int i = 0; i < table.count; ++i) {
-    if (is_floating<Table>(i)) {
-      place_base(table, q, motions.base);
-      continue;
-    }
     const Link<Real>& link = table.links[i];
-    const int at = coordinate_at<Table>(i);
-    const Real moved = q[at] + link.offset;
     LinkPose<Real>& pose = motions.poses[i];
-    pose.slide = moved;
     Real& c = pose.turn.c;
     Real& s = pose.turn.s;
-    if (Table::kSliding && link.slides) {
-      c = link.b.c;
-      s = link.b.s;
-      continue;
+    if (is_floating<Table>(i)) {
+      place_base(table, q, motions.base);
+    } else {
+      const int at = coordinate_at<Table>(i);
+      pose.slide = q[at];
+      if (slides(table, i)) {
+        c = link.b.c;
+        s = link.b.s;
+      } else {
+        sines(at, q[at], s, c);
+        turn_plane(link.b, c, s);
+      }
     }
-    sines(at, moved, s, c);
-    turn_plane(link.b, c, s);
   }
 }
 
@@ -169,25 +175,39 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
       if (link.parent < 0) {
         rest(table, motion);
       } else {
-        const short slot = table.links[link.parent].slot;
-        if (slot != link.slot) copy(motions.motions[slot], motion);
+        const int16_t slot = table.links[link.parent].slot;
+        if (slot != link.slot) {
+          copy(motions.motions[slot], motion);
+        }
       }
       const int at = velocity_at<Table>(i);
       move_link(table, i, motions.poses[i], entry(qd, at), entry(qdd, at), motion);
     }
     find_wrench(link, motion, motions.wrenches[i]);
     for (int k = 0; k < table.point_count; ++k) {
-      if (table.points[k].link == i) copy(motion, point_motions[k]);
+      if (table.points[k].link == i) {
+        copy(motion, point_motions[k]);
+      }
     }
   }
 }
 
-/// Adds what friction and the spring of a joint take.
+/// Adds what viscous friction and the spring of a joint take.
 template <class Table, class Real>
 void add_drive(const Table& table, int i, const Real& q, const Real& qd, Real& tau) noexcept {
-  if (table.drives == nullptr) return;
-  const LinkDrive<Real>& drive = table.drives[i];
-  tau = tau + drive.damping * qd + drive.stiffness * (q - drive.rest);
+  if (table.drives != nullptr) {
+    const LinkDrive<Real>& drive = table.drives[i];
+    tau = tau + (drive.damping * qd) + (drive.stiffness * (q - drive.rest));
+  }
+}
+
+/// Adds what the Coulomb friction of a joint takes.
+template <class Table, class Real>
+void add_friction(const Table& table, int i, const Real& qd, Real& tau) noexcept {
+  if (table.frictions != nullptr) {
+    const LinkFriction<Real>& friction = table.frictions[i];
+    tau = tau + (friction.force * friction_sign<Real>(friction.sharpness * qd));
+  }
 }
 
 /// Inward pass: joint forces of the wrenches on links, which are lost.
@@ -195,29 +215,31 @@ template <class Table, class Real, class Motions>
 void gather_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
                    Motions& motions, Real* tau) noexcept {
   for (int i = table.count - 1; i >= 0; --i) {
-    const int at = velocity_at<Table>(i);
+    const Link<Real>& link = table.links[i];
     Spatial<Real>& wrench = motions.wrenches[i];
     if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         tau[k] = wrench.linear[k];
         tau[k + 3] = wrench.angular[k];
       }
-      continue;
-    }
-    const Link<Real>& link = table.links[i];
-    tau[at] = along_joint(table, i, wrench) + link.rotor * entry(qdd, at);
-    if constexpr (Table::kDriven) {
-      add_drive(table, i, q[coordinate_at<Table>(i)], entry(qd, at), tau[at]);
-    }
-    if (link.parent >= 0) {
-      wrench_to_parent(table, i, motions.poses[i], wrench);
-      add(wrench, motions.wrenches[link.parent]);
+    } else {
+      const int at = velocity_at<Table>(i);
+      tau[at] = along_joint(table, i, wrench) + (link.rotor * entry(qdd, at));
+      if constexpr (Table::kDriven) {
+        add_drive(table, i, q[coordinate_at<Table>(i)], entry(qd, at), tau[at]);
+      } else {
+        static_cast<void>(q);
+        static_cast<void>(qd);
+      }
+      if constexpr (Table::kRubbing) {
+        add_friction(table, i, entry(qd, at), tau[at]);
+      }
+      if (link.parent >= 0) {
+        wrench_to_parent(table, i, motions.poses[i], wrench);
+        add(wrench, motions.wrenches[link.parent]);
+      }
     }
   }
 }
 
 }  // namespace treeline::core::loops
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

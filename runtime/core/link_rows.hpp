@@ -4,19 +4,14 @@
 
 #include "core/link_inertia.hpp"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
-
 namespace treeline::core::loops {
 
-template <class Real, int points, int rows>
+template <class Real, size_t points, size_t rows>
 struct RowWork {
   LinkAxes<Real> link_axes[points];  ///< of the points' links
   LinkMotion<Real> point_motions[points];
   Spatial<Real> forces[rows];  ///< unit forces on their way to the base
-  short links[rows];           ///< where they have got to
+  int16_t links[rows];         ///< where they have got to
   Real errors[rows];
   Real Lambda_inv[rows * rows];
 };
@@ -33,7 +28,7 @@ template <class Real>
 void find_direction(const LinkPoint<Real>& point, const LinkAxes<Real>& link_axes, int axis,
                     Real (&e)[3]) noexcept {
   for (int j = 0; j < 3; ++j) {
-    e[j] = point.world ? link_axes.rows[3 * j + axis] : point.axes[3 * axis + j];
+    e[j] = point.world ? link_axes.rows[(3 * j) + axis] : point.axes[(3 * axis) + j];
   }
 }
 
@@ -56,12 +51,14 @@ template <class Table, class Real, class Rows>
 void absorb(const Table& table, int i, const Real* work_of_rows, const Real& inverse_D,
             Rows& rows) noexcept {
   for (int r = 0; r < table.rows; ++r) {
-    if (rows.links[r] != i) continue;
-    const Real scaled = work_of_rows[r] * inverse_D;
-    for (int s = 0; s <= r; ++s) {
-      if (rows.links[s] != i) continue;
-      Real& sum = rows.Lambda_inv[r * table.rows + s];
-      sum = sum + scaled * work_of_rows[s];
+    if (rows.links[r] == i) {
+      const Real scaled = work_of_rows[r] * inverse_D;
+      for (int s = 0; s <= r; ++s) {
+        if (rows.links[s] == i) {
+          Real& sum = rows.Lambda_inv[(r * table.rows) + s];
+          sum = sum + (scaled * work_of_rows[s]);
+        }
+      }
     }
   }
 }
@@ -70,22 +67,23 @@ void absorb(const Table& table, int i, const Real* work_of_rows, const Real& inv
 template <class Table, class Inertias, class Rows, class Real = typename Table::Real>
 void absorb_in_base(const Table& table, const Inertias& inertias, Rows& rows) noexcept {
   for (int r = 0; r < table.rows; ++r) {
-    if (rows.links[r] != 0) continue;
-    Spatial<Real>& K = rows.forces[r];
-    Real x[6];
-    for (int k = 0; k < 3; ++k) {
-      x[k] = K.linear[k];
-      x[k + 3] = K.angular[k];
-    }
-    solve_lower(&inertias.base[0], 6, x);
-    for (int k = 0; k < 3; ++k) {
-      K.linear[k] = x[k];
-      K.angular[k] = x[k + 3];
+    if (rows.links[r] == 0) {
+      Spatial<Real>& K = rows.forces[r];
+      Real x[6];
+      for (int k = 0; k < 3; ++k) {
+        x[k] = K.linear[k];
+        x[k + 3] = K.angular[k];
+      }
+      solve_lower(&inertias.base[0], 6, x);
+      for (int k = 0; k < 3; ++k) {
+        K.linear[k] = x[k];
+        K.angular[k] = x[k + 3];
+      }
     }
   }
   for (int k = 0; k < 6; ++k) {
     for (int r = 0; r < table.rows; ++r) {
-      rows.errors[r] = k < 3 ? rows.forces[r].linear[k] : rows.forces[r].angular[k - 3];
+      rows.errors[r] = (k < 3) ? rows.forces[r].linear[k] : rows.forces[r].angular[k - 3];
     }
     absorb(table, 0, &rows.errors[0], inertias.base[7 * k], rows);
   }
@@ -96,7 +94,9 @@ void absorb_in_base(const Table& table, const Inertias& inertias, Rows& rows) no
 template <class Table, class Motions, class Inertias, class Rows, class Real = typename Table::Real>
 void propagate_forces(const Table& table, const Motions& motions, const Inertias& inertias,
                       Rows& rows) noexcept {
-  for (int k = 0; k < table.rows * table.rows; ++k) rows.Lambda_inv[k] = Real(0.0);
+  for (int k = 0; k < (table.rows * table.rows); ++k) {
+    rows.Lambda_inv[k] = Real(0.0);
+  }
   for (int r = 0; r < table.rows; ++r) {
     find_unit_force(table, rows, r, rows.forces[r]);
     rows.links[r] = table.points[table.point_rows[r].point].link;
@@ -104,24 +104,25 @@ void propagate_forces(const Table& table, const Motions& motions, const Inertias
   for (int i = table.count - 1; i >= 0; --i) {
     if (is_floating<Table>(i)) {
       absorb_in_base(table, inertias, rows);
-      continue;
-    }
-    const LinkProjection<Real>& joint = inertias.projections[i];
-    for (int r = 0; r < table.rows; ++r) {
-      rows.errors[r] = along_joint(table, i, rows.forces[r]);
-    }
-    absorb(table, i, &rows.errors[0], joint.inverse_D, rows);
-    for (int r = 0; r < table.rows; ++r) {
-      if (rows.links[r] != i) continue;
-      Spatial<Real>& K = rows.forces[r];
-      const Real along = rows.errors[r];
-      for (int k = 0; k < 3; ++k) {
-        K.linear[k] = K.linear[k] - joint.u.linear[k] * along;
-        K.angular[k] = K.angular[k] - joint.u.angular[k] * along;
+    } else {
+      for (int r = 0; r < table.rows; ++r) {
+        rows.errors[r] = along_joint(table, i, rows.forces[r]);
       }
-      along_joint(table, i, K) = table.links[i].rotor * joint.inverse_D * along;
-      wrench_to_parent(table, i, motions.poses[i], K);
-      rows.links[r] = table.links[i].parent;
+      const LinkProjection<Real>& joint = inertias.projections[i];
+      absorb(table, i, &rows.errors[0], joint.inverse_D, rows);
+      for (int r = 0; r < table.rows; ++r) {
+        if (rows.links[r] == i) {
+          Spatial<Real>& K = rows.forces[r];
+          const Real along = rows.errors[r];
+          for (int k = 0; k < 3; ++k) {
+            K.linear[k] = K.linear[k] - (joint.u.linear[k] * along);
+            K.angular[k] = K.angular[k] - (joint.u.angular[k] * along);
+          }
+          along_joint(table, i, K) = table.links[i].rotor * joint.inverse_D * along;
+          wrench_to_parent(table, i, motions.poses[i], K);
+          rows.links[r] = table.links[i].parent;
+        }
+      }
     }
   }
 }
@@ -132,7 +133,8 @@ void copy_lambda_inverse(const Table& table, const Rows& rows, Real* Lambda_inv)
   const int n = table.rows;
   for (int r = 0; r < n; ++r) {
     for (int s = 0; s <= r; ++s) {
-      Lambda_inv[r * n + s] = Lambda_inv[s * n + r] = rows.Lambda_inv[r * n + s];
+      Lambda_inv[(s * n) + r] = rows.Lambda_inv[(r * n) + s];
+      Lambda_inv[(r * n) + s] = rows.Lambda_inv[(r * n) + s];
     }
   }
 }
@@ -144,9 +146,14 @@ void invert_rows(const Table& table, const Real* yields, Rows& rows, Real* Lambd
   const int n = table.rows;
   factor<power>(&rows.Lambda_inv[0], n, yields);
   for (int s = 0; s < n; ++s) {
-    for (int r = 0; r < n; ++r) rows.errors[r] = r == s ? Real(1.0) : Real(0.0);
+    for (int r = 0; r < n; ++r) {
+      rows.errors[r] = (r == s) ? Real(1.0) : Real(0.0);
+    }
     solve(&rows.Lambda_inv[0], n, &rows.errors[0]);
-    for (int r = s; r < n; ++r) Lambda[r * n + s] = Lambda[s * n + r] = rows.errors[r];
+    for (int r = s; r < n; ++r) {
+      Lambda[(s * n) + r] = rows.errors[r];
+      Lambda[(r * n) + s] = rows.errors[r];
+    }
   }
 }
 
@@ -163,10 +170,12 @@ void find_errors(const Table& table, const Real* xdd_cmd, Rows& rows) noexcept {
     for (int j = 0; j < 3; ++j) {
       const Real* const own = &rows.link_axes[row.point].rows[3 * j];
       const Real weight =
-          own[0] * table.gravity[0] + own[1] * table.gravity[1] + own[2] * table.gravity[2];
-      moved[j] = row.angular ? motion.wd[j] : motion.a[j] + weight;
+          (own[0] * table.gravity[0]) + (own[1] * table.gravity[1]) + (own[2] * table.gravity[2]);
+      moved[j] = row.angular ? motion.wd[j] : (motion.a[j] + weight);
     }
-    if (!row.angular) add_rotation(motion, point.p, moved);
+    if (!row.angular) {
+      add_rotation(motion, point.p, moved);
+    }
     rows.errors[r] = xdd_cmd[r] - dot(e, moved);
   }
 }
@@ -186,7 +195,3 @@ void add_row_forces(const Table& table, const Rows& rows, Motions& motions) noex
 }
 
 }  // namespace treeline::core::loops
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

@@ -6,25 +6,29 @@
 // This is small code: `optimize: size`. Straight lines are several times as fast, since they leave
 // out what is zero. Frames, units and the order of joints are those of the generated code.
 
+#include <stdint.h>
+
 namespace treeline::core::loops {
 
 /// Cosine and sine of a rotation about one coordinate axis.
 template <class Real>
 struct Turn {
-  Real c, s;
+  Real c;
+  Real s;
 };
 
 /// A link, and the joint that moves it along or about the z axis of its frame, whose pose in the
 /// parent is the translation by `p`, Rz(a) Rx(alpha) Rz(b), and the joint's motion.
 template <class Real>
 struct Link {
-  short parent;  ///< -1: the world
-  short slot;    ///< how many of the links that carry it carry several
-  bool slides;   ///< a prismatic joint
-  Turn<Real> a, alpha, b;
-  Real p[3];    ///< in the parent's axes
-  Real offset;  ///< added to the coordinate
-  Real rotor;   ///< inertia that the joint alone feels
+  int16_t parent;  ///< -1: the world
+  int16_t slot;    ///< how many of the links that carry it carry several
+  bool slides;     ///< a prismatic joint
+  Turn<Real> a;
+  Turn<Real> alpha;
+  Turn<Real> b;
+  Real p[3];   ///< in the parent's axes
+  Real rotor;  ///< inertia that the joint alone feels
   Real mass;
   Real h[3];  ///< first moment
   Real J[6];  ///< rotational inertia about the frame's origin: xx xy xz yy yz zz
@@ -33,7 +37,7 @@ struct Link {
 /// An operational point.
 template <class Real>
 struct LinkPoint {
-  short link;
+  int16_t link;
   bool world;    ///< axes of the world; else `axes`
   Real axes[9];  ///< row-major; a row is an axis, in the link's axes
   Real p[3];     ///< in the link's axes
@@ -41,8 +45,8 @@ struct LinkPoint {
 
 /// A row of the task: an operational point's motion along an axis, or its rotation about it.
 struct PointRow {
-  short point;
-  short axis;
+  int16_t point;
+  int16_t axis;
   bool angular;
 };
 
@@ -54,14 +58,23 @@ struct LinkDrive {
   Real rest;  ///< coordinate at which the spring is slack
 };
 
+/// Coulomb friction of a joint: `force` times the smooth sign of `sharpness` times the velocity.
+template <class Real>
+struct LinkFriction {
+  Real force;
+  Real sharpness;
+};
+
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
-/// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives.
-template <class Number, bool floats, bool sliding, bool driven = false>
+/// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
+/// `rubbing`: Coulomb friction.
+template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
   static constexpr bool kSliding = sliding;
   static constexpr bool kDriven = driven;
+  static constexpr bool kRubbing = rubbing;
 
   const Link<Real>* links;
   int count;
@@ -71,25 +84,60 @@ struct LinkTable {
   int point_count = 0;
   const PointRow* point_rows = nullptr;
   int rows = 0;
-  const LinkDrive<Real>* drives = nullptr;  ///< of all links; none: no joint has any
+  // Of all links; none: no joint has any.
+  const LinkDrive<Real>* drives = nullptr;
+  const LinkFriction<Real>* frictions = nullptr;
 };
 
 /// Where the joint of link `i` has its velocity.
 template <class Table>
 constexpr int velocity_at(int i) noexcept {
-  return Table::kFloats && i > 0 ? i + 5 : i;
+  if constexpr (Table::kFloats) {
+    int at = i;
+    if (i > 0) {
+      at = i + 5;
+    }
+    return at;
+  } else {
+    return i;
+  }
 }
 
 /// Where the joint of link `i` has its coordinate.
 template <class Table>
 constexpr int coordinate_at(int i) noexcept {
-  return Table::kFloats && i > 0 ? i + 6 : i;
+  if constexpr (Table::kFloats) {
+    int at = i;
+    if (i > 0) {
+      at = i + 6;
+    }
+    return at;
+  } else {
+    return i;
+  }
 }
 
 /// Whether link `i` is a floating base.
 template <class Table>
 constexpr bool is_floating(int i) noexcept {
-  return Table::kFloats && i == 0;
+  if constexpr (Table::kFloats) {
+    return i == 0;
+  } else {
+    static_cast<void>(i);
+    return false;
+  }
+}
+
+/// Whether the joint of link `i` is prismatic.
+template <class Table>
+constexpr bool slides(const Table& table, int i) noexcept {
+  if constexpr (Table::kSliding) {
+    return table.links[i].slides;
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(i);
+    return false;
+  }
 }
 
 /// What a joint's coordinate makes of a link's pose.
@@ -108,40 +156,43 @@ struct BasePose {
 /// A wrench [f; n], or a twist [v; w], at a link's origin, in its axes.
 template <class Real>
 struct Spatial {
-  Real linear[3], angular[3];
+  Real linear[3];
+  Real angular[3];
 };
 
 // Arrays and structs are filled and copied by their numbers: of initializers and assignments
 // compilers make calls of memset and memcpy.
 template <class Real>
 void clear(Real (&v)[3]) noexcept {
-  for (int k = 0; k < 3; ++k) v[k] = Real(0.0);
+  for (int k = 0; k < 3; ++k) {
+    v[k] = Real(0.0);
+  }
 }
 
 template <class Real>
 inline void turn_plane(const Turn<Real>& r, Real& x, Real& y) noexcept {
   const Real old = x;
-  x = r.c * old - r.s * y;
-  y = r.s * old + r.c * y;
+  x = (r.c * old) - (r.s * y);
+  y = (r.s * old) + (r.c * y);
 }
 template <class Real>
 inline void turn_plane_back(const Turn<Real>& r, Real& x, Real& y) noexcept {
   const Real old = x;
-  x = r.c * old + r.s * y;
-  y = r.c * y - r.s * old;
+  x = (r.c * old) + (r.s * y);
+  y = (r.c * y) - (r.s * old);
 }
 
 template <class Real>
 Real dot(const Real (&a)[3], const Real (&b)[3]) noexcept {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return (a[0] * b[0]) + (a[1] * b[1]) + (a[2] * b[2]);
 }
 
 /// sum += a x b
 template <class Real>
 void add_cross(const Real (&a)[3], const Real (&b)[3], Real (&sum)[3]) noexcept {
-  sum[0] = sum[0] + (a[1] * b[2] - a[2] * b[1]);
-  sum[1] = sum[1] + (a[2] * b[0] - a[0] * b[2]);
-  sum[2] = sum[2] + (a[0] * b[1] - a[1] * b[0]);
+  sum[0] = sum[0] + ((a[1] * b[2]) - (a[2] * b[1]));
+  sum[1] = sum[1] + ((a[2] * b[0]) - (a[0] * b[2]));
+  sum[2] = sum[2] + ((a[0] * b[1]) - (a[1] * b[0]));
 }
 
 /// From a link's axes to its parent's. Not for a floating base.
@@ -162,15 +213,22 @@ void turn_to_child(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)
 template <class Table, class Real>
 void find_origin(const Table& table, int i, const LinkPose<Real>& pose, Real (&p)[3]) noexcept {
   const Link<Real>& link = table.links[i];
-  for (int k = 0; k < 3; ++k) p[k] = link.p[k];
+  for (int k = 0; k < 3; ++k) {
+    p[k] = link.p[k];
+  }
   if constexpr (Table::kSliding) {
-    if (!link.slides) return;
-    Real along[3];
-    clear(along);
-    along[2] = pose.slide;
-    turn_plane(link.alpha, along[1], along[2]);
-    turn_plane(link.a, along[0], along[1]);
-    for (int k = 0; k < 3; ++k) p[k] = p[k] + along[k];
+    if (link.slides) {
+      Real along[3];
+      clear(along);
+      along[2] = pose.slide;
+      turn_plane(link.alpha, along[1], along[2]);
+      turn_plane(link.a, along[0], along[1]);
+      for (int k = 0; k < 3; ++k) {
+        p[k] = p[k] + along[k];
+      }
+    }
+  } else {
+    static_cast<void>(pose);
   }
 }
 
@@ -203,32 +261,33 @@ void clear_spatial(Spatial<Real>& spatial) noexcept {
 /// The entry of a wrench or twist along or about the joint's axis.
 template <class Table, class Real>
 Real& along_joint(const Table& table, int i, Spatial<Real>& spatial) noexcept {
-  if constexpr (Table::kSliding) {
-    if (table.links[i].slides) return spatial.linear[2];
-  }
-  return spatial.angular[2];
+  Real(&half)[3] = slides(table, i) ? spatial.linear : spatial.angular;
+  return half[2];
 }
 
 /// The rotation by a floating base's quaternion of any length; 0 does not turn.
 template <class Table, class Real>
 void place_base(const Table& table, const Real* q, BasePose<Real>& base) noexcept {
-  const Real* v = q + 3;  // x y z w
-  const Real square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3] + Real(0x1p-100);
+  const Real* const v = &q[3];  // x y z w
+  const Real square =
+      (v[0] * v[0]) + (v[1] * v[1]) + (v[2] * v[2]) + (v[3] * v[3]) + Real(0x1p-100);
   const Real twice = Real(2.0) / square;
+  const Link<Real>& link = table.links[0];
   for (int j = 0; j < 3; ++j) {  // columns, in the axes of the placement
     const int k = (j + 1) % 3;
     const int l = (j + 2) % 3;
     Real column[3];
     const Real t = twice * v[j];
     const Real tw = twice * v[3];
-    column[j] = Real(1.0) - twice * (v[k] * v[k] + v[l] * v[l]);
-    column[k] = t * v[k] + tw * v[l];
-    column[l] = t * v[l] - tw * v[k];
-    const Link<Real>& link = table.links[0];
+    column[j] = Real(1.0) - (twice * ((v[k] * v[k]) + (v[l] * v[l])));
+    column[k] = (t * v[k]) + (tw * v[l]);
+    column[l] = (t * v[l]) - (tw * v[k]);
     turn_plane(link.b, column[0], column[1]);
     turn_plane(link.alpha, column[1], column[2]);
     turn_plane(link.a, column[0], column[1]);
-    for (int m = 0; m < 3; ++m) base.Q[3 * m + j] = column[m];
+    for (int m = 0; m < 3; ++m) {
+      base.Q[(3 * m) + j] = column[m];
+    }
   }
 }
 
@@ -249,13 +308,16 @@ void find_axes(const Table& table, const LinkPose<Real>* poses, const BasePose<R
       if (is_floating<Table>(i)) {
         const Real old[3] = {v[0], v[1], v[2]};
         for (int m = 0; m < 3; ++m) {
-          v[m] = base.Q[3 * m] * old[0] + base.Q[3 * m + 1] * old[1] + base.Q[3 * m + 2] * old[2];
+          const Real* const row = &base.Q[3 * m];
+          v[m] = (row[0] * old[0]) + (row[1] * old[1]) + (row[2] * old[2]);
         }
       } else {
         turn_to_parent(table.links[i], poses[i], v);
       }
     }
-    for (int m = 0; m < 3; ++m) axes.rows[3 * j + m] = v[m];
+    for (int m = 0; m < 3; ++m) {
+      axes.rows[(3 * j) + m] = v[m];
+    }
   }
 }
 

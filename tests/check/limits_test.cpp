@@ -113,14 +113,24 @@ TEST(LimitsCheck, ArmAtAWallInBatchesOfFloat) {
   expect_batch_certified(arm("batch: 8\nreal: float\n"), 10);
 }
 
-// Without constraints there is no matrix of held rows.
+// In vectors, and in loops over the states.
+TEST(LimitsCheck, ArmAtAWallInBatchesOfC) {
+  expect_batch_certified(arm("batch: 4\nlanes: 4\nlanguage: c\n"), 10);
+  expect_batch_certified(arm("batch: 2\nlanes: 1\nreal: float\nlanguage: c\n"), 10);
+}
+
+/// Without constraints there is no matrix of held rows.
+Subjects passive_elbow(const std::string& more) {
+  return in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf",
+                  "operational_points: [{name: tool, link: tool, rows: [x]}]\npassive: [elbow]\n"
+                  "torque_limits: urdf\nbatch: 2\nfunctions: [supported_control_torque, "
+                  "mass_matrix, jacobian]\n" +
+                      more);
+}
+
 TEST(LimitsCheck, PassiveElbowInBatches) {
-  expect_batch_certified(
-      in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf",
-               "operational_points: [{name: tool, link: tool, rows: [x]}]\npassive: [elbow]\n"
-               "torque_limits: urdf\nbatch: 2\nfunctions: [supported_control_torque, "
-               "mass_matrix, jacobian]\n"),
-      5);
+  expect_batch_certified(passive_elbow(""), 5);
+  expect_batch_certified(passive_elbow("language: c\n"), 5);
 }
 
 const Program& program_of(const std::vector<GeneratedFunction>& functions, Function function) {

@@ -5,8 +5,8 @@
 // Functions that loop over a table of links, from the file to the compiled code, against 50 digits
 // and against their own bounds. Would catch: a recursion that is wrong for a kind of joint, for
 // rotors, for branches of the tree or for rows of some axes; a table in another order than the
-// headers read it; a law of rows that yield with other borders than the oracle's; C that is not
-// what the headers of C++ say.
+// headers read it; a law of rows that yield with other borders than the oracle's; C, or code by
+// rules for safe code, that is not what the headers of C++ say.
 
 namespace treeline::tests {
 namespace {
@@ -17,11 +17,9 @@ const std::vector<Function> kDynamics = {Function::inverse_dynamics, Function::g
 const std::vector<Function> kOfPoints = {Function::lambda_inverse, Function::lambda,
                                          Function::control_torque};
 
-/// The robot with these functions, all as loops.
-Subjects as_loops(Subjects subjects, Real real, std::vector<Function> functions,
-                  Language language) {
+/// The robot with these functions, all as loops, in the language and profile of its scene.
+Subjects as_loops(Subjects subjects, Real real, std::vector<Function> functions) {
   subjects.scene.optimize = Optimize::size;
-  subjects.scene.language = language;
   subjects.scene.real = real;
   subjects.scene.lanes = 1;
   subjects.scene.damped.reset();
@@ -45,9 +43,8 @@ std::vector<Function> all_with_form() {
   return functions;
 }
 
-void expect_right_in(Language language, const Subjects& unmade, Real real,
-                     const std::vector<Function>& of) {
-  const Subjects subjects = as_loops(unmade, real, of, language);
+void expect_right_in(const Subjects& unmade, Real real, const std::vector<Function>& of) {
+  const Subjects subjects = as_loops(unmade, real, of);
   for (const GeneratedFunction& generated : subjects.generation.functions) {
     EXPECT_TRUE(generated.program.loops) << generated.program.name;
   }
@@ -63,11 +60,18 @@ void expect_right_in(Language language, const Subjects& unmade, Real real,
 }
 
 /// In both languages, whose loops are held to the bits of one graph.
-void expect_right(const Subjects& unmade, Real real, const std::vector<Function>& of) {
+void expect_right(Subjects unmade, Real real, const std::vector<Function>& of) {
   for (const Language language : {Language::cpp, Language::c}) {
     SCOPED_TRACE(language == Language::c ? "C" : "C++");
-    expect_right_in(language, unmade, real, of);
+    unmade.scene.language = language;
+    expect_right_in(unmade, real, of);
   }
+}
+
+/// Of `profile: misra`, which may not have other bits either.
+void expect_safe(Subjects unmade, Real real) {
+  unmade.scene.profile = Profile::misra;
+  expect_right(std::move(unmade), real, all_with_form());
 }
 
 Subjects read(const std::string& urdf, const std::string& scene_text) {
@@ -87,6 +91,10 @@ TEST(LinkLoopsCheck, HumanoidThatFloatsInFloat) {
   expect_right(load_unmade("humanoid24", "scene_floating.yaml"), Real::float32, all_with_form());
 }
 
+TEST(LinkLoopsCheck, SafeCodeOfAHumanoidThatFloats) {
+  expect_safe(load_unmade("humanoid24", "scene_floating.yaml"), Real::float32);
+}
+
 TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
   auto subjects = load_unmade("samm", "scene.yaml");
   for (ScenePoint& point : subjects.scene.operational_points) {
@@ -97,16 +105,53 @@ TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
     if (!info_of(joint.type).has_one_freedom()) continue;
     subjects.scene.armature[joint.name] = 0.2;
     subjects.scene.joint_friction[joint.name].damping = 3;
+    if (joint.child % 3 == 0) subjects.scene.joint_friction[joint.name] = {1, 5, 0.05};
     if (joint.child % 2 == 0) subjects.scene.joint_springs[joint.name] = {40, 0.3};
   }
   expect_right(subjects, Real::float64, all_with_form());
+  expect_safe(subjects, Real::float64);
 }
 
+TEST(LinkLoopsCheck, CoulombFrictionAlone) {
+  auto subjects = load_unmade("planar3r", "scene.yaml");
+  for (const Joint& joint : subjects.robot.joints) {
+    if (!info_of(joint.type).has_one_freedom()) continue;
+    subjects.scene.joint_friction[joint.name] = {0, 2, 0.1};
+  }
+  expect_right(subjects, Real::float32,
+               {Function::inverse_dynamics, Function::gravity, Function::forward_dynamics});
+}
+
+// Some angles of the humanoid have offsets.
 TEST(LinkLoopsCheck, GivenSinesAndPlainSolves) {
-  auto subjects = load_unmade("ur10e", "scene.yaml");
-  subjects.scene.sin_cos = Sines::given;
-  subjects.scene.singular = SingularTasks::exact;
-  expect_right(subjects, Real::float64, {Function::inverse_dynamics, Function::control_torque});
+  for (const char* robot : {"ur10e", "humanoid24"}) {
+    auto subjects = load_unmade(robot, "scene.yaml");
+    subjects.scene.sin_cos = Sines::given;
+    subjects.scene.singular = SingularTasks::exact;
+    const std::vector<Function> functions = {Function::inverse_dynamics, Function::control_torque};
+    for (const auto& each : as_loops(subjects, Real::float64, functions).generation.functions) {
+      EXPECT_EQ(each.program.arguments[1].name, "sin_q") << robot;
+      EXPECT_EQ(each.program.arguments[2].name, "cos_q") << robot;
+    }
+    expect_right(subjects, Real::float64, functions);
+  }
+}
+
+// Friction at the end of a step takes an argument that loops do not know.
+TEST(LinkLoopsCheck, ImplicitFrictionStaysAsLines) {
+  auto subjects = load_unmade("humanoid24", "scene.yaml");
+  subjects.scene.optimize = Optimize::size;
+  subjects.scene.damped.reset();
+  subjects.scene.functions = {Function::forward_dynamics};
+  subjects.scene.joint_friction["ankle"].damping = 2;
+  subjects.scene.implicit_friction = true;
+  Diagnostics diagnostics;
+  const auto generation = generate_code(subjects.robot, subjects.scene,
+                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
+  ASSERT_TRUE(generation);
+  EXPECT_FALSE(generation->functions.front().program.loops);
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_NE(diagnostics.list().front().fault.find("implicit"), std::string::npos);
 }
 
 TEST(LinkLoopsCheck, WhatTheTableCannotSayStaysAsLines) {

@@ -61,12 +61,7 @@ TEST_F(PackageTest, CMakeFindsAndLinksIt) {
 }
 
 // The functions of Zephyr's build, as far as a module calls them.
-TEST_F(PackageTest, ZephyrCompilesItsModule) {
-  ASSERT_EQ(generate("--package zephyr --target cortex-m4f --real float").exit_code, 0);
-  EXPECT_NE(read("lib/zephyr/module.yml").find("cmake: zephyr\n"), std::string::npos);
-  EXPECT_NE(read("lib/zephyr/Kconfig").find("config TREELINE_ARM\n\tbool"), std::string::npos);
-  EXPECT_NE(read("lib/zephyr/Kconfig").find("\tdepends on CPP\n"), std::string::npos);
-  write("CMakeLists.txt", R"(cmake_minimum_required(VERSION 3.20)
+const char* const kZephyrApplication = R"(cmake_minimum_required(VERSION 3.20)
 project(app LANGUAGES CXX)
 function(zephyr_library_named name)
   add_library(${name} STATIC)
@@ -83,15 +78,51 @@ macro(zephyr_library_compile_options)
 endmacro()
 set(CONFIG_TREELINE_ARM y)
 add_subdirectory(lib/zephyr)
-)");
+)";
+
+TEST_F(PackageTest, ZephyrCompilesItsModule) {
+  ASSERT_EQ(generate("--package zephyr --target cortex-m4f --real float").exit_code, 0);
+  EXPECT_NE(read("lib/zephyr/module.yml").find("cmake: zephyr\n"), std::string::npos);
+  EXPECT_NE(read("lib/zephyr/Kconfig").find("config TREELINE_ARM\n\tbool"), std::string::npos);
+  EXPECT_NE(read("lib/zephyr/Kconfig").find("\tdepends on CPP\n"), std::string::npos);
+  write("CMakeLists.txt", kZephyrApplication);
   EXPECT_TRUE(run("cmake -S . -B build -DCMAKE_CXX_COMPILER=" + cxx_ +
                   " && cmake --build build --verbose"));
   EXPECT_NE(read("log").find("-ffp-contract=off"), std::string::npos);
 }
 
+// Would catch: a list of sources of another package, or flags that those of the project come
+// behind.
+TEST_F(PackageTest, ZephyrCompilesLongFunctionsForSmallCode) {
+  const std::string robot = std::string(TREELINE_ROBOTS) + "/humanoid24/humanoid24.urdf";
+  const auto outcome = test::run_program(
+      root_, "generate " + robot +
+                 " --functions gravity,forward_dynamics --optimize balanced --target cortex-m4f "
+                 "--real float --name arm --output lib --package zephyr");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  write("CMakeLists.txt", kZephyrApplication);
+  ASSERT_TRUE(
+      run("cmake -S . -B build -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "
+          "-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=" +
+          cxx_));
+  const auto commands = nlohmann::json::parse(read("build/compile_commands.json"));
+  int small = 0;
+  for (const auto& each : commands) {
+    const std::string command = each["command"];
+    const bool is_long =
+        each["file"].get<std::string>().find("forward_dynamics.cpp") != std::string::npos;
+    EXPECT_EQ(
+        command.rfind(" -Os") != std::string::npos && command.rfind(" -Os") > command.rfind(" -O3"),
+        is_long)
+        << command;
+    small += is_long ? 1 : 0;
+  }
+  EXPECT_EQ(small, 1);
+}
+
 // Would catch: a scene's wish that a package drops in silence.
 TEST_F(PackageTest, SaysWhereFlagsOfSingleFunctionsAreLost) {
-  for (const char* tool : {"platformio", "zephyr", "arduino --language c", "cmsis"}) {
+  for (const char* tool : {"platformio", "arduino --language c", "cmsis"}) {
     const std::string package = std::string("--package ") + tool;
     EXPECT_NE(generate(package + " --optimize balanced").err.find("note: optimize"),
               std::string::npos)
@@ -100,8 +131,12 @@ TEST_F(PackageTest, SaysWhereFlagsOfSingleFunctionsAreLost) {
               std::string::npos)
         << tool;
   }
-  EXPECT_EQ(generate("--package cmake --optimize balanced").err.find("one set of flags"),
-            std::string::npos);
+  for (const char* tool : {"cmake", "zephyr"}) {
+    EXPECT_EQ(generate(std::string("--package ") + tool + " --optimize balanced")
+                  .err.find("one set of flags"),
+              std::string::npos)
+        << tool;
+  }
 }
 
 TEST_F(PackageTest, PlatformioHasItsManifest) {

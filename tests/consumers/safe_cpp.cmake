@@ -11,12 +11,15 @@ set(flags_riscv64-unknown-elf-g++ -Wuseless-cast -march=rv32imfc -mabi=ilp32f)
 foreach(case ur10e:${CMAKE_CURRENT_LIST_DIR}/misra_limits.yaml
     puma560:${CMAKE_CURRENT_LIST_DIR}/../controller/puma.yaml
     samm:${CMAKE_CURRENT_LIST_DIR}/../controller/samm.yaml
-    humanoid24:${CMAKE_CURRENT_LIST_DIR}/../experiments/humanoid24_limits.yaml)
+    humanoid24:${CMAKE_CURRENT_LIST_DIR}/../experiments/humanoid24_limits.yaml
+    samm:${CMAKE_CURRENT_LIST_DIR}/misra_loops_samm.yaml
+    humanoid24:${CMAKE_CURRENT_LIST_DIR}/misra_loops_humanoid24.yaml)
   string(REPLACE ":" ";" case ${case})
   list(GET case 0 robot)
   list(GET case 1 scene)
+  get_filename_component(stem ${scene} NAME_WE)
   foreach(real float double)
-    set(folder ${FOLDER}/${robot}_${real})
+    set(folder ${FOLDER}/${robot}_${stem}_${real})
     file(REMOVE_RECURSE ${folder})
     execute_process(COMMAND ${TREELINE} generate ${ROBOTS}/${robot}/${robot}.urdf ${scene}
         --profile misra --real ${real} --output ${folder} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

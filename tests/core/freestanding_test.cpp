@@ -123,16 +123,17 @@ void use_posture_laws(Data& data) noexcept {
 void use_link_loops(Data& data) noexcept {
   namespace loops = core::loops;
   static constexpr loops::Link<Real> kLinks[3] = {
-      {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, 0, 3, {}, {1, 0, 0, 1, 0, 1}},
-      {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, 0, 2, {}, {1, 0, 0, 1, 0, 1}},
-      {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, 0, 1, {}, {1, 0, 0, 1, 0, 1}}};
+      {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, 3, {}, {1, 0, 0, 1, 0, 1}},
+      {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, 2, {}, {1, 0, 0, 1, 0, 1}},
+      {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, 1, {}, {1, 0, 0, 1, 0, 1}}};
   static constexpr loops::LinkPoint<Real> kPoint[1] = {{2, true, {}, {}}};
   static constexpr loops::PointRow kRows[2] = {{0, 0, false}, {0, 1, false}};
   static constexpr loops::LinkDrive<Real> kDrives[3] = {{0, 0, 0}, {1, 2, 0}, {1, 0, 0}};
-  static constexpr loops::LinkTable<Real, true, true, true> kTable = {
-      kLinks, 3, 2, {0, 0, -10}, kPoint, 1, kRows, 2, kDrives};
+  static constexpr loops::LinkFriction<Real> kFrictions[3] = {{0, 0}, {1, 100}, {2, 100}};
+  static constexpr loops::LinkTable<Real, true, true, true, true> kTable = {
+      kLinks, 3, 2, {0, 0, -10}, kPoint, 1, kRows, 2, kDrives, kFrictions};
   loops::MotionWork<Real, 3, 2> motions;
-  loops::InertiaWork<Real, 3, 2, true> inertias;
+  loops::InertiaWork<Real, 3, 2, 36> inertias;
   loops::RowWork<Real, 1, 2> rows;
   const loops::ComputedSines sines;
   const Real* const q = data.a9;

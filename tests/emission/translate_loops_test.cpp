@@ -18,8 +18,9 @@ EmissionContext arm() {
   return context;
 }
 
-std::string in_c(const std::string& declarations, bool given_sines = false) {
-  c::LoopTranslator translator(arm(), given_sines);
+std::string in_c(const std::string& declarations, bool given_sines = false,
+                 const c::LoopTable& table = {}) {
+  c::LoopTranslator translator(arm(), table, given_sines);
   std::string text;
   for (const c::LoopItem& item :
        c::parse_loops("namespace treeline::core::loops {\n" + declarations +
@@ -100,6 +101,34 @@ TEST(TranslateLoops, TakesSinesWhereTheyAreGiven) {
             "}\n");
 }
 
+// Would catch: a branch for other robots in the code of this one, which compilers of C see as a
+// condition on a constant, and one of this robot that is lost.
+TEST(TranslateLoops, ChoosesTheBranchesOfTheRobot) {
+  const std::string place =
+      "template <class Table>\n"
+      "int place(int i) noexcept {\n"
+      "  if constexpr (Table::kFloats) {\n"
+      "    if (i > 0) {\n"
+      "      i = i + 5;\n"
+      "    }\n"
+      "  } else {\n"
+      "    static_cast<void>(i);\n"
+      "  }\n"
+      "  return i;\n"
+      "}\n";
+  const std::string head = "static inline int arm_loops_place(int i) {\n";
+  EXPECT_EQ(in_c(place, false, {true, false, false}), head +
+                                                          "  if (i > 0) {\n"
+                                                          "    i = i + 5;\n"
+                                                          "  }\n"
+                                                          "  return i;\n"
+                                                          "}\n");
+  EXPECT_EQ(in_c(place, false, {false, true, true}), head +
+                                                         "  (void)i;\n"
+                                                         "  return i;\n"
+                                                         "}\n");
+}
+
 TEST(TranslateLoops, RefusesWhatItDoesNotUnderstand) {
   const auto function = [](const std::string& body) {
     return "template <class Real>\nvoid f(Real& x) noexcept {\n" + body + "}\n";
@@ -108,6 +137,9 @@ TEST(TranslateLoops, RefusesWhatItDoesNotUnderstand) {
   EXPECT_THROW(in_c(function("  x = std::abs(x);\n")), std::logic_error);
   EXPECT_THROW(in_c(function("  auto y = x;\n")), std::logic_error);
   EXPECT_THROW(in_c(function("  f(x, x);\n")), std::logic_error);
+  EXPECT_THROW(in_c(function("  if constexpr (Table::kFlies) {\n    x = x;\n  }\n")),
+               std::logic_error);
+  EXPECT_THROW(in_c(function("  x = Table::kFloats ? x : x;\n")), std::logic_error);
   EXPECT_THROW(in_c("void f(std::span<double> x) noexcept {\n}\n"), std::logic_error);
   EXPECT_THROW(in_c("double f(int i) {\n}\n"), std::logic_error);
   EXPECT_THROW(c::parse_loops("namespace treeline::core {\n}\n"), std::logic_error);
@@ -115,18 +147,19 @@ TEST(TranslateLoops, RefusesWhatItDoesNotUnderstand) {
 
 // Every header, as emitted: nothing of it is lost.
 TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
-  c::LoopTranslator translator(arm(), false);
+  c::LoopTranslator translator(arm(), {}, false);
   constexpr std::string_view kFunction = ") noexcept {\n";
   for (const std::string_view header :
-       {cpp::templates::kLinkTable, cpp::templates::kLinkFactors, cpp::templates::kLinkMotion,
-        cpp::templates::kLinkInertia, cpp::templates::kLinkRows, cpp::templates::kLinkFunctions}) {
+       {cpp::templates::kLinkTable, cpp::templates::kLinkFactors, cpp::templates::kLinkFriction,
+        cpp::templates::kLinkMotion, cpp::templates::kLinkInertia, cpp::templates::kLinkRows,
+        cpp::templates::kLinkFunctions}) {
     int expected = 0;
     int found = 0;
     for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;
     for (const c::LoopItem& item : c::parse_loops(header)) {
       found += translator.translate(item).find("static inline ") != std::string::npos ? 1 : 0;
     }
-    EXPECT_GT(expected, 3) << header.substr(0, 100);
+    EXPECT_GT(expected, 2) << header.substr(0, 100);
     EXPECT_EQ(found, expected) << header.substr(0, 100);
   }
 }

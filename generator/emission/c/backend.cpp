@@ -34,6 +34,11 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
     for (GeneratedFile& file : print_limited(context, programs)) files.push_back(std::move(file));
   }
   for (GeneratedFile& file : print_batch(context, batch)) files.push_back(std::move(file));
+  if (context.limits && !batch.empty()) {
+    for (GeneratedFile& file : print_batch_limited(context, batch)) {
+      files.push_back(std::move(file));
+    }
+  }
   for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   return files;
 }

@@ -12,9 +12,9 @@
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_prefetch.hpp"
-#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::c {
@@ -124,20 +124,15 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
   std::string includes;
   if (vectors) includes = "#include \"states.h\"\n";
   if (!vectors && uses_trigonometry(program)) includes = "#include \"sin_cos.h\"\n";
-  return fill_template(
-      templates::kBatchFunction,
-      {{"head", describe_source(program)},
-       {"cost", describe_cost(program)},
-       {"states", std::to_string(context.batch)},
-       {"name", context.name},
+  auto holes = list_source_holes(context, program, "batch_" + program.name,
+                                 head_of(context, program, "_rows"));
+  holes.insert(
+      {{"states", std::to_string(context.batch)},
        {"includes", includes},
-       {"section",
-        print_section_macro(context) + print_prefetch_macro(context, "batch_" + program.name)},
        {"before", vectors ? "" : print_state_function(context, program)},
-       {"signature", print_section(context) + print_prefetch_section(context) +
-                         wrap_line(head_of(context, program, "_rows") + " {", 0)},
        {"unread", print_unread(program)},
        {"body", vectors ? print_in_vectors(context, program) : print_loop(context, program)}});
+  return fill_template(templates::kBatchFunction, holes);
 }
 
 }  // namespace

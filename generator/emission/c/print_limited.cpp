@@ -124,27 +124,38 @@ std::string fill_limits(std::string_view text, const Holes& holes) {
 
 namespace {
 
-std::string print_head(const EmissionContext& context, const Program& supported) {
-  std::string list;
-  for (const Argument& argument : supported.arguments) {
-    list += print_array(context, "const ", argument.name, argument.rows * argument.cols) + ", ";
-  }
-  list += print_array(context, "", "tau", context.velocities) + ", ";
-  if (holds_rows(context)) {
-    const auto held = static_cast<int>(context.limits->force_weights.size());
-    list += print_array(context, "", "f", held) + ", ";
-  }
-  return fmt::format(
-      "void {0}_limited_control_torque({1}{0}_limited_torque* limited, "
-      "const {0}_torque_limits* limits)",
-      context.name, list);
+/// Of one state, or of `states` with rows of them one behind the other.
+struct Form {
+  const char* prefix;
+  int states;
+};
+constexpr Form kOneState = {"", 1};
+
+Form form_of_batch(const EmissionContext& context) {
+  return {"batch_", context.batch};
 }
 
-std::string print_call(const EmissionContext& context, const Program& program,
+std::string print_head(const EmissionContext& context, const Program& supported, Form form) {
+  std::string list;
+  const auto append = [&](const char* qualifier, const std::string& name, int size) {
+    list += print_array(context, qualifier, name, size * form.states) + ", ";
+  };
+  for (const Argument& argument : supported.arguments) {
+    append("const ", argument.name, argument.rows * argument.cols);
+  }
+  append("", "tau", context.velocities);
+  if (holds_rows(context)) append("", "f", static_cast<int>(context.limits->force_weights.size()));
+  return fmt::format(
+      "void {0}_{1}limited_control_torque({2}{0}_limited_torque* limited, "
+      "const {0}_torque_limits* limits)",
+      context.name, form.prefix, list);
+}
+
+std::string print_call(const EmissionContext& context, const Program& program, Form form,
                        const std::string& results) {
   std::string list;
   for (const Argument& argument : program.arguments) list += argument.name + ", ";
-  return fmt::format("{}_{}({}{});", context.name, program.name, list, results);
+  return fmt::format("{}_{}{}({}{});", context.name, form.prefix, program.name, list, results);
 }
 
 std::string print_zeros(const EmissionContext& context, const char* array, int size) {
@@ -152,15 +163,29 @@ std::string print_zeros(const EmissionContext& context, const char* array, int s
                      number_literal(context, "0.0"));
 }
 
-std::string print_matrices(const EmissionContext& context, std::span<const Program> programs) {
+std::string print_matrices(const EmissionContext& context, std::span<const Program> programs,
+                           Form form) {
   std::string text;
   for (const LimitedCall& call : list_limited_calls(context, programs)) {
-    text += print_call(context, *call.program, call.result) + "\n";
+    text += print_call(context, *call.program, form, call.result) + "\n";
   }
   const Sizes sizes(context);
-  if (!holds_rows(context)) text += print_zeros(context, "J_s", sizes.held * context.velocities);
-  if (context.task_rows == 0) text += print_zeros(context, "J_t", sizes.tasks * context.velocities);
+  const int columns = context.velocities * form.states;
+  if (!holds_rows(context)) text += print_zeros(context, "J_s", sizes.held * columns);
+  if (context.task_rows == 0) text += print_zeros(context, "J_t", sizes.tasks * columns);
   return text;
+}
+
+GeneratedFile print_batch_limited_header(const EmissionContext& context,
+                                         std::span<const Program> batch,
+                                         const std::string& signature) {
+  return {context.name + "_batch_limited.h",
+          fill_template(templates::kBatchLimited,
+                        {{"robot", context.robot},
+                         {"name", context.name},
+                         {"states", std::to_string(context.batch)},
+                         {"cost", comment("///", describe_batch_limited_cost(context, batch))},
+                         {"signature", wrap_line(signature + ";", 0)}})};
 }
 
 std::string print_layout(const EmissionContext& context) {
@@ -184,7 +209,7 @@ std::string print_default_limits(const EmissionContext& context) {
 
 std::string print_limited_signature(const EmissionContext& context,
                                     std::span<const Program> programs) {
-  return print_head(context, find_supported(programs));
+  return print_head(context, find_supported(programs), kOneState);
 }
 
 GeneratedFile print_limited_header(const EmissionContext& context,
@@ -209,10 +234,30 @@ std::vector<GeneratedFile> print_limited(const EmissionContext& context,
   holes["signature"] =
       print_section(context) + wrap_line(print_limited_signature(context, programs) + " {", 0);
   const std::string without = holds ? "" : fmt::format("{} f[1]{};\n", number_type(context), zeros);
-  holes["supported"] = without + print_call(context, supported, holds ? "tau, f" : "tau");
-  holes["matrices"] = print_matrices(context, programs);
+  holes["supported"] =
+      without + print_call(context, supported, kOneState, holds ? "tau, f" : "tau");
+  holes["matrices"] = print_matrices(context, programs, kOneState);
   return {print_limited_header(context, programs),
           {"limited_control_torque.c", fill_limits(templates::kLimitedSource, holes)}};
+}
+
+std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
+                                               std::span<const Program> batch) {
+  const Program& supported = find_supported(batch);
+  const Form form = form_of_batch(context);
+  const std::string signature = print_head(context, supported, form);
+  const bool holds = holds_rows(context);
+  const int states = context.batch;
+  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
+  holes["section"] = print_section_macro(context);
+  holes["signature"] = print_section(context) + wrap_line(signature + " {", 0);
+  const std::string without = holds ? ""
+                                    : fmt::format("{} f[{}];\n", number_type(context), states) +
+                                          print_zeros(context, "f", states);
+  holes["supported"] = without + print_call(context, supported, form, holds ? "tau, f" : "tau");
+  holes["matrices"] = print_matrices(context, batch, form);
+  return {print_batch_limited_header(context, batch, signature),
+          {"batch_limited_control_torque.c", fill_limits(templates::kBatchLimitedSource, holes)}};
 }
 
 std::string print_limit_types(const Holes& holes) {

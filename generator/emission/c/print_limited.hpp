@@ -29,6 +29,11 @@ std::string print_default_limits(const EmissionContext& context);
 /// include square_root.h.
 std::vector<GeneratedFile> print_limited_runtime(const EmissionContext& context);
 
+/// NAME_batch_limited.h and batch_limited_control_torque.c: limited control of several states, from
+/// their functions.
+std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
+                                               std::span<const Program> batch);
+
 /// What stands in the holes of the templates of limited control, but what differs in C++ of
 /// `profile: misra`. `name` and `capitals` stand before names.
 std::map<std::string, std::string> list_limit_holes(const EmissionContext& context,

@@ -24,15 +24,23 @@ bool takes_sines(const Program& program) {
 }
 
 std::string table_name(const EmissionContext& context, const LinkTableData& table) {
-  return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : "");
+  const char* const own = table.around_points ? "point_link_" : "";
+  return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : own);
 }
 
 std::string print_table(const EmissionContext& context, const LinkTableText& table) {
   const LinkTableData& data = *table.data;
-  const std::string name = context.name + (has_points(data) ? "_point" : "");
+  const std::string name = context.name + (data.around_points ? "_point" : "");
   const std::string type = context.name + "_loops_";
-  std::string text = fmt::format("static const {}link {}_links[{}] = {{\n{}}};\n", type, name,
-                                 data.links.size(), table.links);
+  std::string text;
+  const auto declare = [&](const char* kind, const char* array, const std::string& rows) {
+    if (rows.empty() || table.shares) return;
+    text += fmt::format("static const {}{} {}_{}[{}] = {{\n{}}};\n", type, kind, name, array,
+                        data.links.size(), rows);
+  };
+  declare("link", "links", table.links);
+  declare("link_drive", "drives", table.drives);
+  declare("link_friction", "frictions", table.frictions);
   std::string points = "NULL, 0, NULL, 0";
   if (has_points(data)) {
     text += fmt::format(
@@ -42,36 +50,36 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
     points = fmt::format("{0}_points, {1}, {0}_rows, {2}", context.name, data.points.size(),
                          data.rows.size());
   }
-  std::string drives = "NULL";
-  if (!data.drives.empty()) {
-    drives = name + "_drives";
-    text += fmt::format("static const {}link_drive {}[{}] = {{\n{}}};\n", type, drives,
-                        data.links.size(), table.drives);
-  }
+  const std::string drives = data.drives.empty() ? "NULL" : name + "_drives";
+  const std::string frictions = data.frictions.empty() ? "NULL" : name + "_frictions";
   return text +
-         wrap_line(fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}}};",
-                               type, table_name(context, data), name, data.links.size(), data.slots,
-                               table.gravity, points, drives),
-                   0);
+         wrap_line(
+             fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}, {}}};",
+                         type, table_name(context, data), name, data.links.size(), data.slots,
+                         table.gravity, points, drives, frictions),
+             0);
 }
 
-/// Sizes of arrays, and what the table has: constants in C, where C++ has parameters of templates.
-std::string print_sizes(const EmissionContext& context, std::span<const Program> programs) {
+/// The table that has what others have. `programs` have loops.
+const LinkTableData& find_largest(std::span<const Program> programs) {
   const LinkTableData* largest = nullptr;
   for (const Program& program : programs) {
     if (!program.loops) continue;
     const LinkTableData& table = program.loops->table;
     if (largest == nullptr || has_points(table)) largest = &table;
   }
+  return *largest;
+}
+
+/// Sizes of arrays: constants in C, where C++ has parameters of templates.
+std::string print_sizes(const EmissionContext& context, const LinkTableData& table) {
   const auto one_or = [](std::size_t count) { return std::max<std::size_t>(count, 1); };
   const std::pair<const char*, std::size_t> sizes[] = {
-      {"LINKS", largest->links.size()},
-      {"SLOTS", static_cast<std::size_t>(largest->slots)},
-      {"POINTS", one_or(largest->points.size())},
-      {"ROWS", one_or(largest->rows.size())},
-      {"FLOATS", largest->floats ? 1 : 0},
-      {"DRIVEN", largest->drives.empty() ? 0 : 1},
-      {"SLIDING", largest->sliding ? 1 : 0}};
+      {"LINKS", table.links.size()},
+      {"SLOTS", static_cast<std::size_t>(table.slots)},
+      {"POINTS", one_or(table.points.size())},
+      {"ROWS", one_or(table.rows.size())},
+      {"BASE_ENTRIES", count_base_entries(table)}};
   std::string text;
   for (const auto& [name, size] : sizes) {
     text += fmt::format("{}  {}_LOOPS_{} = {}", text.empty() ? "" : ",\n",
@@ -91,10 +99,9 @@ std::string print_opening(std::string_view header) {
     if (line.starts_with("#include \"core/") && file != line.npos) {
       line = "#include \"" + line.substr(15, file - 15) + ".h\"";
     }
-    const bool of_compiler =
-        line.starts_with("#if") || line.starts_with("#endif") || line.starts_with("#pragma GCC");
-    const bool doubled = line.empty() && text.ends_with("\n\n");
-    if (!of_compiler && !doubled) text += line + "\n";
+    // C++ has the types bool and nullptr without a header.
+    if (line == "#include <stdint.h>") text += "#include <stdbool.h>\n#include <stddef.h>\n";
+    text += line + "\n";
   }
   return text;
 }
@@ -125,7 +132,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
     text += fmt::format("  {0}{1}_work {1}s;\n", prefix, work);
     list += fmt::format(", &{}s", work);
   }
-  return text + wrap_line(fmt::format("{}{}({});", prefix, program.name, list), 2);
+  return text + wrap_line(fmt::format("{}{}({});", prefix, loops.function, list), 2);
 }
 
 std::vector<GeneratedFile> print_loops(const EmissionContext& context,
@@ -151,10 +158,14 @@ std::string joined_loops(const EmissionContext& context, std::span<const Program
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
-  LoopTranslator translator(context, std::any_of(programs.begin(), programs.end(), takes_sines));
+  const LinkTableData& table = find_largest(programs);
+  LoopTranslator translator(
+      context, {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty()},
+      std::any_of(programs.begin(), programs.end(), takes_sines));
   const std::pair<const char*, std::string_view> headers[] = {
       {"link_table.h", cpp::templates::kLinkTable},
       {"link_factors.h", cpp::templates::kLinkFactors},
+      {"link_friction.h", cpp::templates::kLinkFriction},
       {"link_motion.h", cpp::templates::kLinkMotion},
       {"link_inertia.h", cpp::templates::kLinkInertia},
       {"link_rows.h", cpp::templates::kLinkRows},
@@ -162,10 +173,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   std::vector<GeneratedFile> files;
   for (const auto& [name, header] : headers) {
     std::string text = print_opening(header);
-    if (files.empty()) {
-      text +=
-          "#include <stdbool.h>\n#include <stddef.h>\n\n" + print_sizes(context, programs) + "\n";
-    }
+    if (files.empty()) text += print_sizes(context, table) + "\n";
     for (const LoopItem& item : parse_loops(header)) {
       const std::string translated = translator.translate(item);
       if (!translated.empty()) text += translated + "\n";

@@ -43,6 +43,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   for (const Program& program : batch) sources += "batch_" + program.name + ".c\n";
   if (!context.effective_mass_limits.empty()) sources += "damped_control_torque.c\n";
   if (context.limits) sources += "limited_control_torque.c\n";
+  if (context.limits && !batch.empty()) sources += "batch_limited_control_torque.c\n";
   if (context.prefetch) sources += "prefetch.c\n";
   return fill_template(
       templates::kCMakeLists,

@@ -8,13 +8,11 @@
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_parts.hpp"
-#include "emission/print_prefetch.hpp"
-#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::c {
@@ -94,18 +92,6 @@ Body print_body_of(const EmissionContext& context, const Program& program,
   return text;
 }
 
-std::string print_loop_source(const EmissionContext& context, const Program& program) {
-  return fill_template(
-      templates::kLoopFunction,
-      {{"head", describe_source(program)},
-       {"cost", describe_cost(program)},
-       {"name", context.name},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
-       {"signature", print_section(context) + print_prefetch_section(context) +
-                         wrap_line(print_signature(context, program) + " {", 0)},
-       {"body", print_loop_body(context, program)}});
-}
-
 }  // namespace
 
 std::string print_array(const EmissionContext& context, const char* qualifier,
@@ -128,23 +114,20 @@ std::string print_signature(const EmissionContext& context, const Program& progr
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
-  if (program.loops) return print_loop_source(context, program);
+  auto holes = list_source_holes(context, program, program.name, print_signature(context, program));
+  if (program.loops) {
+    holes["body"] = print_loop_body(context, program);
+    return fill_template(templates::kLoopFunction, holes);
+  }
   const std::set<std::string> taken =
       find_taken_names(program, {context.name, fmt::format("{}_{}", context.name, program.name),
                                  fmt::format("{}_sin_cos", context.name)});
   const Body body = print_body_of(context, program, taken);
-  return fill_template(
-      templates::kFunction,
-      {{"head", describe_source(program)},
-       {"cost", describe_cost(program)},
-       {"name", context.name},
-       {"includes", print_includes(program)},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
-       {"parts", body.parts},
-       {"signature", print_section(context) + print_prefetch_section(context) +
-                         wrap_line(print_signature(context, program) + " {", 0)},
-       {"unread", print_unread(program)},
-       {"body", body.statements}});
+  holes.insert({{"includes", print_includes(program)},
+                {"parts", body.parts},
+                {"unread", print_unread(program)},
+                {"body", body.statements}});
+  return fill_template(templates::kFunction, holes);
 }
 
 }  // namespace treeline::c

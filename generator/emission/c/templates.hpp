@@ -7,6 +7,8 @@ namespace treeline::c::templates {
 // The files of templates/c/, embedded when the generator is built (see embed_files.cmake).
 extern const std::string_view kBatch;
 extern const std::string_view kBatchFunction;
+extern const std::string_view kBatchLimited;
+extern const std::string_view kBatchLimitedSource;
 extern const std::string_view kCMakeLists;
 extern const std::string_view kContract;
 extern const std::string_view kDamped;

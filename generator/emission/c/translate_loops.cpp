@@ -88,7 +88,7 @@ Line split_line(const std::string& line) {
 
 /// A member of a struct whose bounds are constants of the robot, without its default value.
 std::string name_bounds(const std::string& member, const std::string& prefix) {
-  static const std::regex bound("\\b(links|slots|points|rows|floats)\\b");
+  static const std::regex bound("\\b(links|slots|points|rows|base_entries)\\b");
   static const std::regex default_value(" = [^;]*;");
   const std::size_t open = member.find('[');
   const std::string rest =
@@ -126,11 +126,16 @@ std::string print_lines(const std::string& code, const std::string& note, std::s
 
 }  // namespace
 
-LoopTranslator::LoopTranslator(const EmissionContext& context, bool given_sines)
+LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& table,
+                               bool given_sines)
     : name_(context.name + "_loops_"),
       capitals_(name_in_capitals(context) + "_LOOPS_"),
       number_(context.single_precision ? "float" : "double"),
       suffix_(context.single_precision ? "F" : ""),
+      table_{{"Floats", table.floats},
+             {"Sliding", table.sliding},
+             {"Driven", table.driven},
+             {"Rubbing", table.rubbing}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
                                                        {"Motions", "motion_work"},
@@ -188,7 +193,7 @@ LoopParameter LoopTranslator::parameter(const std::string& text) const {
   }
   if (!std::regex_match(text, found, value)) reject(text);
   const std::string of = found[2];
-  const bool plain = of == "int" || of == "bool" || of == "short";
+  const bool plain = of == "int" || of == "bool";
   return {fmt::format("{}{}{} {}", found[1].str(), plain ? of : type(of), found[3].str(),
                       found[4].str()),
           found[4]};
@@ -230,12 +235,38 @@ std::string LoopTranslator::translate_function(const LoopItem& item) {
   std::string text = wrap_statements(fmt::format("static inline {} {}{}({}) {{", signature.result,
                                                  name_, found[1].str(), joined(list)),
                                      0);
-  for (const std::string& line : join_statements(item.body)) {
+  for (const std::string& line : choose_branches(join_statements(item.body))) {
     const auto [indentation, code, note] = split_line(line);
     if (code.starts_with("static_assert") || code.starts_with("using ")) continue;
     text += print_lines(statement(code), note, indentation);
   }
   return text + "}\n";
+}
+
+std::vector<std::string> LoopTranslator::choose_branches(std::vector<std::string> lines) const {
+  static const std::regex branch("( *)if constexpr \\(Table::k(\\w+)\\) \\{");
+  std::vector<std::string> chosen;
+  std::string end;     // of the branch that a line is in
+  bool is_in = false;  // whether lines are of a branch
+  bool is_for = true;  // and this is for the robot
+  for (std::string& line : lines) {
+    std::smatch found;
+    if (is_in && line == end + "}") {
+      is_in = false;
+      is_for = true;
+    } else if (is_in && line == end + "} else {") {
+      is_for = !is_for;
+    } else if (std::regex_match(line, found, branch)) {
+      if (is_in || table_.count(found[2]) == 0) reject(line);
+      end = found[1];
+      is_in = true;
+      is_for = table_.at(found[2]);
+    } else if (is_for) {
+      chosen.push_back(is_in ? line.substr(2) : std::move(line));
+    }
+  }
+  if (is_in) reject(lines.front());
+  return chosen;
 }
 
 std::string LoopTranslator::statement(const std::string& text) {
@@ -301,9 +332,9 @@ std::string LoopTranslator::word(std::string_view text, std::size_t& at) {
     ++at;  // and its blank
     return {};
   }
-  if (name == "Table" && rest.starts_with("::k")) {
-    at += std::string_view("::k").size();
-    return capitals_ + in_capitals(word(text, at));
+  if (name == "static_cast" && rest.starts_with("<void>(")) {
+    at += std::string_view("<void>").size();
+    return fmt::format("(void){}", read_list(text, at).front());
   }
   if (name == "return" && returns_ == Passing::reference) {
     const std::size_t end = text.find(';', at);

@@ -28,13 +28,19 @@ struct LoopSignature {
   std::vector<LoopParameter> parameters;
 };
 
+/// What the tables of a robot have.
+struct LoopTable {
+  bool floats = false, sliding = false, driven = false, rubbing = false;
+};
+
 /// Writes the loops over links, runtime/core/link_*.hpp, in C: templates for one robot, references
 /// as pointers, names with the robot's name before them. It understands the part of C++ that they
 /// are written in, and throws std::logic_error where it meets another. Declarations have to come in
 /// their order: it learns types and functions from them.
 class LoopTranslator {
  public:
-  LoopTranslator(const EmissionContext& context, bool given_sines);
+  /// `table` has what of the robot's tables the headers take for constants of templates.
+  LoopTranslator(const EmissionContext& context, const LoopTable& table, bool given_sines);
 
   /// Empty for what C has no use for.
   std::string translate(const LoopItem& item);
@@ -46,6 +52,8 @@ class LoopTranslator {
   [[nodiscard]] LoopParameter parameter(const std::string& text) const;
   [[nodiscard]] std::string type(const std::string& name) const;
 
+  /// `lines` without the branches for other robots.
+  [[nodiscard]] std::vector<std::string> choose_branches(std::vector<std::string> lines) const;
   std::string statement(const std::string& text);
   std::string rewrite(std::string_view text);
   std::string word(std::string_view text, std::size_t& at);
@@ -56,6 +64,7 @@ class LoopTranslator {
   [[nodiscard]] bool is_reference(const std::string& name) const;
 
   std::string name_, capitals_, number_, suffix_;
+  std::map<std::string, bool> table_;  ///< `Floats`, as in `Table::kFloats`
   bool given_sines_;
   std::map<std::string, std::string> types_;
   std::map<std::string, LoopSignature> functions_;

@@ -18,6 +18,7 @@
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_sources.hpp"
 #include "emission/misra/refuse.hpp"
 #include "emission/print_optimize.hpp"
 #include "emission/print_target.hpp"
@@ -73,12 +74,14 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
       files.push_back(std::move(file));
     }
   }
+  for (GeneratedFile& file : print_loops(context, list_sources(context, programs))) {
+    files.push_back(std::move(file));
+  }
   if (context.misra) return files;  // no library, no vectors
   files.insert(files.end(), {{context.name + "_calls.hpp", print_calls(context, programs)},
                              {context.name + "_eigen.hpp", print_eigen(context, programs)}});
   for (GeneratedFile& file : print_c_calls(context, programs, batch))
     files.push_back(std::move(file));
-  for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
   if (!batch.empty()) {
     files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});
   }

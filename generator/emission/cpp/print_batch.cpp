@@ -10,9 +10,8 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_prefetch.hpp"
-#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {
@@ -89,18 +88,13 @@ std::string print_batch_header(const EmissionContext& context, std::span<const P
 }
 
 std::string print_batch_source(const EmissionContext& context, const Program& program) {
-  return fill_template(templates::kBatchFunction,
-                       {{"head", describe_source(program)},
-                        {"cost", describe_cost(program)},
-                        {"states", std::to_string(context.batch)},
-                        {"name", context.name},
-                        {"section", print_section_macro(context) +
-                                        print_prefetch_macro(context, "batch_" + program.name)},
-                        {"signature", print_section(context) + print_prefetch_section(context) +
-                                          wrap_line(print_batch_head(program) + " {", 0)},
-                        {"rows", print_rows(program)},
-                        {"body", print_body(program, make_states_syntax(context),
-                                            find_taken_in_batch(context, program))}});
+  auto holes =
+      list_source_holes(context, program, "batch_" + program.name, print_batch_head(program));
+  holes.insert({{"states", std::to_string(context.batch)},
+                {"rows", print_rows(program)},
+                {"body", print_body(program, make_states_syntax(context),
+                                    find_taken_in_batch(context, program))}});
+  return fill_template(templates::kBatchFunction, holes);
 }
 
 }  // namespace treeline::cpp

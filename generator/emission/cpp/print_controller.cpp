@@ -275,6 +275,11 @@ std::string print_task_functions(const ControllerUnit& unit) {
   return text;
 }
 
+std::string print_kinematics_calls(const ControllerUnit& unit) {
+  return print_step_call(unit.kinematics) +
+         (unit.gravity ? "\n" + print_step_call(*unit.gravity) : "");
+}
+
 std::string print_functions(const EmissionContext& context, const ControllerUnit& unit) {
   std::string declarations;
   for (const Program* const program : unit.programs()) {
@@ -308,7 +313,7 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                  {"finite", print_finite(inputs)},
                  {"finite_input", inputs.empty() ? "" : " input"},
                  {"joint_at", reads_at ? " at" : ""},
-                 {"kinematics_call", print_step_call(unit.kinematics)},
+                 {"kinematics_call", print_kinematics_calls(unit)},
                  {"joint_call", print_step_call(unit.joint_torque)},
                  {"task_functions", print_task_functions(unit)}};
   add_controller_numbers(context, unit, holes);

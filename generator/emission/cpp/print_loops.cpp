@@ -14,32 +14,54 @@ namespace treeline::cpp {
 namespace {
 
 const char* prefix_of(const LinkTableData& table) {
-  return has_points(table) ? "Point" : "";
+  return table.around_points ? "Point" : "";
+}
+
+std::string table_name(const LinkTableData& table) {
+  return fmt::format("k{}{}Table", prefix_of(table),
+                     table.around_points && !has_points(table) ? "Link" : "");
+}
+
+bool is_driven(const LinkTableData& table) {
+  return !table.drives.empty() || !table.frictions.empty();
+}
+
+/// What a table says of friction and springs, behind the arguments that it always has.
+std::string print_drive_kinds(const LinkTableData& table) {
+  if (!is_driven(table)) return "";
+  return fmt::format(", {}{}", !table.drives.empty(), table.frictions.empty() ? "" : ", true");
 }
 
 std::string print_table(const LinkTableText& table) {
   const LinkTableData& data = *table.data;
   const char* const prefix = prefix_of(data);
   const std::size_t links = data.links.size();
-  std::string text = fmt::format("inline constexpr loops::Link<Real> k{}Links[{}] = {{\n{}}};\n",
-                                 prefix, links, table.links);
-  std::string points = data.drives.empty() ? "" : ", nullptr, 0, nullptr, 0";
+  std::string text;
+  const auto declare = [&](const char* type, const char* name, const std::string& rows) {
+    if (rows.empty() || table.shares) return;
+    text += fmt::format("inline constexpr loops::{}<Real> k{}{}[{}] = {{\n{}}};\n", type, prefix,
+                        name, links, rows);
+  };
+  declare("Link", "Links", table.links);
+  declare("LinkDrive", "Drives", table.drives);
+  declare("LinkFriction", "Frictions", table.frictions);
+  std::string points = is_driven(data) ? ", nullptr, 0, nullptr, 0" : "";
   if (has_points(data)) {
     text += fmt::format(
         "inline constexpr loops::LinkPoint<Real> kPoints[{0}] = {{\n{1}}};\n"
         "inline constexpr loops::PointRow kPointRows[{2}] = {{\n{3}}};\n",
         data.points.size(), table.points, data.rows.size(), table.rows);
-    points = fmt::format(", kPoints, {}, kPointRows, {}", data.points.size(), data.rows.size());
+    points =
+        fmt::format(", &kPoints[0], {}, &kPointRows[0], {}", data.points.size(), data.rows.size());
   }
-  if (!data.drives.empty()) {
-    text += fmt::format("inline constexpr loops::LinkDrive<Real> k{}Drives[{}] = {{\n{}}};\n",
-                        prefix, links, table.drives);
-    points += fmt::format(", k{}Drives", prefix);
+  if (!data.drives.empty()) points += fmt::format(", &k{}Drives[0]", prefix);
+  if (!data.frictions.empty()) {
+    points += fmt::format("{}, &k{}Frictions[0]", data.drives.empty() ? ", nullptr" : "", prefix);
   }
   const std::string head =
-      fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> k{}Table", data.floats,
-                  data.sliding, data.drives.empty() ? "" : ", true", prefix);
-  return text + wrap_line(fmt::format("{} = {{k{}Links, {}, {}, {}{}}};", head, prefix, links,
+      fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> {}", data.floats, data.sliding,
+                  print_drive_kinds(data), table_name(data));
+  return text + wrap_line(fmt::format("{} = {{&k{}Links[0], {}, {}, {}{}}};", head, prefix, links,
                                       data.slots, table.gravity, points),
                           0);
 }
@@ -70,7 +92,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   text += fmt::format("  detail::loops::MotionWork<Real, {}, {}> motions;\n", links, table.slots);
   if (loops.uses_inertias) {
     text += fmt::format("  detail::loops::InertiaWork<Real, {}, {}, {}> inertias;\n", links,
-                        table.slots, table.floats);
+                        table.slots, count_base_entries(table));
     work += ", inertias";
   }
   if (loops.uses_rows) {
@@ -80,9 +102,9 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   }
   const auto& arguments = program.arguments;
   const bool given = arguments.size() > 1 && arguments[1].name == "sin_q";
-  std::string list = fmt::format("detail::k{}Table, ", prefix_of(table));
+  std::string list = fmt::format("detail::{}, ", table_name(table));
   if (loops.solves) {
-    list += loops.yields.empty() ? "static_cast<const Real*>(nullptr), " : "kYields, ";
+    list += loops.yields.empty() ? "static_cast<const Real*>(nullptr), " : "&kYields[0], ";
   }
   list += element(arguments[0]);
   list += given ? ", detail::loops::GivenSines<Real>{&sin_q[0], &cos_q[0]}"
@@ -92,7 +114,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   }
   list += ", " + element(program.results.front().argument);
   return text +
-         wrap_line(fmt::format("detail::loops::{}{}({}, {});", program.name,
+         wrap_line(fmt::format("detail::loops::{}{}({}, {});", loops.function,
                                loops.solves ? fmt::format("<{}>", loops.power) : "", list, work),
                    2);
 }

@@ -7,6 +7,7 @@
 #include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_limited_runtime.hpp"
@@ -48,15 +49,18 @@ void append_limit_headers(const EmissionContext& context, std::vector<GeneratedF
 }
 
 /// What functions include that loop over a table of links.
-void append_loop_headers(const EmissionContext& context, std::vector<GeneratedFile>& files) {
+std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context) {
   const std::pair<const char*, std::string_view> headers[] = {
       {"link_factors.hpp", templates::kLinkFactors},
+      {"link_friction.hpp", templates::kLinkFriction},
       {"link_functions.hpp", templates::kLinkFunctions},
       {"link_inertia.hpp", templates::kLinkInertia},
       {"link_motion.hpp", templates::kLinkMotion},
       {"link_rows.hpp", templates::kLinkRows},
       {"link_table.hpp", templates::kLinkTable}};
+  std::vector<GeneratedFile> files;
   for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
+  return files;
 }
 
 /// For `profile: misra`, which has headers of its own.
@@ -66,7 +70,9 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
   const bool damped = !context.effective_mass_limits.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
-  if (damped || controlled || std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
+  const bool loops = has_loops(list_sources(context, programs));
+  if (damped || controlled || loops ||
+      std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", misra::print_sin_cos(context)});
   }
   if (controlled) {
@@ -75,6 +81,11 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
           {file.name, misra::follow_rules_in_header(context, print_header(context, file.text))});
     }
     files.push_back({"controller_sizes.hpp", misra::print_controller_sizes(context)});
+  }
+  if (loops) {
+    for (const GeneratedFile& file : list_loop_headers(context)) {
+      files.push_back({file.name, misra::follow_rules(context, file.text)});
+    }
   }
   if (damped) {
     for (GeneratedFile& file : misra::print_damped_runtime(context)) {
@@ -100,7 +111,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   const bool has_batch = !batch.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
-  const bool loops = has_loops(programs);
+  const bool loops = has_loops(list_sources(context, programs));
   std::vector<GeneratedFile> files;
   if (loops || has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
@@ -133,7 +144,9 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   if (limited && has_batch) {
     files.push_back({"limited_batch.hpp", print_header(context, templates::kLimitedBatch)});
   }
-  if (loops) append_loop_headers(context, files);
+  if (loops) {
+    for (GeneratedFile& file : list_loop_headers(context)) files.push_back(std::move(file));
+  }
   if (damped || limited || controlled) {
     files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
   }

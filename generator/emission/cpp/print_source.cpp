@@ -9,11 +9,10 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_source_holes.hpp"
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_parts.hpp"
-#include "emission/print_prefetch.hpp"
-#include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {
@@ -23,13 +22,13 @@ std::string parameter(const Argument& argument, const char* qualifier, const std
   return fmt::format("{}Real (&{})[{}]", qualifier, name, argument.rows * argument.cols);
 }
 
-/// The definition's head: restrict-qualified, and without names for arguments that the function
-/// does not read. `restrict` stands before the names.
+/// The definition's head: restrict-qualified, and without names for arguments that straight lines
+/// do not read. `restrict` stands before the names.
 std::string print_head(const Program& program, const std::string& restrict) {
   std::string list;
   for (const Argument& argument : program.arguments) {
     list += (list.empty() ? "" : ", ") + parameter(argument, "const ",
-                                                   reads(program, argument)
+                                                   program.loops || reads(program, argument)
                                                        ? restrict + argument.name
                                                        : "/*" + argument.name + "*/");
   }
@@ -117,18 +116,6 @@ std::string print_safe_source(const EmissionContext& context, const Program& pro
                         {"body", statements}});
 }
 
-std::string print_loop_source(const EmissionContext& context, const Program& program) {
-  return fill_template(
-      templates::kLoopFunction,
-      {{"head", describe_source(program)},
-       {"cost", describe_cost(program)},
-       {"name", context.name},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
-       {"signature", print_section(context) + print_prefetch_section(context) +
-                         wrap_line(print_head(program, "") + " {", 0)},
-       {"body", print_loop_body(context, program)}});
-}
-
 }  // namespace
 
 std::string print_declaration(const Program& program) {
@@ -143,19 +130,17 @@ std::string print_declaration(const Program& program) {
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
-  if (program.loops) return print_loop_source(context, program);
-  if (context.misra) return print_safe_source(context, program);
-  return fill_template(
-      templates::kFunction,
-      {{"head", describe_source(program)},
-       {"cost", describe_cost(program)},
-       {"name", context.name},
-       {"includes", print_includes(program)},
-       {"lanes", print_lanes_type(program)},
-       {"section", print_section_macro(context) + print_prefetch_macro(context, program.name)},
-       {"signature", print_section(context) + print_prefetch_section(context) +
-                         wrap_line(print_head(program, "TREELINE_RESTRICT ") + " {", 0)},
-       {"body", print_body(program, make_syntax(context), find_taken(context, program))}});
+  if (!program.loops && context.misra) return print_safe_source(context, program);
+  const char* const restrict = program.loops ? "" : "TREELINE_RESTRICT ";
+  auto holes = list_source_holes(context, program, program.name, print_head(program, restrict));
+  if (program.loops) {
+    holes["body"] = print_loop_body(context, program);
+    return fill_template(templates::kLoopFunction, holes);
+  }
+  holes.insert({{"includes", print_includes(program)},
+                {"lanes", print_lanes_type(program)},
+                {"body", print_body(program, make_syntax(context), find_taken(context, program))}});
+  return fill_template(templates::kFunction, holes);
 }
 
 std::set<std::string> find_taken(const EmissionContext& context, const Program& program) {

@@ -20,7 +20,8 @@ namespace {
 /// `Real(10)` as `10.0`, in float `10.0F`.
 std::string write_literals(const EmissionContext& context, const std::string& code) {
   static const std::regex whole("\\b(?:Real|RealOf<Robot>)\\((-?[0-9]+)\\)");
-  static const std::regex broken("\\b(?:Real|RealOf<Robot>)\\((-?[0-9]+[.e][0-9e.-]+)\\)");
+  static const std::regex broken(
+      "\\b(?:Real|RealOf<Robot>)\\((-?(?:[0-9]+[.e]|0x)[0-9a-fp.-]+)\\)");
   const std::string suffix = number_literal(context, "");
   return std::regex_replace(std::regex_replace(code, whole, "$1.0" + suffix), broken,
                             "$1" + suffix);

@@ -1,6 +1,8 @@
 #include "recursion/routes/make_link_table.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "recursion/tree/tree.hpp"
 
@@ -14,18 +16,28 @@ loops::Turn<double> table_turn(const PlanarRotation<double>& r) {
   return {r.c, r.s};
 }
 
+/// The rotation by what a joint adds to its coordinate, behind the last of the placement: both are
+/// about the joint's axis.
+PlanarRotation<double> turned_on(const PlanarRotation<double>& b, double offset) {
+  if (offset == 0) return b;
+  const double c = std::cos(offset);
+  const double s = std::sin(offset);
+  return {b.c * c - b.s * s, b.s * c + b.c * s};
+}
+
 loops::Link<double> table_link(const TreeLink<double>& link) {
   const auto& [mass, h, Sigma, J] = link.inertia;
   loops::Link<double> row{};
-  row.parent = static_cast<short>(link.parent);
+  row.parent = static_cast<std::int16_t>(link.parent);
   row.slides = link.kind == JointKind::prismatic;
   row.a = table_turn(link.R.a);
   row.alpha = table_turn(link.R.alpha);
-  row.b = table_turn(link.R.b);
-  row.offset = link.offset;
+  row.b = table_turn(row.slides ? link.R.b : turned_on(link.R.b, link.offset));
   row.rotor = link.drive.inertia;
   row.mass = mass;
-  const double p[3] = {link.p.x, link.p.y, link.p.z};
+  const Vector3<double> origin =
+      row.slides ? link.p + rotate(link.R, Vector3<double>{0, 0, link.offset}) : link.p;
+  const double p[3] = {origin.x, origin.y, origin.z};
   const double moment[3] = {h.x, h.y, h.z};
   const double inertia[6] = {J.xx, J.xy, J.xz, J.yy, J.yz, J.zz};
   std::copy(std::begin(p), std::end(p), row.p);
@@ -36,7 +48,7 @@ loops::Link<double> table_link(const TreeLink<double>& link) {
 
 loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
   loops::LinkPoint<double> row{};
-  row.link = static_cast<short>(point.link);
+  row.link = static_cast<std::int16_t>(point.link);
   row.world = point.axes == Axes::world;
   const Matrix3<double> axes = transposed(point.R);
   const Vector3<double> each[3] = {axes.row_x, axes.row_y, axes.row_z};
@@ -50,10 +62,10 @@ loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
   return row;
 }
 
-void append_rows(const TreePoint<double>& point, short index, LinkTableData& table) {
-  for (short k = 0; k < 6; ++k) {
+void append_rows(const TreePoint<double>& point, std::int16_t index, LinkTableData& table) {
+  for (std::int16_t k = 0; k < 6; ++k) {
     if (!point.rows[static_cast<std::size_t>(k)]) continue;
-    table.rows.push_back({index, static_cast<short>(k % 3), k >= 3});
+    table.rows.push_back({index, static_cast<std::int16_t>(k % 3), k >= 3});
   }
 }
 
@@ -67,7 +79,7 @@ void number_slots(LinkTableData& table) {
     if (link.parent < 0) continue;
     const auto parent = static_cast<std::size_t>(link.parent);
     const int slot = table.links[parent].slot + (children[parent] > 1 ? 1 : 0);
-    link.slot = static_cast<short>(slot);
+    link.slot = static_cast<std::int16_t>(slot);
     table.slots = std::max(table.slots, slot + 1);
   }
 }
@@ -77,9 +89,12 @@ void add_drives(const Tree<double>& tree, LinkTableData& table) {
   const bool driven = std::any_of(tree.links.begin(), tree.links.end(), [](const auto& link) {
     return link.drive.damping != 0 || link.drive.stiffness != 0;
   });
-  if (!driven) return;
+  const bool rubbing = std::any_of(tree.links.begin(), tree.links.end(),
+                                   [](const auto& link) { return link.drive.friction != 0; });
   for (const TreeLink<double>& link : tree.links) {
-    table.drives.push_back({link.drive.damping, link.drive.stiffness, link.drive.rest});
+    const TreeDrive<double>& drive = link.drive;
+    if (driven) table.drives.push_back({drive.damping, drive.stiffness, drive.rest});
+    if (rubbing) table.frictions.push_back({drive.friction, drive.sharpness});
   }
 }
 
@@ -89,6 +104,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   const auto tree = constant_tree<double>(mechanism);
   LinkTableData table;
   table.floats = tree.links.front().is_floating();
+  table.around_points = !tree.operational_points.empty();
   table.gravity = mechanism.gravity;
   for (const TreeLink<double>& link : tree.links) {
     table.links.push_back(table_link(link));
@@ -99,7 +115,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   add_drives(tree, table);
   if (!with_points) return table;
   for (const TreePoint<double>& point : tree.operational_points) {
-    append_rows(point, static_cast<short>(table.points.size()), table);
+    append_rows(point, static_cast<std::int16_t>(table.points.size()), table);
     table.points.push_back(table_point(point));
   }
   return table;

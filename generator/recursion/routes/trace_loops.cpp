@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "program/link_loops.hpp"
@@ -54,8 +55,7 @@ bool has_arguments(const MechanismInputs& inputs) {
 }
 
 /// What of a link the table has no place for; empty: nothing.
-std::string find_obstacle(const MovingLink& link, std::size_t index, bool floats,
-                          bool given_sines) {
+std::string find_obstacle(const MovingLink& link, std::size_t index, bool floats) {
   const auto shift = static_cast<int>(index) + (floats ? 5 : 0);
   const auto says = [&](const char* what) {
     return fmt::format("joint `{}` {}", link.joint, what);
@@ -63,18 +63,19 @@ std::string find_obstacle(const MovingLink& link, std::size_t index, bool floats
   if (link.is_of_ball()) return says("is a ball joint");
   if (link.is_floating()) return index == 0 ? "" : says("is floating, and not the base");
   if (link.multiplier != 1 || link.v_index != shift) return says("shares a coordinate");
-  if (link.drive.friction != 0) return says("has Coulomb friction");
-  if (given_sines && link.offset != 0) return says("has an angle of its own, and sines are given");
   return {};
 }
 
-std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form, bool given_sines) {
+std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
   if (has_arguments(mechanism.inputs)) return "what `inputs` of the scene makes arguments";
   if (!mechanism.external_forces.empty()) return "external forces";
+  if (mechanism.implicit_friction && form.function == Function::forward_dynamics) {
+    return "friction and springs at the end of a step (`implicit`)";
+  }
   if (mechanism.links.empty()) return "a robot without joints";
   const bool floats = mechanism.links.front().is_floating();
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-    const std::string found = find_obstacle(mechanism.links[i], i, floats, given_sines);
+    const std::string found = find_obstacle(mechanism.links[i], i, floats);
     if (!found.empty()) return found;
   }
   if (!form.rows) return {};
@@ -115,7 +116,7 @@ struct LoopTrace {
     std::vector<loops::LinkAxes<Number>> link_axes;
     std::vector<loops::LinkMotion<Number>> point_motions;
     std::vector<loops::Spatial<Number>> forces;
-    std::vector<short> links;
+    std::vector<std::int16_t> links;
     std::vector<Number> errors, Lambda_inv;
   };
 
@@ -129,7 +130,6 @@ struct LoopTrace {
                              lifted<Number>(from.alpha),
                              lifted<Number>(from.b),
                              {},
-                             Number(from.offset),
                              Number(from.rotor),
                              Number(from.mass),
                              {},
@@ -147,6 +147,9 @@ struct LoopTrace {
     }
     for (const loops::LinkDrive<double>& from : table.drives) {
       drives.push_back({Number(from.damping), Number(from.stiffness), Number(from.rest)});
+    }
+    for (const loops::LinkFriction<double>& from : table.frictions) {
+      frictions.push_back({Number(from.force), Number(from.sharpness)});
     }
     for (const double yield : plan.yields) yields.push_back(Number(yield));
     const auto n = table.links.size();
@@ -166,7 +169,7 @@ struct LoopTrace {
   }
 
   template <bool floats>
-  [[nodiscard]] loops::LinkTable<Number, floats, true, true> table_of(
+  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true> table_of(
       const LinkTableData& from) const {
     const auto& g = from.gravity;
     return {links.data(),
@@ -177,28 +180,50 @@ struct LoopTrace {
             static_cast<int>(points.size()),
             from.rows.data(),
             static_cast<int>(from.rows.size()),
-            drives.empty() ? nullptr : drives.data()};
+            drives.empty() ? nullptr : drives.data(),
+            frictions.empty() ? nullptr : frictions.data()};
   }
 
   std::vector<loops::Link<Number>> links;
   std::vector<loops::LinkPoint<Number>> points;
   std::vector<loops::LinkDrive<Number>> drives;
+  std::vector<loops::LinkFriction<Number>> frictions;
   std::vector<Number> yields;
   Motions motions;
   Inertias inertias;
   Rows rows;
 };
 
+/// Sines as the function takes them: `GivenSines` of the headers, or else `ComputedSines`.
+template <class Number>
+struct TracedSines {
+  const Number* sin_q;  ///< null: they are computed
+  const Number* cos_q;
+
+  void operator()(int i, const Number& angle, Number& sine, Number& cosine) const {
+    if (sin_q == nullptr) {
+      loops::ComputedSines{}(i, angle, sine, cosine);
+    } else {
+      loops::GivenSines<Number>{sin_q, cos_q}(i, angle, sine, cosine);
+    }
+  }
+};
+
 /// Arguments of a function that loops, and its result.
 template <class Number>
 struct LoopArguments {
   std::vector<Number> q, qd, qdd, tau, xdd_cmd, result;
+  std::vector<Number> sin_q, cos_q;  ///< empty: they are computed
+
+  [[nodiscard]] TracedSines<Number> sines() const {
+    return {sin_q.empty() ? nullptr : sin_q.data(), cos_q.data()};
+  }
 };
 
 template <int power, class Number, class Table>
 void run_law(Function function, const Table& table, LoopTrace<Number>& trace,
              LoopArguments<Number>& with) {
-  const loops::ComputedSines sines;
+  const TracedSines<Number> sines = with.sines();
   if (function == Function::lambda) {
     loops::lambda<power>(table, trace.yields.data(), with.q.data(), sines, with.result.data(),
                          trace.motions, trace.inertias, trace.rows);
@@ -212,7 +237,7 @@ void run_law(Function function, const Table& table, LoopTrace<Number>& trace,
 template <class Number, class Table>
 void run(Function function, int power, const Table& table, LoopTrace<Number>& trace,
          LoopArguments<Number>& with) {
-  const loops::ComputedSines sines;
+  const TracedSines<Number> sines = with.sines();
   const Number* const q = with.q.data();
   const Number* const qd = with.qd.data();
   Number* const result = with.result.data();
@@ -249,6 +274,19 @@ void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) 
   }
 }
 
+/// Inputs of the sines and cosines of coordinates that are angles.
+void give_sines(const Mechanism& mechanism, Graph& graph, LoopArguments<PlainExpression>& with) {
+  for (std::size_t i = 0; i < with.q.size(); ++i) {
+    const bool turns = mechanism.coordinates[i].is_angle();
+    const auto input = [&](const char* name) {
+      return turns ? PlainExpression(graph.input(fmt::format("{}[{}]", name, i)))
+                   : PlainExpression();
+    };
+    with.sin_q.push_back(input("sin_q"));
+    with.cos_q.push_back(input("cos_q"));
+  }
+}
+
 void take_law(const Mechanism& mechanism, LinkLoops& plan, Program& program) {
   program.law =
       TaskLaws(mechanism).find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
@@ -264,8 +302,9 @@ void take_law(const Mechanism& mechanism, LinkLoops& plan, Program& program) {
 /// What the loops execute, constants 0 and 1 included.
 void count(Function function, const LoopArguments<PlainExpression>& with, LinkLoops& plan) {
   const auto numbers = [](const auto& from) { return std::vector<Counted>(from.size()); };
-  LoopArguments<Counted> counted{numbers(with.q),   numbers(with.qd),      numbers(with.qdd),
-                                 numbers(with.tau), numbers(with.xdd_cmd), numbers(with.result)};
+  LoopArguments<Counted> counted{numbers(with.q),     numbers(with.qd),      numbers(with.qdd),
+                                 numbers(with.tau),   numbers(with.xdd_cmd), numbers(with.result),
+                                 numbers(with.sin_q), numbers(with.cos_q)};
   const CountedOperations operations;
   run(function, plan, counted);
   plan.adds = operations.since().add;
@@ -280,7 +319,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
                         bool given_sines) {
   const LoopForm* const form = find_form(function);
   if (form == nullptr) return {};
-  if (auto obstacle = find_obstacle(mechanism, *form, given_sines); !obstacle.empty()) {
+  if (auto obstacle = find_obstacle(mechanism, *form); !obstacle.empty()) {
     return {std::nullopt, std::move(obstacle)};
   }
   Program program;
@@ -292,6 +331,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
   const Graph::Scope scope(program.graph);
   const TracedInputs inputs(mechanism, function, program);
   const auto plan = std::make_shared<LinkLoops>();
+  plan->function = function_name(function);
   plan->table = make_link_table(mechanism, form->rows);
   plan->uses_inertias = form->inertias;
   plan->uses_rows = form->rows;
@@ -309,7 +349,10 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
       plain(takes(function, Quantity::qdd_0) ? Quantity::qdd_0 : Quantity::qdd),
       plain(Quantity::tau),
       plain(Quantity::xdd_cmd),
-      std::vector<PlainExpression>(result.values.size())};
+      std::vector<PlainExpression>(result.values.size()),
+      {},
+      {}};
+  if (given_sines) give_sines(mechanism, program.graph, with);
   run(function, *plan, with);
   count(function, with, *plan);
   program.results = {{result.argument, {}}};

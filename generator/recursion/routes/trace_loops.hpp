@@ -22,6 +22,9 @@ struct TracedLoops {
   std::optional<Program> program;
   std::string obstacle;  ///< "`elbow` mimics a joint"; empty where the function has no such form
 };
+
+/// With `given_sines` it reads sin_q[i] and cos_q[i] of angles, as `take_sines` names them; its
+/// arguments do not list them.
 TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
                         bool given_sines);
 

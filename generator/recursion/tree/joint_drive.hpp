@@ -2,15 +2,13 @@
 
 #include <vector>
 
+#include "core/link_friction.hpp"
 #include "recursion/tree/joint_rates.hpp"
 #include "recursion/tree/joint_transform.hpp"
 
 namespace treeline {
 
-/// tanh(n artanh(x / n)) with n = `kSignDegree`, the smooth sign s of Coulomb friction: odd, slope
-/// 1 at 0, |s| <= 1, within 1.3e-5 of tanh(x) up to |x| = 2600, above 0.995 up to n^2 / 3 = 5461;
-/// beyond, it falls off like n^2 / x. It takes products, sums and quotients only: tanh 2a = 2t / (1
-/// + t^2) once, and tanh 4a = 4t (1 + t^2) / (1 + 6t^2 + t^4) three times, where t = tanh a.
+/// Of the smooth sign s of Coulomb friction, see core/link_friction.hpp.
 inline constexpr double kSignDegree = 128;
 inline constexpr int kQuadruplings = 3;
 
@@ -26,14 +24,14 @@ SmoothSign<Scalar> smooth_sign(const Scalar& x) {
   Scalar t = x * Scalar(1 / kSignDegree);
   Scalar square = t * t;
   Scalar divisor = one + square;
-  SmoothSign<Scalar> sign{Scalar(2.0) * t / divisor,
+  SmoothSign<Scalar> sign{core::loops::double_tangent<Scalar>(t),
                           Scalar(2 / kSignDegree) * (one - square) / (divisor * divisor)};
   for (int i = 0; i < kQuadruplings; ++i) {
     t = sign.value;
     square = t * t;
     divisor = one + square * (Scalar(6.0) + square);
     const Scalar rest = one - square;
-    sign = {Scalar(4.0) * t * (one + square) / divisor,
+    sign = {core::loops::quadruple_tangent<Scalar>(t),
             sign.slope * (Scalar(4.0) * rest * rest * rest / (divisor * divisor))};
   }
   return sign;

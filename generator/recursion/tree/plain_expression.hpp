@@ -8,7 +8,7 @@ namespace treeline {
 
 /// An expression whose operators make the operation that they say, as a processor executes it.
 /// Those of `Expression` simplify by rules of real arithmetic, which change roundings. Here only
-/// sums with 0 and products with 0, 1 and -1 vanish, which are exact.
+/// sums with 0, products with 0, 1 and -1, and quotients of 0 vanish, which are exact.
 class PlainExpression {
  public:
   PlainExpression() = default;
@@ -28,6 +28,7 @@ class PlainExpression {
     return PlainExpression(product(a.value_, b.value_));
   }
   friend PlainExpression operator/(const PlainExpression& a, const PlainExpression& b) {
+    if (a.value_.is_zero()) return {};
     const bool negative = a.value_.negative() != b.value_.negative();
     return PlainExpression(make(Op::div, a.value_, b.value_, negative));
   }

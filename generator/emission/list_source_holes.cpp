@@ -1,0 +1,23 @@
+#include "emission/list_source_holes.hpp"
+
+#include "emission/comment.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/print_prefetch.hpp"
+#include "emission/print_target.hpp"
+#include "emission/wrap_line.hpp"
+
+namespace treeline {
+
+std::map<std::string, std::string> list_source_holes(const EmissionContext& context,
+                                                     const Program& program,
+                                                     const std::string& stem,
+                                                     const std::string& definition) {
+  return {{"head", describe_source(program)},
+          {"cost", describe_cost(program)},
+          {"name", context.name},
+          {"section", print_section_macro(context) + print_prefetch_macro(context, stem)},
+          {"signature", print_section(context) + print_prefetch_section(context) +
+                            wrap_line(definition + " {", 0)}};
+}
+
+}  // namespace treeline

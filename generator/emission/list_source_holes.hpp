@@ -1,0 +1,19 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "emission/emission_context.hpp"
+#include "program/program.hpp"
+
+namespace treeline {
+
+/// What every source of a function has in a template's holes, whatever computes the function:
+/// `head`, `cost`, `name`, `section` and `signature`. `stem` is the source's name without ending,
+/// `definition` the function's head without a brace.
+std::map<std::string, std::string> list_source_holes(const EmissionContext& context,
+                                                     const Program& program,
+                                                     const std::string& stem,
+                                                     const std::string& definition);
+
+}  // namespace treeline
