@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "interpreter/eliminated_forward_dynamics.hpp"
+#include "interpreter/loop_instances.hpp"
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
 #include "recursion/algebra/pivot_rule.hpp"

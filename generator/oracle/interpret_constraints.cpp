@@ -1,6 +1,5 @@
 #include "oracle/interpret_constraints.hpp"
 
-#include "interpreter/eliminated_forward_dynamics.hpp"
 #include "interpreter/loop_instances.hpp"
 #include "oracle/entries.hpp"
 

@@ -1,10 +1,11 @@
 #pragma once
 
-/// The functions of closed loops that are called by themselves, for `double` and `Digits50`,
-/// compiled once in the library `treeline_interpreter_instances`. Include this instead of
-/// `loops.hpp` and `close_loops.hpp` and link that library.
+/// The functions of closed loops that are called by themselves, compiled once in the library
+/// `treeline_interpreter_instances`. Include this instead of `loops.hpp`,
+/// `eliminated_forward_dynamics.hpp` and `close_loops.hpp` and link that library.
 
 #include "interpreter/close_loops.hpp"
+#include "interpreter/eliminated_forward_dynamics.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline::interpreter {
@@ -12,11 +13,11 @@ namespace treeline::interpreter {
 // clang-format off
 #define TREELINE_LOOP_INSTANCES(EXTERN, T)                                                         \
   EXTERN template Matrix<T> loop_jacobian<T>(const Model<T>&, const Loops<T>&, VectorArg<T>);      \
-  EXTERN template Vector<T> loop_errors<T>(const Model<T>&, const Loops<T>&, VectorArg<T>)
-/// By dual numbers, which take the longest to compile; nothing needs it in `double`.
-#define TREELINE_LOOP_BIAS_INSTANCE(EXTERN, T)                                                     \
+  EXTERN template Vector<T> loop_errors<T>(const Model<T>&, const Loops<T>&, VectorArg<T>);        \
   EXTERN template Vector<T> loop_bias<T>(                                                          \
-      const Model<T>&, const Loops<T>&, VectorArg<T>, VectorArg<T>)
+      const Model<T>&, const Loops<T>&, VectorArg<T>, VectorArg<T>);                               \
+  EXTERN template ConstrainedMotion<T> eliminated_forward_dynamics<T>(const Model<T>&,             \
+      const ConstrainedState<std::type_identity_t<T>>&, const TaskLaw<T>&)
 #define TREELINE_CLOSING_INSTANCES(EXTERN, T)                                                      \
   EXTERN template Vector<T> move_coordinates<T>(                                                   \
       const Model<T>&, const Vector<T>&, const Vector<T>&, const T&);                              \
@@ -24,9 +25,9 @@ namespace treeline::interpreter {
       const Model<T>&, const Loops<T>&, Vector<T>, const std::vector<int>&, const T&)
 // clang-format on
 
+TREELINE_LOOP_INSTANCES(extern, float);
 TREELINE_LOOP_INSTANCES(extern, double);
 TREELINE_LOOP_INSTANCES(extern, Digits50);
-TREELINE_LOOP_BIAS_INSTANCE(extern, Digits50);
 TREELINE_CLOSING_INSTANCES(extern, double);
 
 }  // namespace treeline::interpreter

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "closed_robots.hpp"
-#include "interpreter/eliminated_forward_dynamics.hpp"
 #include "interpreter/loop_instances.hpp"
 #include "interpreter/supported_cases.hpp"
 #include "mechanism/build_mechanism.hpp"

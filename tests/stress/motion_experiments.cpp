@@ -7,6 +7,7 @@
 #include "experiments.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "oracle/subject.hpp"
 #include "simulation/integrate.hpp"
 
