@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "interpreter/constrained_forward_dynamics.hpp"
 #include "interpreter/loop_instances.hpp"
