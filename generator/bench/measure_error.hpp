@@ -16,10 +16,10 @@ struct AnswerError {
   double component = 0;
 };
 
-/// Compares a result with its reference. `ends` has the end of each
-/// result among the entries; what comes after the last is not compared. If
-/// the reference of an entry is zero, up to what 50 digits leave of zero, its error is relative to
-/// the size of its terms. The errors are infinite if an entry is not finite.
+/// Compares a result with its reference. `ends` has the end of each result among the entries; what
+/// comes after the last is not compared. If the reference of an entry is zero, up to what 50 digits
+/// leave of zero, its error is relative to the size of its terms. The errors are infinite if an
+/// entry is not finite.
 AnswerError measure_error(const std::vector<double>& actual, const FunctionReference& reference,
                           const std::vector<std::size_t>& ends);
 

@@ -12,4 +12,7 @@ namespace treeline {
 std::vector<Program> list_sources(const EmissionContext& context,
                                   std::span<const Program> programs);
 
+/// Whether one of them loops over a table of links; copies none.
+bool has_loops(const EmissionContext& context, std::span<const Program> programs);
+
 }  // namespace treeline

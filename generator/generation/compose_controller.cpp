@@ -87,7 +87,8 @@ void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& uni
   const bool task = unit.task_torque.has_value();
   const auto flops = [](const Program& program) { return count_operations(program).flops(); };
   const Program poses = task ? trace_poses(robot, scene) : Program();
-  const Program gravity = trace_kinematics(robot, scene, {Function::gravity}, kGravity);
+  const Program gravity = task ? trace_kinematics(robot, scene, {Function::gravity}, kGravity)
+                               : unit.kinematics;  // which is this alone
   std::vector<LoopCandidate> candidates = {
       {Function::gravity, &gravity, flops(unit.kinematics) - (task ? flops(poses) : 0)},
       {Function::inverse_dynamics, &unit.joint_torque, flops(unit.joint_torque)}};

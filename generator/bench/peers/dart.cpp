@@ -1,6 +1,6 @@
 // DART: inverse and forward dynamics, nonlinear effects, the mass matrix, and steps with rows held.
-// Compiled without
-// -march=native, because Eigen's alignment would differ from that of Debian's library.
+// Compiled without -march=native, because Eigen's alignment would differ from that of Debian's
+// library.
 #include <tinyxml2.h>
 
 #include <dart/config.hpp>

@@ -177,15 +177,32 @@ std::string print_matrices(const EmissionContext& context, std::span<const Progr
 }
 
 GeneratedFile print_batch_limited_header(const EmissionContext& context,
-                                         std::span<const Program> batch,
-                                         const std::string& signature) {
+                                         std::span<const Program> batch) {
+  const std::string signature =
+      print_head(context, find_supported(batch), form_of_batch(context)) + ";";
   return {context.name + "_batch_limited.h",
           fill_template(templates::kBatchLimited,
                         {{"robot", context.robot},
                          {"name", context.name},
                          {"states", std::to_string(context.batch)},
                          {"cost", comment("///", describe_batch_limited_cost(context, batch))},
-                         {"signature", wrap_line(signature + ";", 0)}})};
+                         {"signature", wrap_line(signature, 0)}})};
+}
+
+/// What limited control has in the holes of its source, of one state or of several. `no_forces`
+/// declares the forces of a robot that holds no rows.
+Holes list_source_holes(const EmissionContext& context, std::span<const Program> programs,
+                        Form form, const std::string& no_forces) {
+  const Program& supported = find_supported(programs);
+  const bool holds = holds_rows(context);
+  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
+  holes["section"] = print_section_macro(context);
+  holes["signature"] =
+      print_section(context) + wrap_line(print_head(context, supported, form) + " {", 0);
+  holes["supported"] =
+      (holds ? "" : no_forces) + print_call(context, supported, form, holds ? "tau, f" : "tau");
+  holes["matrices"] = print_matrices(context, programs, form);
+  return holes;
 }
 
 std::string print_layout(const EmissionContext& context) {
@@ -225,38 +242,21 @@ GeneratedFile print_limited_header(const EmissionContext& context,
 
 std::vector<GeneratedFile> print_limited(const EmissionContext& context,
                                          std::span<const Program> programs) {
-  const Program& supported = find_supported(programs);
-  const bool holds = holds_rows(context);
-  const std::string zeros = fmt::format(" = {{{}}}", number_literal(context, "0.0"));
-  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
+  const std::string no_forces =
+      fmt::format("{} f[1] = {{{}}};\n", number_type(context), number_literal(context, "0.0"));
+  Holes holes = list_source_holes(context, programs, kOneState, no_forces);
   holes["limits"] = print_default_limits(context);
-  holes["section"] = print_section_macro(context);
-  holes["signature"] =
-      print_section(context) + wrap_line(print_limited_signature(context, programs) + " {", 0);
-  const std::string without = holds ? "" : fmt::format("{} f[1]{};\n", number_type(context), zeros);
-  holes["supported"] =
-      without + print_call(context, supported, kOneState, holds ? "tau, f" : "tau");
-  holes["matrices"] = print_matrices(context, programs, kOneState);
   return {print_limited_header(context, programs),
           {"limited_control_torque.c", fill_limits(templates::kLimitedSource, holes)}};
 }
 
 std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
                                                std::span<const Program> batch) {
-  const Program& supported = find_supported(batch);
   const Form form = form_of_batch(context);
-  const std::string signature = print_head(context, supported, form);
-  const bool holds = holds_rows(context);
-  const int states = context.batch;
-  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
-  holes["section"] = print_section_macro(context);
-  holes["signature"] = print_section(context) + wrap_line(signature + " {", 0);
-  const std::string without = holds ? ""
-                                    : fmt::format("{} f[{}];\n", number_type(context), states) +
-                                          print_zeros(context, "f", states);
-  holes["supported"] = without + print_call(context, supported, form, holds ? "tau, f" : "tau");
-  holes["matrices"] = print_matrices(context, batch, form);
-  return {print_batch_limited_header(context, batch, signature),
+  const std::string no_forces = fmt::format("{} f[{}];\n", number_type(context), form.states) +
+                                print_zeros(context, "f", form.states);
+  const Holes holes = list_source_holes(context, batch, form, no_forces);
+  return {print_batch_limited_header(context, batch),
           {"batch_limited_control_torque.c", fill_limits(templates::kBatchLimitedSource, holes)}};
 }
 

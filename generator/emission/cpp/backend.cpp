@@ -74,8 +74,10 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
       files.push_back(std::move(file));
     }
   }
-  for (GeneratedFile& file : print_loops(context, list_sources(context, programs))) {
-    files.push_back(std::move(file));
+  if (has_loops(context, programs)) {
+    for (GeneratedFile& file : print_loops(context, list_sources(context, programs))) {
+      files.push_back(std::move(file));
+    }
   }
   if (context.misra) return files;  // no library, no vectors
   files.insert(files.end(), {{context.name + "_calls.hpp", print_calls(context, programs)},

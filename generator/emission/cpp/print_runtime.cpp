@@ -70,7 +70,7 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
   const bool damped = !context.effective_mass_limits.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
-  const bool loops = has_loops(list_sources(context, programs));
+  const bool loops = has_loops(context, programs);
   if (damped || controlled || loops ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", misra::print_sin_cos(context)});
@@ -111,7 +111,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   const bool has_batch = !batch.empty();
   const bool limited = context.limits.has_value();
   const bool controlled = context.controller != nullptr;
-  const bool loops = has_loops(list_sources(context, programs));
+  const bool loops = has_loops(context, programs);
   std::vector<GeneratedFile> files;
   if (loops || has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
