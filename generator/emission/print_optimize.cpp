@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "emission/backend/backend.hpp"
 #include "emission/c/print_loops.hpp"
 #include "emission/controller_unit.hpp"
@@ -25,31 +27,9 @@ CodeModel model_of(std::string_view name) {
   return small ? CodeModel{5, 16384} : CodeModel{9, 32768};
 }
 
-/// Names without ending of the sources that are compiled to small code.
-std::vector<std::string> list_small_sources(const EmissionContext& context,
-                                            std::span<const Program> programs,
-                                            std::span<const Program> batch) {
-  std::vector<std::string> names;
-  const auto add = [&](const Program& program) {
-    if (compiles_to_small_code(context.optimize, context.target, program)) {
-      names.push_back(program.name);
-    }
-  };
-  for (const Program& program : programs) add(program);
-  if (context.controller) {
-    for (const Program* const program : context.controller->programs()) add(*program);
-  }
-  if (context.optimize != Optimize::size) return names;
-  for (const Program& program : batch) names.push_back("batch_" + program.name);
-  if (context.controller) names.emplace_back("controller");
-  if (context.language == Language::c) {  // in C++ they are headers
-    if (!context.effective_mass_limits.empty()) names.emplace_back("damped_control_torque");
-    if (context.limits) names.emplace_back("limited_control_torque");
-    if (context.limits && !batch.empty()) names.emplace_back("batch_limited_control_torque");
-    if (const std::string joined = c::joined_loops(context, programs); !joined.empty()) {
-      names.push_back(joined);
-    }
-  }
+std::vector<std::string> with_endings(const EmissionContext& context,
+                                      std::vector<std::string> names) {
+  for (std::string& name : names) name += backend_of(context.language).source;
   return names;
 }
 
@@ -58,13 +38,10 @@ const char* language_id(const EmissionContext& context) {
 }
 
 /// Lines of CMake that add options to some sources. Empty where there are no sources.
-std::string print_source_options(const EmissionContext& context, std::span<const std::string> names,
-                                 const char* options) {
+std::string print_source_options(std::span<const std::string> names, const char* options) {
   if (names.empty()) return {};
   std::string sources;
-  for (const std::string& name : names) {
-    sources += fmt::format("    {}{}\n", name, backend_of(context.language).source);
-  }
+  for (const std::string& name : names) sources += fmt::format("    {}\n", name);
   return fmt::format("  set_property(SOURCE\n{}    APPEND PROPERTY COMPILE_OPTIONS {})\n", sources,
                      options);
 }
@@ -92,13 +69,40 @@ std::string print_extra_passes(const EmissionContext& context, std::span<const P
       "    \"$<$<IN_LIST:$<CONFIG>,{2}>:-frename-registers>\")\n{3}"
       "endif()\n",
       language_id(context), context.name, "Release;RelWithDebInfo;MinSizeRel",
-      print_source_options(context, slow, kNoExtraPasses));
+      print_source_options(with_endings(context, std::move(slow)), kNoExtraPasses));
 }
 
 bool compiles_to_small_code(Optimize optimize, std::string_view target, const Program& program) {
   if (optimize != Optimize::balanced) return optimize == Optimize::size;
   const CodeModel model = model_of(target);
   return count_operations(program).flops() * model.bytes_of_operation > model.cache;
+}
+
+std::vector<std::string> list_small_sources(const EmissionContext& context,
+                                            std::span<const Program> programs,
+                                            std::span<const Program> batch) {
+  std::vector<std::string> names;
+  const auto add = [&](const Program& program) {
+    if (compiles_to_small_code(context.optimize, context.target, program)) {
+      names.push_back(program.name);
+    }
+  };
+  for (const Program& program : programs) add(program);
+  if (context.controller) {
+    for (const Program* const program : context.controller->programs()) add(*program);
+  }
+  if (context.optimize != Optimize::size) return with_endings(context, std::move(names));
+  for (const Program& program : batch) names.push_back("batch_" + program.name);
+  if (context.controller) names.emplace_back("controller");
+  if (context.language == Language::c) {  // in C++ they are headers
+    if (!context.effective_mass_limits.empty()) names.emplace_back("damped_control_torque");
+    if (context.limits) names.emplace_back("limited_control_torque");
+    if (context.limits && !batch.empty()) names.emplace_back("batch_limited_control_torque");
+    if (const std::string joined = c::joined_loops(context, programs); !joined.empty()) {
+      names.push_back(joined);
+    }
+  }
+  return with_endings(context, std::move(names));
 }
 
 std::string print_small_code(const EmissionContext& context, std::span<const Program> programs,
@@ -109,7 +113,7 @@ std::string print_small_code(const EmissionContext& context, std::span<const Pro
       "# `optimize` of the scene: small code, whatever level the project compiles with.\n"
       "if(CMAKE_{}_COMPILER_ID MATCHES \"GNU|Clang|IntelLLVM\")\n{}"
       "endif()\n",
-      language_id(context), print_source_options(context, small, kSmallCodeFlag));
+      language_id(context), print_source_options(small, kSmallCodeFlag));
 }
 
 }  // namespace treeline

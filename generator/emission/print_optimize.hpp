@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "emission/emission_context.hpp"
 #include "program/program.hpp"
@@ -26,6 +27,12 @@ inline constexpr const char* kSmallCodeFlag = "-Os";
 /// asks: `size` all; `balanced` those whose code is modelled to be larger than the first-level
 /// cache of the target, so that loading it takes longer than running it.
 bool compiles_to_small_code(Optimize optimize, std::string_view target, const Program& program);
+
+/// The sources that are compiled to small code: of these functions, of those for several states,
+/// and of a controller.
+std::vector<std::string> list_small_sources(const EmissionContext& context,
+                                            std::span<const Program> programs,
+                                            std::span<const Program> batch);
 
 /// Lines of CMake that compile these functions, those for several states, and those of a controller
 /// to small code. Empty where there are none.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "emission/backend/backend.hpp"
+#include "emission/print_optimize.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
 #include "generation/choose_loops.hpp"
@@ -359,11 +360,11 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
     context.controller = std::make_shared<const ControllerUnit>(
         compose_controller(robot, scene, generation.mechanism, diagnostics));
   }
-  generation.files =
-      emit(context, programs_of(generation.functions), diagnostics, programs_of(generation.batch));
-  if (diagnostics.has_errors()) {
-    return std::nullopt;
-  }
+  const std::vector<Program> programs = programs_of(generation.functions);
+  const std::vector<Program> batch = programs_of(generation.batch);
+  generation.files = emit(context, programs, diagnostics, batch);
+  if (diagnostics.has_errors()) return std::nullopt;
+  generation.small_sources = list_small_sources(context, programs, batch);
   return generation;
 }
 

@@ -73,6 +73,7 @@ struct Generation {
       batch;  ///< functions for `Scene::batch` states, if the scene asks for them
   std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; only if the scene asks for it
   std::vector<GeneratedFile> files;
+  std::vector<std::string> small_sources;  ///< of the files, see `list_small_sources`
 };
 
 /// Receives the function that is being generated: `lambda (10 of 11)`.

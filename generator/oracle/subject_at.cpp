@@ -38,24 +38,24 @@ void set_parameters(const std::vector<double>& entries, std::size_t first,
 
 template <class Scalar>
 Scalar value_of(const interpreter::Model<Scalar>& model, const interpreter::UnitParameter& unit) {
-  using Kind = interpreter::UnitParameter::Kind;
+  using UnitKind = interpreter::UnitParameter::Kind;
   const interpreter::Body<Scalar>& body = model.body(unit.body);
-  if (unit.kind == Kind::rotor) return body.armature;
-  if (unit.kind == Kind::viscous) return body.damping;
-  if (unit.kind == Kind::coulomb) return body.friction;
+  if (unit.kind == UnitKind::rotor) return body.armature;
+  if (unit.kind == UnitKind::viscous) return body.damping;
+  if (unit.kind == UnitKind::coulomb) return body.friction;
   return parameters_of(body)[static_cast<std::size_t>(unit.entry)];
 }
 
 template <class Scalar>
 void add_to(const interpreter::UnitParameter& unit, const Scalar& value,
             interpreter::Model<Scalar>& model) {
-  using Kind = interpreter::UnitParameter::Kind;
+  using UnitKind = interpreter::UnitParameter::Kind;
   interpreter::Body<Scalar>& body = model.bodies[static_cast<std::size_t>(unit.body)];
-  if (unit.kind == Kind::rotor) {
+  if (unit.kind == UnitKind::rotor) {
     body.armature += value;
-  } else if (unit.kind == Kind::viscous) {
+  } else if (unit.kind == UnitKind::viscous) {
     body.damping += value;
-  } else if (unit.kind == Kind::coulomb) {
+  } else if (unit.kind == UnitKind::coulomb) {
     body.friction += value;
     body.slip_speed = Scalar(unit.slip_speed);
   } else {

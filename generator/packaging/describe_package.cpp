@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -35,31 +33,12 @@ std::vector<std::string> flags_of(const Scene& scene) {
   return flags;
 }
 
-/// The sources that the emitted CMakeLists.txt compiles with -Os whatever the project compiles
-/// with.
-std::vector<std::string> find_small_sources(const Generation& generation) {
-  const auto file = std::find_if(generation.files.begin(), generation.files.end(),
-                                 [](const auto& each) { return each.name == "CMakeLists.txt"; });
-  if (file == generation.files.end()) return {};
-  const std::size_t end =
-      file->text.find(fmt::format("PROPERTY COMPILE_OPTIONS {}", kSmallCodeFlag));
-  if (end == std::string::npos) return {};
-  const std::size_t begin = file->text.rfind("set_property(SOURCE\n", end);
-  std::istringstream lines(file->text.substr(begin, end - begin));
-  std::vector<std::string> sources;
-  for (std::string line; std::getline(lines, line);) {
-    const std::string name = line.substr(std::min(line.find_first_not_of(' '), line.size()));
-    if (is_source(name)) sources.push_back(name);
-  }
-  return sources;
-}
-
 /// Lines of CMake that compile for small code what `optimize: balanced` says; with `size` the flags
 /// of all do.
 std::string print_small_sources(const Scene& scene, const Generation& generation) {
   if (scene.optimize != Optimize::balanced) return {};
   std::string text;
-  for (const std::string& source : find_small_sources(generation)) text += "../src/" + source + " ";
+  for (const std::string& source : generation.small_sources) text += "../src/" + source + " ";
   return text.empty() ? text
                       : fmt::format("set_property(SOURCE {}APPEND PROPERTY COMPILE_OPTIONS {})",
                                     text, kSmallCodeFlag);
