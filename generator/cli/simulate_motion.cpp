@@ -15,7 +15,6 @@
 namespace treeline {
 namespace {
 
-using simulation::State;
 using simulation::Vector;
 
 /// The middle of a joint's range: where neither limit is near.
@@ -24,11 +23,13 @@ double middle(const Coordinate& coordinate) {
   return limited ? (coordinate.lower + coordinate.upper) / 2 : coordinate.neutral();
 }
 
-std::optional<State> start_state(const simulation::Model& model, const Mechanism& mechanism,
-                                 const MotionSettings& settings, Diagnostics& diagnostics) {
+std::optional<simulation::State> start_state(const simulation::Model& model,
+                                             const Mechanism& mechanism,
+                                             const MotionSettings& settings,
+                                             Diagnostics& diagnostics) {
   const bool q_fits = has_size("--q", settings.q, model.nq, diagnostics);
   if (!has_size("--qd", settings.qd, model.nv, diagnostics) || !q_fits) return std::nullopt;
-  State state{Vector::Zero(model.nq), Vector::Zero(model.nv)};
+  simulation::State state{Vector::Zero(model.nq), Vector::Zero(model.nv)};
   for (int i = 0; i < model.nq; ++i) {
     const auto k = static_cast<std::size_t>(i);
     state.q[i] = settings.q.empty() ? middle(mechanism.coordinates[k]) : settings.q[k];
@@ -40,7 +41,7 @@ std::optional<State> start_state(const simulation::Model& model, const Mechanism
 
 simulation::Acceleration acceleration_of(const simulation::Model& model,
                                          const MotionSettings& settings) {
-  return [&model, &settings](double, const State& state) {
+  return [&model, &settings](double, const simulation::State& state) {
     Vector tau = -settings.damping * state.qd;
     if (settings.holds_weight) {
       const Vector rest = Vector::Zero(model.nv);
@@ -75,7 +76,7 @@ bool is_credible(double energy, const Motion& motion) {
 
 /// Records a row; false where the motion has left the finite and the credible.
 bool record(const simulation::Model& model, const simulation::Coordinates& coordinates, double time,
-            const State& state, Motion& motion) {
+            const simulation::State& state, Motion& motion) {
   const double energy = simulation::mechanical_energy(model, state);
   if (!std::isfinite(energy) || !state.q.allFinite() || !is_credible(energy, motion)) return false;
   if (motion.table.rows() == 0) motion.start_energy = energy;
@@ -93,7 +94,7 @@ bool record(const simulation::Model& model, const simulation::Coordinates& coord
 /// One row's time further; false where an adaptive step became too short.
 bool advance(const simulation::Coordinates& coordinates, const simulation::Acceleration& qdd,
              double time, const MotionSettings& settings, simulation::AdaptiveSettings& adaptive,
-             State& state, Motion& motion) {
+             simulation::State& state, Motion& motion) {
   switch (settings.integrator) {
     case Integrator::semi_implicit_euler:
       simulation::step_semi_implicit_euler(coordinates, qdd, time, settings.step, state);

@@ -5,19 +5,13 @@
 #include <algorithm>
 
 #include "description/printable.hpp"
+#include "description/read_number.hpp"
 
 namespace treeline {
 namespace {
 
 constexpr std::string_view kLargeFile = "version https://git-lfs.github.com/";
 constexpr std::size_t kLongestPath = 4096;  // of POSIX
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r\n";
-  const auto first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 /// Whether the text begins with this, in either case of letters.
 bool begins_with(std::string_view text, std::string_view lower) {

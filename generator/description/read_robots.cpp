@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many links as one robot may have, the world among them.
-constexpr std::size_t kMostLinks = 4096;
 constexpr const char* kEntry = "write {name: left, urdf: arm.urdf, pose: {xyz: [0, 0.5, 0]}}";
 
 std::optional<YAML::Node> parse_quietly(const std::string& text) {

@@ -24,10 +24,6 @@
 namespace treeline {
 namespace {
 
-/// Straight-line code for more links than this would serve nobody; the bound also keeps recursive
-/// destructors in the libraries off the end of the stack.
-constexpr std::size_t kMostLinks = 4096;
-
 struct Elements {
   std::vector<UrdfElement> links;
   std::vector<UrdfElement> joints;

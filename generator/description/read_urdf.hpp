@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -7,6 +8,11 @@
 #include "description/robot.hpp"
 
 namespace treeline {
+
+/// Straight-line code for more links than this would serve nobody; the bound also keeps recursive
+/// destructors in the libraries off the end of the stack. Several robots in a scene share it, with
+/// the world among them.
+inline constexpr std::size_t kMostLinks = 4096;
 
 /// Reads the URDF at `path`. Every fault is added to `diagnostics` with file, line, element and
 /// remedy; nothing is returned when one of them is an error. Warnings tell what counts otherwise

@@ -8,7 +8,7 @@
 namespace treeline {
 namespace {
 
-constexpr std::size_t kMostListed = 60;
+constexpr std::size_t kMostNamed = 60;
 constexpr std::size_t kColumns = 90;
 constexpr std::size_t kMostContaining = 3;
 constexpr std::size_t kShortestPart = 3;
@@ -88,7 +88,7 @@ std::string find_near_name(std::string_view name, const std::vector<std::string>
 }
 
 std::string list_names(const std::vector<std::string>& names) {
-  const std::size_t listed = std::min(names.size(), kMostListed);
+  const std::size_t listed = std::min(names.size(), kMostNamed);
   std::string text;
   std::size_t line = 0;
   for (std::size_t i = 0; i < listed; ++i) {

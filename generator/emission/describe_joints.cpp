@@ -96,7 +96,7 @@ JointArrays describe_joints(const EmissionContext& context, const Syntax& syntax
   const std::vector<std::string> rows = name_task_rows(context);
   return {{{"robot", context.robot},
            {"name", context.name},
-           {"real", context.single_precision ? "float" : "double"},
+           {"real", number_type(context)},
            {"unlimited", syntax.literal(largest_number(context.single_precision))},
            {"nq", std::to_string(joints.size())},
            {"nv", std::to_string(names.size())},

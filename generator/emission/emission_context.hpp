@@ -118,4 +118,9 @@ struct EmissionContext {
   std::vector<std::string> notes;  ///< lines for the contract: locked joints, lumped links
 };
 
+/// The type of the emitted code's numbers, in C and C++.
+inline const char* number_type(const EmissionContext& context) {
+  return context.single_precision ? "float" : "double";
+}
+
 }  // namespace treeline

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "inspect/condition.hpp"
 #include "inspect/draw_states.hpp"
 #include "interpreter/loop_instances.hpp"
 #include "oracle/model_from_robot.hpp"
@@ -23,10 +24,8 @@ using interpreter::Loops;
 using interpreter::Model;
 
 constexpr int kPoses = 2, kGuesses = 64;
-constexpr int kSteps = 48;            ///< along a joint's range
 constexpr double kClosed = 1e-12;     ///< m, and the sine of an angle
 constexpr double kDependent = 1e-12;  ///< squared singular value, beside the largest one
-constexpr double kSingularDigits = 5, kMostDigits = 15.7;
 
 /// Squared singular values, ascending, and the combinations of columns that belong to them.
 Eigen::SelfAdjointEigenSolver<MatrixXd> squared_singular_values(const MatrixXd& J) {
@@ -192,7 +191,7 @@ class JointWalk {
     const double at = start[joint_.q];
     lower_ = std::max(joint_.lower, at - DrawnStates::reach(joint_));
     upper_ = std::min(joint_.upper, at + DrawnStates::reach(joint_));
-    const double first = (upper_ - lower_) / kSteps;
+    const double first = (upper_ - lower_) / kRangeSteps;
     for (const double step : {first, -first}) {
       std::optional<VectorXd> q = start;
       while (q) {

@@ -24,10 +24,8 @@ using interpreter::Vector;
 
 constexpr int kInertiaStates = 32;
 constexpr int kSweptStates = 4;
-constexpr int kSteps = 48;  ///< samples along a joint's range
-constexpr double kInertiaDigits = 3, kSingularDigits = 5;
+constexpr double kInertiaDigits = 3;
 constexpr double kFarAngle = 2e8;  ///< rad
-constexpr double kMostDigits = 15.7;
 
 /// Digits that a condition number costs; all of double's if it is infinite.
 double digits_lost(double condition) {
@@ -90,14 +88,14 @@ Peak find_peak(const Model<double>& model, const Points<double>& points, Vector<
   };
   std::vector<double> all;
   Peak peak;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double value = low + (high - low) * i / kSteps;
+  for (int i = 0; i <= kRangeSteps; ++i) {
+    const double value = low + (high - low) * i / kRangeSteps;
     all.push_back(at(value));
     if (all.back() > peak.condition) peak = {all.back(), 0, value};
   }
-  std::nth_element(all.begin(), all.begin() + kSteps / 2, all.end());
-  peak.usual = all[kSteps / 2];
-  for (double step = (high - low) / kSteps / 2; step > 1e-9; step /= 2) {
+  std::nth_element(all.begin(), all.begin() + kRangeSteps / 2, all.end());
+  peak.usual = all[kRangeSteps / 2];
+  for (double step = (high - low) / kRangeSteps / 2; step > 1e-9; step /= 2) {
     for (const double value : {peak.at - step, peak.at + step}) {
       if (value < low || value > high) continue;
       const double found = at(value);

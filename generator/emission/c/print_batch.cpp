@@ -24,10 +24,6 @@ bool has_vectors(const EmissionContext& context) {
   return context.lanes > 1;
 }
 
-const char* number_type(const EmissionContext& context) {
-  return context.single_precision ? "float" : "double";
-}
-
 std::string head_of(const EmissionContext& context, const Program& program, const char* suffix) {
   std::string list;
   const auto append = [&](const Argument& argument, const char* qualifier) {
@@ -39,7 +35,7 @@ std::string head_of(const EmissionContext& context, const Program& program, cons
   return fmt::format("void {}_batch_{}({})", context.name, program.name, list);
 }
 
-std::string print_unread(const Program& program) {
+std::string print_unread_rows(const Program& program) {
   std::string statements;
   for (const Argument& argument : program.arguments) {
     if (!reads(program, argument)) statements += fmt::format("  (void){}_rows;\n", argument.name);
@@ -130,7 +126,7 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
       {{"states", std::to_string(context.batch)},
        {"includes", includes},
        {"before", vectors ? "" : print_state_function(context, program)},
-       {"unread", print_unread(program)},
+       {"unread", print_unread_rows(program)},
        {"body", vectors ? print_in_vectors(context, program) : print_loop(context, program)}});
   return fill_template(templates::kBatchFunction, holes);
 }

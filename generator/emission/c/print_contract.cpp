@@ -46,7 +46,7 @@ std::string describe_needs(const EmissionContext& context, std::span<const Progr
       "Same input, same bits; and same time, where the target has instructions for {}.{}",
       loops ? "branch on data, no global state;\nof its headers"
             : "branch, no global state; of its\nheaders",
-      headers, context.single_precision ? "float" : "double",
+      headers, number_type(context),
       context.limits ? "\nLimited control branches, in a bounded number of steps." : "");
 }
 

@@ -64,7 +64,7 @@ std::string print_root(const EmissionContext& context) {
   return fmt::format(
       "#if defined(TREELINE_{0}_ROOT)\n  {1} root;\n  TREELINE_{0}_ROOT(root, positive);\n"
       "  return root;\n#else\n  {2}#endif\n",
-      name_in_capitals(context), context.single_precision ? "float" : "double", portable);
+      name_in_capitals(context), number_type(context), portable);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ std::string print_damped_solve(const EmissionContext& context) {
 
 std::string print_damped_signature(const EmissionContext& context,
                                    std::span<const Program> programs) {
-  const char* const real = context.single_precision ? "float" : "double";
+  const char* const real = number_type(context);
   std::string list;
   for (const Argument& argument :
        list_damped_arguments(list_damped_calls(programs), context.task_rows)) {
@@ -111,9 +111,9 @@ std::string print_damped_signature(const EmissionContext& context,
 
 GeneratedFile print_damped_header(const EmissionContext& context,
                                   std::span<const Program> programs) {
-  const std::string limits = fmt::format(
-      "static const {} {}_heaviest[{}] = {{{}}};", context.single_precision ? "float" : "double",
-      context.name, context.task_rows, list_effective_mass_limits(context, make_syntax(context)));
+  const std::string limits =
+      fmt::format("static const {} {}_heaviest[{}] = {{{}}};", number_type(context), context.name,
+                  context.task_rows, list_effective_mass_limits(context, make_syntax(context)));
   return {context.name + "_damped.h",
           fill_template(
               templates::kDamped,
@@ -132,7 +132,7 @@ std::vector<GeneratedFile> print_damped(const EmissionContext& context,
                templates::kDampedSource,
                {{"name", context.name},
                 {"NAME", name_in_capitals(context)},
-                {"real", context.single_precision ? "float" : "double"},
+                {"real", number_type(context)},
                 {"section", print_section_macro(context)},
                 {"signature", print_section(context) +
                                   wrap_line(print_damped_signature(context, programs) + " {", 0)},

@@ -23,10 +23,6 @@ namespace {
 
 using Holes = std::map<std::string, std::string>;
 
-const char* number_type(const EmissionContext& context) {
-  return context.single_precision ? "float" : "double";
-}
-
 /// Arrays of passive joints, held rows and task rows have at least one entry.
 struct Sizes {
   explicit Sizes(const EmissionContext& context)

@@ -115,9 +115,8 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   std::string text;
   if (!yields.empty()) {
     text = "  // Borders of the pivots of rows that yield, to the power of their law.\n" +
-           wrap_line(fmt::format("static const {} yields[{}] = {};",
-                                 context.single_precision ? "float" : "double", loops.yields.size(),
-                                 yields),
+           wrap_line(fmt::format("static const {} yields[{}] = {};", number_type(context),
+                                 loops.yields.size(), yields),
                      2);
   }
   std::string list = loops.solves ? fmt::format("{}, ", loops.power) : "";

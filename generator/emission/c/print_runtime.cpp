@@ -54,7 +54,7 @@ std::string print_lanes(const EmissionContext& context, std::span<const Program>
   std::string types;
   for (const std::size_t count : counts) {
     types += fmt::format("typedef {} {}_lanes_{} __attribute__((vector_size({})));\n",
-                         context.single_precision ? "float" : "double", context.name, count,
+                         number_type(context), context.name, count,
                          count * (context.single_precision ? 4 : 8));
   }
   return fill_template(templates::kLanes, {{"name", context.name}, {"types", types}});

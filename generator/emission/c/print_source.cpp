@@ -96,7 +96,7 @@ Body print_body_of(const EmissionContext& context, const Program& program,
 
 std::string print_array(const EmissionContext& context, const char* qualifier,
                         const std::string& name, int size) {
-  const char* const real = context.single_precision ? "float" : "double";
+  const char* const real = number_type(context);
   return context.misra ? fmt::format("{}{} {}[{}]", qualifier, real, name, size)
                        : fmt::format("{}{} {}[TREELINE_{}_ARRAY({})]", qualifier, real, name,
                                      name_in_capitals(context), size);

@@ -39,7 +39,7 @@ Syntax make_syntax(const EmissionContext& context) {
   Syntax syntax = make_c_family_syntax(context.single_precision);
   syntax.parentheses = Parentheses::products;
   if (context.misra) follow_misra(context.single_precision, syntax);
-  syntax.number = context.single_precision ? "float" : "double";
+  syntax.number = number_type(context);
   syntax.prefix = context.name;
   syntax.lanes = name_lanes;
   syntax.make_lanes = make_vector;

@@ -130,7 +130,7 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
                                bool given_sines)
     : name_(context.name + "_loops_"),
       capitals_(name_in_capitals(context) + "_LOOPS_"),
-      number_(context.single_precision ? "float" : "double"),
+      number_(number_type(context)),
       suffix_(context.single_precision ? "F" : ""),
       table_{{"Floats", table.floats},
              {"Sliding", table.sliding},

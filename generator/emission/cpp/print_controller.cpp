@@ -239,7 +239,7 @@ std::string print_header(const EmissionContext& context, const ControllerUnit& u
   Holes holes = {{"robot", in_comment(printable(context.robot))},
                  {"name", context.name},
                  {"NAME", name_in_capitals(context)},
-                 {"real", context.single_precision ? "float" : "double"},
+                 {"real", number_type(context)},
                  {"laws", in_comment("Laws: " + describe_laws(unit))},
                  {"fade", "config.fade"},
                  {"cost", in_comment("Cost of a step, at most: " + describe_step_cost(unit))},

@@ -12,7 +12,7 @@
 namespace treeline::cpp {
 namespace {
 
-std::string print_calls(const std::vector<DampedCall>& called) {
+std::string print_damped_calls(const std::vector<DampedCall>& called) {
   std::string calls;
   for (const DampedCall& call : called) {
     std::string list;
@@ -62,7 +62,7 @@ std::string print_damped(const EmissionContext& context, std::span<const Program
        {"cost", comment("///", describe_damped_cost(context, programs))},
        {"signature",
         wrap_line(print_damped_signature(list_damped_arguments(calls, context.task_rows)), 0)},
-       {"calls", print_calls(calls)},
+       {"calls", print_damped_calls(calls)},
        {"task", print_task(context)}});
 }
 

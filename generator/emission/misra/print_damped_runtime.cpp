@@ -31,7 +31,7 @@ std::string print_powers(const EmissionContext& context, const char* name, int f
   return wrap_line(
       fmt::format("{} {} {}[{}] = {{{}}};",
                   context.language == Language::c ? "static const" : "static constexpr",
-                  context.single_precision ? "float" : "double", name, exponents.size(), list),
+                  number_type(context), name, exponents.size(), list),
       2);
 }
 
@@ -77,14 +77,13 @@ GeneratedFile print_square_root(const EmissionContext& context) {
 }
 
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context) {
-  return {
-      {"damped_solve.hpp", fill_template(templates::kDampedSolve,
-                                         {{"name", context.name},
-                                          {"real", context.single_precision ? "float" : "double"},
-                                          {"rows", std::to_string(context.task_rows)},
-                                          {"velocities", std::to_string(context.velocities)},
-                                          {"steps", print_damped_steps(context)}})},
-      print_square_root(context)};
+  return {{"damped_solve.hpp", fill_template(templates::kDampedSolve,
+                                             {{"name", context.name},
+                                              {"real", number_type(context)},
+                                              {"rows", std::to_string(context.task_rows)},
+                                              {"velocities", std::to_string(context.velocities)},
+                                              {"steps", print_damped_steps(context)}})},
+          print_square_root(context)};
 }
 
 }  // namespace treeline::misra

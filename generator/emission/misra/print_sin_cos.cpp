@@ -89,7 +89,7 @@ std::string print_sin_cos(const EmissionContext& context) {
   const bool is_c = context.language == Language::c;
   return fill_template(is_c ? templates::kSinCosC : templates::kSinCosCpp,
                        {{"name", context.name},
-                        {"real", context.single_precision ? "float" : "double"},
+                        {"real", number_type(context)},
                         {"steps", print_steps(context, is_c)}});
 }
 

@@ -87,7 +87,7 @@ std::vector<Result> trace_eliminated_torque(const Trace& trace, const LoopedVelo
       trace.tree, trace.X, torque_inputs(trace, xdd_cmd), looped, rule));
 }
 
-std::vector<Result> trace_jacobian(const Trace& trace) {
+std::vector<Result> trace_constraint_jacobian(const Trace& trace) {
   const auto tasks = task_points(trace.tree, {}, world_poses(trace.tree, trace.X));
   std::size_t anchored = 0;
   for (const auto& task : tasks) anchored += task.rows.size();
@@ -96,7 +96,7 @@ std::vector<Result> trace_jacobian(const Trace& trace) {
                                             loop_jacobian(trace.tree, trace.X)))};
 }
 
-std::vector<Result> trace_errors(const Trace& trace) {
+std::vector<Result> trace_constraint_errors(const Trace& trace) {
   const std::vector<Expression> rest(static_cast<std::size_t>(trace.tree.nv), Expression(0.0));
   return {vector_result("error", "how far loops and couplings are from closed, m, 1, rad",
                         loop_rows<Expression>(trace.tree, trace.X, trace.q(), rest).errors)};
@@ -222,10 +222,10 @@ std::string why_not_eliminated(const Mechanism& mechanism, Function function) {
 
 std::vector<Route> constraint_routes(const RouteQuery& query) {
   if (query.function == Function::constraint_jacobian) {
-    return {{{"inward", "rows carried inward"}, trace_jacobian}};
+    return {{{"inward", "rows carried inward"}, trace_constraint_jacobian}};
   }
   if (query.function == Function::constraint_errors) {
-    return {{{"around", "frames carried around the loop"}, trace_errors}};
+    return {{{"around", "frames carried around the loop"}, trace_constraint_errors}};
   }
   return solving_routes(query);
 }
