@@ -137,6 +137,7 @@ namespace treeline::interpreter {
       const Model<T>&, PointsArg<T>, const ConstrainedState<std::type_identity_t<T>>&);            \
   EXTERN template ConstrainedMotion<T> constrained_forward_dynamics<T>(const Model<T>&,            \
       PointsArg<T>, const ConstrainedState<std::type_identity_t<T>>&, const TaskLaw<T>&);          \
+  EXTERN template Vector<T> detail::solve_consistent<T>(const Matrix<T>&, const Vector<T>&);       \
   EXTERN template SupportedTorque<T> supported_control_torque<T>(                                  \
       const Model<T>&, const SupportedTask<T>&, VectorArg<T>, VectorArg<T>);                       \
   EXTERN template SupportedTorque<T> supported_control_torque<T>(const Model<T>&,                  \

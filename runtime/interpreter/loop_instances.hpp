@@ -17,7 +17,9 @@ namespace treeline::interpreter {
   EXTERN template Vector<T> loop_bias<T>(                                                          \
       const Model<T>&, const Loops<T>&, VectorArg<T>, VectorArg<T>);                               \
   EXTERN template ConstrainedMotion<T> eliminated_forward_dynamics<T>(const Model<T>&,             \
-      const ConstrainedState<std::type_identity_t<T>>&, const TaskLaw<T>&)
+      const ConstrainedState<std::type_identity_t<T>>&, const TaskLaw<T>&);                        \
+  EXTERN template SupportedTorque<T> eliminated_control_torque<T>(const Model<T>&,                 \
+      const SupportedTask<T>&, VectorArg<T>, VectorArg<T>, const TaskLaw<T>&)
 #define TREELINE_CLOSING_INSTANCES(EXTERN, T)                                                      \
   EXTERN template Vector<T> move_coordinates<T>(                                                   \
       const Model<T>&, const Vector<T>&, const Vector<T>&, const T&);                              \
