@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,42 @@ std::string print_small_sources(const Scene& scene, const Generation& generation
                                     text, kSmallCodeFlag);
 }
 
+/// Sources of C that share the loops over a table of links if they are compiled as one. None where
+/// there would be only one.
+std::vector<std::string> list_looping_sources(const Scene& scene, const Generation& generation) {
+  std::vector<std::string> sources;
+  if (scene.language != Language::c) return sources;
+  for (const GeneratedFunction& generated : generation.functions) {
+    if (generated.program.loops) sources.push_back(generated.program.name + ".c");
+  }
+  if (sources.size() == 1) sources.clear();
+  return sources;
+}
+
+/// What CMSIS calls a file.
+std::string category_of(const std::string& file, const std::vector<std::string>& included) {
+  if (is_header(file)) return "header";
+  const bool compiled = std::find(included.begin(), included.end(), file) == included.end();
+  return compiled ? "source" : "other";
+}
+
+/// The source that includes others.
+std::string print_joined_source(const std::vector<std::string>& sources) {
+  if (sources.empty()) return {};
+  std::string text =
+      "// As one source these share the loops over a table of links: do not compile them alone "
+      "too.\n";
+  for (const std::string& source : sources) text += fmt::format("#include \"{}\"\n", source);
+  return text;
+}
+
+/// What PlatformIO compiles, where that is not everything.
+std::string print_source_filter(const std::vector<std::string>& left_out) {
+  if (left_out.empty()) return {};
+  return fmt::format(",\n    \"srcFilter\": [\"+<*>\", \"-<{}>\"]",
+                     fmt::join(left_out, ">\", \"-<"));
+}
+
 /// Text that is harmless in JSON, XML and lists of properties: letters, digits, some punctuation.
 std::string plain(const std::string& text) {
   std::string result;
@@ -66,12 +103,16 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
     keywords.push_back(
         fmt::format("{}{}\tKEYWORD2", prefixed ? scene.name + "_" : "", generated.program.name));
   }
-  for (const GeneratedFile& file : generation.files) {
-    if (is_source(file.name)) sources.push_back("../src/" + file.name);
-    if (is_source(file.name) || is_header(file.name)) {
-      pack_files.push_back(fmt::format("<file category=\"{}\" name=\"src/{}\"/>",
-                                       is_source(file.name) ? "source" : "header", file.name));
-    }
+  const std::vector<std::string> looping = list_looping_sources(scene, generation);
+  const std::string joined = print_joined_source(looping);
+  std::vector<std::string> files;
+  for (const GeneratedFile& file : generation.files) files.push_back(file.name);
+  if (!joined.empty()) files.push_back(scene.name + "_loops.c");
+  for (const std::string& file : files) {
+    if (!is_source(file) && !is_header(file)) continue;
+    const std::string category = category_of(file, looping);
+    if (category == "source") sources.push_back("../src/" + file);
+    pack_files.push_back(fmt::format("<file category=\"{}\" name=\"src/{}\"/>", category, file));
   }
   const bool is_c = scene.language == Language::c;
   const std::string ending = is_c ? "h" : "hpp";
@@ -89,6 +130,8 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
           {"requirement", is_c ? "" : "\tdepends on CPP"},
           {"small_sources", print_small_sources(scene, generation)},
           {"sources", fmt::format("{}", fmt::join(sources, "\n"))},
+          {"joined", joined},
+          {"source_filter", print_source_filter(looping)},
           {"pack_files", fmt::format("{}", fmt::join(pack_files, "\n"))},
           {"flags", fmt::format("{}", fmt::join(flags, " "))},
           {"quoted_flags", fmt::format("\"{}\"", fmt::join(flags, "\", \""))}};

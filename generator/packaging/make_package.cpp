@@ -30,7 +30,7 @@ std::vector<PackageFolder> for_cmake(const PackageFacts& facts) {
 std::vector<PackageFolder> for_platformio(const PackageFacts& facts) {
   return {{"",
            {fill("library.json", templates::kPlatformioLibrary, facts,
-                 {"name", "version", "robot", "header", "quoted_flags"})}}};
+                 {"name", "version", "robot", "header", "quoted_flags", "source_filter"})}}};
 }
 
 std::vector<PackageFolder> for_zephyr(const PackageFacts& facts) {
@@ -82,9 +82,14 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
 std::vector<PackageFolder> make_package(PackageKind kind, const Robot& robot, const Scene& scene,
                                         const Generation& generation) {
   if (kind == PackageKind::none) return {{"", generation.files}};
-  std::vector<PackageFolder> folders =
-      describe_to_tool(kind, describe_package(robot, scene, generation), scene, generation);
+  const PackageFacts facts = describe_package(robot, scene, generation);
+  std::vector<PackageFolder> folders = describe_to_tool(kind, facts, scene, generation);
   folders.push_back({"src", generation.files});
+  // CMake's project joins them itself, and Arduino compiles whatever it finds.
+  const bool lists_sources = kind != PackageKind::cmake && kind != PackageKind::arduino;
+  if (lists_sources && !facts.at("joined").empty()) {
+    folders.back().files.push_back({scene.name + "_loops.c", facts.at("joined")});
+  }
   return folders;
 }
 

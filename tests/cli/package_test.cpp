@@ -197,6 +197,52 @@ TEST_F(PackageTest, CmsisPackListsItsFiles) {
   EXPECT_EQ(sources, 3);  // two functions, and calls from C
 }
 
+// Would catch: sources of C that have the loops once each, or twice where a tool compiles them
+// alone too.
+TEST_F(PackageTest, LoopsOfCAreCompiledAsOneSource) {
+  const std::string humanoid = std::string(TREELINE_ROBOTS) + "/humanoid24/humanoid24.urdf";
+  const auto generate_with = [&](const std::string& tool) {
+    return test::run_program(root_,
+                             "generate " + humanoid +
+                                 " --functions mass_matrix,inverse_dynamics,center_of_mass --name "
+                                 "arm --optimize size --language c --output lib --package " +
+                                 tool);
+  };
+  ASSERT_EQ(generate_with("zephyr").exit_code, 0);
+  write(
+      "CMakeLists.txt",
+      std::string(kZephyrApplication).replace(std::string(kZephyrApplication).find("CXX"), 3, "C"));
+  ASSERT_TRUE(run("cmake -S . -B build && cmake --build build && nm build/lib/zephyr/*.a"));
+  std::string defined;
+  std::istringstream lines(read("log"));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(" T ") != line.npos) defined += line.substr(line.find(" T ") + 3) + " ";
+    EXPECT_EQ(line.find("mass_matrix.c.o:"), line.npos) << line;
+  }
+  for (const char* function :
+       {"arm_mass_matrix ", "arm_inverse_dynamics ", "arm_center_of_mass "}) {
+    EXPECT_NE(defined.find(function), defined.npos) << function << defined;
+  }
+
+  ASSERT_EQ(generate_with("platformio").exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(read("lib/library.json"))["build"]["srcFilter"],
+            nlohmann::json({"+<*>", "-<inverse_dynamics.c>", "-<mass_matrix.c>"}));
+  EXPECT_TRUE(fs::exists(root_ / "lib/src/arm_loops.c"));
+
+  fs::remove_all(root_ / "lib");
+  ASSERT_EQ(generate_with("cmsis").exit_code, 0);
+  const std::string pack = read("lib/Treeline.arm.pdsc");
+  for (const char* file : {"<file category=\"source\" name=\"src/arm_loops.c\"/>",
+                           "<file category=\"other\" name=\"src/mass_matrix.c\"/>",
+                           "<file category=\"source\" name=\"src/center_of_mass.c\"/>"}) {
+    EXPECT_NE(pack.find(file), pack.npos) << file;
+  }
+
+  fs::remove_all(root_ / "lib");
+  ASSERT_EQ(generate_with("arduino").exit_code, 0);
+  EXPECT_FALSE(fs::exists(root_ / "lib/src/arm_loops.c"));  // it would compile both
+}
+
 TEST_F(PackageTest, CompareKnowsThePackage) {
   EXPECT_EQ(generate("--package cmsis --compare").exit_code, 3);
   ASSERT_EQ(generate("--package cmsis").exit_code, 0);
