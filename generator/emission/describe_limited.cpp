@@ -21,7 +21,7 @@ const Program& find_program(std::span<const Program> programs, const std::string
 }
 
 template <class Number, class Print>
-std::string print_list(const std::vector<Number>& numbers, const Print& print) {
+std::string print_numbers(const std::vector<Number>& numbers, const Print& print) {
   std::string list;
   for (const Number& number : numbers) list.append(list.empty() ? "" : ", ").append(print(number));
   return fmt::format("{{{}}}", list.empty() ? print(Number{}) : list);
@@ -102,18 +102,18 @@ std::string print_torque_limits(const LimitFacts& facts, const Syntax& syntax,
   for (const LimitFacts::Row& row : facts.cones) {
     std::vector<double> coefficients = row.coefficients;
     coefficients.resize(6);
-    cones +=
-        fmt::format("{}{{{}, {}, {}, {}}}", cones.empty() ? "" : ", ", row.first,
-                    row.coefficients.size(), print_list(coefficients, literal), literal(row.bound));
+    cones += fmt::format("{}{{{}, {}, {}, {}}}", cones.empty() ? "" : ", ", row.first,
+                         row.coefficients.size(), print_numbers(coefficients, literal),
+                         literal(row.bound));
   }
-  return fmt::format("{}, {{{}}}, {}", print_list(facts.torque, literal),
-                     cones.empty() ? no_cones : cones, print_list(facts.task_weights, literal));
+  return fmt::format("{}, {{{}}}, {}", print_numbers(facts.torque, literal),
+                     cones.empty() ? no_cones : cones, print_numbers(facts.task_weights, literal));
 }
 
 std::string print_support_layout(const LimitFacts& facts, const Syntax& syntax) {
-  return fmt::format("{}, {}",
-                     print_list(facts.passive, [](int each) { return std::to_string(each); }),
-                     print_list(facts.force_weights, [&](double x) { return syntax.literal(x); }));
+  return fmt::format(
+      "{}, {}", print_numbers(facts.passive, [](int each) { return std::to_string(each); }),
+      print_numbers(facts.force_weights, [&](double x) { return syntax.literal(x); }));
 }
 
 }  // namespace treeline
