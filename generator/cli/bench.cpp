@@ -96,6 +96,7 @@ int run(BenchCommand options) {
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
   if (inputs && inputs->scene.language != Language::cpp) refuse_language(diagnostics);
+  if (inputs) (void)is_none_of(options.svg, list_paths(inputs->files), diagnostics);
   options.bench.peers = find_peers(options.peers, diagnostics);
   options.bench.progress = tell_progress();
   if (options.quick) {
@@ -107,8 +108,7 @@ int run(BenchCommand options) {
                           : std::nullopt;
   if (report) tell_of_peers(*report, diagnostics);
   const bool written = report && (options.svg.empty() ||
-                                  write_output_file(options.svg, draw_svg(*report), diagnostics,
-                                                    {options.inputs.urdf, options.inputs.scene}));
+                                  write_output_file(options.svg, draw_svg(*report), diagnostics));
   print_diagnostics(diagnostics, options.inputs.warnings);
   if (!report) return kBadInput;
   const ExitCode exit_code = written ? kOk : kBadInput;

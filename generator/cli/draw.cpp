@@ -38,6 +38,7 @@ struct Drawn {
   Scene scene;
   std::vector<Visual> visuals;
   SceneSurroundings surroundings;
+  std::vector<std::string> files;  ///< that all this was read from
 };
 
 /// The shapes of all robots, those of several named as `join_robots` names their links.
@@ -82,7 +83,7 @@ std::optional<Drawn> read_files(const DrawOptions& options, Diagnostics& diagnos
   }
   auto surroundings = surroundings_of(read->files.scene_text, read->robot);
   return Drawn{std::move(read->robot), std::move(*scene), std::move(visuals),
-               std::move(surroundings)};
+               std::move(surroundings), list_paths(read->files)};
 }
 
 /// In a record of `treeline drive` ball joints are the hinges that were driven.
@@ -197,8 +198,8 @@ int draw(const DrawOptions& options, Diagnostics& diagnostics) {
   const std::string svg = draw_robot(drawn->robot, placer, drawn->visuals, *moments, options.view,
                                      obstacle_solids(drawn->surroundings.obstacles));
   if (options.svg.empty() || options.svg == "-") return write_output(svg, OutputForm::text, kOk);
-  const std::vector<std::string> read = {options.urdf, options.scene, options.motion};
-  return write_output_file(options.svg, svg, diagnostics, read) ? kOk : kBadInput;
+  drawn->files.push_back(options.motion);
+  return write_output_file(options.svg, svg, diagnostics, drawn->files) ? kOk : kBadInput;
 }
 
 void add_options(CLI::App& command, DrawOptions& options) {

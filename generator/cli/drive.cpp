@@ -73,14 +73,15 @@ std::string driven_urdf(const RobotFiles& files) {
   return split_ball_joints(shown_urdf(files));
 }
 
-/// The robot of these files, ready to be driven; `meshes` is set to those that pictures of it need.
-std::optional<LaunchedRobot> launch_from(const InputOptions& options, const Packages& packages,
-                                         std::vector<drive::ServedMesh>& meshes,
+/// The robot of the options' files, ready to be driven; sets the meshes that pictures of it need.
+std::optional<LaunchedRobot> launch_from(DriveOptions& options, const Packages& packages,
                                          Diagnostics& diagnostics) {
-  auto inputs = read_inputs(options, diagnostics);
-  if (!inputs) return std::nullopt;
+  auto inputs = read_inputs(options.inputs, diagnostics);
+  if (!inputs || !is_none_of(options.drive.record, list_paths(inputs->files), diagnostics)) {
+    return std::nullopt;
+  }
   split_ball_joints(inputs->robot, inputs->scene, diagnostics);
-  meshes = find_all_meshes(inputs->files, packages);
+  options.drive.meshes = find_all_meshes(inputs->files, packages);
   const auto tell = [](const std::string& what) {
     if (is_watched()) show_progress("  " + what);
   };
@@ -216,7 +217,7 @@ std::optional<LaunchedRobot> prepare(DriveOptions& options, Diagnostics& diagnos
   refuse_record_of_input(options, diagnostics);
   if (!packages || diagnostics.has_errors()) return std::nullopt;
   if (!read_script(options.script, drive, diagnostics)) return std::nullopt;
-  auto robot = launch_from(options.inputs, *packages, drive.meshes, diagnostics);
+  auto robot = launch_from(options, *packages, diagnostics);
   if (!robot || !read_motion_and_robot(options, *robot, diagnostics)) return std::nullopt;
   choose_start(*robot, drive, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -161,12 +161,9 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
 
 /// The files from which the code is made.
 std::vector<std::string> files_read(const GenerateOptions& options, const GeneratedInputs& made) {
-  const RobotFiles& read = made.inputs.files;
-  std::vector<std::string> files;
-  for (const std::string& file : {read.urdf, read.scene, options.inputs.choices}) {
-    if (!file.empty() && file != "-") files.push_back(file);
-  }
-  for (const InputFile& file : read.scene_robots.files) files.push_back(file.path);
+  std::vector<std::string> files = list_paths(made.inputs.files);
+  const std::string& choices = options.inputs.choices;
+  if (!choices.empty() && choices != "-") files.push_back(choices);
   return files;
 }
 

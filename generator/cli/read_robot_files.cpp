@@ -64,6 +64,15 @@ std::optional<Scene> parse_scene_of(const RobotWithFiles& read, Diagnostics& dia
                      from);
 }
 
+std::vector<std::string> list_paths(const RobotFiles& files) {
+  std::vector<std::string> paths;
+  for (const std::string& file : {files.urdf, files.scene}) {
+    if (!file.empty() && file != "-") paths.push_back(file);
+  }
+  for (const InputFile& file : files.scene_robots.files) paths.push_back(file.path);
+  return paths;
+}
+
 std::string shown_urdf(const RobotFiles& files) {
   return files.urdf.empty() ? print_joined_urdf(files.scene_robots) : files.urdf_text;
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "description/diagnostic.hpp"
 #include "description/read_robots.hpp"
@@ -40,6 +41,9 @@ std::optional<RobotWithFiles> read_robot_files(const std::string& first, const s
 std::optional<Scene> parse_scene_of(const RobotWithFiles& read, Diagnostics& diagnostics,
                                     const std::vector<Function>& functions = {},
                                     FunctionsFrom from = FunctionsFrom::scene);
+
+/// The paths of all these files; standard input is none.
+std::vector<std::string> list_paths(const RobotFiles& files);
 
 /// The URDF's text; of several robots all in one, see `print_joined_urdf`.
 std::string shown_urdf(const RobotFiles& files);

@@ -77,17 +77,17 @@ std::string print_json(const std::string& robot, const Motion& motion) {
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-bool write_files(const SimulateOptions& options, const std::string& robot, const Motion& motion,
+bool write_files(const SimulateOptions& options, const RobotWithFiles& of, const Motion& motion,
                  Diagnostics& diagnostics) {
-  const std::vector<std::string> read = {options.urdf, options.scene};
+  const std::vector<std::string> read = list_paths(of.files);
   const bool to_file = !options.csv.empty() && options.csv != "-";
   if (to_file &&
       !write_output_file(options.csv, servo::csv_text(motion.table), diagnostics, read)) {
     return false;
   }
   return options.svg.empty() ||
-         write_output_file(options.svg, servo::svg_text(plot_motion(robot, motion)), diagnostics,
-                           read);
+         write_output_file(options.svg, servo::svg_text(plot_motion(of.robot.name, motion)),
+                           diagnostics, read);
 }
 
 /// With `--csv -` the table is the data and what is said about it a message.
@@ -107,10 +107,9 @@ int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {
   if (!scene) return kBadInput;
   const auto motion = simulate_motion(read->robot, *scene, options.motion, diagnostics);
   if (!motion) return kBadInput;
-  const ExitCode exit_code = !write_files(options, read->robot.name, *motion, diagnostics)
-                                 ? kBadInput
-                             : gave_up(*motion) ? kMismatch
-                                                : kOk;
+  const ExitCode exit_code = !write_files(options, *read, *motion, diagnostics) ? kBadInput
+                             : gave_up(*motion)                                 ? kMismatch
+                                                                                : kOk;
   return write_data(options, read->robot.name, *motion, exit_code);
 }
 

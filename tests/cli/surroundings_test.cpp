@@ -90,6 +90,23 @@ TEST_F(Surroundings, WhatWasReadIsNotWrittenOver) {
   }
 }
 
+// Would catch: the robot of a scene that lists robots, which the command line does not name.
+TEST_F(Surroundings, RobotsOfASceneAreNotWrittenOver) {
+  const std::string robot = read_file(kUrdf);
+  std::ofstream(root_ / "arm.urdf") << robot;
+  std::ofstream(root_ / "pair.yaml") << "robots: [{name: left, urdf: arm.urdf}]\n"
+                                        "functions: [gravity]\n";
+  for (const char* arguments :
+       {"simulate pair.yaml --seconds 0.1 --csv arm.urdf", "draw pair.yaml --svg arm.urdf",
+        "bench pair.yaml --quick --svg arm.urdf", "drive pair.yaml --headless --record arm.urdf",
+        "generate pair.yaml -o out --depfile arm.urdf"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << arguments;
+    EXPECT_NE(outcome.err.find("is not written over"), std::string::npos) << outcome.err;
+    EXPECT_EQ(read_file(root_ / "arm.urdf"), robot) << arguments;
+  }
+}
+
 TEST_F(Surroundings, DashIsStandardOutput) {
   for (const char* command : {"init-scene", "convert", "draw"}) {
     const Outcome plain = run(std::string(command) + " " + kUrdf);
