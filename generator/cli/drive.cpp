@@ -137,11 +137,9 @@ void refuse_imperfect_hardware(const DriveOptions& options, Diagnostics& diagnos
                    "Give it to the process that has --act-as-robot."});
 }
 
-/// A record would take the place of what is driven or followed.
+/// A record would take the place of what is followed. `launch_from` looks at the robot's files.
 void refuse_record_of_input(const DriveOptions& options, Diagnostics& diagnostics) {
-  (void)is_none_of(options.drive.record,
-                   {options.inputs.urdf, options.inputs.scene, options.script, options.reference},
-                   diagnostics);
+  (void)is_none_of(options.drive.record, {options.script, options.reference}, diagnostics);
 }
 
 /// What is shown again needs no loop, and so no code: only the files that it was made with.

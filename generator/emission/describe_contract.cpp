@@ -166,7 +166,7 @@ std::map<std::string, std::string> describe_contract(const EmissionContext& cont
           {"conventions", comment("//", describe_conventions(context))},
           {"target", comment("//", describe_target(context))},
           {"name", context.name},
-          {"real", single ? "float" : "double"},
+          {"real", number_type(context)},
           {"digits", single ? "24" : "53"},
           {"format", single ? "binary32" : "binary64"},
           {"accurate", single ? "4000" : "1e5"},

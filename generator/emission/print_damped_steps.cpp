@@ -76,7 +76,7 @@ std::string print_damped_steps(const EmissionContext& context) {
   Phrases words = list_phrases(context);
   words.merge(context.language == Language::c ? list_phrases_of_c(context)
                                               : list_phrases_of_cpp(context));
-  words.insert({{"real", single ? "float" : "double"},
+  words.insert({{"real", number_type(context)},
                 {"rows", std::to_string(context.task_rows)},
                 {"sweeps", std::to_string(count_sweeps(context))},
                 {"resolution", single ? "0x1p-17F" : "0x1p-46"},

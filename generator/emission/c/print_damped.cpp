@@ -72,7 +72,7 @@ std::string print_root(const EmissionContext& context) {
 std::string print_square_root(const EmissionContext& context) {
   const bool single = context.single_precision;
   return fill_template(templates::kSquareRoot, {{"name", context.name},
-                                                {"real", single ? "float" : "double"},
+                                                {"real", number_type(context)},
                                                 {"bits", single ? "uint32_t" : "uint64_t"},
                                                 {"fraction", single ? "23" : "52"},
                                                 {"turns", single ? "24" : "53"},

@@ -25,7 +25,7 @@ namespace {
 std::string print_number(const EmissionContext& context) {
   const bool single = context.single_precision;
   return fill_template(templates::kNumber, {{"name", context.name},
-                                            {"real", single ? "float" : "double"},
+                                            {"real", number_type(context)},
                                             {"bits", single ? "uint32_t" : "uint64_t"}});
 }
 
@@ -37,7 +37,7 @@ std::string print_sin_cos(const EmissionContext& context) {
   return fill_template(
       templates::kSinCos,
       {{"name", context.name},
-       {"real", single ? "float" : "double"},
+       {"real", number_type(context)},
        {"number", print_number(context)},
        {"accurate", single ? "4000" : "1e5"},
        {"largest", single ? "2^20" : "2^32"},

@@ -39,7 +39,7 @@ std::string print_root_steps(const EmissionContext& context) {
   const bool single = context.single_precision;
   const bool is_c = context.language == Language::c;
   const std::string bits = fmt::format("uint{}_t", single ? 32 : 64);
-  const char* const real = single ? "float" : "double";
+  const char* const real = number_type(context);
   const auto cast = [&](const std::string& type) {
     return is_c ? fmt::format("({})", type) : fmt::format("static_cast<{}>", type);
   };

@@ -51,7 +51,7 @@ std::string print_turn_head(const EmissionContext& context, bool is_c, const cha
 
 std::string print_steps(const EmissionContext& context, bool is_c) {
   const bool single = context.single_precision;
-  const char* const real = single ? "float" : "double";
+  const char* const real = number_type(context);
   const auto number = [&](const char* digits) { return number_literal(context, digits); };
   const auto lifted = c::lift_steps(cpp::templates::kSinCos, context.name, single);
   return fill_template(
