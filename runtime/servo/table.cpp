@@ -17,7 +17,7 @@ std::vector<double> Table::column(std::size_t index) const {
 }
 
 std::vector<std::string> with_coordinates(std::vector<std::string> names, int count) {
-  for (int i = 0; i < count; ++i) names.push_back("q" + std::to_string(i));
+  for (int i = 0; i < count; ++i) names.push_back(std::string("q").append(std::to_string(i)));
   return names;
 }
 
