@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "description/read_text_file.hpp"
+#include "text/read_text_file.hpp"
 
 // SAMM on four powered casters. Needs TREELINE_ROBOTS_DIR.
 

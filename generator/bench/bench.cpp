@@ -7,7 +7,7 @@
 #include "bench/contender.hpp"
 #include "bench/peer_contenders.hpp"
 #include "bench/plan_builds.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "emission/write_files.hpp"
 
 namespace treeline {

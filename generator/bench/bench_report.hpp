@@ -63,6 +63,9 @@ inline constexpr double kAgreement = 1e-6;
 /// Sets `on_front` of each row.
 void mark_front(std::vector<BenchRow>& rows);
 
+/// Nanoseconds, in three digits or more.
+std::string print_time(double nanoseconds);
+
 /// Prints a table for each function.
 std::string print_table(const BenchReport& report);
 /// Prints JSON objects, one per line: the machine, then every variant of every function.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench/variant.hpp"
-#include "check/compile_folder.hpp"
-#include "check/generated_library.hpp"
+#include "compilation/compile_folder.hpp"
+#include "compilation/generated_library.hpp"
 #include "description/robot.hpp"
 #include "oracle/draw_state.hpp"
 #include "timing/time_calls.hpp"

@@ -1,8 +1,8 @@
 #include <fstream>
 
 #include "bench/bench_report.hpp"
-#include "check/run_commands.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/run_commands.hpp"
+#include "compilation/temporary_folder.hpp"
 
 namespace treeline {
 namespace {

@@ -8,8 +8,18 @@
 #include <set>
 #include <string_view>
 
+#include "report/decades.hpp"
+#include "report/svg.hpp"
+
 namespace treeline {
 namespace {
+
+using report::Decades;
+using report::decades_of;
+using report::escape_xml;
+using report::svg_line;
+using report::svg_text_at;
+using report::time_name;
 
 constexpr double kPanelWidth = 460, kPanelHeight = 330;
 constexpr double kLeft = 58, kRight = 16, kTop = 26, kBottom = 42;  ///< margins in a panel
@@ -81,66 +91,19 @@ class Styles {
   std::size_t peers_ = 0;
 };
 
-std::string escape(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '<') {
-      escaped += "&lt;";
-    } else if (c == '&') {
-      escaped += "&amp;";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
-}
-
 std::string mark(const Style& style, double x, double y, const std::string& title) {
   return fmt::format(
       "<path d=\"{}\" transform=\"translate({:.1f},{:.1f})\" fill=\"{}\" stroke=\"{}\" "
       "stroke-width=\"1.5\"><title>{}</title></path>\n",
-      style.path, x, y, style.filled ? style.color : "none", style.color, escape(title));
+      style.path, x, y, style.filled ? style.color : "none", style.color, escape_xml(title));
 }
 
 std::string text_at(double x, double y, std::string_view text, std::string_view attributes) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes,
-                     escape(text));
-}
-
-std::string line(double x1, double y1, double x2, double y2, const char* color) {
-  return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2,
-      y2, color);
+  return svg_text_at(x, y, attributes, escape_xml(text));
 }
 
 double error_of(const BenchRow& row) {
   return std::clamp(row.norm.worst, kLeastError, kGreatestError);
-}
-
-/// Range of an axis, as powers of ten.
-struct Decades {
-  int first = 0, last = 0;
-  /// Position of a value on an axis from 0 to 1.
-  [[nodiscard]] double at(double value) const {
-    return (std::log10(value) - first) / static_cast<double>(last - first);
-  }
-};
-
-/// Range of these values, with `room` decades below the smallest.
-Decades decades_of(const std::vector<double>& values, double room) {
-  if (values.empty()) return {0, 1};
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const int first = static_cast<int>(std::floor(std::log10(*least) - room - 0.05));
-  const int last = static_cast<int>(std::ceil(std::log10(*most) + 0.05));
-  return {first, std::max(last, first + 1)};
-}
-
-std::string time_name(int decade) {
-  constexpr std::array kNames = {"1 ns", "10 ns", "100 ns", "1 µs", "10 µs", "100 µs", "1 ms"};
-  if (decade < 0 || decade >= static_cast<int>(kNames.size())) {
-    return fmt::format("1e{} ns", decade);
-  }
-  return kNames[static_cast<std::size_t>(decade)];
 }
 
 /// The part of a panel's error axis for one Real. Errors in float and double lie far apart with
@@ -198,14 +161,15 @@ class Panel {
     for (int decade = times_.first; decade < times_.last; ++decade) {
       for (const double part : {2.0, 5.0, 10.0}) {
         const double at = x(part * std::pow(10, decade));
-        text += line(at, band.top, at, band.top + band.height, part < 10 ? "#f0f0f0" : "#d0d0d0");
+        text +=
+            svg_line(at, band.top, at, band.top + band.height, part < 10 ? "#f0f0f0" : "#d0d0d0");
       }
     }
     const Decades& decades = band.decades;
     const int step = 1 + static_cast<int>(14 * (decades.last - decades.first) / band.height);
     for (int decade = decades.first; decade <= decades.last; decade += step) {
       const double at = band.y(std::pow(10, decade));
-      text += line(x0_, at, x0_ + kWidth, at, "#d0d0d0");
+      text += svg_line(x0_, at, x0_ + kWidth, at, "#d0d0d0");
       text += text_at(x0_ - 5, at + 3.5, fmt::format("1e{}", decade), "text-anchor=\"end\"");
     }
     return text + fmt::format(
@@ -305,13 +269,9 @@ std::string draw_svg(const BenchReport& report) {
   const int rows = (count + kColumns - 1) / kColumns;
   const double width = kPanelWidth * kColumns;
   const double height = kHead + kPanelHeight * rows;
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"10\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      width, height);
-  text += text_at(14, 26, report.name + ": time of a call across, worst norm-wise error up",
-                  "font-size=\"18\" font-weight=\"bold\"");
+  std::string text =
+      text_at(14, 26, report.name + ": time of a call across, worst norm-wise error up",
+              "font-size=\"18\" font-weight=\"bold\"");
   text += text_at(14, 46,
                   fmt::format("{} states against 50 digits; {}; {}{}", report.states,
                               report.machine.processor, report.machine.command, name_peers(report)),
@@ -328,7 +288,7 @@ std::string draw_svg(const BenchReport& report) {
                       kPanelWidth * (i % kColumns), kHead + kPanelHeight * row);
     text += panel.draw();
   }
-  return text + "</svg>\n";
+  return report::svg_page(width, height, "font-family=\"sans-serif\" font-size=\"10\"", text);
 }
 
 }  // namespace treeline

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/bench_report.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
@@ -75,13 +76,13 @@ std::string print_json_lines(const BenchReport& report) {
                      {"peers", describe_peers(report)},
                      {"absent_peers", report.absent_peers},
                      {"no_peers", report.no_peers}};
-  std::string text = head.dump() + "\n";
+  std::string text = json_line(head) + "\n";
   for (const BenchFunction& function : report.functions) {
     for (const BenchRow& row : function.rows) {
-      text += describe(report, function, row).dump() + "\n";
+      text += json_line(describe(report, function, row)) + "\n";
     }
     for (const BenchRow& row : function.disagreeing) {
-      text += describe_disagreement(report, function, row).dump() + "\n";
+      text += json_line(describe_disagreement(report, function, row)) + "\n";
     }
   }
   return text;

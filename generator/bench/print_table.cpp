@@ -3,7 +3,7 @@
 
 #include "bench/bench_report.hpp"
 #include "bench/find_peers.hpp"
-#include "inspect/align_columns.hpp"
+#include "text/align_columns.hpp"
 
 namespace treeline {
 namespace {
@@ -11,10 +11,6 @@ namespace {
 std::string error(double x) {
   if (x == 0) return "0";
   return fmt::format("{:.1e}", x);
-}
-
-std::string time(double nanoseconds) {
-  return fmt::format("{:.{}f}", nanoseconds, nanoseconds < 100 ? 1 : 0);
 }
 
 std::string name_of(const Variant& variant) {
@@ -35,7 +31,7 @@ std::string print_disagreeing(const BenchFunction& function) {
 std::string print_function(const BenchFunction& function) {
   std::vector<std::vector<std::string>> rows;
   for (const BenchRow& row : function.rows) {
-    rows.push_back({row.on_front ? "*" : "", time(row.timing.nanoseconds),
+    rows.push_back({row.on_front ? "*" : "", print_time(row.timing.nanoseconds),
                     fmt::format("{:.2f}", row.timing.ratio), error(row.norm.median),
                     error(row.norm.percent_99), error(row.norm.worst), error(row.component.median),
                     error(row.component.percent_99), error(row.component.worst),
@@ -86,6 +82,10 @@ std::string print_peers(const BenchReport& report) {
 }
 
 }  // namespace
+
+std::string print_time(double nanoseconds) {
+  return fmt::format("{:.{}f}", nanoseconds, nanoseconds < 100 ? 1 : 0);
+}
 
 std::string print_table(const BenchReport& report) {
   const BenchMachine& machine = report.machine;

@@ -10,9 +10,9 @@
 #include "board/judge_calls.hpp"
 #include "board/measure_objects.hpp"
 #include "board/run_board.hpp"
-#include "check/choose_flags.hpp"
 #include "check/find_sources.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/choose_flags.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "oracle/reference_maker.hpp"
 
 namespace treeline {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "board/find_tools.hpp"
-#include "check/choose_flags.hpp"
+#include "compilation/choose_flags.hpp"
 #include "generation/generate_code.hpp"
 
 namespace treeline {

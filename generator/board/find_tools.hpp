@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "check/run_commands.hpp"
-#include "description/diagnostic.hpp"
+#include "compilation/run_commands.hpp"
 #include "target/target.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "board/board_report.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
@@ -80,7 +81,7 @@ std::string print_json(const BoardReport& report) {
                   {"stale", stale},
                   {"not_run", report.not_run},
                   {"functions", functions}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace treeline

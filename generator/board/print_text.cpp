@@ -5,7 +5,7 @@
 #include "board/board_report.hpp"
 #include "check/list_names.hpp"
 #include "emission/comment.hpp"
-#include "inspect/align_columns.hpp"
+#include "text/align_columns.hpp"
 
 namespace treeline {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "board/print_harness.hpp"
 #include "board/templates.hpp"
-#include "check/write_work_file.hpp"
+#include "compilation/write_work_file.hpp"
 #include "oracle/graph_run.hpp"
 
 namespace treeline {

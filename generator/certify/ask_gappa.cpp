@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "check/run_commands.hpp"
+#include "compilation/run_commands.hpp"
 
 namespace treeline {
 namespace {

@@ -7,8 +7,8 @@
 #include "certify/bound_in_steps.hpp"
 #include "certify/check_with_coq.hpp"
 #include "certify/write_proofs.hpp"
-#include "check/temporary_folder.hpp"
-#include "check/write_work_file.hpp"
+#include "compilation/temporary_folder.hpp"
+#include "compilation/write_work_file.hpp"
 
 namespace treeline {
 namespace {

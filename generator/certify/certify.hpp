@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "certify/proof_step.hpp"
-#include "description/diagnostic.hpp"
 #include "description/scene.hpp"
 #include "generation/generate_code.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "check/run_commands.hpp"
-#include "check/write_work_file.hpp"
+#include "compilation/run_commands.hpp"
+#include "compilation/write_work_file.hpp"
 
 namespace treeline {
 namespace {

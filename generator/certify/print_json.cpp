@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/certify.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 
@@ -35,7 +36,7 @@ std::string print_json(const Certificate& certificate) {
       {"gappa", certificate.gappa},     {"coq", certificate.coq},
       {"domain", certificate.domain},   {"within", certificate.within},
       {"passed", certificate.passed()}, {"functions", functions}};
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace treeline

@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "check/write_work_file.hpp"
+#include "compilation/write_work_file.hpp"
 
 namespace treeline {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "certify/proof_step.hpp"
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

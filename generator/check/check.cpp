@@ -5,11 +5,11 @@
 #include <set>
 
 #include "check/find_sources.hpp"
-#include "check/generated_library.hpp"
 #include "check/judge_function.hpp"
 #include "check/judge_limits.hpp"
-#include "check/run_commands.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/generated_library.hpp"
+#include "compilation/run_commands.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "emission/backend/backend.hpp"
 #include "emission/write_files.hpp"
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "check/compile_folder.hpp"
 #include "check/report.hpp"
+#include "compilation/compile_folder.hpp"
 #include "oracle/reference.hpp"
 
 namespace treeline {

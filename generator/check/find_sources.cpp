@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "check/run_commands.hpp"
+#include "compilation/run_commands.hpp"
 #include "emission/backend/backend.hpp"
 #include "emission/write_files.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "check/generated_library.hpp"
 #include "check/report.hpp"
+#include "compilation/generated_library.hpp"
 #include "oracle/reference.hpp"
 
 namespace treeline {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bounds/domain.hpp"
-#include "check/generated_library.hpp"
 #include "check/report.hpp"
+#include "compilation/generated_library.hpp"
 #include "oracle/reference.hpp"
 
 namespace treeline {

@@ -4,6 +4,7 @@
 
 #include "check/report.hpp"
 #include "functions/matrix_symbol.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
@@ -192,7 +193,7 @@ std::string print_json(const CheckReport& report) {
       {"batch_limited_control_torque",
        report.batch_limits ? to_json(*report.batch_limits) : Json(nullptr)},
       {"named_states", list(report.named_states)}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace treeline

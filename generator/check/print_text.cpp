@@ -7,7 +7,7 @@
 #include "check/report.hpp"
 #include "emission/comment.hpp"
 #include "functions/matrix_symbol.hpp"
-#include "inspect/align_columns.hpp"
+#include "text/align_columns.hpp"
 
 namespace treeline {
 namespace {

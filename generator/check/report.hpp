@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bounds/bound_rounding.hpp"
-#include "check/compile_folder.hpp"
+#include "compilation/compile_folder.hpp"
 #include "emission/compare_files.hpp"
 #include "oracle/bound.hpp"
 #include "oracle/draw_state.hpp"

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "bench/bench.hpp"
+#include "bench/cold_report.hpp"
 #include "bench/draw_svg.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
@@ -42,13 +43,22 @@ constexpr const char* kHowToReadBench =
     "program (built with -DTREELINE_PEERS=ON). Their time has what brings joints into their order "
     "in\n"
     "it, not what brings matrices back. A peer that computes something else is told, not timed.\n"
+    "With --cold, what `optimize: speed`, `balanced` and `size` make of each function of one "
+    "state:\n"
+    "  bytes       of code, with the sines that it calls, and constants\n"
+    "  from cache  a call alone, after much else ran on this core: code and data are in the cache\n"
+    "              that cores share\n"
+    "  from memory  the same, code and data are in no cache\n"
+    "  flag        -Os where it is compiled so\n"
     "Measure on a machine that does nothing else. The compiler is $CXX, else c++, else g++.\n\n"
     "Examples:\n"
     "  treeline bench puma560.urdf scene.yaml --svg puma560.svg\n"
-    "  treeline bench puma560.urdf scene.yaml --functions control_torque --json > bench.jsonl";
+    "  treeline bench puma560.urdf scene.yaml --functions control_torque --json > bench.jsonl\n"
+    "  treeline bench humanoid.urdf scene.yaml --cold --svg cold.svg";
 
 constexpr int kQuickStates = 40;
 constexpr int kQuickRounds = 7;
+constexpr int kQuickColdRounds = 9;
 
 struct BenchCommand {
   InputOptions inputs;
@@ -56,6 +66,7 @@ struct BenchCommand {
   std::string svg;
   std::vector<std::string> peers;
   bool quick = false;
+  bool cold = false;
   bool json = false;
 };
 
@@ -92,21 +103,10 @@ void refuse_language(Diagnostics& diagnostics) {
                    "Leave `language` out of the scene that you measure."});
 }
 
-int run(BenchCommand options) {
-  Diagnostics diagnostics;
-  const auto inputs = read_inputs(options.inputs, diagnostics);
-  if (inputs && inputs->scene.language != Language::cpp) refuse_language(diagnostics);
-  if (inputs) (void)is_none_of(options.svg, list_paths(inputs->files), diagnostics);
-  options.bench.peers = find_peers(options.peers, diagnostics);
-  options.bench.progress = tell_progress();
-  if (options.quick) {
-    options.bench.states = kQuickStates;
-    options.bench.timing.rounds = kQuickRounds;
-  }
-  const auto report = inputs && !diagnostics.has_errors()
-                          ? run_bench(inputs->robot, inputs->scene, options.bench, diagnostics)
-                          : std::nullopt;
-  if (report) tell_of_peers(*report, diagnostics);
+/// Writes the picture where one is asked for, and the report.
+template <class Report>
+int deliver(const std::optional<Report>& report, const BenchCommand& options,
+            Diagnostics& diagnostics) {
   const bool written = report && (options.svg.empty() ||
                                   write_output_file(options.svg, draw_svg(*report), diagnostics));
   print_diagnostics(diagnostics, options.inputs.warnings);
@@ -114,6 +114,47 @@ int run(BenchCommand options) {
   const ExitCode exit_code = written ? kOk : kBadInput;
   return options.json ? write_output(print_json_lines(*report), OutputForm::json, exit_code)
                       : write_output(print_table(*report), OutputForm::text, exit_code);
+}
+
+std::optional<ColdReport> run_cold(const RobotAndScene& inputs, const BenchCommand& options,
+                                   Diagnostics& diagnostics) {
+  ColdBenchOptions cold;
+  cold.flags = options.bench.flags;
+  cold.seed = options.bench.seed;
+  cold.progress = tell_progress();
+  if (options.quick) {
+    cold.rounds = kQuickColdRounds;
+    cold.warm.rounds = kQuickRounds;
+  }
+  return run_cold_bench(inputs.robot, inputs.scene, cold, diagnostics);
+}
+
+std::optional<BenchReport> run_warm(const RobotAndScene& inputs, BenchCommand& options,
+                                    Diagnostics& diagnostics) {
+  options.bench.peers = find_peers(options.peers, diagnostics);
+  options.bench.progress = tell_progress();
+  if (options.quick) {
+    options.bench.states = kQuickStates;
+    options.bench.timing.rounds = kQuickRounds;
+  }
+  if (diagnostics.has_errors()) return std::nullopt;
+  auto report = run_bench(inputs.robot, inputs.scene, options.bench, diagnostics);
+  if (report) tell_of_peers(*report, diagnostics);
+  return report;
+}
+
+int run(BenchCommand options) {
+  Diagnostics diagnostics;
+  const auto inputs = read_inputs(options.inputs, diagnostics);
+  if (inputs && inputs->scene.language != Language::cpp) refuse_language(diagnostics);
+  if (inputs) (void)is_none_of(options.svg, list_paths(inputs->files), diagnostics);
+  const bool ready = inputs && !diagnostics.has_errors();
+  if (options.cold) {
+    return deliver(ready ? run_cold(*inputs, options, diagnostics) : std::nullopt, options,
+                   diagnostics);
+  }
+  return deliver(ready ? run_warm(*inputs, options, diagnostics) : std::nullopt, options,
+                 diagnostics);
 }
 
 }  // namespace
@@ -135,8 +176,15 @@ void add_bench(CLI::App& app, int& exit_code) {
                  fmt::format("{} states, {} rounds", kQuickStates, kQuickRounds))
       ->excludes(states);
   command->add_flag("--json", options->json, "The machine and each variant as a line of JSON");
-  command->add_option("--svg", options->svg, "Writes time against error, a panel a function");
-  command->add_option("--peer", options->peers, "Module of another peer, any number");
+  command->add_option("--svg", options->svg,
+                      "Writes time against error, or against bytes, a panel a function");
+  CLI::Option* peer =
+      command->add_option("--peer", options->peers, "Module of another peer, any number");
+  command
+      ->add_flag("--cold", options->cold,
+                 "Bytes, and time out of cold caches, by `optimize`, in place of error")
+      ->excludes(peer)
+      ->excludes(states);
   command->footer(kHowToReadBench);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

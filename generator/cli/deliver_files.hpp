@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/exit_code.hpp"
-#include "description/diagnostic.hpp"
 #include "emission/compare_files.hpp"
 #include "packaging/make_package.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

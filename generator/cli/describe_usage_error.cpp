@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "description/suggest_name.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -14,12 +14,12 @@
 #include "cli/read_robot_files.hpp"
 #include "cli/write_output.hpp"
 #include "description/read_surroundings.hpp"
-#include "description/read_text_file.hpp"
-#include "description/suggest_name.hpp"
 #include "drawing/draw_robot.hpp"
 #include "drawing/recorded_motion.hpp"
 #include "drawing/scene_solids.hpp"
 #include "launch/split_ball_joints.hpp"
+#include "text/read_text_file.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

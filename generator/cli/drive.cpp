@@ -24,11 +24,11 @@
 #include "cli/simulation_options.hpp"
 #include "cli/write_output.hpp"
 #include "description/read_surroundings.hpp"
-#include "description/read_text_file.hpp"
 #include "drawing/show_held_objects.hpp"
 #include "drive/find_meshes.hpp"
 #include "launch/launch.hpp"
 #include "launch/split_ball_joints.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

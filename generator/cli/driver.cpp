@@ -19,7 +19,6 @@
 #include "cli/rehearsals.hpp"
 #include "cli/robot_elsewhere.hpp"
 #include "cli/write_output.hpp"
-#include "description/printable.hpp"
 #include "drive/rate_limit.hpp"
 #include "drive/script.hpp"
 #include "drive/server.hpp"
@@ -28,6 +27,7 @@
 #include "interruption/clean_up.hpp"
 #include "servo/realtime.hpp"
 #include "servo/state_machine.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "cli/reference.hpp"
 #include "cli/simulation_options.hpp"
-#include "description/diagnostic.hpp"
 #include "drive/wire.hpp"
 #include "launch/launch.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

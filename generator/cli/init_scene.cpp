@@ -11,10 +11,10 @@
 #include "cli/write_output.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/read_scene.hpp"
-#include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "inspect/propose_scene.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

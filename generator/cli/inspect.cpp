@@ -13,7 +13,6 @@
 #include "cli/write_output.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
-#include "description/read_text_file.hpp"
 #include "generation/measure_savings.hpp"
 #include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_robot.hpp"
@@ -22,6 +21,7 @@
 #include "inspect/warn_of_limits.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "cli/driver.hpp"
 #include "cli/exit_code.hpp"
-#include "description/diagnostic.hpp"
 #include "launch/launch.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

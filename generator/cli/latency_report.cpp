@@ -6,7 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "description/printable.hpp"
+#include "report/svg.hpp"
+#include "text/json_text.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {
@@ -121,20 +123,17 @@ std::string print_json(const LatencyReport& report) {
                                  {"largest", s.largest},    {"bins_from", bins.first},
                                  {"bin_width", bins.width}, {"bins", bins.counts}};
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string print_svg(const LatencyReport& report) {
   constexpr double kWidth = 300;
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"200\" viewBox=\"0 0 "
-      "{0:.0f} 200\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" "
-      "height=\"100%\" fill=\"white\"/>\n",
-      kWidth * static_cast<double>(report.series.size()));
+  std::string text;
   for (std::size_t i = 0; i < report.series.size(); ++i) {
     text += draw_histogram(report.series[i], kWidth * static_cast<double>(i));
   }
-  return text + "</svg>\n";
+  return report::svg_page(kWidth * static_cast<double>(report.series.size()), 200,
+                          "font-family=\"sans-serif\" font-size=\"12\"", text);
 }
 
 }  // namespace treeline

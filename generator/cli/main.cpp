@@ -29,9 +29,9 @@
 #include "cli/print_diagnostics.hpp"
 #include "cli/simulate.hpp"
 #include "cli/write_output.hpp"
-#include "description/printable.hpp"
 #include "emission/generator_version.hpp"
 #include "interruption/clean_up.hpp"
+#include "text/printable.hpp"
 
 namespace {
 

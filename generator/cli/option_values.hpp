@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "drive/server.hpp"
 #include "drive/wire.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace CLI {
 class App;

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "emission/print_manifest.hpp"
 #include "passes/count_operations.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 const char* to_word(Difference difference) {
   switch (difference) {
@@ -51,13 +54,16 @@ std::string print_files(const Summary& summary) {
   return text;
 }
 
-std::string print_function_json(const GeneratedFunction& generated) {
+Json describe_function(const GeneratedFunction& generated) {
   const OperationCount count = count_operations(generated.program);
-  return fmt::format(
-      R"({{"name": {}, "route": {}, "method": {}, "flops": {}, "add": {}, "mul": {}, "div": {}, "sin_cos": {}}})",
-      quote_json(generated.program.name), quote_json(key_of(generated.chosen.route)),
-      quote_json(describe(generated.chosen.route)), count.flops(), count.add, count.mul, count.div,
-      count.sin_cos);
+  return {{"name", generated.program.name},
+          {"route", key_of(generated.chosen.route)},
+          {"method", describe(generated.chosen.route)},
+          {"flops", count.flops()},
+          {"add", count.add},
+          {"mul", count.mul},
+          {"div", count.div},
+          {"sin_cos", count.sin_cos}};
 }
 
 }  // namespace
@@ -80,24 +86,22 @@ std::string print_text(const Summary& summary) {
 }
 
 std::string print_json(const Summary& summary) {
-  std::string functions;
+  Json json;
+  if (summary.tuning != nullptr) {
+    json["measured"] = summary.tuning->measured;
+    json["tuning"] = to_json(*summary.tuning);
+  }
+  json["output"] = summary.output;
+  json["written"] = !summary.compared_only;
+  json["functions"] = Json::array();
   for (const GeneratedFunction& generated : summary.functions) {
-    functions += (functions.empty() ? "" : ",\n    ") + print_function_json(generated);
+    json["functions"].push_back(describe_function(generated));
   }
-  std::string files;
-  for (const FileDifference& difference : summary.differences) {
-    files += fmt::format(R"({}{{"file": {}, "difference": "{}"}})", files.empty() ? "" : ",\n    ",
-                         quote_json(difference.name), to_word(difference.difference));
+  json["differences"] = Json::array();
+  for (const FileDifference& each : summary.differences) {
+    json["differences"].push_back({{"file", each.name}, {"difference", to_word(each.difference)}});
   }
-  const std::string tuning =
-      summary.tuning == nullptr
-          ? ""
-          : fmt::format("  \"measured\": {},\n  \"tuning\": {},\n",
-                        quote_json(summary.tuning->measured), print_json(*summary.tuning));
-  return fmt::format(
-      "{{\n{}  \"output\": {},\n  \"written\": {},\n  \"functions\": [\n    {}\n  ],\n"
-      "  \"differences\": [\n    {}\n  ]\n}}\n",
-      tuning, quote_json(summary.output), !summary.compared_only, functions, files);
+  return json_text(json);
 }
 
 }  // namespace treeline

@@ -8,7 +8,6 @@
 
 #include "cli/option_values.hpp"
 #include "description/follow_target.hpp"
-#include "description/identifier.hpp"
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
 #include "description/read_number.hpp"
@@ -16,6 +15,7 @@
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

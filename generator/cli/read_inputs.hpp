@@ -6,9 +6,9 @@
 
 #include "cli/print_diagnostics.hpp"
 #include "cli/read_robot_files.hpp"
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "text/diagnostic.hpp"
 
 namespace CLI {
 class App;

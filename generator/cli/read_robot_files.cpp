@@ -4,8 +4,8 @@
 
 #include "description/print_joined_urdf.hpp"
 #include "description/read_robot_text.hpp"
-#include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/read_robots.hpp"
 #include "description/read_scene.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

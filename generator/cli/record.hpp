@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/read_inputs.hpp"
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -11,6 +11,7 @@
 #include "launch/describe_robot.hpp"
 #include "launch/describe_surroundings.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
@@ -69,7 +70,7 @@ std::string print_row(const drive::Session& session, std::int64_t seq) {
   state["control"] = "";
   state["qd"] = Json::array();
   state["tau"] = Json::array();
-  return state.dump();
+  return json_line(state);
 }
 
 }  // namespace

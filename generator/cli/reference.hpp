@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "drive/reference_motion.hpp"
 #include "drive/robot_description.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

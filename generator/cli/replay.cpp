@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interruption/clean_up.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
@@ -35,7 +36,7 @@ std::string greeting(const Record& record, const PageSettings& page) {
   hello["replay"] = true;
   hello["meshes"] = meshes;
   hello["missing_meshes"] = missing;
-  return hello.dump();
+  return json_line(hello);
 }
 
 drive::ServerHandlers make_handlers(const std::string& hello, std::atomic<int>& last) {
@@ -75,7 +76,7 @@ void play(const Record& record, drive::Server& server) {
     state["seq"] = seq;
     state["watchers"] = server.connections();
     state["commanding"] = false;
-    server.send_states([text = state.dump()](int) { return text; });
+    server.send_states([text = json_line(state)](int) { return text; });
     std::this_thread::sleep_for(kInterval);
   }
 }

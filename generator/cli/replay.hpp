@@ -2,7 +2,7 @@
 
 #include "cli/page_server.hpp"
 #include "cli/record.hpp"
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

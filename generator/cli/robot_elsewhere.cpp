@@ -8,8 +8,8 @@
 #include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
 #include "cli/write_output.hpp"
-#include "description/printable.hpp"
 #include "interruption/clean_up.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

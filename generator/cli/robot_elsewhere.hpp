@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/simulation_options.hpp"
-#include "description/diagnostic.hpp"
 #include "drive/udp_robot.hpp"
 #include "launch/launch.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

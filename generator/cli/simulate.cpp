@@ -12,7 +12,8 @@
 #include "cli/read_robot_files.hpp"
 #include "cli/simulate_motion.hpp"
 #include "cli/write_output.hpp"
-#include "description/printable.hpp"
+#include "text/json_text.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {
@@ -74,7 +75,7 @@ std::string print_json(const std::string& robot, const Motion& motion) {
                                        {"quaternion_error", motion.quaternion_error},
                                        {"adaptive_steps", motion.adaptive_steps},
                                        {"rejected_steps", motion.rejected_steps}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 bool write_files(const SimulateOptions& options, const RobotWithFiles& of, const Motion& motion,
@@ -82,11 +83,11 @@ bool write_files(const SimulateOptions& options, const RobotWithFiles& of, const
   const std::vector<std::string> read = list_paths(of.files);
   const bool to_file = !options.csv.empty() && options.csv != "-";
   if (to_file &&
-      !write_output_file(options.csv, servo::csv_text(motion.table), diagnostics, read)) {
+      !write_output_file(options.csv, report::csv_text(motion.table), diagnostics, read)) {
     return false;
   }
   return options.svg.empty() ||
-         write_output_file(options.svg, servo::svg_text(plot_motion(of.robot.name, motion)),
+         write_output_file(options.svg, report::svg_text(plot_motion(of.robot.name, motion)),
                            diagnostics, read);
 }
 
@@ -98,7 +99,7 @@ ExitCode write_data(const SimulateOptions& options, const std::string& robot, co
   const OutputForm form = options.json ? OutputForm::json : OutputForm::text;
   if (options.csv != "-") return write_output(summary, form, exit_code);
   print_message(printable_lines(summary));
-  return write_output(servo::csv_text(motion.table), OutputForm::text, exit_code);
+  return write_output(report::csv_text(motion.table), OutputForm::text, exit_code);
 }
 
 int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {

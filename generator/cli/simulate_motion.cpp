@@ -145,7 +145,7 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
   const auto qdd = acceleration_of(model, settings);
   const auto steps = count_steps(model, settings, diagnostics);
   if (!steps) return std::nullopt;
-  Motion motion{servo::Table(column_names(model), static_cast<std::size_t>(*steps) + 1),
+  Motion motion{report::Table(column_names(model), static_cast<std::size_t>(*steps) + 1),
                 *steps + 1};
   simulation::AdaptiveSettings adaptive{settings.tolerance, settings.tolerance,
                                         std::min(1e-3, settings.step)};
@@ -156,18 +156,18 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
   return motion;
 }
 
-servo::Plot plot_motion(const std::string& robot, const Motion& motion) {
+report::Plot plot_motion(const std::string& robot, const Motion& motion) {
   const auto& names = motion.table.names();
-  servo::Plot plot{robot + ", let go", "time, s", motion.table.column(0), {}};
-  servo::PlotPanel positions{"coordinates", "rad, m", {}};
-  servo::PlotPanel rates{"velocities", "rad/s, m/s", {}};
+  report::Plot plot{robot + ", let go", "time, s", motion.table.column(0), {}};
+  report::PlotPanel positions{"coordinates", "rad, m", {}};
+  report::PlotPanel rates{"velocities", "rad/s, m/s", {}};
   for (std::size_t i = 1; i + 1 < names.size(); ++i) {
     (names[i].starts_with("qd") ? rates : positions)
         .lines.push_back({names.size() < 16 ? names[i] : "", motion.table.column(i)});
   }
   std::vector<double> change = motion.table.column(names.size() - 1);
   for (double& energy : change) energy -= motion.start_energy;
-  servo::PlotPanel energy{"energy since the start", "J", {{"", std::move(change)}}};
+  report::PlotPanel energy{"energy since the start", "J", {{"", std::move(change)}}};
   plot.panels = {std::move(positions), std::move(rates), std::move(energy)};
   return plot;
 }

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 
@@ -27,7 +27,7 @@ struct MotionSettings {
 
 /// A motion: a row a step with time, q, qd and energy, and what became of what should not change.
 struct Motion {
-  servo::Table table;
+  report::Table table;
   int rows_planned = 0;         ///< fewer in the table: the motion was given up
   double start_energy = 0;      ///< J
   double energy_change = 0;     ///< J, at the end; an error where no force acts but gravity
@@ -42,6 +42,6 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
                                       const MotionSettings& settings, Diagnostics& diagnostics);
 
 /// Coordinates and energy over time.
-servo::Plot plot_motion(const std::string& robot, const Motion& motion);
+report::Plot plot_motion(const std::string& robot, const Motion& motion);
 
 }  // namespace treeline

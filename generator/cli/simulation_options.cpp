@@ -6,7 +6,7 @@
 
 #include "cli/option_values.hpp"
 #include "description/read_number.hpp"
-#include "description/suggest_name.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "drive/robot_description.hpp"
 #include "drive/robot_library.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "cli/print_diagnostics.hpp"
-#include "description/printable.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/exit_code.hpp"
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

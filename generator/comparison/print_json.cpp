@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/difference.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
@@ -65,7 +66,7 @@ std::string print_json(const RobotDifference& d) {
       {"joints", joints},
       {"dynamics", to_json(d.dynamics)}};
   // Names of files need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace treeline

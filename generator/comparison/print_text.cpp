@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "comparison/difference.hpp"
-#include "description/printable.hpp"
-#include "inspect/align_columns.hpp"
+#include "text/align_columns.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

@@ -9,12 +9,12 @@
 #include "description/check_motion.hpp"
 #include "description/check_objects.hpp"
 #include "description/count_freedoms.hpp"
-#include "description/identifier.hpp"
 #include "description/list_rows.hpp"
 #include "description/read_controller.hpp"
 #include "description/read_regressor.hpp"
 #include "description/read_scene_inputs.hpp"
 #include "description/scene_inputs.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "description/suggest_name.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

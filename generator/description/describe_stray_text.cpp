@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "description/printable.hpp"
 #include "description/read_number.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/scene.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "description/joints_depth_first.hpp"
-#include "description/suggest_name.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "description/diagnostic.hpp"
 #include "description/noise_decision.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

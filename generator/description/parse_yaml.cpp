@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "description/code_point.hpp"
+#include "text/code_point.hpp"
 
 namespace treeline {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "description/identifier.hpp"
 #include "description/read_rolling.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_support_cone.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

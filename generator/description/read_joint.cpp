@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "description/read_number.hpp"
-#include "description/suggest_name.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

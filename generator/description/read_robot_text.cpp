@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "description/read_robots.hpp"
-#include "description/read_text_file.hpp"
 #include "description/scan_xml.hpp"
 #include "description/sdf/print_urdf.hpp"
 #include "description/sdf/read_sdf.hpp"
 #include "description/sdf/span_tree.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

@@ -9,13 +9,13 @@
 
 #include "description/alias_lines.hpp"
 #include "description/default_base.hpp"
-#include "description/identifier.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_scene_point.hpp"
-#include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
 #include "description/scene_element.hpp"
+#include "text/identifier.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/join_robots.hpp"
 #include "description/robot.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -6,15 +6,15 @@
 #include "description/check_scene.hpp"
 #include "description/default_base.hpp"
 #include "description/follow_target.hpp"
-#include "description/identifier.hpp"
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_constraints.hpp"
 #include "description/read_surroundings.hpp"
-#include "description/read_text_file.hpp"
 #include "description/scene_element.hpp"
 #include "description/scene_keys.hpp"
 #include "description/snap_angles.hpp"
+#include "text/identifier.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

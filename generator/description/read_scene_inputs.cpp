@@ -13,7 +13,7 @@
 #include "description/read_controller.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/scene_inputs.hpp"
-#include "description/suggest_name.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "description/check_inertias.hpp"
-#include "description/identifier.hpp"
 #include "description/read_scene_point.hpp"
-#include "description/suggest_name.hpp"
+#include "text/identifier.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

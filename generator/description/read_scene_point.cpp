@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "description/count_freedoms.hpp"
-#include "description/identifier.hpp"
 #include "description/list_links.hpp"
 #include "description/list_rows.hpp"
 #include "description/read_number.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 

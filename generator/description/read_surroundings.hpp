@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "description/diagnostic.hpp"
 #include "description/scene_element.hpp"
 #include "description/surroundings.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "description/suggest_name.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "description/note_odd_character.hpp"
 #include "description/read_number.hpp"
-#include "description/suggest_name.hpp"
+#include "text/note_odd_character.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

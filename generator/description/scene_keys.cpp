@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "description/follow_target.hpp"
-#include "description/identifier.hpp"
 #include "description/noise.hpp"
 #include "description/read_armature.hpp"
 #include "description/read_constraints.hpp"
@@ -21,6 +20,7 @@
 #include "description/snap_angles.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

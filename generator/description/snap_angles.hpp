@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

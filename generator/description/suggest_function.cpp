@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "description/suggest_name.hpp"
 #include "functions/function.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

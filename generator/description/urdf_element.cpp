@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/code_point.hpp"
-#include "description/note_odd_character.hpp"
 #include "description/read_number.hpp"
+#include "text/code_point.hpp"
+#include "text/note_odd_character.hpp"
 
 namespace treeline {
 namespace {

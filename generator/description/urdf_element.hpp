@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -5,8 +5,8 @@
 #include <cctype>
 
 #include "description/read_number.hpp"
-#include "description/suggest_name.hpp"
 #include "description/urdf_element.hpp"
+#include "text/suggest_name.hpp"
 
 // What stands in an element that URDF does not have there.
 

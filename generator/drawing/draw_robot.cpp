@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/printable.hpp"
 #include "drawing/robot_solids.hpp"
+#include "report/svg.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {
@@ -196,12 +197,9 @@ Camera fit_camera(const View& view, const std::vector<Solids>& all,
 }
 
 std::string print_caption(const Camera& camera, const std::string& caption) {
-  std::string text;
-  for (const char c : printable(caption)) {
-    text += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
   return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>\n",
-                     0.5 * kWidth, camera.height() + 0.6 * kCaptions, text);
+                     0.5 * kWidth, camera.height() + 0.6 * kCaptions,
+                     report::escape_xml(printable(caption)));
 }
 
 }  // namespace
@@ -220,11 +218,9 @@ std::string draw_robot(const Robot& robot, const LinkPlacer& placer,
   const std::vector<Eigen::Vector3d> floor = find_floor(all);
   const Camera camera = fit_camera(view, all, moments);
   const double height = camera.height() + kCaptions;
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"14\">\n"
-      "{2}<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n",
-      kWidth * static_cast<double>(moments.size()), height, kStyle);
+  std::string text = report::open_svg(kWidth * static_cast<double>(moments.size()), height,
+                                      "font-family=\"sans-serif\" font-size=\"14\"") +
+                     kStyle + "<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n";
   for (std::size_t i = 0; i < moments.size(); ++i) {
     text +=
         fmt::format("<svg x=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" stroke-width=\"0.5\">\n",

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "description/read_number.hpp"
-#include "description/read_text_file.hpp"
 #include "drawing/recorded_motion.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

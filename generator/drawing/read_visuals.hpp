@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "drawing/solids.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-#include "description/identifier.hpp"
 #include "emission/backend/backend.hpp"
 #include "passes/rebuild.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "description/diagnostic.hpp"
 #include "emission/emission_context.hpp"
 #include "program/program.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "description/identifier.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "description/printable.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 

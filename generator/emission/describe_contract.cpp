@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "description/printable.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
@@ -10,6 +9,7 @@
 #include "emission/print_target.hpp"
 #include "program/format_literal.hpp"
 #include "program/link_loops.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

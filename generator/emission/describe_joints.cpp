@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "description/printable.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

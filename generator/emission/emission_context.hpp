@@ -94,6 +94,7 @@ struct EmissionContext {
     std::string name;   ///< in words
     int flops = 0;
     int lanes = 0;  ///< where they were chosen to be others than the scene's
+    std::optional<bool> small_code = std::nullopt;  ///< see `Program`
   };
   struct ChoiceRow {
     std::string function;

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "emission/emission_context.hpp"
 #include "emission/generated_file.hpp"
 #include "program/program.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

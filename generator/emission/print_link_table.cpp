@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "description/printable.hpp"
 #include "emission/wrap_line.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "description/printable.hpp"
 #include "emission/damped_cost.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
@@ -14,6 +13,7 @@
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {
@@ -121,8 +121,10 @@ std::string print_limited_function(const EmissionContext& context,
 
 std::string print_method(const EmissionContext::Method& method) {
   const std::string lanes = method.lanes > 0 ? fmt::format(R"(, "lanes": {})", method.lanes) : "";
-  return fmt::format(R"({{"route": {}, "method": {}, "flops": {}{}}})", quote_json(method.route),
-                     quote_json(method.name), method.flops, lanes);
+  const std::string small =
+      method.small_code ? fmt::format(R"(, "small_code": {})", *method.small_code) : "";
+  return fmt::format(R"({{"route": {}, "method": {}, "flops": {}{}{}}})", quote_json(method.route),
+                     quote_json(method.name), method.flops, lanes, small);
 }
 
 std::string print_choice(const EmissionContext::ChoiceRow& choice) {

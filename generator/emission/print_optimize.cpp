@@ -74,6 +74,7 @@ std::string print_extra_passes(const EmissionContext& context, std::span<const P
 
 bool compiles_to_small_code(Optimize optimize, std::string_view target, const Program& program) {
   if (optimize != Optimize::balanced) return optimize == Optimize::size;
+  if (program.small_code) return *program.small_code;
   const CodeModel model = model_of(target);
   return count_operations(program).flops() * model.bytes_of_operation > model.cache;
 }

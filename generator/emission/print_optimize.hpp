@@ -24,8 +24,9 @@ std::string print_extra_passes(const EmissionContext& context, std::span<const P
 inline constexpr const char* kSmallCodeFlag = "-Os";
 
 /// Whether the emitted CMakeLists.txt compiles a function to small code, as `optimize` of the scene
-/// asks: `size` all; `balanced` those whose code is modelled to be larger than the first-level
-/// cache of the target, so that loading it takes longer than running it.
+/// asks: `size` all; `balanced` those of which `Program::small_code` says so, and where it says
+/// nothing those whose code is modelled to be larger than the first-level cache of the target, so
+/// that loading it takes longer than running it.
 bool compiles_to_small_code(Optimize optimize, std::string_view target, const Program& program);
 
 /// The sources that are compiled to small code: of these functions, of those for several states,

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "emission/emit.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

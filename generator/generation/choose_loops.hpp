@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/scene.hpp"
 #include "generation/generate_code.hpp"
 #include "mechanism/mechanism.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "emission/controller_unit.hpp"
 #include "mechanism/mechanism.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

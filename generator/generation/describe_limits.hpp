@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "emission/limit_facts.hpp"
 #include "generation/generate_code.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bounds/bound_rounding.hpp"
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "emission/emit.hpp"
@@ -16,6 +15,7 @@
 #include "passes/choose.hpp"
 #include "passes/run_passes.hpp"
 #include "program/program.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

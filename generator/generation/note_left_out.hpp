@@ -1,7 +1,7 @@
 #pragma once
 
-#include "description/diagnostic.hpp"
 #include "description/scene.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "description/printable.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

@@ -7,7 +7,6 @@
 #include "description/check_inertias.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/default_base.hpp"
-#include "description/identifier.hpp"
 #include "description/joints_depth_first.hpp"
 #include "description/list_rows.hpp"
 #include "inspect/inspect_inertias.hpp"
@@ -15,6 +14,7 @@
 #include "inspect/inspect_masses.hpp"
 #include "inspect/inspect_risks.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

@@ -5,10 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "inspect/align_columns.hpp"
-#include "inspect/wrap_words.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "recursion/parameters/base_parameters.hpp"
+#include "text/align_columns.hpp"
+#include "text/json_text.hpp"
+#include "text/wrap_words.hpp"
 
 namespace treeline {
 namespace {
@@ -69,12 +70,10 @@ std::string print_base_parameters_json(const Robot& robot, const Scene& scene) {
   for (const std::size_t k : found->without_effect) {
     without_effect.push_back(name_of(found->parameters[k]));
   }
-  return Json{{"robot", robot.name},
-              {"parameters", found->parameters.size()},
-              {"base_parameters", base},
-              {"without_effect", without_effect}}
-             .dump(2) +
-         "\n";
+  return json_text({{"robot", robot.name},
+                    {"parameters", found->parameters.size()},
+                    {"base_parameters", base},
+                    {"without_effect", without_effect}});
 }
 
 }  // namespace treeline

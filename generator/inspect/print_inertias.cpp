@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "inspect/align_columns.hpp"
+#include "text/align_columns.hpp"
 
 namespace treeline {
 namespace {

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "inspect/inspect_robot.hpp"
+#include "text/json_text.hpp"
 
 namespace treeline {
 namespace {
@@ -131,7 +132,7 @@ std::string print_json(const Report& report) {
                   {"mass_matrix", to_json(report.mass_matrix)},
                   {"loops", to_json(report.loops)},
                   {"risks", list(report.risks)}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace treeline

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "description/count_freedoms.hpp"
-#include "description/identifier.hpp"
 #include "description/list_rows.hpp"
-#include "description/printable.hpp"
 #include "description/read_rotors.hpp"
 #include "inspect/choose_rows.hpp"
 #include "inspect/propose_scene.hpp"
+#include "text/identifier.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

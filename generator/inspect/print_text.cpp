@@ -4,11 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "description/printable.hpp"
-#include "inspect/align_columns.hpp"
 #include "inspect/inspect_robot.hpp"
 #include "inspect/print_inertias.hpp"
-#include "inspect/wrap_words.hpp"
+#include "text/align_columns.hpp"
+#include "text/printable.hpp"
+#include "text/wrap_words.hpp"
 
 namespace treeline {
 namespace {

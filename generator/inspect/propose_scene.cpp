@@ -8,9 +8,9 @@
 
 #include "description/count_freedoms.hpp"
 #include "description/default_base.hpp"
-#include "description/identifier.hpp"
 #include "inspect/choose_rows.hpp"
 #include "inspect/end_names.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

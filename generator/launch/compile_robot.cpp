@@ -4,8 +4,8 @@
 #include <fstream>
 #include <optional>
 
-#include "check/compile_folder.hpp"
-#include "check/run_commands.hpp"
+#include "compilation/compile_folder.hpp"
+#include "compilation/run_commands.hpp"
 #include "emission/describe_program.hpp"
 
 namespace treeline {

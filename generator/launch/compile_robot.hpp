@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "generation/generate_code.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/scene.hpp"
 #include "description/surroundings.hpp"
 #include "drive/robot_description.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "description/diagnostic.hpp"
 #include "drive/robot_library.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

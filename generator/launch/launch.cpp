@@ -5,7 +5,7 @@
 #include <fstream>
 #include <utility>
 
-#include "check/write_work_file.hpp"
+#include "compilation/write_work_file.hpp"
 #include "emission/digest.hpp"
 #include "emission/write_files.hpp"
 #include "generation/generate_code.hpp"

@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "check/temporary_folder.hpp"
-#include "description/diagnostic.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "description/surroundings.hpp"
 #include "drive/robot_description.hpp"
 #include "launch/driven_library.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "description/printable.hpp"
 #include "emission/fill_template.hpp"
 #include "launch/describe_robot.hpp"
 #include "launch/print_closed_loops.hpp"
 #include "launch/templates.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

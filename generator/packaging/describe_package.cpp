@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "description/printable.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/print_optimize.hpp"
 #include "target/target.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct Program {
   /// of its rows is relaxed.
   std::shared_ptr<const TaskLaw> law;
   std::string singular;  ///< a sentence on the results at singularities of the task; may be empty
+  /// Whether `optimize: balanced` compiles it to small code, where that was measured; else a model
+  /// of its code decides.
+  std::optional<bool> small_code = std::nullopt;
   /// If the function is emitted as loops over a table of links, of which the graph is the trace.
   std::shared_ptr<const LinkLoops> loops;
 };

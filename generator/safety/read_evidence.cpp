@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "description/read_text_file.hpp"
 #include "emission/digest.hpp"
 #include "safety/evidence.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

@@ -27,6 +27,17 @@ CallArguments::CallArguments(const GeneratedFunction& function, const std::vecto
   }
 }
 
+std::vector<std::span<const std::byte>> CallArguments::bytes_of(std::size_t call) const {
+  std::vector<std::span<const std::byte>> bytes;
+  const std::size_t arguments = in_[call].size();
+  const std::size_t results = in_.size() * arguments;
+  for (std::size_t i = 0; i < arrays_.size(); ++i) {
+    const bool is_read = i >= call * arguments && i < (call + 1) * arguments;
+    if (is_read || i >= results) bytes.push_back(std::as_bytes(std::span(arrays_[i])));
+  }
+  return bytes;
+}
+
 template <class T>
 void CallArguments::lay_out(const GeneratedFunction& function, const std::vector<State>& states) {
   const auto batch = static_cast<std::size_t>(std::max(function.batch, 1));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "generation/generate_code.hpp"
@@ -32,6 +33,8 @@ class CallArguments {
   [[nodiscard]] std::size_t calls() const { return in_.size(); }
   [[nodiscard]] const void* const* in(std::size_t call) const { return in_[call].data(); }
   [[nodiscard]] void* const* out() const { return out_.data(); }
+  /// What a call reads and writes.
+  [[nodiscard]] std::vector<std::span<const std::byte>> bytes_of(std::size_t call) const;
 
  private:
   struct alignas(64) Line {

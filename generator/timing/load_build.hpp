@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "check/compile_folder.hpp"
-#include "check/generated_library.hpp"
+#include "compilation/compile_folder.hpp"
+#include "compilation/generated_library.hpp"
 
 namespace treeline {
 

@@ -6,10 +6,11 @@
 #include <future>
 #include <thread>
 
-#include "check/run_commands.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/run_commands.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "emission/write_files.hpp"
 #include "generation/function_mechanisms.hpp"
+#include "timing/time_cold_calls.hpp"
 #include "timing/tune.hpp"
 
 namespace treeline {
@@ -40,6 +41,8 @@ std::optional<std::vector<TimedBuild>> build_all(const Robot& robot, const Scene
                                                  const std::vector<GeneratedFunction>& candidates,
                                                  CompileOptions compile, const fs::path& folder,
                                                  Diagnostics& diagnostics) {
+  compile.optimize = scene.optimize;
+  compile.target = scene.target;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int workers = compile.jobs > 0 ? compile.jobs : cores;
   compile.jobs = 1;
@@ -92,6 +95,19 @@ std::vector<Timing> time_all(const std::vector<TimedCall>& calls) {
   return timings;
 }
 
+std::vector<Measurement> measure_all(const std::vector<ColdCall>& calls, bool cold) {
+  std::vector<TimedCall> warm;
+  for (const ColdCall& call : calls) warm.push_back(call.call);
+  std::vector<Measurement> measured;
+  for (const Timing& timing : time_all(warm)) measured.push_back({timing});
+  if (!cold) return measured;
+  const std::vector<ColdTiming> timings = time_cold_calls(calls);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    measured[i].cold = timings[i].from_memory.value_or(timings[i].from_cache);
+  }
+  return measured;
+}
+
 std::string find_processor() {
   std::ifstream stream("/proc/cpuinfo");
   std::string line;
@@ -105,8 +121,9 @@ std::string find_processor() {
 }  // namespace
 
 Measure measure_here(const Robot& robot, const Scene& scene, const CompileOptions& compile) {
-  return [&robot, &scene, compile](const std::vector<GeneratedFunction>& candidates,
-                                   Diagnostics& diagnostics) -> std::optional<std::vector<Timing>> {
+  return [&robot, &scene, compile](
+             const std::vector<GeneratedFunction>& candidates,
+             Diagnostics& diagnostics) -> std::optional<std::vector<Measurement>> {
     const auto folder = make_temporary_folder(diagnostics);
     if (!folder) return std::nullopt;
     FunctionMechanisms mechanisms(robot, scene);
@@ -116,11 +133,12 @@ Measure measure_here(const Robot& robot, const Scene& scene, const CompileOption
     if (!builds) return std::nullopt;
     const auto states = draw_timing_states(robot, scene, mechanism, candidates);
     const CallArguments arguments(candidates.front(), states, scene.real);
-    std::vector<TimedCall> calls;
+    std::vector<ColdCall> calls;
     for (const TimedBuild& build : *builds) {
-      calls.push_back({build.library.raw_entry(0), &arguments});
+      calls.push_back(
+          {{build.library.raw_entry(0), &arguments}, build.compilation.library.string()});
     }
-    return time_all(calls);
+    return measure_all(calls, scene.optimize == Optimize::balanced);
   };
 }
 

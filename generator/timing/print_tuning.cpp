@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numeric>
+#include <utility>
 
-#include "emission/print_manifest.hpp"
+#include "text/align_columns.hpp"
 #include "timing/tune.hpp"
 
 namespace treeline {
@@ -14,7 +16,7 @@ std::vector<std::size_t> rank(const TunedFunction& tuned) {
   std::vector<std::size_t> order(tuned.trials.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return tuned.trials[a].timing.ratio < tuned.trials[b].timing.ratio;
+    return tuned.trials[a].measured.cost() < tuned.trials[b].measured.cost();
   });
   return order;
 }
@@ -23,44 +25,78 @@ std::string print_lanes(const Trial& trial) {
   return trial.choice.lanes > 0 ? std::to_string(trial.choice.lanes) : "";
 }
 
-std::string print_trial(const TunedFunction& tuned, std::size_t i) {
+/// Columns of a trial; those of cold calls are empty where none were made.
+std::vector<std::string> print_trial(const TunedFunction& tuned, std::size_t i) {
   const Trial& trial = tuned.trials[i];
-  return fmt::format(
-      R"({{"function": {}, "route": {}, "lanes": {}, "flops": {}, )"
-      R"("nanoseconds": {:.4g}, "ratio": {:.4f}, "noise": {:.4f}, )"
-      R"("least_cost": {}, "chosen": {}}})",
-      quote_json(source_stem(tuned.function, tuned.batch)), quote_json(trial.choice.route),
-      trial.choice.lanes > 0 ? std::to_string(trial.choice.lanes) : "null", trial.count.flops(),
-      trial.timing.nanoseconds, trial.timing.ratio, trial.timing.noise, i == 0, i == tuned.fastest);
+  const auto& [warm, cold] = trial.measured;
+  const char* note = i == tuned.fastest ? " <- chosen" : i == 0 ? " <- least cost" : "";
+  return {fmt::format("{:.1f}", warm.nanoseconds),
+          fmt::format("{:.3f}", warm.ratio),
+          fmt::format("{:.3f}", warm.noise),
+          cold ? fmt::format("{:.0f}", cold->nanoseconds) : "",
+          cold ? fmt::format("{:.3f}", cold->ratio) : "",
+          cold ? fmt::format("{:.3f}", trial.measured.cost()) : "",
+          std::to_string(trial.count.flops()),
+          print_lanes(trial),
+          trial.choice.small_code.value_or(false) ? "-Os" : "",
+          trial.choice.route + note};
+}
+
+nlohmann::ordered_json describe_trial(const TunedFunction& tuned, std::size_t i) {
+  const Trial& trial = tuned.trials[i];
+  nlohmann::ordered_json json = {{"function", source_stem(tuned.function, tuned.batch)},
+                                 {"route", trial.choice.route},
+                                 {"lanes", nullptr},
+                                 {"flops", trial.count.flops()},
+                                 {"nanoseconds", trial.measured.warm.nanoseconds},
+                                 {"ratio", trial.measured.warm.ratio},
+                                 {"noise", trial.measured.warm.noise},
+                                 {"least_cost", i == 0},
+                                 {"chosen", i == tuned.fastest}};
+  if (trial.choice.lanes > 0) json["lanes"] = trial.choice.lanes;
+  if (trial.choice.small_code) json["small_code"] = *trial.choice.small_code;
+  if (trial.measured.cold) {
+    json["cold_nanoseconds"] = trial.measured.cold->nanoseconds;
+    json["cold_ratio"] = trial.measured.cold->ratio;
+    json["cold_noise"] = trial.measured.cold->noise;
+    json["cost"] = trial.measured.cost();
+  }
+  return json;
 }
 
 }  // namespace
 
 std::string print_text(const Tuning& tuning) {
-  std::string text = fmt::format("{}\n{:<28} {:>9} {:>6} {:>6} {:>6} {:>5}  {}\n", tuning.measured,
-                                 "function", "ns", "ratio", "noise", "flops", "lanes", "route");
+  std::vector<std::vector<std::string>> rows;
   for (const TunedFunction& tuned : tuning.functions) {
     std::string name = source_stem(tuned.function, tuned.batch);
     for (const std::size_t i : rank(tuned)) {
-      const Trial& trial = tuned.trials[i];
-      const char* note = i == tuned.fastest ? " <- chosen" : i == 0 ? " <- least cost" : "";
-      text += fmt::format("{:<28} {:>9.1f} {:>6.3f} {:>6.3f} {:>6} {:>5}  {}{}\n", name,
-                          trial.timing.nanoseconds, trial.timing.ratio, trial.timing.noise,
-                          trial.count.flops(), print_lanes(trial), trial.choice.route, note);
-      name.clear();
+      rows.push_back(print_trial(tuned, i));
+      rows.back().insert(rows.back().begin(), std::exchange(name, ""));
     }
   }
-  return text + "\n";
+  return tuning.measured + "\n" +
+         align_columns({{"function"},
+                        {"ns", true},
+                        {"ratio", true},
+                        {"noise", true},
+                        {"cold ns", true},
+                        {"ratio", true},
+                        {"cost", true},
+                        {"flops", true},
+                        {"lanes", true},
+                        {"flag"},
+                        {"route"}},
+                       rows) +
+         "\n";
 }
 
-std::string print_json(const Tuning& tuning) {
-  std::string trials;
+nlohmann::ordered_json to_json(const Tuning& tuning) {
+  auto trials = nlohmann::ordered_json::array();
   for (const TunedFunction& tuned : tuning.functions) {
-    for (const std::size_t i : rank(tuned)) {
-      trials += (trials.empty() ? "" : ",\n    ") + print_trial(tuned, i);
-    }
+    for (const std::size_t i : rank(tuned)) trials.push_back(describe_trial(tuned, i));
   }
-  return fmt::format("[\n    {}\n  ]", trials);
+  return trials;
 }
 
 }  // namespace treeline

@@ -42,7 +42,9 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-Timing summarise(const std::vector<double>& times, const std::vector<double>& first) {
+}  // namespace
+
+Timing summarise_times(const std::vector<double>& times, const std::vector<double>& first) {
   std::vector<double> ratios;
   for (std::size_t round = 0; round < times.size(); ++round) {
     ratios.push_back(times[round] / first[round]);
@@ -50,8 +52,6 @@ Timing summarise(const std::vector<double>& times, const std::vector<double>& fi
   return {quantile(times, 0.5), quantile(ratios, 0.5),
           (quantile(ratios, 0.75) - quantile(ratios, 0.25)) / 2};
 }
-
-}  // namespace
 
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes,
                                 const TimingOptions& options) {
@@ -67,7 +67,7 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes,
     }
   }
   std::vector<Timing> timings;
-  for (const auto& each : times) timings.push_back(summarise(each, times.front()));
+  for (const auto& each : times) timings.push_back(summarise_times(each, times.front()));
   return timings;
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "check/generated_library.hpp"
+#include "compilation/generated_library.hpp"
 #include "timing/call_arguments.hpp"
 
 namespace treeline {
@@ -27,13 +27,16 @@ struct TimingOptions {
   double repetition_us = 150;  ///< at least; short, so that most are not disturbed
 };
 
-/// Time of one call, in warm caches, back to back over all states, each call independent of the
-/// last: throughput. It includes the call through a pointer, some 2 ns.
+/// Time of one call. If nothing else is said: in warm caches, back to back over all states, each
+/// call independent of the last: throughput. It includes the call through a pointer, some 2 ns.
 struct Timing {
   double nanoseconds = 0;  ///< median of all rounds
   double ratio = 1;        ///< to the first function's time: median of the ratios within each round
   double noise = 0;        ///< half the distance between the quartiles of those ratios
 };
+
+/// Summarises the times of one function, a round each, beside those of the first.
+Timing summarise_times(const std::vector<double>& times, const std::vector<double>& first);
 
 /// Times functions in interleaved order, so that changes over time, like the clock's frequency,
 /// affect all of them. Each round begins with another function. Returns one result per function.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <utility>
 
+#include "emission/print_optimize.hpp"
+#include "generation/choose_loops.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/only_by_name.hpp"
 #include "generation/run_routes.hpp"
@@ -45,23 +48,42 @@ bool is_cheaper(const GeneratedFunction& a, const GeneratedFunction& b) {
   return a.chosen.weighted < b.chosen.weighted;
 }
 
+/// The first candidate as small code, or not if it is that already, and as loops over links where
+/// it has this form.
+void add_small_code(const Mechanism& mechanism, const Scene& scene,
+                    std::vector<GeneratedFunction>& candidates) {
+  GeneratedFunction& first = candidates.front();
+  const bool is_small = compiles_to_small_code(scene.optimize, scene.target, first.program);
+  GeneratedFunction loops = first;
+  Diagnostics not_told;
+  choose_loops(mechanism, scene, true, loops, not_told);
+  GeneratedFunction other = first;
+  first.program.small_code = is_small;
+  other.program.small_code = !is_small;
+  candidates.push_back(std::move(other));
+  if (not_told.has_errors()) return;
+  loops.other_lanes = first.other_lanes;
+  loops.program.small_code = true;
+  candidates.push_back(std::move(loops));
+}
+
 std::optional<TunedFunction> tune_function(std::vector<GeneratedFunction> candidates,
                                            const Measure& measure, const TuneOptions& options,
                                            Diagnostics& diagnostics) {
   if (options.progress) options.progress(source_stem(candidates.front()), candidates.size());
-  const auto timings = measure(candidates, diagnostics);
-  if (!timings) return std::nullopt;
+  const auto measured = measure(candidates, diagnostics);
+  if (!measured) return std::nullopt;
   TunedFunction tuned{candidates.front().function, candidates.front().batch, {}, 0};
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const GeneratedFunction& candidate = candidates[i];
     tuned.trials.push_back(
-        {{key_of(candidate.chosen.route), tuned.batch > 0 ? 0 : candidate.other_lanes},
+        {{key_of(candidate.chosen.route), tuned.batch > 0 ? 0 : candidate.other_lanes,
+          candidate.program.small_code},
          candidate.chosen.count,
-         (*timings)[i]});
-    const double least = tuned.trials[tuned.fastest].timing.ratio;
-    const Timing& timing = tuned.trials.back().timing;
-    const double gain = 1 - timing.ratio;
-    if (timing.ratio < least && gain > std::max(options.margin, 2 * timing.noise)) {
+         (*measured)[i]});
+    const double least = tuned.trials[tuned.fastest].measured.cost();
+    const Measurement& own = tuned.trials.back().measured;
+    if (own.cost() < least && 1 - own.cost() > std::max(options.margin, 2 * own.noise())) {
       tuned.fastest = i;
     }
   }
@@ -69,6 +91,14 @@ std::optional<TunedFunction> tune_function(std::vector<GeneratedFunction> candid
 }
 
 }  // namespace
+
+double Measurement::cost() const {
+  return cold ? std::sqrt(warm.ratio * cold->ratio) : warm.ratio;
+}
+
+double Measurement::noise() const {
+  return cold ? (warm.noise + cold->noise) / 2 : warm.noise;
+}
 
 std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Function function,
                                                const Scene& scene, bool batch, double reach) {
@@ -95,11 +125,18 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
     return !keep || !seen.insert(fingerprint(each.program)).second;
   });
   for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
+  if (scene.optimize == Optimize::balanced && !batch) add_small_code(mechanism, scene, all);
   return all;
 }
 
 std::optional<Tuning> tune(const Robot& robot, const Scene& scene, const Measure& measure,
                            const TuneOptions& options, Diagnostics& diagnostics) {
+  if (scene.optimize == Optimize::size) {
+    diagnostics.add({Severity::error, "", 0, "optimize",
+                     "`size` chooses by bytes, and tuning by time",
+                     "Choose `balanced`, or do not tune."});
+    return std::nullopt;
+  }
   FunctionMechanisms mechanisms(robot, scene);
   Tuning tuning;
   for (const Function function : scene.functions) {

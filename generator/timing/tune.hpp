@@ -1,11 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "check/compile_folder.hpp"
+#include "compilation/compile_folder.hpp"
 #include "generation/choices.hpp"
 #include "generation/generate_code.hpp"
 #include "timing/load_build.hpp"
@@ -13,11 +14,23 @@
 
 namespace treeline {
 
-/// A candidate for computing a function, and its time.
+/// Times of a candidate, relative to those of the first one.
+struct Measurement {
+  Timing warm;
+  /// One call whose code and data are in no cache, or in none of the core's own where the processor
+  /// cannot empty the others. Only for `optimize: balanced`.
+  std::optional<Timing> cold = std::nullopt;
+
+  /// What is to be least: the time, or the mean of both, geometric: neither outweighs the other.
+  [[nodiscard]] double cost() const;
+  [[nodiscard]] double noise() const;
+};
+
+/// A candidate for computing a function, and its times.
 struct Trial {
   RouteChoice choice;  ///< with lanes, except for a batch
   OperationCount count;
-  Timing timing;  ///< its ratio is to the route of least cost
+  Measurement measured;
 };
 
 /// Trials of one function, the route of least cost first, and the winner.
@@ -34,7 +47,7 @@ struct Tuning {
 };
 
 /// Times candidates of one function relative to the first one. Errors: those of the compiler.
-using Measure = std::function<std::optional<std::vector<Timing>>(
+using Measure = std::function<std::optional<std::vector<Measurement>>(
     const std::vector<GeneratedFunction>& candidates, Diagnostics& diagnostics)>;
 
 struct TuneOptions {
@@ -50,11 +63,13 @@ struct TuneOptions {
 /// Lists the candidates for a function that may be fastest and have different code: each route in
 /// 1, 2, 4 and 8 lanes, with and without isomorphic limbs in lanes. The first is the one that
 /// `generate_code` makes without choices. Routes whose cost exceeds the least by more than the
-/// share `reach` are left out.
+/// share `reach` are left out. With `optimize: balanced` functions of one state are also the first
+/// one compiled the other way, to small code or not, and loops over links.
 std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Function function,
                                                const Scene& scene, bool batch, double reach);
 
-/// Measures the candidates of each function of the scene and picks the fastest.
+/// Measures the candidates of each function of the scene and picks the one of least cost. Errors:
+/// the scene has `optimize: size`, which no time decides.
 std::optional<Tuning> tune(const Robot& robot, const Scene& scene, const Measure& measure,
                            const TuneOptions& options, Diagnostics& diagnostics);
 
@@ -70,9 +85,8 @@ Measure measure_here(const Robot& robot, const Scene& scene, const CompileOption
 /// AMD EPYC".
 std::string describe_here(const CompileOptions& compile, Diagnostics& diagnostics);
 
-/// Prints all trials, fastest first, with times in nanoseconds per call: as a table, or as a JSON
-/// list.
+/// All trials, fastest first, with times in nanoseconds per call: as a table, or as a JSON list.
 std::string print_text(const Tuning& tuning);
-std::string print_json(const Tuning& tuning);
+nlohmann::ordered_json to_json(const Tuning& tuning);
 
 }  // namespace treeline

@@ -12,7 +12,7 @@ namespace {
 std::string write_files(const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files) {
     if (file.path.empty()) continue;
-    const std::string error = servo::write_text(file.path, file.text);
+    const std::string error = report::write_text(file.path, file.text);
     if (!error.empty()) return error;
   }
   return "";
@@ -44,22 +44,22 @@ std::string file_in(const std::string& folder, const std::string& name) {
   return folder.empty() ? "" : folder + "/" + name;
 }
 
-OutputFile csv_file(const std::string& path, const servo::Table& table) {
-  return {path, path.empty() ? "" : servo::csv_text(table)};
+OutputFile csv_file(const std::string& path, const report::Table& table) {
+  return {path, path.empty() ? "" : report::csv_text(table)};
 }
 
-OutputFile svg_file(const std::string& path, const servo::Plot& figure) {
-  return {path, path.empty() ? "" : servo::svg_text(figure)};
+OutputFile svg_file(const std::string& path, const report::Plot& figure) {
+  return {path, path.empty() ? "" : report::svg_text(figure)};
 }
 
-std::vector<OutputFile> files_of(const OutputPaths& paths, const servo::Table& table,
-                                 const servo::Plot& figure) {
+std::vector<OutputFile> files_of(const OutputPaths& paths, const report::Table& table,
+                                 const report::Plot& figure) {
   return {csv_file(paths.csv, table), svg_file(paths.svg, figure)};
 }
 
-std::vector<OutputFile> files_of_both(const OutputPaths& paths, const servo::Table& table,
-                                      const std::string& suffix, const servo::Table& compared,
-                                      const servo::Plot& figure) {
+std::vector<OutputFile> files_of_both(const OutputPaths& paths, const report::Table& table,
+                                      const std::string& suffix, const report::Table& compared,
+                                      const report::Plot& figure) {
   const std::string other = paths.csv.empty() ? "" : paths.csv + suffix;
   return {csv_file(paths.csv, table), csv_file(other, compared), svg_file(paths.svg, figure)};
 }

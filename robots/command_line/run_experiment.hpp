@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "command_line/command_line.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 namespace treeline::experiments {
 
@@ -49,25 +49,25 @@ void add_substeps(CommandLine& command, int& substeps);
 std::string file_in(const std::string& folder, const std::string& name);
 
 /// The table as CSV and the figure as SVG. Text that is not written is not made.
-OutputFile csv_file(const std::string& path, const servo::Table& table);
-OutputFile svg_file(const std::string& path, const servo::Plot& figure);
+OutputFile csv_file(const std::string& path, const report::Table& table);
+OutputFile svg_file(const std::string& path, const report::Plot& figure);
 
 /// The files of one run.
-std::vector<OutputFile> files_of(const OutputPaths& paths, const servo::Table& table,
-                                 const servo::Plot& figure);
+std::vector<OutputFile> files_of(const OutputPaths& paths, const report::Table& table,
+                                 const report::Plot& figure);
 
 /// The files of a run and of one that it is compared with, whose CSV file gets `suffix` behind its
 /// name. The figure shows both.
-std::vector<OutputFile> files_of_both(const OutputPaths& paths, const servo::Table& table,
-                                      const std::string& suffix, const servo::Table& compared,
-                                      const servo::Plot& figure);
+std::vector<OutputFile> files_of_both(const OutputPaths& paths, const report::Table& table,
+                                      const std::string& suffix, const report::Table& compared,
+                                      const report::Plot& figure);
 
 /// Adds the files of some runs that share a figure: the tables of `runs` in `folder` as `name` with
 /// an ending each, and the figure as `name`.svg.
 template <class Run, std::size_t count>
 void add_runs(Findings& findings, const std::string& folder, const std::string& name,
               const char* const (&endings)[count], const std::vector<Run>& runs,
-              const servo::Plot& figure) {
+              const report::Plot& figure) {
   for (std::size_t i = 0; i < runs.size() && i < count; ++i) {
     findings.files.push_back(csv_file(file_in(folder, name + endings[i]), runs[i].table));
   }

@@ -9,13 +9,13 @@ ObjectOutcome make_outcome(const std::vector<std::string>& own, double seconds, 
   return {{names, static_cast<std::size_t>(seconds * rate) + 2}, {}, {}};
 }
 
-double largest(const servo::Table& table, std::size_t column) {
+double largest(const report::Table& table, std::size_t column) {
   double result = 0.0;
   for (const double value : table.column(column)) result = std::max(result, std::abs(value));
   return result;
 }
 
-ObjectErrors largest_object_errors(const servo::Table& table) {
+ObjectErrors largest_object_errors(const report::Table& table) {
   ObjectErrors errors{largest(table, kErrors), largest(table, kErrors + 1), largest(table, kDrift)};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     errors.lift = std::max(errors.lift, table.at(row, kActual + 2) - table.at(0, kActual + 2));
@@ -29,7 +29,7 @@ std::string describe_stop(const servo::Fault& fault, const char* const* joints) 
   return "stopped      " + servo::describe(fault, joint) + "\n";
 }
 
-servo::PlotPanel distance_panel(const servo::Table& table, const std::string& object) {
+report::PlotPanel distance_panel(const report::Table& table, const std::string& object) {
   std::vector<double> error = table.column(kErrors);
   for (double& value : error) value *= 1e6;
   return {"Distance between wanted and actual position",

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
 #include "servo/statistics.hpp"
-#include "servo/table.hpp"
 
 namespace treeline::experiments {
 
 /// A run of robots that carry one object.
 struct ObjectOutcome {
-  servo::Table table;  ///< one row per cycle: the columns below, then the experiment's own
+  report::Table table;  ///< one row per cycle: the columns below, then the experiment's own
   servo::DurationStatistics control;
   servo::Fault fault;
 };
@@ -51,7 +51,7 @@ void fill_object_columns(double time, const Tracking& tracking, double* row) {
 }
 
 /// Largest size in a column.
-double largest(const servo::Table& table, std::size_t column);
+double largest(const report::Table& table, std::size_t column);
 
 /// Largest errors over a run.
 struct ObjectErrors {
@@ -60,13 +60,13 @@ struct ObjectErrors {
   double drift = 0;     ///< between the grasps, m and rad
   double lift = 0;      ///< how far the object goes up, m
 };
-ObjectErrors largest_object_errors(const servo::Table& table);
+ObjectErrors largest_object_errors(const report::Table& table);
 
 /// The line of a summary that says why the run stopped; empty if it did not. `joints`: names by
 /// coordinate.
 std::string describe_stop(const servo::Fault& fault, const char* const* joints);
 
 /// The panel of the distance between wanted and actual position.
-servo::PlotPanel distance_panel(const servo::Table& table, const std::string& object);
+report::PlotPanel distance_panel(const report::Table& table, const std::string& object);
 
 }  // namespace treeline::experiments

@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "report/decades.hpp"
+#include "report/svg.hpp"
+
 namespace treeline::pictures {
 namespace {
 
@@ -43,14 +46,11 @@ struct Panel {
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text,
                     const char* more = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, more, text);
+  return report::svg_text_at(x, y, fmt::format("text-anchor=\"{}\"{}", anchor, more), text);
 }
 
 std::string line(double x1, double y1, double x2, double y2) {
-  return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#dddddd\"/>\n", x1,
-      y1, x2, y2);
+  return report::svg_line(x1, y1, x2, y2, "#dddddd");
 }
 
 std::string power_of_ten(int exponent) {
@@ -64,11 +64,10 @@ std::string draw_axes(const Panel& panel, const std::string& title) {
   const double top = panel.up(std::pow(10.0, kMostError));
   std::string text =
       text_at(0.5 * (left + right), panel.y + 20.0, "middle", title, " font-weight=\"bold\"");
-  constexpr std::array kTimes = {"100 ns", "1 µs", "10 µs", "100 µs"};
   for (int k = kLeastTime; k <= kMostTime; ++k) {
     const double x = panel.across(std::pow(10.0, k));
     text += line(x, bottom, x, top);
-    text += text_at(x, bottom + 15.0, "middle", kTimes[static_cast<std::size_t>(k - kLeastTime)]);
+    text += text_at(x, bottom + 15.0, "middle", report::time_name(k));
   }
   for (int k = kLeastError; k <= kMostError; ++k) {
     const double y = panel.up(std::pow(10.0, k));
@@ -113,20 +112,16 @@ std::string draw_legend() {
   return text;
 }
 
-std::string draw_head(const BenchReport& report, double width, double height) {
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      width, height);
-  text += text_at(12.0, 24.0, "start",
-                  report.robot + ": time of one call (across) and largest relative error (up)",
-                  " font-size=\"16\" font-weight=\"bold\"");
+std::string draw_head(const BenchReport& report) {
+  const std::string title =
+      text_at(12.0, 24.0, "start",
+              report.robot + ": time of one call (across) and largest relative error (up)",
+              " font-size=\"16\" font-weight=\"bold\"");
   std::string machine = report.machine.empty() ? "" : report.machine.front();
   if (machine.starts_with("on ")) machine.erase(0, 3);
-  return text + text_at(12.0, 42.0, "start",
-                        "double precision; " + machine +
-                            ", one core; error against 50 digits; lower left is better");
+  return title + text_at(12.0, 42.0, "start",
+                         "double precision; " + machine +
+                             ", one core; error against 50 digits; lower left is better");
 }
 
 }  // namespace
@@ -134,8 +129,7 @@ std::string draw_head(const BenchReport& report, double width, double height) {
 std::string draw_bench(const BenchReport& report, const std::vector<std::string>& functions,
                        std::string& error) {
   const int rows = (static_cast<int>(functions.size()) + kColumns - 1) / kColumns;
-  std::string text =
-      draw_head(report, kColumns * kPanelWidth, kTop + rows * kPanelHeight) + draw_legend();
+  std::string text = draw_head(report) + draw_legend();
   for (std::size_t k = 0; k < functions.size(); ++k) {
     const auto table =
         std::find_if(report.tables.begin(), report.tables.end(),
@@ -148,7 +142,8 @@ std::string draw_bench(const BenchReport& report, const std::vector<std::string>
     const Panel panel{kPanelWidth * (at % kColumns), kTop + kPanelHeight * (at / kColumns)};
     text += draw_axes(panel, functions[k]) + draw_points(panel, *table);
   }
-  return text + "</svg>\n";
+  return report::svg_page(kColumns * kPanelWidth, kTop + rows * kPanelHeight,
+                          "font-family=\"sans-serif\" font-size=\"11\"", text);
 }
 
 }  // namespace treeline::pictures

@@ -5,14 +5,18 @@
 #include <chrono>
 #include <span>
 
-#include "evict.hpp"
 #include "packs.hpp"
+#include "timing/evict_caches.hpp"
 
 namespace treeline::bench {
 namespace {
 
 constexpr int kStates = 64;
 constexpr int kColdCalls = 16;  ///< in a repetition
+/// This program and the libraries that a solver can call. Others of DART (meshes, images) are many
+/// times larger than all of these.
+const std::vector<std::string> kObjects = {"",        "libdart.so", "orocos-kdl",
+                                           "libm.so", "libc.so",    "libstdc++"};
 
 /// Inputs of one function in 64 states, grouped by the states that a call takes, and memory for its
 /// output.
@@ -71,15 +75,19 @@ double seconds_of_one_call(const Routine& routine, const double* const* in, doub
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+std::span<const std::byte> bytes_of(const Aligned& numbers) {
+  return std::as_bytes(std::span(numbers.data(), numbers.size()));
+}
+
 void evicted(benchmark::State& run, const Routine& routine, Inputs inputs, Mode mode) {
   std::size_t i = 0;
   for (auto _ : run) {
     const std::size_t k = i++ % inputs.packs.size();
-    std::vector<std::span<const double>> data{{inputs.output.data(), inputs.output.size()}};
-    for (const Aligned& input : inputs.packs[k]) data.emplace_back(input.data(), input.size());
+    std::vector<std::span<const std::byte>> data{bytes_of(inputs.output)};
+    for (const Aligned& input : inputs.packs[k]) data.push_back(bytes_of(input));
     if (mode == Mode::cold) {
       evict_from_core();
-    } else if (!evict_from_caches(data)) {
+    } else if (!evict_from_caches(data, kObjects)) {
       run.SkipWithError("no instruction to flush a cache line");
       break;
     }

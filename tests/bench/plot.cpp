@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "report.hpp"
+#include "report/decades.hpp"
+#include "report/svg.hpp"
 
 namespace treeline::bench {
 namespace {
@@ -33,29 +35,23 @@ const Family* family_of(const Row& row) {
 }
 
 constexpr double kLeft = 300, kWidth = 640, kTop = 78, kStep = 17;
-constexpr double kLeast = 1, kMost = 1e7;  // nanoseconds
+constexpr report::Decades kAxis{0, 7};  // nanoseconds
 
 double x_of(double nanoseconds) {
-  const double share = std::log10(nanoseconds / kLeast) / std::log10(kMost / kLeast);
-  return kLeft + kWidth * std::clamp(share, 0.0, 1.0);
+  return kLeft + kWidth * std::clamp(kAxis.at(nanoseconds), 0.0, 1.0);
 }
 
 std::string text_at(double x, double y, std::string_view anchor, std::string_view text) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     text);
+  return report::svg_text_at(x, y, fmt::format("text-anchor=\"{}\"", anchor),
+                             report::escape_xml(text));
 }
 
 std::string draw_axis(double bottom) {
   std::string text;
-  constexpr std::string_view kNames[] = {"1 ns",  "10 ns",  "100 ns", "1 µs",
-                                         "10 µs", "100 µs", "1 ms",   "10 ms"};
-  double decade = kLeast;
-  for (const auto name : kNames) {
-    text += fmt::format(
-        "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\" stroke=\"#dddddd\"/>\n",
-        x_of(decade), kTop - 12, bottom);
-    text += text_at(x_of(decade), kTop - 16, "middle", name);
-    decade *= 10;
+  for (int decade = kAxis.first; decade <= kAxis.last; ++decade) {
+    const double x = x_of(std::pow(10.0, decade));
+    text += report::svg_line(x, kTop - 12, x, bottom, "#dddddd");
+    text += text_at(x, kTop - 16, "middle", report::time_name(decade));
   }
   return text;
 }
@@ -64,8 +60,7 @@ std::string draw_legend() {
   std::string text;
   double x = 20;
   for (const Family& each : kFamilies) {
-    text +=
-        fmt::format("<circle cx=\"{:.1f}\" cy=\"36\" r=\"4.5\" fill=\"{}\"/>\n", x, each.colour);
+    text += report::svg_disc(x, 36, 4.5, each.colour);
     text += text_at(x + 9, 40, "start", each.label);
     x += 34 + 7.0 * static_cast<double>(each.label.size());
   }
@@ -82,10 +77,8 @@ std::string draw_dots(const Row* first, const Row* last, double y, bool least) {
       if (family_of(*row) == &family && warm) fastest = std::min(fastest.value_or(*warm), *warm);
     }
     if (!fastest) continue;
-    text += fmt::format(
-        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\"><title>{}: {:.1f} ns</title>"
-        "</circle>\n",
-        x_of(*fastest), y, family.colour, family.label, *fastest);
+    text += report::svg_disc(x_of(*fastest), y, 4.5, family.colour,
+                             fmt::format("{}: {:.1f} ns", family.label, *fastest));
   }
   return text;
 }
@@ -107,17 +100,13 @@ std::string draw_plot(const std::vector<Row>& rows, const Machine& machine, bool
     lines += draw_dots(rows.data() + i, rows.data() + next, y, least);
     y += kStep;
   }
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"970\" height=\"{:.0f}\" "
-             "font-family=\"sans-serif\" font-size=\"12\">\n"
-             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-             y + 10) +
-         text_at(
-             20, 18, "start",
-             fmt::format("Time a state, warm, {} of interleaved runs, the fastest of each family; "
-                         "{}, one core",
-                         least ? "least" : "median", machine.processor)) +
-         draw_legend() + draw_axis(y - kStep / 2) + lines + "</svg>\n";
+  const std::string title =
+      text_at(20, 18, "start",
+              fmt::format("Time a state, warm, {} of interleaved runs, the fastest of each family; "
+                          "{}, one core",
+                          least ? "least" : "median", machine.processor));
+  return report::svg_page(970, y + 10, "font-family=\"sans-serif\" font-size=\"12\"",
+                          title + draw_legend() + draw_axis(y - kStep / 2) + lines);
 }
 
 }  // namespace treeline::bench

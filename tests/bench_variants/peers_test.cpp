@@ -8,7 +8,7 @@
 
 #include "bench/bench.hpp"
 #include "bench/draw_svg.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 

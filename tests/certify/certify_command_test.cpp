@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "check/temporary_folder.hpp"
 #include "cli/run_program.hpp"
+#include "compilation/temporary_folder.hpp"
 
 namespace treeline::tests {
 namespace {

@@ -12,7 +12,7 @@
 #include "bounds/rng.hpp"
 #include "certify/bound_in_steps.hpp"
 #include "check/fixture.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "digits/digits50.hpp"
 #include "program/evaluate.hpp"
 

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "check/generated_library.hpp"
 #include "check/judge_function.hpp"
 #include "check/judge_limits.hpp"
-#include "check/print_entry.hpp"
+#include "compilation/generated_library.hpp"
+#include "compilation/print_entry.hpp"
 #include "fixture.hpp"
 #include "generation/describe_limits.hpp"
 #include "oracle/reference.hpp"

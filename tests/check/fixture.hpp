@@ -9,7 +9,7 @@
 #include <string>
 
 #include "check/check.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "emission/write_files.hpp"

@@ -114,7 +114,7 @@ TEST(DrawRobot, CaptionsCannotBreakTheFile) {
   const Arm arm;
   const std::string svg = arm.draw({{{0, 0}, "<script>&\x1b", {}, {}}});
   EXPECT_EQ(svg.find("<script>"), std::string::npos);
-  EXPECT_NE(svg.find("&lt;script>&amp;\\x1b"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("&lt;script&gt;&amp;\\x1b"), std::string::npos) << svg;
 }
 
 // A ball and a box beside the arm. Would catch: obstacles that are not drawn, or cut off.

@@ -40,7 +40,7 @@ TEST(CarryObject, FollowsTheCircleSqueezedAsCommanded) {
 }
 
 TEST(CarryObject, StaysWithinTheRobotsLimits) {
-  const servo::Table& table = the_run().table;
+  const report::Table& table = the_run().table;
   const Robot robot = samm();
   int joint_number = 0;
   for (const Joint& joint : robot.joints) {
@@ -111,7 +111,7 @@ void expect_near(const double (&actual)[N], const ip::Vector<Digits50>& expected
 }
 
 TEST(CarryObject, PairIsTheInterpretersClosedChain) {
-  const servo::Table& table = the_run().table;
+  const report::Table& table = the_run().table;
   const auto chain = the_chain();
   const auto& names = table.names();
   const auto first = static_cast<std::size_t>(

@@ -83,7 +83,7 @@ TEST_F(RunExperiment, SaysWhoFailed) {
 }
 
 TEST_F(RunExperiment, NamesTheFileOfTheOtherRun) {
-  servo::Table table({"t"}, 1);
+  report::Table table({"t"}, 1);
   const double zero = 0;
   table.append(&zero);
   EXPECT_EQ(files_of_both({}, table, ".without", table, {})[1].path, "");

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "check/temporary_folder.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "description/read_scene.hpp"
 #include "emission/write_files.hpp"
 #include "finite/exact_mass_matrix.hpp"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "oracle/draw_state.hpp"
+#include "text/diagnostic.hpp"
 
 /// Search for finite inputs for which emitted code, compiled and run, is not finite.
 namespace treeline::tests {

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "count_growth.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 // Writes, for each series, a table and a figure into a folder: growth_report FOLDER.
 
@@ -12,11 +12,11 @@ namespace {
 
 using namespace treeline;  // NOLINT: a program of one file
 
-servo::PlotPanel panel_of(const growth::Series& series, std::size_t first_way, std::size_t ways,
-                          const char* title) {
-  servo::PlotPanel panel{title, "flops", {}};
+report::PlotPanel panel_of(const growth::Series& series, std::size_t first_way, std::size_t ways,
+                           const char* title) {
+  report::PlotPanel panel{title, "flops", {}};
   for (std::size_t k = first_way; k < first_way + ways; ++k) {
-    servo::PlotLine line{series.ways[k], {}};
+    report::PlotLine line{series.ways[k], {}};
     for (const int flops : series.flops[k]) {
       line.values.push_back(flops > 0 ? flops : std::numeric_limits<double>::quiet_NaN());
     }
@@ -26,8 +26,8 @@ servo::PlotPanel panel_of(const growth::Series& series, std::size_t first_way, s
 }
 
 /// Draws all ways, and below them all except the last, which is much larger than the others.
-servo::Plot figure_of(const growth::Series& series) {
-  servo::Plot plot{"Operations: " + series.name, series.size, {}, {}};
+report::Plot figure_of(const growth::Series& series) {
+  report::Plot plot{"Operations: " + series.name, series.size, {}, {}};
   for (const int size : series.sizes) plot.x.push_back(size);
   plot.panels = {panel_of(series, 0, series.ways.size(), "all ways"),
                  panel_of(series, 0, series.ways.size() - 1, "without the last")};
@@ -48,8 +48,9 @@ int main(int argc, char** argv) {
     std::printf("%s (%s)\n%s\n", series.name.c_str(), series.size.c_str(),
                 growth::csv_text(series).c_str());
     const std::string stem = (folder / series.name).string();
-    const std::string fault = servo::write_text(stem + ".csv", growth::csv_text(series)) +
-                              servo::write_text(stem + ".svg", servo::svg_text(figure_of(series)));
+    const std::string fault =
+        report::write_text(stem + ".csv", growth::csv_text(series)) +
+        report::write_text(stem + ".svg", report::svg_text(figure_of(series)));
     if (!fault.empty()) {
       std::fprintf(stderr, "%s\n", fault.c_str());
       return 1;

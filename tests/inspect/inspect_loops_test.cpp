@@ -11,8 +11,8 @@
 #include <regex>
 
 #include "data/list_data.hpp"
-#include "description/read_text_file.hpp"
 #include "sample.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

@@ -1,32 +1,13 @@
-// Would catch: output that programs cannot read, columns that are not aligned, and sections that
-// disappear.
+// Would catch: output that programs cannot read, and sections that disappear.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "inspect/align_columns.hpp"
 #include "sample.hpp"
 
 namespace treeline {
 namespace {
-
-TEST(AlignColumns, LinesUpAndLeavesOutEmptyOnes) {
-  EXPECT_EQ(align_columns({{"name"}, {"kg", true}, {"empty"}, {"x"}},
-                          {{"a", "1.25", "", "p"}, {"l\xC3\xA4nger", "3", "", ""}}),
-            "  name      kg  x\n"
-            "  a       1.25  p\n"
-            "  l\xC3\xA4nger     3\n");
-}
-
-TEST(AlignColumns, BreaksWhatIsTooWide) {
-  EXPECT_EQ(align_columns({{"name"}, {"kg", true}, {"why"}},
-                          {{"left_upper_arm_link", "1.25", "because of this and that"}}, 32),
-            "  name           kg  why\n"
-            "  left_upper_  1.25  because of\n"
-            "  arm_link           this and\n"
-            "                     that\n");
-}
 
 /// A robot with names as exporters write them, in a chain of `joints` joints.
 Report inspect_chain(int joints, const std::string& prefix) {

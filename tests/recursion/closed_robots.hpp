@@ -8,8 +8,8 @@
 
 #include "data/list_data.hpp"
 #include "description/read_scene.hpp"
-#include "description/read_text_file.hpp"
 #include "description/read_urdf.hpp"
+#include "text/read_text_file.hpp"
 
 /// Robots of tests/data/written with loops, and which joints their motors leave to these.
 namespace treeline::tests {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "check/judge_limits.hpp"
-#include "check/print_entry.hpp"
+#include "compilation/print_entry.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "generation/describe_limits.hpp"

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "check/compile_folder.hpp"
 #include "check/judge_function.hpp"
 #include "check/judge_limits.hpp"
-#include "check/run_commands.hpp"
-#include "check/temporary_folder.hpp"
+#include "compilation/compile_folder.hpp"
+#include "compilation/run_commands.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "emission/write_files.hpp"

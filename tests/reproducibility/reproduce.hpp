@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "check/generated_library.hpp"
+#include "compilation/generated_library.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "generation/generate_code.hpp"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "check/temporary_folder.hpp"
 #include "cli/run_program.hpp"
+#include "compilation/temporary_folder.hpp"
 
 namespace treeline::tests {
 namespace {

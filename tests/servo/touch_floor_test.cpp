@@ -10,8 +10,8 @@
 
 #include "outcome.hpp"
 #include "plan.hpp"
+#include "report/table.hpp"
 #include "servo/clock.hpp"
-#include "servo/table.hpp"
 #include "test_robots.hpp"
 
 namespace {
@@ -137,7 +137,7 @@ TEST(TouchFloor, RefusesBrokenPlans) {
       "{start: {a: 0}, posture_stiffness: {a: 1}, left_hand: {target: [0, 0, 0], duration: -1}}"};
   for (const char* text : kBroken) {
     const std::string path = testing::TempDir() + "broken_plan.yaml";
-    ASSERT_EQ(treeline::servo::write_text(path, text), "");
+    ASSERT_EQ(treeline::report::write_text(path, text), "");
     Plan plan;
     std::string error;
     EXPECT_FALSE(read_plan(path, plan, error)) << text;

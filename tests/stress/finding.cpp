@@ -61,14 +61,14 @@ void claim(bool holds, const std::string& claim, Finding& finding) {
   if (!holds) finding.broken.push_back(claim);
 }
 
-servo::Table table_of(const Finding& finding) {
+report::Table table_of(const Finding& finding) {
   std::vector<std::string> names{"x"};
   for (const Curve& curve : finding.curves) {
     std::string name = curve.panel + ": " + curve.name;
     std::replace(name.begin(), name.end(), ',', ';');
     names.push_back(name);
   }
-  servo::Table table(names, finding.x.size());
+  report::Table table(names, finding.x.size());
   for (std::size_t i = 0; i < finding.x.size(); ++i) {
     std::vector<double> row{finding.x[i]};
     for (const Curve& curve : finding.curves) row.push_back(curve.y[i]);
@@ -77,14 +77,14 @@ servo::Table table_of(const Finding& finding) {
   return table;
 }
 
-servo::Plot plot_of(const Finding& finding) {
-  servo::Plot plot;
+report::Plot plot_of(const Finding& finding) {
+  report::Plot plot;
   plot.title = finding.title;
   plot.x_label = finding.x_label;
   plot.x = finding.x;
   for (const Curve& curve : finding.curves) {
     if (plot.panels.empty() || plot.panels.back().title != curve.panel) {
-      servo::PlotPanel panel;
+      report::PlotPanel panel;
       panel.title = curve.panel;
       panel.y_label = finding.y_label;
       // No digit left. This makes the axis long enough that errors in the sixteenth digit are not
@@ -94,7 +94,7 @@ servo::Plot plot_of(const Finding& finding) {
       }
       plot.panels.push_back(std::move(panel));
     }
-    servo::PlotLine line;
+    report::PlotLine line;
     line.name = curve.name;
     line.values = curve.y;
     line.dashed = curve.dashed;

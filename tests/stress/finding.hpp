@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "measure.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 namespace treeline::stress {
 
@@ -45,7 +45,7 @@ Finding make_finding(std::string name, std::string title, std::string x_label,
 /// Records `claim` as broken unless it `holds`.
 void claim(bool holds, const std::string& claim, Finding& finding);
 
-servo::Table table_of(const Finding& finding);
-servo::Plot plot_of(const Finding& finding);
+report::Table table_of(const Finding& finding);
+report::Plot plot_of(const Finding& finding);
 
 }  // namespace treeline::stress

@@ -15,8 +15,8 @@ using namespace treeline::stress;  // NOLINT
 
 std::string write_files(const std::string& folder, const Finding& finding) {
   const std::string stem = folder + "/" + finding.name;
-  const std::string error = servo::write_text(stem + ".csv", servo::csv_text(table_of(finding)));
-  return error.empty() ? servo::write_text(stem + ".svg", servo::svg_text(plot_of(finding)))
+  const std::string error = report::write_text(stem + ".csv", report::csv_text(table_of(finding)));
+  return error.empty() ? report::write_text(stem + ".svg", report::svg_text(plot_of(finding)))
                        : error;
 }
 

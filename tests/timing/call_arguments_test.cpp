@@ -50,6 +50,24 @@ void expect_results(const Subjects& subjects) {
   }
 }
 
+// Would catch: memory of another call that is flushed in place of this one's.
+TEST(CallArguments, NameTheBytesOfACall) {
+  const Subjects subjects = small_subjects(Real::float64);
+  const GeneratedFunction& dynamics = subjects.generation.functions[1];
+  const auto states = draw_timing_states(subjects.robot, subjects.scene,
+                                         subjects.generation.mechanism, {dynamics}, 5);
+  const CallArguments arguments(dynamics, states, Real::float64);
+  for (const std::size_t call : {0U, 4U}) {
+    const auto bytes = arguments.bytes_of(call);
+    ASSERT_EQ(bytes.size(), dynamics.program.arguments.size() + 1);
+    for (std::size_t a = 0; a + 1 < bytes.size(); ++a) {
+      EXPECT_EQ(bytes[a].data(), arguments.in(call)[a]);
+      EXPECT_GE(bytes[a].size(), 3 * sizeof(double));
+    }
+    EXPECT_EQ(bytes.back().data(), arguments.out()[0]);
+  }
+}
+
 TEST(CallArguments, AreWhatDoubleTakes) {
   expect_results<double>(small_subjects(Real::float64));
 }

@@ -8,7 +8,7 @@
 
 #include "bench/peers/describe_to_peers.hpp"
 #include "bench/peers/peer.hpp"
-#include "description/diagnostic.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

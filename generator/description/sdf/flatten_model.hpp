@@ -4,8 +4,8 @@
 #include <sdf/Model.hh>
 #include <string>
 
-#include "description/diagnostic.hpp"
 #include "description/sdf/sdf_model.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

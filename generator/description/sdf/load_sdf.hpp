@@ -3,8 +3,8 @@
 #include <optional>
 #include <sdf/Root.hh>
 
-#include "description/diagnostic.hpp"
 #include "description/sdf/sdf_module.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

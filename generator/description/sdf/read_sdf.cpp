@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "description/parse_xml.hpp"
-#include "description/read_text_file.hpp"
 #include "description/sdf/sdf_module.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "description/diagnostic.hpp"
 #include "description/sdf/sdf_model.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

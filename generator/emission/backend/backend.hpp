@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "description/scene.hpp"
 #include "emission/backend/syntax.hpp"
 #include "emission/emission_context.hpp"
 #include "emission/generated_file.hpp"
 #include "program/program.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

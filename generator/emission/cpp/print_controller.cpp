@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "description/printable.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/controller_numbers.hpp"
@@ -17,6 +16,7 @@
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
+#include "text/printable.hpp"
 
 namespace treeline::cpp {
 namespace {

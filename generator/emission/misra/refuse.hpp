@@ -1,7 +1,7 @@
 #pragma once
 
-#include "description/diagnostic.hpp"
 #include "emission/emission_context.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline::misra {
 

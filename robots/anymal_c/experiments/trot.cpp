@@ -50,7 +50,7 @@ std::vector<std::string> column_names() {
     names.push_back(std::string(foot) + "_load");
     names.push_back(std::string(foot) + "_height");
   }
-  return servo::with_coordinates(std::move(names), robot::kCoordinates);
+  return report::with_coordinates(std::move(names), robot::kCoordinates);
 }
 
 /// The experiment around the loop.
@@ -60,8 +60,8 @@ class Trotting {
       : plan_(plan),
         simulated_(initial_state(), kSubsteps, {0}),
         controller_(plan),
-        run_{servo::Table(column_names(),
-                          static_cast<std::size_t>(plan.duration() * 1e3) / kRecordEvery + 2),
+        run_{report::Table(column_names(),
+                           static_cast<std::size_t>(plan.duration() * 1e3) / kRecordEvery + 2),
              {},
              {}} {}
 

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "command_line/limit_figures.hpp"
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
-#include "servo/table.hpp"
 #include "trot_plan.hpp"
 
 /// ANYmal C stands, trots in place, and walks ahead on diagonal pairs of feet, over a ground that
@@ -26,14 +26,14 @@ struct TrotFigures : LimitFigures {
 };
 
 struct TrotRun {
-  servo::Table table;
+  report::Table table;
   TrotFigures figures;
   servo::Fault fault;
 };
 
 TrotRun run_trot(const TrotPlan& plan);
 std::string trot_summary(const TrotPlan& plan, const TrotRun& run);
-servo::Plot trot_figure(const TrotRun& run);
+report::Plot trot_figure(const TrotRun& run);
 bool trot_claim_holds(const TrotPlan& plan, const TrotRun& run);
 
 }  // namespace treeline::experiments

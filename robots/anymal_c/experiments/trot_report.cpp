@@ -41,9 +41,9 @@ std::string trot_summary(const TrotPlan& plan, const TrotRun& run) {
       f.end_speed);
 }
 
-servo::Plot trot_figure(const TrotRun& run) {
-  const servo::Table& table = run.table;
-  servo::Plot plot;
+report::Plot trot_figure(const TrotRun& run) {
+  const report::Table& table = run.table;
+  report::Plot plot;
   plot.title = "ANYmal C stands, trots in place and walks ten metres";
   plot.x_label = "time (s)";
   plot.x = table.column(kTime);
@@ -54,8 +54,8 @@ servo::Plot trot_figure(const TrotRun& run) {
        0.0});
   plot.panels.push_back(
       {"Speed of the body", "speed (m/s)", {{"ahead", table.column(kSpeed), false}}, 0.0});
-  servo::PlotPanel loads{"Load of the feet", "force (N)", {}, 0.0};
-  servo::PlotPanel heights{"Height of the feet", "height (mm)", {}, 0.0};
+  report::PlotPanel loads{"Load of the feet", "force (N)", {}, 0.0};
+  report::PlotPanel heights{"Height of the feet", "height (mm)", {}, 0.0};
   for (std::size_t foot = 0; foot < 4; ++foot) {
     const std::size_t column = kFirstFoot + 2 * foot;
     loads.lines.push_back({kFootNames[foot], table.column(column), false});

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "ball_plan.hpp"
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
-#include "servo/table.hpp"
 
 /// Fingers of a published hand, each of fewer than six joints, turn a ball and lead it around by
 /// their tips, which roll on it. Simulated tips and ball only push each other, with friction.
@@ -34,7 +34,7 @@ struct BallRun {
   BallPlan plan;
   int fingers = 0;
   double friction = 0.0;  ///< of the simulated fingertips
-  servo::Table table;
+  report::Table table;
   BallFigures figures;
   servo::Fault fault;
   std::string fault_text;  ///< the fault in words
@@ -48,7 +48,7 @@ BallPlan plan_of_shadow();
 BallRun turn_ball_by_shadow(const BallPlan& plan);
 
 std::string ball_summary(const BallRun& run);
-servo::Plot ball_figure(const BallRun& run);
+report::Plot ball_figure(const BallRun& run);
 bool ball_claim_holds(const BallRun& run);
 
 }  // namespace treeline::experiments

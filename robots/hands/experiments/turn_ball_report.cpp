@@ -22,10 +22,10 @@ enum Column : std::size_t {
 constexpr double kFrictionAllowed = 0.6;  ///< of the forces that are chosen
 
 /// Three coordinates over those that are wanted.
-servo::PlotPanel path_panel(const servo::Table& table, const char* title, const char* label,
-                            std::size_t actual, std::size_t wanted) {
+report::PlotPanel path_panel(const report::Table& table, const char* title, const char* label,
+                             std::size_t actual, std::size_t wanted) {
   constexpr const char* kAxes[] = {"x", "y", "z"};
-  servo::PlotPanel panel{title, label, {}, 0.0};
+  report::PlotPanel panel{title, label, {}, 0.0};
   for (std::size_t i = 0; i < 3; ++i) {
     std::vector<double> values = table.column(actual + i), goals = table.column(wanted + i);
     for (double& value : values) value *= 1e3;
@@ -56,16 +56,16 @@ std::string ball_summary(const BallRun& run) {
       f.end_turned_away);
 }
 
-servo::Plot ball_figure(const BallRun& run) {
-  const servo::Table& table = run.table;
-  servo::Plot plot;
+report::Plot ball_figure(const BallRun& run) {
+  const report::Table& table = run.table;
+  report::Plot plot;
   plot.title = fmt::format("{} fingers of the {} hand turn a ball", run.fingers, run.hand);
   plot.x_label = "time (s)";
   plot.x = table.column(kTime);
   plot.panels.push_back(
       path_panel(table, "Turn of the ball", "rotation vector (mrad)", kTurn, kWantedTurn));
   plot.panels.push_back(path_panel(table, "Way of the ball", "way (mm)", kPlace, kWantedPlace));
-  servo::PlotPanel pressures{"Pressure of the fingertips", "force (N)", {}, 0.0};
+  report::PlotPanel pressures{"Pressure of the fingertips", "force (N)", {}, 0.0};
   for (int i = 0; i < run.fingers; ++i) {
     pressures.lines.push_back({i == run.fingers - 1 ? "thumb" : fmt::format("finger {}", i + 1),
                                table.column(kPressures + static_cast<std::size_t>(i)), false});

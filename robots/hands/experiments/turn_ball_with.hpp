@@ -33,8 +33,8 @@ class BallTurning {
         plan_,
         Plant::kFingers,
         kMaterial.friction,
-        servo::Table(column_names(),
-                     static_cast<std::size_t>(plan_.duration() * 1e3) / kRecordEvery + 2),
+        report::Table(column_names(),
+                      static_cast<std::size_t>(plan_.duration() * 1e3) / kRecordEvery + 2),
         {},
         {},
         {}};
@@ -80,7 +80,7 @@ class BallTurning {
         "rx",           "ry",        "rz",       "torque",   "friction_chosen",
         "friction_felt"};
     for (int i = 0; i < Plant::kFingers; ++i) names.push_back(fmt::format("pressure{}", i));
-    return servo::with_coordinates(std::move(names), Plant::nq);
+    return report::with_coordinates(std::move(names), Plant::nq);
   }
 
   static double share_of(const typename Plant::Touches& touches, double& least) {
@@ -143,7 +143,7 @@ class BallTurning {
     }
   }
 
-  void record(const servo::Report<Hand>& report, servo::Table& table) {
+  void record(const servo::Report<Hand>& report, report::Table& table) {
     const auto wanted = ball_at(plan_, report.time);
     const double* const ball = report.state.q + Plant::nq - 7;
     const double quaternion[4] = {ball[3], ball[4], ball[5], ball[6]};

@@ -81,7 +81,7 @@ std::vector<std::string> box_table_names(const std::vector<std::string>& joints)
 }
 
 BoxErrors largest_box_errors(const BoxOutcome& outcome, const BoxPlan& plan) {
-  const servo::Table& table = outcome.table;
+  const report::Table& table = outcome.table;
   BoxErrors errors;
   errors.position = largest(table.column(kErrors));
   errors.rotation = largest(table.column(kErrors + 1));
@@ -127,13 +127,13 @@ std::string box_summary(const BoxOutcome& outcome, const BoxPlan& plan) {
   return text;
 }
 
-servo::Plot box_figure(const BoxOutcome& outcome, const BoxPlan& plan) {
-  const servo::Table& table = outcome.table;
-  servo::Plot plot;
+report::Plot box_figure(const BoxOutcome& outcome, const BoxPlan& plan) {
+  const report::Table& table = outcome.table;
+  report::Plot plot;
   plot.title = "Box to the floor in both hands, posture advised (Chang fig. 7.10)";
   plot.x_label = "time (s)";
   plot.x = table.column(0);
-  servo::PlotPanel box{"Box", "position (m)", {}, 0.1};
+  report::PlotPanel box{"Box", "position (m)", {}, 0.1};
   constexpr std::array kNames = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     box.lines.push_back({kNames[i], table.column(kActual + i), false});

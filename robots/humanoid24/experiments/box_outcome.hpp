@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "plan.hpp"
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
 #include "servo/statistics.hpp"
-#include "servo/table.hpp"
 
 namespace treeline::experiments {
 
@@ -34,7 +34,7 @@ std::vector<std::string> box_table_names(const std::vector<std::string>& joints)
 struct BoxOutcome {
   BoxOutcome(std::vector<std::string> names, std::size_t rows) : table(std::move(names), rows) {}
 
-  servo::Table table;  ///< one row per cycle in the running mode
+  report::Table table;  ///< one row per cycle in the running mode
   servo::Fault fault;
   servo::DurationStatistics control;  ///< compute time of the controller
   double initial_gap = 0.0;           ///< of the grasps after the start was closed, m or rad
@@ -65,6 +65,6 @@ inline constexpr double kBoxThesisMicroseconds = 1500.0;
 std::string box_summary(const BoxOutcome& outcome, const BoxPlan& plan);
 
 /// Draws Chang fig. 7.10 and related curves: the box, errors, internal forces, posture, torques.
-servo::Plot box_figure(const BoxOutcome& outcome, const BoxPlan& plan);
+report::Plot box_figure(const BoxOutcome& outcome, const BoxPlan& plan);
 
 }  // namespace treeline::experiments

@@ -9,7 +9,7 @@ namespace {
 
 /// Indices of the joints whose columns have the largest span, the largest first. Their columns
 /// begin at `first`.
-std::vector<std::size_t> busiest(const servo::Table& table, std::size_t first, std::size_t joints,
+std::vector<std::size_t> busiest(const report::Table& table, std::size_t first, std::size_t joints,
                                  std::size_t count) {
   std::vector<double> spans(joints);
   std::vector<std::size_t> order(joints);
@@ -32,10 +32,11 @@ std::string spaced(std::string name) {
 
 }  // namespace
 
-servo::PlotPanel joint_panel(const servo::Table& table, const Plan& plan, const std::string& title,
-                             const std::string& y_label, std::size_t first, bool from_start) {
+report::PlotPanel joint_panel(const report::Table& table, const Plan& plan,
+                              const std::string& title, const std::string& y_label,
+                              std::size_t first, bool from_start) {
   constexpr std::size_t kMost = 7;
-  servo::PlotPanel panel{title, y_label, {}, 0.0};
+  report::PlotPanel panel{title, y_label, {}, 0.0};
   for (const std::size_t joint : busiest(table, first, plan.joints.size(), kMost)) {
     std::vector<double> values = table.column(first + joint);
     for (double& value : values) {

@@ -29,9 +29,9 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
   return values;
 }
 
-servo::PlotPanel hand_panel(const servo::Table& table, const std::string& title,
-                            std::size_t first) {
-  servo::PlotPanel panel{title, "position (m)", {}, 0.1};
+report::PlotPanel hand_panel(const report::Table& table, const std::string& title,
+                             std::size_t first) {
+  report::PlotPanel panel{title, "position (m)", {}, 0.1};
   constexpr std::array kNames = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     panel.lines.push_back({kNames[i], table.column(first + kActual + i), false});
@@ -65,7 +65,7 @@ std::vector<std::string> table_names(const std::vector<std::string>& joints) {
   return names;
 }
 
-Errors largest_errors(const servo::Table& table) {
+Errors largest_errors(const report::Table& table) {
   return {largest(table.column(kLeft + kDistance)), largest(table.column(kLeft + kAngle)),
           largest(table.column(kRight + kDistance)), largest(table.column(kRight + kAngle))};
 }
@@ -106,10 +106,10 @@ std::string summary(const Outcome& outcome, const Plan& plan, bool realtime) {
   return text;
 }
 
-servo::Plot figure(const Outcome& outcome, const Plan& plan) {
-  const servo::Table& table = outcome.table;
+report::Plot figure(const Outcome& outcome, const Plan& plan) {
+  const report::Table& table = outcome.table;
   const std::size_t tau = kJoints + plan.joints.size();
-  servo::Plot plot;
+  report::Plot plot;
   plot.title = "Left hand to the floor, right hand held, posture advised (Chang fig. 6.4)";
   plot.x_label = "time (s)";
   plot.x = table.column(0);

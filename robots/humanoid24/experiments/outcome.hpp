@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "plan.hpp"
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
 #include "servo/statistics.hpp"
-#include "servo/table.hpp"
 
 namespace treeline::experiments {
 
@@ -23,7 +23,7 @@ std::vector<std::string> table_names(const std::vector<std::string>& joints);
 struct Outcome {
   Outcome(std::vector<std::string> names, std::size_t rows) : table(std::move(names), rows) {}
 
-  servo::Table table;  ///< one row per cycle in the running mode
+  report::Table table;  ///< one row per cycle in the running mode
   servo::Fault fault;
   servo::DurationStatistics control;  ///< compute time of the controller
   servo::DurationStatistics periods;
@@ -39,7 +39,7 @@ struct Errors {
   double right_rotation = 0.0;  ///< rad
 };
 
-Errors largest_errors(const servo::Table& table);
+Errors largest_errors(const report::Table& table);
 
 /// Bounds that the run must keep: tracking of the left hand and drift of the right hand.
 inline constexpr double kLeftBound = 1e-4;   ///< m
@@ -53,6 +53,6 @@ inline constexpr double kThesisMicroseconds = 1200.0;
 std::string summary(const Outcome& outcome, const Plan& plan, bool realtime);
 
 /// Draws Chang fig. 6.4 and related curves: both hands, errors, torques, posture.
-servo::Plot figure(const Outcome& outcome, const Plan& plan);
+report::Plot figure(const Outcome& outcome, const Plan& plan);
 
 }  // namespace treeline::experiments

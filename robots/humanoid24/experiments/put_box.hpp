@@ -25,7 +25,7 @@ ObjectTaskController<F> make_object_controller(const BoxPlan& plan) {
 /// before, where the effect of holding it is largest.
 template <class F>
 void record_box(const servo::Report<F>& report, const ObjectTaskController<F>& controller,
-                const double (&held)[F::kVelocities], servo::Table& table) noexcept {
+                const double (&held)[F::kVelocities], report::Table& table) noexcept {
   constexpr int nv = F::kVelocities;
   double row[kBoxColumns + 2 * nv];
   int at = 0;

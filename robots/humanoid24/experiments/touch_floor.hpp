@@ -8,11 +8,11 @@
 
 #include "outcome.hpp"
 #include "plan.hpp"
+#include "report/table.hpp"
 #include "servo/loop.hpp"
 #include "servo/pose_task_controller.hpp"
 #include "servo/simulated_robot.hpp"
 #include "servo/spring_posture.hpp"
-#include "servo/table.hpp"
 
 namespace treeline::experiments {
 
@@ -52,7 +52,7 @@ TouchController<F> make_controller(const Plan& plan, const JointLimits& limits) 
 /// Appends one cycle as a row of the outcome's table, in the order of `table_names`.
 template <class F, class Controller>
 void record(const servo::Report<F>& report, const Controller& controller, double time,
-            servo::Table& table) noexcept {
+            report::Table& table) noexcept {
   constexpr int nv = F::kVelocities;
   double row[kFixedColumns + 2 * nv];
   int at = 0;

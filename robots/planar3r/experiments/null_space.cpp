@@ -167,8 +167,8 @@ void record(Inverse inverse, double time, const servo::RobotState<nv, nv>& state
 template <Inverse inverse>
 NullSpaceRun run() {
   NullSpaceRun result{
-      servo::Table({"time", "tip_x", "tip_y", "distance", "coupling", "q0", "q1", "q2"},
-                   kSteps + 1),
+      report::Table({"time", "tip_x", "tip_y", "distance", "coupling", "q0", "q1", "q2"},
+                    kSteps + 1),
       {}};
   servo::RobotState<nv, nv> state;
   std::copy(std::begin(kStart), std::end(kStart), std::begin(state.q));
@@ -180,7 +180,7 @@ NullSpaceRun run() {
   return result;
 }
 
-servo::PlotPanel tip_panel(const std::string& title, const servo::Table& table) {
+report::PlotPanel tip_panel(const std::string& title, const report::Table& table) {
   return {
       title, "position (m)", {{"x", table.column(1), false}, {"y", table.column(2), false}}, 0.1};
 }
@@ -203,14 +203,14 @@ std::string null_space_summary(const NullSpaceRun& pseudo, const NullSpaceRun& c
   return text;
 }
 
-servo::Plot null_space_figure(const NullSpaceRun& pseudo, const NullSpaceRun& consistent) {
-  servo::Plot plot;
+report::Plot null_space_figure(const NullSpaceRun& pseudo, const NullSpaceRun& consistent) {
+  report::Plot plot;
   plot.title = "Null-space motion of a 3R arm whose tip is to stay (Chang fig. 2.4, 2.5)";
   plot.x_label = "time (s)";
   plot.x = pseudo.table.column(0);
   plot.panels.push_back(tip_panel("Tip, pseudo-inverse", pseudo.table));
   plot.panels.push_back(tip_panel("Tip, dynamically consistent inverse", consistent.table));
-  servo::PlotPanel joints{"Joints, dynamically consistent inverse", "angle (rad)", {}, 0.0};
+  report::PlotPanel joints{"Joints, dynamically consistent inverse", "angle (rad)", {}, 0.0};
   for (std::size_t i = 0; i < nv; ++i) {
     joints.lines.push_back({fmt::format("q{}", i + 1), consistent.table.column(5 + i), false});
   }

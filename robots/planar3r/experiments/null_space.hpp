@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 /// Chang section 2.4, fig. 2.4 and 2.5: a 3R planar arm holds its tip by operational forces, while
 /// the gradient of an attractive potential, projected onto the null space, makes it swing without
@@ -25,7 +25,7 @@ struct NullSpaceFigures {
 
 /// A run of 4 s.
 struct NullSpaceRun {
-  servo::Table table;  ///< time, tip x, y, distance, coupling, q1 to q3
+  report::Table table;  ///< time, tip x, y, distance, coupling, q1 to q3
   NullSpaceFigures figures;
 };
 
@@ -35,7 +35,7 @@ NullSpaceRun run_null_space(Inverse inverse);
 std::string null_space_summary(const NullSpaceRun& pseudo, const NullSpaceRun& consistent);
 
 /// Draws both figures, one above the other.
-servo::Plot null_space_figure(const NullSpaceRun& pseudo, const NullSpaceRun& consistent);
+report::Plot null_space_figure(const NullSpaceRun& pseudo, const NullSpaceRun& consistent);
 
 /// Whether the physical claim holds: with the dynamically consistent inverse the tip stays within
 /// 1e-9 m, with the pseudo-inverse it moves by more than 1 cm, and the arm swings in both runs.

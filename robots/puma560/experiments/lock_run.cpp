@@ -120,9 +120,9 @@ bool record(double time, const State& state, const double (&error)[6], const dou
 }
 
 /// A panel with one curve for each run. Shorter runs end early.
-servo::PlotPanel compared(const std::string& title, const std::string& label,
-                          const std::vector<LockRun>& runs, std::size_t column, std::size_t rows) {
-  servo::PlotPanel panel{title, label, {}, 0.0};
+report::PlotPanel compared(const std::string& title, const std::string& label,
+                           const std::vector<LockRun>& runs, std::size_t column, std::size_t rows) {
+  report::PlotPanel panel{title, label, {}, 0.0};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     std::vector<double> values = runs[i].table.column(column);
     values.resize(rows, std::nan(""));
@@ -146,9 +146,9 @@ const char* title_of(Lock lock) {
   return "";
 }
 
-servo::PlotPanel joints(const std::string& title, const std::string& label, const LockRun& run,
-                        std::size_t first) {
-  servo::PlotPanel panel{title, label, {}, 0.0};
+report::PlotPanel joints(const std::string& title, const std::string& label, const LockRun& run,
+                         std::size_t first) {
+  report::PlotPanel panel{title, label, {}, 0.0};
   for (std::size_t i = 0; i < 6; ++i) {
     panel.lines.push_back({fmt::format("joint {}", i + 1), run.table.column(first + i), false});
   }
@@ -160,7 +160,7 @@ servo::PlotPanel joints(const std::string& title, const std::string& label, cons
 LockRun run_lock(Lock lock, Strategy strategy, double branch) {
   const LockPath path = make_path(lock);
   const int cycles = static_cast<int>(std::lround(path.duration / kPeriod));
-  LockRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}, {}};
+  LockRun run{report::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}, {}};
   std::copy(std::begin(path.start), std::end(path.start), std::begin(run.start));
   State start;
   std::copy(std::begin(path.start), std::end(path.start), std::begin(start.q));
@@ -193,10 +193,10 @@ std::string lock_summary(Lock lock, const std::vector<LockRun>& runs) {
   return text;
 }
 
-servo::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs) {
+report::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs) {
   const LockRun& controlled = runs.back();
   const std::size_t rows = controlled.table.rows();
-  servo::Plot plot;
+  report::Plot plot;
   plot.title = title_of(lock);
   plot.x_label = "time (s)";
   plot.x = controlled.table.column(0);

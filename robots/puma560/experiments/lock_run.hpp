@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lock_paths.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "singular_control.hpp"
 
 namespace treeline::experiments {
@@ -30,7 +30,7 @@ struct LockFigures {
 };
 
 struct LockRun {
-  servo::Table table;  ///< time, errors, sigma, q, qd, tau, share, type; one row per millisecond
+  report::Table table;  ///< time, errors, sigma, q, qd, tau, share, type; one row per millisecond
   LockFigures figures;
   double start[6] = {};        ///< q, rad
   bool began_regular = false;  ///< the phases completed so far
@@ -45,7 +45,7 @@ LockRun run_lock(Lock lock, Strategy strategy, double branch = 1.0);
 std::string lock_summary(Lock lock, const std::vector<LockRun>& runs);
 
 /// Draws errors, phases, joints and torques of the runs (Chang fig. A.2, A.3).
-servo::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs);
+report::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs);
 
 /// Whether the physical claim holds. With the strategy the lock is entered, stayed in and left, and
 /// has Chang's type (elbow and head 1, wrist 2); joints and torques stay within their limits and

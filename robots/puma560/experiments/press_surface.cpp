@@ -331,7 +331,7 @@ PressRun run_press(Frame frame) {
   servo::LoopSettings settings;
   settings.rate = 1.0 / kPeriod;
   PressRun run{
-      servo::Table(column_names(), static_cast<std::size_t>(kDuration / kPeriod) + 2), {}, {}};
+      report::Table(column_names(), static_cast<std::size_t>(kDuration / kPeriod) + 2), {}, {}};
   run.fault = servo::run_for<Puma>(
                   kDuration, settings,
                   servo::limits_of(puma560::kLowerLimits, puma560::kUpperLimits,
@@ -359,18 +359,18 @@ std::string press_summary(const PressRun& moving, const PressRun& fixed) {
   return text;
 }
 
-servo::Plot press_figure(const PressRun& moving, const PressRun& fixed) {
-  servo::Plot plot;
+report::Plot press_figure(const PressRun& moving, const PressRun& fixed) {
+  report::Plot plot;
   plot.title = "PUMA 560 presses on a rocking plate: force control in a moving direction";
   plot.x_label = "time (s)";
   plot.x = moving.table.column(0);
   const auto compared = [&](const char* title, const char* label, std::size_t column,
                             double factor) {
-    return servo::PlotPanel{title,
-                            label,
-                            {{"frame moves", scaled(moving.table.column(column), factor), false},
-                             {"frame fixed", scaled(fixed.table.column(column), factor), false}},
-                            0.0};
+    return report::PlotPanel{title,
+                             label,
+                             {{"frame moves", scaled(moving.table.column(column), factor), false},
+                              {"frame fixed", scaled(fixed.table.column(column), factor), false}},
+                             0.0};
   };
   plot.panels.push_back(compared("Force along the plate's normal", "force (N)", 2, 1.0));
   plot.panels.back().lines.push_back({"wanted", moving.table.column(1), true});

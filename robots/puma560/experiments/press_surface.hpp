@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
-#include "servo/table.hpp"
 
 /// Force control in a selected direction whose frame moves (Khatib 1987): the PUMA's flange presses
 /// on a springy plate that rocks and heaves, and slides on it in a circle.
@@ -29,7 +29,7 @@ struct PressFigures {
 };
 
 struct PressRun {
-  servo::Table table;  ///< one row per millisecond
+  report::Table table;  ///< one row per millisecond
   PressFigures figures;
   servo::Fault fault;  ///< of the servo loop, which ends the run
 };
@@ -39,7 +39,7 @@ struct PressRun {
 PressRun run_press(Frame frame);
 
 std::string press_summary(const PressRun& moving, const PressRun& fixed);
-servo::Plot press_figure(const PressRun& moving, const PressRun& fixed);
+report::Plot press_figure(const PressRun& moving, const PressRun& fixed);
 
 /// Whether the claim holds. With the moving frame the force on the plate is within 1 N of the
 /// desired 20 N while the plate rocks by more than 15 degrees, and the flange stays on its circle

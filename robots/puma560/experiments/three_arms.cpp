@@ -46,7 +46,7 @@ Internal commanded_internal(const ThreeArmsPlan& plan) {
 
 /// Appends a cycle. Forces are those at its beginning under `held`, the torque of the cycle before.
 void record(const servo::Report<Arms>& report, const Controller& controller,
-            const Internal& commanded, const double (&held)[nv], servo::Table& table) {
+            const Internal& commanded, const double (&held)[nv], report::Table& table) {
   double qdd[nv], xdd[6], forces[6 * kArms], internal[Arms::kInternal];
   puma_trio::object_forward_dynamics(report.state.q, report.state.qd, held, kStabilisation, qdd,
                                      xdd, forces, internal);
@@ -84,7 +84,7 @@ ThreeArmsOutcome carry_with_three_arms(const ThreeArmsPlan& plan) {
   const double back = 2.0 * plan.lead + plan.duration;
   const double total = back + plan.duration + plan.lead;
   ThreeArmsOutcome outcome{make_outcome(
-      servo::with_coordinates(
+      report::with_coordinates(
           {"tension_12", "tension_23", "tension_31", "largest_moment", "tension_12_commanded",
            "tension_23_commanded", "tension_31_commanded", "moments_commanded"},
           Arms::kCoordinates),
@@ -103,7 +103,7 @@ ThreeArmsOutcome carry_with_three_arms(const ThreeArmsPlan& plan) {
 }
 
 ThreeArmsErrors largest_errors(const ThreeArmsOutcome& outcome) {
-  const servo::Table& table = outcome.table;
+  const report::Table& table = outcome.table;
   ThreeArmsErrors errors{largest_object_errors(table), 0.0, largest(table, kActing + 3)};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -138,16 +138,16 @@ std::string summary(const ThreeArmsOutcome& outcome) {
              within_bounds(outcome) ? "kept" : "BROKEN");
 }
 
-servo::Plot figure(const ThreeArmsOutcome& outcome) {
-  const servo::Table& table = outcome.table;
-  servo::Plot plot;
+report::Plot figure(const ThreeArmsOutcome& outcome) {
+  const report::Table& table = outcome.table;
+  report::Plot plot;
   plot.title = "Three arms carry one beam (Chang section 7.2)";
   plot.x_label = "time (s)";
   plot.x = table.column(kTime);
   constexpr std::array kNames = {"x", "y", "z"};
   constexpr std::array kRods = {"rod 12", "rod 23", "rod 31"};
-  servo::PlotPanel beam{"Beam", "position (m)", {}, 0.1};
-  servo::PlotPanel tensions{"Internal forces: tensions", "force (N)", {}, 1.0};
+  report::PlotPanel beam{"Beam", "position (m)", {}, 0.1};
+  report::PlotPanel tensions{"Internal forces: tensions", "force (N)", {}, 1.0};
   for (std::size_t i = 0; i < 3; ++i) {
     beam.lines.push_back({kNames[i], table.column(kActual + i), false});
     tensions.lines.push_back({kRods[i], table.column(kActing + i), false});

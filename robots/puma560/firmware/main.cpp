@@ -6,14 +6,14 @@
 #include <cmath>
 #include <fstream>
 
+#include "report/plot.hpp"
 #include "run_on_boards.hpp"
-#include "servo/plot.hpp"
 
 namespace {
 
 using treeline::FirmwareRun;
-using treeline::servo::Plot;
-using treeline::servo::PlotPanel;
+using treeline::report::Plot;
+using treeline::report::PlotPanel;
 
 PlotPanel joints_panel(const std::vector<Record>& records, const char* title, const char* unit,
                        const float (Record::*numbers)[6]) {
@@ -21,7 +21,7 @@ PlotPanel joints_panel(const std::vector<Record>& records, const char* title, co
   panel.title = title;
   panel.y_label = unit;
   for (int i = 0; i < 6; ++i) {
-    treeline::servo::PlotLine line{fmt::format("joint{}", i + 1), {}, false, {}};
+    treeline::report::PlotLine line{fmt::format("joint{}", i + 1), {}, false, {}};
     for (const Record& record : records) line.values.push_back((record.*numbers)[i]);
     panel.lines.push_back(std::move(line));
   }
@@ -41,7 +41,7 @@ std::string draw(const std::vector<Record>& records) {
   mode.lines.push_back({"", {}, false, {}});
   for (const Record& record : records) mode.lines[0].values.push_back(record.mode);
   plot.panels.push_back(std::move(mode));
-  return treeline::servo::svg_text(plot);
+  return treeline::report::svg_text(plot);
 }
 
 /// Every tenth record, as many as a page can show.

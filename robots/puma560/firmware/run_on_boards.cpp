@@ -10,9 +10,9 @@
 #include "board/find_tools.hpp"
 #include "board/print_harness.hpp"
 #include "board/templates.hpp"
-#include "check/run_commands.hpp"
-#include "check/temporary_folder.hpp"
-#include "check/write_work_file.hpp"
+#include "compilation/run_commands.hpp"
+#include "compilation/temporary_folder.hpp"
+#include "compilation/write_work_file.hpp"
 
 namespace treeline {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "description/diagnostic.hpp"
 #include "record.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 

@@ -116,8 +116,8 @@ void record(double time, const Tracking& tracking, const servo::SafetyLimits<9, 
   figures.base_travel = std::max(figures.base_travel, std::hypot(state.q[0], state.q[1]));
 }
 
-servo::PlotPanel joints(const std::string& title, const AvoidRun& run) {
-  servo::PlotPanel panel{title, "angle (rad)", {}, 0.0};
+report::PlotPanel joints(const std::string& title, const AvoidRun& run) {
+  report::PlotPanel panel{title, "angle (rad)", {}, 0.0};
   for (std::size_t i = 2; i < 9; ++i) {
     panel.lines.push_back({i == 2 ? std::string("base yaw") : fmt::format("joint {}", i - 2),
                            run.table.column(4 + i), false});
@@ -157,7 +157,7 @@ AvoidRun run_avoid_limits(bool avoiding) {
   const servo::PoseReference reference = turn_in_place(start.q);
   servo::SimulatedRobot<Samm> robot(start);
   const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
-  AvoidRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
+  AvoidRun run{report::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
   const auto law = [&](double time, const State& state, double(&tau)[9]) {
     const Tracking tracking = track(reference, time, state);
     double xdd_cmd[6];
@@ -191,8 +191,8 @@ std::string avoid_summary(const AvoidRun& avoiding, const AvoidRun& without) {
   return text;
 }
 
-servo::Plot avoid_figure(const AvoidRun& avoiding, const AvoidRun& without) {
-  servo::Plot plot;
+report::Plot avoid_figure(const AvoidRun& avoiding, const AvoidRun& without) {
+  report::Plot plot;
   plot.title = "SAMM turns its tool in place, joint limits avoided in the null space";
   plot.x_label = "time (s)";
   plot.x = avoiding.table.column(0);

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 /// Joint-limit avoidance as posture (Chang section 2.5): SAMM's tool rotates in place about the
 /// vertical, farther than the arm alone can; the base has to go round.
@@ -21,7 +21,7 @@ struct AvoidFigures {
 };
 
 struct AvoidRun {
-  servo::Table table;  ///< one row per millisecond
+  report::Table table;  ///< one row per millisecond
   AvoidFigures figures;
 };
 
@@ -30,7 +30,7 @@ struct AvoidRun {
 AvoidRun run_avoid_limits(bool avoiding);
 
 std::string avoid_summary(const AvoidRun& avoiding, const AvoidRun& without);
-servo::Plot avoid_figure(const AvoidRun& avoiding, const AvoidRun& without);
+report::Plot avoid_figure(const AvoidRun& avoiding, const AvoidRun& without);
 
 /// Whether the claim holds: without avoidance a joint exceeds its limit; with it all joints keep a
 /// distance of at least 0.02 rad. In both runs the tool tracks to 1e-5 m and 1e-4 rad.

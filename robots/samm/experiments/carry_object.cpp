@@ -62,7 +62,7 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
-double largest_difference(const servo::Table& table, std::size_t a, std::size_t b) {
+double largest_difference(const report::Table& table, std::size_t a, std::size_t b) {
   double result = 0.0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     result = std::max(result, std::abs(table.at(row, a) - table.at(row, b)));
@@ -119,7 +119,7 @@ struct Held {
 /// Appends a cycle. Internal forces are those at its beginning under `held`, the torque of the
 /// previous cycle, where the effect of holding it is largest.
 void record(const servo::Report<Pair>& report, const CarryController& controller, const Held& held,
-            servo::Table& table) {
+            report::Table& table) {
   PairTorques torques;
   std::copy(std::begin(held.tau), std::end(held.tau), &torques.tau[0][0]);
   const PairMotion motion = move_pair(Pair::state_of(report.state.q, report.state.qd), torques);
@@ -177,7 +177,7 @@ CarryOutcome carry_object(const CarryPlan& plan) {
 }
 
 CarryErrors largest_errors(const CarryOutcome& outcome) {
-  const servo::Table& table = outcome.table;
+  const report::Table& table = outcome.table;
   CarryErrors errors;
   errors.position = largest(table.column(kErrors));
   errors.rotation = largest(table.column(kErrors + 1));
@@ -221,9 +221,9 @@ std::string summary(const CarryOutcome& outcome) {
              within_bounds(outcome) ? "kept" : "BROKEN");
 }
 
-servo::Plot figure(const CarryOutcome& outcome) {
-  const servo::Table& table = outcome.table;
-  servo::Plot plot;
+report::Plot figure(const CarryOutcome& outcome) {
+  const report::Table& table = outcome.table;
+  report::Plot plot;
   plot.title = "Two mobile manipulators carry one object (Chang section 7.2.2)";
   plot.x_label = "time (s)";
   plot.x = table.column(kTime);
@@ -234,8 +234,8 @@ servo::Plot figure(const CarryOutcome& outcome) {
     }
     return values;
   };
-  servo::PlotPanel object{"Object", "position (m)", {}, 0.1};
-  servo::PlotPanel bases{"Bases", "position (m)", {}, 0.1};
+  report::PlotPanel object{"Object", "position (m)", {}, 0.1};
+  report::PlotPanel bases{"Bases", "position (m)", {}, 0.1};
   constexpr std::array kNames = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     object.lines.push_back({kNames[i], table.column(kActual + i), false});

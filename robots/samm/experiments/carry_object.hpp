@@ -3,16 +3,16 @@
 #include <string>
 
 #include "carry_plan.hpp"
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
 #include "servo/statistics.hpp"
-#include "servo/table.hpp"
 
 namespace treeline::experiments {
 
 struct CarryOutcome {
   explicit CarryOutcome(std::size_t rows);
-  servo::Table table;  ///< one row per cycle
+  report::Table table;  ///< one row per cycle
   servo::DurationStatistics control;
   servo::Fault fault;  ///< of the servo loop, which ends the run
 };
@@ -34,6 +34,6 @@ CarryErrors largest_errors(const CarryOutcome& outcome);
 /// Whether the run ends without a fault and keeps its bounds.
 bool within_bounds(const CarryOutcome& outcome);
 std::string summary(const CarryOutcome& outcome);
-servo::Plot figure(const CarryOutcome& outcome);
+report::Plot figure(const CarryOutcome& outcome);
 
 }  // namespace treeline::experiments

@@ -28,19 +28,19 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
   return values;
 }
 
-servo::PlotPanel path(const servo::Table& table, const std::string& title, std::size_t first,
-                      std::size_t across, std::size_t up, const char* x_label,
-                      const char* y_label) {
-  servo::PlotPanel panel{title, y_label, {}, 0.01, x_label};
+report::PlotPanel path(const report::Table& table, const std::string& title, std::size_t first,
+                       std::size_t across, std::size_t up, const char* x_label,
+                       const char* y_label) {
+  report::PlotPanel panel{title, y_label, {}, 0.01, x_label};
   panel.lines.push_back(
       {"actual", table.column(first + kTrue + up), false, table.column(first + kTrue + across)});
   panel.lines.push_back({"wanted", table.column(first + up), true, table.column(first + across)});
   return panel;
 }
 
-servo::PlotPanel over_time(const servo::Table& table, const std::string& title, std::size_t first,
-                           std::array<std::size_t, 2> axes, std::array<const char*, 2> names) {
-  servo::PlotPanel panel{title, "from the start (m)", {}, 0.02};
+report::PlotPanel over_time(const report::Table& table, const std::string& title, std::size_t first,
+                            std::array<std::size_t, 2> axes, std::array<const char*, 2> names) {
+  report::PlotPanel panel{title, "from the start (m)", {}, 0.02};
   const auto from_start = [&table](std::size_t column, std::size_t wanted) {
     std::vector<double> values = table.column(column);
     for (double& value : values) {
@@ -59,11 +59,11 @@ servo::PlotPanel over_time(const servo::Table& table, const std::string& title, 
   return panel;
 }
 
-servo::PlotPanel errors(const CircleRun& run, const std::string& title, std::size_t first,
-                        std::array<std::size_t, 2> axes, std::array<const char*, 2> names) {
+report::PlotPanel errors(const CircleRun& run, const std::string& title, std::size_t first,
+                         std::array<std::size_t, 2> axes, std::array<const char*, 2> names) {
   const bool fine = run.model == DriveModel::ideal;
   const double unit = fine ? 1e6 : 1e3;
-  servo::PlotPanel panel{title, fine ? "error (\u00b5m)" : "error (mm)", {}, 0.0};
+  report::PlotPanel panel{title, fine ? "error (\u00b5m)" : "error (mm)", {}, 0.0};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto wanted = run.table.column(first + axes[i]);
     auto away = run.table.column(first + kTrue + axes[i]);
@@ -108,10 +108,10 @@ std::string circles_summary(const std::vector<CircleRun>& runs) {
   return text;
 }
 
-servo::Plot circles_figure(const CircleRun& run) {
-  const servo::Table& table = run.table;
+report::Plot circles_figure(const CircleRun& run) {
+  const report::Table& table = run.table;
   const bool moves = base_moves(run);
-  servo::Plot plot;
+  report::Plot plot;
   plot.title = fmt::format("SAMM draws a circle, {} (Chang fig. {}); {}",
                            moves ? "the base another" : "its base at rest",
                            moves ? "6.8 to 6.11" : "6.6, 6.7", describe(run.model));

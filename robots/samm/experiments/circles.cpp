@@ -170,7 +170,7 @@ CircleRun run_circles(DriveModel model, bool moving) {
   CircleRun run{
       plan,
       model,
-      servo::Table(column_names(), static_cast<std::size_t>(plan.total() * plan.rate) + 2),
+      report::Table(column_names(), static_cast<std::size_t>(plan.total() * plan.rate) + 2),
       {},
       {},
       {}};

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "circle_controller.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/geared_robot.hpp"
-#include "servo/plot.hpp"
 #include "servo/safety.hpp"
 #include "servo/statistics.hpp"
-#include "servo/table.hpp"
 
 namespace treeline::experiments {
 
@@ -47,7 +47,7 @@ struct CircleErrors {
 struct CircleRun {
   CirclePlan plan;
   DriveModel model = DriveModel::ideal;
-  servo::Table table;  ///< one row per cycle
+  report::Table table;  ///< one row per cycle
   servo::Fault fault;
   servo::DurationStatistics control;
   CircleErrors errors;
@@ -65,7 +65,7 @@ std::string circles_summary(const std::vector<CircleRun>& runs);
 
 /// Draws both circles in their planes and over time, and the errors (Chang fig. 6.6 and 6.7, or 6.8
 /// to 6.11).
-servo::Plot circles_figure(const CircleRun& run);
+report::Plot circles_figure(const CircleRun& run);
 
 /// Checks Chang section 6.4: in every model the tool's error does not grow when the base moves;
 /// with ideal drives both follow to micrometres; with friction and backlash the errors have the

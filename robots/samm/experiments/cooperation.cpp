@@ -132,7 +132,7 @@ Cooperation cooperate(const CarryPlan& plan, Law law, const Trouble& trouble) {
   const PairState start = start_state();
   const auto cycles =
       static_cast<std::size_t>(std::lround((plan.lead + plan.duration + plan.settle) * plan.rate));
-  Cooperation run{{}, servo::Table({"time", "position_error", "tension", "commanded"}, cycles)};
+  Cooperation run{{}, report::Table({"time", "position_error", "tension", "commanded"}, cycles)};
   Controllers controllers(plan, law, trouble, start);
   servo::StateOf<Pair> begin;
   std::copy(&start.q[0][0], &start.q[0][0] + Pair::kCoordinates, begin.q);
@@ -218,18 +218,18 @@ std::string csv_text(const Comparison& comparison) {
   return text;
 }
 
-servo::Plot figure(const Comparison& comparison) {
-  servo::Plot plot;
+report::Plot figure(const Comparison& comparison) {
+  report::Plot plot;
   plot.title = "Two mobile manipulators with one object: who computes (Chang section 7.3.1)";
   plot.x_label = "time (s)";
   plot.x = comparison.runs[0][0].table.column(0);
   for (std::size_t i = 0; i < kTroubles.size(); ++i) {
-    servo::PlotPanel tension{
+    report::PlotPanel tension{
         fmt::format("Tension; trouble: {}", kTroubles[i].name), "force (N)", {}, 1.0};
-    servo::PlotPanel error{
+    report::PlotPanel error{
         fmt::format("Object; trouble: {}", kTroubles[i].name), "distance (mm)", {}, 0.01};
     for (const Law law : kLaws) {
-      const servo::Table& table = comparison.runs[i][static_cast<std::size_t>(law)].table;
+      const report::Table& table = comparison.runs[i][static_cast<std::size_t>(law)].table;
       std::vector<double> distance = table.column(1);
       for (double& value : distance) value *= 1e3;
       error.lines.push_back({name_of(law), distance, false});

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "carry_plan.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 namespace treeline::experiments {
 
@@ -41,7 +41,7 @@ struct CooperationErrors {
 /// A run: time, position error, tension commanded and acting.
 struct Cooperation {
   CooperationErrors errors;
-  servo::Table table;
+  report::Table table;
 };
 
 /// The hybrid law exchanges forces so often, s, and takes this share of what is missing of the
@@ -64,6 +64,6 @@ Comparison compare_laws(const CarryPlan& plan);
 bool claims_hold(const Comparison& comparison);
 std::string summary(const Comparison& comparison);
 std::string csv_text(const Comparison& comparison);  ///< the errors, a run a line
-servo::Plot figure(const Comparison& comparison);
+report::Plot figure(const Comparison& comparison);
 
 }  // namespace treeline::experiments

@@ -91,10 +91,10 @@ DropRun run_drop(const simulation::Model& model, const DropSettings& settings) {
   auto simulation = start_simulation(model, scene, how, tumbler_start(model, settings.height));
   const int steps = static_cast<int>(settings.duration / settings.step);
   DropRun run{settings,
-              servo::Table(servo::with_coordinates(
-                               {"time", "height", "kinetic", "energy", "drift", "blows", "touches"},
-                               static_cast<int>(simulation.state.q.size())),
-                           static_cast<std::size_t>(steps) + 1)};
+              report::Table(report::with_coordinates({"time", "height", "kinetic", "energy",
+                                                      "drift", "blows", "touches"},
+                                                     static_cast<int>(simulation.state.q.size())),
+                            static_cast<std::size_t>(steps) + 1)};
   run.start = simulation.energy.start;
   for (int i = 0; i < steps; ++i) {
     std::size_t touches = 0;
@@ -151,8 +151,8 @@ std::string drop_summary(const DropRun& run) {
   return text;
 }
 
-servo::Plot drop_figure(const std::vector<DropRun>& runs) {
-  servo::Plot plot;
+report::Plot drop_figure(const std::vector<DropRun>& runs) {
+  report::Plot plot;
   plot.title = "A falling tree of nine links bounces (Chang chapter 8)";
   plot.x_label = "time (s)";
   plot.x = runs.front().table.column(0);

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "tumbler.hpp"
 
 /// Chang chapter 8, impulse-based simulation: the tumbler falls onto the ground and bounces.
@@ -20,7 +20,7 @@ struct DropSettings {
 
 struct DropRun {
   DropSettings settings;
-  servo::Table table;  ///< one row per 2 ms
+  report::Table table;  ///< one row per 2 ms
   int blows = 0;
   int most_touches = 0;       ///< largest number at once
   double lost = 0;            ///< in all blows, J
@@ -42,7 +42,7 @@ DropRun run_drop(const simulation::Model& model, const DropSettings& settings);
 std::vector<DropRun> run_drops(const simulation::Model& model, double duration);
 
 std::string drop_summary(const DropRun& run);
-servo::Plot drop_figure(const std::vector<DropRun>& runs);
+report::Plot drop_figure(const std::vector<DropRun>& runs);
 
 /// Whether the claims of README.md hold.
 bool drop_claims_hold(const DropRun& run);

@@ -85,7 +85,7 @@ StrikeRun run_strikes(const Model& robot, double impulse, double flight) {
   for (int i = 0; i < model.size(); ++i) {
     const std::string& link = model.body(i).name;
     StruckLink struck{
-        link, 0, 0, 0, 0, 0, 0, 0, servo::Table({"time", "speed", "kinetic", "momentum"}, rows)};
+        link, 0, 0, 0, 0, 0, 0, 0, report::Table({"time", "speed", "kinetic", "momentum"}, rows)};
     Strike strike{model,
                   {interpreter::contact_point<double>(i, struck_point(link))},
                   tumbler_start(model, 0)};
@@ -119,8 +119,8 @@ std::string strike_csv(const StrikeRun& run) {
   return text;
 }
 
-servo::Plot strike_figure(const StrikeRun& run) {
-  servo::Plot plot;
+report::Plot strike_figure(const StrikeRun& run) {
+  report::Plot plot;
   plot.title = fmt::format("A free tree of nine links, struck with {} N s", run.impulse);
   plot.x_label = "time after the blow (s)";
   plot.x = run.links.front().flight.column(0);

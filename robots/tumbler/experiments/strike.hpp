@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "tumbler.hpp"
 
 /// Chang chapter 8: the tumbler, flying freely, is struck at each of its links in turn.
@@ -20,7 +20,7 @@ struct StruckLink {
   double flight_momentum = 0;  ///< largest change in the flight that follows, N s and N m s
   double flight_energy = 0;    ///< largest change in the flight that follows, J
   double steps = 0;            ///< steps of the adaptive integrator in flight
-  servo::Table flight;         ///< time, speed of the struck point, energy, momentum along the blow
+  report::Table flight;        ///< time, speed of the struck point, energy, momentum along the blow
 };
 
 struct StrikeRun {
@@ -32,7 +32,7 @@ StrikeRun run_strikes(const simulation::Model& model, double impulse, double fli
 
 std::string strike_summary(const StrikeRun& run);
 std::string strike_csv(const StrikeRun& run);
-servo::Plot strike_figure(const StrikeRun& run);
+report::Plot strike_figure(const StrikeRun& run);
 bool strike_claims_hold(const StrikeRun& run);
 
 }  // namespace treeline::experiments

@@ -170,10 +170,10 @@ std::vector<std::string> column_names() {
 }
 
 /// A panel with one curve for each run. Lost runs end early; values far off the scale are cut.
-servo::PlotPanel compared(const std::string& title, const std::string& label,
-                          const std::vector<SingularRun>& runs, std::size_t column, double most) {
+report::PlotPanel compared(const std::string& title, const std::string& label,
+                           const std::vector<SingularRun>& runs, std::size_t column, double most) {
   const std::size_t rows = runs.back().table.rows();
-  servo::PlotPanel panel{title, label, {}, 0.0};
+  report::PlotPanel panel{title, label, {}, 0.0};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     std::vector<double> values = runs[i].table.column(column);
     values.resize(rows, std::nan(""));
@@ -198,11 +198,11 @@ std::vector<double> largest_share(const SingularRun& run, std::size_t first,
   return largest;
 }
 
-servo::PlotPanel shares(const std::string& title, const std::vector<SingularRun>& runs,
-                        std::size_t first, const double (&limits)[6]) {
+report::PlotPanel shares(const std::string& title, const std::vector<SingularRun>& runs,
+                         std::size_t first, const double (&limits)[6]) {
   constexpr double kMost = 3.0;
   const std::size_t rows = runs.back().table.rows();
-  servo::PlotPanel panel{title, "largest of six (cut at 3)", {}, 0.0};
+  report::PlotPanel panel{title, "largest of six (cut at 3)", {}, 0.0};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     panel.lines.push_back(
         {name_of(kLaws[i]), largest_share(runs[i], first, limits, rows, kMost), false});
@@ -236,7 +236,7 @@ std::string file_name_of(Line line) {
 SingularRun run_line(Line line, Law law) {
   const Path path = make_path(line);
   const int cycles = static_cast<int>(std::lround((2.0 * path.seconds + path.wait) / kPeriod));
-  SingularRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
+  SingularRun run{report::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
   State start;
   std::copy(std::begin(path.start), std::end(path.start), std::begin(start.q));
   servo::SimulatedRobot<Arm> robot(start);
@@ -270,8 +270,8 @@ std::string summary(Line line, const std::vector<SingularRun>& runs) {
   return text;
 }
 
-servo::Plot figure(Line line, const std::vector<SingularRun>& runs) {
-  servo::Plot plot;
+report::Plot figure(Line line, const std::vector<SingularRun>& runs) {
+  report::Plot plot;
   plot.title = fmt::format("UR10e: {}", title_of(line));
   plot.x_label = "time (s)";
   plot.x = runs.back().table.column(0);

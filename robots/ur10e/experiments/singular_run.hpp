@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "singular_control.hpp"
 
 /// The UR10e's flange moves along straight lines through singular configurations and back, at 1
@@ -37,7 +37,7 @@ struct Figures {
 };
 
 struct SingularRun {
-  servo::Table table;  ///< time, errors, smallest eigenvalue, q, qd, tau; one row per millisecond
+  report::Table table;  ///< time, errors, smallest eigenvalue, q, qd, tau; one row per millisecond
   Figures figures;
 };
 
@@ -48,7 +48,7 @@ SingularRun run_line(Line line, Law law);
 
 /// Prints a line for each run, in the order of kLaws.
 std::string summary(Line line, const std::vector<SingularRun>& runs);
-servo::Plot figure(Line line, const std::vector<SingularRun>& runs);
+report::Plot figure(Line line, const std::vector<SingularRun>& runs);
 
 /// Whether the claim holds. Damped by directions, torques and speeds stay within the maker's
 /// limits, torques have no step, and the arm passes the singularity and comes back to its start or

@@ -153,7 +153,7 @@ BalanceRun run_balance(const Plan& plan, const JointLimits& limits, bool balanci
   const servo::PoseReference reference = reach_from(start.q);
   servo::SimulatedRobot<Humanoid> simulated(start);
   const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
-  BalanceRun run{servo::Table(column_names(plan), static_cast<std::size_t>(cycles) + 1), {}};
+  BalanceRun run{report::Table(column_names(plan), static_cast<std::size_t>(cycles) + 1), {}};
   const auto law = [&](double time, const State& state, double(&tau)[kJoints]) {
     const Seen seen = see(reference, time, state);
     double xdd_cmd[6];
@@ -186,9 +186,9 @@ std::string balance_summary(const BalanceRun& balancing, const BalanceRun& witho
   return text;
 }
 
-servo::Plot balance_figure(const BalanceRun& balancing, const BalanceRun& without,
-                           const Plan& plan) {
-  servo::Plot plot;
+report::Plot balance_figure(const BalanceRun& balancing, const BalanceRun& without,
+                            const Plan& plan) {
+  report::Plot plot;
   plot.title = "The left hand reaches, the centre of mass stays over the feet";
   plot.x_label = "time (s)";
   plot.x = balancing.table.column(0);

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "plan.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 /// Balance as posture (Chang section 2.5): the left hand reaches farther than the body can follow
 /// without falling, unless the null space of the hand's task is used to keep the centre of mass
@@ -20,7 +20,7 @@ struct BalanceFigures {
 };
 
 struct BalanceRun {
-  servo::Table table;  ///< one row per millisecond
+  report::Table table;  ///< one row per millisecond
   BalanceFigures figures;
 };
 
@@ -29,8 +29,8 @@ struct BalanceRun {
 BalanceRun run_balance(const Plan& plan, const JointLimits& limits, bool balancing);
 
 std::string balance_summary(const BalanceRun& balancing, const BalanceRun& without);
-servo::Plot balance_figure(const BalanceRun& balancing, const BalanceRun& without,
-                           const Plan& plan);
+report::Plot balance_figure(const BalanceRun& balancing, const BalanceRun& without,
+                            const Plan& plan);
 
 /// Whether the claim holds: without the law the centre of mass leaves the feet by 1 cm or more;
 /// with the law it stays 2 cm within. In both runs the hand tracks to 1e-5 m and 1e-4 rad. With the

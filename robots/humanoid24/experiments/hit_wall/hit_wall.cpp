@@ -206,7 +206,7 @@ class WallController {
 
 /// Appends a cycle; `force` is the mean over the cycle before.
 void record(const servo::Report<Wall24>& report, const Plan& plan, const WallSettings& settings,
-            double force, servo::Table& table) {
+            double force, report::Table& table) {
   const Hand hand = hand_of(report.state);
   const auto rate = [&](const char* name) {
     const auto found = std::find(plan.joints.begin(), plan.joints.end(), name);
@@ -266,7 +266,7 @@ WallRun run_hit_wall(const Plan& plan, const WallSettings& settings) {
   servo::LoopSettings loop;
   loop.rate = settings.rate;
   const auto rows = static_cast<std::size_t>(settings.duration * settings.rate) + 2;
-  WallRun run{servo::Table(column_names(), rows), {}, {}, 0, 0, 0};
+  WallRun run{report::Table(column_names(), rows), {}, {}, 0, 0, 0};
   constexpr double kEnd = 0.2;  // s at the end over which forces are averaged
   const double share = 1 / std::floor(kEnd * settings.rate);
   const servo::RunEnd end = servo::run_for<Wall24>(
@@ -313,9 +313,9 @@ std::string hit_wall_summary(const WallRun& run, const WallSettings& settings) {
          (run.fault ? "stopped      " + servo::describe(run.fault) + "\n" : "");
 }
 
-servo::Plot hit_wall_figure(const WallRun& run) {
-  const servo::Table& table = run.table;
-  servo::Plot plot;
+report::Plot hit_wall_figure(const WallRun& run) {
+  const report::Table& table = run.table;
+  report::Plot plot;
   plot.title = "The humanoid's left fist hits a wall and presses against it (Chang chapter 8)";
   plot.x_label = "time (s)";
   plot.x = table.column(0);

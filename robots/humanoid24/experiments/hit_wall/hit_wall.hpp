@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "plan.hpp"
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
-#include "servo/table.hpp"
 
 /// Chang chapter 8: the humanoid's left fist moves towards a point behind a wall, strikes the wall,
 /// rebounds, and finally presses against it. All computations for the robot are generated code:
@@ -41,7 +41,7 @@ struct WallBlow {
 };
 
 struct WallRun {
-  servo::Table table;  ///< one row per control cycle
+  report::Table table;  ///< one row per control cycle
   std::vector<WallBlow> blows;
   servo::Fault fault;    ///< of the servo loop, which ends the run
   double deepest = 0;    ///< largest depth of the knuckles in the wall, m
@@ -54,7 +54,7 @@ struct WallRun {
 WallRun run_hit_wall(const Plan& plan, const WallSettings& settings);
 
 std::string hit_wall_summary(const WallRun& run, const WallSettings& settings);
-servo::Plot hit_wall_figure(const WallRun& run);
+report::Plot hit_wall_figure(const WallRun& run);
 
 /// Whether the physical claims hold: the first blow is a real one and is returned with
 /// `restitution` times its speed. Each blow changes the energy by the work of its impulse, and

@@ -74,7 +74,7 @@ servo::StateOf<Humanoids> start_state() {
 /// Appends a cycle. Forces are those at its beginning under `held`, the torque of the cycle before.
 void record(const servo::Report<Humanoids>& report, const Controller& controller,
             const std::array<double, Humanoids::kInternal>& commanded, const double (&held)[nv],
-            servo::Table& table) {
+            report::Table& table) {
   double qdd[nv], xdd[6], forces[6 * kHands], internal[Humanoids::kInternal];
   humanoid_pair::object_forward_dynamics(report.state.q, report.state.qd, held, kStabilisation, qdd,
                                          xdd, forces, internal);
@@ -151,14 +151,14 @@ std::string summary(const LadderOutcome& outcome) {
              control.count(), within_bounds(outcome) ? "kept" : "BROKEN");
 }
 
-servo::Plot figure(const LadderOutcome& outcome) {
-  const servo::Table& table = outcome.table;
-  servo::Plot plot;
+report::Plot figure(const LadderOutcome& outcome) {
+  const report::Table& table = outcome.table;
+  report::Plot plot;
   plot.title = "Two humanoids carry a ladder (Chang section 7.1)";
   plot.x_label = "time (s)";
   plot.x = table.column(kTime);
   constexpr std::array kNames = {"x", "y", "z"};
-  servo::PlotPanel ladder{"Ladder", "position (m)", {}, 0.1};
+  report::PlotPanel ladder{"Ladder", "position (m)", {}, 0.1};
   for (std::size_t i = 0; i < 3; ++i) {
     ladder.lines.push_back({kNames[i], table.column(kActual + i), false});
     ladder.lines.push_back({i == 0 ? "wanted" : "", table.column(kWanted + i), true});

@@ -33,6 +33,6 @@ LadderErrors largest_errors(const LadderOutcome& outcome);
 /// Whether the run ends without a fault and keeps its bounds.
 bool within_bounds(const LadderOutcome& outcome);
 std::string summary(const LadderOutcome& outcome);
-servo::Plot figure(const LadderOutcome& outcome);
+report::Plot figure(const LadderOutcome& outcome);
 
 }  // namespace treeline::experiments

@@ -115,9 +115,9 @@ class Pushing {
         controller_(within_limits),
         loop_(std::make_unique<Loop>(servo::LoopSettings{}, limits_of_humanoid(), simulated_,
                                      controller_, clock_, mailbox_)),
-        run_{servo::Table(servo::with_coordinates({std::begin(kColumns), std::end(kColumns)},
-                                                  robot::kCoordinates),
-                          static_cast<std::size_t>(kDuration * 1e3) + 1),
+        run_{report::Table(report::with_coordinates({std::begin(kColumns), std::end(kColumns)},
+                                                    robot::kCoordinates),
+                           static_cast<std::size_t>(kDuration * 1e3) + 1),
              {},
              {}} {}
 

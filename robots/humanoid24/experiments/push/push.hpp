@@ -3,9 +3,9 @@
 #include <string>
 
 #include "command_line/limit_figures.hpp"
-#include "servo/plot.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 #include "servo/safety.hpp"
-#include "servo/table.hpp"
 
 /// The humanoid stands on two feet that can tip, shifts its weight, reaches far, and is pushed at
 /// its chest from behind, from before and from the side. Torques and forces of the feet are kept
@@ -26,7 +26,7 @@ struct PushFigures : LimitFigures {
 };
 
 struct PushRun {
-  servo::Table table;  ///< one row per millisecond
+  report::Table table;  ///< one row per millisecond
   PushFigures figures;
   servo::Fault fault;  ///< of the servo loop, which stops at any limit of a joint
 };
@@ -36,7 +36,7 @@ struct PushRun {
 PushRun run_push(bool within_limits);
 
 std::string push_summary(const PushRun& limited, const PushRun& unlimited);
-servo::Plot push_figure(const PushRun& limited, const PushRun& unlimited);
+report::Plot push_figure(const PushRun& limited, const PushRun& unlimited);
 
 /// Whether the claim holds. Within limits no fault stops the loop, the base has no torque at all,
 /// no motor is beyond its limit, every cycle's program is solved, and its forces are within all

@@ -61,10 +61,10 @@ std::string push_summary(const PushRun& limited, const PushRun& unlimited) {
          describe(limited) + "\nby the unlimited law\n" + describe(unlimited);
 }
 
-servo::Plot push_figure(const PushRun& limited, const PushRun& unlimited) {
-  const servo::Table& table = limited.table;
+report::Plot push_figure(const PushRun& limited, const PushRun& unlimited) {
+  const report::Table& table = limited.table;
   const std::size_t rows = table.rows();
-  servo::Plot plot;
+  report::Plot plot;
   plot.title = "A humanoid on two feet leans, reaches, and recovers from pushes";
   plot.x_label = "time (s)";
   plot.x = table.column(kTime);

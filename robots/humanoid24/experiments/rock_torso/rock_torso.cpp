@@ -40,7 +40,7 @@ servo::Message advise_message(const RockPlan& plan, const Plan& pose, double tim
   return message;
 }
 
-double swing(const servo::Table& table, std::size_t column) {
+double swing(const report::Table& table, std::size_t column) {
   const std::vector<double> values = table.column(column);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   return *most - *least;
@@ -114,13 +114,13 @@ std::string rock_summary(const Outcome& outcome, const RockPlan& plan, const Pla
       rocks_without_hands(outcome, plan, pose) ? "kept" : "BROKEN");
 }
 
-servo::Plot rock_figure(const Outcome& outcome, const Plan& pose) {
-  const servo::Table& table = outcome.table;
-  servo::Plot plot;
+report::Plot rock_figure(const Outcome& outcome, const Plan& pose) {
+  const report::Table& table = outcome.table;
+  report::Plot plot;
   plot.title = "Both hands held, the torso rocks in their null space (Chang fig. 2.1, 2.3)";
   plot.x_label = "time (s)";
   plot.x = table.column(0);
-  servo::PlotPanel hands{"Hands: distance from their places", "distance (\u00b5m)", {}, 0.0};
+  report::PlotPanel hands{"Hands: distance from their places", "distance (\u00b5m)", {}, 0.0};
   for (const std::size_t column : kHandErrors) {
     std::vector<double> error = table.column(column);
     for (double& value : error) {

@@ -48,6 +48,6 @@ RockFindings find_rocking(const Outcome& outcome, const Plan& pose);
 /// two thirds of the advice.
 bool rocks_without_hands(const Outcome& outcome, const RockPlan& plan, const Plan& pose);
 std::string rock_summary(const Outcome& outcome, const RockPlan& plan, const Plan& pose);
-servo::Plot rock_figure(const Outcome& outcome, const Plan& pose);
+report::Plot rock_figure(const Outcome& outcome, const Plan& pose);
 
 }  // namespace treeline::experiments

@@ -174,9 +174,9 @@ void record(double time, const Wish& wish, const State& state, const double (&ta
 }
 
 std::vector<std::string> column_names() {
-  return servo::with_coordinates({"time", "waist_roll", "hand_error", "left_load", "right_load",
-                                  "left_roll_moment", "right_roll_moment"},
-                                 robot::kCoordinates);
+  return report::with_coordinates({"time", "waist_roll", "hand_error", "left_load", "right_load",
+                                   "left_roll_moment", "right_roll_moment"},
+                                  robot::kCoordinates);
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ StandRun run_stand() {
   robot::forward_kinematics(start.q, place, rotation);
   servo::SimulatedRobot<Body> simulated(start, 4, {0});
   const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
-  StandRun run{servo::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
+  StandRun run{report::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
   const auto law = [&](double time, const State& state, double(&tau)[kRates]) {
     const Wish wish = wish_at(time, state, start, place);
     double f[kHeldRows];
@@ -217,8 +217,8 @@ std::string stand_summary(const StandRun& run) {
       f.pressure_x, f.pressure_y, f.friction, f.force_error);
 }
 
-servo::Plot stand_figure(const StandRun& run) {
-  servo::Plot plot;
+report::Plot stand_figure(const StandRun& run) {
+  report::Plot plot;
   plot.title = "The humanoid shifts its weight, motors alone";
   plot.x_label = "time (s)";
   plot.x = run.table.column(0);

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 /// The humanoid stands on two feet and shifts its weight from one to the other by leaning, while
 /// its left hand keeps its place. The base has no motor: nothing but the ground carries it.
@@ -26,7 +26,7 @@ struct StandFigures {
 };
 
 struct StandRun {
-  servo::Table table;  ///< one row per millisecond
+  report::Table table;  ///< one row per millisecond
   StandFigures figures;
 };
 
@@ -34,7 +34,7 @@ struct StandRun {
 StandRun run_stand();
 
 std::string stand_summary(const StandRun& run);
-servo::Plot stand_figure(const StandRun& run);
+report::Plot stand_figure(const StandRun& run);
 
 /// Whether the claim holds: the base has no torque at all, the hand stays within 0.1 mm, the feet
 /// within 1e-9 m and rad; the load of a foot goes from less than a third of the weight to more than

@@ -137,7 +137,7 @@ Parameters normalized_errors(const Identification& result) {
 Identification identify() {
   const Excitation motion = Excitation::search(kSeed, kCandidates);
   const Samples samples = sample(motion, kSamples);
-  Identification result{.held_out = servo::Table(held_out_names(), kHeldOut)};
+  Identification result{.held_out = report::Table(held_out_names(), kHeldOut)};
   result.condition = motion.condition();
   result.truth = solve(samples.W, samples.tau);
   result.model_error = (samples.W * result.truth - samples.tau).cwiseAbs().maxCoeff();
@@ -173,8 +173,8 @@ std::string identify_summary(const Identification& result) {
   return text;
 }
 
-servo::Plot identify_figure(const Identification& result) {
-  servo::Plot plot;
+report::Plot identify_figure(const Identification& result) {
+  report::Plot plot;
   plot.title = "PUMA 560 identified: torques of a motion that was not used";
   plot.x_label = "time, s";
   plot.x = result.held_out.column(0);

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "excite.hpp"
-#include "servo/plot.hpp"
-#include "servo/table.hpp"
+#include "report/plot.hpp"
+#include "report/table.hpp"
 
 namespace treeline::experiments {
 
@@ -23,7 +23,7 @@ struct Identification {
   JointVector held_out_torque = JointVector::Zero();  ///< root mean square of the torques there
   JointVector urdf_error =
       JointVector::Zero();  ///< the error there of inverse dynamics with rotors, no friction
-  servo::Table held_out;    ///< t, torques with noise, torques that `found` gives
+  report::Table held_out;   ///< t, torques with noise, torques that `found` gives
 };
 
 /// Moves the arm by an exciting motion for two periods at 200 Hz, adds noise of 1 % of the joints'
@@ -35,6 +35,6 @@ Identification identify();
 /// standard deviations say, and torques of another motion are predicted far below the noise.
 bool identify_claim_holds(const Identification& result);
 std::string identify_summary(const Identification& result);
-servo::Plot identify_figure(const Identification& result);
+report::Plot identify_figure(const Identification& result);
 
 }  // namespace treeline::experiments

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace treeline {
+
+/// JSON in lines, two blanks a level, with a line break at the end. Bytes that are not UTF-8, as
+/// names in files may have, become U+FFFD.
+std::string json_text(const nlohmann::ordered_json& json);
+
+/// The same in one line, without a line break.
+std::string json_line(const nlohmann::ordered_json& json);
+
+}  // namespace treeline
