@@ -6,29 +6,12 @@
 #include "bench/peers/describe_to_peers.hpp"
 #include "description/noise.hpp"
 #include "description/rotation.hpp"
+#include "report/svg.hpp"
 
 namespace treeline {
 namespace {
 
-std::string escape(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
+using report::escape_xml;
 
 std::string print(const std::array<double, 3>& x) {
   return fmt::format("{} {} {}", x[0], x[1], x[2]);
@@ -39,13 +22,13 @@ std::string print(const Pose& pose) {
 }
 
 std::string print(const Link& link) {
-  if (!link.inertial) return fmt::format("  <link name=\"{}\"/>\n", escape(link.name));
+  if (!link.inertial) return fmt::format("  <link name=\"{}\"/>\n", escape_xml(link.name));
   const Inertial& I = *link.inertial;
   return fmt::format(
       "  <link name=\"{}\">\n    <inertial>{}<mass value=\"{}\"/>\n"
       "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n"
       "    </inertial>\n  </link>\n",
-      escape(link.name), print(I.origin), I.mass, I.ixx, I.ixy, I.ixz, I.iyy, I.iyz, I.izz);
+      escape_xml(link.name), print(I.origin), I.mass, I.ixx, I.ixy, I.ixz, I.iyy, I.iyz, I.izz);
 }
 
 /// Value at which the scene holds a joint, directly or through the joint that it mimics.
@@ -78,7 +61,7 @@ class Printer {
 
   std::string print() const {
     std::string text =
-        fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", escape(robot_.name));
+        fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", escape_xml(robot_.name));
     for (const Link& link : robot_.links) text += treeline::print(link);
     for (const Joint& joint : robot_.joints) text += print(joint);
     return text + "</robot>\n";
@@ -94,7 +77,7 @@ class Printer {
     return fmt::format(
         "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/><child link=\"{}\"/>\n    "
         "{}\n",
-        escape(name), type, escape(parent), escape(child), treeline::print(origin));
+        escape_xml(name), type, escape_xml(parent), escape_xml(child), treeline::print(origin));
   }
 
   [[nodiscard]] std::string print(const Joint& joint) const {
@@ -102,7 +85,7 @@ class Printer {
     const std::string& child = link(joint.child);
     if (const auto at = held_at(robot_, scene_, joint)) {
       const std::string between = joint.name + " where it is held";
-      return fmt::format("  <link name=\"{}\"/>\n", escape(between)) +
+      return fmt::format("  <link name=\"{}\"/>\n", escape_xml(between)) +
              head(joint.name, "fixed", parent, between, joint.origin) + "  </joint>\n" +
              head(between, "fixed", between, child, displacement(joint, *at)) + "  </joint>\n";
     }
