@@ -156,8 +156,9 @@ std::string draw_svg(const ColdReport& report) {
                       escape_xml(fmt::format("{}; {}", report.machine.processor, report.flags)));
   text += draw_places();
   for (int i = 0; i < count; ++i) {
+    const int row = i / columns;
     ColdPanel panel(report.functions[static_cast<std::size_t>(i)], kColdWidth * (i % columns),
-                    kColdHead + kColdHeight * (i / columns));
+                    kColdHead + kColdHeight * row);
     text += panel.draw();
   }
   return report::svg_page(kColdWidth * columns, kColdHead + kColdHeight * rows,

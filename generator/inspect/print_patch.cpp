@@ -25,18 +25,18 @@ std::string marked(char mark, std::string_view line) {
 }
 
 /// Whole lines that edits affect, and their replacement.
-struct Change {
+struct ChangedText {
   std::size_t first_line = 0, lines = 0;
   std::string text;
 };
 
 /// Groups the edits into changes. Edits on the same line are one change.
-std::vector<Change> find_changes(const std::string& text, const std::vector<TextEdit>& edits) {
+std::vector<ChangedText> find_changes(const std::string& text, const std::vector<TextEdit>& edits) {
   const auto lines_before = [&](std::size_t at) {
     return static_cast<std::size_t>(
         std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
   };
-  std::vector<Change> changes;
+  std::vector<ChangedText> changes;
   for (std::size_t i = 0; i < edits.size();) {
     const std::size_t before =
         edits[i].at == 0 ? std::string::npos : text.rfind('\n', edits[i].at - 1);
@@ -69,7 +69,7 @@ class HunkPrinter {
  public:
   explicit HunkPrinter(const std::string& text) : lines_(split_lines(text)) {}
 
-  std::string print(const std::vector<Change>& changes) {
+  std::string print(const std::vector<ChangedText>& changes) {
     std::string patch;
     for (std::size_t i = 0; i < changes.size();) {
       std::size_t next = i + 1;
@@ -85,15 +85,15 @@ class HunkPrinter {
   }
 
  private:
-  static std::size_t end_of(const Change& change) { return change.first_line + change.lines; }
+  static std::size_t end_of(const ChangedText& change) { return change.first_line + change.lines; }
 
-  std::string print_hunk(const std::vector<Change>& changes) {
+  std::string print_hunk(const std::vector<ChangedText>& changes) {
     const std::size_t first =
         changes.front().first_line - std::min(changes.front().first_line, kContext);
     const std::size_t end = std::min(end_of(changes.back()) + kContext, lines_.size());
     std::string body;
     std::size_t line = first, added = 0, removed = 0;
-    for (const Change& change : changes) {
+    for (const ChangedText& change : changes) {
       for (; line < change.first_line; ++line) body += marked(' ', lines_[line]);
       for (; line < end_of(change); ++line) body += marked('-', lines_[line]);
       removed += change.lines;

@@ -22,16 +22,16 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using DoubleVector = interpreter::Vector<double>;
-using DoubleMatrix = interpreter::Matrix<double>;
+using VectorOfDouble = interpreter::Vector<double>;
+using MatrixOfDouble = interpreter::Matrix<double>;
 
-std::vector<double> listed_values(const DoubleVector& x) {
+std::vector<double> listed_values(const VectorOfDouble& x) {
   return {x.data(), x.data() + x.size()};
 }
-DoubleVector vector_from(const std::vector<double>& x) {
-  return DoubleVector::Map(x.data(), static_cast<Eigen::Index>(x.size()));
+VectorOfDouble vector_from(const std::vector<double>& x) {
+  return VectorOfDouble::Map(x.data(), static_cast<Eigen::Index>(x.size()));
 }
-DoubleMatrix matrix_from(const DenseMatrix<double>& A) {
+MatrixOfDouble matrix_from(const DenseMatrix<double>& A) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   return Eigen::Map<const Rows>(A.values().data(), static_cast<Eigen::Index>(A.rows()),
                                 static_cast<Eigen::Index>(A.cols()));
@@ -43,23 +43,24 @@ Tree<double> tree_from(const RandomMechanism& made) {
 
 /// The recursions of a robot in a state.
 struct AtState {
-  AtState(Tree<double> of, const DoubleVector& q)
+  AtState(Tree<double> of, const VectorOfDouble& q)
       : tree(std::move(of)), X(joint_transforms<double>(tree, listed_values(q))) {}
-  AtState(const RandomMechanism& made, const DoubleVector& q) : AtState(tree_from(made), q) {}
+  AtState(const RandomMechanism& made, const VectorOfDouble& q) : AtState(tree_from(made), q) {}
 
-  [[nodiscard]] DoubleVector forces(const DoubleVector& qd, const DoubleVector& qdd) const {
+  [[nodiscard]] VectorOfDouble forces(const VectorOfDouble& qd, const VectorOfDouble& qdd) const {
     const auto rates = listed_values(qd), growths = listed_values(qdd);
     return vector_from(inverse_dynamics<double>(tree, X, {rates, growths}, {}));
   }
-  [[nodiscard]] DoubleMatrix mass() const { return matrix_from(mass_matrix(tree, X)); }
-  [[nodiscard]] DoubleMatrix coriolis(const DoubleVector& qd) const {
+  [[nodiscard]] MatrixOfDouble mass() const { return matrix_from(mass_matrix(tree, X)); }
+  [[nodiscard]] MatrixOfDouble coriolis(const VectorOfDouble& qd) const {
     return matrix_from(coriolis_matrix<double>(tree, X, listed_values(qd)));
   }
-  [[nodiscard]] DoubleVector accelerations(const DoubleVector& qd, const DoubleVector& tau) const {
-    const DoubleVector net = tau - forces(qd, DoubleVector::Zero(qd.size()));
+  [[nodiscard]] VectorOfDouble accelerations(const VectorOfDouble& qd,
+                                             const VectorOfDouble& tau) const {
+    const VectorOfDouble net = tau - forces(qd, VectorOfDouble::Zero(qd.size()));
     return vector_from(solve_articulated(tree, X, articulate(tree, X), listed_values(net)));
   }
-  [[nodiscard]] double energy(const DoubleVector& qd) const {
+  [[nodiscard]] double energy(const VectorOfDouble& qd) const {
     return kinetic_energy<double>(tree, X, listed_values(qd)) + potential_energy(tree, X);
   }
 
@@ -86,7 +87,7 @@ class BallTwins : public testing::TestWithParam<std::uint64_t> {
     q_ = random_position(rng, model);
     qd_ = random_entries<double>(rng, model.nv, 3);
     qdd_ = random_entries<double>(rng, model.nv, 5);
-    q_twin_ = DoubleVector::Zero(twin.nq);
+    q_twin_ = VectorOfDouble::Zero(twin.nq);
     for (int i = 0; i < model.size(); ++i) {
       const auto& a = model.body(i);
       const auto& b = twin.body(i);
@@ -99,32 +100,33 @@ class BallTwins : public testing::TestWithParam<std::uint64_t> {
   }
 
   /// Velocities of the twin whose floating joints do not slide.
-  [[nodiscard]] DoubleVector held(const DoubleVector& own) const {
-    DoubleVector all = DoubleVector::Zero(count_);
+  [[nodiscard]] VectorOfDouble held(const VectorOfDouble& own) const {
+    VectorOfDouble all = VectorOfDouble::Zero(count_);
     all(places_) = own;
     return all;
   }
-  [[nodiscard]] DoubleMatrix rotations(const DoubleMatrix& of_twin) const {
+  [[nodiscard]] MatrixOfDouble rotations(const MatrixOfDouble& of_twin) const {
     return of_twin(places_, places_);
   }
 
   RandomMechanism ball_, floating_;
-  DoubleVector q_, qd_, qdd_, q_twin_;
+  VectorOfDouble q_, qd_, qdd_, q_twin_;
   std::vector<int> places_;  ///< of each velocity in the twin's
   int count_ = 0;
 };
 
 TEST_P(BallTwins, MoveAsFloatingJointsThatDoNotSlide) {
   const AtState ball(ball_, q_), twin(floating_, q_twin_);
-  const auto expect_equal = [](const char* what, const DoubleMatrix& actual,
-                               const DoubleMatrix& expected) {
+  const auto expect_equal = [](const char* what, const MatrixOfDouble& actual,
+                               const MatrixOfDouble& expected) {
     const double size = 1 + expected.cwiseAbs().maxCoeff();
     EXPECT_LT((actual - expected).cwiseAbs().maxCoeff(), 1e-12 * size) << what;
   };
   expect_equal("tau", ball.forces(qd_, qdd_), twin.forces(held(qd_), held(qdd_))(places_));
   expect_equal("M", ball.mass(), rotations(twin.mass()));
   expect_equal("C", ball.coriolis(qd_), rotations(twin.coriolis(held(qd_))));
-  const auto derivatives = [](const AtState& run, const DoubleVector& qd, const DoubleVector& qdd) {
+  const auto derivatives = [](const AtState& run, const VectorOfDouble& qd,
+                              const VectorOfDouble& qdd) {
     const auto rates = listed_values(qd), growths = listed_values(qdd);
     return inverse_dynamics_derivatives<double>(run.tree, run.X, {rates, growths}, {});
   };
@@ -135,9 +137,10 @@ TEST_P(BallTwins, MoveAsFloatingJointsThatDoNotSlide) {
 }
 
 TEST_P(BallTwins, HavePositiveDefiniteMasses) {
-  const DoubleMatrix mass = AtState(ball_, q_).mass();
+  const MatrixOfDouble mass = AtState(ball_, q_).mass();
   EXPECT_EQ(mass, mass.transpose());
-  const DoubleVector eigenvalues = Eigen::SelfAdjointEigenSolver<DoubleMatrix>(mass).eigenvalues();
+  const VectorOfDouble eigenvalues =
+      Eigen::SelfAdjointEigenSolver<MatrixOfDouble>(mass).eigenvalues();
   EXPECT_GT(eigenvalues.minCoeff(), 1e-9 * eigenvalues.maxCoeff());
 }
 
@@ -195,7 +198,7 @@ TEST(BallPendulum, FollowsEulersEquationsInEveryPose) {
   const Vector3d w(0.7, -1.3, 2.1), wd(-3, 0.4, 1.9), g(0, 0, -9.81);
   for (const Eigen::Quaterniond& turn : rotations()) {
     for (const double length : {1.0, 3.0, 1e-3}) {
-      const DoubleVector q = turn.normalized().coeffs() * length;
+      const VectorOfDouble q = turn.normalized().coeffs() * length;
       const AtState run(made, q);
       EXPECT_LT((run.mass() - J).cwiseAbs().maxCoeff(), 1e-15);  // the axes are the body's own
       const Vector3d weight = bob.mass * (turn.normalized().toRotationMatrix().transpose() * g);
@@ -208,18 +211,18 @@ TEST(BallPendulum, FollowsEulersEquationsInEveryPose) {
 
 TEST(BallPendulum, DoesNotTurnByTheQuaternionZero) {
   const RandomMechanism made = pendulum(lopsided());
-  const AtState none(made, DoubleVector::Zero(4)), one(made, Eigen::Vector4d(0, 0, 0, 1));
-  EXPECT_EQ(none.forces(DoubleVector::Zero(3), DoubleVector::Zero(3)),
-            one.forces(DoubleVector::Zero(3), DoubleVector::Zero(3)));
+  const AtState none(made, VectorOfDouble::Zero(4)), one(made, Eigen::Vector4d(0, 0, 0, 1));
+  EXPECT_EQ(none.forces(VectorOfDouble::Zero(3), VectorOfDouble::Zero(3)),
+            one.forces(VectorOfDouble::Zero(3), VectorOfDouble::Zero(3)));
 }
 
 /// One step of the classical Runge-Kutta method of motion without forces.
 void advance(const Tree<double>& tree, const interpreter::Model<double>& model, double h,
-             DoubleVector& q, DoubleVector& qd) {
-  const auto rate = [&](const DoubleVector& at, const DoubleVector& speed) {
-    const DoubleVector slope = interpreter::position_derivative<double>(model, at, speed);
-    return std::pair<DoubleVector, DoubleVector>{
-        slope, AtState(tree, at).accelerations(speed, DoubleVector::Zero(model.nv))};
+             VectorOfDouble& q, VectorOfDouble& qd) {
+  const auto rate = [&](const VectorOfDouble& at, const VectorOfDouble& speed) {
+    const VectorOfDouble slope = interpreter::position_derivative<double>(model, at, speed);
+    return std::pair<VectorOfDouble, VectorOfDouble>{
+        slope, AtState(tree, at).accelerations(speed, VectorOfDouble::Zero(model.nv))};
   };
   const auto [a, A] = rate(q, qd);
   const auto [b, B] = rate(q + h / 2 * a, qd + h / 2 * A);
@@ -232,11 +235,11 @@ void advance(const Tree<double>& tree, const interpreter::Model<double>& model, 
 // The first swings through all poses, the others are chains and trees of balls and other joints.
 TEST(BallPendulum, KeepsItsEnergy) {
   std::vector<RandomMechanism> robots{pendulum(lopsided())};
-  for (const std::uint64_t seed : {2, 5}) robots.push_back(tree_with_balls(seed, false));
+  for (const std::uint64_t seed : {2U, 5U}) robots.push_back(tree_with_balls(seed, false));
   for (const RandomMechanism& made : robots) {
     const auto model = model_from_robot<double>(made.robot, made.scene);
     Rng rng(9);
-    DoubleVector q = random_position(rng, model), qd = random_entries<double>(rng, model.nv, 2);
+    VectorOfDouble q = random_position(rng, model), qd = random_entries<double>(rng, model.nv, 2);
     const Tree<double> tree = tree_from(made);
     const double before = AtState(tree, q).energy(qd);
     for (int step = 0; step < 1000; ++step) advance(tree, model, 2e-4, q, qd);

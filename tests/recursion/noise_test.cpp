@@ -112,7 +112,7 @@ RandomMechanism drawn(std::uint64_t seed) {
 
 TEST(Noise, CostsNoDigitsInRandomRobots) {
   // In the last two, gravity does almost no work.
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8, 9, 70, 83}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 70U, 83U}) {
     SCOPED_TRACE(described(seed, options_of(seed)));
     expect_same_digits(drawn(seed), seed, seed % 3, 3);
   }
@@ -203,7 +203,7 @@ RandomMechanism nearly_parallel_chain(double noise, std::size_t axis) {
 
 TEST(Noise, CostsNoDigitsInAChainOfNearlyParallelAxes) {
   for (int exponent = 3; exponent <= 60; ++exponent) {
-    for (const std::size_t axis : {0, 1, 2}) {
+    for (const std::size_t axis : {0U, 1U, 2U}) {
       SCOPED_TRACE(testing::Message() << "noise 1e-" << exponent << ", axis " << axis);
       RandomMechanism made = nearly_parallel_chain(std::pow(10, -exponent), axis);
       for (const double limit : {kResolution, 0.0}) {
