@@ -13,7 +13,7 @@ namespace treeline {
 struct BenchOptions {
   int states = 300;  ///< within the joints' limits, at ordinary velocities
   std::uint64_t seed = 1;
-  std::string flags = "-O3 -march=native -ffp-contract=fast";  ///< for the compiler
+  std::string flags = kBenchFlags;  ///< for the compiler
   TimingOptions timing = {};
   FoundPeers peers = {};  ///< peers to measure as well
   /// Reports progress: what is done, how much of it, and how much in all ("states", 10, 300).

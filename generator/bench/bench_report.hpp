@@ -60,6 +60,9 @@ struct BenchReport {
 /// function.
 inline constexpr double kAgreement = 1e-6;
 
+/// Flags for the compiler where the user names none.
+inline constexpr const char* kBenchFlags = "-O3 -march=native -ffp-contract=fast";
+
 /// Sets `on_front` of each row.
 void mark_front(std::vector<BenchRow>& rows);
 

@@ -36,8 +36,8 @@ struct ColdReport {
 };
 
 struct ColdBenchOptions {
-  std::string flags = "-O3 -march=native -ffp-contract=fast";  ///< for the compiler
-  int rounds = 31;                                             ///< of cold calls
+  std::string flags = kBenchFlags;  ///< for the compiler
+  int rounds = 31;                  ///< of cold calls
   TimingOptions warm = {};
   std::uint64_t seed = 1;
   /// Reports progress: what is done, how much of it, and how much in all ("compiling", 1, 3).

@@ -57,10 +57,7 @@ class ColdPanel {
     std::string text = svg_text_at(x0_, y0_ - 9, "font-size=\"13\" font-weight=\"bold\"",
                                    function_name(function_.function));
     text += draw_times() + draw_bytes();
-    text += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
-        "stroke=\"#808080\"/>\n",
-        x0_, y0_, kWidth, kHeight);
+    text += report::svg_frame(x0_, y0_, kWidth, kHeight, "#808080");
     for (const ColdRow& row : function_.rows) text += draw_row(row);
     return text;
   }

@@ -172,10 +172,7 @@ class Panel {
       text += svg_line(x0_, at, x0_ + kWidth, at, "#d0d0d0");
       text += text_at(x0_ - 5, at + 3.5, fmt::format("1e{}", decade), "text-anchor=\"end\"");
     }
-    return text + fmt::format(
-                      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-                      "fill=\"none\" stroke=\"#808080\"/>\n",
-                      x0_, band.top, kWidth, band.height);
+    return text + report::svg_frame(x0_, band.top, kWidth, band.height, "#808080");
   }
 
   [[nodiscard]] std::vector<const BenchRow*> front() const {

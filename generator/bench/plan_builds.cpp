@@ -13,6 +13,7 @@
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/run_routes.hpp"
+#include "generation/without_callers.hpp"
 #include "mechanism/build_mechanism.hpp"
 
 namespace treeline {
@@ -41,10 +42,11 @@ struct Difference {
 class Planner {
  public:
   Planner(const Robot& robot, const Scene& scene, std::string flags, Diagnostics& diagnostics)
-      : robot_(robot), scene_(scene), flags_(std::move(flags)), diagnostics_(diagnostics) {
+      : robot_(robot),
+        scene_(without_callers(scene)),
+        flags_(std::move(flags)),
+        diagnostics_(diagnostics) {
     scene_.batch = 0;
-    scene_.damped.reset();
-    scene_.remove_limits();
   }
 
   VariantBuild plan_first() {

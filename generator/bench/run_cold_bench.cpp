@@ -9,6 +9,7 @@
 #include "bench/cold_report.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "emission/write_files.hpp"
+#include "generation/without_callers.hpp"
 #include "timing/load_build.hpp"
 
 namespace treeline {
@@ -20,10 +21,7 @@ constexpr std::array kChoices = {Optimize::speed, Optimize::balanced, Optimize::
 Scene scene_for(Scene scene, Optimize optimize) {
   scene.optimize = optimize;
   scene.batch = 0;
-  scene.damped.reset();
-  scene.remove_limits();
-  scene.controller.reset();
-  return scene;
+  return without_callers(std::move(scene));
 }
 
 /// All functions by one value of `optimize`, compiled and loaded.
@@ -48,13 +46,6 @@ std::optional<ColdBuild> make_build(const Robot& robot, const Scene& scene,
   return ColdBuild{std::move(*generation), std::move(*build)};
 }
 
-/// What was said of the first build is not said again.
-void pass_on_errors(const Diagnostics& from, Diagnostics& to) {
-  for (const Diagnostic& each : from.list()) {
-    if (each.severity == Severity::error) to.add(each);
-  }
-}
-
 ColdRow describe_build(const ColdBuild& made, std::size_t i, Optimize optimize) {
   const GeneratedFunction& generated = made.generation.functions[i];
   const CompiledFunction& compiled = made.build.compilation.functions.at(source_stem(generated));
@@ -62,9 +53,8 @@ ColdRow describe_build(const ColdBuild& made, std::size_t i, Optimize optimize) 
   row.optimize = {optimize};
   row.method = describe(generated.chosen.route);
   row.is_small = compiled.is_small;
-  if (compiled.code_bytes && compiled.constant_bytes) {
-    row.bytes = *compiled.code_bytes + *compiled.constant_bytes;
-  }
+  const auto constants = measure_constants(made.build.compilation, source_stem(generated));
+  if (compiled.code_bytes && constants) row.bytes = *compiled.code_bytes + *constants;
   return row;
 }
 
@@ -125,10 +115,8 @@ std::optional<ColdReport> run_cold_bench(const Robot& robot, const Scene& scene,
     Diagnostics found;
     auto made = make_build(robot, scene_for(scene, kChoices[k]), options.flags,
                            work->path() / optimize_name(kChoices[k]), found);
-    if (k == 0) {
-      for (const Diagnostic& each : found.list()) diagnostics.add(each);
-    } else {
-      pass_on_errors(found, diagnostics);
+    for (const Diagnostic& each : found.list()) {  // notes of the first build hold for all
+      if (k == 0 || each.severity == Severity::error) diagnostics.add(each);
     }
     if (!made) return std::nullopt;
     builds.push_back(std::move(*made));

@@ -158,9 +158,6 @@ void measure_functions(const Objects& objects, const fs::path& work, Compilation
   for (const std::string& stem : objects.stems) {
     commands.push_back({"nm", "-S", "--defined-only", work / (stem + ".o")});
   }
-  for (const std::string& stem : objects.stems) {
-    commands.push_back({"size", "-A", work / (stem + ".o")});
-  }
   const auto sizes = run_commands(commands, 1, work);
   for (std::size_t i = 0; i < objects.stems.size(); ++i) {
     const std::string& stem = objects.stems[i];
@@ -169,8 +166,6 @@ void measure_functions(const Objects& objects, const fs::path& work, Compilation
     CompiledFunction& function = made.functions[stem];
     function.seconds = objects.outcomes[i].seconds;
     if (sizes[i].exit_code == 0) function.code_bytes = add_code_bytes(sizes[i].output);
-    const CommandOutcome& sections = sizes[objects.stems.size() + i];
-    if (sections.exit_code == 0) function.constant_bytes = add_constant_bytes(sections.output);
     function.stack_bytes = add_stack_bytes(read_file(work / (stem + ".su")));
   }
 }
@@ -288,6 +283,12 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
     if (chosen.is_small) made.small_command = by;
   }
   return made;
+}
+
+std::optional<int> measure_constants(const Compilation& compilation, const std::string& stem) {
+  const fs::path work = compilation.library.parent_path();
+  const auto sections = run_commands({{"size", "-A", work / (stem + ".o")}}, 1, work).front();
+  return sections.exit_code == 0 ? add_constant_bytes(sections.output) : std::nullopt;
 }
 
 std::optional<int> add_code_bytes(const std::string& nm_output) {

@@ -34,10 +34,9 @@ struct CompileOptions {
 /// Properties of one compiled function.
 struct CompiledFunction {
   double seconds = 0;
-  bool is_long = false;           ///< compiled with `CompileOptions::long_flags`
-  bool is_small = false;          ///< compiled to small code, as `CompileOptions::optimize` says
-  std::optional<int> code_bytes;  ///< of the function and what it calls; absent without `nm`
-  std::optional<int> constant_bytes;  ///< of numbers and tables beside it; absent without `size`
+  bool is_long = false;            ///< compiled with `CompileOptions::long_flags`
+  bool is_small = false;           ///< compiled to small code, as `CompileOptions::optimize` says
+  std::optional<int> code_bytes;   ///< of the function and what it calls; absent without `nm`
   std::optional<int> stack_bytes;  ///< with its callees; absent if the compiler does not state it
 };
 
@@ -70,6 +69,10 @@ std::optional<Compilation> compile_folder(const std::filesystem::path& folder,
                                           const std::vector<GeneratedFunction>& functions,
                                           CompileOptions options, const std::filesystem::path& work,
                                           Diagnostics& diagnostics);
+
+/// Bytes of the numbers and tables beside a function's code; absent without `size`. The folder that
+/// was compiled in must still be there.
+std::optional<int> measure_constants(const Compilation& compilation, const std::string& stem);
 
 /// Adds up the bytes of code in the output of `nm -S`: the sizes of all symbols in the text
 /// section.

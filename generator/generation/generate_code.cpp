@@ -25,6 +25,7 @@
 #include "generation/only_by_name.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
+#include "generation/without_callers.hpp"
 #include "recursion/routes/constraint_routes.hpp"
 #include "recursion/routes/trace_loops.hpp"
 
@@ -377,11 +378,8 @@ std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
                                        const Mechanism& mechanism,
                                        const GeneratedFunction& function,
                                        Diagnostics& diagnostics) {
-  Scene alone = scene;
+  Scene alone = without_callers(scene);
   alone.functions = {function.function};
-  alone.damped.reset();
-  alone.remove_limits();
-  alone.controller.reset();
   if (function.batch == 0) alone.batch = 0;
   const std::vector<Program> programs{function.program};
   return emit(describe_scene(robot, alone, mechanism), programs, diagnostics,

@@ -208,12 +208,12 @@ std::string draw_axes(const Frame& frame, const PlotPanel& panel, bool with_x_la
     }
     text += '\n';
   }
+  text += svg_frame(kLeft, frame.top, frame.width, frame.height, "#555");
   text += fmt::format(
-      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
-      "stroke=\"#555\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">{}</text>\n"
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">{}</text>\n"
       "<text transform=\"translate(22 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-      kLeft, frame.top, frame.width, frame.height, kLeft, frame.top - 9.0, escape_xml(panel.title),
-      frame.top + frame.height / 2.0, escape_xml(panel.y_label));
+      kLeft, frame.top - 9.0, escape_xml(panel.title), frame.top + frame.height / 2.0,
+      escape_xml(panel.y_label));
   if (is_path(panel)) {
     text += draw_x_label(frame, panel.path_x_label, bottom + 38.0);
   }

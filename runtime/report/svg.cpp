@@ -50,6 +50,13 @@ std::string svg_line(double x1, double y1, double x2, double y2, std::string_vie
       y2, colour);
 }
 
+std::string svg_frame(double x, double y, double width, double height, std::string_view colour) {
+  return fmt::format(
+      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
+      "stroke=\"{}\"/>\n",
+      x, y, width, height, colour);
+}
+
 std::string svg_disc(double x, double y, double radius, std::string_view fill,
                      std::string_view title) {
   const std::string disc =

@@ -21,6 +21,9 @@ std::string svg_text_at(double x, double y, std::string_view attributes, std::st
 /// A straight line of one pixel.
 std::string svg_line(double x1, double y1, double x2, double y2, std::string_view colour);
 
+/// A rectangle that is not filled, as around axes.
+std::string svg_frame(double x, double y, double width, double height, std::string_view colour);
+
 /// A disc. `title` is what a browser shows for it: text, not markup; empty: nothing.
 std::string svg_disc(double x, double y, double radius, std::string_view fill,
                      std::string_view title = {});
