@@ -40,7 +40,7 @@ std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
 }
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
-  LinkTableText text{&table, false, {}, {}, {}, {}, {}, numbers(syntax, table.gravity)};
+  LinkTableText text{&table, false, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity)};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -59,6 +59,10 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
     const double row[] = {friction.force, friction.sharpness};
     text.frictions += wrap_line(numbers(syntax, row) + ",", 4);
   }
+  for (const core::loops::LinkCoupling<double>& coupling : table.couplings) {
+    text.couplings +=
+        fmt::format("    {{{}, {}}},\n", coupling.joint, number(syntax, coupling.multiplier));
+  }
   return text;
 }
 
@@ -69,7 +73,9 @@ std::string print_yields(const LinkLoops& loops, const Syntax& syntax) {
 }
 
 std::size_t count_base_entries(const LinkTableData& table) {
-  return table.floats ? 36 : 1;
+  if (table.couplings.empty()) return table.floats ? 36 : 1;
+  const auto nv = static_cast<std::size_t>(table.joints) + (table.floats ? 5 : 0);
+  return nv * (nv + table.rows.size());
 }
 
 bool has_points(const LinkTableData& table) {
@@ -87,7 +93,8 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
       const bool around_same = other.data->around_points == text.data->around_points;
       const bool same_kind = around_same && has_points(*other.data) == has_points(*text.data);
       const bool same_links = other.links == text.links && other.drives == text.drives &&
-                              other.frictions == text.frictions;
+                              other.frictions == text.frictions &&
+                              other.couplings == text.couplings;
       const bool same_points = other.points == text.points && other.rows == text.rows;
       const bool alike = other.data->links.size() == text.data->links.size() &&
                          other.data->slots == text.data->slots;

@@ -11,11 +11,12 @@
 namespace treeline {
 
 /// A table of links as initializers, which C and C++ write alike: the lists of its links, points,
-/// rows of points, drives and frictions without the braces around them, gravity with its braces.
+/// rows of points, drives, frictions and couplings without the braces around them, gravity with its
+/// braces.
 struct LinkTableText {
   const LinkTableData* data;
-  bool shares = false;  ///< links, drives and frictions with a table before it
-  std::string links, points, rows, drives, frictions, gravity;
+  bool shares = false;  ///< these, but points and rows, with a table before it
+  std::string links, points, rows, drives, frictions, couplings, gravity;
 };
 
 /// The tables of the functions that loop, each once: with points, without points around the same
@@ -26,7 +27,7 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
 /// Borders of the pivots of rows that yield, with braces; empty where the function has no such law.
 std::string print_yields(const LinkLoops& loops, const Syntax& syntax);
 
-/// Entries of the factors of a floating base in the work space; without one an array of C has one.
+/// Entries of factors in the work space, see `InertiaWork`; without any an array of C has one.
 std::size_t count_base_entries(const LinkTableData& table);
 
 /// Functions of points have link frames of their own, placed around these.

@@ -19,6 +19,7 @@ namespace {
 constexpr double kNumbersOfLink = 21;
 constexpr double kNumbersOfDrive = 3;
 constexpr double kNumbersOfFriction = 2;
+constexpr double kNumbersOfCoupling = 2;
 constexpr double kBytesOfCall = 120;  // of a function of the loops
 
 /// Bytes of code by g++ 12 -Os: of an operation in straight lines, and of the loops, whatever the
@@ -41,7 +42,8 @@ double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
   const SizeModel model = model_of(scene);
   const double numbers = static_cast<double>(loops.table.links.size()) * kNumbersOfLink +
                          static_cast<double>(loops.table.drives.size()) * kNumbersOfDrive +
-                         static_cast<double>(loops.table.frictions.size()) * kNumbersOfFriction;
+                         static_cast<double>(loops.table.frictions.size()) * kNumbersOfFriction +
+                         static_cast<double>(loops.table.couplings.size()) * kNumbersOfCoupling;
   return numbers * bytes_of(scene.real) + model.motions +
          (loops.uses_inertias ? model.inertias : 0) + (loops.uses_rows ? model.rows : 0);
 }

@@ -24,6 +24,8 @@ struct LinkTableData {
   // Of all links, or none.
   std::vector<core::loops::LinkDrive<double>> drives;
   std::vector<core::loops::LinkFriction<double>> frictions;
+  std::vector<core::loops::LinkCoupling<double>> couplings;
+  int joints = 0;  ///< that have coordinates of their own, where there are couplings
 };
 
 /// How a function is emitted that loops over a table of links: a call of `function` in

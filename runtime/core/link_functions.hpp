@@ -37,22 +37,32 @@ void mass_matrix(const Table& table, const Real* q, const Sines& sines, Real* M,
   find_mass_matrix(table, motions, inertias, M);
 }
 
-/// qdd = M^-1 (tau - b - g)
+/// qdd = M^-1 (tau - b - g), by factors of M where joints share coordinates.
 template <class Table, class Real, class Sines, class Motions, class Inertias>
 void forward_dynamics(const Table& table, const Real* q, const Sines& sines, const Real* qd,
                       const Real* tau, Real* qdd, Motions& motions, Inertias& inertias) noexcept {
   nonlinear_effects(table, q, sines, qd, qdd, motions);
-  articulate(table, motions, inertias);
-  find_accelerations(table, tau, motions, inertias, qdd);
+  if constexpr (Table::kCoupled) {
+    factor_mass_matrix(table, motions, inertias);
+    solve_accelerations(table, tau, inertias, qdd);
+  } else {
+    articulate(table, motions, inertias);
+    find_accelerations(table, tau, motions, inertias, qdd);
+  }
 }
 
 /// The lower triangle of Lambda^-1 to `rows`, once links are placed.
 template <class Table, class Motions, class Inertias, class Rows, class Real = typename Table::Real>
 void find_lambda_inverse(const Table& table, Motions& motions, Inertias& inertias,
                          Rows& rows) noexcept {
-  articulate(table, motions, inertias);
   find_point_axes(table, motions, rows);
-  propagate_forces(table, motions, inertias, rows);
+  if constexpr (Table::kCoupled) {
+    factor_mass_matrix(table, motions, inertias);
+    project_rows(table, motions, inertias, rows);
+  } else {
+    articulate(table, motions, inertias);
+    propagate_forces(table, motions, inertias, rows);
+  }
 }
 
 template <class Table, class Real, class Sines, class Motions, class Inertias, class Rows>

@@ -27,7 +27,8 @@ template <class Real, size_t links, size_t slots, size_t base_entries>
 struct InertiaWork {
   LinkInertia<Real> inertias[slots];
   LinkProjection<Real> projections[links];
-  /// Factors of the articulated inertia of a floating base, see `factor`; else one entry.
+  /// Factors of the articulated inertia of a floating base, see `factor`; else one entry. Where
+  /// joints share coordinates, those of M, and joint forces of the rows of the task behind them.
   Real base[base_entries];
 };
 
@@ -212,7 +213,8 @@ void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
   }
 }
 
-/// Inward pass of articulated bodies: u and 1 / D of joints, factors of a floating base.
+/// Inward pass of articulated bodies: u and 1 / D of joints, factors of a floating base. Not where
+/// joints share coordinates: see `factor_mass_matrix`.
 template <class Table, class Motions, class Inertias, class Real = typename Table::Real>
 void articulate(const Table& table, const Motions& motions, Inertias& inertias) noexcept {
   for (int k = 0; k < table.slots; ++k) {
@@ -237,7 +239,7 @@ void articulate(const Table& table, const Motions& motions, Inertias& inertias) 
 template <class Table, class Real, class Motions, class Inertias>
 void find_mass_matrix(const Table& table, const Motions& motions, Inertias& inertias,
                       Real* M) noexcept {
-  const int nv = velocity_at<Table>(table.count);
+  const int nv = velocity_at<Table>(count_joints(table));
   for (int k = 0; k < (nv * nv); ++k) {
     M[k] = Real(0.0);
   }
@@ -251,10 +253,11 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
     if (is_floating<Table>(i)) {
       copy_to(inertia, M, nv);
     } else {
-      const int at = velocity_at<Table>(i);
+      const int at = velocity_at<Table>(joint_of(table, i));
       Spatial<Real> wrench;
       find_column(table, i, inertia, wrench);
-      M[(at * nv) + at] = along_joint(table, i, wrench) + link.rotor;
+      const Real own = scale(table, i, scale(table, i, along_joint(table, i, wrench)));
+      enter<Table>(own + link.rotor, M[(at * nv) + at]);
       int j = i;
       while (table.links[j].parent >= 0) {
         wrench_to_parent(table, j, motions.poses[j], wrench);
@@ -265,14 +268,34 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
           if (entries == 6) {
             force = (k < 3) ? wrench.linear[k] : wrench.angular[k - 3];
           }
-          const int other = velocity_at<Table>(j) + k;
-          M[(at * nv) + other] = force;
-          M[(other * nv) + at] = force;
+          force = scale(table, i, scale(table, j, force));
+          const int other = velocity_at<Table>(joint_of(table, j)) + k;
+          enter<Table>(force, M[(at * nv) + other]);
+          enter<Table>(force, M[(other * nv) + at]);
         }
       }
       pass_on(table, i, motions, inertia, inertias);
     }
   }
+}
+
+/// Factors of M to `base` of `inertias`, where joints share coordinates.
+template <class Table, class Motions, class Inertias, class Real = typename Table::Real>
+void factor_mass_matrix(const Table& table, const Motions& motions, Inertias& inertias) noexcept {
+  const Real* const none = nullptr;
+  find_mass_matrix(table, motions, inertias, &inertias.base[0]);
+  factor<0>(&inertias.base[0], velocity_at<Table>(count_joints(table)), none);
+}
+
+/// qdd of joint forces `tau` by factors of M. On entry qdd has the forces at qdd = 0.
+template <class Table, class Real, class Inertias>
+void solve_accelerations(const Table& table, const Real* tau, const Inertias& inertias,
+                         Real* qdd) noexcept {
+  const int nv = velocity_at<Table>(count_joints(table));
+  for (int k = 0; k < nv; ++k) {
+    qdd[k] = tau[k] - qdd[k];
+  }
+  solve(&inertias.base[0], nv, qdd);
 }
 
 /// qdd of joint forces `tau` by articulated bodies, once `inertias` is articulated. On entry qdd

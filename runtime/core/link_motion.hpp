@@ -148,13 +148,14 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Motions&
     if (is_floating<Table>(i)) {
       place_base(table, q, motions.base);
     } else {
-      const int at = coordinate_at<Table>(i);
-      pose.slide = q[at];
+      const int at = coordinate_at<Table>(joint_of(table, i));
+      const Real moved = scale(table, i, q[at]);
+      pose.slide = moved;
       if (slides(table, i)) {
         c = link.b.c;
         s = link.b.s;
       } else {
-        sines(at, q[at], s, c);
+        sines(at, moved, s, c);
         turn_plane(link.b, c, s);
       }
     }
@@ -180,8 +181,9 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
           copy(motions.motions[slot], motion);
         }
       }
-      const int at = velocity_at<Table>(i);
-      move_link(table, i, motions.poses[i], entry(qd, at), entry(qdd, at), motion);
+      const int at = velocity_at<Table>(joint_of(table, i));
+      move_link(table, i, motions.poses[i], scale(table, i, entry(qd, at)),
+                scale(table, i, entry(qdd, at)), motion);
     }
     find_wrench(link, motion, motions.wrenches[i]);
     for (int k = 0; k < table.point_count; ++k) {
@@ -210,10 +212,24 @@ void add_friction(const Table& table, int i, const Real& qd, Real& tau) noexcept
   }
 }
 
+/// Clears what joints add to.
+template <class Table, class Real>
+void clear_shared(const Table& table, Real* tau) noexcept {
+  if constexpr (Table::kCoupled) {
+    for (int k = 0; k < velocity_at<Table>(table.joints); ++k) {
+      tau[k] = Real(0.0);
+    }
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(tau);
+  }
+}
+
 /// Inward pass: joint forces of the wrenches on links, which are lost.
 template <class Table, class Real, class Motions>
 void gather_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
                    Motions& motions, Real* tau) noexcept {
+  clear_shared(table, tau);
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
     Spatial<Real>& wrench = motions.wrenches[i];
@@ -223,10 +239,11 @@ void gather_forces(const Table& table, const Real* q, const Real* qd, const Real
         tau[k + 3] = wrench.angular[k];
       }
     } else {
-      const int at = velocity_at<Table>(i);
-      tau[at] = along_joint(table, i, wrench) + (link.rotor * entry(qdd, at));
+      const int at = velocity_at<Table>(joint_of(table, i));
+      const Real force = scale(table, i, along_joint(table, i, wrench));
+      enter<Table>(force + (link.rotor * entry(qdd, at)), tau[at]);
       if constexpr (Table::kDriven) {
-        add_drive(table, i, q[coordinate_at<Table>(i)], entry(qd, at), tau[at]);
+        add_drive(table, i, q[coordinate_at<Table>(joint_of(table, i))], entry(qd, at), tau[at]);
       } else {
         static_cast<void>(q);
         static_cast<void>(qd);

@@ -127,6 +127,49 @@ void propagate_forces(const Table& table, const Motions& motions, const Inertias
   }
 }
 
+/// The joint forces of the unit force of row `r`: a row of the Jacobian.
+template <class Table, class Motions, class Rows, class Real>
+void find_joint_forces(const Table& table, const Motions& motions, const Rows& rows, int r,
+                       Real* forces) noexcept {
+  for (int k = 0; k < velocity_at<Table>(count_joints(table)); ++k) {
+    forces[k] = Real(0.0);
+  }
+  Spatial<Real> wrench;
+  find_unit_force(table, rows, r, wrench);
+  for (int i = table.points[table.point_rows[r].point].link; i >= 0; i = table.links[i].parent) {
+    if (is_floating<Table>(i)) {
+      for (int k = 0; k < 3; ++k) {
+        forces[k] = wrench.linear[k];
+        forces[k + 3] = wrench.angular[k];
+      }
+    } else {
+      const int at = velocity_at<Table>(joint_of(table, i));
+      forces[at] = forces[at] + scale(table, i, along_joint(table, i, wrench));
+      wrench_to_parent(table, i, motions.poses[i], wrench);
+    }
+  }
+}
+
+/// The lower triangle of Lambda^-1 = Y D^-1 Y^T, Y^T = L^-1 J^T, once M is factored to L D L^T.
+template <class Table, class Motions, class Inertias, class Rows, class Real = typename Table::Real>
+void project_rows(const Table& table, const Motions& motions, Inertias& inertias,
+                  Rows& rows) noexcept {
+  const int nv = velocity_at<Table>(count_joints(table));
+  for (int r = 0; r < table.rows; ++r) {
+    Real* const own = &inertias.base[nv * (nv + r)];
+    find_joint_forces(table, motions, rows, r, own);
+    solve_lower(&inertias.base[0], nv, own);
+    for (int s = 0; s <= r; ++s) {
+      const Real* const other = &inertias.base[nv * (nv + s)];
+      Real sum = Real(0.0);
+      for (int k = 0; k < nv; ++k) {
+        sum = sum + ((own[k] * inertias.base[(nv + 1) * k]) * other[k]);
+      }
+      rows.Lambda_inv[(r * table.rows) + s] = sum;
+    }
+  }
+}
+
 /// Lambda^-1 from its lower triangle.
 template <class Table, class Real, class Rows>
 void copy_lambda_inverse(const Table& table, const Rows& rows, Real* Lambda_inv) noexcept {

@@ -65,16 +65,25 @@ struct LinkFriction {
   Real sharpness;
 };
 
+/// A joint that moves by `multiplier` times the coordinate of joint `joint`, which may be its own.
+template <class Real>
+struct LinkCoupling {
+  int16_t joint;  ///< of those that have coordinates of their own, a floating base among them
+  Real multiplier;
+};
+
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
 /// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
-/// `rubbing`: Coulomb friction.
-template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false>
+/// `rubbing`: Coulomb friction. `coupled`: joints share coordinates.
+template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
+          bool coupled = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
   static constexpr bool kSliding = sliding;
   static constexpr bool kDriven = driven;
   static constexpr bool kRubbing = rubbing;
+  static constexpr bool kCoupled = coupled;
 
   const Link<Real>* links;
   int count;
@@ -87,9 +96,54 @@ struct LinkTable {
   // Of all links; none: no joint has any.
   const LinkDrive<Real>* drives = nullptr;
   const LinkFriction<Real>* frictions = nullptr;
+  const LinkCoupling<Real>* couplings = nullptr;  ///< of all links; none: each joint is its own
+  int joints = 0;  ///< that have coordinates of their own, where there are couplings
 };
 
-/// Where the joint of link `i` has its velocity.
+/// Whose coordinate the joint of link `i` has, counted without joints that share those of others.
+template <class Table>
+constexpr int joint_of(const Table& table, int i) noexcept {
+  if constexpr (Table::kCoupled) {
+    return table.couplings[i].joint;
+  } else {
+    static_cast<void>(table);
+    return i;
+  }
+}
+
+/// Joints that have coordinates of their own, a floating base among them.
+template <class Table>
+constexpr int count_joints(const Table& table) noexcept {
+  if constexpr (Table::kCoupled) {
+    return table.joints;
+  } else {
+    return table.count;
+  }
+}
+
+/// What the joint of link `i` makes of its coordinate, or the coordinate of a force along it.
+template <class Table, class Real>
+Real scale(const Table& table, int i, const Real& value) noexcept {
+  if constexpr (Table::kCoupled) {
+    return table.couplings[i].multiplier * value;
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(i);
+    return value;
+  }
+}
+
+/// Puts `value` in its place, or adds it where joints share that.
+template <class Table, class Real>
+void enter(const Real& value, Real& place) noexcept {
+  if constexpr (Table::kCoupled) {
+    place = place + value;
+  } else {
+    place = value;
+  }
+}
+
+/// Where joint `i` has its velocity.
 template <class Table>
 constexpr int velocity_at(int i) noexcept {
   if constexpr (Table::kFloats) {
@@ -103,7 +157,7 @@ constexpr int velocity_at(int i) noexcept {
   }
 }
 
-/// Where the joint of link `i` has its coordinate.
+/// Where joint `i` has its coordinate.
 template <class Table>
 constexpr int coordinate_at(int i) noexcept {
   if constexpr (Table::kFloats) {

@@ -17,6 +17,9 @@ const std::vector<Function> kDynamics = {Function::inverse_dynamics, Function::g
 const std::vector<Function> kOfPoints = {Function::lambda_inverse, Function::lambda,
                                          Function::control_torque};
 
+const char* const kPointAtWrist =
+    "operational_points: [{name: wrist, link: gen3_end_effector_link}]\n";
+
 /// The robot with these functions, all as loops, in the language and profile of its scene.
 Subjects as_loops(Subjects subjects, Real real, std::vector<Function> functions) {
   subjects.scene.optimize = Optimize::size;
@@ -120,6 +123,46 @@ TEST(LinkLoopsCheck, CoulombFrictionAlone) {
   }
   expect_right(subjects, Real::float32,
                {Function::inverse_dynamics, Function::gravity, Function::forward_dynamics});
+}
+
+// A gripper whose fingers mimic one joint, as published, and random trees: multiples and offsets,
+// joints that carry one another, before and after the one that they mimic.
+TEST(LinkLoopsCheck, JointsThatShareCoordinates) {
+  const Subjects gripper = read("published/kinova_gen3_2f85.urdf", kPointAtWrist);
+  expect_right(gripper, Real::float64, all_with_form());
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomOptions options;
+    options.joints = 9;
+    options.branching = 0.4;
+    options.mimic = 0.5;
+    options.drives = 0.5;
+    options.rotors = 0.5;
+    options.floating_base = seed % 2 == 0;
+    const auto [robot, scene] = random_mechanism(seed, options);
+    ASSERT_TRUE(std::any_of(robot.joints.begin(), robot.joints.end(),
+                            [](const Joint& joint) { return joint.mimic.has_value(); }));
+    expect_right({robot, scene, {}}, seed % 3 == 0 ? Real::float32 : Real::float64,
+                 options.floating_base ? all_with_form() : kDynamics);
+  }
+}
+
+TEST(LinkLoopsCheck, SafeCodeOfSharedCoordinates) {
+  expect_safe(read("published/kinova_gen3_2f85.urdf", kPointAtWrist), Real::float32);
+}
+
+// Of a multiple of an angle no sine is given.
+TEST(LinkLoopsCheck, GivenSinesOfMultiplesStayAsLines) {
+  Subjects subjects = read("published/kinova_gen3_2f85.urdf",
+                           "optimize: size\nsin_cos: given\nfunctions: [mass_matrix]\n");
+  Diagnostics diagnostics;
+  const auto generation = generate_code(subjects.robot, subjects.scene,
+                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
+  ASSERT_TRUE(generation);
+  EXPECT_FALSE(generation->functions.front().program.loops);
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_NE(diagnostics.list().front().fault.find("turns by a multiple of its coordinate"),
+            std::string::npos);
 }
 
 // Some angles of the humanoid have offsets.

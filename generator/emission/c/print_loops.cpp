@@ -41,6 +41,7 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
   declare("link", "links", table.links);
   declare("link_drive", "drives", table.drives);
   declare("link_friction", "frictions", table.frictions);
+  declare("link_coupling", "couplings", table.couplings);
   std::string points = "NULL, 0, NULL, 0";
   if (has_points(data)) {
     text += fmt::format(
@@ -50,14 +51,15 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
     points = fmt::format("{0}_points, {1}, {0}_rows, {2}", context.name, data.points.size(),
                          data.rows.size());
   }
-  const std::string drives = data.drives.empty() ? "NULL" : name + "_drives";
-  const std::string frictions = data.frictions.empty() ? "NULL" : name + "_frictions";
+  std::string lists = points;
+  lists += data.drives.empty() ? ", NULL" : fmt::format(", {}_drives", name);
+  lists += data.frictions.empty() ? ", NULL" : fmt::format(", {}_frictions", name);
+  lists += data.couplings.empty() ? ", NULL" : fmt::format(", {}_couplings", name);
   return text +
-         wrap_line(
-             fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}, {}}};",
-                         type, table_name(context, data), name, data.links.size(), data.slots,
-                         table.gravity, points, drives, frictions),
-             0);
+         wrap_line(fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}}};",
+                               type, table_name(context, data), name, data.links.size(), data.slots,
+                               table.gravity, lists, data.joints),
+                   0);
 }
 
 /// The table that has what others have. `programs` have loops.
@@ -158,9 +160,10 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
   const LinkTableData& table = find_largest(programs);
-  LoopTranslator translator(
-      context, {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty()},
-      std::any_of(programs.begin(), programs.end(), takes_sines));
+  LoopTranslator translator(context,
+                            {table.floats, table.sliding, !table.drives.empty(),
+                             !table.frictions.empty(), !table.couplings.empty()},
+                            std::any_of(programs.begin(), programs.end(), takes_sines));
   const std::pair<const char*, std::string_view> headers[] = {
       {"link_table.h", cpp::templates::kLinkTable},
       {"link_factors.h", cpp::templates::kLinkFactors},

@@ -135,7 +135,8 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
       table_{{"Floats", table.floats},
              {"Sliding", table.sliding},
              {"Driven", table.driven},
-             {"Rubbing", table.rubbing}},
+             {"Rubbing", table.rubbing},
+             {"Coupled", table.coupled}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
                                                        {"Motions", "motion_work"},

@@ -30,7 +30,7 @@ struct LoopSignature {
 
 /// What the tables of a robot have.
 struct LoopTable {
-  bool floats = false, sliding = false, driven = false, rubbing = false;
+  bool floats = false, sliding = false, driven = false, rubbing = false, coupled = false;
 };
 
 /// Writes the loops over links, runtime/core/link_*.hpp, in C: templates for one robot, references

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <span>
+#include <utility>
 
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
@@ -22,14 +23,37 @@ std::string table_name(const LinkTableData& table) {
                      table.around_points && !has_points(table) ? "Link" : "");
 }
 
-bool is_driven(const LinkTableData& table) {
-  return !table.drives.empty() || !table.frictions.empty();
+/// What a table says of springs, friction and couplings, behind the arguments that it always has.
+std::string print_kinds(const LinkTableData& table) {
+  const bool kinds[] = {!table.drives.empty(), !table.frictions.empty(), !table.couplings.empty()};
+  std::string text;
+  std::string missing;
+  for (const bool kind : kinds) {
+    missing += fmt::format(", {}", kind);
+    if (kind) text += std::exchange(missing, {});
+  }
+  return text;
 }
 
-/// What a table says of friction and springs, behind the arguments that it always has.
-std::string print_drive_kinds(const LinkTableData& table) {
-  if (!is_driven(table)) return "";
-  return fmt::format(", {}{}", !table.drives.empty(), table.frictions.empty() ? "" : ", true");
+/// The table's lists behind gravity, up to the last that it has.
+std::string print_lists(const LinkTableData& table, const std::string& prefix) {
+  const auto list = [&](bool has, const char* name) {
+    return std::pair(has, has ? fmt::format(", &k{}{}[0]", prefix, name) : ", nullptr");
+  };
+  const auto points =
+      fmt::format(", &kPoints[0], {}, &kPointRows[0], {}", table.points.size(), table.rows.size());
+  const std::pair<bool, std::string> lists[] = {
+      {has_points(table), has_points(table) ? points : ", nullptr, 0, nullptr, 0"},
+      list(!table.drives.empty(), "Drives"),
+      list(!table.frictions.empty(), "Frictions"),
+      list(!table.couplings.empty(), "Couplings")};
+  std::string text;
+  std::string missing;
+  for (const auto& [has, words] : lists) {
+    missing += words;
+    if (has) text += std::exchange(missing, {});
+  }
+  return text + (table.couplings.empty() ? "" : fmt::format(", {}", table.joints));
 }
 
 std::string print_table(const LinkTableText& table) {
@@ -45,24 +69,18 @@ std::string print_table(const LinkTableText& table) {
   declare("Link", "Links", table.links);
   declare("LinkDrive", "Drives", table.drives);
   declare("LinkFriction", "Frictions", table.frictions);
-  std::string points = is_driven(data) ? ", nullptr, 0, nullptr, 0" : "";
+  declare("LinkCoupling", "Couplings", table.couplings);
   if (has_points(data)) {
     text += fmt::format(
         "inline constexpr loops::LinkPoint<Real> kPoints[{0}] = {{\n{1}}};\n"
         "inline constexpr loops::PointRow kPointRows[{2}] = {{\n{3}}};\n",
         data.points.size(), table.points, data.rows.size(), table.rows);
-    points =
-        fmt::format(", &kPoints[0], {}, &kPointRows[0], {}", data.points.size(), data.rows.size());
-  }
-  if (!data.drives.empty()) points += fmt::format(", &k{}Drives[0]", prefix);
-  if (!data.frictions.empty()) {
-    points += fmt::format("{}, &k{}Frictions[0]", data.drives.empty() ? ", nullptr" : "", prefix);
   }
   const std::string head =
       fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> {}", data.floats, data.sliding,
-                  print_drive_kinds(data), table_name(data));
+                  print_kinds(data), table_name(data));
   return text + wrap_line(fmt::format("{} = {{&k{}Links[0], {}, {}, {}{}}};", head, prefix, links,
-                                      data.slots, table.gravity, points),
+                                      data.slots, table.gravity, print_lists(data, prefix)),
                           0);
 }
 

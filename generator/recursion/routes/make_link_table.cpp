@@ -98,6 +98,17 @@ void add_drives(const Tree<double>& tree, LinkTableData& table) {
   }
 }
 
+/// Whose coordinates the joints have, where some share one.
+void add_couplings(const Tree<double>& tree, LinkTableData& table) {
+  if (!tree.has_mimics) return;
+  for (const TreeLink<double>& link : tree.links) {
+    const int joint = link.v_index - (table.floats && !link.is_floating() ? 5 : 0);
+    table.couplings.push_back(
+        {static_cast<std::int16_t>(joint), link.is_floating() ? 1 : link.multiplier});
+    table.joints = std::max(table.joints, joint + 1);
+  }
+}
+
 }  // namespace
 
 LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
@@ -113,6 +124,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   }
   number_slots(table);
   add_drives(tree, table);
+  add_couplings(tree, table);
   if (!with_points) return table;
   for (const TreePoint<double>& point : tree.operational_points) {
     append_rows(point, static_cast<std::int16_t>(table.points.size()), table);

@@ -55,27 +55,27 @@ bool has_arguments(const MechanismInputs& inputs) {
 }
 
 /// What of a link the table has no place for; empty: nothing.
-std::string find_obstacle(const MovingLink& link, std::size_t index, bool floats) {
-  const auto shift = static_cast<int>(index) + (floats ? 5 : 0);
+std::string find_obstacle(const MovingLink& link, bool is_first, bool given_sines) {
   const auto says = [&](const char* what) {
     return fmt::format("joint `{}` {}", link.joint, what);
   };
   if (link.is_of_ball()) return says("is a ball joint");
-  if (link.is_floating()) return index == 0 ? "" : says("is floating, and not the base");
-  if (link.multiplier != 1 || link.v_index != shift) return says("shares a coordinate");
+  if (link.is_floating()) return is_first ? "" : says("is floating, and not the base");
+  const bool has_given_sine = link.multiplier == 1 || link.kind == JointKind::prismatic;
+  if (given_sines && !has_given_sine) return says("turns by a multiple of its coordinate");
   return {};
 }
 
-std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
+std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form, bool given_sines) {
   if (has_arguments(mechanism.inputs)) return "what `inputs` of the scene makes arguments";
   if (!mechanism.external_forces.empty()) return "external forces";
   if (mechanism.implicit_friction && form.function == Function::forward_dynamics) {
     return "friction and springs at the end of a step (`implicit`)";
   }
   if (mechanism.links.empty()) return "a robot without joints";
-  const bool floats = mechanism.links.front().is_floating();
-  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-    const std::string found = find_obstacle(mechanism.links[i], i, floats);
+  for (const MovingLink& link : mechanism.links) {
+    const bool is_first = &link == &mechanism.links.front();
+    const std::string found = find_obstacle(link, is_first, given_sines);
     if (!found.empty()) return found;
   }
   if (!form.rows) return {};
@@ -110,7 +110,7 @@ struct LoopTrace {
   struct Inertias {
     std::vector<loops::LinkInertia<Number>> inertias;
     std::vector<loops::LinkProjection<Number>> projections;
-    Number base[36];
+    std::vector<Number> base;
   };
   struct Rows {
     std::vector<loops::LinkAxes<Number>> link_axes;
@@ -151,6 +151,10 @@ struct LoopTrace {
     for (const loops::LinkFriction<double>& from : table.frictions) {
       frictions.push_back({Number(from.force), Number(from.sharpness)});
     }
+    for (const loops::LinkCoupling<double>& from : table.couplings) {
+      couplings.push_back({from.joint, Number(from.multiplier)});
+    }
+    joints = table.joints;
     for (const double yield : plan.yields) yields.push_back(Number(yield));
     const auto n = table.links.size();
     const auto slots = static_cast<std::size_t>(table.slots);
@@ -160,6 +164,8 @@ struct LoopTrace {
     motions.motions.resize(slots);
     inertias.inertias.resize(slots);
     inertias.projections.resize(n);
+    const auto nv = static_cast<std::size_t>(table.joints) + 6;
+    inertias.base.resize(nv * (nv + count));
     rows.link_axes.resize(table.points.size());
     rows.point_motions.resize(table.points.size());
     rows.forces.resize(count);
@@ -168,8 +174,8 @@ struct LoopTrace {
     rows.Lambda_inv.resize(count * count);
   }
 
-  template <bool floats>
-  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true> table_of(
+  template <bool floats, bool coupled>
+  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled> table_of(
       const LinkTableData& from) const {
     const auto& g = from.gravity;
     return {links.data(),
@@ -181,13 +187,17 @@ struct LoopTrace {
             from.rows.data(),
             static_cast<int>(from.rows.size()),
             drives.empty() ? nullptr : drives.data(),
-            frictions.empty() ? nullptr : frictions.data()};
+            frictions.empty() ? nullptr : frictions.data(),
+            couplings.data(),
+            joints};
   }
 
   std::vector<loops::Link<Number>> links;
   std::vector<loops::LinkPoint<Number>> points;
   std::vector<loops::LinkDrive<Number>> drives;
   std::vector<loops::LinkFriction<Number>> frictions;
+  std::vector<loops::LinkCoupling<Number>> couplings;
+  int joints = 0;
   std::vector<Number> yields;
   Motions motions;
   Inertias inertias;
@@ -267,10 +277,16 @@ void run(Function function, int power, const Table& table, LoopTrace<Number>& tr
 template <class Number>
 void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) {
   LoopTrace<Number> trace(plan);
-  if (plan.table.floats) {
-    run(function, plan.power, trace.template table_of<true>(plan.table), trace, with);
+  const auto run_on = [&](const auto& table) { run(function, plan.power, table, trace, with); };
+  const bool coupled = !plan.table.couplings.empty();
+  if (plan.table.floats && coupled) {
+    run_on(trace.template table_of<true, true>(plan.table));
+  } else if (plan.table.floats) {
+    run_on(trace.template table_of<true, false>(plan.table));
+  } else if (coupled) {
+    run_on(trace.template table_of<false, true>(plan.table));
   } else {
-    run(function, plan.power, trace.template table_of<false>(plan.table), trace, with);
+    run_on(trace.template table_of<false, false>(plan.table));
   }
 }
 
@@ -319,7 +335,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
                         bool given_sines) {
   const LoopForm* const form = find_form(function);
   if (form == nullptr) return {};
-  if (auto obstacle = find_obstacle(mechanism, *form); !obstacle.empty()) {
+  if (auto obstacle = find_obstacle(mechanism, *form, given_sines); !obstacle.empty()) {
     return {std::nullopt, std::move(obstacle)};
   }
   Program program;
