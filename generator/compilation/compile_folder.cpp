@@ -153,19 +153,39 @@ bool link_library(const Command& compiler, const Objects& objects, const fs::pat
                    diagnostics);
 }
 
-void measure_functions(const Objects& objects, const fs::path& work, Compilation& made) {
-  std::vector<Command> commands;
+/// What `nm` lists of each of the object files, which it names before their symbols.
+std::map<std::string, std::string> list_symbols(const Objects& objects, const fs::path& work) {
+  Command command{"nm", "-S", "--defined-only"};
+  std::map<std::string, std::string> stem_of;  // of the line before its symbols
   for (const std::string& stem : objects.stems) {
-    commands.push_back({"nm", "-S", "--defined-only", work / (stem + ".o")});
+    command.push_back(work / (stem + ".o"));
+    stem_of.emplace(command.back() + ":", stem);
   }
-  const auto sizes = run_commands(commands, 1, work);
+  const auto listed = run_commands({command}, 1, work).front();
+  std::map<std::string, std::string> symbols;
+  if (listed.exit_code != 0) return symbols;
+  std::istringstream lines(listed.output);
+  std::string line;
+  std::string* of_file = &symbols[objects.stems.front()];
+  while (std::getline(lines, line)) {
+    const auto named = stem_of.find(line);
+    if (named != stem_of.end()) of_file = &symbols[named->second];
+    *of_file += line + "\n";
+  }
+  return symbols;
+}
+
+void measure_functions(const Objects& objects, const fs::path& work, Compilation& made) {
+  const auto symbols = list_symbols(objects, work);
   for (std::size_t i = 0; i < objects.stems.size(); ++i) {
     const std::string& stem = objects.stems[i];
     made.peak_kib = std::max(made.peak_kib, objects.outcomes[i].peak_kib);
     if (stem == kEntryStem) continue;
     CompiledFunction& function = made.functions[stem];
     function.seconds = objects.outcomes[i].seconds;
-    if (sizes[i].exit_code == 0) function.code_bytes = add_code_bytes(sizes[i].output);
+    if (const auto found = symbols.find(stem); found != symbols.end()) {
+      function.code_bytes = add_code_bytes(found->second);
+    }
     function.stack_bytes = add_stack_bytes(read_file(work / (stem + ".su")));
   }
 }
