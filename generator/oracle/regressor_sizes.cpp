@@ -7,7 +7,7 @@
 namespace treeline {
 namespace {
 
-using Kind = interpreter::UnitParameter::Kind;
+using UnitKind = interpreter::UnitParameter::Kind;
 
 }  // namespace
 
@@ -18,11 +18,12 @@ Eigen::MatrixXd TermSizes::inverse_dynamics_regressor(const std::vector<double>&
       Eigen::MatrixXd::Zero(subject_.model.nv, static_cast<Eigen::Index>(units.size()));
   for (Eigen::Index k = 0; k < Y.cols(); ++k) {
     const auto& unit = units[static_cast<std::size_t>(k)];
-    if (unit.kind != Kind::inertial) {
+    if (unit.kind != UnitKind::inertial) {
       const int v = subject_.model.body(unit.body).v;
       const auto at = static_cast<std::size_t>(v);
-      Y(v, k) =
-          unit.kind == Kind::coulomb ? 1 : std::abs(unit.kind == Kind::rotor ? qdd[at] : qd[at]);
+      Y(v, k) = unit.kind == UnitKind::coulomb
+                    ? 1
+                    : std::abs(unit.kind == UnitKind::rotor ? qdd[at] : qd[at]);
       continue;
     }
     const Columns own = columns(unit.body, 0);
@@ -44,8 +45,8 @@ Eigen::MatrixXd TermSizes::energy_regressor(const std::vector<double>& qd) const
   Eigen::MatrixXd E = Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(units.size()));
   for (Eigen::Index k = 0; k < E.cols(); ++k) {
     const auto& unit = units[static_cast<std::size_t>(k)];
-    if (unit.kind == Kind::viscous || unit.kind == Kind::coulomb) continue;
-    if (unit.kind == Kind::rotor) {
+    if (unit.kind == UnitKind::viscous || unit.kind == UnitKind::coulomb) continue;
+    if (unit.kind == UnitKind::rotor) {
       const double rate = qd[static_cast<std::size_t>(subject_.model.body(unit.body).v)];
       E(0, k) = rate * rate / 2;
       continue;
