@@ -60,8 +60,8 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
     text.frictions += wrap_line(numbers(syntax, row) + ",", 4);
   }
   for (const core::loops::LinkCoupling<double>& coupling : table.couplings) {
-    text.couplings +=
-        fmt::format("    {{{}, {}}},\n", coupling.joint, number(syntax, coupling.multiplier));
+    text.couplings += fmt::format("    {{{}, {}, {}}},\n", coupling.joint,
+                                  number(syntax, coupling.multiplier), coupling.spins);
   }
   return text;
 }

@@ -151,7 +151,7 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Motions&
       const int at = coordinate_at<Table>(joint_of(table, i));
       const Real moved = scale(table, i, q[at]);
       pose.slide = moved;
-      if (slides(table, i)) {
+      if (slides(table, i) || spins(table, i)) {
         c = link.b.c;
         s = link.b.s;
       } else {

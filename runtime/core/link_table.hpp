@@ -70,6 +70,7 @@ template <class Real>
 struct LinkCoupling {
   int16_t joint;  ///< of those that have coordinates of their own, a floating base among them
   Real multiplier;
+  bool spins;  ///< a rotor, symmetric about its axis: how far it has turned does not matter
 };
 
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
@@ -187,6 +188,18 @@ template <class Table>
 constexpr bool slides(const Table& table, int i) noexcept {
   if constexpr (Table::kSliding) {
     return table.links[i].slides;
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(i);
+    return false;
+  }
+}
+
+/// Whether link `i` is a rotor, whose angle does not matter.
+template <class Table>
+constexpr bool spins(const Table& table, int i) noexcept {
+  if constexpr (Table::kCoupled) {
+    return table.couplings[i].spins;
   } else {
     static_cast<void>(table);
     static_cast<void>(i);

@@ -151,6 +151,19 @@ TEST(LinkLoopsCheck, SafeCodeOfSharedCoordinates) {
   expect_safe(read("published/kinova_gen3_2f85.urdf", kPointAtWrist), Real::float32);
 }
 
+// Bodies that share the coordinates of their joints, and whose angles are not computed.
+TEST(LinkLoopsCheck, GyroscopicRotors) {
+  auto subjects = load_unmade("puma560", "scene.yaml");
+  subjects.scene.base = Base::floating;
+  for (const Joint& joint : subjects.robot.joints) {
+    if (!info_of(joint.type).has_one_freedom()) continue;
+    SceneRotor& rotor = subjects.scene.rotors[joint.name];
+    rotor.inertia = 3e-4;
+    rotor.ratio = joint.child % 2 == 0 ? 70 : -1.5;
+  }
+  expect_right(subjects, Real::float64, all_with_form());
+}
+
 // Of a multiple of an angle no sine is given.
 TEST(LinkLoopsCheck, GivenSinesOfMultiplesStayAsLines) {
   Subjects subjects = read("published/kinova_gen3_2f85.urdf",

@@ -104,7 +104,7 @@ void add_couplings(const Tree<double>& tree, LinkTableData& table) {
   for (const TreeLink<double>& link : tree.links) {
     const int joint = link.v_index - (table.floats && !link.is_floating() ? 5 : 0);
     table.couplings.push_back(
-        {static_cast<std::int16_t>(joint), link.is_floating() ? 1 : link.multiplier});
+        {static_cast<std::int16_t>(joint), link.is_floating() ? 1 : link.multiplier, link.spins});
     table.joints = std::max(table.joints, joint + 1);
   }
 }

@@ -61,8 +61,9 @@ std::string find_obstacle(const MovingLink& link, bool is_first, bool given_sine
   };
   if (link.is_of_ball()) return says("is a ball joint");
   if (link.is_floating()) return is_first ? "" : says("is floating, and not the base");
-  const bool has_given_sine = link.multiplier == 1 || link.kind == JointKind::prismatic;
-  if (given_sines && !has_given_sine) return says("turns by a multiple of its coordinate");
+  const bool needs_sine = link.kind == JointKind::revolute && !link.spins;
+  if (given_sines && needs_sine && link.multiplier != 1)
+    return says("turns by a multiple of its coordinate");
   return {};
 }
 
@@ -152,7 +153,7 @@ struct LoopTrace {
       frictions.push_back({Number(from.force), Number(from.sharpness)});
     }
     for (const loops::LinkCoupling<double>& from : table.couplings) {
-      couplings.push_back({from.joint, Number(from.multiplier)});
+      couplings.push_back({from.joint, Number(from.multiplier), from.spins});
     }
     joints = table.joints;
     for (const double yield : plan.yields) yields.push_back(Number(yield));
