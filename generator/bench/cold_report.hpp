@@ -44,8 +44,6 @@ struct ColdBenchOptions {
   std::function<void(const std::string& what, int done, int total)> progress = {};
 };
 
-/// The word in scenes: "balanced".
-const char* optimize_name(Optimize optimize);
 /// "speed, balanced".
 std::string names_of(const ColdRow& row);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bench/templates.hpp"
+#include "description/scene_words.hpp"
 #include "emission/fill_template.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
@@ -20,15 +21,6 @@ namespace treeline {
 namespace {
 
 constexpr std::array kLanes = {8, 4, 1};
-
-const char* real_name(Real real) {
-  return real == Real::float32 ? "float" : "double";
-}
-
-const char* accuracy_name(Accuracy accuracy) {
-  constexpr std::array kNames = {"best", "balanced", "fastest"};
-  return kNames[static_cast<std::size_t>(accuracy)];
-}
 
 /// Difference of a build from the scene's code.
 struct Difference {
@@ -72,7 +64,7 @@ class Planner {
   using Functions = std::vector<GeneratedFunction>;
 
   [[nodiscard]] std::string lanes_name(Real real, int lanes) const {
-    return fmt::format("{}, {} lane{}", real_name(real), lanes, lanes == 1 ? "" : "s");
+    return fmt::format("{}, {} lane{}", word_of(real), lanes, lanes == 1 ? "" : "s");
   }
 
   void generate_emitted() {
@@ -129,9 +121,9 @@ class Planner {
       if (accuracy == scene_.accuracy) continue;
       Scene scene = scene_;
       scene.accuracy = accuracy;
-      add_generated({VariantGroup::accuracy, fmt::format("accuracy: {}", accuracy_name(accuracy)),
-                     scene_.real},
-                    scene, Inertias::regrouped);
+      add_generated(
+          {VariantGroup::accuracy, fmt::format("accuracy: {}", word_of(accuracy)), scene_.real},
+          scene, Inertias::regrouped);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/cold_report.hpp"
+#include "description/scene_words.hpp"
 #include "text/align_columns.hpp"
 #include "text/json_text.hpp"
 
@@ -41,7 +42,7 @@ Json describe_timing(const Timing& timing) {
 
 Json describe_cold_row(const ColdReport& report, const ColdFunction& function, const ColdRow& row) {
   Json optimize = Json::array();
-  for (const Optimize each : row.optimize) optimize.push_back(optimize_name(each));
+  for (const Optimize each : row.optimize) optimize.push_back(word_of(each));
   return {{"scene", report.name},
           {"function", function_name(function.function)},
           {"optimize", optimize},

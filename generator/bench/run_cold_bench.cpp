@@ -8,6 +8,7 @@
 
 #include "bench/cold_report.hpp"
 #include "compilation/temporary_folder.hpp"
+#include "description/scene_words.hpp"
 #include "emission/write_files.hpp"
 #include "generation/without_callers.hpp"
 #include "timing/load_build.hpp"
@@ -90,14 +91,9 @@ ColdFunction measure_cold_function(const std::vector<ColdBuild>& builds, std::si
 
 }  // namespace
 
-const char* optimize_name(Optimize optimize) {
-  constexpr std::array kNames = {"speed", "size", "balanced"};
-  return kNames[static_cast<std::size_t>(optimize)];
-}
-
 std::string names_of(const ColdRow& row) {
   std::vector<std::string> names;
-  for (const Optimize each : row.optimize) names.emplace_back(optimize_name(each));
+  for (const Optimize each : row.optimize) names.push_back(word_of(each));
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -114,7 +110,7 @@ std::optional<ColdReport> run_cold_bench(const Robot& robot, const Scene& scene,
     tell("compiling", k, kChoices.size());
     Diagnostics found;
     auto made = make_build(robot, scene_for(scene, kChoices[k]), options.flags,
-                           work->path() / optimize_name(kChoices[k]), found);
+                           work->path() / word_of(kChoices[k]), found);
     for (const Diagnostic& each : found.list()) {  // notes of the first build hold for all
       if (k == 0 || each.severity == Severity::error) diagnostics.add(each);
     }

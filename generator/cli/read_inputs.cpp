@@ -11,6 +11,7 @@
 #include "description/lists_functions.hpp"
 #include "description/noise.hpp"
 #include "description/read_number.hpp"
+#include "description/scene_words.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -51,20 +52,10 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
              fmt::format("`{}` can.", package_name_from(scene.name)), diagnostics);
     }
   }
-  if (!options.real.empty()) {
-    scene.real = options.real == "float" ? Real::float32 : Real::float64;
-  }
-  if (!options.language.empty()) {
-    scene.language = options.language == "c" ? Language::c : Language::cpp;
-  }
-  if (!options.profile.empty()) {
-    scene.profile = options.profile == "misra" ? Profile::misra : Profile::plain;
-  }
-  if (!options.optimize.empty()) {
-    scene.optimize = options.optimize == "size"       ? Optimize::size
-                     : options.optimize == "balanced" ? Optimize::balanced
-                                                      : Optimize::speed;
-  }
+  scene.real = value_of_word<Real>(options.real).value_or(scene.real);
+  scene.language = value_of_word<Language>(options.language).value_or(scene.language);
+  scene.profile = value_of_word<Profile>(options.profile).value_or(scene.profile);
+  scene.optimize = value_of_word<Optimize>(options.optimize).value_or(scene.optimize);
   if (!options.target.empty()) scene.target = options.target;
   follow_target(scene);
   warn_of_target(scene, diagnostics);
@@ -77,7 +68,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   command.add_option("scene", options.scene,
                      "What to generate for it, YAML; without: functions of the joints alone");
   command.add_option("--real", options.real, "Number type, instead of the scene's")
-      ->check(one_of({"float", "double"}));
+      ->check(one_of(words_of<Real>()));
   command
       .add_option("--target", options.target, "Processor the code is for, instead of the scene's")
       ->check(one_of(target_names()));
@@ -91,18 +82,18 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 
 void add_language_option(CLI::App& command, InputOptions& options) {
   command.add_option("--language", options.language, "Of the code, instead of the scene's")
-      ->check(one_of({"c", "c++"}));
+      ->check(one_of(words_of<Language>()));
   command
       .add_option(
           "--profile", options.profile,
           "How the code is written, instead of the scene's: misra follows rules for safe code")
-      ->check(one_of({"plain", "misra"}));
+      ->check(one_of(words_of<Profile>()));
   command
       .add_option(
           "--optimize", options.optimize,
           "For speed, small code, or small code where it is larger than a cache, instead of "
           "the scene's")
-      ->check(one_of({"speed", "size", "balanced"}));
+      ->check(one_of(words_of<Optimize>()));
 }
 
 std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostics& diagnostics) {

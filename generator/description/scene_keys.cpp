@@ -17,6 +17,7 @@
 #include "description/read_scene_object.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_torque_limits.hpp"
+#include "description/scene_words.hpp"
 #include "description/snap_angles.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
@@ -114,8 +115,13 @@ void read_noise(const SceneElement& element, Scene& scene) {
   scene.noise = *limit;
 }
 
+template <class Value>
+void take_word(const SceneElement& element, Value& value) {
+  if (const auto chosen = element.choice(words_of<Value>())) value = static_cast<Value>(*chosen);
+}
+
 void read_base(const SceneElement& element, Scene& scene) {
-  scene.base = element.choice({"fixed", "floating"}) == 1 ? Base::floating : Base::fixed;
+  take_word(element, scene.base);
 }
 
 void read_gravity(const SceneElement& element, Scene& scene) {
@@ -123,16 +129,15 @@ void read_gravity(const SceneElement& element, Scene& scene) {
 }
 
 void read_real(const SceneElement& element, Scene& scene) {
-  scene.real = element.choice({"float", "double"}) == 0 ? Real::float32 : Real::float64;
+  take_word(element, scene.real);
 }
 
 void read_sin_cos(const SceneElement& element, Scene& scene) {
-  scene.sin_cos = element.choice({"computed", "given"}) == 1 ? Sines::given : Sines::computed;
+  take_word(element, scene.sin_cos);
 }
 
 void read_accuracy(const SceneElement& element, Scene& scene) {
-  scene.accuracy =
-      static_cast<Accuracy>(element.choice({"best", "balanced", "fastest"}).value_or(1));
+  take_word(element, scene.accuracy);
 }
 
 void read_lanes(const SceneElement& element, Scene& scene) {
@@ -141,15 +146,15 @@ void read_lanes(const SceneElement& element, Scene& scene) {
 }
 
 void read_language(const SceneElement& element, Scene& scene) {
-  scene.language = element.choice({"c++", "c"}) == 1 ? Language::c : Language::cpp;
+  take_word(element, scene.language);
 }
 
 void read_profile(const SceneElement& element, Scene& scene) {
-  scene.profile = element.choice({"plain", "misra"}) == 1 ? Profile::misra : Profile::plain;
+  take_word(element, scene.profile);
 }
 
 void read_optimize(const SceneElement& element, Scene& scene) {
-  scene.optimize = static_cast<Optimize>(element.choice({"speed", "size", "balanced"}).value_or(0));
+  take_word(element, scene.optimize);
 }
 
 void read_prefetch(const SceneElement& element, Scene& scene) {
@@ -166,8 +171,7 @@ void read_batch(const SceneElement& element, Scene& scene) {
 }
 
 void read_singular(const SceneElement& element, Scene& scene) {
-  scene.singular =
-      element.choice({"smooth", "exact"}) == 1 ? SingularTasks::exact : SingularTasks::smooth;
+  take_word(element, scene.singular);
 }
 
 /// A reader of a key whose meaning does not depend on the robot.
