@@ -1,24 +1,10 @@
-#include <fstream>
-
 #include "bench/bench_report.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
+#include "timing/describe_processor.hpp"
 
 namespace treeline {
 namespace {
-
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  std::string model;
-  std::string family;
-  for (std::string line; std::getline(file, line) && !line.empty();) {
-    const auto value = [&] { return line.substr(std::min(line.find(':') + 2, line.size())); };
-    if (line.starts_with("model name")) model = value();
-    if (line.starts_with("cpu family")) family = value();
-  }
-  if (model.empty()) return "unknown processor";
-  return family.empty() ? model : model + ", family " + family;
-}
 
 /// Returns the first line of `g++ --version` for a command like `g++ -std=c++17 -O3`.
 std::string compiler_name(const std::string& command) {
@@ -47,7 +33,7 @@ std::string own_compiler() {
 }  // namespace
 
 BenchMachine describe_machine(const std::string& command) {
-  return {processor_name(), compiler_name(command), command, own_compiler()};
+  return {describe_processor(), compiler_name(command), command, own_compiler()};
 }
 
 }  // namespace treeline

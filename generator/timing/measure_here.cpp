@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <fstream>
 #include <future>
 #include <thread>
 
@@ -10,6 +9,7 @@
 #include "compilation/temporary_folder.hpp"
 #include "emission/write_files.hpp"
 #include "generation/function_mechanisms.hpp"
+#include "timing/describe_processor.hpp"
 #include "timing/time_cold_calls.hpp"
 #include "timing/tune.hpp"
 
@@ -108,16 +108,6 @@ std::vector<Measurement> measure_all(const std::vector<ColdCall>& calls, bool co
   return measured;
 }
 
-std::string find_processor() {
-  std::ifstream stream("/proc/cpuinfo");
-  std::string line;
-  while (std::getline(stream, line)) {
-    const auto colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "an unnamed processor";
-}
-
 }  // namespace
 
 Measure measure_here(const Robot& robot, const Scene& scene, const CompileOptions& compile) {
@@ -151,7 +141,7 @@ std::string describe_here(const CompileOptions& compile, Diagnostics& diagnostic
   asked.emplace_back("--version");
   const std::string version = run_commands({asked}, 1, folder->path()).front().output;
   return fmt::format("{}, {}, {}", version.substr(0, version.find('\n')), compile.flags,
-                     find_processor());
+                     describe_processor());
 }
 
 }  // namespace treeline
