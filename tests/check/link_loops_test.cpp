@@ -86,6 +86,19 @@ Subjects read(const std::string& urdf, const std::string& scene_text) {
   return {*robot, *scene, {}};
 }
 
+/// No function loops, and a single note says why.
+void expect_lines(const Subjects& subjects, const std::string& why) {
+  Diagnostics diagnostics;
+  const auto generation = generate_code(subjects.robot, subjects.scene,
+                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
+  ASSERT_TRUE(generation);
+  for (const auto& generated : generation->functions) EXPECT_FALSE(generated.program.loops);
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  const Diagnostic& note = diagnostics.list().front();
+  EXPECT_EQ(note.severity, Severity::note);
+  EXPECT_NE(note.fault.find(why), std::string::npos) << to_string(note);
+}
+
 TEST(LinkLoopsCheck, HumanoidOnAFixedBase) {
   expect_right(load_unmade("humanoid24", "scene.yaml"), Real::float64, all_with_form());
 }
@@ -166,16 +179,9 @@ TEST(LinkLoopsCheck, GyroscopicRotors) {
 
 // Of a multiple of an angle no sine is given.
 TEST(LinkLoopsCheck, GivenSinesOfMultiplesStayAsLines) {
-  Subjects subjects = read("published/kinova_gen3_2f85.urdf",
-                           "optimize: size\nsin_cos: given\nfunctions: [mass_matrix]\n");
-  Diagnostics diagnostics;
-  const auto generation = generate_code(subjects.robot, subjects.scene,
-                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
-  ASSERT_TRUE(generation);
-  EXPECT_FALSE(generation->functions.front().program.loops);
-  ASSERT_EQ(diagnostics.list().size(), 1U);
-  EXPECT_NE(diagnostics.list().front().fault.find("turns by a multiple of its coordinate"),
-            std::string::npos);
+  expect_lines(read("published/kinova_gen3_2f85.urdf",
+                    "optimize: size\nsin_cos: given\nfunctions: [mass_matrix]\n"),
+               "turns by a multiple of its coordinate");
 }
 
 // Some angles of the humanoid have offsets.
@@ -201,27 +207,14 @@ TEST(LinkLoopsCheck, ImplicitFrictionStaysAsLines) {
   subjects.scene.functions = {Function::forward_dynamics};
   subjects.scene.joint_friction["ankle"].damping = 2;
   subjects.scene.implicit_friction = true;
-  Diagnostics diagnostics;
-  const auto generation = generate_code(subjects.robot, subjects.scene,
-                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
-  ASSERT_TRUE(generation);
-  EXPECT_FALSE(generation->functions.front().program.loops);
-  ASSERT_EQ(diagnostics.list().size(), 1U);
-  EXPECT_NE(diagnostics.list().front().fault.find("implicit"), std::string::npos);
+  expect_lines(subjects, "implicit");
 }
 
+// Nothing is said of the function that never has this form.
 TEST(LinkLoopsCheck, WhatTheTableCannotSayStaysAsLines) {
-  Subjects subjects = read("written/ball_humanoid.urdf",
-                           "optimize: size\nfunctions: [inverse_dynamics, kinetic_energy]\n");
-  Diagnostics diagnostics;
-  const auto generation = generate_code(subjects.robot, subjects.scene,
-                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
-  ASSERT_TRUE(generation);
-  for (const auto& generated : generation->functions) EXPECT_FALSE(generated.program.loops);
-  ASSERT_EQ(diagnostics.list().size(), 1U);  // none of a function without this form
-  const Diagnostic& note = diagnostics.list().front();
-  EXPECT_EQ(note.severity, Severity::note);
-  EXPECT_NE(note.fault.find("ball joint"), std::string::npos) << to_string(note);
+  expect_lines(read("written/ball_humanoid.urdf",
+                    "optimize: size\nfunctions: [inverse_dynamics, kinetic_energy]\n"),
+               "ball joint");
 }
 
 TEST(LinkLoopsCheck, SmallFunctionsStayAsLines) {
