@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <span>
 #include <utility>
 
@@ -23,37 +24,37 @@ std::string table_name(const LinkTableData& table) {
                      table.around_points && !has_points(table) ? "Link" : "");
 }
 
-/// What a table says of springs, friction and couplings, behind the arguments that it always has.
-std::string print_kinds(const LinkTableData& table) {
-  const bool kinds[] = {!table.drives.empty(), !table.frictions.empty(), !table.couplings.empty()};
+/// The words up to the last of what a table has: defaults say the rest.
+std::string join_to_last(std::initializer_list<std::pair<bool, std::string>> words) {
   std::string text;
   std::string missing;
-  for (const bool kind : kinds) {
-    missing += fmt::format(", {}", kind);
-    if (kind) text += std::exchange(missing, {});
+  for (const auto& [has, word] : words) {
+    missing += ", " + word;
+    if (has) text += std::exchange(missing, {});
   }
   return text;
+}
+
+/// What a table says of springs, friction and couplings, behind the arguments that it always has.
+std::string print_kinds(const LinkTableData& table) {
+  const auto kind = [](const auto& list) {
+    return std::pair(!list.empty(), fmt::format("{}", !list.empty()));
+  };
+  return join_to_last({kind(table.drives), kind(table.frictions), kind(table.couplings)});
 }
 
 /// The table's lists behind gravity, up to the last that it has.
 std::string print_lists(const LinkTableData& table, const std::string& prefix) {
   const auto list = [&](bool has, const char* name) {
-    return std::pair(has, has ? fmt::format(", &k{}{}[0]", prefix, name) : ", nullptr");
+    return std::pair(has, has ? fmt::format("&k{}{}[0]", prefix, name) : "nullptr");
   };
   const auto points =
-      fmt::format(", &kPoints[0], {}, &kPointRows[0], {}", table.points.size(), table.rows.size());
-  const std::pair<bool, std::string> lists[] = {
-      {has_points(table), has_points(table) ? points : ", nullptr, 0, nullptr, 0"},
-      list(!table.drives.empty(), "Drives"),
-      list(!table.frictions.empty(), "Frictions"),
-      list(!table.couplings.empty(), "Couplings")};
-  std::string text;
-  std::string missing;
-  for (const auto& [has, words] : lists) {
-    missing += words;
-    if (has) text += std::exchange(missing, {});
-  }
-  return text + (table.couplings.empty() ? "" : fmt::format(", {}", table.joints));
+      fmt::format("&kPoints[0], {}, &kPointRows[0], {}", table.points.size(), table.rows.size());
+  return join_to_last({{has_points(table), has_points(table) ? points : "nullptr, 0, nullptr, 0"},
+                       list(!table.drives.empty(), "Drives"),
+                       list(!table.frictions.empty(), "Frictions"),
+                       list(!table.couplings.empty(), "Couplings"),
+                       {!table.couplings.empty(), fmt::format("{}", table.joints)}});
 }
 
 std::string print_table(const LinkTableText& table) {
