@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compilation/compile_folder.hpp"
+#include "compilation/keep_library.hpp"
 #include "compilation/run_commands.hpp"
 #include "emission/describe_program.hpp"
 
@@ -63,9 +64,8 @@ bool all_succeeded(const std::vector<CommandOutcome>& outcomes, const std::vecto
   return true;
 }
 
-fs::path link(const Command& compiler, const std::vector<Source>& sources, const fs::path& work,
-              Diagnostics& diagnostics) {
-  fs::path library = work / "librobot.so";
+bool link(const Command& compiler, const std::vector<Source>& sources, const fs::path& work,
+          const fs::path& library, Diagnostics& diagnostics) {
   const fs::path exported = work / "exported.map";
   std::ofstream(exported) << "{ global: treeline_drive_library; local: *; };\n";
   Command command = compiler;
@@ -73,11 +73,11 @@ fs::path link(const Command& compiler, const std::vector<Source>& sources, const
                  {"-shared", "-Wl,--version-script=" + exported.string(), "-o", library.string()});
   for (const Source& source : sources) command.push_back(source.object);
   const CommandOutcome outcome = run_commands({command}, 1, work).front();
-  if (outcome.started && outcome.exit_code == 0) return library;
+  if (outcome.started && outcome.exit_code == 0) return true;
   diagnostics.add({Severity::error, library.filename(), 0, "",
                    "does not link" + first_lines(outcome.output),
                    "Look whether the folder of temporary files (TMPDIR) has space left."});
-  return {};
+  return false;
 }
 
 }  // namespace
@@ -91,9 +91,15 @@ fs::path compile_robot(const std::vector<CompiledPart>& parts, const fs::path& w
   for (const Source& source : sources) {
     commands.push_back(compile_command(*compiler, parts, work, source));
   }
+  const fs::path kept = folder_of_kept_libraries();
+  const std::string name = kept.empty() ? "" : identify_library(*compiler, commands, work);
+  const fs::path library = work / "librobot.so";
+  if (!kept.empty() && take_kept_library(kept, name, library)) return library;
   const auto outcomes = run_commands(commands, count_cores(0), work, progress);
   if (!all_succeeded(outcomes, sources, diagnostics)) return {};
-  return link(*compiler, sources, work, diagnostics);
+  if (!link(*compiler, sources, work, library, diagnostics)) return {};
+  if (!kept.empty()) keep_library(library, kept, name);
+  return library;
 }
 
 }  // namespace treeline

@@ -17,8 +17,9 @@ struct CompiledPart {
 };
 
 /// Compiles the parts and `robot.cpp`, which all lie in `work` beside `runtime/`, and links them to
-/// a shared library, whose path is returned; empty after an error. `progress` receives the number
-/// of sources that are done and of all.
+/// a shared library in `work`, whose path is returned; empty after an error. A library that an
+/// earlier run made of the same bytes is taken instead, see `folder_of_kept_libraries`. `progress`
+/// receives the number of sources that are done and of all.
 std::filesystem::path compile_robot(const std::vector<CompiledPart>& parts,
                                     const std::filesystem::path& work,
                                     const std::function<void(int, int)>& progress,

@@ -9,6 +9,13 @@ const kCandidates = [process.env.TREELINE_CHROMIUM, '/usr/bin/chromium',
 
 const kPatience = 90000;  // ms: machines that do much else are slow at drawing in software
 
+// Drawing in software takes most of the time of a test. Pixels drawn for one of the page: few are
+// enough where nobody looks.
+const kScale = process.env.TREELINE_PICTURES ? 1 : 0.25;
+
+/** For `open_page`: all pixels, for tests that look at them. */
+export const kSharp = {deviceScaleFactor: 1};
+
 // Whether the bundle of TREELINE_PAGE stands in for the one that a program carries.
 const kNewest = Boolean(process.env.TREELINE_NEWEST_PAGE);
 
@@ -23,6 +30,11 @@ export function launch_browser() {
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
       '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-gpu-rasterization',
       ...(kNewest ? ['--disable-features=LocalNetworkAccessChecks'] : [])]});
+}
+
+/** Draws at most 15 times a second, as a slow machine does. */
+function draw_seldom() {
+  window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 66);
 }
 
 /** Puts the newest bundle in the place of the one that a program carries: while one works on it. */
@@ -40,9 +52,11 @@ async function put_newest(page) {
  * TREELINE_PAGE.
  */
 export async function open_page(browser, address, options = {}) {
-  const page = await browser.newPage({viewport: {width: 1366, height: 768}, ...options});
+  const page = await browser.newPage({viewport: {width: 1366, height: 768},
+    deviceScaleFactor: kScale, ...options});
   page.setDefaultTimeout(kPatience);
   page.faults = [];
+  await page.addInitScript(draw_seldom);
   page.on('pageerror', (error) => page.faults.push(error.message));
   page.on('console', (message) => {
     const away = /WebSocket connection|ERR_CONNECTION|GPU stall/;

@@ -1,4 +1,4 @@
-// Tests of gestures that hold for every server of a PUMA 560: the mock and `treeline drive`.
+// Gestures on a PUMA 560 that `treeline drive` serves.
 import assert from 'node:assert/strict';
 
 import {drag, open_page, read_tip, state_of, straight, type_line, wait_for_state} from

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 
-import {launch_browser, open_page} from './browser.mjs';
+import {kSharp, launch_browser, open_page} from './browser.mjs';
 import {MockServer} from './mock_server.mjs';
 
 const kCorners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
@@ -79,7 +79,7 @@ async function show(t, served, collision = '') {
     Object.fromEntries(served.map((file) => [file, kFiles[file]])));
   server.robot.q = server.robot.q.map(() => 0);
   await server.listen();
-  const page = await open_page(browser, server.address);
+  const page = await open_page(browser, server.address, kSharp);
   t.after(async () => {
     await page.close();
     await server.close();

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import {after, before, test} from 'node:test';
 
-import {launch_browser, open_page, type_line, wait_for_state} from './browser.mjs';
+import {kSharp, launch_browser, open_page, type_line, wait_for_state} from './browser.mjs';
 import {MockServer} from './mock_server.mjs';
 
 const server = new MockServer();
@@ -13,7 +13,7 @@ let page;
 before(async () => {
   await server.listen();
   browser = await launch_browser();
-  page = await open_page(browser, server.address);
+  page = await open_page(browser, server.address, kSharp);
 });
 after(async () => {
   await browser.close();

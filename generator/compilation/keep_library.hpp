@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compilation/run_commands.hpp"
+
+namespace treeline {
+
+/// The folder of libraries that earlier runs compiled: the environment variable TREELINE_CACHE,
+/// else `treeline` in XDG_CACHE_HOME, else `.cache/treeline` in HOME. Empty, so that nothing is
+/// kept: TREELINE_CACHE is set and empty, or none of these names an absolute path.
+std::filesystem::path folder_of_kept_libraries();
+
+/// Returns a name for what `commands` make of the sources and headers below `work`: another one
+/// where a byte of these, a flag, the compiler, its version or its target differ. The place of
+/// `work` does not matter. Runs `compiler -v`, whose output goes to `work`.
+std::string identify_library(const Command& compiler, const std::vector<Command>& commands,
+                             const std::filesystem::path& work);
+
+/// Copies the library of that name to `destination`. Returns false where the folder holds none, or
+/// one whose bytes are not those that were kept.
+bool take_kept_library(const std::filesystem::path& folder, const std::string& name,
+                       const std::filesystem::path& destination);
+
+/// Keeps a copy of the library for `take_kept_library`, and removes all but the 32 that were used
+/// last. Does nothing where the folder cannot be made or written: the library is there anyway.
+void keep_library(const std::filesystem::path& library, const std::filesystem::path& folder,
+                  const std::string& name);
+
+}  // namespace treeline
