@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <cstdint>
 #include <new>
 #include <ostream>
 #include <type_traits>
@@ -60,6 +62,25 @@ bool is_common(const Number& x) {
   return x.backend().exponent() > -kMost && x.backend().exponent() < kMost;
 }
 
+bool is_zero(const Number& x) {
+  return x.backend().exponent() == Number::backend_type::exponent_zero;
+}
+
+/// Whether one of them is zero, and neither infinite, NaN or out of the range above.
+bool has_zero(const Number& a, const Number& b) {
+  return is_zero(a) ? is_zero(b) || is_common(b) : is_zero(b) && is_common(a);
+}
+
+/// a += b or a -= b where `has_zero(a, b)`: half of the sums of sparse matrices.
+void add_zero(Number& a, const Number& b, bool minus) {
+  const bool negative = b.backend().sign() != minus;
+  if (!is_zero(a)) return;
+  const bool both_negative = a.backend().sign() && negative;
+  const bool is_sum_zero = is_zero(b);
+  a = b;
+  a.backend().sign() = is_sum_zero ? both_negative : negative;
+}
+
 digits::Binary168 parts_of(const Number& x) {
   const auto* const limbs = x.backend().bits().limbs();
   return {{limbs[0], limbs[1], limbs[2]}, x.backend().exponent(), x.backend().sign()};
@@ -77,6 +98,10 @@ void assign_parts(Number& x, const digits::Binary168& parts) {
 /// nothing was done.
 bool add_fast(Number& a, const Number& b, bool minus) {
   if constexpr (kHasFastLimbs) {
+    if (has_zero(a, b)) {
+      add_zero(a, b, minus);
+      return true;
+    }
     if (!is_common(a) || !is_common(b)) return false;
     const int apart = a.backend().exponent() - b.backend().exponent();
     if (apart > digits::kFarthest || apart < -digits::kFarthest) return false;
@@ -96,8 +121,32 @@ bool add_fast(Number& a, const Number& b, bool minus) {
 /// done.
 bool multiply_fast(Number& a, const Number& b) {
   if constexpr (kHasFastLimbs) {
+    if (has_zero(a, b)) {
+      const bool negative = a.backend().sign() != b.backend().sign();
+      if (!is_zero(a)) a = Number();
+      a.backend().sign() = negative;
+      return true;
+    }
     if (!is_common(a) || !is_common(b)) return false;
     assign_parts(a, digits::multiply(parts_of(a), parts_of(b)));
+    return true;
+  }
+  return false;
+}
+
+/// x = value, if that is finite, where x is zero: its 53 bits are the highest. Returns false if
+/// nothing was done.
+bool assign_fast(Number& x, double value) {
+  if constexpr (kHasFastLimbs) {
+    if (!std::isfinite(value)) return false;
+    if (value == 0) {
+      x.backend().sign() = std::signbit(value);
+      return true;
+    }
+    int exponent = 0;
+    const double fraction = std::frexp(std::abs(value), &exponent);
+    const auto bits = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
+    assign_parts(x, {{0, bits << 51, bits >> 13}, exponent - 1, value < 0});
     return true;
   }
   return false;
@@ -106,7 +155,8 @@ bool multiply_fast(Number& a, const Number& b) {
 }  // namespace
 
 Digits50::Digits50(double value) noexcept {
-  Digits50Access::start(*this, value);
+  ::new (static_cast<void*>(storage_)) Number();
+  if (!assign_fast(of(*this), value)) of(*this) = value;
 }
 Digits50::Digits50(long double value) noexcept {
   Digits50Access::start(*this, value);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -84,6 +85,37 @@ TEST(Digits50, SumsDifferencesAndProductsAreBoosts) {
     ASSERT_EQ(text(own_sum - a.own), text(Boost(boost_sum - a.boost)))
         << text(a.own) << text(b.own);
     ASSERT_EQ(text(a.own * b.own), text(Boost(a.boost * b.boost))) << text(a.own) << text(b.own);
+  }
+}
+
+/// Would catch: a zero with the wrong sign, a term that is lost beside one.
+TEST(Digits50, SumsAndProductsWithZerosAreBoosts) {
+  for (const double a : {0.0, -0.0, 1.5, -2.0}) {
+    for (const double b : {0.0, -0.0, 3.0, -0.25}) {
+      SCOPED_TRACE(testing::Message() << a << " and " << b);
+      EXPECT_EQ(text(Digits50(a) + Digits50(b)), text(Boost(Boost(a) + Boost(b))));
+      EXPECT_EQ(text(Digits50(a) - Digits50(b)), text(Boost(Boost(a) - Boost(b))));
+      EXPECT_EQ(text(Digits50(a) * Digits50(b)), text(Boost(Boost(a) * Boost(b))));
+      Digits50 twice = a;
+      twice += twice;
+      EXPECT_EQ(text(twice), text(Boost(2 * Boost(a))));
+    }
+  }
+  EXPECT_EQ(text(Digits50(-0.0)), "-0");
+}
+
+/// Would catch: a bit in the wrong place, the smallest doubles, whose 53 bits are not all there.
+TEST(Digits50, DoublesAreExact) {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto x = std::bit_cast<double>(static_cast<std::uint64_t>(random()));
+    if (std::isnan(x)) continue;
+    ASSERT_EQ(text(Digits50(x)), text(Boost(x)));
+    ASSERT_EQ(static_cast<double>(Digits50(x)), x);
+  }
+  for (const double x : {5e-324, -5e-324, 2.2250738585072014e-308, 1.7976931348623157e308,
+                         std::numeric_limits<double>::infinity(), 1.0, 0.1}) {
+    EXPECT_EQ(text(Digits50(x)), text(Boost(x)));
   }
 }
 
