@@ -8,6 +8,8 @@
 namespace treeline {
 namespace {
 
+using UnitKind = interpreter::UnitParameter::Kind;
+
 /// The ten inertial parameters of a body.
 template <class Scalar>
 std::array<Scalar, kInertialParameters> parameters_of(const interpreter::Body<Scalar>& body) {
@@ -38,7 +40,6 @@ void set_parameters(const std::vector<double>& entries, std::size_t first,
 
 template <class Scalar>
 Scalar value_of(const interpreter::Model<Scalar>& model, const interpreter::UnitParameter& unit) {
-  using UnitKind = interpreter::UnitParameter::Kind;
   const interpreter::Body<Scalar>& body = model.body(unit.body);
   if (unit.kind == UnitKind::rotor) return body.armature;
   if (unit.kind == UnitKind::viscous) return body.damping;
@@ -49,7 +50,6 @@ Scalar value_of(const interpreter::Model<Scalar>& model, const interpreter::Unit
 template <class Scalar>
 void add_to(const interpreter::UnitParameter& unit, const Scalar& value,
             interpreter::Model<Scalar>& model) {
-  using UnitKind = interpreter::UnitParameter::Kind;
   interpreter::Body<Scalar>& body = model.bodies[static_cast<std::size_t>(unit.body)];
   if (unit.kind == UnitKind::rotor) {
     body.armature += value;

@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <ostream>
 #include <type_traits>
@@ -165,7 +166,10 @@ Digits50::Digits50(const char* digits) {
   Digits50Access::start(*this, digits);
 }
 void Digits50::assign(long long value) noexcept {
-  Digits50Access::start(*this, value);
+  constexpr long long kMostInDouble = 1LL << std::numeric_limits<double>::digits;
+  ::new (static_cast<void*>(storage_)) Number();
+  const bool is_double = -kMostInDouble <= value && value <= kMostInDouble;
+  if (!is_double || !assign_fast(of(*this), static_cast<double>(value))) of(*this) = value;
 }
 void Digits50::assign(unsigned long long value) noexcept {
   Digits50Access::start(*this, value);

@@ -22,20 +22,34 @@ struct Dual {
   requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, T>) explicit Dual(Number x)
       : value(static_cast<T>(x)), slope(0) {}
 
-  Dual& operator+=(const Dual& b) { return *this = *this + b; }
-  Dual& operator-=(const Dual& b) { return *this = *this - b; }
+  // In place, since a copy of a number of 50 digits takes as long as its sum.
+  Dual& operator+=(const Dual& b) {
+    value += b.value;
+    slope += b.slope;
+    return *this;
+  }
+  Dual& operator-=(const Dual& b) {
+    value -= b.value;
+    slope -= b.slope;
+    return *this;
+  }
   Dual& operator*=(const Dual& b) { return *this = *this * b; }
   Dual& operator/=(const Dual& b) { return *this = *this / b; }
 
   friend Dual operator-(const Dual& a) { return {T(-a.value), T(-a.slope)}; }
-  friend Dual operator+(const Dual& a, const Dual& b) {
-    return {T(a.value + b.value), T(a.slope + b.slope)};
+  friend Dual operator+(Dual a, const Dual& b) {
+    a += b;
+    return a;
   }
-  friend Dual operator-(const Dual& a, const Dual& b) {
-    return {T(a.value - b.value), T(a.slope - b.slope)};
+  friend Dual operator-(Dual a, const Dual& b) {
+    a -= b;
+    return a;
   }
-  friend Dual operator*(const Dual& a, const Dual& b) {
-    return {T(a.value * b.value), T(a.slope * b.value + a.value * b.slope)};
+  friend Dual operator*(Dual a, const Dual& b) {
+    a.slope *= b.value;
+    a.slope += a.value * b.slope;
+    a.value *= b.value;
+    return a;
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
     const T ratio = a.value / b.value;

@@ -119,6 +119,15 @@ TEST(Digits50, DoublesAreExact) {
   }
 }
 
+/// Would catch: an integer that has been rounded to a double on its way.
+TEST(Digits50, IntegersAreExact) {
+  constexpr long long kMost = std::numeric_limits<long long>::max();
+  for (const long long x :
+       {0LL, 1LL, -7LL, 1LL << 53, (1LL << 53) + 1, -(1LL << 53) - 1, kMost, -kMost, -kMost - 1}) {
+    EXPECT_EQ(text(Digits50(x)), text(Boost(x)));
+  }
+}
+
 TEST(Digits50, DifferencesOfNeighboursAreExact) {
   const Digits50 one = 1;
   Digits50 ulp = 1;
