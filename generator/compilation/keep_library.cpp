@@ -85,8 +85,9 @@ fs::path folder_of_kept_libraries() {
 
 std::string identify_library(const Command& compiler, const std::vector<Command>& commands,
                              const fs::path& work) {
+  // Names the version, the target, the processor that -march=native means, and folders of headers.
   Command about_itself = compiler;
-  about_itself.emplace_back("-v");
+  about_itself.insert(about_itself.end(), {"-v", "-E", "-x", "c++", "/dev/null"});
   std::string all;
   append(all, run_commands({about_itself}, 1, work).front().output);
   for (const char* const variable : kSearchPaths) {

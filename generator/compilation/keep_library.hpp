@@ -14,8 +14,9 @@ namespace treeline {
 std::filesystem::path folder_of_kept_libraries();
 
 /// Returns a name for what `commands` make of the sources and headers below `work`: another one
-/// where a byte of these, a flag, the compiler, its version or its target differ. The place of
-/// `work` does not matter. Runs `compiler -v`, whose output goes to `work`.
+/// where a byte of these, a flag, the compiler, its version, its target or the processor that it
+/// compiles for differs. The place of `work` does not matter. Runs the compiler, whose output goes
+/// to `work`.
 std::string identify_library(const Command& compiler, const std::vector<Command>& commands,
                              const std::filesystem::path& work);
 
