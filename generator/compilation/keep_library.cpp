@@ -75,7 +75,9 @@ void remove_oldest(const fs::path& folder) {
 }  // namespace
 
 fs::path folder_of_kept_libraries() {
-  if (std::getenv("TREELINE_CACHE") != nullptr) return absolute_path_of("TREELINE_CACHE");
+  if (const char* const folder = std::getenv("TREELINE_CACHE"); folder != nullptr) {
+    return *folder == '\0' ? fs::path() : fs::absolute(folder);
+  }
   if (const fs::path cache = absolute_path_of("XDG_CACHE_HOME"); !cache.empty()) {
     return cache / "treeline";
   }

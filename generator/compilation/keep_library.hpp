@@ -10,7 +10,7 @@ namespace treeline {
 
 /// The folder of libraries that earlier runs compiled: the environment variable TREELINE_CACHE,
 /// else `treeline` in XDG_CACHE_HOME, else `.cache/treeline` in HOME. Empty, so that nothing is
-/// kept: TREELINE_CACHE is set and empty, or none of these names an absolute path.
+/// kept: TREELINE_CACHE is set and empty, or is not set and neither other is an absolute path.
 std::filesystem::path folder_of_kept_libraries();
 
 /// Returns a name for what `commands` make of the sources and headers below `work`: another one

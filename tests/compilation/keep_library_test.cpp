@@ -121,6 +121,8 @@ TEST_F(KeptLibrary, LiesWhereTheEnvironmentSays) {
   EXPECT_EQ(folder_of_kept_libraries(), "/var/cache/someone/treeline");
   setenv("TREELINE_CACHE", "/tmp/kept", 1);
   EXPECT_EQ(folder_of_kept_libraries(), "/tmp/kept");
+  setenv("TREELINE_CACHE", "kept", 1);
+  EXPECT_EQ(folder_of_kept_libraries(), fs::current_path() / "kept");
   setenv("TREELINE_CACHE", "", 1);
   EXPECT_EQ(folder_of_kept_libraries(), "");
   unsetenv("TREELINE_CACHE");
