@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <numeric>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "compilation/choose_flags.hpp"
+#include "compilation/environment.hpp"
 #include "compilation/print_entry.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/write_work_file.hpp"
@@ -190,12 +190,6 @@ void measure_functions(const Objects& objects, const fs::path& work, Compilation
   }
 }
 
-/// The value of an environment variable; empty where it is blank or not set.
-std::string value_of(const char* variable) {
-  const char* const value = std::getenv(variable);
-  return value == nullptr || split_words(value).empty() ? "" : value;
-}
-
 /// The compilers to try, and the environment variable that names the first; empty: none does.
 struct CompilerSearch {
   std::vector<Command> candidates;
@@ -204,12 +198,12 @@ struct CompilerSearch {
 
 CompilerSearch search_for(const CompileOptions& options) {
   if (!options.compiler.empty()) return {{split_words(options.compiler)}, ""};
-  const std::string cxx = value_of("CXX");
+  const std::string cxx = environment_value("CXX");
   if (options.language == Language::cpp) {
     if (!cxx.empty()) return {{split_words(cxx)}, "$CXX"};
     return {{{"c++"}, {"g++"}}, ""};
   }
-  const std::string cc = value_of("CC");
+  const std::string cc = environment_value("CC");
   if (!cc.empty()) return {{split_words(cc)}, "$CC"};
   const std::string beside = c_compiler_beside(cxx);
   if (!beside.empty()) return {{split_words(beside)}, "the name in $CXX"};

@@ -2,11 +2,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <set>
 #include <utility>
 
+#include "compilation/environment.hpp"
 #include "emission/digest.hpp"
 
 namespace treeline {
@@ -38,13 +40,14 @@ std::string without(std::string text, const std::string& part) {
   return text;
 }
 
+/// Whether the compiler or the linker reads it; other files there are what they write.
 bool is_source(const fs::path& file) {
-  return file.extension() == ".cpp" || file.extension() == ".hpp" || file.extension() == ".h";
+  constexpr std::array kEndings = {".cpp", ".hpp", ".h", ".map"};
+  return std::ranges::find(kEndings, file.extension()) != kEndings.end();
 }
 
 fs::path absolute_path_of(const char* variable) {
-  const char* const value = std::getenv(variable);
-  const fs::path path = value == nullptr ? "" : value;
+  const fs::path path = environment_value(variable);
   return path.is_absolute() ? path : fs::path();
 }
 
@@ -85,17 +88,17 @@ fs::path folder_of_kept_libraries() {
   return home.empty() ? home : home / ".cache" / "treeline";
 }
 
-std::string identify_library(const Command& compiler, const std::vector<Command>& commands,
-                             const fs::path& work) {
+std::string identify_library(const Command& compiler, std::vector<Command> commands,
+                             const Command& linking, const fs::path& work) {
   // Names the version, the target, the processor that -march=native means, and folders of headers.
   Command about_itself = compiler;
   about_itself.insert(about_itself.end(), {"-v", "-E", "-x", "c++", "/dev/null"});
   std::string all;
   append(all, run_commands({about_itself}, 1, work).front().output);
   for (const char* const variable : kSearchPaths) {
-    const char* const value = std::getenv(variable);
-    append(all, value == nullptr ? "" : value);
+    append(all, environment_value(variable));
   }
+  commands.push_back(linking);
   for (const Command& command : commands) {
     for (const std::string& word : command) append(all, without(word, work));
   }

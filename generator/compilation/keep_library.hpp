@@ -13,12 +13,12 @@ namespace treeline {
 /// kept: TREELINE_CACHE is set and empty, or is not set and neither other is an absolute path.
 std::filesystem::path folder_of_kept_libraries();
 
-/// Returns a name for what `commands` make of the sources and headers below `work`: another one
-/// where a byte of these, a flag, the compiler, its version, its target or the processor that it
-/// compiles for differs. The place of `work` does not matter. Runs the compiler, whose output goes
-/// to `work`.
-std::string identify_library(const Command& compiler, const std::vector<Command>& commands,
-                             const std::filesystem::path& work);
+/// Returns a name for what `commands` and then `linking` make of the sources and headers below
+/// `work`: another one where a byte of these, a flag, the compiler, its version, its target or the
+/// processor that it compiles for differs. The place of `work` does not matter. Runs the compiler,
+/// whose output goes to `work`.
+std::string identify_library(const Command& compiler, std::vector<Command> commands,
+                             const Command& linking, const std::filesystem::path& work);
 
 /// Copies the library of that name to `destination`. Returns false where the folder holds none, or
 /// one whose bytes are not those that were kept.

@@ -64,14 +64,19 @@ bool all_succeeded(const std::vector<CommandOutcome>& outcomes, const std::vecto
   return true;
 }
 
-bool link(const Command& compiler, const std::vector<Source>& sources, const fs::path& work,
-          const fs::path& library, Diagnostics& diagnostics) {
+Command link_command(const Command& compiler, const std::vector<Source>& sources,
+                     const fs::path& work, const fs::path& library) {
   const fs::path exported = work / "exported.map";
   std::ofstream(exported) << "{ global: treeline_drive_library; local: *; };\n";
   Command command = compiler;
   command.insert(command.end(),
                  {"-shared", "-Wl,--version-script=" + exported.string(), "-o", library.string()});
   for (const Source& source : sources) command.push_back(source.object);
+  return command;
+}
+
+bool link(const Command& command, const fs::path& work, const fs::path& library,
+          Diagnostics& diagnostics) {
   const CommandOutcome outcome = run_commands({command}, 1, work).front();
   if (outcome.started && outcome.exit_code == 0) return true;
   diagnostics.add({Severity::error, library.filename(), 0, "",
@@ -91,13 +96,17 @@ fs::path compile_robot(const std::vector<CompiledPart>& parts, const fs::path& w
   for (const Source& source : sources) {
     commands.push_back(compile_command(*compiler, parts, work, source));
   }
-  const fs::path kept = folder_of_kept_libraries();
-  const std::string name = kept.empty() ? "" : identify_library(*compiler, commands, work);
   const fs::path library = work / "librobot.so";
-  if (!kept.empty() && take_kept_library(kept, name, library)) return library;
+  const Command linking = link_command(*compiler, sources, work, library);
+  const fs::path kept = folder_of_kept_libraries();
+  std::string name;
+  if (!kept.empty()) {
+    name = identify_library(*compiler, commands, linking, work);
+    if (take_kept_library(kept, name, library)) return library;
+  }
   const auto outcomes = run_commands(commands, count_cores(0), work, progress);
   if (!all_succeeded(outcomes, sources, diagnostics)) return {};
-  if (!link(*compiler, sources, work, library, diagnostics)) return {};
+  if (!link(linking, work, library, diagnostics)) return {};
   if (!kept.empty()) keep_library(library, kept, name);
   return library;
 }

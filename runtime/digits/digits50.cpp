@@ -74,12 +74,10 @@ bool has_zero(const Number& a, const Number& b) {
 
 /// a += b or a -= b where `has_zero(a, b)`: half of the sums of sparse matrices.
 void add_zero(Number& a, const Number& b, bool minus) {
-  const bool negative = b.backend().sign() != minus;
   if (!is_zero(a)) return;
-  const bool both_negative = a.backend().sign() && negative;
-  const bool is_sum_zero = is_zero(b);
+  const bool a_negative = a.backend().sign(), b_negative = b.backend().sign() != minus;
   a = b;
-  a.backend().sign() = is_sum_zero ? both_negative : negative;
+  a.backend().sign() = b_negative && (a_negative || !is_zero(a));
 }
 
 digits::Binary168 parts_of(const Number& x) {

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
+#include "../own_environment.hpp"
 #include "drive_fixture.hpp"
 
 // Would catch: a robot that is compiled anew at each start, and one whose code is that of another
@@ -22,11 +21,10 @@ class DriveAgain : public DriveTest {
                                   "exec c++ \"$@\"\n",
                                   (root_ / "compiled").string()));
     fs::permissions(compiler, fs::perms::owner_all);
-    setenv("CXX", compiler.c_str(), 1);
-    setenv("TREELINE_CACHE", (root_ / "kept").c_str(), 1);
+    environment_.set("CXX", compiler);
+    environment_.set("TREELINE_CACHE", root_ / "kept");
     write("scene.yaml", "operational_points: [{name: tool, link: link3}]\n");
   }
-  ~DriveAgain() override { unsetenv("CXX"); }
 
   /// Number of sources that a drive compiles.
   [[nodiscard]] std::size_t count_compiled() const {
@@ -35,6 +33,8 @@ class DriveAgain : public DriveTest {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return fs::exists(root_ / "compiled") ? fs::file_size(root_ / "compiled") : 0;
   }
+
+  test::OwnEnvironment environment_;
 };
 
 TEST_F(DriveAgain, CompilesOnlyWhatHasChanged) {
@@ -46,8 +46,8 @@ TEST_F(DriveAgain, CompilesOnlyWhatHasChanged) {
 }
 
 TEST_F(DriveAgain, KeepsNothingWhereAskedTo) {
-  setenv("TREELINE_CACHE", "", 1);
-  setenv("HOME", root_.c_str(), 1);
+  environment_.set("TREELINE_CACHE", "");
+  environment_.set("HOME", root_);
   EXPECT_GT(count_compiled(), 2U);
   EXPECT_FALSE(fs::exists(root_ / "kept"));
   EXPECT_FALSE(fs::exists(root_ / ".cache"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "../own_environment.hpp"
 #include "program_test.hpp"
 #include "run_on_terminal.hpp"
 
@@ -304,11 +305,11 @@ TEST_F(MessagesTest, DashIsStandardInput) {
 // Would catch: a compiler command of several words that is taken for one program.
 TEST_F(MessagesTest, CompilerMayHaveALauncher) {
   const std::string check = "check arm.urdf empty.yaml --functions gravity --states 3 --json";
-  setenv("CXX", "env g++", 1);
+  test::OwnEnvironment environment;
+  environment.set("CXX", "env g++");
   const Outcome launched = run(check);
-  setenv("CXX", "no-such-launcher g++", 1);
+  environment.set("CXX", "no-such-launcher g++");
   const std::string missing = messages(check, 1);
-  unsetenv("CXX");
   EXPECT_EQ(launched.exit_code, 0) << launched.err << launched.out;
   const auto report = nlohmann::json::parse(launched.out);
   EXPECT_EQ(report["compile"]["command"].get<std::string>().rfind("env g++ ", 0), 0U);

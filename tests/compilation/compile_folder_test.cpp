@@ -1,9 +1,8 @@
 #include "compilation/compile_folder.hpp"
 
-#include <cstdlib>
-
 #include "check/fixture.hpp"
 #include "compilation/run_commands.hpp"
+#include "own_environment.hpp"
 
 // Faults between a folder of sources and a loaded library must be reported. Would catch: a stale
 // folder that passes, a compiler's message that is lost, and sizes read from the wrong column.
@@ -123,15 +122,9 @@ TEST_F(FolderTest, UnknownFlagIsTheCompilersError) {
 }
 
 TEST_F(FolderTest, NoCompiler) {
-  const char* const before = std::getenv("CXX");
-  const std::string kept = before == nullptr ? "" : before;
-  setenv("CXX", "/no/such/compiler", 1);
+  test::OwnEnvironment environment;
+  environment.set("CXX", "/no/such/compiler");
   expect_error("/no/such/compiler");
-  if (before == nullptr) {
-    unsetenv("CXX");
-  } else {
-    setenv("CXX", kept.c_str(), 1);
-  }
 }
 
 /// The same folder in C.

@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <thread>
 
+#include "own_environment.hpp"
 #include "own_folder.hpp"
 
 // Would catch: a library of other sources, flags or of another compiler that is taken for the one
@@ -24,17 +25,12 @@ class KeptLibrary : public test::OwnFolder {
     fs::create_directories(root_ / "work" / "runtime");
     write("work/gravity.cpp", "int gravity();\n");
   }
-  ~KeptLibrary() override {
-    for (const char* const variable : {"TREELINE_CACHE", "XDG_CACHE_HOME", "CPATH"}) {
-      unsetenv(variable);
-    }
-    setenv("HOME", home_.c_str(), 1);
-  }
-
   [[nodiscard]] std::string identity(const std::string& work, const std::string& flag = "-O2",
-                                     const std::string& compiler = "c++") const {
-    return identify_library({compiler}, {{compiler, flag, "-c", root_ / work / "gravity.cpp"}},
-                            root_ / work);
+                                     const std::string& compiler = "c++",
+                                     const std::string& link_flag = "-shared") const {
+    const fs::path folder = root_ / work;
+    return identify_library({compiler}, {{compiler, flag, "-c", folder / "gravity.cpp"}},
+                            {compiler, link_flag, folder / "gravity.o"}, folder);
   }
 
   void keep(const std::string& name, const std::string& bytes) {
@@ -48,8 +44,7 @@ class KeptLibrary : public test::OwnFolder {
                : "none";
   }
 
- private:
-  std::string home_ = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
+  test::OwnEnvironment environment_;
 };
 
 TEST_F(KeptLibrary, IsNamedByAllThatGoesIntoIt) {
@@ -59,9 +54,10 @@ TEST_F(KeptLibrary, IsNamedByAllThatGoesIntoIt) {
   EXPECT_EQ(identity("moved"), name);
   EXPECT_NE(identity("moved", "-O1"), name);
   EXPECT_NE(identity("moved", "-O2", "clang++"), name);
-  setenv("CPATH", "/opt/include", 1);
+  EXPECT_NE(identity("moved", "-O2", "c++", "-static"), name);
+  environment_.set("CPATH", "/opt/include");
   EXPECT_NE(identity("moved"), name);
-  unsetenv("CPATH");
+  environment_.set("CPATH", std::nullopt);
   write("moved/gravity.cpp", "int  gravity();\n");
   EXPECT_NE(identity("moved"), name);
   write("moved/gravity.cpp", "int gravity();\n");
@@ -111,23 +107,23 @@ TEST_F(KeptLibrary, IsLeftAloneWhereItsFolderCannotBe) {
 }
 
 TEST_F(KeptLibrary, LiesWhereTheEnvironmentSays) {
-  unsetenv("TREELINE_CACHE");
-  unsetenv("XDG_CACHE_HOME");
-  setenv("HOME", "/home/someone", 1);
+  environment_.set("TREELINE_CACHE", std::nullopt);
+  environment_.set("XDG_CACHE_HOME", std::nullopt);
+  environment_.set("HOME", "/home/someone");
   EXPECT_EQ(folder_of_kept_libraries(), "/home/someone/.cache/treeline");
-  setenv("XDG_CACHE_HOME", "relative", 1);  // is to be ignored, says the specification
+  environment_.set("XDG_CACHE_HOME", "relative");  // is to be ignored, says the specification
   EXPECT_EQ(folder_of_kept_libraries(), "/home/someone/.cache/treeline");
-  setenv("XDG_CACHE_HOME", "/var/cache/someone", 1);
+  environment_.set("XDG_CACHE_HOME", "/var/cache/someone");
   EXPECT_EQ(folder_of_kept_libraries(), "/var/cache/someone/treeline");
-  setenv("TREELINE_CACHE", "/tmp/kept", 1);
+  environment_.set("TREELINE_CACHE", "/tmp/kept");
   EXPECT_EQ(folder_of_kept_libraries(), "/tmp/kept");
-  setenv("TREELINE_CACHE", "kept", 1);
+  environment_.set("TREELINE_CACHE", "kept");
   EXPECT_EQ(folder_of_kept_libraries(), fs::current_path() / "kept");
-  setenv("TREELINE_CACHE", "", 1);
+  environment_.set("TREELINE_CACHE", "");
   EXPECT_EQ(folder_of_kept_libraries(), "");
-  unsetenv("TREELINE_CACHE");
-  unsetenv("XDG_CACHE_HOME");
-  unsetenv("HOME");
+  environment_.set("TREELINE_CACHE", std::nullopt);
+  environment_.set("XDG_CACHE_HOME", std::nullopt);
+  environment_.set("HOME", std::nullopt);
   EXPECT_EQ(folder_of_kept_libraries(), "");
 }
 

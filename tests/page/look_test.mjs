@@ -6,7 +6,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {launch_browser, open_page, type_line} from './browser.mjs';
+import {kSharp, launch_browser, open_page, type_line} from './browser.mjs';
 import {MockServer} from './mock_server.mjs';
 
 const kReferences = path.join(import.meta.dirname, 'pictures');
@@ -87,7 +87,7 @@ function find_faint_texts() {
 
 for (const [size, viewport] of Object.entries(kSizes)) {
   test(`nothing clashes: ${size}`, async () => {
-    const page = await open_page(browser, server.address, {viewport});
+    const page = await open_page(browser, server.address, {...kSharp, viewport});
     for (const tab of kTabs) {
       await page.click(`#tab-${tab}`);
       assert.deepEqual(await page.evaluate(find_clashes), [], tab);
@@ -102,7 +102,7 @@ for (const [size, viewport] of Object.entries(kSizes)) {
 
 for (const colorScheme of ['light', 'dark']) {
   test(`texts can be read: ${colorScheme}`, async () => {
-    const page = await open_page(browser, server.address, {colorScheme});
+    const page = await open_page(browser, server.address, {...kSharp, colorScheme});
     for (const tab of kTabs) {
       await page.click(`#tab-${tab}`);
       assert.deepEqual(await page.evaluate(find_faint_texts), [], tab);
@@ -113,7 +113,7 @@ for (const colorScheme of ['light', 'dark']) {
 }
 
 test('nothing shifts while the robot is driven', async () => {
-  const page = await open_page(browser, server.address);
+  const page = await open_page(browser, server.address, kSharp);
   await page.waitForTimeout(500);
   await page.evaluate(() => {
     window.shifts = [];
@@ -161,7 +161,7 @@ for (const colorScheme of ['light', 'dark']) {
   test(`the picture is as it was looked at: ${colorScheme}`, async () => {
     const still = new MockServer();
     await still.listen();
-    const page = await open_page(browser, still.address, {colorScheme});
+    const page = await open_page(browser, still.address, {...kSharp, colorScheme});
     const picture = await take_picture(page);
     const file = path.join(kReferences, `puma560_${colorScheme}.png`);
     if (process.env.TREELINE_WRITE_PICTURES) {
