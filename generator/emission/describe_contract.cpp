@@ -5,6 +5,8 @@
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_link_inputs.hpp"
+#include "emission/print_link_table.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/print_target.hpp"
 #include "program/format_literal.hpp"
@@ -110,8 +112,10 @@ std::size_t count_work(const LinkLoops& loops) {
   const std::size_t rows = table.rows.size();
   const std::size_t points = table.points.size();
   std::size_t count = 9 * links + 9 * slots + 9;
-  if (loops.uses_inertias) count += 7 * links + 27 * slots + (table.floats ? 36 : 1);
+  if (loops.uses_inertias) count += 7 * links + 27 * slots + count_base_entries(table);
   if (loops.uses_rows) count += 18 * points + (8 + rows) * rows;
+  count += 10 * table.loaded_links.size();
+  if (moves_points(table)) count += 13 * points;
   return count;
 }
 

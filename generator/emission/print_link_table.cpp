@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -28,10 +30,21 @@ std::string numbers(const Syntax& syntax, std::span<const double> values) {
 
 std::string print_link(const Syntax& syntax, const Link<double>& of) {
   const double turns[3][2] = {{of.a.c, of.a.s}, {of.alpha.c, of.alpha.s}, {of.b.c, of.b.s}};
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", of.parent, of.slot,
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {{{}, {}, {}}}}}", of.parent, of.slot,
                      of.slides, numbers(syntax, turns[0]), numbers(syntax, turns[1]),
                      numbers(syntax, turns[2]), numbers(syntax, of.p), number(syntax, of.rotor),
-                     number(syntax, of.mass), numbers(syntax, of.h), numbers(syntax, of.J));
+                     number(syntax, of.body.mass), numbers(syntax, of.body.h),
+                     numbers(syntax, of.body.J));
+}
+
+std::string print_frames(const Syntax& syntax, const LinkInput& input) {
+  std::string text;
+  for (const core::loops::InputFrame<double>& frame : input.frames) {
+    text += wrap_line(fmt::format("{{{}, {}, {}, {}}},", frame.of, frame.at,
+                                  numbers(syntax, frame.R), numbers(syntax, frame.p)),
+                      4);
+  }
+  return text;
 }
 
 std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
@@ -39,8 +52,23 @@ std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
                      numbers(syntax, of.p));
 }
 
+/// Whether two tables have the same of what they share.
+bool agree(const LinkTableText& one, const LinkTableText& other) {
+  const LinkTableData& a = *one.data;
+  const LinkTableData& b = *other.data;
+  if (a.links.size() != b.links.size() || a.slots != b.slots) return false;
+  if (a.around_points != b.around_points) return true;
+  const bool same_links = one.links == other.links && one.drives == other.drives &&
+                          one.frictions == other.frictions && one.couplings == other.couplings;
+  const bool same_points = one.points == other.points && one.rows == other.rows;
+  return same_links && (same_points || a.points.empty() != b.points.empty());
+}
+
+}  // namespace
+
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
-  LinkTableText text{&table, false, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity)};
+  LinkTableText text{
+      &table, false, false, {}, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity), {}};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -60,13 +88,17 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
     text.frictions += wrap_line(numbers(syntax, row) + ",", 4);
   }
   for (const core::loops::LinkCoupling<double>& coupling : table.couplings) {
-    text.couplings += fmt::format("    {{{}, {}, {}}},\n", coupling.joint,
-                                  number(syntax, coupling.multiplier), coupling.spins);
+    text.couplings +=
+        fmt::format("    {{{}, {}, {}, {}}},\n", coupling.joint,
+                    number(syntax, coupling.multiplier), coupling.spins, coupling.own_sine);
   }
+  for (const std::int16_t link : table.loaded_links) {
+    text.loaded_links += fmt::format("    {},  // {}\n", link,
+                                     printable(table.names[static_cast<std::size_t>(link)]));
+  }
+  for (const LinkInput& input : table.inputs) text.frames.push_back(print_frames(syntax, input));
   return text;
 }
-
-}  // namespace
 
 std::string print_yields(const LinkLoops& loops, const Syntax& syntax) {
   return loops.yields.empty() ? std::string() : numbers(syntax, loops.yields);
@@ -82,27 +114,40 @@ bool has_points(const LinkTableData& table) {
   return !table.points.empty();
 }
 
+bool changes_table(const LinkLoops& loops) {
+  return !loops.gravity.empty() || !loops.table.inputs.empty();
+}
+
+bool changes_table(const LinkLoops& loops, const std::string& argument) {
+  const auto& inputs = loops.table.inputs;
+  return argument == loops.gravity ||
+         std::any_of(inputs.begin(), inputs.end(),
+                     [&](const LinkInput& input) { return input.argument == argument; });
+}
+
+bool has_inputs(std::span<const Program> programs) {
+  return std::any_of(programs.begin(), programs.end(), [](const Program& program) {
+    return program.loops && !program.loops->table.inputs.empty();
+  });
+}
+
 std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
                                             const Syntax& syntax) {
   std::vector<LinkTableText> tables;
   for (const Program& program : programs) {
     if (!program.loops) continue;
     LinkTableText text = print_link_table(program.loops->table, syntax);
+    text.is_constant = !changes_table(*program.loops);
     bool is_new = true;
-    for (const LinkTableText& other : tables) {
-      const bool around_same = other.data->around_points == text.data->around_points;
-      const bool same_kind = around_same && has_points(*other.data) == has_points(*text.data);
-      const bool same_links = other.links == text.links && other.drives == text.drives &&
-                              other.frictions == text.frictions &&
-                              other.couplings == text.couplings;
-      const bool same_points = other.points == text.points && other.rows == text.rows;
-      const bool alike = other.data->links.size() == text.data->links.size() &&
-                         other.data->slots == text.data->slots;
-      if (!alike || (around_same && !same_links) || (same_kind && !same_points)) {
+    for (LinkTableText& other : tables) {
+      if (!agree(text, other)) {
         throw std::logic_error(program.name + ": a table of links of its own");
       }
-      text.shares = text.shares || around_same;
-      is_new = is_new && !same_kind;
+      if (other.data->around_points != text.data->around_points) continue;
+      text.shares = true;
+      if (has_points(*other.data) != has_points(*text.data)) continue;
+      is_new = false;
+      other.is_constant = other.is_constant || text.is_constant;
     }
     if (is_new) tables.push_back(std::move(text));
   }

@@ -11,13 +11,24 @@
 namespace treeline {
 
 /// A table of links as initializers, which C and C++ write alike: the lists of its links, points,
-/// rows of points, drives, frictions and couplings without the braces around them, gravity with its
-/// braces.
+/// rows of points, drives, frictions, couplings and the frames of each of its inputs without the
+/// braces around them, gravity with its braces.
 struct LinkTableText {
   const LinkTableData* data;
-  bool shares = false;  ///< these, but points and rows, with a table before it
-  std::string links, points, rows, drives, frictions, couplings, gravity;
+  bool shares = false;       ///< these, but points and rows, with a table before it
+  bool is_constant = false;  ///< a function has it as it is: no argument changes it
+  std::string links, points, rows, drives, frictions, couplings, loaded_links, gravity;
+  std::vector<std::string> frames;
 };
+
+LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax);
+
+/// Whether arguments of a function change its table, or this one does.
+bool changes_table(const LinkLoops& loops);
+bool changes_table(const LinkLoops& loops, const std::string& argument);
+
+/// Whether any function has arguments that say something of links or points.
+bool has_inputs(std::span<const Program> programs);
 
 /// The tables of the functions that loop, each once: with points, without points around the same
 /// frames, and without points around their own. Throws std::logic_error where there are more.

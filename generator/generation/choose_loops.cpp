@@ -17,10 +17,12 @@ namespace {
 
 /// Numbers of a row of the table of links.
 constexpr double kNumbersOfLink = 21;
+constexpr double kNumbersOfFrame = 12;
 constexpr double kNumbersOfDrive = 3;
 constexpr double kNumbersOfFriction = 2;
 constexpr double kNumbersOfCoupling = 2;
-constexpr double kBytesOfCall = 120;  // of a function of the loops
+constexpr double kBytesOfCall = 120;   // of a function of the loops
+constexpr double kBytesOfInput = 250;  // of what each argument adds that changes the table
 
 /// Bytes of code by g++ 12 -Os: of an operation in straight lines, and of the loops, whatever the
 /// robot is. Those of a number type that the target computes by calls take more, see `emulates`.
@@ -40,12 +42,17 @@ double bytes_of_lines(const Scene& scene, int flops) {
 
 double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
   const SizeModel model = model_of(scene);
-  const double numbers = static_cast<double>(loops.table.links.size()) * kNumbersOfLink +
-                         static_cast<double>(loops.table.drives.size()) * kNumbersOfDrive +
-                         static_cast<double>(loops.table.frictions.size()) * kNumbersOfFriction +
-                         static_cast<double>(loops.table.couplings.size()) * kNumbersOfCoupling;
+  const LinkTableData& table = loops.table;
+  double numbers = static_cast<double>(table.links.size()) * kNumbersOfLink +
+                   static_cast<double>(table.drives.size()) * kNumbersOfDrive +
+                   static_cast<double>(table.frictions.size()) * kNumbersOfFriction +
+                   static_cast<double>(table.couplings.size()) * kNumbersOfCoupling;
+  for (const LinkInput& input : table.inputs) {
+    numbers += static_cast<double>(input.frames.size()) * kNumbersOfFrame;
+  }
   return numbers * bytes_of(scene.real) + model.motions +
-         (loops.uses_inertias ? model.inertias : 0) + (loops.uses_rows ? model.rows : 0);
+         (loops.uses_inertias ? model.inertias : 0) + (loops.uses_rows ? model.rows : 0) +
+         static_cast<double>(table.inputs.size()) * kBytesOfInput;
 }
 
 /// With the arguments that it reads.

@@ -1,18 +1,29 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "core/link_inputs.hpp"
 #include "core/link_table.hpp"
 
 namespace treeline {
 
+/// An argument that says something of links or points of the table.
+struct LinkInput {
+  enum class Gives { bodies, origins, axes };
+  std::string argument;
+  Gives gives = Gives::bodies;
+  std::vector<core::loops::InputFrame<double>> frames;
+};
+
 /// The robot as a table of its links, for functions that loop over it: see
 /// `runtime/core/link_table.hpp`.
 struct LinkTableData {
-  bool floats = false;   ///< the first link is a floating base
-  bool sliding = false;  ///< there are prismatic joints
+  bool floats = false;     ///< the first link is a floating base
+  bool sliding = false;    ///< there are prismatic joints
+  bool own_sines = false;  ///< joints turn by multiples of coordinates of others
   /// Link frames are placed around operational points, even where the table has none of these.
   bool around_points = false;
   int slots = 1;
@@ -25,7 +36,9 @@ struct LinkTableData {
   std::vector<core::loops::LinkDrive<double>> drives;
   std::vector<core::loops::LinkFriction<double>> frictions;
   std::vector<core::loops::LinkCoupling<double>> couplings;
-  int joints = 0;  ///< that have coordinates of their own, where there are couplings
+  int joints = 0;                 ///< that have coordinates of their own, where there are couplings
+  std::vector<LinkInput> inputs;  ///< which the functions take
+  std::vector<std::int16_t> loaded_links;  ///< whose inertia depends on them
 };
 
 /// How a function is emitted that loops over a table of links: a call of `function` in
@@ -35,6 +48,7 @@ struct LinkLoops {
   LinkTableData table;
   bool uses_inertias = false, uses_rows = false;  ///< which work space it needs beside motions
   bool solves = false;                            ///< takes the law by which rows yield
+  std::string gravity;                            ///< the argument; empty: as the table says
   int power = 0;                                  ///< of this law; 0: none
   std::vector<double> yields;                     ///< of each row, its border to that power
   int adds = 0, muls = 0, divs = 0, sines = 0;    ///< executed, those with constants 0 and 1 too

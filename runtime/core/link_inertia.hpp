@@ -105,18 +105,18 @@ void inertia_to_parent(const Table& table, int i, const LinkPose<Real>& pose,
 
 /// Inertia of a link alone, added to that of the links that it carries.
 template <class Real>
-void add_own(const Link<Real>& link, LinkInertia<Real>& sum) noexcept {
-  const Real(&J)[6] = link.J;
+void add_own(const LinkBody<Real>& body, LinkInertia<Real>& sum) noexcept {
+  const Real(&J)[6] = body.J;
   const Real rows[9] = {J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5]};
   for (int k = 0; k < 9; ++k) {
     sum.C[k] = sum.C[k] + rows[k];
   }
   for (int k = 0; k < 3; ++k) {  // B = -[h]x
-    sum.A[4 * k] = sum.A[4 * k] + link.mass;
+    sum.A[4 * k] = sum.A[4 * k] + body.mass;
     const int l = (k + 1) % 3;
     const int m = (k + 2) % 3;
-    sum.B[(3 * k) + l] = sum.B[(3 * k) + l] + link.h[m];
-    sum.B[(3 * l) + k] = sum.B[(3 * l) + k] - link.h[m];
+    sum.B[(3 * k) + l] = sum.B[(3 * k) + l] + body.h[m];
+    sum.B[(3 * l) + k] = sum.B[(3 * l) + k] - body.h[m];
   }
 }
 
@@ -223,7 +223,7 @@ void articulate(const Table& table, const Motions& motions, Inertias& inertias) 
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
     LinkInertia<Real>& IA = inertias.inertias[link.slot];
-    add_own(link, IA);
+    add_own(body_of(table, i), IA);
     if (is_floating<Table>(i)) {
       copy_to(IA, &inertias.base[0], 6);
       const Real* const none = nullptr;
@@ -249,7 +249,7 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
     LinkInertia<Real>& inertia = inertias.inertias[link.slot];
-    add_own(link, inertia);
+    add_own(body_of(table, i), inertia);
     if (is_floating<Table>(i)) {
       copy_to(inertia, M, nv);
     } else {

@@ -103,26 +103,42 @@ void move_base(const Table& table, const BasePose<Real>& base, const Real* qd, c
 
 /// Rate of change of a link's momentum: f = m a + wd x h + w x (w x h), n = J wd + w x J w + h x a.
 template <class Real>
-void find_wrench(const Link<Real>& link, const LinkMotion<Real>& motion,
+void find_wrench(const LinkBody<Real>& body, const LinkMotion<Real>& motion,
                  Spatial<Real>& wrench) noexcept {
-  const Real(&J)[6] = link.J;
+  const Real(&J)[6] = body.J;
   const Real rows[3][3] = {{J[0], J[1], J[2]}, {J[1], J[3], J[4]}, {J[2], J[4], J[5]}};
   Real momentum[3];
   for (int k = 0; k < 3; ++k) {
     momentum[k] = dot(rows[k], motion.w);
     wrench.angular[k] = dot(rows[k], motion.wd);
-    wrench.linear[k] = link.mass * motion.a[k];
+    wrench.linear[k] = body.mass * motion.a[k];
   }
-  add_rotation(motion, link.h, wrench.linear);
+  add_rotation(motion, body.h, wrench.linear);
   add_cross(motion.w, momentum, wrench.angular);
-  add_cross(link.h, motion.a, wrench.angular);
+  add_cross(body.h, motion.a, wrench.angular);
 }
 
-/// Calls with (i, angle, sine, cosine) give those of the angle of coordinate `i`: computed.
+/// Sine and cosine of the angle of joint `i` from those of its coordinate.
+template <class Table, class Real>
+void take_sines(const Table& table, int i, const Real& angle, const Real& sin_q, const Real& cos_q,
+                Turn<Real>& turn) noexcept {
+  turn.c = cos_q;
+  turn.s = scale(table, i, sin_q);
+  if constexpr (Table::kOwnSines) {
+    if (table.couplings[i].own_sine) {
+      sin_cos(angle, turn.s, turn.c);
+    }
+  } else {
+    static_cast<void>(angle);
+  }
+}
+
+/// Calls with (table, i, at, angle, turn) give those of joint `i`, which has coordinate `at`:
+/// computed.
 struct ComputedSines {
-  template <class Real>
-  void operator()(int, const Real& angle, Real& sine, Real& cosine) const noexcept {
-    sin_cos(angle, sine, cosine);
+  template <class Table, class Real>
+  void operator()(const Table&, int, int, const Real& angle, Turn<Real>& turn) const noexcept {
+    sin_cos(angle, turn.s, turn.c);
   }
 };
 
@@ -131,9 +147,10 @@ template <class Real>
 struct GivenSines {
   const Real* sin_q;
   const Real* cos_q;
-  void operator()(int i, const Real&, Real& sine, Real& cosine) const noexcept {
-    sine = sin_q[i];
-    cosine = cos_q[i];
+  template <class Table>
+  void operator()(const Table& table, int i, int at, const Real& angle,
+                  Turn<Real>& turn) const noexcept {
+    take_sines(table, i, angle, sin_q[at], cos_q[at], turn);
   }
 };
 
@@ -143,8 +160,6 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Motions&
   for (int i = 0; i < table.count; ++i) {
     const Link<Real>& link = table.links[i];
     LinkPose<Real>& pose = motions.poses[i];
-    Real& c = pose.turn.c;
-    Real& s = pose.turn.s;
     if (is_floating<Table>(i)) {
       place_base(table, q, motions.base);
     } else {
@@ -152,11 +167,11 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Motions&
       const Real moved = scale(table, i, q[at]);
       pose.slide = moved;
       if (slides(table, i) || spins(table, i)) {
-        c = link.b.c;
-        s = link.b.s;
+        pose.turn.c = link.b.c;
+        pose.turn.s = link.b.s;
       } else {
-        sines(at, moved, s, c);
-        turn_plane(link.b, c, s);
+        sines(table, i, at, moved, pose.turn);
+        turn_plane(link.b, pose.turn.c, pose.turn.s);
       }
     }
   }
@@ -185,7 +200,7 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
       move_link(table, i, motions.poses[i], scale(table, i, entry(qd, at)),
                 scale(table, i, entry(qdd, at)), motion);
     }
-    find_wrench(link, motion, motions.wrenches[i]);
+    find_wrench(body_of(table, i), motion, motions.wrenches[i]);
     for (int k = 0; k < table.point_count; ++k) {
       if (table.points[k].link == i) {
         copy(motion, point_motions[k]);

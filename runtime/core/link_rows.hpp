@@ -6,6 +6,36 @@
 
 namespace treeline::core::loops {
 
+/// The rotation of a link: row j is its axis j, in the axes of the world.
+template <class Real>
+struct LinkAxes {
+  Real rows[9];
+};
+
+template <class Table, class Real>
+void find_axes(const Table& table, const LinkPose<Real>* poses, const BasePose<Real>& base,
+               int link, LinkAxes<Real>& axes) noexcept {
+  for (int j = 0; j < 3; ++j) {
+    Real v[3];
+    clear(v);
+    v[j] = Real(1.0);
+    for (int i = link; i >= 0; i = table.links[i].parent) {
+      if (is_floating<Table>(i)) {
+        const Real old[3] = {v[0], v[1], v[2]};
+        for (int m = 0; m < 3; ++m) {
+          const Real* const row = &base.Q[3 * m];
+          v[m] = (row[0] * old[0]) + (row[1] * old[1]) + (row[2] * old[2]);
+        }
+      } else {
+        turn_to_parent(table.links[i], poses[i], v);
+      }
+    }
+    for (int m = 0; m < 3; ++m) {
+      axes.rows[(3 * j) + m] = v[m];
+    }
+  }
+}
+
 template <class Real, size_t points, size_t rows>
 struct RowWork {
   LinkAxes<Real> link_axes[points];  ///< of the points' links

@@ -17,6 +17,14 @@ struct Turn {
   Real s;
 };
 
+/// Inertial parameters of a link, in its frame.
+template <class Real>
+struct LinkBody {
+  Real mass;
+  Real h[3];  ///< first moment
+  Real J[6];  ///< rotational inertia about the frame's origin: xx xy xz yy yz zz
+};
+
 /// A link, and the joint that moves it along or about the z axis of its frame, whose pose in the
 /// parent is the translation by `p`, Rz(a) Rx(alpha) Rz(b), and the joint's motion.
 template <class Real>
@@ -29,9 +37,7 @@ struct Link {
   Turn<Real> b;
   Real p[3];   ///< in the parent's axes
   Real rotor;  ///< inertia that the joint alone feels
-  Real mass;
-  Real h[3];  ///< first moment
-  Real J[6];  ///< rotational inertia about the frame's origin: xx xy xz yy yz zz
+  LinkBody<Real> body;
 };
 
 /// An operational point.
@@ -70,14 +76,16 @@ template <class Real>
 struct LinkCoupling {
   int16_t joint;  ///< of those that have coordinates of their own, a floating base among them
   Real multiplier;
-  bool spins;  ///< a rotor, symmetric about its axis: how far it has turned does not matter
+  bool spins;     ///< a rotor, symmetric about its axis: how far it has turned does not matter
+  bool own_sine;  ///< its angle has a sine other than plus or minus that of the coordinate
 };
 
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
 /// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
-/// `rubbing`: Coulomb friction. `coupled`: joints share coordinates.
+/// `rubbing`: Coulomb friction. `coupled`: joints share coordinates. `own_sines`: some
+/// turn by multiples of these. `loaded`: inertial parameters of links depend on arguments.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
-          bool coupled = false>
+          bool coupled = false, bool own_sines = false, bool loaded = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
@@ -85,6 +93,8 @@ struct LinkTable {
   static constexpr bool kDriven = driven;
   static constexpr bool kRubbing = rubbing;
   static constexpr bool kCoupled = coupled;
+  static constexpr bool kOwnSines = own_sines;
+  static constexpr bool kLoaded = loaded;
 
   const Link<Real>* links;
   int count;
@@ -99,7 +109,24 @@ struct LinkTable {
   const LinkFriction<Real>* frictions = nullptr;
   const LinkCoupling<Real>* couplings = nullptr;  ///< of all links; none: each joint is its own
   int joints = 0;  ///< that have coordinates of their own, where there are couplings
+  const LinkBody<Real>* bodies = nullptr;  ///< of `loaded_links`, in place of those in `links`
+  const int16_t* loaded_links = nullptr;
+  int loaded_count = 0;
 };
+
+/// The inertial parameters of link `i`.
+template <class Table, class Real = typename Table::Real>
+const LinkBody<Real>& body_of(const Table& table, int i) noexcept {
+  const LinkBody<Real>* body = &table.links[i].body;
+  if constexpr (Table::kLoaded) {
+    for (int k = 0; k < table.loaded_count; ++k) {
+      if (table.loaded_links[k] == i) {
+        body = &table.bodies[k];
+      }
+    }
+  }
+  return *body;
+}
 
 /// Whose coordinate the joint of link `i` has, counted without joints that share those of others.
 template <class Table>
@@ -332,58 +359,40 @@ Real& along_joint(const Table& table, int i, Spatial<Real>& spatial) noexcept {
   return half[2];
 }
 
-/// The rotation by a floating base's quaternion of any length; 0 does not turn.
-template <class Table, class Real>
-void place_base(const Table& table, const Real* q, BasePose<Real>& base) noexcept {
-  const Real* const v = &q[3];  // x y z w
+/// 2 / |q|^2 of a quaternion of any length, x y z w; of 0 it does not turn.
+template <class Real>
+Real turn_factor(const Real* v) noexcept {
   const Real square =
       (v[0] * v[0]) + (v[1] * v[1]) + (v[2] * v[2]) + (v[3] * v[3]) + Real(0x1p-100);
-  const Real twice = Real(2.0) / square;
+  return Real(2.0) / square;
+}
+
+/// Column `j` of the rotation by a quaternion, `twice` its `turn_factor`.
+template <class Real>
+void turn_axis(const Real* v, const Real& twice, int j, Real (&column)[3]) noexcept {
+  const int k = (j + 1) % 3;
+  const int l = (j + 2) % 3;
+  const Real t = twice * v[j];
+  const Real tw = twice * v[3];
+  column[j] = Real(1.0) - (twice * ((v[k] * v[k]) + (v[l] * v[l])));
+  column[k] = (t * v[k]) + (tw * v[l]);
+  column[l] = (t * v[l]) - (tw * v[k]);
+}
+
+/// The rotation by a floating base's quaternion.
+template <class Table, class Real>
+void place_base(const Table& table, const Real* q, BasePose<Real>& base) noexcept {
+  const Real* const v = &q[3];
+  const Real twice = turn_factor(v);
   const Link<Real>& link = table.links[0];
   for (int j = 0; j < 3; ++j) {  // columns, in the axes of the placement
-    const int k = (j + 1) % 3;
-    const int l = (j + 2) % 3;
     Real column[3];
-    const Real t = twice * v[j];
-    const Real tw = twice * v[3];
-    column[j] = Real(1.0) - (twice * ((v[k] * v[k]) + (v[l] * v[l])));
-    column[k] = (t * v[k]) + (tw * v[l]);
-    column[l] = (t * v[l]) - (tw * v[k]);
+    turn_axis(v, twice, j, column);
     turn_plane(link.b, column[0], column[1]);
     turn_plane(link.alpha, column[1], column[2]);
     turn_plane(link.a, column[0], column[1]);
     for (int m = 0; m < 3; ++m) {
       base.Q[(3 * m) + j] = column[m];
-    }
-  }
-}
-
-/// The rotation of a link: row j is its axis j, in the axes of the world.
-template <class Real>
-struct LinkAxes {
-  Real rows[9];
-};
-
-template <class Table, class Real>
-void find_axes(const Table& table, const LinkPose<Real>* poses, const BasePose<Real>& base,
-               int link, LinkAxes<Real>& axes) noexcept {
-  for (int j = 0; j < 3; ++j) {
-    Real v[3];
-    clear(v);
-    v[j] = Real(1.0);
-    for (int i = link; i >= 0; i = table.links[i].parent) {
-      if (is_floating<Table>(i)) {
-        const Real old[3] = {v[0], v[1], v[2]};
-        for (int m = 0; m < 3; ++m) {
-          const Real* const row = &base.Q[3 * m];
-          v[m] = (row[0] * old[0]) + (row[1] * old[1]) + (row[2] * old[2]);
-        }
-      } else {
-        turn_to_parent(table.links[i], poses[i], v);
-      }
-    }
-    for (int m = 0; m < 3; ++m) {
-      axes.rows[(3 * j) + m] = v[m];
     }
   }
 }

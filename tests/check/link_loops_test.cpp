@@ -177,11 +177,22 @@ TEST(LinkLoopsCheck, GyroscopicRotors) {
   expect_right(subjects, Real::float64, all_with_form());
 }
 
-// Of a multiple of an angle no sine is given.
-TEST(LinkLoopsCheck, GivenSinesOfMultiplesStayAsLines) {
-  expect_lines(read("published/kinova_gen3_2f85.urdf",
-                    "optimize: size\nsin_cos: given\nfunctions: [mass_matrix]\n"),
-               "turns by a multiple of its coordinate");
+// Of a multiple of an angle no sine is given, nor of the angle of a joint that mimics a sliding
+// one.
+TEST(LinkLoopsCheck, GivenSinesOfSharedCoordinates) {
+  Subjects gripper = read("published/kinova_gen3_2f85.urdf", kPointAtWrist);
+  gripper.scene.sin_cos = Sines::given;
+  expect_right(gripper, Real::float32, all_with_form());
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomOptions options;
+    options.joints = 8;
+    options.branching = 0.4;
+    options.mimic = 0.6;
+    auto [robot, scene] = random_mechanism(seed, options);
+    scene.sin_cos = Sines::given;
+    expect_right({robot, scene, {}}, Real::float64, kDynamics);
+  }
 }
 
 // Some angles of the humanoid have offsets.
@@ -197,6 +208,48 @@ TEST(LinkLoopsCheck, GivenSinesAndPlainSolves) {
     }
     expect_right(subjects, Real::float64, functions);
   }
+}
+
+/// With gravity, a payload on the last link, parameters of three links and two tools as arguments:
+/// one of a quaternion of any length, one on the same link as another.
+Subjects with_inputs(Subjects subjects) {
+  Scene& scene = subjects.scene;
+  scene.inputs.gravity = true;
+  for (const Link& link : subjects.robot.links) {
+    if (!link.inertial) continue;
+    if (scene.inputs.parameters.size() < 3) scene.inputs.parameters.push_back({link.name});
+  }
+  scene.inputs.payloads.push_back({scene.operational_points.front().link});
+  scene.inputs.payloads.push_back({scene.inputs.parameters.back().link});
+  for (const ScenePoint& point : scene.operational_points) {
+    scene.inputs.tools.push_back({point.name, 0.5, point.axes == Axes::local});
+  }
+  return subjects;
+}
+
+TEST(LinkLoopsCheck, PayloadsParametersToolsAndGravityAsArguments) {
+  auto subjects = load_unmade("samm", "scene.yaml");
+  for (ScenePoint& point : subjects.scene.operational_points) point.axes = Axes::local;
+  subjects.scene.operational_points.back().axes = Axes::world;
+  expect_right(with_inputs(subjects), Real::float64, all_with_form());
+  expect_safe(with_inputs(load_unmade("humanoid24", "scene_floating.yaml")), Real::float32);
+}
+
+// Functions that do not depend on gravity share the table that those have which do.
+TEST(LinkLoopsCheck, GravityAloneAsAnArgument) {
+  auto subjects = load_unmade("puma560", "scene.yaml");
+  subjects.scene.inputs.gravity = true;
+  subjects.scene.sin_cos = Sines::given;
+  expect_right(subjects, Real::float32, all_with_form());
+}
+
+TEST(LinkLoopsCheck, BaseParametersStayAsLines) {
+  auto subjects = load_unmade("puma560", "scene.yaml");
+  subjects.scene.optimize = Optimize::size;
+  subjects.scene.damped.reset();
+  subjects.scene.functions = {Function::inverse_dynamics};
+  subjects.scene.inputs.base_parameters = true;
+  expect_lines(subjects, "base parameters");
 }
 
 // Friction at the end of a step takes an argument that loops do not know.

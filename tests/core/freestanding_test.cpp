@@ -9,6 +9,7 @@
 #include "core/damped_solve.hpp"
 #include "core/ldlt.hpp"
 #include "core/link_functions.hpp"
+#include "core/link_inputs.hpp"
 #include "core/orientation.hpp"
 #include "core/posture_laws.hpp"
 #include "core/prioritized_solve.hpp"
@@ -123,9 +124,9 @@ void use_posture_laws(Data& data) noexcept {
 void use_link_loops(Data& data) noexcept {
   namespace loops = core::loops;
   static constexpr loops::Link<Real> kLinks[3] = {
-      {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, 3, {}, {1, 0, 0, 1, 0, 1}},
-      {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, 2, {}, {1, 0, 0, 1, 0, 1}},
-      {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, 1, {}, {1, 0, 0, 1, 0, 1}}};
+      {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, {3, {}, {1, 0, 0, 1, 0, 1}}},
+      {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, {2, {}, {1, 0, 0, 1, 0, 1}}},
+      {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {1, {}, {1, 0, 0, 1, 0, 1}}}};
   static constexpr loops::LinkPoint<Real> kPoint[1] = {{2, true, {}, {}}};
   static constexpr loops::PointRow kRows[2] = {{0, 0, false}, {0, 1, false}};
   static constexpr loops::LinkDrive<Real> kDrives[3] = {{0, 0, 0}, {1, 2, 0}, {1, 0, 0}};
@@ -143,6 +144,22 @@ void use_link_loops(Data& data) noexcept {
   loops::lambda<4>(kTable, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
   loops::control_torque<6>(kTable, data.a2 + 0, q, sines, qd, qd, data.b2 + 0, data.b36 + 0,
                            motions, inertias, rows);
+  static constexpr int16_t kLoaded[1] = {2};
+  static constexpr loops::InputFrame<Real> kFrames[1] = {
+      {0, 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 1}}};
+  loops::LinkBody<Real> bodies[1];
+  loops::LinkPoint<Real> points[1];
+  loops::copy_bodies(kLinks, kLoaded, 1, bodies);
+  loops::add_bodies(kFrames, 1, data.a36 + 0, bodies);
+  loops::copy_points(kPoint, 1, points);
+  loops::move_points(kFrames, 1, data.a3 + 0, points);
+  loops::turn_points(kFrames, 1, data.a4 + 0, points);
+  const loops::LinkTable<Real, true, true, true, true, false, false, true> table = {
+      kLinks,  3,          2,       {data.a3[0], data.a3[1], data.a3[2]},
+      points,  1,          kRows,   2,
+      kDrives, kFrictions, nullptr, 0,
+      bodies,  kLoaded,    1};
+  loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
 }
 
 bool use_quadratic_program(Data& data) noexcept {

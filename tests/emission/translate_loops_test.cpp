@@ -1,5 +1,6 @@
 #include "emission/c/translate_loops.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -85,20 +86,42 @@ TEST(TranslateLoops, MakesReferencesPointers) {
 
 TEST(TranslateLoops, TakesSinesWhereTheyAreGiven) {
   const std::string place =
+      kPair +
+      "template <class Real>\n"
+      "void take_sines(int i, int at, const Real& q, const Real& s, const Real& c,\n"
+      "                Pair<Real>& turn) noexcept {\n"
+      "  if constexpr (Table::kOwnSines) {\n"
+      "    sin_cos(q, turn.s, turn.c);\n"
+      "  }\n"
+      "}\n"
       "template <class Real, class Sines>\n"
-      "void place(int i, const Real& q, const Sines& sines, Real& s, Real& c) noexcept {\n"
-      "  sines(i, q, s, c);\n"
+      "void place(int i, const Real& q, const Sines& sines, Pair<Real>& r) noexcept {\n"
+      "  sines(i, i, 2 * i, q, r);\n"
       "}\n";
-  EXPECT_EQ(in_c(place),
-            "static inline void arm_loops_place(int i, float q, float* s, float* c) {\n"
-            "  arm_sin_cos_of(q, s, c);\n"
-            "}\n");
-  EXPECT_EQ(in_c(place, true),
-            "static inline void arm_loops_place(int i, float q, const float* sin_q, const float* "
-            "cos_q, float* s,\n    float* c) {\n"
-            "  *s = sin_q[i];\n"
-            "  *c = cos_q[i];\n"
-            "}\n");
+  EXPECT_THAT(in_c(place, false, {.own_sines = true}),
+              ::testing::AllOf(::testing::HasSubstr("  arm_sin_cos_of(q, &turn->s, &turn->c);\n"),
+                               ::testing::HasSubstr("place(int i, float q, arm_loops_pair* r) {\n"
+                                                    "  arm_sin_cos_of(q, &r->s, &r->c);\n")));
+  EXPECT_THAT(
+      in_c(place, true),
+      ::testing::AllOf(::testing::Not(::testing::HasSubstr("sin_cos_of")),
+                       ::testing::HasSubstr(
+                           "  arm_loops_take_sines(i, i, q, sin_q[2 * i], cos_q[2 * i], r);\n")));
+}
+
+// Would catch: a reference to a struct as a result that C has as a copy.
+TEST(TranslateLoops, GivesStructsByPointers) {
+  EXPECT_EQ(in_c(kPair + "template <class Real>\n"
+                         "const Pair<Real>& pick(const Pair<Real>* pairs, int16_t i) noexcept {\n"
+                         "  const Pair<Real>* pair = &pairs[i];\n"
+                         "  return *pair;\n"
+                         "}\n"),
+            in_c(kPair) +
+                "static inline const arm_loops_pair* arm_loops_pick(const arm_loops_pair* pairs, "
+                "int16_t i) {\n"
+                "  const arm_loops_pair* pair = &pairs[i];\n"
+                "  return pair;\n"
+                "}\n");
 }
 
 // Would catch: a branch for other robots in the code of this one, which compilers of C see as a
@@ -152,7 +175,7 @@ TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
   for (const std::string_view header :
        {cpp::templates::kLinkTable, cpp::templates::kLinkFactors, cpp::templates::kLinkFriction,
         cpp::templates::kLinkMotion, cpp::templates::kLinkInertia, cpp::templates::kLinkRows,
-        cpp::templates::kLinkFunctions}) {
+        cpp::templates::kLinkFunctions, cpp::templates::kLinkInputs}) {
     int expected = 0;
     int found = 0;
     for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;

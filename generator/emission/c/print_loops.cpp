@@ -13,6 +13,7 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -28,38 +29,83 @@ std::string table_name(const EmissionContext& context, const LinkTableData& tabl
   return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : own);
 }
 
-std::string print_table(const EmissionContext& context, const LinkTableText& table) {
+std::string constant_name(const EmissionContext& context, const LinkTableData& table,
+                          const std::string& name, bool of_links) {
+  return fmt::format("{}_{}{}", context.name, of_links && table.around_points ? "point_" : "",
+                     name);
+}
+
+/// The table with its braces.
+std::string print_value(const EmissionContext& context, const LinkTableText& table,
+                        const std::string& gravity) {
   const LinkTableData& data = *table.data;
-  const std::string name = context.name + (data.around_points ? "_point" : "");
+  const auto list = [&](bool has, const char* name, bool of_links = true) {
+    return has ? constant_name(context, data, name, of_links) : "NULL";
+  };
+  const bool points = has_points(data);
+  const bool loaded = !data.loaded_links.empty();
+  return fmt::format(
+      "{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", list(true, "links"),
+      data.links.size(), data.slots, gravity,
+      moves_points(data) ? "points" : list(points, "points", false), data.points.size(),
+      list(points, "rows", false), data.rows.size(), list(!data.drives.empty(), "drives"),
+      list(!data.frictions.empty(), "frictions"), list(!data.couplings.empty(), "couplings"),
+      data.joints, loaded ? "bodies" : "NULL", list(loaded, "loaded_links"),
+      data.loaded_links.size());
+}
+
+/// Constants of links that all tables around the same frames have, and of points.
+std::string print_arrays(const EmissionContext& context, const LinkTableText& table) {
+  const LinkTableData& data = *table.data;
   const std::string type = context.name + "_loops_";
   std::string text;
-  const auto declare = [&](const char* kind, const char* array, const std::string& rows) {
-    if (rows.empty() || table.shares) return;
-    text += fmt::format("static const {}{} {}_{}[{}] = {{\n{}}};\n", type, kind, name, array,
-                        data.links.size(), rows);
+  const auto print = [&](const std::string& of, const std::string& name, bool of_links,
+                         std::size_t count, const std::string& rows) {
+    if (rows.empty() || (of_links && table.shares)) return;
+    text += fmt::format("static const {} {}[{}] = {{\n{}}};\n", of,
+                        constant_name(context, data, name, of_links), count, rows);
   };
-  declare("link", "links", table.links);
-  declare("link_drive", "drives", table.drives);
-  declare("link_friction", "frictions", table.frictions);
-  declare("link_coupling", "couplings", table.couplings);
-  std::string points = "NULL, 0, NULL, 0";
-  if (has_points(data)) {
-    text += fmt::format(
-        "static const {0}link_point {1}_points[{2}] = {{\n{3}}};\n"
-        "static const {0}point_row {1}_rows[{4}] = {{\n{5}}};\n",
-        type, context.name, data.points.size(), table.points, data.rows.size(), table.rows);
-    points = fmt::format("{0}_points, {1}, {0}_rows, {2}", context.name, data.points.size(),
-                         data.rows.size());
+  const std::size_t links = data.links.size();
+  print(type + "link", "links", true, links, table.links);
+  print(type + "link_drive", "drives", true, links, table.drives);
+  print(type + "link_friction", "frictions", true, links, table.frictions);
+  print(type + "link_coupling", "couplings", true, links, table.couplings);
+  print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
+  print(type + "link_point", "points", false, data.points.size(), table.points);
+  print(type + "point_row", "rows", false, data.rows.size(), table.rows);
+  for (std::size_t i = 0; i < data.inputs.size(); ++i) {
+    const LinkInput& input = data.inputs[i];
+    print(type + "input_frame", frames_name(input), is_of_links(input), input.frames.size(),
+          table.frames[i]);
   }
-  std::string lists = points;
-  lists += data.drives.empty() ? ", NULL" : fmt::format(", {}_drives", name);
-  lists += data.frictions.empty() ? ", NULL" : fmt::format(", {}_frictions", name);
-  lists += data.couplings.empty() ? ", NULL" : fmt::format(", {}_couplings", name);
-  return text +
-         wrap_line(fmt::format("static const {}link_table {} = {{{}_links, {}, {}, {}, {}, {}}};",
-                               type, table_name(context, data), name, data.links.size(), data.slots,
-                               table.gravity, lists, data.joints),
-                   0);
+  return text;
+}
+
+std::string print_table(const EmissionContext& context, const LinkTableText& table) {
+  std::string text = print_arrays(context, table);
+  if (!table.is_constant) return text;
+  return text + wrap_line(fmt::format("static const {}_loops_link_table {} = {};", context.name,
+                                      table_name(context, *table.data),
+                                      print_value(context, table, table.gravity)),
+                          0);
+}
+
+/// The table as arguments of a function change it.
+std::string print_own_table(const EmissionContext& context, const LinkLoops& loops) {
+  if (!changes_table(loops)) return {};
+  const std::string prefix = context.name + "_loops_";
+  const LinkTableText text = print_link_table(loops.table, make_syntax(context));
+  LoopNames names;
+  names.type = [&](const std::string& type) { return prefix + in_snake_case(type); };
+  names.function = [&](const std::string& function) { return prefix + function; };
+  names.array = [](const std::string& array) { return array; };
+  names.constant = [&](const std::string& name, bool of_links) {
+    return constant_name(context, loops.table, name, of_links);
+  };
+  return print_link_inputs(loops, names) +
+         wrap_line(fmt::format("const {}link_table table = {};", prefix,
+                               print_value(context, text, print_gravity(loops, text.gravity))),
+                   2);
 }
 
 /// The table that has what others have. `programs` have loops.
@@ -122,9 +168,12 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
                      2);
   }
   std::string list = loops.solves ? fmt::format("{}, ", loops.power) : "";
-  list += "&" + table_name(context, loops.table);
+  text += print_own_table(context, loops);
+  list += "&" + (changes_table(loops) ? "table" : table_name(context, loops.table));
   if (loops.solves) list += yields.empty() ? ", NULL" : ", yields";
-  for (const Argument& argument : program.arguments) list += ", " + argument.name;
+  for (const Argument& argument : program.arguments) {
+    if (!changes_table(loops, argument.name)) list += ", " + argument.name;
+  }
   list += ", " + program.results.front().argument.name;
   const std::pair<const char*, bool> works[] = {
       {"motion", true}, {"inertia", loops.uses_inertias}, {"row", loops.uses_rows}};
@@ -146,7 +195,10 @@ std::vector<GeneratedFile> print_loops(const EmissionContext& context,
   }
   return {{context.name + "_links.h",
            fill_template(templates::kLinks,
-                         {{"robot", context.robot}, {"name", context.name}, {"tables", text}})}};
+                         {{"robot", context.robot},
+                          {"name", context.name},
+                          {"header", has_inputs(programs) ? "link_inputs" : "link_table"},
+                          {"tables", text}})}};
 }
 
 std::string joined_loops(const EmissionContext& context, std::span<const Program> programs) {
@@ -160,11 +212,12 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
   const LinkTableData& table = find_largest(programs);
-  LoopTranslator translator(context,
-                            {table.floats, table.sliding, !table.drives.empty(),
-                             !table.frictions.empty(), !table.couplings.empty()},
-                            std::any_of(programs.begin(), programs.end(), takes_sines));
-  const std::pair<const char*, std::string_view> headers[] = {
+  LoopTranslator translator(
+      context,
+      {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty(),
+       !table.couplings.empty(), table.own_sines, !table.loaded_links.empty()},
+      std::any_of(programs.begin(), programs.end(), takes_sines));
+  std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_table.h", cpp::templates::kLinkTable},
       {"link_factors.h", cpp::templates::kLinkFactors},
       {"link_friction.h", cpp::templates::kLinkFriction},
@@ -172,6 +225,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
       {"link_inertia.h", cpp::templates::kLinkInertia},
       {"link_rows.h", cpp::templates::kLinkRows},
       {"link_functions.h", cpp::templates::kLinkFunctions}};
+  if (has_inputs(programs)) headers.emplace_back("link_inputs.h", cpp::templates::kLinkInputs);
   std::vector<GeneratedFile> files;
   for (const auto& [name, header] : headers) {
     std::string text = print_opening(header);

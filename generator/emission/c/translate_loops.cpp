@@ -24,17 +24,6 @@ bool is_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// `MotionWork`: `motion_work`.
-std::string in_snake_case(std::string_view name) {
-  std::string text;
-  for (const char c : name) {
-    const bool capital = std::isupper(static_cast<unsigned char>(c)) != 0;
-    if (capital && !text.empty()) text += '_';
-    text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return text;
-}
-
 /// Reads what stands between the bracket at `at` and the one that closes it, behind which it stops,
 /// split at its commas.
 std::vector<std::string> read_list(std::string_view text, std::size_t& at) {
@@ -126,17 +115,25 @@ std::string print_lines(const std::string& code, const std::string& note, std::s
 
 }  // namespace
 
+std::string in_snake_case(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    const bool capital = std::isupper(static_cast<unsigned char>(c)) != 0;
+    if (capital && !text.empty()) text += '_';
+    text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
 LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& table,
                                bool given_sines)
     : name_(context.name + "_loops_"),
       capitals_(name_in_capitals(context) + "_LOOPS_"),
       number_(number_type(context)),
       suffix_(context.single_precision ? "F" : ""),
-      table_{{"Floats", table.floats},
-             {"Sliding", table.sliding},
-             {"Driven", table.driven},
-             {"Rubbing", table.rubbing},
-             {"Coupled", table.coupled}},
+      table_{{"Floats", table.floats},   {"Sliding", table.sliding}, {"Driven", table.driven},
+             {"Rubbing", table.rubbing}, {"Coupled", table.coupled}, {"OwnSines", table.own_sines},
+             {"Loaded", table.loaded}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
                                                        {"Motions", "motion_work"},
@@ -194,28 +191,30 @@ LoopParameter LoopTranslator::parameter(const std::string& text) const {
   }
   if (!std::regex_match(text, found, value)) reject(text);
   const std::string of = found[2];
-  const bool plain = of == "int" || of == "bool";
+  const bool plain = of == "int" || of == "int16_t" || of == "bool";
   return {fmt::format("{}{}{} {}", found[1].str(), plain ? of : type(of), found[3].str(),
                       found[4].str()),
           found[4]};
 }
 
 void LoopTranslator::learn_signature(const LoopItem& item) {
-  static const std::regex head("(?:inline |constexpr )?(\\w+)(&?) (\\w+)\\((.*)\\) noexcept");
+  static const std::regex head(
+      "(?:inline |constexpr )?(const )?([\\w<>]+?)(&?) (\\w+)\\((.*)\\) noexcept");
   std::smatch found;
   if (!std::regex_match(item.head, found, head)) reject(item.head);
-  const std::string result = found[1];
+  const std::string result = found[2];
   const bool plain = result == "void" || result == "int" || result == "bool";
+  const bool refers = found[3].length() > 0;
   LoopSignature signature;
-  signature.returns = found[2].length() > 0 ? Passing::reference : Passing::value;
-  signature.result = (plain ? result : type(result)) + (found[2].length() > 0 ? "*" : "");
+  signature.returns = refers ? Passing::reference : Passing::value;
+  signature.result = found[1].str() + (plain ? result : type(result)) + (refers ? "*" : "");
   for (const std::string& each : split_list(item.parameters)) {
     if (each.starts_with("int ")) signature.parameters.push_back(parameter(each));
   }
-  for (const std::string& each : split_list(found[4].str())) {
+  for (const std::string& each : split_list(found[5].str())) {
     signature.parameters.push_back(parameter(each));
   }
-  functions_[found[3]] = signature;
+  functions_[found[4]] = signature;
   structs_.clear();
   numbers_.clear();
   returns_ = signature.returns;
@@ -343,6 +342,7 @@ std::string LoopTranslator::word(std::string_view text, std::size_t& at) {
     at = end;
     return "return " + value;
   }
+  if (name == "sin_cos" && rest.starts_with("(")) return compute_sines(read_list(text, at));
   if (name == "sines" && rest.starts_with("(")) return take_sines(read_list(text, at));
   if (functions_.count(name) > 0 && (rest.starts_with("(") || rest.starts_with("<"))) {
     return call(name, text, at);
@@ -382,17 +382,24 @@ std::string LoopTranslator::call(const std::string& function, std::string_view t
                      function, joined(list));
 }
 
-/// Of the angle of a coordinate: given with the arguments, or computed.
+/// Of the angle of a joint: by those given with the arguments, or computed.
 std::string LoopTranslator::take_sines(const std::vector<std::string>& arguments) {
-  if (arguments.size() != 4) reject(joined(arguments));
-  const std::string& at = arguments[0];
-  if (given_sines_) {
-    return fmt::format("{} = sin_q[{}];\n{} = cos_q[{}]", rewrite(arguments[2]), at,
-                       rewrite(arguments[3]), at);
-  }
+  if (arguments.size() != 5) reject(joined(arguments));
+  const std::string& at = arguments[2];
+  const std::string& angle = arguments[3];
+  const std::string& turn = arguments[4];
+  const std::string call = given_sines_
+                               ? fmt::format("take_sines({}, {}, {}, sin_q[{}], cos_q[{}], {})",
+                                             arguments[0], arguments[1], angle, at, at, turn)
+                               : fmt::format("sin_cos({0}, {1}.s, {1}.c)", angle, turn);
+  return rewrite(call);
+}
+
+std::string LoopTranslator::compute_sines(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 3) reject(joined(arguments));
   const std::string robot = name_.substr(0, name_.size() - std::string_view("loops_").size());
-  return fmt::format("{}sin_cos_of({}, {}, {})", robot, rewrite(arguments[1]),
-                     address(arguments[2]), address(arguments[3]));
+  return fmt::format("{}sin_cos_of({}, {}, {})", robot, rewrite(arguments[0]),
+                     address(arguments[1]), address(arguments[2]));
 }
 
 }  // namespace treeline::c

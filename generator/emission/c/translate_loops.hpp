@@ -31,7 +31,11 @@ struct LoopSignature {
 /// What the tables of a robot have.
 struct LoopTable {
   bool floats = false, sliding = false, driven = false, rubbing = false, coupled = false;
+  bool own_sines = false, loaded = false;
 };
+
+/// `MotionWork`: `motion_work`.
+std::string in_snake_case(std::string_view name);
 
 /// Writes the loops over links, runtime/core/link_*.hpp, in C: templates for one robot, references
 /// as pointers, names with the robot's name before them. It understands the part of C++ that they
@@ -59,6 +63,7 @@ class LoopTranslator {
   std::string word(std::string_view text, std::size_t& at);
   std::string call(const std::string& function, std::string_view text, std::size_t& at);
   std::string take_sines(const std::vector<std::string>& arguments);
+  std::string compute_sines(const std::vector<std::string>& arguments);
   /// What points to an expression that can be assigned to.
   std::string address(const std::string& expression);
   [[nodiscard]] bool is_reference(const std::string& name) const;

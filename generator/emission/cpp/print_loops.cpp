@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <initializer_list>
 #include <span>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -35,54 +37,109 @@ std::string join_to_last(std::initializer_list<std::pair<bool, std::string>> wor
   return text;
 }
 
-/// What a table says of springs, friction and couplings, behind the arguments that it always has.
-std::string print_kinds(const LinkTableData& table) {
-  const auto kind = [](const auto& list) {
-    return std::pair(!list.empty(), fmt::format("{}", !list.empty()));
-  };
-  return join_to_last({kind(table.drives), kind(table.frictions), kind(table.couplings)});
+/// `LinkTable<Real, false, true>`: defaults at its end are left out.
+std::string print_type(const LinkTableData& table) {
+  const auto kind = [](bool has) { return std::pair(has, fmt::format("{}", has)); };
+  return fmt::format("loops::LinkTable<Real, {}, {}{}>", table.floats, table.sliding,
+                     join_to_last({kind(!table.drives.empty()), kind(!table.frictions.empty()),
+                                   kind(!table.couplings.empty()), kind(table.own_sines),
+                                   kind(!table.loaded_links.empty())}));
 }
 
-/// The table's lists behind gravity, up to the last that it has.
-std::string print_lists(const LinkTableData& table, const std::string& prefix) {
-  const auto list = [&](bool has, const char* name) {
-    return std::pair(has, has ? fmt::format("&k{}{}[0]", prefix, name) : "nullptr");
+/// `kPointLinks`, a constant of the robot.
+std::string constant_name(const LinkTableData& table, const std::string& name, bool of_links) {
+  std::string text = of_links ? prefix_of(table) : "";
+  bool begins = true;
+  for (const char c : name) {
+    if (c != '_') text += begins ? static_cast<char>(std::toupper(c)) : c;
+    begins = c == '_';
+  }
+  return "k" + text;
+}
+
+/// The table with its braces. `scope` is that of its constants, where they are seen from.
+std::string print_value(const LinkTableText& table, const std::string& scope,
+                        const std::string& gravity) {
+  const LinkTableData& data = *table.data;
+  const auto first = [&](const char* name, bool of_links) {
+    return fmt::format("&{}{}[0]", scope, constant_name(data, name, of_links));
   };
-  const auto points =
-      fmt::format("&kPoints[0], {}, &kPointRows[0], {}", table.points.size(), table.rows.size());
-  return join_to_last({{has_points(table), has_points(table) ? points : "nullptr, 0, nullptr, 0"},
-                       list(!table.drives.empty(), "Drives"),
-                       list(!table.frictions.empty(), "Frictions"),
-                       list(!table.couplings.empty(), "Couplings"),
-                       {!table.couplings.empty(), fmt::format("{}", table.joints)}});
+  const auto list = [&](bool has, const char* name) {
+    return std::pair(has, has ? first(name, true) : "nullptr");
+  };
+  const std::string points =
+      fmt::format("{}, {}, {}, {}", moves_points(data) ? "&points[0]" : first("points", false),
+                  data.points.size(), first("point_rows", false), data.rows.size());
+  const std::string bodies =
+      fmt::format("&bodies[0], {}, {}", first("loaded_links", true), data.loaded_links.size());
+  const std::string lists =
+      join_to_last({{has_points(data), has_points(data) ? points : "nullptr, 0, nullptr, 0"},
+                    list(!data.drives.empty(), "drives"),
+                    list(!data.frictions.empty(), "frictions"),
+                    list(!data.couplings.empty(), "couplings"),
+                    {!data.couplings.empty(), fmt::format("{}", data.joints)},
+                    {!data.loaded_links.empty(), bodies}});
+  return fmt::format("{{{}, {}, {}, {}{}}}", first("links", true), data.links.size(), data.slots,
+                     gravity, lists);
+}
+
+std::string print_array(const LinkTableData& table, const char* type, const std::string& name,
+                        bool of_links, std::size_t count, const std::string& rows) {
+  if (rows.empty()) return {};
+  return fmt::format("inline constexpr {} {}[{}] = {{\n{}}};\n", type,
+                     constant_name(table, name, of_links), count, rows);
+}
+
+/// Constants of links that all tables around the same frames have, and of points.
+std::string print_arrays(const LinkTableText& table) {
+  const LinkTableData& data = *table.data;
+  std::string text;
+  const auto print = [&](const char* type, const std::string& name, bool of_links,
+                         std::size_t count, const std::string& rows) {
+    if (of_links && table.shares) return;
+    text += print_array(data, type, name, of_links, count, rows);
+  };
+  const std::size_t links = data.links.size();
+  print("loops::Link<Real>", "links", true, links, table.links);
+  print("loops::LinkDrive<Real>", "drives", true, links, table.drives);
+  print("loops::LinkFriction<Real>", "frictions", true, links, table.frictions);
+  print("loops::LinkCoupling<Real>", "couplings", true, links, table.couplings);
+  print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
+  print("loops::LinkPoint<Real>", "points", false, data.points.size(), table.points);
+  print("loops::PointRow", "point_rows", false, data.rows.size(), table.rows);
+  for (std::size_t i = 0; i < data.inputs.size(); ++i) {
+    const LinkInput& input = data.inputs[i];
+    print("loops::InputFrame<Real>", frames_name(input), is_of_links(input), input.frames.size(),
+          table.frames[i]);
+  }
+  return text;
 }
 
 std::string print_table(const LinkTableText& table) {
-  const LinkTableData& data = *table.data;
-  const char* const prefix = prefix_of(data);
-  const std::size_t links = data.links.size();
-  std::string text;
-  const auto declare = [&](const char* type, const char* name, const std::string& rows) {
-    if (rows.empty() || table.shares) return;
-    text += fmt::format("inline constexpr loops::{}<Real> k{}{}[{}] = {{\n{}}};\n", type, prefix,
-                        name, links, rows);
+  std::string text = print_arrays(table);
+  if (!table.is_constant) return text;
+  return text +
+         wrap_line(fmt::format("inline constexpr {} {} = {};", print_type(*table.data),
+                               table_name(*table.data), print_value(table, "", table.gravity)),
+                   0);
+}
+
+/// The table as arguments of a function change it.
+std::string print_own_table(const EmissionContext& context, const LinkLoops& loops) {
+  if (!changes_table(loops)) return {};
+  const LinkTableData& data = loops.table;
+  const LinkTableText text = print_link_table(data, make_syntax(context));
+  LoopNames names;
+  names.type = [](const std::string& type) { return fmt::format("detail::loops::{}<Real>", type); };
+  names.function = [](const std::string& function) { return "detail::loops::" + function; };
+  names.array = [](const std::string& array) { return fmt::format("&{}[0]", array); };
+  names.constant = [&](const std::string& name, bool of_links) {
+    return fmt::format("&detail::{}[0]", constant_name(data, name, of_links));
   };
-  declare("Link", "Links", table.links);
-  declare("LinkDrive", "Drives", table.drives);
-  declare("LinkFriction", "Frictions", table.frictions);
-  declare("LinkCoupling", "Couplings", table.couplings);
-  if (has_points(data)) {
-    text += fmt::format(
-        "inline constexpr loops::LinkPoint<Real> kPoints[{0}] = {{\n{1}}};\n"
-        "inline constexpr loops::PointRow kPointRows[{2}] = {{\n{3}}};\n",
-        data.points.size(), table.points, data.rows.size(), table.rows);
-  }
-  const std::string head =
-      fmt::format("inline constexpr loops::LinkTable<Real, {}, {}{}> {}", data.floats, data.sliding,
-                  print_kinds(data), table_name(data));
-  return text + wrap_line(fmt::format("{} = {{&k{}Links[0], {}, {}, {}{}}};", head, prefix, links,
-                                      data.slots, table.gravity, print_lists(data, prefix)),
-                          0);
+  return print_link_inputs(loops, names) +
+         wrap_line(fmt::format("const detail::{} table = {};", print_type(data),
+                               print_value(text, "detail::", print_gravity(loops, text.gravity))),
+                   2);
 }
 
 std::string element(const Argument& argument) {
@@ -107,7 +164,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   const LinkTableData& table = loops.table;
   const std::size_t links = table.links.size();
   std::string work = "motions";
-  std::string text = print_borders(context, loops);
+  std::string text = print_borders(context, loops) + print_own_table(context, loops);
   text += fmt::format("  detail::loops::MotionWork<Real, {}, {}> motions;\n", links, table.slots);
   if (loops.uses_inertias) {
     text += fmt::format("  detail::loops::InertiaWork<Real, {}, {}, {}> inertias;\n", links,
@@ -121,7 +178,8 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   }
   const auto& arguments = program.arguments;
   const bool given = arguments.size() > 1 && arguments[1].name == "sin_q";
-  std::string list = fmt::format("detail::{}, ", table_name(table));
+  std::string list =
+      changes_table(loops) ? "table, " : fmt::format("detail::{}, ", table_name(table));
   if (loops.solves) {
     list += loops.yields.empty() ? "static_cast<const Real*>(nullptr), " : "&kYields[0], ";
   }
@@ -129,7 +187,7 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   list += given ? ", detail::loops::GivenSines<Real>{&sin_q[0], &cos_q[0]}"
                 : ", detail::loops::ComputedSines{}";
   for (std::size_t i = given ? 3 : 1; i < arguments.size(); ++i) {
-    list += ", " + element(arguments[i]);
+    if (!changes_table(loops, arguments[i].name)) list += ", " + element(arguments[i]);
   }
   list += ", " + element(program.results.front().argument);
   return text +
@@ -146,7 +204,10 @@ std::vector<GeneratedFile> print_loops(const EmissionContext& context,
   for (const LinkTableText& table : tables) text += (text.empty() ? "" : "\n") + print_table(table);
   return {{context.name + "_links.hpp",
            fill_template(templates::kLinks,
-                         {{"robot", context.robot}, {"name", context.name}, {"tables", text}})}};
+                         {{"robot", context.robot},
+                          {"name", context.name},
+                          {"header", has_inputs(programs) ? "link_inputs" : "link_table"},
+                          {"tables", text}})}};
 }
 
 }  // namespace treeline::cpp

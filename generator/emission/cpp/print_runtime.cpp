@@ -12,6 +12,7 @@
 #include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_limited_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
+#include "emission/print_link_table.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -49,7 +50,8 @@ void append_limit_headers(const EmissionContext& context, std::vector<GeneratedF
 }
 
 /// What functions include that loop over a table of links.
-std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context) {
+std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context,
+                                             std::span<const Program> programs) {
   const std::pair<const char*, std::string_view> headers[] = {
       {"link_factors.hpp", templates::kLinkFactors},
       {"link_friction.hpp", templates::kLinkFriction},
@@ -60,6 +62,9 @@ std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context) {
       {"link_table.hpp", templates::kLinkTable}};
   std::vector<GeneratedFile> files;
   for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
+  if (has_inputs(programs)) {
+    files.push_back({"link_inputs.hpp", print_header(context, templates::kLinkInputs)});
+  }
   return files;
 }
 
@@ -83,7 +88,7 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
     files.push_back({"controller_sizes.hpp", misra::print_controller_sizes(context)});
   }
   if (loops) {
-    for (const GeneratedFile& file : list_loop_headers(context)) {
+    for (const GeneratedFile& file : list_loop_headers(context, programs)) {
       files.push_back({file.name, misra::follow_rules(context, file.text)});
     }
   }
@@ -145,7 +150,8 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"limited_batch.hpp", print_header(context, templates::kLimitedBatch)});
   }
   if (loops) {
-    for (GeneratedFile& file : list_loop_headers(context)) files.push_back(std::move(file));
+    for (GeneratedFile& file : list_loop_headers(context, programs))
+      files.push_back(std::move(file));
   }
   if (damped || limited || controlled) {
     files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});

@@ -44,6 +44,7 @@ extern const std::string_view kLinkFactors;
 extern const std::string_view kLinkFriction;
 extern const std::string_view kLinkFunctions;
 extern const std::string_view kLinkInertia;
+extern const std::string_view kLinkInputs;
 extern const std::string_view kLinkMotion;
 extern const std::string_view kLinkRows;
 extern const std::string_view kLinkTable;

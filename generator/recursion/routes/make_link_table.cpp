@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "functions/quantity.hpp"
 #include "recursion/tree/tree.hpp"
 
 namespace treeline {
@@ -34,15 +35,15 @@ loops::Link<double> table_link(const TreeLink<double>& link) {
   row.alpha = table_turn(link.R.alpha);
   row.b = table_turn(row.slides ? link.R.b : turned_on(link.R.b, link.offset));
   row.rotor = link.drive.inertia;
-  row.mass = mass;
+  row.body.mass = mass;
   const Vector3<double> origin =
       row.slides ? link.p + rotate(link.R, Vector3<double>{0, 0, link.offset}) : link.p;
   const double p[3] = {origin.x, origin.y, origin.z};
   const double moment[3] = {h.x, h.y, h.z};
   const double inertia[6] = {J.xx, J.xy, J.xz, J.yy, J.yz, J.zz};
   std::copy(std::begin(p), std::end(p), row.p);
-  std::copy(std::begin(moment), std::end(moment), row.h);
-  std::copy(std::begin(inertia), std::end(inertia), row.J);
+  std::copy(std::begin(moment), std::end(moment), row.body.h);
+  std::copy(std::begin(inertia), std::end(inertia), row.body.J);
   return row;
 }
 
@@ -99,13 +100,72 @@ void add_drives(const Tree<double>& tree, LinkTableData& table) {
 }
 
 /// Whose coordinates the joints have, where some share one.
-void add_couplings(const Tree<double>& tree, LinkTableData& table) {
+void add_couplings(const Mechanism& mechanism, const Tree<double>& tree, LinkTableData& table) {
   if (!tree.has_mimics) return;
   for (const TreeLink<double>& link : tree.links) {
     const int joint = link.v_index - (table.floats && !link.is_floating() ? 5 : 0);
-    table.couplings.push_back(
-        {static_cast<std::int16_t>(joint), link.is_floating() ? 1 : link.multiplier, link.spins});
+    const double multiplier = link.is_floating() ? 1 : link.multiplier;
+    const auto& coordinate = mechanism.coordinates[static_cast<std::size_t>(link.q_index)];
+    const bool own_sine = link.kind == JointKind::revolute && !link.spins &&
+                          (std::abs(multiplier) != 1 || !coordinate.is_angle());
+    table.couplings.push_back({static_cast<std::int16_t>(joint), multiplier, link.spins, own_sine});
+    table.own_sines = table.own_sines || own_sine;
     table.joints = std::max(table.joints, joint + 1);
+  }
+}
+
+/// The frame in which an argument is given, from its entry `at` on.
+loops::InputFrame<double> input_frame(const MechanismPoint& frame, int of, std::size_t at) {
+  loops::InputFrame<double> row{
+      static_cast<std::int16_t>(of), static_cast<std::int16_t>(at), {}, {}};
+  const Rotation<double> R = planar_factors<double>(frame.pose.R);
+  const Matrix3<double> columns{rotate(R, Vector3<double>{1, 0, 0}),
+                                rotate(R, Vector3<double>{0, 1, 0}),
+                                rotate(R, Vector3<double>{0, 0, 1})};
+  const Matrix3<double> rows = transposed(columns);
+  const double entries[] = {rows.row_x.x, rows.row_x.y, rows.row_x.z, rows.row_y.x, rows.row_y.y,
+                            rows.row_y.z, rows.row_z.x, rows.row_z.y, rows.row_z.z};
+  std::copy(std::begin(entries), std::end(entries), row.R);
+  const Vector3<double> p = rounded<double>(frame.pose.p);
+  const double origin[] = {p.x, p.y, p.z};
+  std::copy(std::begin(origin), std::end(origin), row.p);
+  return row;
+}
+
+/// The place of a link among those whose inertia depends on arguments.
+int place_among_loaded(int link, LinkTableData& table) {
+  auto& loaded = table.loaded_links;
+  const auto at = std::find(loaded.begin(), loaded.end(), link);
+  const auto place = static_cast<int>(at - loaded.begin());
+  if (at == loaded.end()) loaded.push_back(static_cast<std::int16_t>(link));
+  return place;
+}
+
+/// Bodies that an argument gives, but for those on links that do not move.
+void add_bodies(Quantity argument, const std::vector<MechanismInertia>& bodies,
+                LinkTableData& table) {
+  LinkInput input{symbol_of(argument), LinkInput::Gives::bodies, {}};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const MechanismPoint& frame = bodies[i].frame;
+    if (frame.link < 0) continue;
+    input.frames.push_back(
+        input_frame(frame, place_among_loaded(frame.link, table), kInertialParameters * i));
+  }
+  if (!input.frames.empty()) table.inputs.push_back(std::move(input));
+}
+
+/// Origins and axes of points that arguments give.
+void add_tools(const std::vector<MechanismTool>& tools, LinkTableData& table) {
+  LinkInput origins{symbol_of(Quantity::tool), LinkInput::Gives::origins, {}};
+  LinkInput axes{symbol_of(Quantity::tool_orientation), LinkInput::Gives::axes, {}};
+  for (const MechanismTool& tool : tools) {
+    const auto point = static_cast<int>(tool.point);
+    origins.frames.push_back(input_frame(tool.frame, point, 3 * origins.frames.size()));
+    if (!tool.orientation) continue;
+    axes.frames.push_back(input_frame(tool.frame, point, 4 * axes.frames.size()));
+  }
+  for (LinkInput* const input : {&origins, &axes}) {
+    if (!input->frames.empty()) table.inputs.push_back(std::move(*input));
   }
 }
 
@@ -124,8 +184,11 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   }
   number_slots(table);
   add_drives(tree, table);
-  add_couplings(tree, table);
+  add_couplings(mechanism, tree, table);
+  add_bodies(Quantity::payload, mechanism.inputs.payloads, table);
+  add_bodies(Quantity::parameters, mechanism.inputs.parameters, table);
   if (!with_points) return table;
+  add_tools(mechanism.inputs.tools, table);
   for (const TreePoint<double>& point : tree.operational_points) {
     append_rows(point, static_cast<std::int16_t>(table.points.size()), table);
     table.points.push_back(table_point(point));

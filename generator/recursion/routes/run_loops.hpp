@@ -1,0 +1,275 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "functions/function.hpp"
+#include "program/link_loops.hpp"
+
+// Vectors stand here where emitted code has arrays, which indices of any sign may index.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#include "core/link_functions.hpp"
+#include "core/link_inputs.hpp"
+#pragma GCC diagnostic pop
+
+namespace treeline {
+
+namespace loops = core::loops;
+
+/// The table in another kind of number, as arguments of the function change it.
+template <class Number>
+class LiftedTable {
+ public:
+  explicit LiftedTable(const LinkTableData& from) : from_(from) {
+    for (const double g : from.gravity) gravity_.push_back(Number(g));
+    for (const loops::Link<double>& link : from.links) links_.push_back(lifted(link));
+    for (const loops::LinkPoint<double>& point : from.points) points_.push_back(lifted(point));
+    for (const loops::LinkDrive<double>& drive : from.drives) {
+      drives_.push_back({Number(drive.damping), Number(drive.stiffness), Number(drive.rest)});
+    }
+    for (const loops::LinkFriction<double>& friction : from.frictions) {
+      frictions_.push_back({Number(friction.force), Number(friction.sharpness)});
+    }
+    for (const loops::LinkCoupling<double>& coupling : from.couplings) {
+      couplings_.push_back(
+          {coupling.joint, Number(coupling.multiplier), coupling.spins, coupling.own_sine});
+    }
+    bodies_.resize(from.loaded_links.size());
+    loops::copy_bodies(links_.data(), from.loaded_links.data(), static_cast<int>(bodies_.size()),
+                       bodies_.data());
+  }
+
+  void set_gravity(const std::vector<Number>& given) { gravity_ = given; }
+
+  /// What the argument gives that `input` is about.
+  void take(const LinkInput& input, const std::vector<Number>& given) {
+    std::vector<loops::InputFrame<Number>> frames;
+    for (const loops::InputFrame<double>& from : input.frames) {
+      loops::InputFrame<Number> frame{from.of, from.at, {}, {}};
+      lift(from.R, frame.R);
+      lift(from.p, frame.p);
+      frames.push_back(frame);
+    }
+    const auto count = static_cast<int>(frames.size());
+    switch (input.gives) {
+      case LinkInput::Gives::bodies:
+        return loops::add_bodies(frames.data(), count, given.data(), bodies_.data());
+      case LinkInput::Gives::origins:
+        return loops::move_points(frames.data(), count, given.data(), points_.data());
+      case LinkInput::Gives::axes:
+        return loops::turn_points(frames.data(), count, given.data(), points_.data());
+    }
+  }
+
+  template <bool floats, bool coupled>
+  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true> view()
+      const {
+    return {links_.data(),
+            static_cast<int>(links_.size()),
+            from_.slots,
+            {gravity_[0], gravity_[1], gravity_[2]},
+            points_.data(),
+            static_cast<int>(points_.size()),
+            from_.rows.data(),
+            static_cast<int>(from_.rows.size()),
+            drives_.empty() ? nullptr : drives_.data(),
+            frictions_.empty() ? nullptr : frictions_.data(),
+            couplings_.data(),
+            from_.joints,
+            bodies_.data(),
+            from_.loaded_links.data(),
+            static_cast<int>(bodies_.size())};
+  }
+
+ private:
+  static loops::Turn<Number> lifted(const loops::Turn<double>& r) {
+    return {Number(r.c), Number(r.s)};
+  }
+
+  template <int size>
+  static void lift(const double (&from)[size], Number (&to)[size]) {
+    std::transform(std::begin(from), std::end(from), to, [](double x) { return Number(x); });
+  }
+
+  static loops::Link<Number> lifted(const loops::Link<double>& from) {
+    loops::Link<Number> to{from.parent,
+                           from.slot,
+                           from.slides,
+                           lifted(from.a),
+                           lifted(from.alpha),
+                           lifted(from.b),
+                           {},
+                           Number(from.rotor),
+                           {Number(from.body.mass), {}, {}}};
+    lift(from.p, to.p);
+    lift(from.body.h, to.body.h);
+    lift(from.body.J, to.body.J);
+    return to;
+  }
+
+  static loops::LinkPoint<Number> lifted(const loops::LinkPoint<double>& from) {
+    loops::LinkPoint<Number> to{from.link, from.world, {}, {}};
+    lift(from.axes, to.axes);
+    lift(from.p, to.p);
+    return to;
+  }
+
+  const LinkTableData& from_;
+  std::vector<Number> gravity_;
+  std::vector<loops::Link<Number>> links_;
+  std::vector<loops::LinkPoint<Number>> points_;
+  std::vector<loops::LinkDrive<Number>> drives_;
+  std::vector<loops::LinkFriction<Number>> frictions_;
+  std::vector<loops::LinkCoupling<Number>> couplings_;
+  std::vector<loops::LinkBody<Number>> bodies_;
+};
+
+/// The table and work space of loops in another kind of number.
+template <class Number>
+struct LoopTrace {
+  struct Motions {
+    std::vector<loops::LinkPose<Number>> poses;
+    loops::BasePose<Number> base;
+    std::vector<loops::Spatial<Number>> wrenches;
+    std::vector<loops::LinkMotion<Number>> motions;
+  };
+  struct Inertias {
+    std::vector<loops::LinkInertia<Number>> inertias;
+    std::vector<loops::LinkProjection<Number>> projections;
+    std::vector<Number> base;
+  };
+  struct Rows {
+    std::vector<loops::LinkAxes<Number>> link_axes;
+    std::vector<loops::LinkMotion<Number>> point_motions;
+    std::vector<loops::Spatial<Number>> forces;
+    std::vector<std::int16_t> links;
+    std::vector<Number> errors, Lambda_inv;
+  };
+
+  explicit LoopTrace(const LinkLoops& plan) : table(plan.table) {
+    const LinkTableData& of = plan.table;
+    for (const double yield : plan.yields) yields.push_back(Number(yield));
+    const auto n = of.links.size();
+    const auto slots = static_cast<std::size_t>(of.slots);
+    const std::size_t count = of.rows.size();
+    motions.poses.resize(n);
+    motions.wrenches.resize(n);
+    motions.motions.resize(slots);
+    inertias.inertias.resize(slots);
+    inertias.projections.resize(n);
+    const auto nv = static_cast<std::size_t>(of.joints) + 6;
+    inertias.base.resize(nv * (nv + count));
+    rows.link_axes.resize(of.points.size());
+    rows.point_motions.resize(of.points.size());
+    rows.forces.resize(count);
+    rows.links.resize(count);
+    rows.errors.resize(count);
+    rows.Lambda_inv.resize(count * count);
+  }
+
+  LiftedTable<Number> table;
+  std::vector<Number> yields;
+  Motions motions;
+  Inertias inertias;
+  Rows rows;
+};
+
+/// Sines as the function takes them: `GivenSines` of the headers, or else `ComputedSines`.
+template <class Number>
+struct TracedSines {
+  const Number* sin_q;  ///< null: they are computed
+  const Number* cos_q;
+
+  template <class Table>
+  void operator()(const Table& table, int i, int at, const Number& angle,
+                  loops::Turn<Number>& turn) const {
+    if (sin_q == nullptr) {
+      loops::ComputedSines{}(table, i, at, angle, turn);
+    } else {
+      loops::GivenSines<Number>{sin_q, cos_q}(table, i, at, angle, turn);
+    }
+  }
+};
+
+/// Arguments of a function that loops, and its result.
+template <class Number>
+struct LoopArguments {
+  std::vector<Number> q, qd, qdd, tau, xdd_cmd, result;
+  std::vector<Number> sin_q, cos_q;         ///< empty: they are computed
+  std::vector<Number> gravity;              ///< empty: as the table says
+  std::vector<std::vector<Number>> inputs;  ///< of the table's
+
+  [[nodiscard]] TracedSines<Number> sines() const {
+    return {sin_q.empty() ? nullptr : sin_q.data(), cos_q.data()};
+  }
+};
+
+template <int power, class Number, class Table>
+void run_law(Function function, const Table& table, LoopTrace<Number>& trace,
+             LoopArguments<Number>& with) {
+  const TracedSines<Number> sines = with.sines();
+  if (function == Function::lambda) {
+    loops::lambda<power>(table, trace.yields.data(), with.q.data(), sines, with.result.data(),
+                         trace.motions, trace.inertias, trace.rows);
+  } else {
+    loops::control_torque<power>(table, trace.yields.data(), with.q.data(), sines, with.qd.data(),
+                                 with.qdd.data(), with.xdd_cmd.data(), with.result.data(),
+                                 trace.motions, trace.inertias, trace.rows);
+  }
+}
+
+template <class Number, class Table>
+void run(Function function, int power, const Table& table, LoopTrace<Number>& trace,
+         LoopArguments<Number>& with) {
+  const TracedSines<Number> sines = with.sines();
+  const Number* const q = with.q.data();
+  const Number* const qd = with.qd.data();
+  Number* const result = with.result.data();
+  switch (function) {
+    case Function::inverse_dynamics:
+      return loops::inverse_dynamics(table, q, sines, qd, std::as_const(with.qdd).data(), result,
+                                     trace.motions);
+    case Function::nonlinear_effects:
+      return loops::nonlinear_effects(table, q, sines, qd, result, trace.motions);
+    case Function::gravity:
+      return loops::gravity(table, q, sines, result, trace.motions);
+    case Function::mass_matrix:
+      return loops::mass_matrix(table, q, sines, result, trace.motions, trace.inertias);
+    case Function::forward_dynamics:
+      return loops::forward_dynamics(table, q, sines, qd, std::as_const(with.tau).data(), result,
+                                     trace.motions, trace.inertias);
+    case Function::lambda_inverse:
+      return loops::lambda_inverse(table, q, sines, result, trace.motions, trace.inertias,
+                                   trace.rows);
+    default:
+      if (power == 0) return run_law<0>(function, table, trace, with);
+      if (power == 4) return run_law<4>(function, table, trace, with);
+      return run_law<6>(function, table, trace, with);
+  }
+}
+
+template <class Number>
+void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) {
+  LoopTrace<Number> trace(plan);
+  if (!with.gravity.empty()) trace.table.set_gravity(with.gravity);
+  for (std::size_t i = 0; i < with.inputs.size(); ++i) {
+    trace.table.take(plan.table.inputs[i], with.inputs[i]);
+  }
+  const auto run_on = [&](const auto& table) { run(function, plan.power, table, trace, with); };
+  const bool coupled = !plan.table.couplings.empty();
+  if (plan.table.floats && coupled) {
+    run_on(trace.table.template view<true, true>());
+  } else if (plan.table.floats) {
+    run_on(trace.table.template view<true, false>());
+  } else if (coupled) {
+    run_on(trace.table.template view<false, true>());
+  } else {
+    run_on(trace.table.template view<false, false>());
+  }
+}
+
+}  // namespace treeline

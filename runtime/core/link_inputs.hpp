@@ -1,0 +1,162 @@
+#pragma once
+// What arguments say of a robot that is a table of links: payloads, inertial parameters of links,
+// tools. C++17, freestanding.
+
+#include <stdint.h>
+
+#include "core/link_table.hpp"
+
+namespace treeline::core::loops {
+
+/// A frame of a link, in which an argument is given.
+template <class Real>
+struct InputFrame {
+  int16_t of;  ///< a body of `LinkTable::bodies`, or an operational point
+  int16_t at;  ///< its first entry in the argument
+  Real R[9];   ///< from the frame's axes to the link's, row-major
+  Real p[3];   ///< the frame's origin, in the link's axes
+};
+
+template <class Real>
+void turn_to_link(const InputFrame<Real>& frame, Real (&v)[3]) noexcept {
+  const Real old[3] = {v[0], v[1], v[2]};
+  for (int k = 0; k < 3; ++k) {
+    const Real* const row = &frame.R[3 * k];
+    v[k] = (row[0] * old[0]) + (row[1] * old[1]) + (row[2] * old[2]);
+  }
+}
+
+/// What the table says of links that arguments change.
+template <class Real>
+void copy_bodies(const Link<Real>* links, const int16_t* loaded_links, int count,
+                 LinkBody<Real>* bodies) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const LinkBody<Real>& from = links[loaded_links[i]].body;
+    LinkBody<Real>& to = bodies[i];
+    to.mass = from.mass;
+    for (int k = 0; k < 3; ++k) {
+      to.h[k] = from.h[k];
+    }
+    for (int k = 0; k < 6; ++k) {
+      to.J[k] = from.J[k];
+    }
+  }
+}
+
+/// Adds R M R^T, upper triangle, of a symmetric matrix in the axes of the frame.
+template <class Real>
+void add_turned(const InputFrame<Real>& frame, const Real (&M)[9], Real (&sum)[6]) noexcept {
+  int at = 0;
+  for (int r = 0; r < 3; ++r) {
+    Real row[3];
+    for (int k = 0; k < 3; ++k) {
+      row[k] = (frame.R[3 * r] * M[k]) + (frame.R[(3 * r) + 1] * M[3 + k]) +
+               (frame.R[(3 * r) + 2] * M[6 + k]);
+    }
+    for (int c = r; c < 3; ++c) {
+      const Real* const other = &frame.R[3 * c];
+      sum[at] = sum[at] + ((row[0] * other[0]) + (row[1] * other[1]) + (row[2] * other[2]));
+      ++at;
+    }
+  }
+}
+
+/// Adds what a body's distance from the link's origin adds to its rotational inertia: h is its
+/// first moment about the frame's origin, in the link's axes (parallel axes).
+template <class Real>
+void add_distance(const InputFrame<Real>& frame, const Real& mass, const Real (&h)[3],
+                  Real (&sum)[6]) noexcept {
+  const Real(&p)[3] = frame.p;
+  Real middle[3];
+  for (int k = 0; k < 3; ++k) {
+    middle[k] = h[k] + ((Real(0.5) * mass) * p[k]);
+  }
+  int at = 0;
+  for (int r = 0; r < 3; ++r) {
+    const int s = (r + 1) % 3;
+    const int t = (r + 2) % 3;
+    sum[at] = sum[at] + (Real(2.0) * ((p[s] * middle[s]) + (p[t] * middle[t])));
+    ++at;
+    for (int c = r + 1; c < 3; ++c) {
+      sum[at] = sum[at] - ((p[r] * middle[c]) + (p[c] * middle[r]));
+      ++at;
+    }
+  }
+}
+
+/// Adds bodies that an argument gives: of each m, m c, Ixx, Ixy, Iyy, Ixz, Iyz, Izz in its frame.
+template <class Real>
+void add_bodies(const InputFrame<Real>* frames, int count, const Real* argument,
+                LinkBody<Real>* bodies) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const InputFrame<Real>& frame = frames[i];
+    const Real* const given = &argument[frame.at];
+    LinkBody<Real>& body = bodies[frame.of];
+    const Real mass = given[0];
+    Real h[3];
+    for (int k = 0; k < 3; ++k) {
+      h[k] = given[k + 1];
+    }
+    const Real J[9] = {given[4], given[5], given[7], given[5], given[6],
+                       given[8], given[7], given[8], given[9]};
+    turn_to_link(frame, h);
+    add_turned(frame, J, body.J);
+    add_distance(frame, mass, h, body.J);
+    for (int k = 0; k < 3; ++k) {
+      body.h[k] = body.h[k] + h[k] + (mass * frame.p[k]);
+    }
+    body.mass = body.mass + mass;
+  }
+}
+
+template <class Real>
+void copy_points(const LinkPoint<Real>* from, int count, LinkPoint<Real>* to) noexcept {
+  for (int i = 0; i < count; ++i) {
+    to[i].link = from[i].link;
+    to[i].world = from[i].world;
+    for (int k = 0; k < 9; ++k) {
+      to[i].axes[k] = from[i].axes[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+      to[i].p[k] = from[i].p[k];
+    }
+  }
+}
+
+/// Puts the origins of points where an argument has them.
+template <class Real>
+void move_points(const InputFrame<Real>* frames, int count, const Real* argument,
+                 LinkPoint<Real>* points) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const InputFrame<Real>& frame = frames[i];
+    Real p[3];
+    for (int k = 0; k < 3; ++k) {
+      p[k] = argument[frame.at + k];
+    }
+    turn_to_link(frame, p);
+    for (int k = 0; k < 3; ++k) {
+      points[frame.of].p[k] = p[k] + frame.p[k];
+    }
+  }
+}
+
+/// Gives points the axes of quaternions x y z w of any length.
+template <class Real>
+void turn_points(const InputFrame<Real>* frames, int count, const Real* argument,
+                 LinkPoint<Real>* points) noexcept {
+  for (int i = 0; i < count; ++i) {
+    const InputFrame<Real>& frame = frames[i];
+    const Real* const v = &argument[frame.at];
+    const Real twice = turn_factor(v);
+    for (int j = 0; j < 3; ++j) {
+      Real axis[3];
+      turn_axis(v, twice, j, axis);
+      turn_to_link(frame, axis);
+      for (int k = 0; k < 3; ++k) {
+        points[frame.of].axes[(3 * j) + k] = axis[k];
+      }
+    }
+  }
+}
+
+}  // namespace treeline::core::loops
