@@ -59,7 +59,8 @@ bool agree(const LinkTableText& one, const LinkTableText& other) {
   if (a.links.size() != b.links.size() || a.slots != b.slots) return false;
   if (a.around_points != b.around_points) return true;
   const bool same_links = one.links == other.links && one.drives == other.drives &&
-                          one.frictions == other.frictions && one.couplings == other.couplings;
+                          one.frictions == other.frictions && one.couplings == other.couplings &&
+                          one.balls == other.balls;
   const bool same_points = one.points == other.points && one.rows == other.rows;
   return same_links && (same_points || a.points.empty() != b.points.empty());
 }
@@ -68,7 +69,7 @@ bool agree(const LinkTableText& one, const LinkTableText& other) {
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
   LinkTableText text{
-      &table, false, false, {}, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity), {}};
+      &table, false, false, {}, {}, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity), {}};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -91,6 +92,9 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
     text.couplings +=
         fmt::format("    {{{}, {}, {}, {}}},\n", coupling.joint,
                     number(syntax, coupling.multiplier), coupling.spins, coupling.own_sine);
+  }
+  for (const core::loops::LinkBall& ball : table.balls) {
+    text.balls += fmt::format("    {{{}, {}, {}}},\n", ball.axis, ball.rotation, ball.q);
   }
   for (const std::int16_t link : table.loaded_links) {
     text.loaded_links += fmt::format("    {},  // {}\n", link,

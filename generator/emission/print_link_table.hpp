@@ -11,13 +11,13 @@
 namespace treeline {
 
 /// A table of links as initializers, which C and C++ write alike: the lists of its links, points,
-/// rows of points, drives, frictions, couplings and the frames of each of its inputs without the
-/// braces around them, gravity with its braces.
+/// rows of points, drives, frictions, couplings, ball joints and the frames of each of its inputs
+/// without the braces around them, gravity with its braces.
 struct LinkTableText {
   const LinkTableData* data;
   bool shares = false;       ///< these, but points and rows, with a table before it
   bool is_constant = false;  ///< a function has it as it is: no argument changes it
-  std::string links, points, rows, drives, frictions, couplings, loaded_links, gravity;
+  std::string links, points, rows, drives, frictions, couplings, balls, loaded_links, gravity;
   std::vector<std::string> frames;
 };
 

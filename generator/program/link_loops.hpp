@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/link_inputs.hpp"
 #include "core/link_table.hpp"
 
 namespace treeline {
@@ -36,9 +35,11 @@ struct LinkTableData {
   std::vector<core::loops::LinkDrive<double>> drives;
   std::vector<core::loops::LinkFriction<double>> frictions;
   std::vector<core::loops::LinkCoupling<double>> couplings;
-  int joints = 0;                 ///< that have coordinates of their own, where there are couplings
-  std::vector<LinkInput> inputs;  ///< which the functions take
-  std::vector<std::int16_t> loaded_links;  ///< whose inertia depends on them
+  int joints = 0;  ///< that have coordinates of their own, where there are couplings
+  std::vector<core::loops::LinkBall> balls;  ///< of all links, or none
+  int rotations = 1;                         ///< of a floating base and of ball joints
+  std::vector<LinkInput> inputs;             ///< which the functions take
+  std::vector<std::int16_t> loaded_links;    ///< whose inertia depends on them
 };
 
 /// How a function is emitted that loops over a table of links: a call of `function` in

@@ -11,7 +11,7 @@ template <class Table, class Real, class Sines, class Motions>
 void inverse_dynamics(const Table& table, const Real* q, const Sines& sines, const Real* qd,
                       const Real* qdd, Real* tau, Motions& motions) noexcept {
   LinkMotion<Real>* const no_points = nullptr;
-  place_links(table, q, sines, motions);
+  place_links(table, q, sines, motions.poses);
   move_links(table, qd, qdd, motions, no_points);
   gather_forces(table, q, qd, qdd, motions, tau);
 }
@@ -33,7 +33,7 @@ void gravity(const Table& table, const Real* q, const Sines& sines, Real* g,
 template <class Table, class Real, class Sines, class Motions, class Inertias>
 void mass_matrix(const Table& table, const Real* q, const Sines& sines, Real* M, Motions& motions,
                  Inertias& inertias) noexcept {
-  place_links(table, q, sines, motions);
+  place_links(table, q, sines, motions.poses);
   find_mass_matrix(table, motions, inertias, M);
 }
 
@@ -68,7 +68,7 @@ void find_lambda_inverse(const Table& table, Motions& motions, Inertias& inertia
 template <class Table, class Real, class Sines, class Motions, class Inertias, class Rows>
 void lambda_inverse(const Table& table, const Real* q, const Sines& sines, Real* Lambda_inv,
                     Motions& motions, Inertias& inertias, Rows& rows) noexcept {
-  place_links(table, q, sines, motions);
+  place_links(table, q, sines, motions.poses);
   find_lambda_inverse(table, motions, inertias, rows);
   copy_lambda_inverse(table, rows, Lambda_inv);
 }
@@ -78,7 +78,7 @@ template <int power, class Table, class Real, class Sines, class Motions, class 
           class Rows>
 void lambda(const Table& table, const Real* yields, const Real* q, const Sines& sines, Real* Lambda,
             Motions& motions, Inertias& inertias, Rows& rows) noexcept {
-  place_links(table, q, sines, motions);
+  place_links(table, q, sines, motions.poses);
   find_lambda_inverse(table, motions, inertias, rows);
   invert_rows<power>(table, yields, rows, Lambda);
 }
@@ -89,7 +89,7 @@ template <int power, class Table, class Real, class Sines, class Motions, class 
 void control_torque(const Table& table, const Real* yields, const Real* q, const Sines& sines,
                     const Real* qd, const Real* qdd_0, const Real* xdd_cmd, Real* tau,
                     Motions& motions, Inertias& inertias, Rows& rows) noexcept {
-  place_links(table, q, sines, motions);
+  place_links(table, q, sines, motions.poses);
   move_links(table, qd, qdd_0, motions, &rows.point_motions[0]);
   find_lambda_inverse(table, motions, inertias, rows);
   find_errors(table, xdd_cmd, rows);

@@ -82,24 +82,56 @@ void shift_inertia(const Real (&p)[3], LinkInertia<Real>& inertia) noexcept {
   }
 }
 
-/// A matrix in the axes of the link's parent.
 template <class Real>
-void matrix_to_parent(const Link<Real>& link, const LinkPose<Real>& pose, Real (&M)[9]) noexcept {
+void turn_matrix_by_planes(const Link<Real>& link, const LinkPose<Real>& pose,
+                           Real (&M)[9]) noexcept {
   turn_matrix(pose.turn, 0, 1, M);
   turn_matrix(link.alpha, 1, 2, M);
   turn_matrix(link.a, 0, 1, M);
 }
 
+/// Q M Q^T
+template <class Real>
+void turn_matrix_by(const LinkRotation<Real>& rotation, Real (&M)[9]) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    Real column[3] = {M[k], M[3 + k], M[6 + k]};
+    turn_by(rotation, column);
+    for (int l = 0; l < 3; ++l) {
+      M[(3 * l) + k] = column[l];
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    Real row[3] = {M[3 * k], M[(3 * k) + 1], M[(3 * k) + 2]};
+    turn_by(rotation, row);
+    for (int l = 0; l < 3; ++l) {
+      M[(3 * k) + l] = row[l];
+    }
+  }
+}
+
+/// A matrix in the axes of the link's parent.
+template <class Table, class Poses, class Real>
+void matrix_to_parent(const Table& table, int i, const Poses& poses, Real (&M)[9]) noexcept {
+  if constexpr (Table::kBalls) {
+    if (ball_axis(table, i) == 1) {
+      turn_matrix_by(poses.rotations[table.ball_axes[i].rotation], M);
+    } else {
+      turn_matrix_by_planes(table.links[i], poses.joints[i], M);
+    }
+  } else {
+    turn_matrix_by_planes(table.links[i], poses.joints[i], M);
+  }
+}
+
 /// Makes the inertia that link `i` passes on one of its parent.
-template <class Table, class Real>
-void inertia_to_parent(const Table& table, int i, const LinkPose<Real>& pose,
+template <class Table, class Poses, class Real>
+void inertia_to_parent(const Table& table, int i, const Poses& poses,
                        LinkInertia<Real>& inertia) noexcept {
-  const Link<Real>& link = table.links[i];
   Real p[3];
-  find_origin(table, i, pose, p);
-  matrix_to_parent(link, pose, inertia.A);
-  matrix_to_parent(link, pose, inertia.B);
-  matrix_to_parent(link, pose, inertia.C);
+  find_origin(table, i, poses, p);
+  matrix_to_parent(table, i, poses, inertia.A);
+  matrix_to_parent(table, i, poses, inertia.B);
+  matrix_to_parent(table, i, poses, inertia.C);
   shift_inertia(p, inertia);
 }
 
@@ -138,7 +170,7 @@ void pass_on(const Table& table, int i, const Motions& motions, LinkInertia<Real
   if (link.parent < 0) {
     clear_inertia(inertia);
   } else {
-    inertia_to_parent(table, i, motions.poses[i], inertia);
+    inertia_to_parent(table, i, motions.poses, inertia);
     const int16_t slot = table.links[link.parent].slot;
     if (slot != link.slot) {
       LinkInertia<Real>& parent = inertias.inertias[slot];
@@ -260,7 +292,7 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
       enter<Table>(own + link.rotor, M[(at * nv) + at]);
       int j = i;
       while (table.links[j].parent >= 0) {
-        wrench_to_parent(table, j, motions.poses[j], wrench);
+        wrench_to_parent(table, j, motions.poses, wrench);
         j = table.links[j].parent;
         const int entries = is_floating<Table>(j) ? 6 : 1;
         for (int k = 0; k < entries; ++k) {
@@ -328,7 +360,7 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
           wrench.angular[k] = wrench.angular[k] + (joint.u.angular[k] * left);
         }
         along = missing - (link.rotor * joint.inverse_D * left);
-        wrench_to_parent(table, i, motions.poses[i], wrench);
+        wrench_to_parent(table, i, motions.poses, wrench);
         add(wrench, motions.wrenches[link.parent]);
       }
     }
@@ -348,10 +380,10 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
       if (link.parent >= 0) {
         add(motions.wrenches[link.parent], twist);
         Real p[3];
-        find_origin(table, i, motions.poses[i], p);
+        find_origin(table, i, motions.poses, p);
         add_cross(twist.angular, p, twist.linear);
-        turn_to_child(link, motions.poses[i], twist.linear);
-        turn_to_child(link, motions.poses[i], twist.angular);
+        turn_to_child(table, i, motions.poses, twist.linear);
+        turn_to_child(table, i, motions.poses, twist.angular);
       }
       Real& along = along_joint(table, i, twist);
       const Real held = link.rotor * joint.inverse_D;

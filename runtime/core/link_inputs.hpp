@@ -4,18 +4,9 @@
 
 #include <stdint.h>
 
-#include "core/link_table.hpp"
+#include "core/link_pose.hpp"
 
 namespace treeline::core::loops {
-
-/// A frame of a link, in which an argument is given.
-template <class Real>
-struct InputFrame {
-  int16_t of;  ///< a body of `LinkTable::bodies`, or an operational point
-  int16_t at;  ///< its first entry in the argument
-  Real R[9];   ///< from the frame's axes to the link's, row-major
-  Real p[3];   ///< the frame's origin, in the link's axes
-};
 
 template <class Real>
 void turn_to_link(const InputFrame<Real>& frame, Real (&v)[3]) noexcept {

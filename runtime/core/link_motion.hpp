@@ -1,11 +1,8 @@
 #pragma once
 // Inverse dynamics by loops over a table of links: recursive Newton-Euler. C++17, freestanding.
 
-#include <stddef.h>
-
 #include "core/link_friction.hpp"
-#include "core/link_table.hpp"
-#include "core/sin_cos.hpp"
+#include "core/link_pose.hpp"
 
 namespace treeline::core::loops {
 
@@ -18,10 +15,9 @@ struct LinkMotion {
 };
 
 /// What inverse dynamics keeps of each link, and of the links on the way out.
-template <class Real, size_t links, size_t slots>
+template <class Real, size_t links, size_t slots, size_t turned = 1>
 struct MotionWork {
-  LinkPose<Real> poses[links];
-  BasePose<Real> base;
+  LinkPoses<Real, links, turned> poses;
   Spatial<Real> wrenches[links];
   LinkMotion<Real> motions[slots];
 };
@@ -55,17 +51,24 @@ void rest(const Table& table, LinkMotion<Real>& motion) noexcept {
   }
 }
 
-/// Makes the motion of its parent that of link `i` behind its joint.
+/// An entry of an argument that may be missing: then it is 0.
+template <class Real>
+Real entry(const Real* argument, int i) noexcept {
+  return (argument == nullptr) ? Real(0.0) : argument[i];
+}
+
+/// Adds the rate at which a link turns the axes of the ball joint that it carries, where the first
+/// of these is the joint's: w x (qd about its three axes).
+template <class Real>
+void turn_ball_axes(const Real* qd, int at, LinkMotion<Real>& motion) noexcept {
+  const Real rate[3] = {entry(qd, at + 1), entry(qd, at + 2), entry(qd, at)};
+  add_cross(motion.w, rate, motion.wd);
+}
+
+/// Adds what the velocity of joint `i`, whose axis its parent turns, adds: w x S qd, or twice that
+/// where it slides.
 template <class Table, class Real>
-void move_link(const Table& table, int i, const LinkPose<Real>& pose, const Real& qd,
-               const Real& qdd, LinkMotion<Real>& motion) noexcept {
-  const Link<Real>& link = table.links[i];
-  Real p[3];
-  find_origin(table, i, pose, p);
-  add_rotation(motion, p, motion.a);
-  turn_to_child(link, pose, motion.w);
-  turn_to_child(link, pose, motion.wd);
-  turn_to_child(link, pose, motion.a);
+void turn_joint_axis(const Table& table, int i, const Real& qd, LinkMotion<Real>& motion) noexcept {
   const bool along = slides(table, i);
   Real(&moved)[3] = along ? motion.a : motion.wd;
   Real rate = qd;
@@ -74,20 +77,36 @@ void move_link(const Table& table, int i, const LinkPose<Real>& pose, const Real
   }
   moved[0] = moved[0] + (motion.w[1] * rate);
   moved[1] = moved[1] - (motion.w[0] * rate);
-  moved[2] = moved[2] + qdd;
+}
+
+/// Makes the motion of its parent that of link `i` behind its joint.
+template <class Table, class Poses, class Real>
+void move_link(const Table& table, int i, const Poses& poses, const Real* qd, const Real* qdd,
+               LinkMotion<Real>& motion) noexcept {
+  Real p[3];
+  find_origin(table, i, poses, p);
+  add_rotation(motion, p, motion.a);
+  turn_to_child(table, i, poses, motion.w);
+  turn_to_child(table, i, poses, motion.wd);
+  turn_to_child(table, i, poses, motion.a);
+  const int at = velocity_at<Table>(joint_of(table, i));
+  const Real rate = scale(table, i, entry(qd, at));
+  if (ball_axis(table, i) == 1) {
+    turn_ball_axes(qd, at, motion);
+  }
+  if (ball_axis(table, i) == 0) {
+    turn_joint_axis(table, i, rate, motion);
+  }
+  const bool along = slides(table, i);
+  Real(&moved)[3] = along ? motion.a : motion.wd;
+  moved[2] = moved[2] + scale(table, i, entry(qdd, at));
   if (!along) {
-    motion.w[2] = motion.w[2] + qd;
+    motion.w[2] = motion.w[2] + rate;
   }
 }
 
-/// An entry of an argument that may be missing: then it is 0.
-template <class Real>
-Real entry(const Real* argument, int i) noexcept {
-  return (argument == nullptr) ? Real(0.0) : argument[i];
-}
-
 template <class Table, class Real>
-void move_base(const Table& table, const BasePose<Real>& base, const Real* qd, const Real* qdd,
+void move_base(const Table& table, const LinkRotation<Real>& base, const Real* qd, const Real* qdd,
                LinkMotion<Real>& motion) noexcept {
   const Real* const Q = &base.Q[0];
   Real v[3];
@@ -118,65 +137,6 @@ void find_wrench(const LinkBody<Real>& body, const LinkMotion<Real>& motion,
   add_cross(body.h, motion.a, wrench.angular);
 }
 
-/// Sine and cosine of the angle of joint `i` from those of its coordinate.
-template <class Table, class Real>
-void take_sines(const Table& table, int i, const Real& angle, const Real& sin_q, const Real& cos_q,
-                Turn<Real>& turn) noexcept {
-  turn.c = cos_q;
-  turn.s = scale(table, i, sin_q);
-  if constexpr (Table::kOwnSines) {
-    if (table.couplings[i].own_sine) {
-      sin_cos(angle, turn.s, turn.c);
-    }
-  } else {
-    static_cast<void>(angle);
-  }
-}
-
-/// Calls with (table, i, at, angle, turn) give those of joint `i`, which has coordinate `at`:
-/// computed.
-struct ComputedSines {
-  template <class Table, class Real>
-  void operator()(const Table&, int, int, const Real& angle, Turn<Real>& turn) const noexcept {
-    sin_cos(angle, turn.s, turn.c);
-  }
-};
-
-/// The same, from arguments of the function.
-template <class Real>
-struct GivenSines {
-  const Real* sin_q;
-  const Real* cos_q;
-  template <class Table>
-  void operator()(const Table& table, int i, int at, const Real& angle,
-                  Turn<Real>& turn) const noexcept {
-    take_sines(table, i, angle, sin_q[at], cos_q[at], turn);
-  }
-};
-
-/// Poses of all links, by the sines and cosines of the joints' angles.
-template <class Table, class Real, class Sines, class Motions>
-void place_links(const Table& table, const Real* q, const Sines& sines, Motions& motions) noexcept {
-  for (int i = 0; i < table.count; ++i) {
-    const Link<Real>& link = table.links[i];
-    LinkPose<Real>& pose = motions.poses[i];
-    if (is_floating<Table>(i)) {
-      place_base(table, q, motions.base);
-    } else {
-      const int at = coordinate_at<Table>(joint_of(table, i));
-      const Real moved = scale(table, i, q[at]);
-      pose.slide = moved;
-      if (slides(table, i) || spins(table, i)) {
-        pose.turn.c = link.b.c;
-        pose.turn.s = link.b.s;
-      } else {
-        sines(table, i, at, moved, pose.turn);
-        turn_plane(link.b, pose.turn.c, pose.turn.s);
-      }
-    }
-  }
-}
-
 /// Outward pass: wrenches that move the links, and motions of the table's points. Without qd or qdd
 /// these are 0.
 template <class Table, class Real, class Motions>
@@ -186,7 +146,7 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
     const Link<Real>& link = table.links[i];
     LinkMotion<Real>& motion = motions.motions[link.slot];
     if (is_floating<Table>(i)) {
-      move_base(table, motions.base, qd, qdd, motion);
+      move_base(table, motions.poses.rotations[0], qd, qdd, motion);
     } else {
       if (link.parent < 0) {
         rest(table, motion);
@@ -196,9 +156,7 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
           copy(motions.motions[slot], motion);
         }
       }
-      const int at = velocity_at<Table>(joint_of(table, i));
-      move_link(table, i, motions.poses[i], scale(table, i, entry(qd, at)),
-                scale(table, i, entry(qdd, at)), motion);
+      move_link(table, i, motions.poses, qd, qdd, motion);
     }
     find_wrench(body_of(table, i), motion, motions.wrenches[i]);
     for (int k = 0; k < table.point_count; ++k) {
@@ -258,7 +216,7 @@ void gather_forces(const Table& table, const Real* q, const Real* qd, const Real
       const Real force = scale(table, i, along_joint(table, i, wrench));
       enter<Table>(force + (link.rotor * entry(qdd, at)), tau[at]);
       if constexpr (Table::kDriven) {
-        add_drive(table, i, q[coordinate_at<Table>(joint_of(table, i))], entry(qd, at), tau[at]);
+        add_drive(table, i, q[coordinate_of(table, i)], entry(qd, at), tau[at]);
       } else {
         static_cast<void>(q);
         static_cast<void>(qd);
@@ -267,7 +225,7 @@ void gather_forces(const Table& table, const Real* q, const Real* qd, const Real
         add_friction(table, i, entry(qd, at), tau[at]);
       }
       if (link.parent >= 0) {
-        wrench_to_parent(table, i, motions.poses[i], wrench);
+        wrench_to_parent(table, i, motions.poses, wrench);
         add(wrench, motions.wrenches[link.parent]);
       }
     }

@@ -12,22 +12,17 @@ struct LinkAxes {
   Real rows[9];
 };
 
-template <class Table, class Real>
-void find_axes(const Table& table, const LinkPose<Real>* poses, const BasePose<Real>& base,
-               int link, LinkAxes<Real>& axes) noexcept {
+template <class Table, class Poses, class Real>
+void find_axes(const Table& table, const Poses& poses, int link, LinkAxes<Real>& axes) noexcept {
   for (int j = 0; j < 3; ++j) {
     Real v[3];
     clear(v);
     v[j] = Real(1.0);
     for (int i = link; i >= 0; i = table.links[i].parent) {
       if (is_floating<Table>(i)) {
-        const Real old[3] = {v[0], v[1], v[2]};
-        for (int m = 0; m < 3; ++m) {
-          const Real* const row = &base.Q[3 * m];
-          v[m] = (row[0] * old[0]) + (row[1] * old[1]) + (row[2] * old[2]);
-        }
+        turn_by(poses.rotations[0], v);
       } else {
-        turn_to_parent(table.links[i], poses[i], v);
+        turn_to_parent(table, i, poses, v);
       }
     }
     for (int m = 0; m < 3; ++m) {
@@ -49,7 +44,7 @@ struct RowWork {
 template <class Table, class Motions, class Rows>
 void find_point_axes(const Table& table, const Motions& motions, Rows& rows) noexcept {
   for (int p = 0; p < table.point_count; ++p) {
-    find_axes(table, &motions.poses[0], motions.base, table.points[p].link, rows.link_axes[p]);
+    find_axes(table, motions.poses, table.points[p].link, rows.link_axes[p]);
   }
 }
 
@@ -149,7 +144,7 @@ void propagate_forces(const Table& table, const Motions& motions, const Inertias
             K.angular[k] = K.angular[k] - (joint.u.angular[k] * along);
           }
           along_joint(table, i, K) = table.links[i].rotor * joint.inverse_D * along;
-          wrench_to_parent(table, i, motions.poses[i], K);
+          wrench_to_parent(table, i, motions.poses, K);
           rows.links[r] = table.links[i].parent;
         }
       }
@@ -175,7 +170,7 @@ void find_joint_forces(const Table& table, const Motions& motions, const Rows& r
     } else {
       const int at = velocity_at<Table>(joint_of(table, i));
       forces[at] = forces[at] + scale(table, i, along_joint(table, i, wrench));
-      wrench_to_parent(table, i, motions.poses[i], wrench);
+      wrench_to_parent(table, i, motions.poses, wrench);
     }
   }
 }

@@ -80,12 +80,30 @@ struct LinkCoupling {
   bool own_sine;  ///< its angle has a sine other than plus or minus that of the coordinate
 };
 
+/// A joint of three axes about one point, whose links are three: the first turns by the quaternion
+/// of the joint, the others only make its next axis the z axis.
+struct LinkBall {
+  int16_t axis;      ///< which of them the link has: 1 to 3; 0: another joint
+  int16_t rotation;  ///< of the first: where its rotation is
+  int16_t q;         ///< where the coordinates of a joint of any kind begin
+};
+
+/// A frame of a link, in which an argument is given.
+template <class Real>
+struct InputFrame {
+  int16_t of;  ///< a body of `LinkTable::bodies`, or an operational point
+  int16_t at;  ///< its first entry in the argument
+  Real R[9];   ///< from the frame's axes to the link's, row-major
+  Real p[3];   ///< the frame's origin, in the link's axes
+};
+
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
 /// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
 /// `rubbing`: Coulomb friction. `coupled`: joints share coordinates. `own_sines`: some
-/// turn by multiples of these. `loaded`: inertial parameters of links depend on arguments.
+/// turn by multiples of these. `balls`: there are ball joints. `loaded`: inertial parameters of
+/// links depend on arguments.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
-          bool coupled = false, bool own_sines = false, bool loaded = false>
+          bool coupled = false, bool own_sines = false, bool balls = false, bool loaded = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
@@ -94,6 +112,7 @@ struct LinkTable {
   static constexpr bool kRubbing = rubbing;
   static constexpr bool kCoupled = coupled;
   static constexpr bool kOwnSines = own_sines;
+  static constexpr bool kBalls = balls;
   static constexpr bool kLoaded = loaded;
 
   const Link<Real>* links;
@@ -109,6 +128,7 @@ struct LinkTable {
   const LinkFriction<Real>* frictions = nullptr;
   const LinkCoupling<Real>* couplings = nullptr;  ///< of all links; none: each joint is its own
   int joints = 0;  ///< that have coordinates of their own, where there are couplings
+  const LinkBall* ball_axes = nullptr;     ///< of all links; none: there are no ball joints
   const LinkBody<Real>* bodies = nullptr;  ///< of `loaded_links`, in place of those in `links`
   const int16_t* loaded_links = nullptr;
   int loaded_count = 0;
@@ -185,17 +205,30 @@ constexpr int velocity_at(int i) noexcept {
   }
 }
 
-/// Where joint `i` has its coordinate.
+/// Where the joint of link `i` has its coordinate.
 template <class Table>
-constexpr int coordinate_at(int i) noexcept {
+constexpr int coordinate_of(const Table& table, int i) noexcept {
+  int at = velocity_at<Table>(joint_of(table, i));
   if constexpr (Table::kFloats) {
-    int at = i;
-    if (i > 0) {
-      at = i + 6;
+    if (at > 0) {
+      at = at + 1;
     }
-    return at;
+  }
+  if constexpr (Table::kBalls) {
+    at = table.ball_axes[i].q;
+  }
+  return at;
+}
+
+/// Which axis of a ball joint link `i` has: 0 if none.
+template <class Table>
+constexpr int ball_axis(const Table& table, int i) noexcept {
+  if constexpr (Table::kBalls) {
+    return table.ball_axes[i].axis;
   } else {
-    return i;
+    static_cast<void>(table);
+    static_cast<void>(i);
+    return 0;
   }
 }
 
@@ -233,19 +266,6 @@ constexpr bool spins(const Table& table, int i) noexcept {
     return false;
   }
 }
-
-/// What a joint's coordinate makes of a link's pose.
-template <class Real>
-struct LinkPose {
-  Turn<Real> turn;  ///< Rz(b) and the joint's angle
-  Real slide;       ///< along the z axis of the placement, of prismatic joints
-};
-
-/// Rotation of a floating base: of its axes to the world's, row-major.
-template <class Real>
-struct BasePose {
-  Real Q[9];
-};
 
 /// A wrench [f; n], or a twist [v; w], at a link's origin, in its axes.
 template <class Real>
@@ -289,55 +309,6 @@ void add_cross(const Real (&a)[3], const Real (&b)[3], Real (&sum)[3]) noexcept 
   sum[2] = sum[2] + ((a[0] * b[1]) - (a[1] * b[0]));
 }
 
-/// From a link's axes to its parent's. Not for a floating base.
-template <class Real>
-void turn_to_parent(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
-  turn_plane(pose.turn, v[0], v[1]);
-  turn_plane(link.alpha, v[1], v[2]);
-  turn_plane(link.a, v[0], v[1]);
-}
-template <class Real>
-void turn_to_child(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
-  turn_plane_back(link.a, v[0], v[1]);
-  turn_plane_back(link.alpha, v[1], v[2]);
-  turn_plane_back(pose.turn, v[0], v[1]);
-}
-
-/// The origin of link `i` in the axes of its parent.
-template <class Table, class Real>
-void find_origin(const Table& table, int i, const LinkPose<Real>& pose, Real (&p)[3]) noexcept {
-  const Link<Real>& link = table.links[i];
-  for (int k = 0; k < 3; ++k) {
-    p[k] = link.p[k];
-  }
-  if constexpr (Table::kSliding) {
-    if (link.slides) {
-      Real along[3];
-      clear(along);
-      along[2] = pose.slide;
-      turn_plane(link.alpha, along[1], along[2]);
-      turn_plane(link.a, along[0], along[1]);
-      for (int k = 0; k < 3; ++k) {
-        p[k] = p[k] + along[k];
-      }
-    }
-  } else {
-    static_cast<void>(pose);
-  }
-}
-
-/// From a wrench on link `i` to the same on its parent. Not for a floating base.
-template <class Table, class Real>
-void wrench_to_parent(const Table& table, int i, const LinkPose<Real>& pose,
-                      Spatial<Real>& wrench) noexcept {
-  const Link<Real>& link = table.links[i];
-  Real p[3];
-  find_origin(table, i, pose, p);
-  turn_to_parent(link, pose, wrench.linear);
-  turn_to_parent(link, pose, wrench.angular);
-  add_cross(p, wrench.linear, wrench.angular);
-}
-
 template <class Real>
 void add(const Spatial<Real>& more, Spatial<Real>& sum) noexcept {
   for (int k = 0; k < 3; ++k) {
@@ -357,44 +328,6 @@ template <class Table, class Real>
 Real& along_joint(const Table& table, int i, Spatial<Real>& spatial) noexcept {
   Real(&half)[3] = slides(table, i) ? spatial.linear : spatial.angular;
   return half[2];
-}
-
-/// 2 / |q|^2 of a quaternion of any length, x y z w; of 0 it does not turn.
-template <class Real>
-Real turn_factor(const Real* v) noexcept {
-  const Real square =
-      (v[0] * v[0]) + (v[1] * v[1]) + (v[2] * v[2]) + (v[3] * v[3]) + Real(0x1p-100);
-  return Real(2.0) / square;
-}
-
-/// Column `j` of the rotation by a quaternion, `twice` its `turn_factor`.
-template <class Real>
-void turn_axis(const Real* v, const Real& twice, int j, Real (&column)[3]) noexcept {
-  const int k = (j + 1) % 3;
-  const int l = (j + 2) % 3;
-  const Real t = twice * v[j];
-  const Real tw = twice * v[3];
-  column[j] = Real(1.0) - (twice * ((v[k] * v[k]) + (v[l] * v[l])));
-  column[k] = (t * v[k]) + (tw * v[l]);
-  column[l] = (t * v[l]) - (tw * v[k]);
-}
-
-/// The rotation by a floating base's quaternion.
-template <class Table, class Real>
-void place_base(const Table& table, const Real* q, BasePose<Real>& base) noexcept {
-  const Real* const v = &q[3];
-  const Real twice = turn_factor(v);
-  const Link<Real>& link = table.links[0];
-  for (int j = 0; j < 3; ++j) {  // columns, in the axes of the placement
-    Real column[3];
-    turn_axis(v, twice, j, column);
-    turn_plane(link.b, column[0], column[1]);
-    turn_plane(link.alpha, column[1], column[2]);
-    turn_plane(link.a, column[0], column[1]);
-    for (int m = 0; m < 3; ++m) {
-      base.Q[(3 * m) + j] = column[m];
-    }
-  }
 }
 
 }  // namespace treeline::core::loops

@@ -45,13 +45,13 @@ std::string print_value(const EmissionContext& context, const LinkTableText& tab
   const bool points = has_points(data);
   const bool loaded = !data.loaded_links.empty();
   return fmt::format(
-      "{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", list(true, "links"),
+      "{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", list(true, "links"),
       data.links.size(), data.slots, gravity,
       moves_points(data) ? "points" : list(points, "points", false), data.points.size(),
       list(points, "rows", false), data.rows.size(), list(!data.drives.empty(), "drives"),
       list(!data.frictions.empty(), "frictions"), list(!data.couplings.empty(), "couplings"),
-      data.joints, loaded ? "bodies" : "NULL", list(loaded, "loaded_links"),
-      data.loaded_links.size());
+      data.joints, list(!data.balls.empty(), "ball_axes"), loaded ? "bodies" : "NULL",
+      list(loaded, "loaded_links"), data.loaded_links.size());
 }
 
 /// Constants of links that all tables around the same frames have, and of points.
@@ -70,6 +70,7 @@ std::string print_arrays(const EmissionContext& context, const LinkTableText& ta
   print(type + "link_drive", "drives", true, links, table.drives);
   print(type + "link_friction", "frictions", true, links, table.frictions);
   print(type + "link_coupling", "couplings", true, links, table.couplings);
+  print(type + "link_ball", "ball_axes", true, links, table.balls);
   print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
   print(type + "link_point", "points", false, data.points.size(), table.points);
   print(type + "point_row", "rows", false, data.rows.size(), table.rows);
@@ -125,6 +126,7 @@ std::string print_sizes(const EmissionContext& context, const LinkTableData& tab
   const std::pair<const char*, std::size_t> sizes[] = {
       {"LINKS", table.links.size()},
       {"SLOTS", static_cast<std::size_t>(table.slots)},
+      {"TURNED", static_cast<std::size_t>(table.rotations)},
       {"POINTS", one_or(table.points.size())},
       {"ROWS", one_or(table.rows.size())},
       {"BASE_ENTRIES", count_base_entries(table)}};
@@ -212,13 +214,14 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
   const LinkTableData& table = find_largest(programs);
-  LoopTranslator translator(
-      context,
-      {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty(),
-       !table.couplings.empty(), table.own_sines, !table.loaded_links.empty()},
-      std::any_of(programs.begin(), programs.end(), takes_sines));
+  LoopTranslator translator(context,
+                            {table.floats, table.sliding, !table.drives.empty(),
+                             !table.frictions.empty(), !table.couplings.empty(), table.own_sines,
+                             !table.balls.empty(), !table.loaded_links.empty()},
+                            std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_table.h", cpp::templates::kLinkTable},
+      {"link_pose.h", cpp::templates::kLinkPose},
       {"link_factors.h", cpp::templates::kLinkFactors},
       {"link_friction.h", cpp::templates::kLinkFriction},
       {"link_motion.h", cpp::templates::kLinkMotion},

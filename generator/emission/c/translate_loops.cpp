@@ -77,7 +77,7 @@ Line split_line(const std::string& line) {
 
 /// A member of a struct whose bounds are constants of the robot, without its default value.
 std::string name_bounds(const std::string& member, const std::string& prefix) {
-  static const std::regex bound("\\b(links|slots|points|rows|base_entries)\\b");
+  static const std::regex bound("\\b(links|slots|turned|points|rows|base_entries)\\b");
   static const std::regex default_value(" = [^;]*;");
   const std::size_t open = member.find('[');
   const std::string rest =
@@ -133,9 +133,10 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
       suffix_(context.single_precision ? "F" : ""),
       table_{{"Floats", table.floats},   {"Sliding", table.sliding}, {"Driven", table.driven},
              {"Rubbing", table.rubbing}, {"Coupled", table.coupled}, {"OwnSines", table.own_sines},
-             {"Loaded", table.loaded}},
+             {"Balls", table.balls},     {"Loaded", table.loaded}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
+                                                       {"Poses", "link_poses"},
                                                        {"Motions", "motion_work"},
                                                        {"Inertias", "inertia_work"},
                                                        {"Rows", "row_work"}};

@@ -43,7 +43,7 @@ std::string print_type(const LinkTableData& table) {
   return fmt::format("loops::LinkTable<Real, {}, {}{}>", table.floats, table.sliding,
                      join_to_last({kind(!table.drives.empty()), kind(!table.frictions.empty()),
                                    kind(!table.couplings.empty()), kind(table.own_sines),
-                                   kind(!table.loaded_links.empty())}));
+                                   kind(!table.balls.empty()), kind(!table.loaded_links.empty())}));
 }
 
 /// `kPointLinks`, a constant of the robot.
@@ -78,6 +78,7 @@ std::string print_value(const LinkTableText& table, const std::string& scope,
                     list(!data.frictions.empty(), "frictions"),
                     list(!data.couplings.empty(), "couplings"),
                     {!data.couplings.empty(), fmt::format("{}", data.joints)},
+                    list(!data.balls.empty(), "ball_axes"),
                     {!data.loaded_links.empty(), bodies}});
   return fmt::format("{{{}, {}, {}, {}{}}}", first("links", true), data.links.size(), data.slots,
                      gravity, lists);
@@ -104,6 +105,7 @@ std::string print_arrays(const LinkTableText& table) {
   print("loops::LinkDrive<Real>", "drives", true, links, table.drives);
   print("loops::LinkFriction<Real>", "frictions", true, links, table.frictions);
   print("loops::LinkCoupling<Real>", "couplings", true, links, table.couplings);
+  print("loops::LinkBall", "ball_axes", true, links, table.balls);
   print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
   print("loops::LinkPoint<Real>", "points", false, data.points.size(), table.points);
   print("loops::PointRow", "point_rows", false, data.rows.size(), table.rows);
@@ -165,7 +167,8 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   const std::size_t links = table.links.size();
   std::string work = "motions";
   std::string text = print_borders(context, loops) + print_own_table(context, loops);
-  text += fmt::format("  detail::loops::MotionWork<Real, {}, {}> motions;\n", links, table.slots);
+  text += fmt::format("  detail::loops::MotionWork<Real, {}, {}{}> motions;\n", links, table.slots,
+                      table.rotations > 1 ? fmt::format(", {}", table.rotations) : "");
   if (loops.uses_inertias) {
     text += fmt::format("  detail::loops::InertiaWork<Real, {}, {}, {}> inertias;\n", links,
                         table.slots, count_base_entries(table));

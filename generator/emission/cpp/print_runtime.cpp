@@ -58,6 +58,7 @@ std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context,
       {"link_functions.hpp", templates::kLinkFunctions},
       {"link_inertia.hpp", templates::kLinkInertia},
       {"link_motion.hpp", templates::kLinkMotion},
+      {"link_pose.hpp", templates::kLinkPose},
       {"link_rows.hpp", templates::kLinkRows},
       {"link_table.hpp", templates::kLinkTable}};
   std::vector<GeneratedFile> files;

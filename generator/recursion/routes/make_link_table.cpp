@@ -114,6 +114,20 @@ void add_couplings(const Mechanism& mechanism, const Tree<double>& tree, LinkTab
   }
 }
 
+/// Which links are axes of ball joints, where there are any.
+void add_balls(const Tree<double>& tree, LinkTableData& table) {
+  const auto is_of_ball = [](const auto& link) { return link.is_of_ball(); };
+  if (std::none_of(tree.links.begin(), tree.links.end(), is_of_ball)) return;
+  int rotations = table.floats ? 1 : 0;
+  for (const TreeLink<double>& link : tree.links) {
+    const int rotation = link.ball == BallAxis::x ? rotations++ : 0;
+    table.balls.push_back({static_cast<std::int16_t>(link.ball),
+                           static_cast<std::int16_t>(rotation),
+                           static_cast<std::int16_t>(link.q_index)});
+  }
+  table.rotations = rotations;
+}
+
 /// The frame in which an argument is given, from its entry `at` on.
 loops::InputFrame<double> input_frame(const MechanismPoint& frame, int of, std::size_t at) {
   loops::InputFrame<double> row{
@@ -185,6 +199,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   number_slots(table);
   add_drives(tree, table);
   add_couplings(mechanism, tree, table);
+  add_balls(tree, table);
   add_bodies(Quantity::payload, mechanism.inputs.payloads, table);
   add_bodies(Quantity::parameters, mechanism.inputs.parameters, table);
   if (!with_points) return table;

@@ -38,6 +38,7 @@ class LiftedTable {
       couplings_.push_back(
           {coupling.joint, Number(coupling.multiplier), coupling.spins, coupling.own_sine});
     }
+    balls_ = from.balls.empty() ? other_joints(from) : from.balls;
     bodies_.resize(from.loaded_links.size());
     loops::copy_bodies(links_.data(), from.loaded_links.data(), static_cast<int>(bodies_.size()),
                        bodies_.data());
@@ -66,8 +67,8 @@ class LiftedTable {
   }
 
   template <bool floats, bool coupled>
-  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true> view()
-      const {
+  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true, true>
+  view() const {
     return {links_.data(),
             static_cast<int>(links_.size()),
             from_.slots,
@@ -80,6 +81,7 @@ class LiftedTable {
             frictions_.empty() ? nullptr : frictions_.data(),
             couplings_.data(),
             from_.joints,
+            balls_.data(),
             bodies_.data(),
             from_.loaded_links.data(),
             static_cast<int>(bodies_.size())};
@@ -111,6 +113,17 @@ class LiftedTable {
     return to;
   }
 
+  /// Where the coordinates of joints are that are no ball joints.
+  static std::vector<loops::LinkBall> other_joints(const LinkTableData& from) {
+    std::vector<loops::LinkBall> joints;
+    for (std::size_t i = 0; i < from.links.size(); ++i) {
+      const int joint = from.couplings.empty() ? static_cast<int>(i) : from.couplings[i].joint;
+      const int at = from.floats && joint > 0 ? joint + 6 : joint;
+      joints.push_back({0, 0, static_cast<std::int16_t>(at)});
+    }
+    return joints;
+  }
+
   static loops::LinkPoint<Number> lifted(const loops::LinkPoint<double>& from) {
     loops::LinkPoint<Number> to{from.link, from.world, {}, {}};
     lift(from.axes, to.axes);
@@ -125,15 +138,19 @@ class LiftedTable {
   std::vector<loops::LinkDrive<Number>> drives_;
   std::vector<loops::LinkFriction<Number>> frictions_;
   std::vector<loops::LinkCoupling<Number>> couplings_;
+  std::vector<loops::LinkBall> balls_;
   std::vector<loops::LinkBody<Number>> bodies_;
 };
 
 /// The table and work space of loops in another kind of number.
 template <class Number>
 struct LoopTrace {
+  struct Poses {
+    std::vector<loops::LinkPose<Number>> joints;
+    std::vector<loops::LinkRotation<Number>> rotations;
+  };
   struct Motions {
-    std::vector<loops::LinkPose<Number>> poses;
-    loops::BasePose<Number> base;
+    Poses poses;
     std::vector<loops::Spatial<Number>> wrenches;
     std::vector<loops::LinkMotion<Number>> motions;
   };
@@ -156,7 +173,8 @@ struct LoopTrace {
     const auto n = of.links.size();
     const auto slots = static_cast<std::size_t>(of.slots);
     const std::size_t count = of.rows.size();
-    motions.poses.resize(n);
+    motions.poses.joints.resize(n);
+    motions.poses.rotations.resize(static_cast<std::size_t>(of.rotations));
     motions.wrenches.resize(n);
     motions.motions.resize(slots);
     inertias.inertias.resize(slots);

@@ -46,9 +46,7 @@ std::string find_obstacle(const MovingLink& link, bool is_first) {
   const auto says = [&](const char* what) {
     return fmt::format("joint `{}` {}", link.joint, what);
   };
-  if (link.is_of_ball()) return says("is a ball joint");
-  if (link.is_floating()) return is_first ? "" : says("is floating, and not the base");
-  return {};
+  return link.is_floating() && !is_first ? says("is floating, and not the base") : std::string();
 }
 
 std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {

@@ -1,0 +1,235 @@
+#pragma once
+// Poses of the links of a table: what their joints' coordinates make of them. C++17, freestanding.
+
+#include <stddef.h>
+
+#include "core/link_table.hpp"
+#include "core/sin_cos.hpp"
+
+namespace treeline::core::loops {
+
+/// What a joint's coordinate makes of a link's pose.
+template <class Real>
+struct LinkPose {
+  Turn<Real> turn;  ///< Rz(b) and the joint's angle
+  Real slide;       ///< along the z axis of the placement, of prismatic joints
+};
+
+/// Rotation of a floating base or of a ball joint: of a link's axes to its parent's, row-major.
+template <class Real>
+struct LinkRotation {
+  Real Q[9];
+};
+
+template <class Real, size_t links, size_t turned>
+struct LinkPoses {
+  LinkPose<Real> joints[links];
+  LinkRotation<Real> rotations[turned];  ///< that of a floating base is the first
+};
+
+/// From a link's axes to those before its joint, by rotations about axes of coordinates.
+template <class Real>
+void turn_by_planes(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
+  turn_plane(pose.turn, v[0], v[1]);
+  turn_plane(link.alpha, v[1], v[2]);
+  turn_plane(link.a, v[0], v[1]);
+}
+template <class Real>
+void turn_back_by_planes(const Link<Real>& link, const LinkPose<Real>& pose,
+                         Real (&v)[3]) noexcept {
+  turn_plane_back(link.a, v[0], v[1]);
+  turn_plane_back(link.alpha, v[1], v[2]);
+  turn_plane_back(pose.turn, v[0], v[1]);
+}
+
+/// The same by the rotation of a floating base or of a ball joint.
+template <class Real>
+void turn_by(const LinkRotation<Real>& rotation, Real (&v)[3]) noexcept {
+  const Real old[3] = {v[0], v[1], v[2]};
+  for (int k = 0; k < 3; ++k) {
+    const Real* const row = &rotation.Q[3 * k];
+    v[k] = (row[0] * old[0]) + (row[1] * old[1]) + (row[2] * old[2]);
+  }
+}
+template <class Real>
+void turn_back_by(const LinkRotation<Real>& rotation, Real (&v)[3]) noexcept {
+  const Real(&Q)[9] = rotation.Q;
+  const Real old[3] = {v[0], v[1], v[2]};
+  for (int k = 0; k < 3; ++k) {
+    v[k] = (Q[k] * old[0]) + (Q[3 + k] * old[1]) + (Q[6 + k] * old[2]);
+  }
+}
+
+/// From a link's axes to its parent's. Not for a floating base.
+template <class Table, class Poses, class Real>
+void turn_to_parent(const Table& table, int i, const Poses& poses, Real (&v)[3]) noexcept {
+  if constexpr (Table::kBalls) {
+    if (ball_axis(table, i) == 1) {
+      turn_by(poses.rotations[table.ball_axes[i].rotation], v);
+    } else {
+      turn_by_planes(table.links[i], poses.joints[i], v);
+    }
+  } else {
+    turn_by_planes(table.links[i], poses.joints[i], v);
+  }
+}
+template <class Table, class Poses, class Real>
+void turn_to_child(const Table& table, int i, const Poses& poses, Real (&v)[3]) noexcept {
+  if constexpr (Table::kBalls) {
+    if (ball_axis(table, i) == 1) {
+      turn_back_by(poses.rotations[table.ball_axes[i].rotation], v);
+    } else {
+      turn_back_by_planes(table.links[i], poses.joints[i], v);
+    }
+  } else {
+    turn_back_by_planes(table.links[i], poses.joints[i], v);
+  }
+}
+
+/// The origin of link `i` in the axes of its parent.
+template <class Table, class Poses, class Real>
+void find_origin(const Table& table, int i, const Poses& poses, Real (&p)[3]) noexcept {
+  const Link<Real>& link = table.links[i];
+  for (int k = 0; k < 3; ++k) {
+    p[k] = link.p[k];
+  }
+  if constexpr (Table::kSliding) {
+    if (link.slides) {
+      Real along[3];
+      clear(along);
+      along[2] = poses.joints[i].slide;
+      turn_plane(link.alpha, along[1], along[2]);
+      turn_plane(link.a, along[0], along[1]);
+      for (int k = 0; k < 3; ++k) {
+        p[k] = p[k] + along[k];
+      }
+    }
+  } else {
+    static_cast<void>(poses);
+  }
+}
+
+/// From a wrench on link `i` to the same on its parent. Not for a floating base.
+template <class Table, class Poses, class Real>
+void wrench_to_parent(const Table& table, int i, const Poses& poses,
+                      Spatial<Real>& wrench) noexcept {
+  Real p[3];
+  find_origin(table, i, poses, p);
+  turn_to_parent(table, i, poses, wrench.linear);
+  turn_to_parent(table, i, poses, wrench.angular);
+  add_cross(p, wrench.linear, wrench.angular);
+}
+
+/// 2 / |q|^2 of a quaternion of any length, x y z w; of 0 it does not turn.
+template <class Real>
+Real turn_factor(const Real* v) noexcept {
+  const Real square =
+      (v[0] * v[0]) + (v[1] * v[1]) + (v[2] * v[2]) + (v[3] * v[3]) + Real(0x1p-100);
+  return Real(2.0) / square;
+}
+
+/// Column `j` of the rotation by a quaternion, `twice` its `turn_factor`.
+template <class Real>
+void turn_axis(const Real* v, const Real& twice, int j, Real (&column)[3]) noexcept {
+  const int k = (j + 1) % 3;
+  const int l = (j + 2) % 3;
+  const Real t = twice * v[j];
+  const Real tw = twice * v[3];
+  column[j] = Real(1.0) - (twice * ((v[k] * v[k]) + (v[l] * v[l])));
+  column[k] = (t * v[k]) + (tw * v[l]);
+  column[l] = (t * v[l]) - (tw * v[k]);
+}
+
+/// The rotation by a quaternion behind the placement of a link.
+template <class Real>
+void place_rotation(const Link<Real>& link, const Real* v, LinkRotation<Real>& rotation) noexcept {
+  const Real twice = turn_factor(v);
+  for (int j = 0; j < 3; ++j) {
+    Real column[3];
+    turn_axis(v, twice, j, column);
+    turn_plane(link.b, column[0], column[1]);
+    turn_plane(link.alpha, column[1], column[2]);
+    turn_plane(link.a, column[0], column[1]);
+    for (int m = 0; m < 3; ++m) {
+      rotation.Q[(3 * m) + j] = column[m];
+    }
+  }
+}
+
+/// The rotation of a ball joint, whose axes are y z x of its quaternion in those of its first link.
+template <class Table, class Poses, class Real>
+void place_ball(const Table& table, int i, const Real* q, Poses& poses) noexcept {
+  const Real v[4] = {q[1], q[2], q[0], q[3]};
+  place_rotation(table.links[i], &v[0], poses.rotations[table.ball_axes[i].rotation]);
+}
+
+/// Sine and cosine of the angle of joint `i` from those of its coordinate.
+template <class Table, class Real>
+void take_sines(const Table& table, int i, const Real& angle, const Real& sin_q, const Real& cos_q,
+                Turn<Real>& turn) noexcept {
+  turn.c = cos_q;
+  turn.s = scale(table, i, sin_q);
+  if constexpr (Table::kOwnSines) {
+    if (table.couplings[i].own_sine) {
+      sin_cos(angle, turn.s, turn.c);
+    }
+  } else {
+    static_cast<void>(angle);
+  }
+}
+
+/// Calls with (table, i, at, angle, turn) give those of joint `i`, which has coordinate `at`:
+/// computed.
+struct ComputedSines {
+  template <class Table, class Real>
+  void operator()(const Table&, int, int, const Real& angle, Turn<Real>& turn) const noexcept {
+    sin_cos(angle, turn.s, turn.c);
+  }
+};
+
+/// The same, from arguments of the function.
+template <class Real>
+struct GivenSines {
+  const Real* sin_q;
+  const Real* cos_q;
+  template <class Table>
+  void operator()(const Table& table, int i, int at, const Real& angle,
+                  Turn<Real>& turn) const noexcept {
+    take_sines(table, i, angle, sin_q[at], cos_q[at], turn);
+  }
+};
+
+/// The rotation that a coordinate makes.
+template <class Table, class Sines, class Real>
+void turn_joint(const Table& table, int i, const Sines& sines, const Real& moved,
+                Turn<Real>& turn) noexcept {
+  const Link<Real>& link = table.links[i];
+  if (slides(table, i) || spins(table, i) || (ball_axis(table, i) > 1)) {
+    turn.c = link.b.c;
+    turn.s = link.b.s;
+  } else {
+    sines(table, i, coordinate_of(table, i), moved, turn);
+    turn_plane(link.b, turn.c, turn.s);
+  }
+}
+
+/// Poses of all links, by the sines and cosines of the joints' angles.
+template <class Table, class Real, class Sines, class Poses>
+void place_links(const Table& table, const Real* q, const Sines& sines, Poses& poses) noexcept {
+  for (int i = 0; i < table.count; ++i) {
+    if (is_floating<Table>(i)) {
+      place_rotation(table.links[i], &q[3], poses.rotations[0]);
+    } else {
+      const int at = coordinate_of(table, i);
+      if (ball_axis(table, i) == 1) {
+        place_ball(table, i, &q[at], poses);
+      } else {
+        const Real moved = scale(table, i, q[at]);
+        poses.joints[i].slide = moved;
+        turn_joint(table, i, sines, moved, poses.joints[i].turn);
+      }
+    }
+  }
+}
+
+}  // namespace treeline::core::loops
