@@ -47,29 +47,28 @@ std::string frames_name(const LinkInput& input) {
   return input.argument + "_frames";
 }
 
-std::string print_gravity(const LinkLoops& loops, const std::string& constant) {
-  if (loops.gravity.empty()) return constant;
-  return fmt::format("{{{0}[0], {0}[1], {0}[2]}}", loops.gravity);
+std::string print_gravity(const LinkLoops* loops, const std::string& constant) {
+  if (loops == nullptr || loops->gravity.empty()) return constant;
+  return fmt::format("{{{0}[0], {0}[1], {0}[2]}}", loops->gravity);
 }
 
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {
   const LinkTableData& table = loops.table;
   std::string text;
   if (!table.loaded_links.empty()) {
-    const std::string from =
-        names.constant("links", true) + ", " + names.constant("loaded_links", true);
+    const std::string from = names.constant("links") + ", " + names.constant("loaded_links");
     text += print_array("LinkBody", "bodies", from, table.loaded_links.size(), names);
   }
   if (moves_points(table)) {
-    text += print_array("LinkPoint", "points", names.constant("points", false), table.points.size(),
-                        names);
+    text +=
+        print_array("LinkPoint", "points", names.constant("points"), table.points.size(), names);
   }
   for (const LinkInput& input : table.inputs) {
     const bool of_links = is_of_links(input);
-    text += call(names.function(function_of(input)),
-                 fmt::format("{}, {}, {}, {}", names.constant(frames_name(input), of_links),
-                             input.frames.size(), names.array(input.argument),
-                             names.array(of_links ? "bodies" : "points")));
+    text +=
+        call(names.function(function_of(input)),
+             fmt::format("{}, {}, {}, {}", names.constant(frames_name(input)), input.frames.size(),
+                         names.array(input.argument), names.array(of_links ? "bodies" : "points")));
   }
   return text;
 }

@@ -12,17 +12,15 @@ struct LoopNames {
   std::function<std::string(const std::string&)> type;      ///< `LinkBody`
   std::function<std::string(const std::string&)> function;  ///< `copy_bodies`
   std::function<std::string(const std::string&)> array;     ///< local, or an argument
-  /// Of the robot's constants: `links`. The second says whether it is about links: those around
-  /// operational points are others.
-  std::function<std::string(const std::string&, bool)> constant;
+  std::function<std::string(const std::string&)> constant;  ///< of the robot: `links`
 };
 
 /// What a function does before it loops where arguments change the table: arrays `bodies` and
 /// `points` take the place of constants. Empty where none does.
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names);
 
-/// Gravity with its braces: that argument, or else `constant`.
-std::string print_gravity(const LinkLoops& loops, const std::string& constant);
+/// Gravity with its braces: an argument of a function, if it has that, or else `constant`.
+std::string print_gravity(const LinkLoops* loops, const std::string& constant);
 
 /// Whether it is about links, not points.
 bool is_of_links(const LinkInput& input);

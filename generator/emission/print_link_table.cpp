@@ -56,11 +56,10 @@ std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
 bool agree(const LinkTableText& one, const LinkTableText& other) {
   const LinkTableData& a = *one.data;
   const LinkTableData& b = *other.data;
-  if (a.links.size() != b.links.size() || a.slots != b.slots) return false;
-  if (a.around_points != b.around_points) return true;
+  if (a.slots != b.slots) return false;
   const bool same_links = one.links == other.links && one.drives == other.drives &&
                           one.frictions == other.frictions && one.couplings == other.couplings &&
-                          one.balls == other.balls;
+                          one.balls == other.balls && one.pushed_points == other.pushed_points;
   const bool same_points = one.points == other.points && one.rows == other.rows;
   return same_links && (same_points || a.points.empty() != b.points.empty());
 }
@@ -69,13 +68,16 @@ bool agree(const LinkTableText& one, const LinkTableText& other) {
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
   LinkTableText text{
-      &table, false, false, {}, {}, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity), {}};
+      &table, false, false, {}, {}, {}, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity), {}};
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
   }
   for (const LinkPoint<double>& point : table.points) {
     text.points += wrap_line(print_point(syntax, point) + ",", 4);
+  }
+  for (const LinkPoint<double>& point : table.pushed_points) {
+    text.pushed_points += wrap_line(print_point(syntax, point) + ",", 4);
   }
   for (const core::loops::PointRow& row : table.rows) {
     text.rows += fmt::format("    {{{}, {}, {}}},\n", row.point, row.axis, row.angular);
@@ -119,12 +121,12 @@ bool has_points(const LinkTableData& table) {
 }
 
 bool changes_table(const LinkLoops& loops) {
-  return !loops.gravity.empty() || !loops.table.inputs.empty();
+  return !loops.gravity.empty() || !loops.f_ext.empty() || !loops.table.inputs.empty();
 }
 
 bool changes_table(const LinkLoops& loops, const std::string& argument) {
   const auto& inputs = loops.table.inputs;
-  return argument == loops.gravity ||
+  return argument == loops.gravity || argument == loops.f_ext ||
          std::any_of(inputs.begin(), inputs.end(),
                      [&](const LinkInput& input) { return input.argument == argument; });
 }
@@ -147,7 +149,6 @@ std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
       if (!agree(text, other)) {
         throw std::logic_error(program.name + ": a table of links of its own");
       }
-      if (other.data->around_points != text.data->around_points) continue;
       text.shares = true;
       if (has_points(*other.data) != has_points(*text.data)) continue;
       is_new = false;

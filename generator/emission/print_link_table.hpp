@@ -15,9 +15,10 @@ namespace treeline {
 /// without the braces around them, gravity with its braces.
 struct LinkTableText {
   const LinkTableData* data;
-  bool shares = false;       ///< these, but points and rows, with a table before it
+  bool shares = false;       ///< all but points and rows with a table before it
   bool is_constant = false;  ///< a function has it as it is: no argument changes it
-  std::string links, points, rows, drives, frictions, couplings, balls, loaded_links, gravity;
+  std::string links, points, pushed_points, rows, drives, frictions, couplings, balls, loaded_links,
+      gravity;
   std::vector<std::string> frames;
 };
 
@@ -30,8 +31,8 @@ bool changes_table(const LinkLoops& loops, const std::string& argument);
 /// Whether any function has arguments that say something of links or points.
 bool has_inputs(std::span<const Program> programs);
 
-/// The tables of the functions that loop, each once: with points, without points around the same
-/// frames, and without points around their own. Throws std::logic_error where there are more.
+/// The tables of the functions that loop, each once: with points, and without. Throws
+/// std::logic_error where there are more.
 std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
                                             const Syntax& syntax);
 
@@ -41,7 +42,6 @@ std::string print_yields(const LinkLoops& loops, const Syntax& syntax);
 /// Entries of factors in the work space, see `InertiaWork`; without any an array of C has one.
 std::size_t count_base_entries(const LinkTableData& table);
 
-/// Functions of points have link frames of their own, placed around these.
 bool has_points(const LinkTableData& table);
 
 }  // namespace treeline

@@ -13,7 +13,8 @@ namespace treeline {
 /// Makes a function that was generated as straight lines one that loops over a table of links, if
 /// it has this form and its code is estimated to be smaller so; with `always` whether it is or not.
 /// Its program is as traced, see `trace_loops`. A note says what kept a function with this form
-/// from it; with `always` an error.
+/// from it; with `always` an error. `mechanism` is the whole scene's, the same for all functions,
+/// which share its table; loops take no more operations for that.
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                   GeneratedFunction& generated, Diagnostics& diagnostics);
 

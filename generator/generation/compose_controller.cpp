@@ -82,8 +82,7 @@ Program trace_kinematics(const Robot& robot, const Scene& scene) {
 void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& unit,
                      Diagnostics& diagnostics) {
   FunctionMechanisms mechanisms(robot, scene);
-  const Mechanism& mechanism =
-      mechanisms.of(unit.task_torque ? Function::control_torque : Function::inverse_dynamics);
+  const Mechanism& mechanism = mechanisms.whole();
   const bool task = unit.task_torque.has_value();
   const auto flops = [](const Program& program) { return count_operations(program).flops(); };
   const Program poses = task ? trace_poses(robot, scene) : Program();

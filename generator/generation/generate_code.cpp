@@ -194,15 +194,24 @@ struct Job {
   Function function;
   bool batch = false;
   const Mechanism* mechanism = nullptr;
+  const Mechanism* whole = nullptr;  ///< for loops over links, whose table all functions share
   std::optional<GeneratedFunction> generated = std::nullopt;
   Diagnostics diagnostics = {};
 };
 
-std::vector<Job> list_jobs(FunctionMechanisms& mechanisms, const Scene& scene) {
+bool may_loop(const Scene& scene, const Choices& choices) {
+  return scene.optimize == Optimize::size ||
+         std::any_of(choices.plain.begin(), choices.plain.end(),
+                     [](const auto& choice) { return choice.second.route == kLoopsKey; });
+}
+
+std::vector<Job> list_jobs(FunctionMechanisms& mechanisms, const Scene& scene,
+                           const Choices& choices) {
+  const Mechanism* const whole = may_loop(scene, choices) ? &mechanisms.whole() : nullptr;
   std::vector<Job> jobs;
   for (const Function function : scene.functions) {
     const Mechanism& mechanism = mechanisms.of(function);
-    jobs.push_back({function, false, &mechanism});
+    jobs.push_back({function, false, &mechanism, whole});
     if (scene.batch > 0) jobs.push_back({function, true, &mechanism});
   }
   return jobs;
@@ -220,7 +229,7 @@ void generate_in_form(const Scene& scene, const Choices& choices, Job& job) {
                                      routes, job.diagnostics);
   if (!job.generated || job.batch) return;
   if (loops || (!chosen && scene.optimize == Optimize::size)) {
-    choose_loops(*job.mechanism, scene, loops, *job.generated, job.diagnostics);
+    choose_loops(*job.whole, scene, loops, *job.generated, job.diagnostics);
   }
   if (chosen && scene.optimize == Optimize::balanced) {
     job.generated->program.small_code = small_code;
@@ -240,7 +249,7 @@ void do_job(const Scene& scene, const Choices& choices, const Domain& domain, Jo
 bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, const Choices& choices,
                         const TellFunction& tell, Generation& generation,
                         Diagnostics& diagnostics) {
-  std::vector<Job> jobs = list_jobs(mechanisms, scene);
+  std::vector<Job> jobs = list_jobs(mechanisms, scene, choices);
   std::mutex telling;
   std::size_t begun = 0;
   for_each_index(jobs.size(), [&](std::size_t i) {

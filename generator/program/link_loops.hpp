@@ -23,8 +23,6 @@ struct LinkTableData {
   bool floats = false;     ///< the first link is a floating base
   bool sliding = false;    ///< there are prismatic joints
   bool own_sines = false;  ///< joints turn by multiples of coordinates of others
-  /// Link frames are placed around operational points, even where the table has none of these.
-  bool around_points = false;
   int slots = 1;
   std::array<double, 3> gravity{};
   std::vector<core::loops::Link<double>> links;
@@ -38,8 +36,9 @@ struct LinkTableData {
   int joints = 0;  ///< that have coordinates of their own, where there are couplings
   std::vector<core::loops::LinkBall> balls;  ///< of all links, or none
   int rotations = 1;                         ///< of a floating base and of ball joints
-  std::vector<LinkInput> inputs;             ///< which the functions take
-  std::vector<std::int16_t> loaded_links;    ///< whose inertia depends on them
+  std::vector<core::loops::LinkPoint<double>> pushed_points;  ///< of external forces
+  std::vector<LinkInput> inputs;                              ///< which the functions take
+  std::vector<std::int16_t> loaded_links;                     ///< whose inertia depends on them
 };
 
 /// How a function is emitted that loops over a table of links: a call of `function` in
@@ -49,6 +48,7 @@ struct LinkLoops {
   LinkTableData table;
   bool uses_inertias = false, uses_rows = false;  ///< which work space it needs beside motions
   bool solves = false;                            ///< takes the law by which rows yield
+  std::string f_ext;                              ///< the argument of external forces; empty: none
   std::string gravity;                            ///< the argument; empty: as the table says
   int power = 0;                                  ///< of this law; 0: none
   std::vector<double> yields;                     ///< of each row, its border to that power

@@ -49,7 +49,7 @@ bool is_cheaper(const GeneratedFunction& a, const GeneratedFunction& b) {
 }
 
 /// The first candidate as small code, or not if it is that already, and as loops over links where
-/// it has this form.
+/// it has this form; `mechanism` is for these.
 void add_small_code(const Mechanism& mechanism, const Scene& scene,
                     std::vector<GeneratedFunction>& candidates) {
   GeneratedFunction& first = candidates.front();
@@ -100,8 +100,9 @@ double Measurement::noise() const {
   return cold ? (warm.noise + cold->noise) / 2 : warm.noise;
 }
 
-std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Function function,
+std::vector<GeneratedFunction> list_candidates(FunctionMechanisms& mechanisms, Function function,
                                                const Scene& scene, bool batch, double reach) {
+  const Mechanism& mechanism = mechanisms.of(function);
   std::vector<GeneratedFunction> all;
   for (const int lanes : lanes_to_try(scene, batch)) {
     RouteOptions options = route_options(scene);
@@ -125,7 +126,8 @@ std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Funct
     return !keep || !seen.insert(fingerprint(each.program)).second;
   });
   for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
-  if (scene.optimize == Optimize::balanced && !batch) add_small_code(mechanism, scene, all);
+  if (scene.optimize == Optimize::balanced && !batch)
+    add_small_code(mechanisms.whole(), scene, all);
   return all;
 }
 
@@ -142,9 +144,8 @@ std::optional<Tuning> tune(const Robot& robot, const Scene& scene, const Measure
   for (const Function function : scene.functions) {
     for (const bool batch : {false, true}) {
       if (batch && scene.batch == 0) continue;
-      auto tuned = tune_function(
-          list_candidates(mechanisms.of(function), function, scene, batch, options.reach), measure,
-          options, diagnostics);
+      auto tuned = tune_function(list_candidates(mechanisms, function, scene, batch, options.reach),
+                                 measure, options, diagnostics);
       if (!tuned) return std::nullopt;
       tuning.functions.push_back(std::move(*tuned));
     }

@@ -6,14 +6,26 @@
 
 namespace treeline::core::loops {
 
-/// tau = M qdd + b + g
+/// Joint forces of the wrenches that move links, less those of external forces.
+template <class Table, class Real, class Motions>
+void gather_all_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
+                       Motions& motions, Real* tau) noexcept {
+  if constexpr (Table::kPushed) {
+    if (table.f_ext != nullptr) {
+      take_external_forces(table, motions);
+    }
+  }
+  gather_forces(table, q, qd, qdd, motions, tau);
+}
+
+/// tau = M qdd + b + g - J_ext^T f_ext
 template <class Table, class Real, class Sines, class Motions>
 void inverse_dynamics(const Table& table, const Real* q, const Sines& sines, const Real* qd,
                       const Real* qdd, Real* tau, Motions& motions) noexcept {
   LinkMotion<Real>* const no_points = nullptr;
   place_links(table, q, sines, motions.poses);
   move_links(table, qd, qdd, motions, no_points);
-  gather_forces(table, q, qd, qdd, motions, tau);
+  gather_all_forces(table, q, qd, qdd, motions, tau);
 }
 
 template <class Table, class Real, class Sines, class Motions>
@@ -37,7 +49,7 @@ void mass_matrix(const Table& table, const Real* q, const Sines& sines, Real* M,
   find_mass_matrix(table, motions, inertias, M);
 }
 
-/// qdd = M^-1 (tau - b - g), by factors of M where joints share coordinates.
+/// qdd = M^-1 (tau - b - g + J_ext^T f_ext), by factors of M where joints share coordinates.
 template <class Table, class Real, class Sines, class Motions, class Inertias>
 void forward_dynamics(const Table& table, const Real* q, const Sines& sines, const Real* qd,
                       const Real* tau, Real* qdd, Motions& motions, Inertias& inertias) noexcept {
@@ -83,7 +95,7 @@ void lambda(const Table& table, const Real* yields, const Real* q, const Sines& 
   invert_rows<power>(table, yields, rows, Lambda);
 }
 
-/// tau = J^T F + M qdd_0 + b + g, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
 template <int power, class Table, class Real, class Sines, class Motions, class Inertias,
           class Rows>
 void control_torque(const Table& table, const Real* yields, const Real* q, const Sines& sines,
@@ -96,7 +108,7 @@ void control_torque(const Table& table, const Real* yields, const Real* q, const
   factor<power>(&rows.Lambda_inv[0], table.rows, yields);
   solve(&rows.Lambda_inv[0], table.rows, &rows.errors[0]);
   add_row_forces(table, rows, motions);
-  gather_forces(table, q, qd, qdd_0, motions, tau);
+  gather_all_forces(table, q, qd, qdd_0, motions, tau);
 }
 
 }  // namespace treeline::core::loops

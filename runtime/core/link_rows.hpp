@@ -57,6 +57,29 @@ void find_direction(const LinkPoint<Real>& point, const LinkAxes<Real>& link_axe
   }
 }
 
+/// Takes the external forces at points from the wrenches that move their links.
+template <class Table, class Motions, class Real = typename Table::Real>
+void take_external_forces(const Table& table, Motions& motions) noexcept {
+  for (int k = 0; k < table.pushed_count; ++k) {
+    const LinkPoint<Real>& point = table.pushed_points[k];
+    const Real* const force = &table.f_ext[6 * k];
+    LinkAxes<Real> axes;
+    find_axes(table, motions.poses, point.link, axes);
+    Spatial<Real> wrench;
+    clear_spatial(wrench);
+    for (int j = 0; j < 3; ++j) {
+      Real e[3];
+      find_direction(point, axes, j, e);
+      for (int m = 0; m < 3; ++m) {
+        wrench.linear[m] = wrench.linear[m] - (e[m] * force[j]);
+        wrench.angular[m] = wrench.angular[m] - (e[m] * force[3 + j]);
+      }
+    }
+    add_cross(point.p, wrench.linear, wrench.angular);
+    add(wrench, motions.wrenches[point.link]);
+  }
+}
+
 /// The wrench on the point's link of a force, or moment, along row `r`.
 template <class Table, class Rows, class Real>
 void find_unit_force(const Table& table, const Rows& rows, int r, Spatial<Real>& wrench) noexcept {

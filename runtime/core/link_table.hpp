@@ -100,10 +100,11 @@ struct InputFrame {
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
 /// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
 /// `rubbing`: Coulomb friction. `coupled`: joints share coordinates. `own_sines`: some
-/// turn by multiples of these. `balls`: there are ball joints. `loaded`: inertial parameters of
-/// links depend on arguments.
+/// turn by multiples of these. `balls`: there are ball joints. `pushed`: external forces are an
+/// argument. `loaded`: inertial parameters of links depend on arguments.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
-          bool coupled = false, bool own_sines = false, bool balls = false, bool loaded = false>
+          bool coupled = false, bool own_sines = false, bool balls = false, bool pushed = false,
+          bool loaded = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
@@ -113,6 +114,7 @@ struct LinkTable {
   static constexpr bool kCoupled = coupled;
   static constexpr bool kOwnSines = own_sines;
   static constexpr bool kBalls = balls;
+  static constexpr bool kPushed = pushed;
   static constexpr bool kLoaded = loaded;
 
   const Link<Real>* links;
@@ -128,7 +130,10 @@ struct LinkTable {
   const LinkFriction<Real>* frictions = nullptr;
   const LinkCoupling<Real>* couplings = nullptr;  ///< of all links; none: each joint is its own
   int joints = 0;  ///< that have coordinates of their own, where there are couplings
-  const LinkBall* ball_axes = nullptr;     ///< of all links; none: there are no ball joints
+  const LinkBall* ball_axes = nullptr;  ///< of all links; none: there are no ball joints
+  const LinkPoint<Real>* pushed_points = nullptr;
+  int pushed_count = 0;
+  const Real* f_ext = nullptr;             ///< force and moment at each of these; none: 0
   const LinkBody<Real>* bodies = nullptr;  ///< of `loaded_links`, in place of those in `links`
   const int16_t* loaded_links = nullptr;
   int loaded_count = 0;

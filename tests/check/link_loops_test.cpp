@@ -235,21 +235,27 @@ TEST(LinkLoopsCheck, PayloadsParametersToolsAndGravityAsArguments) {
   expect_safe(with_inputs(load_unmade("humanoid24", "scene_floating.yaml")), Real::float32);
 }
 
+// At points with axes of the world and of their links, on bases that are fixed and that float.
+TEST(LinkLoopsCheck, ExternalForces) {
+  auto subjects = load_unmade("samm", "scene.yaml");
+  const std::string link = subjects.scene.operational_points.front().link;
+  subjects.scene.external_forces.push_back({.name = "push", .link = link});
+  subjects.scene.external_forces.push_back(
+      {.name = "pull", .link = link, .origin = {{0.1, -0.2, 0.3}, {1, 2, 3}}, .axes = Axes::local});
+  const std::vector<Function> functions = {Function::inverse_dynamics, Function::gravity,
+                                           Function::forward_dynamics, Function::control_torque};
+  expect_right(subjects, Real::float64, functions);
+  subjects.scene.base = Base::floating;
+  subjects.scene.profile = Profile::misra;
+  expect_right(subjects, Real::float32, functions);
+}
+
 // Functions that do not depend on gravity share the table that those have which do.
 TEST(LinkLoopsCheck, GravityAloneAsAnArgument) {
   auto subjects = load_unmade("puma560", "scene.yaml");
   subjects.scene.inputs.gravity = true;
   subjects.scene.sin_cos = Sines::given;
   expect_right(subjects, Real::float32, all_with_form());
-}
-
-TEST(LinkLoopsCheck, BaseParametersStayAsLines) {
-  auto subjects = load_unmade("puma560", "scene.yaml");
-  subjects.scene.optimize = Optimize::size;
-  subjects.scene.damped.reset();
-  subjects.scene.functions = {Function::inverse_dynamics};
-  subjects.scene.inputs.base_parameters = true;
-  expect_lines(subjects, "base parameters");
 }
 
 // Friction at the end of a step takes an argument that loops do not know.
@@ -301,8 +307,8 @@ TEST(LinkLoopsCheck, WhatTheTableCannotSayStaysAsLines) {
   subjects.scene.optimize = Optimize::size;
   subjects.scene.damped.reset();
   subjects.scene.functions = {Function::inverse_dynamics, Function::kinetic_energy};
-  subjects.scene.external_forces.push_back({.name = "push", .link = "link4"});
-  expect_lines(subjects, "external forces");
+  subjects.scene.inputs.base_parameters = true;
+  expect_lines(subjects, "base parameters");
 }
 
 TEST(LinkLoopsCheck, SmallFunctionsStayAsLines) {

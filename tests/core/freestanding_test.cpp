@@ -154,11 +154,13 @@ void use_link_loops(Data& data) noexcept {
   loops::copy_points(kPoint, 1, points);
   loops::move_points(kFrames, 1, data.a3 + 0, points);
   loops::turn_points(kFrames, 1, data.a4 + 0, points);
-  const loops::LinkTable<Real, true, true, true, true, false, false, false, true> table = {
+  const loops::LinkTable<Real, true, true, true, true, false, false, false, true, true> table = {
       kLinks,  3,          2,       {data.a3[0], data.a3[1], data.a3[2]},
       points,  1,          kRows,   2,
       kDrives, kFrictions, nullptr, 0,
-      nullptr, bodies,     kLoaded, 1};
+      nullptr, kPoint,     1,       data.a6 + 0,
+      bodies,  kLoaded,    1};
+  loops::inverse_dynamics(table, q, sines, qd, qd, &data.a64[0], motions);
   loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
 }
 

@@ -25,36 +25,31 @@ bool takes_sines(const Program& program) {
 }
 
 std::string table_name(const EmissionContext& context, const LinkTableData& table) {
-  const char* const own = table.around_points ? "point_link_" : "";
-  return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : own);
+  return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : "");
 }
 
-std::string constant_name(const EmissionContext& context, const LinkTableData& table,
-                          const std::string& name, bool of_links) {
-  return fmt::format("{}_{}{}", context.name, of_links && table.around_points ? "point_" : "",
-                     name);
-}
-
-/// The table with its braces.
+/// The table with its braces; with a function's arguments on demand.
 std::string print_value(const EmissionContext& context, const LinkTableText& table,
-                        const std::string& gravity) {
+                        const LinkLoops* loops) {
   const LinkTableData& data = *table.data;
-  const auto list = [&](bool has, const char* name, bool of_links = true) {
-    return has ? constant_name(context, data, name, of_links) : "NULL";
+  const auto list = [&](bool has, const char* name) {
+    return has ? fmt::format("{}_{}", context.name, name) : "NULL";
   };
   const bool points = has_points(data);
   const bool loaded = !data.loaded_links.empty();
+  const bool pushed = loops != nullptr && !loops->f_ext.empty();
   return fmt::format(
-      "{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}", list(true, "links"),
-      data.links.size(), data.slots, gravity,
-      moves_points(data) ? "points" : list(points, "points", false), data.points.size(),
-      list(points, "rows", false), data.rows.size(), list(!data.drives.empty(), "drives"),
+      "{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}",
+      list(true, "links"), data.links.size(), data.slots, print_gravity(loops, table.gravity),
+      moves_points(data) ? "points" : list(points, "points"), data.points.size(),
+      list(points, "rows"), data.rows.size(), list(!data.drives.empty(), "drives"),
       list(!data.frictions.empty(), "frictions"), list(!data.couplings.empty(), "couplings"),
-      data.joints, list(!data.balls.empty(), "ball_axes"), loaded ? "bodies" : "NULL",
-      list(loaded, "loaded_links"), data.loaded_links.size());
+      data.joints, list(!data.balls.empty(), "ball_axes"), list(pushed, "pushed_points"),
+      pushed ? data.pushed_points.size() : 0, pushed ? loops->f_ext : "NULL",
+      loaded ? "bodies" : "NULL", list(loaded, "loaded_links"), data.loaded_links.size());
 }
 
-/// Constants of links that all tables around the same frames have, and of points.
+/// Constants of links, which all tables have, and of points.
 std::string print_arrays(const EmissionContext& context, const LinkTableText& table) {
   const LinkTableData& data = *table.data;
   const std::string type = context.name + "_loops_";
@@ -63,7 +58,7 @@ std::string print_arrays(const EmissionContext& context, const LinkTableText& ta
                          std::size_t count, const std::string& rows) {
     if (rows.empty() || (of_links && table.shares)) return;
     text += fmt::format("static const {} {}[{}] = {{\n{}}};\n", of,
-                        constant_name(context, data, name, of_links), count, rows);
+                        fmt::format("{}_{}", context.name, name), count, rows);
   };
   const std::size_t links = data.links.size();
   print(type + "link", "links", true, links, table.links);
@@ -73,6 +68,7 @@ std::string print_arrays(const EmissionContext& context, const LinkTableText& ta
   print(type + "link_ball", "ball_axes", true, links, table.balls);
   print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
   print(type + "link_point", "points", false, data.points.size(), table.points);
+  print(type + "link_point", "pushed_points", true, data.pushed_points.size(), table.pushed_points);
   print(type + "point_row", "rows", false, data.rows.size(), table.rows);
   for (std::size_t i = 0; i < data.inputs.size(); ++i) {
     const LinkInput& input = data.inputs[i];
@@ -87,7 +83,7 @@ std::string print_table(const EmissionContext& context, const LinkTableText& tab
   if (!table.is_constant) return text;
   return text + wrap_line(fmt::format("static const {}_loops_link_table {} = {};", context.name,
                                       table_name(context, *table.data),
-                                      print_value(context, table, table.gravity)),
+                                      print_value(context, table, nullptr)),
                           0);
 }
 
@@ -100,12 +96,12 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
   names.type = [&](const std::string& type) { return prefix + in_snake_case(type); };
   names.function = [&](const std::string& function) { return prefix + function; };
   names.array = [](const std::string& array) { return array; };
-  names.constant = [&](const std::string& name, bool of_links) {
-    return constant_name(context, loops.table, name, of_links);
+  names.constant = [&](const std::string& name) {
+    return fmt::format("{}_{}", context.name, name);
   };
   return print_link_inputs(loops, names) +
          wrap_line(fmt::format("const {}link_table table = {};", prefix,
-                               print_value(context, text, print_gravity(loops, text.gravity))),
+                               print_value(context, text, &loops)),
                    2);
 }
 
@@ -214,11 +210,12 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   if (!has_loops(programs)) return {};
   const LinkTableData& table = find_largest(programs);
-  LoopTranslator translator(context,
-                            {table.floats, table.sliding, !table.drives.empty(),
-                             !table.frictions.empty(), !table.couplings.empty(), table.own_sines,
-                             !table.balls.empty(), !table.loaded_links.empty()},
-                            std::any_of(programs.begin(), programs.end(), takes_sines));
+  LoopTranslator translator(
+      context,
+      {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty(),
+       !table.couplings.empty(), table.own_sines, !table.balls.empty(),
+       !table.pushed_points.empty(), !table.loaded_links.empty()},
+      std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_table.h", cpp::templates::kLinkTable},
       {"link_pose.h", cpp::templates::kLinkPose},

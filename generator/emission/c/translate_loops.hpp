@@ -31,7 +31,7 @@ struct LoopSignature {
 /// What the tables of a robot have.
 struct LoopTable {
   bool floats = false, sliding = false, driven = false, rubbing = false, coupled = false;
-  bool own_sines = false, balls = false, loaded = false;
+  bool own_sines = false, balls = false, pushed = false, loaded = false;
 };
 
 /// `MotionWork`: `motion_work`.

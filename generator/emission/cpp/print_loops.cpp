@@ -17,13 +17,8 @@
 namespace treeline::cpp {
 namespace {
 
-const char* prefix_of(const LinkTableData& table) {
-  return table.around_points ? "Point" : "";
-}
-
 std::string table_name(const LinkTableData& table) {
-  return fmt::format("k{}{}Table", prefix_of(table),
-                     table.around_points && !has_points(table) ? "Link" : "");
+  return has_points(table) ? "kPointTable" : "kTable";
 }
 
 /// The words up to the last of what a table has: defaults say the rest.
@@ -38,40 +33,46 @@ std::string join_to_last(std::initializer_list<std::pair<bool, std::string>> wor
 }
 
 /// `LinkTable<Real, false, true>`: defaults at its end are left out.
-std::string print_type(const LinkTableData& table) {
+std::string print_type(const LinkTableData& table, bool pushed) {
   const auto kind = [](bool has) { return std::pair(has, fmt::format("{}", has)); };
-  return fmt::format("loops::LinkTable<Real, {}, {}{}>", table.floats, table.sliding,
-                     join_to_last({kind(!table.drives.empty()), kind(!table.frictions.empty()),
-                                   kind(!table.couplings.empty()), kind(table.own_sines),
-                                   kind(!table.balls.empty()), kind(!table.loaded_links.empty())}));
+  return fmt::format(
+      "loops::LinkTable<Real, {}, {}{}>", table.floats, table.sliding,
+      join_to_last({kind(!table.drives.empty()), kind(!table.frictions.empty()),
+                    kind(!table.couplings.empty()), kind(table.own_sines),
+                    kind(!table.balls.empty()), kind(pushed), kind(!table.loaded_links.empty())}));
 }
 
-/// `kPointLinks`, a constant of the robot.
-std::string constant_name(const LinkTableData& table, const std::string& name, bool of_links) {
-  std::string text = of_links ? prefix_of(table) : "";
+/// `kPointRows`, a constant of the robot.
+std::string constant_name(const std::string& name) {
+  std::string text = "k";
   bool begins = true;
   for (const char c : name) {
     if (c != '_') text += begins ? static_cast<char>(std::toupper(c)) : c;
     begins = c == '_';
   }
-  return "k" + text;
+  return text;
 }
 
-/// The table with its braces. `scope` is that of its constants, where they are seen from.
+/// The table with its braces; with a function's arguments on demand. `scope` is that of its
+/// constants, where they are seen from.
 std::string print_value(const LinkTableText& table, const std::string& scope,
-                        const std::string& gravity) {
+                        const LinkLoops* loops) {
   const LinkTableData& data = *table.data;
-  const auto first = [&](const char* name, bool of_links) {
-    return fmt::format("&{}{}[0]", scope, constant_name(data, name, of_links));
+  const auto first = [&](const char* name) {
+    return fmt::format("&{}{}[0]", scope, constant_name(name));
   };
   const auto list = [&](bool has, const char* name) {
-    return std::pair(has, has ? first(name, true) : "nullptr");
+    return std::pair(has, has ? first(name) : "nullptr");
   };
   const std::string points =
-      fmt::format("{}, {}, {}, {}", moves_points(data) ? "&points[0]" : first("points", false),
-                  data.points.size(), first("point_rows", false), data.rows.size());
+      fmt::format("{}, {}, {}, {}", moves_points(data) ? "&points[0]" : first("points"),
+                  data.points.size(), first("point_rows"), data.rows.size());
+  const bool pushed = loops != nullptr && !loops->f_ext.empty();
+  const std::string forces = pushed ? fmt::format("{}, {}, &{}[0]", first("pushed_points"),
+                                                  data.pushed_points.size(), loops->f_ext)
+                                    : "nullptr, 0, nullptr";
   const std::string bodies =
-      fmt::format("&bodies[0], {}, {}", first("loaded_links", true), data.loaded_links.size());
+      fmt::format("&bodies[0], {}, {}", first("loaded_links"), data.loaded_links.size());
   const std::string lists =
       join_to_last({{has_points(data), has_points(data) ? points : "nullptr, 0, nullptr, 0"},
                     list(!data.drives.empty(), "drives"),
@@ -79,26 +80,27 @@ std::string print_value(const LinkTableText& table, const std::string& scope,
                     list(!data.couplings.empty(), "couplings"),
                     {!data.couplings.empty(), fmt::format("{}", data.joints)},
                     list(!data.balls.empty(), "ball_axes"),
+                    {pushed, forces},
                     {!data.loaded_links.empty(), bodies}});
-  return fmt::format("{{{}, {}, {}, {}{}}}", first("links", true), data.links.size(), data.slots,
-                     gravity, lists);
+  return fmt::format("{{{}, {}, {}, {}{}}}", first("links"), data.links.size(), data.slots,
+                     print_gravity(loops, table.gravity), lists);
 }
 
-std::string print_array(const LinkTableData& table, const char* type, const std::string& name,
-                        bool of_links, std::size_t count, const std::string& rows) {
+std::string print_array(const char* type, const std::string& name, std::size_t count,
+                        const std::string& rows) {
   if (rows.empty()) return {};
-  return fmt::format("inline constexpr {} {}[{}] = {{\n{}}};\n", type,
-                     constant_name(table, name, of_links), count, rows);
+  return fmt::format("inline constexpr {} {}[{}] = {{\n{}}};\n", type, constant_name(name), count,
+                     rows);
 }
 
-/// Constants of links that all tables around the same frames have, and of points.
+/// Constants of links, which all tables have, and of points.
 std::string print_arrays(const LinkTableText& table) {
   const LinkTableData& data = *table.data;
   std::string text;
   const auto print = [&](const char* type, const std::string& name, bool of_links,
                          std::size_t count, const std::string& rows) {
     if (of_links && table.shares) return;
-    text += print_array(data, type, name, of_links, count, rows);
+    text += print_array(type, name, count, rows);
   };
   const std::size_t links = data.links.size();
   print("loops::Link<Real>", "links", true, links, table.links);
@@ -108,6 +110,8 @@ std::string print_arrays(const LinkTableText& table) {
   print("loops::LinkBall", "ball_axes", true, links, table.balls);
   print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
   print("loops::LinkPoint<Real>", "points", false, data.points.size(), table.points);
+  print("loops::LinkPoint<Real>", "pushed_points", true, data.pushed_points.size(),
+        table.pushed_points);
   print("loops::PointRow", "point_rows", false, data.rows.size(), table.rows);
   for (std::size_t i = 0; i < data.inputs.size(); ++i) {
     const LinkInput& input = data.inputs[i];
@@ -121,8 +125,8 @@ std::string print_table(const LinkTableText& table) {
   std::string text = print_arrays(table);
   if (!table.is_constant) return text;
   return text +
-         wrap_line(fmt::format("inline constexpr {} {} = {};", print_type(*table.data),
-                               table_name(*table.data), print_value(table, "", table.gravity)),
+         wrap_line(fmt::format("inline constexpr {} {} = {};", print_type(*table.data, false),
+                               table_name(*table.data), print_value(table, "", nullptr)),
                    0);
 }
 
@@ -135,13 +139,14 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
   names.type = [](const std::string& type) { return fmt::format("detail::loops::{}<Real>", type); };
   names.function = [](const std::string& function) { return "detail::loops::" + function; };
   names.array = [](const std::string& array) { return fmt::format("&{}[0]", array); };
-  names.constant = [&](const std::string& name, bool of_links) {
-    return fmt::format("&detail::{}[0]", constant_name(data, name, of_links));
+  names.constant = [](const std::string& name) {
+    return fmt::format("&detail::{}[0]", constant_name(name));
   };
   return print_link_inputs(loops, names) +
-         wrap_line(fmt::format("const detail::{} table = {};", print_type(data),
-                               print_value(text, "detail::", print_gravity(loops, text.gravity))),
-                   2);
+         wrap_line(
+             fmt::format("const detail::{} table = {};", print_type(data, !loops.f_ext.empty()),
+                         print_value(text, "detail::", &loops)),
+             2);
 }
 
 std::string element(const Argument& argument) {

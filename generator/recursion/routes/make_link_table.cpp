@@ -189,7 +189,6 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   const auto tree = constant_tree<double>(mechanism);
   LinkTableData table;
   table.floats = tree.links.front().is_floating();
-  table.around_points = !tree.operational_points.empty();
   table.gravity = mechanism.gravity;
   for (const TreeLink<double>& link : tree.links) {
     table.links.push_back(table_link(link));
@@ -200,6 +199,9 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   add_drives(tree, table);
   add_couplings(mechanism, tree, table);
   add_balls(tree, table);
+  for (const TreePoint<double>& point : tree.external_forces) {
+    table.pushed_points.push_back(table_point(point));
+  }
   add_bodies(Quantity::payload, mechanism.inputs.payloads, table);
   add_bodies(Quantity::parameters, mechanism.inputs.parameters, table);
   if (!with_points) return table;

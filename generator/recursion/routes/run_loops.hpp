@@ -28,6 +28,9 @@ class LiftedTable {
     for (const double g : from.gravity) gravity_.push_back(Number(g));
     for (const loops::Link<double>& link : from.links) links_.push_back(lifted(link));
     for (const loops::LinkPoint<double>& point : from.points) points_.push_back(lifted(point));
+    for (const loops::LinkPoint<double>& point : from.pushed_points) {
+      pushed_points_.push_back(lifted(point));
+    }
     for (const loops::LinkDrive<double>& drive : from.drives) {
       drives_.push_back({Number(drive.damping), Number(drive.stiffness), Number(drive.rest)});
     }
@@ -45,6 +48,7 @@ class LiftedTable {
   }
 
   void set_gravity(const std::vector<Number>& given) { gravity_ = given; }
+  void set_external_forces(const std::vector<Number>& given) { f_ext_ = given; }
 
   /// What the argument gives that `input` is about.
   void take(const LinkInput& input, const std::vector<Number>& given) {
@@ -67,7 +71,8 @@ class LiftedTable {
   }
 
   template <bool floats, bool coupled>
-  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true, true>
+  [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true, true,
+                                 true>
   view() const {
     return {links_.data(),
             static_cast<int>(links_.size()),
@@ -82,6 +87,9 @@ class LiftedTable {
             couplings_.data(),
             from_.joints,
             balls_.data(),
+            pushed_points_.data(),
+            static_cast<int>(pushed_points_.size()),
+            f_ext_.empty() ? nullptr : f_ext_.data(),
             bodies_.data(),
             from_.loaded_links.data(),
             static_cast<int>(bodies_.size())};
@@ -134,7 +142,8 @@ class LiftedTable {
   const LinkTableData& from_;
   std::vector<Number> gravity_;
   std::vector<loops::Link<Number>> links_;
-  std::vector<loops::LinkPoint<Number>> points_;
+  std::vector<loops::LinkPoint<Number>> points_, pushed_points_;
+  std::vector<Number> f_ext_;
   std::vector<loops::LinkDrive<Number>> drives_;
   std::vector<loops::LinkFriction<Number>> frictions_;
   std::vector<loops::LinkCoupling<Number>> couplings_;
@@ -218,6 +227,7 @@ template <class Number>
 struct LoopArguments {
   std::vector<Number> q, qd, qdd, tau, xdd_cmd, result;
   std::vector<Number> sin_q, cos_q;         ///< empty: they are computed
+  std::vector<Number> f_ext;                ///< empty: none
   std::vector<Number> gravity;              ///< empty: as the table says
   std::vector<std::vector<Number>> inputs;  ///< of the table's
 
@@ -273,6 +283,7 @@ void run(Function function, int power, const Table& table, LoopTrace<Number>& tr
 template <class Number>
 void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) {
   LoopTrace<Number> trace(plan);
+  if (!with.f_ext.empty()) trace.table.set_external_forces(with.f_ext);
   if (!with.gravity.empty()) trace.table.set_gravity(with.gravity);
   for (std::size_t i = 0; i < with.inputs.size(); ++i) {
     trace.table.take(plan.table.inputs[i], with.inputs[i]);

@@ -51,7 +51,6 @@ std::string find_obstacle(const MovingLink& link, bool is_first) {
 
 std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
   if (!mechanism.inputs.base.empty()) return "base parameters as an argument";
-  if (!mechanism.external_forces.empty()) return "external forces";
   if (mechanism.implicit_friction && form.function == Function::forward_dynamics) {
     return "friction and springs at the end of a step (`implicit`)";
   }
@@ -60,6 +59,9 @@ std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
     const bool is_first = &link == &mechanism.links.front();
     const std::string found = find_obstacle(link, is_first);
     if (!found.empty()) return found;
+  }
+  for (const MechanismPoint& point : mechanism.external_forces) {
+    if (point.link < 0) return fmt::format("external force `{}` on the world", point.name);
   }
   if (!form.rows) return {};
   for (const MechanismPoint& point : mechanism.operational_points) {
@@ -99,11 +101,17 @@ void take_law(const Mechanism& mechanism, LinkLoops& plan, Program& program) {
 /// What the loops execute, constants 0 and 1 included.
 void count(Function function, const LoopArguments<PlainExpression>& with, LinkLoops& plan) {
   const auto numbers = [](const auto& from) { return std::vector<Counted>(from.size()); };
-  LoopArguments<Counted> counted{numbers(with.q),       numbers(with.qd),
-                                 numbers(with.qdd),     numbers(with.tau),
-                                 numbers(with.xdd_cmd), numbers(with.result),
-                                 numbers(with.sin_q),   numbers(with.cos_q),
-                                 numbers(with.gravity), {}};
+  LoopArguments<Counted> counted{numbers(with.q),
+                                 numbers(with.qd),
+                                 numbers(with.qdd),
+                                 numbers(with.tau),
+                                 numbers(with.xdd_cmd),
+                                 numbers(with.result),
+                                 numbers(with.sin_q),
+                                 numbers(with.cos_q),
+                                 numbers(with.f_ext),
+                                 numbers(with.gravity),
+                                 {}};
   for (const auto& input : with.inputs) counted.inputs.push_back(numbers(input));
   const CountedOperations operations;
   run(function, plan, counted);
@@ -152,8 +160,10 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
       std::vector<PlainExpression>(result.values.size()),
       {},
       {},
+      plain(Quantity::f_ext),
       plain(Quantity::gravity),
       {}};
+  if (!with.f_ext.empty()) plan->f_ext = symbol_of(Quantity::f_ext);
   if (!with.gravity.empty()) plan->gravity = symbol_of(Quantity::gravity);
   for (const LinkInput& input : plan->table.inputs) {
     with.inputs.push_back(plain(find_quantity(input.argument).value()));
