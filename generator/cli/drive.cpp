@@ -33,6 +33,8 @@
 namespace treeline {
 namespace {
 
+constexpr std::string_view kUdp = "udp:";
+
 struct DriveOptions {
   InputOptions inputs;
   DriveSettings drive;
@@ -73,6 +75,21 @@ std::string driven_urdf(const RobotFiles& files) {
   return split_ball_joints(shown_urdf(files));
 }
 
+/// What the options say of this robot: how the simulated one is not ideal, and the motion to
+/// follow.
+bool read_motion_and_robot(DriveOptions& options, const drive::RobotDescription& robot,
+                           Diagnostics& diagnostics) {
+  DriveSettings& drive = options.drive;
+  auto simulation = read_simulation(options.simulation, robot, drive.rate, diagnostics);
+  if (!simulation || !has_as_many(robot, drive.start, diagnostics)) return false;
+  drive.simulation = std::move(*simulation);
+  if (options.reference.empty()) return true;
+  auto reference = read_reference(options.reference, robot, default_start(robot), diagnostics);
+  if (!reference) return false;
+  drive.reference = std::move(*reference);
+  return true;
+}
+
 /// The robot of the options' files, ready to be driven; sets the meshes that pictures of it need.
 std::optional<LaunchedRobot> launch_from(DriveOptions& options, const Packages& packages,
                                          Diagnostics& diagnostics) {
@@ -86,11 +103,15 @@ std::optional<LaunchedRobot> launch_from(DriveOptions& options, const Packages& 
     if (is_watched()) show_progress("  " + what);
   };
   auto surroundings = surroundings_of(inputs->files.scene_text, inputs->robot);
+  const auto accepts = [&](const drive::RobotDescription& robot) {
+    return read_motion_and_robot(options, robot, diagnostics);
+  };
   auto robot =
       launch({std::move(inputs->robot), std::move(inputs->scene), driven_urdf(inputs->files),
               inputs->files.scene_text, std::move(surroundings)},
-             tell, diagnostics);
+             accepts, tell, diagnostics);
   if (is_watched()) show_progress("");
+  if (robot) robot->description.has_reference = !options.reference.empty();
   return robot;
 }
 
@@ -184,26 +205,18 @@ void choose_start(LaunchedRobot& robot, DriveSettings& drive, Diagnostics& diagn
 void complete_settings(DriveOptions& options) {
   DriveSettings& drive = options.drive;
   drive.serves = !options.headless;
-  constexpr std::string_view kUdp = "udp:";
   if (options.robot.starts_with(kUdp)) drive.udp_robot = options.robot.substr(kUdp.size());
   drive.reads_input = options.script.empty();
   const bool is_typed = drive.reads_input && isatty(STDIN_FILENO) != 0;
   drive.real_time = drive.real_time || drive.serves || is_typed || !drive.udp_robot.empty();
 }
 
-/// How the simulated robot is not ideal, and the motion to follow.
-bool read_motion_and_robot(DriveOptions& options, LaunchedRobot& robot, Diagnostics& diagnostics) {
-  DriveSettings& drive = options.drive;
-  auto simulation = read_simulation(options.simulation, robot.description, drive.rate, diagnostics);
-  if (!simulation) return false;
-  drive.simulation = std::move(*simulation);
-  if (options.reference.empty()) return true;
-  auto reference = read_reference(options.reference, robot.description,
-                                  default_start(robot.description), diagnostics);
-  if (!reference) return false;
-  drive.reference = std::move(*reference);
-  robot.description.has_reference = true;
-  return true;
+/// Nobody should wait for a motion, or ten minutes for a measurement, to lose it then.
+bool can_write_results(const DriveOptions& options, Diagnostics& diagnostics) {
+  const std::string& report = options.latency.report;
+  return (options.drive.record.empty() || can_write(options.drive.record, diagnostics)) &&
+         (report.empty() ||
+          (can_write(report + ".json", diagnostics) && can_write(report + ".svg", diagnostics)));
 }
 
 /// The robot and all that it is driven with. Everything that can be refused is refused here.
@@ -215,8 +228,9 @@ std::optional<LaunchedRobot> prepare(DriveOptions& options, Diagnostics& diagnos
   refuse_record_of_input(options, diagnostics);
   if (!packages || diagnostics.has_errors()) return std::nullopt;
   if (!read_script(options.script, drive, diagnostics)) return std::nullopt;
+  if (!can_write_results(options, diagnostics)) return std::nullopt;
   auto robot = launch_from(options, *packages, diagnostics);
-  if (!robot || !read_motion_and_robot(options, *robot, diagnostics)) return std::nullopt;
+  if (!robot) return std::nullopt;
   choose_start(*robot, drive, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return robot;
@@ -285,13 +299,26 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--package", options.packages, "NAME=DIR: where package://NAME/ lies");
   command.add_option("--robot", options.robot, "simulated, or udp:HOST:PORT")
       ->check([](const std::string& given) {
-        return given == "simulated" || given.starts_with("udp:")
+        return given == "simulated" ||
+                       (given.starts_with(kUdp) && drive::is_udp_address(given.substr(kUdp.size())))
                    ? std::string()
-                   : fmt::format("\"{}\" is no robot\nsimulated, or udp:HOST:PORT", given);
+                   : fmt::format(
+                         "\"{}\" is no robot\nsimulated, or udp:HOST:PORT with a number "
+                         "as HOST, as in udp:192.168.1.7:7000",
+                         given);
       })
       ->capture_default_str();
-  command.add_option("--act-as-robot", options.act_as_robot,
-                     "HOST:PORT: be the simulated robot of a drive in another process");
+  command
+      .add_option("--act-as-robot", options.act_as_robot,
+                  "HOST:PORT: be the simulated robot of a drive in another process")
+      ->check([](const std::string& given) {
+        return drive::is_udp_address(given)
+                   ? std::string()
+                   : fmt::format(
+                         "\"{}\" is no address\nHOST:PORT of this machine with a number as "
+                         "HOST, as in 127.0.0.1:7000",
+                         given);
+      });
   command.add_option("--q", drive.start, "Where it starts, separated by commas; else near 0")
       ->delimiter(',')
       ->check(any_number());

@@ -16,10 +16,6 @@ namespace {
 
 std::atomic<bool> asked_to_rest{false};
 
-}  // namespace
-
-namespace {
-
 /// Closes the loops near `start`; empty, with an error, where that is not possible.
 std::vector<double> closed(const LaunchedRobot& robot, std::vector<double> start,
                            Diagnostics& diagnostics) {
@@ -54,17 +50,20 @@ std::vector<double> choose_start(const LaunchedRobot& robot) {
 
 }  // namespace
 
-std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
-                             Diagnostics& diagnostics) {
-  const std::size_t size = robot.description.coordinates.size();
-  if (given.empty()) {
-    return closed(robot, choose_start(robot), diagnostics);
-  }
-  if (given.size() == size) return closed(robot, given, diagnostics);
+bool has_as_many(const drive::RobotDescription& robot, const std::vector<double>& given,
+                 Diagnostics& diagnostics) {
+  const std::size_t size = robot.coordinates.size();
+  if (given.empty() || given.size() == size) return true;
   diagnostics.add({Severity::error, "", 0, "--q",
                    fmt::format("{} numbers are given, the robot has {}", given.size(), size),
                    "`treeline inspect` lists the joints in their order."});
-  return {};
+  return false;
+}
+
+std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
+                             Diagnostics& diagnostics) {
+  if (!has_as_many(robot.description, given, diagnostics)) return {};
+  return closed(robot, given.empty() ? choose_start(robot) : given, diagnostics);
 }
 
 std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const std::string& address,

@@ -11,6 +11,10 @@
 
 namespace treeline {
 
+/// Whether coordinates that were given, if any, are as many as the robot has; else with an error.
+bool has_as_many(const drive::RobotDescription& robot, const std::vector<double>& given,
+                 Diagnostics& diagnostics);
+
 /// The coordinates at the beginning: those that were given, if any. Empty after an error.
 std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
                              Diagnostics& diagnostics);

@@ -1,5 +1,7 @@
 #include "cli/write_output.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -40,6 +42,17 @@ bool is_none_of(const std::string& path, const std::vector<std::string>& read,
   if (!is_read) return true;
   diagnostics.add({Severity::error, path, 0, "", "this file is read, and is not written over",
                    "name another file to write"});
+  return false;
+}
+
+bool can_write(const std::string& path, Diagnostics& diagnostics) {
+  namespace fs = std::filesystem;
+  std::error_code none;  // of what is not there
+  const fs::path folder = fs::absolute(path, none).parent_path();
+  const fs::path place = fs::exists(path, none) ? fs::path(path) : folder;
+  if (!fs::is_directory(path, none) && access(place.c_str(), W_OK) == 0) return true;
+  diagnostics.add({Severity::error, path, 0, "", "cannot be written",
+                   "name a file in a folder that exists and is yours to write"});
   return false;
 }
 

@@ -24,6 +24,10 @@ void print_message(const std::string& text);
 bool is_none_of(const std::string& path, const std::vector<std::string>& read,
                 Diagnostics& diagnostics);
 
+/// Whether a file can be written, or made: its folder exists and is ours to write. Nothing is
+/// written; with an error if not.
+bool can_write(const std::string& path, Diagnostics& diagnostics);
+
 /// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full;
 /// then no part of the file stays; or it is one of the files that are `read`.
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,

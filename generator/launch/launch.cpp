@@ -50,6 +50,18 @@ std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
   return parts;
 }
 
+std::optional<drive::RobotDescription> describe(const LaunchInput& input, const Parts& parts,
+                                                Diagnostics& diagnostics) {
+  drive::RobotDescription description =
+      describe_robot(input.robot, parts.control, parts.links, parts.control_code.mechanism);
+  if (!describe_surroundings(input.surroundings, parts.control, description, diagnostics)) {
+    return std::nullopt;
+  }
+  description.checksum = checksum_of(input.urdf_text, input.scene_text);
+  description.urdf = input.urdf_text;
+  return description;
+}
+
 bool write_parts(const LaunchInput& input, const Parts& parts, const fs::path& work,
                  Diagnostics& diagnostics) {
   bool written = write_files(work / parts.control.name, parts.control_code.files, diagnostics);
@@ -81,24 +93,20 @@ std::string checksum_of(const std::string& urdf_text, const std::string& scene_t
   return digest(urdf_text + '\0' + scene_text).substr(0, 16);
 }
 
-std::optional<LaunchedRobot> launch(const LaunchInput& input, const Tell& tell,
-                                    Diagnostics& diagnostics) {
+std::optional<LaunchedRobot> launch(
+    const LaunchInput& input, const std::function<bool(const drive::RobotDescription&)>& accepts,
+    const Tell& tell, Diagnostics& diagnostics) {
   const auto parts = generate_parts(input, tell, diagnostics);
   if (!parts) return std::nullopt;
+  auto description = describe(input, *parts, diagnostics);
+  if (!description || !accepts(*description)) return std::nullopt;
   auto folder = make_temporary_folder(diagnostics);
   if (!folder || !write_parts(input, *parts, folder->path(), diagnostics)) return std::nullopt;
   const fs::path path = compile_parts(*parts, folder->path(), tell, diagnostics);
   if (path.empty()) return std::nullopt;
   auto library = DrivenLibrary::load(path, diagnostics);
   if (!library) return std::nullopt;
-  drive::RobotDescription description =
-      describe_robot(input.robot, parts->control, parts->links, parts->control_code.mechanism);
-  if (!describe_surroundings(input.surroundings, parts->control, description, diagnostics)) {
-    return std::nullopt;
-  }
-  description.checksum = checksum_of(input.urdf_text, input.scene_text);
-  description.urdf = input.urdf_text;
-  return LaunchedRobot{std::move(description), std::move(folder), std::move(*library)};
+  return LaunchedRobot{std::move(*description), std::move(folder), std::move(*library)};
 }
 
 }  // namespace treeline

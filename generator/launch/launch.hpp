@@ -33,10 +33,12 @@ struct LaunchedRobot {
   DrivenLibrary library;
 };
 
-/// Generates a robot's code, compiles it together with the control loop, and loads it. `tell`
-/// receives what is being done, `compiled 3/9`. Errors: see `control_scene`, the compiler's.
-std::optional<LaunchedRobot> launch(const LaunchInput& input,
-                                    const std::function<void(const std::string&)>& tell,
-                                    Diagnostics& diagnostics);
+/// Generates a robot's code, compiles it together with the control loop, and loads it. `accepts` is
+/// asked about the robot before anything is compiled; where it refuses, with an error of its own,
+/// there is no robot. `tell` receives what is being done, `compiled 3/9`. Errors: see
+/// `control_scene`, the compiler's.
+std::optional<LaunchedRobot> launch(
+    const LaunchInput& input, const std::function<bool(const drive::RobotDescription&)>& accepts,
+    const std::function<void(const std::string&)>& tell, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -53,6 +53,11 @@ bool all_finite(const std::vector<double>& numbers) noexcept {
 
 }  // namespace
 
+bool is_udp_address(const std::string& text) {
+  sockaddr_in address{};
+  return read_address(text, address);
+}
+
 std::unique_ptr<UdpRobot> UdpRobot::open(const std::string& address, const std::string& checksum,
                                          int nq, int nv, std::string& error) {
   sockaddr_in to{};

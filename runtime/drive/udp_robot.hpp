@@ -17,6 +17,9 @@ struct PacketCounts {
   std::atomic<std::uint64_t> malformed{0}, foreign{0}, repeated{0};
 };
 
+/// Whether a text is HOST:PORT with a number as HOST.
+bool is_udp_address(const std::string& text);
+
 /// A robot that is reached over UDP. After `open`, its functions are for the servo thread; none of
 /// them waits or allocates.
 class UdpRobot {

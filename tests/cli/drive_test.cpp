@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "../own_environment.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "drive_fixture.hpp"
@@ -174,6 +175,31 @@ TEST_F(DriveTest, SaysWhatWentWrong) {
   EXPECT_EQ(drive(robot, "start\n", "--q 1,2").exit_code, 1);
   EXPECT_EQ(drive(robot, "start\n", "--rate 1").exit_code, 2);
   EXPECT_EQ(drive(robot, "start\n", "--package arm").exit_code, 1);
+}
+
+// Would catch: an option that is refused only after seconds of compiling, or a measurement of ten
+// minutes that cannot be written. There is no compiler here to wait for.
+TEST_F(DriveTest, RefusesOptionsBeforeItCompiles) {
+  test::OwnEnvironment environment;
+  environment.set("CXX", "/no/compiler");
+  environment.set("TREELINE_CACHE", "");
+  const auto refused = [this](const std::string& options, int exit_code, const std::string& why) {
+    const Outcome outcome = run_drive(options);
+    EXPECT_EQ(outcome.exit_code, exit_code) << options;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << options << '\n' << outcome.err;
+    EXPECT_EQ(outcome.err.find("compiler"), std::string::npos) << options << '\n' << outcome.err;
+  };
+  refused("--headless --q 1,2", 1, "2 numbers are given, the robot has 3");
+  refused("--headless --friction nojoint=3", 1, "no joint \"nojoint\"");
+  refused("--headless --sensor-noise -1", 1, "is no number from 0 on");
+  refused("--headless --backlash 0.01", 1, "its rotor has no inertia");
+  refused("--headless --reference none.jsonl", 1, "none.jsonl");
+  refused("--headless --record none/motion.jsonl", 1,
+          "none/motion.jsonl: error: cannot be written");
+  refused("--latency --report none/latency", 1, "none/latency.json: error: cannot be written");
+  refused("--headless --robot udp:7000", 2, "HOST:PORT");
+  refused("--headless --act-as-robot here", 2, "HOST:PORT");
+  EXPECT_NE(run_drive("--headless").err.find("/no/compiler"), std::string::npos);
 }
 
 // A published arm that is stretched at q = 0, where hardly any goal can be followed. Would catch: a
