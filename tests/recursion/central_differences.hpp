@@ -56,6 +56,6 @@ Matrix50 differences(Eigen::Index n, Function f) {
 
 /// Tolerance of a difference, relative to the largest entry. A solve multiplies it by the condition
 /// number.
-constexpr double kDifference = 1e-28;
+constexpr double kDifferenceBound = 1e-28;
 
 }  // namespace treeline::tests

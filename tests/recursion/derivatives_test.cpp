@@ -106,14 +106,14 @@ TEST_P(Derivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
   EXPECT_LT(
       relative_error<Digits50>({inverse.dq.values(), inverse.dqd.values(), inverse.dqdd.values()},
                                listed_all(of_inverse()), 1),
-      kDifference);
+      kDifferenceBound);
   const auto exact = listed_all(of_forward());
   for (const auto route : {DerivativeRoute::solve, DerivativeRoute::multiply}) {
     const auto forward =
         forward_dynamics_derivatives<Digits50>(tree, X, in_.qd, in_.tau, in_.f_ext, route);
     EXPECT_LT(relative_error<Digits50>(
                   {forward.dq.values(), forward.dqd.values(), forward.dtau.values()}, exact, 1),
-              kDifference * condition());
+              kDifferenceBound * condition());
   }
 }
 
@@ -121,11 +121,11 @@ TEST_P(Derivatives, InterpreterAgreesWithDifferencesInFiftyDigits) {
   EXPECT_LT(relative_error(listed_all(interpreter::inverse_dynamics_derivatives<Digits50>(
                                model_, q_, qd_, qdd_, forces_, f_)),
                            listed_all(of_inverse()), 1),
-            kDifference);
+            kDifferenceBound);
   EXPECT_LT(relative_error(listed_all(interpreter::forward_dynamics_derivatives<Digits50>(
                                model_, q_, qd_, tau_, forces_, f_)),
                            listed_all(of_forward()), 1),
-            kDifference * condition());
+            kDifferenceBound * condition());
 }
 
 // The emitted operations before the passes: roundings of constants, inputs and operations, some n

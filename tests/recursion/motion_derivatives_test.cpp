@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, FloatingMotionDerivatives,
 
 TEST_P(MotionDerivatives, InterpreterAgreesWithDifferencesInFiftyDigits) {
   for (const Function function : kMotionDerivatives) {
-    EXPECT_LT(relative_error(interpreted(function), by_differences(function), 1), kDifference)
+    EXPECT_LT(relative_error(interpreted(function), by_differences(function), 1), kDifferenceBound)
         << function_name(function);
   }
 }
@@ -188,7 +188,7 @@ TEST_P(MotionDerivatives, RecursionsAgreeWithDifferencesInFiftyDigits) {
   for (const Function function : kMotionDerivatives) {
     const Results<Digits50> expected = by_differences(function);
     for (const Mechanism* mechanism : std::array<const Mechanism*, 3>{&mechanism_, &late, &kept}) {
-      EXPECT_LT(relative_error(recursion(function, *mechanism), expected, 1), kDifference)
+      EXPECT_LT(relative_error(recursion(function, *mechanism), expected, 1), kDifferenceBound)
           << function_name(function);
     }
   }
@@ -225,7 +225,7 @@ TEST_P(MotionDerivatives, EnergiesHaveTheGradientsOfMechanics) {
   });
   EXPECT_LT(relative_error(Results<Digits50>{listed(by_q)},
                            Results<Digits50>{listed(ip::gravity<Digits50>(model_, q_))}, 1),
-            kDifference);
+            kDifferenceBound);
 }
 
 // Where a floating base is does not matter, so no digits are lost there.

@@ -102,7 +102,8 @@ std::vector<LanguageRow> compare_languages_of(const std::string& urdf, const std
   read->lanes = lanes;
   read->batch = manner.batch;
   read->profile = manner.profile;
-  return compare_languages(*robot, *read, compilers, "-O2 -ffp-contract=off", states);
+  return compare_languages(*robot, *read, compilers,
+                           std::string(manner.level) + " -ffp-contract=off", states);
 }
 
 }  // namespace treeline::tests

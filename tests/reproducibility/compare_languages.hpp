@@ -21,10 +21,11 @@ struct Compilers {
   std::string cpp, c;
 };
 
-/// How both languages are generated beside what a scene says.
+/// How both languages are generated beside what a scene says, and compiled.
 struct Manner {
   Profile profile = Profile::plain;
   int batch = 0;  ///< states a call of further functions; 0: none
+  const char* level = "-O2";
 };
 
 /// Generates the scene's functions, and limited_control_torque where it has limits, in C++ and in
@@ -35,7 +36,7 @@ std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scen
                                            int states);
 
 /// Reads a URDF and, if it has a name, a scene, with these functions instead if there are any, and
-/// compares at -O2 without contraction. Throws std::runtime_error.
+/// compares without contraction. Throws std::runtime_error.
 std::vector<LanguageRow> compare_languages_of(const std::string& urdf, const std::string& scene,
                                               const std::vector<Function>& functions, Real real,
                                               int lanes, const Compilers& compilers, int states,

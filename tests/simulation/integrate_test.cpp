@@ -15,6 +15,7 @@ namespace treeline::tests {
 namespace {
 
 using namespace simulation;  // NOLINT(google-build-using-namespace)
+using simulation::State;
 
 Acceleration free_motion(const Model& model) {
   return [&model](double, const State& at) {

@@ -11,6 +11,7 @@ namespace treeline::tests {
 namespace {
 
 using namespace simulation;  // NOLINT(google-build-using-namespace)
+using simulation::State;
 
 /// Touches at random points of random bodies, some against the world, some against other roots.
 std::vector<Touch> random_touches(const Sample& sample, Rng& rng, int count) {
