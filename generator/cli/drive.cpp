@@ -269,6 +269,32 @@ int run(DriveOptions options) {
   return write_output(outcome->state + "\n", OutputForm::json, exit_code);
 }
 
+void add_robot_options(CLI::App& command, DriveOptions& options) {
+  command.add_option("--package", options.packages, "NAME=DIR: where package://NAME/ lies");
+  command.add_option("--robot", options.robot, "simulated, or udp:HOST:PORT")
+      ->check([](const std::string& given) {
+        return given == "simulated" ||
+                       (given.starts_with(kUdp) && drive::is_udp_address(given.substr(kUdp.size())))
+                   ? std::string()
+                   : fmt::format(
+                         "\"{}\" is no robot\nsimulated, or udp:HOST:PORT with a number "
+                         "as HOST, as in udp:192.168.1.7:7000",
+                         given);
+      })
+      ->capture_default_str();
+  command
+      .add_option("--act-as-robot", options.act_as_robot,
+                  "HOST:PORT: be the simulated robot of a drive in another process")
+      ->check([](const std::string& given) {
+        return drive::is_udp_address(given)
+                   ? std::string()
+                   : fmt::format(
+                         "\"{}\" is no address\nHOST:PORT of this machine with a number as "
+                         "HOST, as in 127.0.0.1:7000",
+                         given);
+      });
+}
+
 void add_drive_options(CLI::App& command, DriveOptions& options) {
   DriveSettings& drive = options.drive;
   drive.real_time = false;
@@ -296,29 +322,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
       .add_option("--listen", drive.listen,
                   "Address of this machine that others may reach; they can watch")
       ->capture_default_str();
-  command.add_option("--package", options.packages, "NAME=DIR: where package://NAME/ lies");
-  command.add_option("--robot", options.robot, "simulated, or udp:HOST:PORT")
-      ->check([](const std::string& given) {
-        return given == "simulated" ||
-                       (given.starts_with(kUdp) && drive::is_udp_address(given.substr(kUdp.size())))
-                   ? std::string()
-                   : fmt::format(
-                         "\"{}\" is no robot\nsimulated, or udp:HOST:PORT with a number "
-                         "as HOST, as in udp:192.168.1.7:7000",
-                         given);
-      })
-      ->capture_default_str();
-  command
-      .add_option("--act-as-robot", options.act_as_robot,
-                  "HOST:PORT: be the simulated robot of a drive in another process")
-      ->check([](const std::string& given) {
-        return drive::is_udp_address(given)
-                   ? std::string()
-                   : fmt::format(
-                         "\"{}\" is no address\nHOST:PORT of this machine with a number as "
-                         "HOST, as in 127.0.0.1:7000",
-                         given);
-      });
+  add_robot_options(command, options);
   command.add_option("--q", drive.start, "Where it starts, separated by commas; else near 0")
       ->delimiter(',')
       ->check(any_number());

@@ -47,9 +47,44 @@ std::string frames_name(const LinkInput& input) {
   return input.argument + "_frames";
 }
 
-std::string print_gravity(const LinkLoops* loops, const std::string& constant) {
-  if (loops == nullptr || loops->gravity.empty()) return constant;
-  return fmt::format("{{{0}[0], {0}[1], {0}[2]}}", loops->gravity);
+std::string print_members(const LinkLoops& loops, const LoopNames& names, const std::string& type,
+                          const std::vector<std::string>& gravity, bool all) {
+  const LinkTableData& table = loops.table;
+  std::string text = wrap_line(fmt::format("{} table;", type), 2);
+  const auto set = [&](const char* member, bool has, const std::string& value) {
+    if (has || all) {
+      text += fmt::format("  table.{} = {};\n", member, has ? value : names.none);
+    }
+  };
+  const auto set_number = [&](const char* member, std::size_t value) {
+    if (value > 0 || all) text += fmt::format("  table.{} = {};\n", member, value);
+  };
+  set("links", true, names.constant("links"));
+  set_number("count", table.links.size());
+  set_number("slots", static_cast<std::size_t>(table.slots));
+  for (std::size_t k = 0; k < gravity.size(); ++k) {
+    text +=
+        fmt::format("  table.gravity[{}] = {};\n", k,
+                    loops.gravity.empty() ? gravity[k] : fmt::format("{}[{}]", loops.gravity, k));
+  }
+  set("points", !table.points.empty(),
+      moves_points(table) ? names.array("points") : names.constant("points"));
+  set_number("point_count", table.points.size());
+  set("point_rows", !table.rows.empty(), names.constant("point_rows"));
+  set_number("rows", table.rows.size());
+  set("drives", !table.drives.empty(), names.constant("drives"));
+  set("frictions", !table.frictions.empty(), names.constant("frictions"));
+  set("couplings", !table.couplings.empty(), names.constant("couplings"));
+  set_number("joints", static_cast<std::size_t>(table.joints));
+  set("ball_axes", !table.balls.empty(), names.constant("ball_axes"));
+  const bool pushed = !loops.f_ext.empty();
+  set("pushed_points", pushed, names.constant("pushed_points"));
+  set_number("pushed_count", pushed ? table.pushed_points.size() : 0);
+  set("f_ext", pushed, names.array(loops.f_ext));
+  set("bodies", !table.loaded_links.empty(), names.array("bodies"));
+  set("loaded_links", !table.loaded_links.empty(), names.constant("loaded_links"));
+  set_number("loaded_count", table.loaded_links.size());
+  return text;
 }
 
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "program/link_loops.hpp"
 
@@ -13,14 +14,17 @@ struct LoopNames {
   std::function<std::string(const std::string&)> function;  ///< `copy_bodies`
   std::function<std::string(const std::string&)> array;     ///< local, or an argument
   std::function<std::string(const std::string&)> constant;  ///< of the robot: `links`
+  std::string none;                                         ///< a pointer to nothing
 };
 
 /// What a function does before it loops where arguments change the table: arrays `bodies` and
 /// `points` take the place of constants. Empty where none does.
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names);
 
-/// Gravity with its braces: an argument of a function, if it has that, or else `constant`.
-std::string print_gravity(const LinkLoops* loops, const std::string& constant);
+/// The table of a function whose arguments change it, member by member: of an initializer g++ makes
+/// a call of memset. `gravity` are constants; `all`: members without a value too.
+std::string print_members(const LinkLoops& loops, const LoopNames& names, const std::string& type,
+                          const std::vector<std::string>& gravity, bool all);
 
 /// Whether it is about links, not points.
 bool is_of_links(const LinkInput& input);

@@ -67,8 +67,9 @@ bool agree(const LinkTableText& one, const LinkTableText& other) {
 }  // namespace
 
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
-  LinkTableText text{
-      &table, false, false, {}, {}, {}, {}, {}, {}, {}, {}, {}, numbers(syntax, table.gravity), {}};
+  LinkTableText text;
+  text.data = &table;
+  for (const double g : table.gravity) text.gravity.push_back(number(syntax, g));
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);

@@ -12,13 +12,13 @@ namespace treeline {
 
 /// A table of links as initializers, which C and C++ write alike: the lists of its links, points,
 /// rows of points, drives, frictions, couplings, ball joints and the frames of each of its inputs
-/// without the braces around them, gravity with its braces.
+/// without the braces around them.
 struct LinkTableText {
-  const LinkTableData* data;
+  const LinkTableData* data = nullptr;
   bool shares = false;       ///< all but points and rows with a table before it
   bool is_constant = false;  ///< a function has it as it is: no argument changes it
-  std::string links, points, pushed_points, rows, drives, frictions, couplings, balls, loaded_links,
-      gravity;
+  std::string links, points, pushed_points, rows, drives, frictions, couplings, balls, loaded_links;
+  std::vector<std::string> gravity;
   std::vector<std::string> frames;
 };
 

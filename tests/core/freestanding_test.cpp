@@ -154,12 +154,25 @@ void use_link_loops(Data& data) noexcept {
   loops::copy_points(kPoint, 1, points);
   loops::move_points(kFrames, 1, data.a3 + 0, points);
   loops::turn_points(kFrames, 1, data.a4 + 0, points);
-  const loops::LinkTable<Real, true, true, true, true, false, false, false, true, true> table = {
-      kLinks,  3,          2,       {data.a3[0], data.a3[1], data.a3[2]},
-      points,  1,          kRows,   2,
-      kDrives, kFrictions, nullptr, 0,
-      nullptr, kPoint,     1,       data.a6 + 0,
-      bodies,  kLoaded,    1};
+  loops::LinkTable<Real, true, true, true, true, false, false, false, true, true> table;
+  table.links = kLinks;
+  table.count = 3;
+  table.slots = 2;
+  for (int k = 0; k < 3; ++k) {
+    table.gravity[k] = data.a3[k];
+  }
+  table.points = points;
+  table.point_count = 1;
+  table.point_rows = kRows;
+  table.rows = 2;
+  table.drives = kDrives;
+  table.frictions = kFrictions;
+  table.pushed_points = kPoint;
+  table.pushed_count = 1;
+  table.f_ext = data.a6 + 0;
+  table.bodies = bodies;
+  table.loaded_links = kLoaded;
+  table.loaded_count = 1;
   loops::inverse_dynamics(table, q, sines, qd, qd, &data.a64[0], motions);
   loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
 }

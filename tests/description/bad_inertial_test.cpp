@@ -59,7 +59,7 @@ const Case kInertials[] = {
                "izz='1'/></inertial>"),
      {kWarning, 3, "robot/link[a]/inertial", "the mass is 0 but", "units"}},
     {"TwoInertials",
-     with_link(kBody + "\n" + kBody),
+     with_link(link_body() + "\n" + link_body()),
      {kWarning, 4, "robot/link[a]/inertial", "the first, in line 3, is used", "keep one"}},
     {"OutsideInertial",
      with_link("<mass value='1'/>"),

@@ -38,18 +38,21 @@ inline std::string name_of(const testing::TestParamInfo<Case>& info) {
 inline constexpr auto kError = Severity::error;
 inline constexpr auto kWarning = Severity::warning;
 
-inline const std::string kBody =
-    "<inertial><mass value='1'/>"
-    "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+// Functions, since tables of cases are made before `main`, in any order with other variables.
+inline std::string link_body() {
+  return "<inertial><mass value='1'/>"
+         "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+}
+inline std::string joint_limit() {
+  return "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
+}
 
 /// A robot with links a (line 2) and b (line 3) with mass, and `inside` within the joint in line 5.
 inline std::string with_joint(const std::string& type, const std::string& inside) {
-  return "<robot name='r'>\n<link name='a'>" + kBody + "</link>\n<link name='b'>" + kBody +
-         "</link>\n<joint name='j' type='" + type + "'><parent link='a'/><child link='b'/>\n" +
-         inside + "\n</joint></robot>";
+  return "<robot name='r'>\n<link name='a'>" + link_body() + "</link>\n<link name='b'>" +
+         link_body() + "</link>\n<joint name='j' type='" + type +
+         "'><parent link='a'/><child link='b'/>\n" + inside + "\n</joint></robot>";
 }
-
-inline const std::string kLimit = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
 
 /// A robot with `inside` within its only link, in line 3.
 inline std::string with_link(const std::string& inside) {

@@ -88,8 +88,8 @@ const Case kRobots[] = {
      "<robot name='r'>\n<link name='a' colour='red'/></robot>",
      {kWarning, 2, "robot/link[a]", "\"colour\" is not part of URDF", "remove it"}},
     {"InsideColor",
-     with_link(kBody + "<visual><geometry><box size='1 1 1'/></geometry>\n<material name='m'>"
-                       "<color><rgba>1 0 0 1</rgba></color></material></visual>"),
+     with_link(link_body() + "<visual><geometry><box size='1 1 1'/></geometry>\n<material name='m'>"
+                             "<color><rgba>1 0 0 1</rgba></color></material></visual>"),
      {kWarning, 4, "robot/link[a]/visual/material[m]/color", "<rgba> stands inside <color>",
       "write <color rgba="}},
     {"InsideColorOfAll",
@@ -98,20 +98,21 @@ const Case kRobots[] = {
      {kWarning, 3, "robot/material[m]/color",
       "<alpha> stands inside <color>, where nothing reads it (and 1 more", "alpha="}},
     {"InsideShape",
-     with_link(kBody + "<collision>\n<geometry><sphere><radius>1</radius></sphere></geometry>"
-                       "</collision>"),
+     with_link(link_body() + "<collision>\n<geometry><sphere><radius>1</radius></sphere></geometry>"
+                             "</collision>"),
      {kWarning, 4, "robot/link[a]/collision/geometry/sphere", "<radius> stands inside <sphere>",
       "write <sphere radius="}},
     {"SecondShape",
-     with_link(kBody + "<visual><geometry><box size='1 1 1'/>\n<sphere radius='1'/></geometry>"
-                       "</visual>"),
+     with_link(link_body() +
+               "<visual><geometry><box size='1 1 1'/>\n<sphere radius='1'/></geometry>"
+               "</visual>"),
      {kWarning, 4, "robot/link[a]/visual/geometry", "<sphere> stands behind the shape",
       "a <visual> or <collision> of its own"}},
     {"StrayText",
      "<robot name='r'>\n<link name='a'/>\n stray</robot>",
      {kWarning, 3, "robot", "text stands between", "remove it"}},
     {"HeavyWorld",
-     "<robot name='r'>\n<link name='world'>" + kBody + "</link></robot>",
+     "<robot name='r'>\n<link name='world'>" + link_body() + "</link></robot>",
      {kWarning, 2, "robot/link[world]", "\"world\" has inertia", "move"}},
 };
 INSTANTIATE_TEST_SUITE_P(Robots, BadUrdf, testing::ValuesIn(kRobots), name_of);
@@ -166,7 +167,7 @@ const Case kJoints[] = {
      with_robot("<joint name='j'><parent link='a'/><child link='b'/></joint>"),
      {kError, 3, "robot/joint[j]", "\"type\" is missing", "revolute"}},
     {"MisspeltType",
-     with_joint("revolut", kLimit),
+     with_joint("revolut", joint_limit()),
      {kError, 4, "robot/joint[j]", "\"revolut\" is not a joint type",
       "did you mean \"revolute\"?"}},
     {"MisspeltBall",

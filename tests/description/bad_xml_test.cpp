@@ -114,18 +114,18 @@ const Case kXml[] = {
      {kError, 3, "xacro:include", "this is xacro text, not yet a URDF: <xacro:include>",
       "xacro bad.urdf"}},
     {"XacroLeftOver",
-     "<robot name='r'><link name='a'>" + kBody +
+     "<robot name='r'><link name='a'>" + link_body() +
          "</link>\n<xacro:macro name='paint' params='c'><gazebo><link "
          "name='${c}'/></gazebo></xacro:macro>\n<xacro:paint c='a'/><xacro:paint "
          "c='b'/></robot>",
      {kWarning, 2, "xacro:macro", "passed over: <xacro:macro>, <xacro:paint> (2)",
       "xacro bad.urdf > bad_expanded.urdf"}},
     {"XacroInNamesThatTheFileDefines",
-     "<robot name='r'>\n<xacro:arg name='ns' default=''/><link name='${ns}a'>" + kBody +
+     "<robot name='r'>\n<xacro:arg name='ns' default=''/><link name='${ns}a'>" + link_body() +
          "</link></robot>",
      {kWarning, 2, "xacro:arg", "names, which stay as they are written", "xacro bad.urdf"}},
     {"XacroInAShape",
-     with_link(kBody + "<visual><origin xyz='${x} 0 0'/><xacro:box/></visual>\n<colour/>"),
+     with_link(link_body() + "<visual><origin xyz='${x} 0 0'/><xacro:box/></visual>\n<colour/>"),
      {kWarning, 4, "robot/link[a]", "<colour> is not part of URDF", "remove"}},
     {"LateDeclaration",
      "\n<?xml version='1.0'?><robot name='r'><link name='a'/></robot>",
@@ -187,7 +187,7 @@ const Case kContent[] = {
      with_joint("continuous", "<axis xyz='0 0 1' xzy='1 0 0'/>"),
      {kWarning, 5, "robot/joint[j]/axis", "\"xzy\" is not part of URDF", "did you mean \"xyz\"?"}},
     {"SlipInAnElement",
-     with_link(kBody + "\n<intertial/>"),
+     with_link(link_body() + "\n<intertial/>"),
      {kWarning, 4, "robot/link[a]", "<intertial> is not part of URDF",
       "did you mean \"inertial\"?"}},
     {"BlankInAName",

@@ -1,6 +1,7 @@
 #include "emission/c/print_loops.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -28,25 +29,20 @@ std::string table_name(const EmissionContext& context, const LinkTableData& tabl
   return fmt::format("{}_{}table", context.name, has_points(table) ? "point_" : "");
 }
 
-/// The table with its braces; with a function's arguments on demand.
-std::string print_value(const EmissionContext& context, const LinkTableText& table,
-                        const LinkLoops* loops) {
+/// The table with its braces, as no argument changes it.
+std::string print_value(const EmissionContext& context, const LinkTableText& table) {
   const LinkTableData& data = *table.data;
   const auto list = [&](bool has, const char* name) {
     return has ? fmt::format("{}_{}", context.name, name) : "NULL";
   };
   const bool points = has_points(data);
-  const bool loaded = !data.loaded_links.empty();
-  const bool pushed = loops != nullptr && !loops->f_ext.empty();
   return fmt::format(
-      "{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}",
-      list(true, "links"), data.links.size(), data.slots, print_gravity(loops, table.gravity),
-      moves_points(data) ? "points" : list(points, "points"), data.points.size(),
-      list(points, "rows"), data.rows.size(), list(!data.drives.empty(), "drives"),
-      list(!data.frictions.empty(), "frictions"), list(!data.couplings.empty(), "couplings"),
-      data.joints, list(!data.balls.empty(), "ball_axes"), list(pushed, "pushed_points"),
-      pushed ? data.pushed_points.size() : 0, pushed ? loops->f_ext : "NULL",
-      loaded ? "bodies" : "NULL", list(loaded, "loaded_links"), data.loaded_links.size());
+      "{{{}, {}, {}, {{{}}}, {}, {}, {}, {}, {}, {}, {}, {}, {}, NULL, 0, NULL, NULL, NULL, 0}}",
+      list(true, "links"), data.links.size(), data.slots, fmt::join(table.gravity, ", "),
+      list(points, "points"), data.points.size(), list(points, "point_rows"), data.rows.size(),
+      list(!data.drives.empty(), "drives"), list(!data.frictions.empty(), "frictions"),
+      list(!data.couplings.empty(), "couplings"), data.joints,
+      list(!data.balls.empty(), "ball_axes"));
 }
 
 /// Constants of links, which all tables have, and of points.
@@ -69,7 +65,7 @@ std::string print_arrays(const EmissionContext& context, const LinkTableText& ta
   print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
   print(type + "link_point", "points", false, data.points.size(), table.points);
   print(type + "link_point", "pushed_points", true, data.pushed_points.size(), table.pushed_points);
-  print(type + "point_row", "rows", false, data.rows.size(), table.rows);
+  print(type + "point_row", "point_rows", false, data.rows.size(), table.rows);
   for (std::size_t i = 0; i < data.inputs.size(); ++i) {
     const LinkInput& input = data.inputs[i];
     print(type + "input_frame", frames_name(input), is_of_links(input), input.frames.size(),
@@ -81,10 +77,10 @@ std::string print_arrays(const EmissionContext& context, const LinkTableText& ta
 std::string print_table(const EmissionContext& context, const LinkTableText& table) {
   std::string text = print_arrays(context, table);
   if (!table.is_constant) return text;
-  return text + wrap_line(fmt::format("static const {}_loops_link_table {} = {};", context.name,
-                                      table_name(context, *table.data),
-                                      print_value(context, table, nullptr)),
-                          0);
+  return text +
+         wrap_line(fmt::format("static const {}_loops_link_table {} = {};", context.name,
+                               table_name(context, *table.data), print_value(context, table)),
+                   0);
 }
 
 /// The table as arguments of a function change it.
@@ -99,10 +95,9 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
   names.constant = [&](const std::string& name) {
     return fmt::format("{}_{}", context.name, name);
   };
+  names.none = "NULL";
   return print_link_inputs(loops, names) +
-         wrap_line(fmt::format("const {}link_table table = {};", prefix,
-                               print_value(context, text, &loops)),
-                   2);
+         print_members(loops, names, prefix + "link_table", text.gravity, true);
 }
 
 /// The table that has what others have. `programs` have loops.

@@ -1,6 +1,7 @@
 #include "emission/cpp/print_loops.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 #include <initializer_list>
@@ -53,37 +54,27 @@ std::string constant_name(const std::string& name) {
   return text;
 }
 
-/// The table with its braces; with a function's arguments on demand. `scope` is that of its
-/// constants, where they are seen from.
-std::string print_value(const LinkTableText& table, const std::string& scope,
-                        const LinkLoops* loops) {
+std::string braced(const std::vector<std::string>& words) {
+  return fmt::format("{{{}}}", fmt::join(words, ", "));
+}
+
+/// The table with its braces, as no argument changes it.
+std::string print_value(const LinkTableText& table) {
   const LinkTableData& data = *table.data;
-  const auto first = [&](const char* name) {
-    return fmt::format("&{}{}[0]", scope, constant_name(name));
-  };
-  const auto list = [&](bool has, const char* name) {
-    return std::pair(has, has ? first(name) : "nullptr");
+  const auto list = [](bool has, const char* name) {
+    return std::pair(has, has ? fmt::format("&{}[0]", constant_name(name)) : "nullptr");
   };
   const std::string points =
-      fmt::format("{}, {}, {}, {}", moves_points(data) ? "&points[0]" : first("points"),
-                  data.points.size(), first("point_rows"), data.rows.size());
-  const bool pushed = loops != nullptr && !loops->f_ext.empty();
-  const std::string forces = pushed ? fmt::format("{}, {}, &{}[0]", first("pushed_points"),
-                                                  data.pushed_points.size(), loops->f_ext)
-                                    : "nullptr, 0, nullptr";
-  const std::string bodies =
-      fmt::format("&bodies[0], {}, {}", first("loaded_links"), data.loaded_links.size());
+      fmt::format("&kPoints[0], {}, &kPointRows[0], {}", data.points.size(), data.rows.size());
   const std::string lists =
       join_to_last({{has_points(data), has_points(data) ? points : "nullptr, 0, nullptr, 0"},
                     list(!data.drives.empty(), "drives"),
                     list(!data.frictions.empty(), "frictions"),
                     list(!data.couplings.empty(), "couplings"),
                     {!data.couplings.empty(), fmt::format("{}", data.joints)},
-                    list(!data.balls.empty(), "ball_axes"),
-                    {pushed, forces},
-                    {!data.loaded_links.empty(), bodies}});
-  return fmt::format("{{{}, {}, {}, {}{}}}", first("links"), data.links.size(), data.slots,
-                     print_gravity(loops, table.gravity), lists);
+                    list(!data.balls.empty(), "ball_axes")});
+  return fmt::format("{{&kLinks[0], {}, {}, {}{}}}", data.links.size(), data.slots,
+                     braced(table.gravity), lists);
 }
 
 std::string print_array(const char* type, const std::string& name, std::size_t count,
@@ -126,7 +117,7 @@ std::string print_table(const LinkTableText& table) {
   if (!table.is_constant) return text;
   return text +
          wrap_line(fmt::format("inline constexpr {} {} = {};", print_type(*table.data, false),
-                               table_name(*table.data), print_value(table, "", nullptr)),
+                               table_name(*table.data), print_value(table)),
                    0);
 }
 
@@ -142,11 +133,10 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
   names.constant = [](const std::string& name) {
     return fmt::format("&detail::{}[0]", constant_name(name));
   };
+  names.none = "nullptr";
   return print_link_inputs(loops, names) +
-         wrap_line(
-             fmt::format("const detail::{} table = {};", print_type(data, !loops.f_ext.empty()),
-                         print_value(text, "detail::", &loops)),
-             2);
+         print_members(loops, names, "detail::" + print_type(data, !loops.f_ext.empty()),
+                       text.gravity, false);
 }
 
 std::string element(const Argument& argument) {
