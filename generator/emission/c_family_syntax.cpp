@@ -93,6 +93,16 @@ std::string in_pascal_case(std::string_view name) {
   return words;
 }
 
+std::string in_snake_case(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    const bool capital = std::isupper(static_cast<unsigned char>(c)) != 0;
+    if (capital && !text.empty()) text += '_';
+    text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
 std::string name_in_capitals(const EmissionContext& context) {
   return in_capitals(context.name);
 }

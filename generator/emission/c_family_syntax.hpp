@@ -21,6 +21,8 @@ void follow_misra(bool single_precision, Syntax& syntax);
 std::string in_capitals(std::string name);
 /// `inverse_dynamics`: `InverseDynamics`.
 std::string in_pascal_case(std::string_view name);
+/// `MotionWork`: `motion_work`.
+std::string in_snake_case(std::string_view name);
 /// The robot's name in capitals, as constants and macros begin: `PUMA560`.
 std::string name_in_capitals(const EmissionContext& context);
 

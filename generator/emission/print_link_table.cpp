@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "emission/print_link_inputs.hpp"
 #include "emission/wrap_line.hpp"
 #include "text/printable.hpp"
 
@@ -40,8 +41,8 @@ std::string print_link(const Syntax& syntax, const Link<double>& of) {
 std::string print_frames(const Syntax& syntax, const LinkInput& input) {
   std::string text;
   for (const core::loops::InputFrame<double>& frame : input.frames) {
-    text += wrap_line(fmt::format("{{{}, {}, {}, {}}},", frame.of, frame.at,
-                                  numbers(syntax, frame.R), numbers(syntax, frame.p)),
+    text += wrap_line(fmt::format("{{{}, {}, {{{}}}, {}}},", frame.of, frame.at,
+                                  numbers(syntax, frame.R.Q), numbers(syntax, frame.p)),
                       4);
   }
   return text;
@@ -115,6 +116,34 @@ std::size_t count_base_entries(const LinkTableData& table) {
   if (table.couplings.empty()) return table.floats ? 36 : 1;
   const auto nv = static_cast<std::size_t>(table.joints) + (table.floats ? 5 : 0);
   return nv * (nv + table.rows.size());
+}
+
+std::vector<LinkArray> list_arrays(const LinkTableText& table) {
+  using Of = LinkArray::Of;
+  const LinkTableData& data = *table.data;
+  const std::size_t links = data.links.size();
+  std::vector<LinkArray> of_links = {
+      {"Link", Of::numbers, "links", links, table.links},
+      {"LinkDrive", Of::numbers, "drives", links, table.drives},
+      {"LinkFriction", Of::numbers, "frictions", links, table.frictions},
+      {"LinkCoupling", Of::numbers, "couplings", links, table.couplings},
+      {"LinkBall", Of::indices, "ball_axes", links, table.balls},
+      {"int16_t", Of::built_in, "loaded_links", data.loaded_links.size(), table.loaded_links},
+      {"LinkPoint", Of::numbers, "pushed_points", data.pushed_points.size(), table.pushed_points}};
+  std::vector<LinkArray> of_points = {
+      {"LinkPoint", Of::numbers, "points", data.points.size(), table.points},
+      {"PointRow", Of::indices, "point_rows", data.rows.size(), table.rows}};
+  for (std::size_t i = 0; i < data.inputs.size(); ++i) {
+    const LinkInput& input = data.inputs[i];
+    (is_of_links(input) ? of_links : of_points)
+        .push_back(
+            {"InputFrame", Of::numbers, frames_name(input), input.frames.size(), table.frames[i]});
+  }
+  std::vector<LinkArray> arrays;
+  if (!table.shares) arrays = std::move(of_links);
+  arrays.insert(arrays.end(), of_points.begin(), of_points.end());
+  std::erase_if(arrays, [](const LinkArray& array) { return array.rows.empty(); });
+  return arrays;
 }
 
 bool has_points(const LinkTableData& table) {

@@ -22,6 +22,19 @@ struct LinkTableText {
   std::vector<std::string> frames;
 };
 
+/// A constant array of the robot. Names are those of C++: `LinkDrive`, and as C has them: `drives`.
+struct LinkArray {
+  enum class Of { numbers, indices, built_in };  ///< a struct of numbers, of indices alone, or none
+  const char* type;
+  Of of;
+  std::string name;
+  std::size_t count;
+  std::string rows;
+};
+
+/// The arrays of a table, but for those that one before it has.
+std::vector<LinkArray> list_arrays(const LinkTableText& table);
+
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax);
 
 /// Whether arguments of a function change its table, or this one does.

@@ -4,18 +4,9 @@
 
 #include <stdint.h>
 
-#include "core/link_pose.hpp"
+#include "core/link_inertia.hpp"
 
 namespace treeline::core::loops {
-
-template <class Real>
-void turn_to_link(const InputFrame<Real>& frame, Real (&v)[3]) noexcept {
-  const Real old[3] = {v[0], v[1], v[2]};
-  for (int k = 0; k < 3; ++k) {
-    const Real* const row = &frame.R[3 * k];
-    v[k] = (row[0] * old[0]) + (row[1] * old[1]) + (row[2] * old[2]);
-  }
-}
 
 /// What the table says of links that arguments change.
 template <class Real>
@@ -34,19 +25,14 @@ void copy_bodies(const Link<Real>* links, const int16_t* loaded_links, int count
   }
 }
 
-/// Adds R M R^T, upper triangle, of a symmetric matrix in the axes of the frame.
+/// Adds the upper triangle of R M R^T of a symmetric matrix, which is lost.
 template <class Real>
-void add_turned(const InputFrame<Real>& frame, const Real (&M)[9], Real (&sum)[6]) noexcept {
+void add_turned(const InputFrame<Real>& frame, Real (&M)[9], Real (&sum)[6]) noexcept {
+  turn_matrix_by(frame.R, M);
   int at = 0;
   for (int r = 0; r < 3; ++r) {
-    Real row[3];
-    for (int k = 0; k < 3; ++k) {
-      row[k] = (frame.R[3 * r] * M[k]) + (frame.R[(3 * r) + 1] * M[3 + k]) +
-               (frame.R[(3 * r) + 2] * M[6 + k]);
-    }
     for (int c = r; c < 3; ++c) {
-      const Real* const other = &frame.R[3 * c];
-      sum[at] = sum[at] + ((row[0] * other[0]) + (row[1] * other[1]) + (row[2] * other[2]));
+      sum[at] = sum[at] + M[(3 * r) + c];
       ++at;
     }
   }
@@ -88,9 +74,9 @@ void add_bodies(const InputFrame<Real>* frames, int count, const Real* argument,
     for (int k = 0; k < 3; ++k) {
       h[k] = given[k + 1];
     }
-    const Real J[9] = {given[4], given[5], given[7], given[5], given[6],
-                       given[8], given[7], given[8], given[9]};
-    turn_to_link(frame, h);
+    Real J[9] = {given[4], given[5], given[7], given[5], given[6],
+                 given[8], given[7], given[8], given[9]};
+    turn_by(frame.R, h);
     add_turned(frame, J, body.J);
     add_distance(frame, mass, h, body.J);
     for (int k = 0; k < 3; ++k) {
@@ -124,7 +110,7 @@ void move_points(const InputFrame<Real>* frames, int count, const Real* argument
     for (int k = 0; k < 3; ++k) {
       p[k] = argument[frame.at + k];
     }
-    turn_to_link(frame, p);
+    turn_by(frame.R, p);
     for (int k = 0; k < 3; ++k) {
       points[frame.of].p[k] = p[k] + frame.p[k];
     }
@@ -142,7 +128,7 @@ void turn_points(const InputFrame<Real>* frames, int count, const Real* argument
     for (int j = 0; j < 3; ++j) {
       Real axis[3];
       turn_axis(v, twice, j, axis);
-      turn_to_link(frame, axis);
+      turn_by(frame.R, axis);
       for (int k = 0; k < 3; ++k) {
         points[frame.of].axes[(3 * j) + k] = axis[k];
       }

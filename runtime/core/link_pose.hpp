@@ -15,12 +15,6 @@ struct LinkPose {
   Real slide;       ///< along the z axis of the placement, of prismatic joints
 };
 
-/// Rotation of a floating base or of a ball joint: of a link's axes to its parent's, row-major.
-template <class Real>
-struct LinkRotation {
-  Real Q[9];
-};
-
 template <class Real, size_t links, size_t turned>
 struct LinkPoses {
   LinkPose<Real> joints[links];

@@ -88,13 +88,20 @@ struct LinkBall {
   int16_t q;         ///< where the coordinates of a joint of any kind begin
 };
 
+/// A rotation, row-major: of a floating base's axes to the world's, of a ball joint's link's to its
+/// parent's, or of a frame's to its link's.
+template <class Real>
+struct LinkRotation {
+  Real Q[9];
+};
+
 /// A frame of a link, in which an argument is given.
 template <class Real>
 struct InputFrame {
   int16_t of;  ///< a body of `LinkTable::bodies`, or an operational point
   int16_t at;  ///< its first entry in the argument
-  Real R[9];   ///< from the frame's axes to the link's, row-major
-  Real p[3];   ///< the frame's origin, in the link's axes
+  LinkRotation<Real> R;
+  Real p[3];  ///< the frame's origin, in the link's axes
 };
 
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;

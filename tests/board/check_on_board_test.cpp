@@ -168,16 +168,14 @@ TEST(OnBoard, RunsC) {
   }
 }
 
-// Would catch: loops that are taken for wrong because of a zero's sign, and loops in C that call
-// what a board does not have.
-TEST(OnBoard, RunsLoopsOverLinks) {
+/// The loops of two functions, in both languages.
+void expect_loops_run(Subjects subjects) {
+  subjects.scene.target = "cortex-m4f";
+  subjects.scene.real = Real::float32;
+  subjects.scene.functions = {Function::inverse_dynamics, Function::mass_matrix};
+  subjects.scene.optimize = Optimize::size;
   for (const Language language : {Language::cpp, Language::c}) {
     SCOPED_TRACE(language == Language::c ? "C" : "C++");
-    Subjects subjects = load_unmade("humanoid24", "scene.yaml");
-    subjects.scene.target = "cortex-m4f";
-    subjects.scene.real = Real::float32;
-    subjects.scene.functions = {Function::inverse_dynamics, Function::mass_matrix};
-    subjects.scene.optimize = Optimize::size;
     subjects.scene.language = language;
     follow_target(subjects.scene);
     subjects.generation = generate(subjects.robot, subjects.scene);
@@ -188,6 +186,20 @@ TEST(OnBoard, RunsLoopsOverLinks) {
       EXPECT_TRUE(function.takes_constant_time()) << function.name;
     }
   }
+}
+
+// Would catch: loops that are taken for wrong because of a zero's sign, and loops in C that call
+// what a board does not have.
+TEST(OnBoard, RunsLoopsOverLinks) {
+  expect_loops_run(load_unmade("humanoid24", "scene.yaml"));
+}
+
+// Would catch: a table that is filled so that the compiler calls memset.
+TEST(OnBoard, RunsLoopsWhoseTableArgumentsChange) {
+  Subjects subjects = load_unmade("humanoid24", "scene.yaml");
+  subjects.scene.inputs.gravity = true;
+  subjects.scene.inputs.payloads.push_back({"right_hand"});
+  expect_loops_run(subjects);
 }
 
 // Would catch: a choice that does not ask what operations cost on the target. A Cortex-M4F does not

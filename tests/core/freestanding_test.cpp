@@ -146,7 +146,7 @@ void use_link_loops(Data& data) noexcept {
                            motions, inertias, rows);
   static constexpr int16_t kLoaded[1] = {2};
   static constexpr loops::InputFrame<Real> kFrames[1] = {
-      {0, 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 1}}};
+      {0, 0, {{1, 0, 0, 0, 1, 0, 0, 0, 1}}, {0, 0, 1}}};
   loops::LinkBody<Real> bodies[1];
   loops::LinkPoint<Real> points[1];
   loops::copy_bodies(kLinks, kLoaded, 1, bodies);

@@ -45,37 +45,17 @@ std::string print_value(const EmissionContext& context, const LinkTableText& tab
       list(!data.balls.empty(), "ball_axes"));
 }
 
-/// Constants of links, which all tables have, and of points.
-std::string print_arrays(const EmissionContext& context, const LinkTableText& table) {
-  const LinkTableData& data = *table.data;
-  const std::string type = context.name + "_loops_";
-  std::string text;
-  const auto print = [&](const std::string& of, const std::string& name, bool of_links,
-                         std::size_t count, const std::string& rows) {
-    if (rows.empty() || (of_links && table.shares)) return;
-    text += fmt::format("static const {} {}[{}] = {{\n{}}};\n", of,
-                        fmt::format("{}_{}", context.name, name), count, rows);
-  };
-  const std::size_t links = data.links.size();
-  print(type + "link", "links", true, links, table.links);
-  print(type + "link_drive", "drives", true, links, table.drives);
-  print(type + "link_friction", "frictions", true, links, table.frictions);
-  print(type + "link_coupling", "couplings", true, links, table.couplings);
-  print(type + "link_ball", "ball_axes", true, links, table.balls);
-  print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
-  print(type + "link_point", "points", false, data.points.size(), table.points);
-  print(type + "link_point", "pushed_points", true, data.pushed_points.size(), table.pushed_points);
-  print(type + "point_row", "point_rows", false, data.rows.size(), table.rows);
-  for (std::size_t i = 0; i < data.inputs.size(); ++i) {
-    const LinkInput& input = data.inputs[i];
-    print(type + "input_frame", frames_name(input), is_of_links(input), input.frames.size(),
-          table.frames[i]);
-  }
-  return text;
+std::string print_link_array(const EmissionContext& context, const LinkArray& array) {
+  const std::string type = array.of == LinkArray::Of::built_in
+                               ? array.type
+                               : context.name + "_loops_" + in_snake_case(array.type);
+  return fmt::format("static const {} {}_{}[{}] = {{\n{}}};\n", type, context.name, array.name,
+                     array.count, array.rows);
 }
 
 std::string print_table(const EmissionContext& context, const LinkTableText& table) {
-  std::string text = print_arrays(context, table);
+  std::string text;
+  for (const LinkArray& array : list_arrays(table)) text += print_link_array(context, array);
   if (!table.is_constant) return text;
   return text +
          wrap_line(fmt::format("static const {}_loops_link_table {} = {};", context.name,

@@ -115,16 +115,6 @@ std::string print_lines(const std::string& code, const std::string& note, std::s
 
 }  // namespace
 
-std::string in_snake_case(std::string_view name) {
-  std::string text;
-  for (const char c : name) {
-    const bool capital = std::isupper(static_cast<unsigned char>(c)) != 0;
-    if (capital && !text.empty()) text += '_';
-    text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return text;
-}
-
 LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& table,
                                bool given_sines)
     : name_(context.name + "_loops_"),

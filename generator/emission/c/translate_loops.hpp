@@ -34,9 +34,6 @@ struct LoopTable {
   bool own_sines = false, balls = false, pushed = false, loaded = false;
 };
 
-/// `MotionWork`: `motion_work`.
-std::string in_snake_case(std::string_view name);
-
 /// Writes the loops over links, runtime/core/link_*.hpp, in C: templates for one robot, references
 /// as pointers, names with the robot's name before them. It understands the part of C++ that they
 /// are written in, and throws std::logic_error where it meets another. Declarations have to come in

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cctype>
 #include <initializer_list>
 #include <span>
 #include <utility>
 
+#include "emission/c_family_syntax.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
@@ -45,17 +45,7 @@ std::string print_type(const LinkTableData& table, bool pushed) {
 
 /// `kPointRows`, a constant of the robot.
 std::string constant_name(const std::string& name) {
-  std::string text = "k";
-  bool begins = true;
-  for (const char c : name) {
-    if (c != '_') text += begins ? static_cast<char>(std::toupper(c)) : c;
-    begins = c == '_';
-  }
-  return text;
-}
-
-std::string braced(const std::vector<std::string>& words) {
-  return fmt::format("{{{}}}", fmt::join(words, ", "));
+  return "k" + in_pascal_case(name);
 }
 
 /// The table with its braces, as no argument changes it.
@@ -73,47 +63,21 @@ std::string print_value(const LinkTableText& table) {
                     list(!data.couplings.empty(), "couplings"),
                     {!data.couplings.empty(), fmt::format("{}", data.joints)},
                     list(!data.balls.empty(), "ball_axes")});
-  return fmt::format("{{&kLinks[0], {}, {}, {}{}}}", data.links.size(), data.slots,
-                     braced(table.gravity), lists);
+  return fmt::format("{{&kLinks[0], {}, {}, {{{}}}{}}}", data.links.size(), data.slots,
+                     fmt::join(table.gravity, ", "), lists);
 }
 
-std::string print_array(const char* type, const std::string& name, std::size_t count,
-                        const std::string& rows) {
-  if (rows.empty()) return {};
-  return fmt::format("inline constexpr {} {}[{}] = {{\n{}}};\n", type, constant_name(name), count,
-                     rows);
-}
-
-/// Constants of links, which all tables have, and of points.
-std::string print_arrays(const LinkTableText& table) {
-  const LinkTableData& data = *table.data;
-  std::string text;
-  const auto print = [&](const char* type, const std::string& name, bool of_links,
-                         std::size_t count, const std::string& rows) {
-    if (of_links && table.shares) return;
-    text += print_array(type, name, count, rows);
-  };
-  const std::size_t links = data.links.size();
-  print("loops::Link<Real>", "links", true, links, table.links);
-  print("loops::LinkDrive<Real>", "drives", true, links, table.drives);
-  print("loops::LinkFriction<Real>", "frictions", true, links, table.frictions);
-  print("loops::LinkCoupling<Real>", "couplings", true, links, table.couplings);
-  print("loops::LinkBall", "ball_axes", true, links, table.balls);
-  print("int16_t", "loaded_links", true, data.loaded_links.size(), table.loaded_links);
-  print("loops::LinkPoint<Real>", "points", false, data.points.size(), table.points);
-  print("loops::LinkPoint<Real>", "pushed_points", true, data.pushed_points.size(),
-        table.pushed_points);
-  print("loops::PointRow", "point_rows", false, data.rows.size(), table.rows);
-  for (std::size_t i = 0; i < data.inputs.size(); ++i) {
-    const LinkInput& input = data.inputs[i];
-    print("loops::InputFrame<Real>", frames_name(input), is_of_links(input), input.frames.size(),
-          table.frames[i]);
-  }
-  return text;
+std::string print_link_array(const LinkArray& array) {
+  const bool built_in = array.of == LinkArray::Of::built_in;
+  return fmt::format("inline constexpr {}{}{} {}[{}] = {{\n{}}};\n",
+                     built_in ? "" : "loops::", array.type,
+                     array.of == LinkArray::Of::numbers ? "<Real>" : "", constant_name(array.name),
+                     array.count, array.rows);
 }
 
 std::string print_table(const LinkTableText& table) {
-  std::string text = print_arrays(table);
+  std::string text;
+  for (const LinkArray& array : list_arrays(table)) text += print_link_array(array);
   if (!table.is_constant) return text;
   return text +
          wrap_line(fmt::format("inline constexpr {} {} = {};", print_type(*table.data, false),

@@ -139,7 +139,7 @@ loops::InputFrame<double> input_frame(const MechanismPoint& frame, int of, std::
   const Matrix3<double> rows = transposed(columns);
   const double entries[] = {rows.row_x.x, rows.row_x.y, rows.row_x.z, rows.row_y.x, rows.row_y.y,
                             rows.row_y.z, rows.row_z.x, rows.row_z.y, rows.row_z.z};
-  std::copy(std::begin(entries), std::end(entries), row.R);
+  std::copy(std::begin(entries), std::end(entries), row.R.Q);
   const Vector3<double> p = rounded<double>(frame.pose.p);
   const double origin[] = {p.x, p.y, p.z};
   std::copy(std::begin(origin), std::end(origin), row.p);

@@ -55,7 +55,7 @@ class LiftedTable {
     std::vector<loops::InputFrame<Number>> frames;
     for (const loops::InputFrame<double>& from : input.frames) {
       loops::InputFrame<Number> frame{from.of, from.at, {}, {}};
-      lift(from.R, frame.R);
+      lift(from.R.Q, frame.R.Q);
       lift(from.p, frame.p);
       frames.push_back(frame);
     }
