@@ -21,7 +21,7 @@ using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_floa
 
 // A number of fixed precision owns no memory and contains no pointer, so its bytes are its value,
 // and a copy of the bytes is a copy of the number.
-static_assert(sizeof(Number) == sizeof(Digits50) && alignof(Number) <= alignof(Digits50));
+static_assert(sizeof(Number) <= sizeof(Digits50) && alignof(Number) <= alignof(Digits50));
 static_assert(std::is_trivially_destructible_v<Number>);
 
 struct Digits50Access {
@@ -72,12 +72,12 @@ bool has_zero(const Number& a, const Number& b) {
   return is_zero(a) ? is_zero(b) || is_common(b) : is_zero(b) && is_common(a);
 }
 
-/// a += b or a -= b where `has_zero(a, b)`: half of the sums of sparse matrices.
-void add_zero(Number& a, const Number& b, bool minus) {
-  if (!is_zero(a)) return;
-  const bool a_negative = a.backend().sign(), b_negative = b.backend().sign() != minus;
-  a = b;
-  a.backend().sign() = b_negative && (a_negative || !is_zero(a));
+/// to = a + b or a - b where `has_zero(a, b)`: half of the sums of sparse matrices.
+void add_zero(Number& to, const Number& a, const Number& b, bool minus) {
+  const bool a_is_zero = is_zero(a), a_negative = a.backend().sign();
+  const bool b_negative = b.backend().sign() != minus;
+  to = a_is_zero ? b : a;
+  if (a_is_zero) to.backend().sign() = b_negative && (a_negative || !is_zero(to));
 }
 
 digits::Binary168 parts_of(const Number& x) {
@@ -93,12 +93,12 @@ void assign_parts(Number& x, const digits::Binary168& parts) {
   x.backend().sign() = parts.negative;
 }
 
-/// a += b or a -= b with the same bits as `Number`, but several times faster. Returns false if
+/// to = a + b or a - b with the same bits as `Number`, but several times faster. Returns false if
 /// nothing was done.
-bool add_fast(Number& a, const Number& b, bool minus) {
+bool add_fast(Number& to, const Number& a, const Number& b, bool minus) {
   if constexpr (kHasFastLimbs) {
     if (has_zero(a, b)) {
-      add_zero(a, b, minus);
+      add_zero(to, a, b, minus);
       return true;
     }
     if (!is_common(a) || !is_common(b)) return false;
@@ -107,27 +107,27 @@ bool add_fast(Number& a, const Number& b, bool minus) {
     digits::Binary168 other = parts_of(b), sum;
     other.negative = other.negative != minus;
     if (digits::add(parts_of(a), other, sum)) {
-      assign_parts(a, sum);
+      assign_parts(to, sum);
     } else {
-      a = Number();
+      to = Number();
     }
     return true;
   }
   return false;
 }
 
-/// a *= b with the same bits as `Number`, but several times faster. Returns false if nothing was
+/// to = a b with the same bits as `Number`, but several times faster. Returns false if nothing was
 /// done.
-bool multiply_fast(Number& a, const Number& b) {
+bool multiply_fast(Number& to, const Number& a, const Number& b) {
   if constexpr (kHasFastLimbs) {
     if (has_zero(a, b)) {
       const bool negative = a.backend().sign() != b.backend().sign();
-      if (!is_zero(a)) a = Number();
-      a.backend().sign() = negative;
+      to = Number();
+      to.backend().sign() = negative;
       return true;
     }
     if (!is_common(a) || !is_common(b)) return false;
-    assign_parts(a, digits::multiply(parts_of(a), parts_of(b)));
+    assign_parts(to, digits::multiply(parts_of(a), parts_of(b)));
     return true;
   }
   return false;
@@ -187,15 +187,15 @@ Digits50::operator int() const noexcept {
 }
 
 Digits50& Digits50::operator+=(const Digits50& other) noexcept {
-  if (!add_fast(of(*this), of(other), false)) of(*this) += of(other);
+  if (!add_fast(of(*this), of(*this), of(other), false)) of(*this) += of(other);
   return *this;
 }
 Digits50& Digits50::operator-=(const Digits50& other) noexcept {
-  if (!add_fast(of(*this), of(other), true)) of(*this) -= of(other);
+  if (!add_fast(of(*this), of(*this), of(other), true)) of(*this) -= of(other);
   return *this;
 }
 Digits50& Digits50::operator*=(const Digits50& other) noexcept {
-  if (!multiply_fast(of(*this), of(other))) of(*this) *= of(other);
+  if (!multiply_fast(of(*this), of(*this), of(other))) of(*this) *= of(other);
   return *this;
 }
 Digits50& Digits50::operator/=(const Digits50& other) noexcept {
@@ -205,6 +205,23 @@ Digits50& Digits50::operator/=(const Digits50& other) noexcept {
 Digits50 Digits50::operator-() const noexcept {
   Digits50 result = *this;
   of(result).backend().negate();
+  return result;
+}
+
+// Into a number of its own: copies of operands wait for their limbs to be stored.
+Digits50 Digits50::sum(const Digits50& a, const Digits50& b) noexcept {
+  Digits50 result;
+  if (!add_fast(of(result), of(a), of(b), false)) of(result) = of(a) + of(b);
+  return result;
+}
+Digits50 Digits50::difference(const Digits50& a, const Digits50& b) noexcept {
+  Digits50 result;
+  if (!add_fast(of(result), of(a), of(b), true)) of(result) = of(a) - of(b);
+  return result;
+}
+Digits50 Digits50::product(const Digits50& a, const Digits50& b) noexcept {
+  Digits50 result;
+  if (!multiply_fast(of(result), of(a), of(b))) of(result) = of(a) * of(b);
   return result;
 }
 

@@ -48,9 +48,11 @@ class Digits50 {
   Digits50& operator/=(const Digits50& other) noexcept;
   Digits50 operator-() const noexcept;
 
-  friend Digits50 operator+(Digits50 a, const Digits50& b) noexcept { return a += b; }
-  friend Digits50 operator-(Digits50 a, const Digits50& b) noexcept { return a -= b; }
-  friend Digits50 operator*(Digits50 a, const Digits50& b) noexcept { return a *= b; }
+  friend Digits50 operator+(const Digits50& a, const Digits50& b) noexcept { return sum(a, b); }
+  friend Digits50 operator-(const Digits50& a, const Digits50& b) noexcept {
+    return difference(a, b);
+  }
+  friend Digits50 operator*(const Digits50& a, const Digits50& b) noexcept { return product(a, b); }
   friend Digits50 operator/(Digits50 a, const Digits50& b) noexcept { return a /= b; }
   friend bool operator==(const Digits50& a, const Digits50& b) noexcept { return equal(a, b); }
   friend bool operator!=(const Digits50& a, const Digits50& b) noexcept { return !equal(a, b); }
@@ -63,11 +65,18 @@ class Digits50 {
   friend struct Digits50Access;
   void assign(long long value) noexcept;
   void assign(unsigned long long value) noexcept;
+  static Digits50 sum(const Digits50& a, const Digits50& b) noexcept;
+  static Digits50 difference(const Digits50& a, const Digits50& b) noexcept;
+  static Digits50 product(const Digits50& a, const Digits50& b) noexcept;
   static bool equal(const Digits50& a, const Digits50& b) noexcept;
   static bool less(const Digits50& a, const Digits50& b) noexcept;
   static bool at_most(const Digits50& a, const Digits50& b) noexcept;
 
+#if defined(__SIZEOF_INT128__)
   alignas(16) std::byte storage_[64];
+#else  // limbs of half the width
+  alignas(8) std::byte storage_[40];
+#endif
 };
 
 Digits50 abs(const Digits50& x) noexcept;
