@@ -4,8 +4,6 @@ namespace treeline {
 
 template float evaluate_node(const Node&, const std::vector<float>&, const std::vector<float>&);
 template double evaluate_node(const Node&, const std::vector<double>&, const std::vector<double>&);
-template long double evaluate_node(const Node&, const std::vector<long double>&,
-                                   const std::vector<long double>&);
 template std::vector<std::vector<float>> evaluate(const Program&,
                                                   const std::vector<std::vector<float>>&);
 template std::vector<std::vector<double>> evaluate(const Program&,

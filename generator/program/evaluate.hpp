@@ -116,8 +116,6 @@ extern template float evaluate_node(const Node&, const std::vector<float>&,
                                     const std::vector<float>&);
 extern template double evaluate_node(const Node&, const std::vector<double>&,
                                      const std::vector<double>&);
-extern template long double evaluate_node(const Node&, const std::vector<long double>&,
-                                          const std::vector<long double>&);
 extern template std::vector<std::vector<float>> evaluate(const Program&,
                                                          const std::vector<std::vector<float>>&);
 extern template std::vector<std::vector<double>> evaluate(const Program&,
