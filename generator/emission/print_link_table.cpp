@@ -108,8 +108,19 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
   return text;
 }
 
-std::string print_yields(const LinkLoops& loops, const Syntax& syntax) {
-  return loops.yields.empty() ? std::string() : numbers(syntax, loops.yields);
+std::string print_yields(const LinkLoops& loops, const Syntax& syntax, const std::string& name) {
+  if (loops.yields.empty()) return {};
+  return (is_ranked(loops)
+              ? "  // What is added to inverse inertias of points, a share of which are the "
+                "borders.\n"
+              : "  // Borders of the pivots of rows that yield, to the power of their law.\n") +
+         wrap_line(
+             fmt::format("{}[{}] = {};", name, loops.yields.size(), numbers(syntax, loops.yields)),
+             2);
+}
+
+bool is_ranked(const LinkLoops& loops) {
+  return loops.power == kPowerOfPriorities;
 }
 
 std::size_t count_base_entries(const LinkTableData& table) {

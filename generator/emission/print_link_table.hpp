@@ -49,8 +49,12 @@ bool has_inputs(std::span<const Program> programs);
 std::vector<LinkTableText> list_link_tables(std::span<const Program> programs,
                                             const Syntax& syntax);
 
-/// Borders of the pivots of rows that yield, with braces; empty where the function has no such law.
-std::string print_yields(const LinkLoops& loops, const Syntax& syntax);
+/// The array of what the function's law takes of rows that yield, which `name` declares; empty
+/// where it has no such law.
+std::string print_yields(const LinkLoops& loops, const Syntax& syntax, const std::string& name);
+
+/// Whether the function takes rows in the order of priority.
+bool is_ranked(const LinkLoops& loops);
 
 /// Entries of factors in the work space, see `InertiaWork`; without any an array of C has one.
 std::size_t count_base_entries(const LinkTableData& table);

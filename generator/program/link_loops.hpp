@@ -41,6 +41,9 @@ struct LinkTableData {
   std::vector<std::int16_t> loaded_links;                     ///< whose inertia depends on them
 };
 
+/// That of the law of `core/prioritized_solve.hpp`.
+inline constexpr int kPowerOfPriorities = 8;
+
 /// How a function is emitted that loops over a table of links: a call of `function` in
 /// `runtime/core/link_functions.hpp`, of which the program's graph is the trace.
 struct LinkLoops {
@@ -51,8 +54,9 @@ struct LinkLoops {
   std::string f_ext;                              ///< the argument of external forces; empty: none
   std::string gravity;                            ///< the argument; empty: as the table says
   int power = 0;                                  ///< of this law; 0: none
-  std::vector<double> yields;                     ///< of each row, its border to that power
-  int adds = 0, muls = 0, divs = 0, sines = 0;    ///< executed, those with constants 0 and 1 too
+  /// Of each row, its border to that power; to that of priorities, what its mobility has at least.
+  std::vector<double> yields;
+  int adds = 0, muls = 0, divs = 0, sines = 0;  ///< executed, those with constants 0 and 1 too
 };
 
 }  // namespace treeline

@@ -4,10 +4,12 @@
 namespace treeline::core::loops {
 
 /// 1 / c where it is large; smooth, bounded and 0 where it falls to 0: c^(power - 1) / (c^power +
-/// border^power). `yield` is the border to that power. Without a power 1 / c.
+/// border^power). `yield` is the border to that power. Of power 8, which rows in the order of
+/// priority have, it is 1 / border. Without a power 1 / c.
 template <int power, class Real>
 Real bounded_inverse(const Real& c, const Real& yield) noexcept {
-  static_assert((power == 0) || (power == 4) || (power == 6), "a law for rows that yield");
+  static_assert((power == 0) || (power == 4) || (power == 6) || (power == 8),
+                "a law for rows that yield");
   Real dividend = Real(1.0);
   Real divisor = c;
   if constexpr (power != 0) {
@@ -16,6 +18,12 @@ Real bounded_inverse(const Real& c, const Real& yield) noexcept {
     if constexpr (power == 4) {
       dividend = c3;
       divisor = (c2 * c2) + yield;
+    } else if constexpr (power == 8) {
+      const Real t = c * yield;
+      const Real t2 = t * t;
+      const Real t4 = t2 * t2;
+      dividend = yield * ((t4 * t2) * t);
+      divisor = Real(1.0) + (t4 * t4);
     } else {
       dividend = c3 * c2;
       divisor = (c3 * c3) + yield;

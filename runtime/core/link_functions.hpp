@@ -95,7 +95,9 @@ void lambda(const Table& table, const Real* yields, const Real* q, const Sines& 
   invert_rows<power>(table, yields, rows, Lambda);
 }
 
-/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0)
+/// tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J qdd_0). `yields`
+/// are those of `factor`; with power 8, of rows in the order of priority, those of
+/// `find_inverse_borders`.
 template <int power, class Table, class Real, class Sines, class Motions, class Inertias,
           class Rows>
 void control_torque(const Table& table, const Real* yields, const Real* q, const Sines& sines,
@@ -105,7 +107,12 @@ void control_torque(const Table& table, const Real* yields, const Real* q, const
   move_links(table, qd, qdd_0, motions, &rows.point_motions[0]);
   find_lambda_inverse(table, motions, inertias, rows);
   find_errors(table, xdd_cmd, rows);
-  factor<power>(&rows.Lambda_inv[0], table.rows, yields);
+  const Real* borders = yields;
+  if constexpr (power == 8) {
+    find_inverse_borders(table, yields, rows);
+    borders = &rows.inverse_borders[0];
+  }
+  factor<power>(&rows.Lambda_inv[0], table.rows, borders);
   solve(&rows.Lambda_inv[0], table.rows, &rows.errors[0]);
   add_row_forces(table, rows, motions);
   gather_all_forces(table, q, qd, qdd_0, motions, tau);

@@ -31,7 +31,8 @@ void find_axes(const Table& table, const Poses& poses, int link, LinkAxes<Real>&
   }
 }
 
-template <class Real, size_t points, size_t rows>
+/// `ranked`: the rows, where they are in the order of priority; else 1.
+template <class Real, size_t points, size_t rows, size_t ranked = 1>
 struct RowWork {
   LinkAxes<Real> link_axes[points];  ///< of the points' links
   LinkMotion<Real> point_motions[points];
@@ -39,6 +40,7 @@ struct RowWork {
   int16_t links[rows];         ///< where they have got to
   Real errors[rows];
   Real Lambda_inv[rows * rows];
+  Real inverse_borders[ranked];  ///< by which rows in the order of priority yield
 };
 
 template <class Table, class Motions, class Rows>
@@ -245,6 +247,24 @@ void invert_rows(const Table& table, const Real* yields, Rows& rows, Real* Lambd
       Lambda[(s * n) + r] = rows.errors[r];
       Lambda[(r * n) + s] = rows.errors[r];
     }
+  }
+}
+
+/// 1 over the border of each row in the order of priority: 2^-13 of the inverse inertia, of which
+/// the lower triangle is read, that its point has to translation, or to rotation, and of `floors`
+/// more. That is a sum over the point's rows.
+template <class Table, class Real, class Rows>
+void find_inverse_borders(const Table& table, const Real* floors, Rows& rows) noexcept {
+  for (int r = 0; r < table.rows; ++r) {
+    const PointRow& row = table.point_rows[r];
+    Real mobility = floors[r];
+    for (int s = 0; s < table.rows; ++s) {
+      const PointRow& other = table.point_rows[s];
+      if ((other.point == row.point) && (other.angular == row.angular)) {
+        mobility = mobility + rows.Lambda_inv[(table.rows + 1) * s];
+      }
+    }
+    rows.inverse_borders[r] = Real(8192.0) / mobility;
   }
 }
 

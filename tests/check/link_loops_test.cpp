@@ -256,6 +256,46 @@ TEST(LinkLoopsCheck, ExternalForces) {
   expect_right(subjects, Real::float32, functions);
 }
 
+/// Its points in strict priority as they are listed.
+Subjects in_priority(Subjects subjects) {
+  int priority = 1;
+  for (ScenePoint& point : subjects.scene.operational_points) point.priority = priority++;
+  return subjects;
+}
+
+// Two hands and a point that asks of the first hand's link what it does already; random trees with
+// more rows than freedoms, some of which nothing moves: on sliding joints alone nothing turns.
+TEST(LinkLoopsCheck, Priorities) {
+  auto humanoid = load_unmade("humanoid24", "scene_floating.yaml");
+  ScenePoint again = humanoid.scene.operational_points.front();
+  again.name = "again";
+  humanoid.scene.operational_points.push_back(again);
+  expect_right(in_priority(humanoid), Real::float64, kOfPoints);
+  humanoid.scene.singular = SingularTasks::exact;
+  humanoid.scene.operational_points.pop_back();
+  expect_safe(in_priority(humanoid), Real::float32);
+  for (std::uint64_t seed = 51; seed <= 54; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomOptions options;
+    options.joints = 7;
+    options.mix = {seed == 52 ? 0.0 : 4.0, 3, 1, 0, 0, 1};
+    options.mimic = seed == 53 ? 0.5 : 0;
+    options.operational_points = 3;
+    const auto [robot, scene] = random_mechanism(seed, options);
+    expect_right(in_priority({robot, scene, {}}), seed == 54 ? Real::float32 : Real::float64,
+                 {Function::control_torque});
+  }
+}
+
+TEST(LinkLoopsCheck, PrioritiesInAnotherOrderStayAsLines) {
+  auto subjects = load_unmade("humanoid24", "scene.yaml");
+  subjects.scene.optimize = Optimize::size;
+  subjects.scene.damped.reset();
+  subjects.scene.functions = {Function::control_torque};
+  subjects.scene.operational_points.front().priority = 2;
+  expect_lines(subjects, "order of their priorities");
+}
+
 // Functions that do not depend on gravity share the table that those have which do.
 TEST(LinkLoopsCheck, GravityAloneAsAnArgument) {
   auto subjects = load_unmade("puma560", "scene.yaml");

@@ -92,7 +92,7 @@ const LinkTableData& find_largest(std::span<const Program> programs) {
 }
 
 /// Sizes of arrays: constants in C, where C++ has parameters of templates.
-std::string print_sizes(const EmissionContext& context, const LinkTableData& table) {
+std::string print_sizes(const EmissionContext& context, const LinkTableData& table, bool ranked) {
   const auto one_or = [](std::size_t count) { return std::max<std::size_t>(count, 1); };
   const std::pair<const char*, std::size_t> sizes[] = {
       {"LINKS", table.links.size()},
@@ -100,6 +100,7 @@ std::string print_sizes(const EmissionContext& context, const LinkTableData& tab
       {"TURNED", static_cast<std::size_t>(table.rotations)},
       {"POINTS", one_or(table.points.size())},
       {"ROWS", one_or(table.rows.size())},
+      {"RANKED", ranked ? table.rows.size() : 1},
       {"BASE_ENTRIES", count_base_entries(table)}};
   std::string text;
   for (const auto& [name, size] : sizes) {
@@ -132,18 +133,12 @@ std::string print_opening(std::string_view header) {
 std::string print_loop_body(const EmissionContext& context, const Program& program) {
   const LinkLoops& loops = *program.loops;
   const std::string prefix = context.name + "_loops_";
-  const std::string yields = print_yields(loops, make_syntax(context));
-  std::string text;
-  if (!yields.empty()) {
-    text = "  // Borders of the pivots of rows that yield, to the power of their law.\n" +
-           wrap_line(fmt::format("static const {} yields[{}] = {};", number_type(context),
-                                 loops.yields.size(), yields),
-                     2);
-  }
+  std::string text = print_yields(loops, make_syntax(context),
+                                  fmt::format("static const {} yields", number_type(context)));
   std::string list = loops.solves ? fmt::format("{}, ", loops.power) : "";
   text += print_own_table(context, loops);
   list += "&" + (changes_table(loops) ? "table" : table_name(context, loops.table));
-  if (loops.solves) list += yields.empty() ? ", NULL" : ", yields";
+  if (loops.solves) list += loops.yields.empty() ? ", NULL" : ", yields";
   for (const Argument& argument : program.arguments) {
     if (!changes_table(loops, argument.name)) list += ", " + argument.name;
   }
@@ -201,10 +196,13 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
       {"link_rows.h", cpp::templates::kLinkRows},
       {"link_functions.h", cpp::templates::kLinkFunctions}};
   if (has_inputs(programs)) headers.emplace_back("link_inputs.h", cpp::templates::kLinkInputs);
+  const bool ranked = std::any_of(programs.begin(), programs.end(), [](const Program& program) {
+    return program.loops && is_ranked(*program.loops);
+  });
   std::vector<GeneratedFile> files;
   for (const auto& [name, header] : headers) {
     std::string text = print_opening(header);
-    if (files.empty()) text += print_sizes(context, table) + "\n";
+    if (files.empty()) text += print_sizes(context, table, ranked) + "\n";
     for (const LoopItem& item : parse_loops(header)) {
       const std::string translated = translator.translate(item);
       if (!translated.empty()) text += translated + "\n";

@@ -77,7 +77,7 @@ Line split_line(const std::string& line) {
 
 /// A member of a struct whose bounds are constants of the robot, without its default value.
 std::string name_bounds(const std::string& member, const std::string& prefix) {
-  static const std::regex bound("\\b(links|slots|turned|points|rows|base_entries)\\b");
+  static const std::regex bound("\\b(links|slots|turned|points|rows|ranked|base_entries)\\b");
   static const std::regex default_value(" = [^;]*;");
   const std::size_t open = member.find('[');
   const std::string rest =

@@ -107,17 +107,6 @@ std::string element(const Argument& argument) {
   return fmt::format("&{}[0]", argument.name);
 }
 
-/// The constants of the function's law, if it has one. They are the function's own: two of the
-/// namespace would meet where a build joins sources.
-std::string print_borders(const EmissionContext& context, const LinkLoops& loops) {
-  const std::string yields = print_yields(loops, make_syntax(context));
-  if (yields.empty()) return {};
-  return "  // Borders of the pivots of rows that yield, to the power of their law.\n" +
-         wrap_line(
-             fmt::format("static constexpr Real kYields[{}] = {};", loops.yields.size(), yields),
-             2);
-}
-
 }  // namespace
 
 std::string print_loop_body(const EmissionContext& context, const Program& program) {
@@ -125,7 +114,10 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   const LinkTableData& table = loops.table;
   const std::size_t links = table.links.size();
   std::string work = "motions";
-  std::string text = print_borders(context, loops) + print_own_table(context, loops);
+  // The law's constants are the function's own: two of the namespace would meet where a build joins
+  // sources.
+  std::string text = print_yields(loops, make_syntax(context), "static constexpr Real kYields") +
+                     print_own_table(context, loops);
   text += fmt::format("  detail::loops::MotionWork<Real, {}, {}{}> motions;\n", links, table.slots,
                       table.rotations > 1 ? fmt::format(", {}", table.rotations) : "");
   if (loops.uses_inertias) {
@@ -134,8 +126,9 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
     work += ", inertias";
   }
   if (loops.uses_rows) {
-    text += fmt::format("  detail::loops::RowWork<Real, {}, {}> rows;\n", table.points.size(),
-                        table.rows.size());
+    text += fmt::format("  detail::loops::RowWork<Real, {}, {}{}> rows;\n", table.points.size(),
+                        table.rows.size(),
+                        is_ranked(loops) ? fmt::format(", {}", table.rows.size()) : "");
     work += ", rows";
   }
   const auto& arguments = program.arguments;

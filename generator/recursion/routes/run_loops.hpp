@@ -173,7 +173,7 @@ struct LoopTrace {
     std::vector<loops::LinkMotion<Number>> point_motions;
     std::vector<loops::Spatial<Number>> forces;
     std::vector<std::int16_t> links;
-    std::vector<Number> errors, Lambda_inv;
+    std::vector<Number> errors, Lambda_inv, inverse_borders;
   };
 
   explicit LoopTrace(const LinkLoops& plan) : table(plan.table) {
@@ -196,6 +196,7 @@ struct LoopTrace {
     rows.links.resize(count);
     rows.errors.resize(count);
     rows.Lambda_inv.resize(count * count);
+    rows.inverse_borders.resize(count);
   }
 
   LiftedTable<Number> table;
@@ -240,13 +241,13 @@ template <int power, class Number, class Table>
 void run_law(Function function, const Table& table, LoopTrace<Number>& trace,
              LoopArguments<Number>& with) {
   const TracedSines<Number> sines = with.sines();
-  if (function == Function::lambda) {
-    loops::lambda<power>(table, trace.yields.data(), with.q.data(), sines, with.result.data(),
-                         trace.motions, trace.inertias, trace.rows);
-  } else {
+  if (function == Function::control_torque) {
     loops::control_torque<power>(table, trace.yields.data(), with.q.data(), sines, with.qd.data(),
                                  with.qdd.data(), with.xdd_cmd.data(), with.result.data(),
                                  trace.motions, trace.inertias, trace.rows);
+  } else if constexpr (power != kPowerOfPriorities) {
+    loops::lambda<power>(table, trace.yields.data(), with.q.data(), sines, with.result.data(),
+                         trace.motions, trace.inertias, trace.rows);
   }
 }
 
@@ -276,6 +277,9 @@ void run(Function function, int power, const Table& table, LoopTrace<Number>& tr
     default:
       if (power == 0) return run_law<0>(function, table, trace, with);
       if (power == 4) return run_law<4>(function, table, trace, with);
+      if (power == kPowerOfPriorities) {
+        return run_law<kPowerOfPriorities>(function, table, trace, with);
+      }
       return run_law<6>(function, table, trace, with);
   }
 }

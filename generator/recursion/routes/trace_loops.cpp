@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "program/link_loops.hpp"
+#include "recursion/methods/prioritized_task_force.hpp"
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/make_link_table.hpp"
 #include "recursion/routes/result_parts.hpp"
@@ -49,6 +50,12 @@ std::string find_obstacle(const MovingLink& link, bool is_first) {
   return link.is_floating() && !is_first ? says("is floating, and not the base") : std::string();
 }
 
+/// Rows are eliminated in the order of the table, which is the scene's.
+bool are_in_order(const std::vector<MechanismPoint>& points) {
+  return std::is_sorted(points.begin(), points.end(),
+                        [](const auto& a, const auto& b) { return a.priority < b.priority; });
+}
+
 std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
   if (!mechanism.inputs.base.empty()) return "base parameters as an argument";
   if (mechanism.implicit_friction && form.function == Function::forward_dynamics) {
@@ -66,9 +73,9 @@ std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
   if (!form.rows) return {};
   for (const MechanismPoint& point : mechanism.operational_points) {
     if (point.link < 0) return fmt::format("point `{}` is fixed to the world", point.name);
-    if (form.solves && point.priority != mechanism.operational_points.front().priority) {
-      return "points of several priorities";
-    }
+  }
+  if (form.function == Function::control_torque && !are_in_order(mechanism.operational_points)) {
+    return "points that the scene does not list in the order of their priorities";
   }
   return {};
 }
@@ -86,10 +93,26 @@ void give_sines(const Mechanism& mechanism, Graph& graph, LoopArguments<PlainExp
   }
 }
 
-void take_law(const Mechanism& mechanism, LinkLoops& plan, Program& program) {
+/// Rows in the order of priority yield by what their points have left, be it with a law or without.
+void take_floors(const Tree<double>& tree, LinkLoops& plan, const TaskLaw* law) {
+  constexpr double kLargest = 0x1p100;  // of rows that nothing moves: they yield completely
+  plan.power = kPowerOfPriorities;
+  for (std::size_t r = 0; r < plan.table.rows.size(); ++r) {
+    const loops::PointRow& row = plan.table.rows[r];
+    const int link = plan.table.points[static_cast<std::size_t>(row.point)].link;
+    const double floor = law == nullptr ? 0 : law->rule.borders[r];
+    plan.yields.push_back(may_move(tree, link, row.angular) ? floor : kLargest);
+  }
+}
+
+void take_law(const Mechanism& mechanism, Function function, LinkLoops& plan, Program& program) {
+  const auto tree = constant_tree<double>(mechanism);
+  const bool ranked = function == Function::control_torque && has_priorities(tree);
   program.law =
-      TaskLaws(mechanism).find(TaskLaw::Kind::inverse_inertia, LawPoints::operational, {});
+      TaskLaws(mechanism).find(ranked ? TaskLaw::Kind::priorities : TaskLaw::Kind::inverse_inertia,
+                               LawPoints::operational, {});
   program.singular = program.law ? describe(*program.law) : kBareSolve;
+  if (ranked) return take_floors(tree, plan, program.law.get());
   if (!program.law) return;
   plan.power = program.law->rule.power;
   for (const double border : program.law->rule.borders) {
@@ -144,7 +167,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
   plan->uses_inertias = form->inertias;
   plan->uses_rows = form->rows;
   plan->solves = form->solves;
-  if (form->solves) take_law(mechanism, *plan, program);
+  if (form->solves) take_law(mechanism, function, *plan, program);
   const Result& result = lines.results.front();
   const auto plain = [&](Quantity quantity) {
     std::vector<PlainExpression> entries;
