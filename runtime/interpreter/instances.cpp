@@ -1,8 +1,11 @@
-// One group of functions for one scalar. CMake compiles this file once for each.
-#include "interpreter/instances.hpp"
+// All functions for one scalar. CMake compiles this file once for each.
+#include "interpreter/loop_instances.hpp"
 
 namespace treeline::interpreter {
 
-TREELINE_INTERPRETER_GROUP(, TREELINE_INTERPRETER_SCALAR);
+TREELINE_INTERPRETER_DYNAMICS(, TREELINE_INTERPRETER_SCALAR);
+TREELINE_INTERPRETER_OPERATIONAL_SPACE(, TREELINE_INTERPRETER_SCALAR);
+TREELINE_INTERPRETER_CONTACTS_AND_OBJECTS(, TREELINE_INTERPRETER_SCALAR);
+TREELINE_LOOP_INSTANCES(, TREELINE_INTERPRETER_SCALAR);
 
 }  // namespace treeline::interpreter
