@@ -278,7 +278,7 @@ TEST(LinkLoopsCheck, Priorities) {
     SCOPED_TRACE(seed);
     RandomOptions options;
     options.joints = 7;
-    options.mix = {seed == 52 ? 0.0 : 4.0, 3, 1, 0, 0, 1};
+    options.mix = seed == 52 ? JointMix{0, 0, 1, 0, 0, 0} : JointMix{4, 3, 1, 0, 0, 1};
     options.mimic = seed == 53 ? 0.5 : 0;
     options.operational_points = 3;
     const auto [robot, scene] = random_mechanism(seed, options);
