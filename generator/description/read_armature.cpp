@@ -15,7 +15,7 @@
 namespace treeline {
 namespace {
 
-const char* const kRemedy =
+const char* const kRemedyOfArmature =
     "write `file`, `none`, or lines of the form joint: inertia at the joint, kg m^2 or kg";
 
 bool can_carry_rotor(const Joint& joint, const Scene& scene) {
@@ -130,7 +130,7 @@ void read_line(const SceneElement& value, const Joint& joint, const Robot& robot
 void read_armature(const SceneElement& element, const Robot& robot, Scene& scene) {
   if (element.is("none")) return;
   if (element.is("file")) return take_from_file(element, robot, scene);
-  for (const auto& [name, value] : element.entries(kRemedy)) {
+  for (const auto& [name, value] : element.entries(kRemedyOfArmature)) {
     const Joint* joint = find_joint(value, name, robot);
     if (joint != nullptr) read_line(value, *joint, robot, scene);
   }

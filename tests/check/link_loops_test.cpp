@@ -139,15 +139,18 @@ TEST(LinkLoopsCheck, CoulombFrictionAlone) {
 }
 
 /// A random robot with drives and rotors, of which some joint `has` what the test is about. Robots
-/// of even seeds float, and try the functions of points too.
+/// of even seeds float, and try the functions of points too. Two seeds each take turns to be in C:
+/// published robots are tried in both languages.
 void expect_right_at_random(std::uint64_t seed, RandomOptions options, bool (*has)(const Joint&)) {
   options.drives = 0.5;
   options.rotors = 0.5;
   options.floating_base = seed % 2 == 0;
   const auto [robot, scene] = random_mechanism(seed, options);
   ASSERT_TRUE(std::any_of(robot.joints.begin(), robot.joints.end(), has));
-  expect_right({robot, scene, {}}, seed % 3 == 0 ? Real::float32 : Real::float64,
-               options.floating_base ? all_with_form() : kDynamics);
+  Subjects unmade{robot, scene, {}};
+  unmade.scene.language = seed % 4 < 2 ? Language::cpp : Language::c;
+  expect_right_in(unmade, seed % 3 == 0 ? Real::float32 : Real::float64,
+                  options.floating_base ? all_with_form() : kDynamics);
 }
 
 // A gripper whose fingers mimic one joint, as published, and random trees: multiples and offsets,
