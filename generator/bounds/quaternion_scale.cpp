@@ -23,7 +23,7 @@ void append_terms(const Graph& graph, std::uint32_t node, std::vector<std::uint3
 }  // namespace
 
 bool is_quaternion_scale(const Graph& graph, std::uint32_t node) {
-  constexpr double kNothing = 0x1p-90;
+  constexpr double kSmallest = 0x1p-90;
   const Node& n = graph.nodes()[node];
   if (n.op != Op::div || graph.nodes()[n.a].op != Op::constant || graph.nodes()[n.a].value != 2) {
     return false;
@@ -34,7 +34,7 @@ bool is_quaternion_scale(const Graph& graph, std::uint32_t node) {
   int constants = 0;
   for (const std::uint32_t i : terms) {
     const Node& term = graph.nodes()[i];
-    if (term.op == Op::constant && term.value > 0 && term.value < kNothing) {
+    if (term.op == Op::constant && term.value > 0 && term.value < kSmallest) {
       ++constants;
       continue;
     }

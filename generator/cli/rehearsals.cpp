@@ -83,8 +83,8 @@ drive::Answer Rehearsals::go() {
     return refuse(fmt::format(
         "the robot is not where the rehearsal began, by {:.2g} rad or m: `rehearse` again", off));
   }
-  constexpr double kAhead = 0.05;  // s until the loop takes the first message
-  const double now = session_.report().head.time + kAhead;
+  constexpr double kUntilFirst = 0.05;  // s until the loop takes the first message
+  const double now = session_.report().head.time + kUntilFirst;
   const double begin = std::ceil(now * rate_) / rate_;
   pending_.clear();
   for (const TimedMessage& timed : rehearsal_->messages()) {

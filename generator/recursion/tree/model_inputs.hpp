@@ -198,14 +198,14 @@ void place_points(const MechanismInputs& places, const ModelInputs<Scalar>& inpu
 template <class Scalar>
 void replace_drives(const Mechanism& mechanism, const ModelInputs<Scalar>& inputs,
                     Tree<Scalar>& tree) {
-  using Kind = ModelParameter::Kind;
+  using DriveKind = ModelParameter::Kind;
   for (const auto& [parameter, value] : inputs.drives) {
     for (std::size_t i = 0; i < tree.links.size(); ++i) {
       if (mechanism.links[i].mimics || tree.links[i].v_index != parameter.v) continue;
       TreeDrive<Scalar>& drive = tree.links[i].drive;
-      if (parameter.kind == Kind::rotor) drive.inertia = value;
-      if (parameter.kind == Kind::viscous) drive.damping = value;
-      if (parameter.kind != Kind::coulomb) continue;
+      if (parameter.kind == DriveKind::rotor) drive.inertia = value;
+      if (parameter.kind == DriveKind::viscous) drive.damping = value;
+      if (parameter.kind != DriveKind::coulomb) continue;
       drive.friction = value;
       drive.sharpness = rounded<Scalar>(parameter.sharpness);
     }
