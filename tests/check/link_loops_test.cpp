@@ -139,8 +139,8 @@ TEST(LinkLoopsCheck, CoulombFrictionAlone) {
 }
 
 /// A random robot with drives and rotors, of which some joint `has` what the test is about. Robots
-/// of even seeds float, and try the functions of points too. Two seeds each take turns to be in C:
-/// published robots are tried in both languages.
+/// of even seeds float, and try the functions of points too. Half of the
+/// seeds are in C, floating or not; published robots are tried in both languages.
 void expect_right_at_random(std::uint64_t seed, RandomOptions options, bool (*has)(const Joint&)) {
   options.drives = 0.5;
   options.rotors = 0.5;
