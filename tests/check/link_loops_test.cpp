@@ -62,6 +62,11 @@ void expect_right_in(const Subjects& unmade, Real real, const std::vector<Functi
   }
 }
 
+/// Random robots take turns: half of the seeds are in C. Published ones are tried in both languages.
+Language language_of(std::uint64_t seed) {
+  return seed % 4 < 2 ? Language::cpp : Language::c;
+}
+
 /// In both languages, whose loops are held to the bits of one graph.
 void expect_right(Subjects unmade, Real real, const std::vector<Function>& of) {
   for (const Language language : {Language::cpp, Language::c}) {
@@ -139,8 +144,7 @@ TEST(LinkLoopsCheck, CoulombFrictionAlone) {
 }
 
 /// A random robot with drives and rotors, of which some joint `has` what the test is about. Robots
-/// of even seeds float, and try the functions of points too. Half of the
-/// seeds are in C, floating or not; published robots are tried in both languages.
+/// of even seeds float, and try the functions of points too.
 void expect_right_at_random(std::uint64_t seed, RandomOptions options, bool (*has)(const Joint&)) {
   options.drives = 0.5;
   options.rotors = 0.5;
@@ -148,7 +152,7 @@ void expect_right_at_random(std::uint64_t seed, RandomOptions options, bool (*ha
   const auto [robot, scene] = random_mechanism(seed, options);
   ASSERT_TRUE(std::any_of(robot.joints.begin(), robot.joints.end(), has));
   Subjects unmade{robot, scene, {}};
-  unmade.scene.language = seed % 4 < 2 ? Language::cpp : Language::c;
+  unmade.scene.language = language_of(seed);
   expect_right_in(unmade, seed % 3 == 0 ? Real::float32 : Real::float64,
                   options.floating_base ? all_with_form() : kDynamics);
 }
@@ -200,7 +204,8 @@ TEST(LinkLoopsCheck, GivenSinesOfSharedCoordinates) {
     options.mimic = 0.6;
     auto [robot, scene] = random_mechanism(seed, options);
     scene.sin_cos = Sines::given;
-    expect_right({robot, scene, {}}, Real::float64, kDynamics);
+    scene.language = language_of(seed);
+    expect_right_in({robot, scene, {}}, Real::float64, kDynamics);
   }
 }
 
@@ -284,9 +289,10 @@ TEST(LinkLoopsCheck, Priorities) {
     options.mix = seed == 52 ? JointMix{0, 0, 1, 0, 0, 0} : JointMix{4, 3, 1, 0, 0, 1};
     options.mimic = seed == 53 ? 0.5 : 0;
     options.operational_points = 3;
-    const auto [robot, scene] = random_mechanism(seed, options);
-    expect_right(in_priority({robot, scene, {}}), seed == 54 ? Real::float32 : Real::float64,
-                 {Function::control_torque});
+    auto [robot, scene] = random_mechanism(seed, options);
+    scene.language = language_of(seed);
+    expect_right_in(in_priority({robot, scene, {}}), seed == 54 ? Real::float32 : Real::float64,
+                    {Function::control_torque});
   }
 }
 
