@@ -77,6 +77,7 @@ std::string print_members(const LinkLoops& loops, const LoopNames& names, const 
   set("couplings", !table.couplings.empty(), names.constant("couplings"));
   set_number("joints", static_cast<std::size_t>(table.joints));
   set("ball_axes", !table.balls.empty(), names.constant("ball_axes"));
+  set("row_entries", !table.row_entries.empty(), names.constant("row_entries"));
   const bool pushed = !loops.f_ext.empty();
   set("pushed_points", pushed, names.constant("pushed_points"));
   set_number("pushed_count", pushed ? table.pushed_points.size() : 0);

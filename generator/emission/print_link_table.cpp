@@ -61,7 +61,8 @@ bool agree(const LinkTableText& one, const LinkTableText& other) {
   const bool same_links = one.links == other.links && one.drives == other.drives &&
                           one.frictions == other.frictions && one.couplings == other.couplings &&
                           one.balls == other.balls && one.pushed_points == other.pushed_points;
-  const bool same_points = one.points == other.points && one.rows == other.rows;
+  const bool same_points =
+      one.points == other.points && one.rows == other.rows && one.row_entries == other.row_entries;
   return same_links && (same_points || a.points.empty() != b.points.empty());
 }
 
@@ -83,6 +84,9 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
   }
   for (const core::loops::PointRow& row : table.rows) {
     text.rows += fmt::format("    {{{}, {}, {}}},\n", row.point, row.axis, row.angular);
+  }
+  if (!table.row_entries.empty()) {
+    text.row_entries = wrap_line(fmt::format("{}", fmt::join(table.row_entries, ", ")), 4);
   }
   for (const core::loops::LinkDrive<double>& drive : table.drives) {
     const double row[] = {drive.damping, drive.stiffness, drive.rest};
@@ -143,7 +147,8 @@ std::vector<LinkArray> list_arrays(const LinkTableText& table) {
       {"LinkPoint", Of::numbers, "pushed_points", data.pushed_points.size(), table.pushed_points}};
   std::vector<LinkArray> of_points = {
       {"LinkPoint", Of::numbers, "points", data.points.size(), table.points},
-      {"PointRow", Of::indices, "point_rows", data.rows.size(), table.rows}};
+      {"PointRow", Of::indices, "point_rows", data.rows.size(), table.rows},
+      {"int16_t", Of::built_in, "row_entries", data.row_entries.size(), table.row_entries}};
   for (std::size_t i = 0; i < data.inputs.size(); ++i) {
     const LinkInput& input = data.inputs[i];
     (is_of_links(input) ? of_links : of_points)

@@ -17,7 +17,8 @@ struct LinkTableText {
   const LinkTableData* data = nullptr;
   bool shares = false;       ///< all but points and rows with a table before it
   bool is_constant = false;  ///< a function has it as it is: no argument changes it
-  std::string links, points, pushed_points, rows, drives, frictions, couplings, balls, loaded_links;
+  std::string links, points, pushed_points, rows, row_entries, drives, frictions, couplings, balls;
+  std::string loaded_links;
   std::vector<std::string> gravity;
   std::vector<std::string> frames;
 };

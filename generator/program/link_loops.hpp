@@ -29,6 +29,8 @@ struct LinkTableData {
   std::vector<std::string> names;  ///< of the links
   std::vector<core::loops::LinkPoint<double>> points;
   std::vector<core::loops::PointRow> rows;
+  std::vector<std::int16_t>
+      row_entries;  ///< of all rows in arguments and results; none: their order
   // Of all links, or none.
   std::vector<core::loops::LinkDrive<double>> drives;
   std::vector<core::loops::LinkFriction<double>> frictions;

@@ -225,18 +225,27 @@ template <class Table, class Real, class Rows>
 void copy_lambda_inverse(const Table& table, const Rows& rows, Real* Lambda_inv) noexcept {
   const int n = table.rows;
   for (int r = 0; r < n; ++r) {
+    const int row = entry_of(table, r);
     for (int s = 0; s <= r; ++s) {
-      Lambda_inv[(s * n) + r] = rows.Lambda_inv[(r * n) + s];
-      Lambda_inv[(r * n) + s] = rows.Lambda_inv[(r * n) + s];
+      const int column = entry_of(table, s);
+      Lambda_inv[(column * n) + row] = rows.Lambda_inv[(r * n) + s];
+      Lambda_inv[(row * n) + column] = rows.Lambda_inv[(r * n) + s];
     }
   }
 }
 
-/// Lambda from the lower triangle of Lambda^-1, which is lost. For `power` and `yields` see
+/// Lambda from the lower triangle of Lambda^-1, which is lost. Rows are eliminated in the order of
+/// results: the last of those that depend on each other yield. For `power` and `yields` see
 /// `factor`.
 template <int power, class Table, class Real, class Rows>
 void invert_rows(const Table& table, const Real* yields, Rows& rows, Real* Lambda) noexcept {
   const int n = table.rows;
+  if constexpr (Table::kSorted) {
+    copy_lambda_inverse(table, rows, Lambda);
+    for (int k = 0; k < (n * n); ++k) {
+      rows.Lambda_inv[k] = Lambda[k];
+    }
+  }
   factor<power>(&rows.Lambda_inv[0], n, yields);
   for (int s = 0; s < n; ++s) {
     for (int r = 0; r < n; ++r) {
@@ -287,7 +296,7 @@ void find_errors(const Table& table, const Real* xdd_cmd, Rows& rows) noexcept {
     if (!row.angular) {
       add_rotation(motion, point.p, moved);
     }
-    rows.errors[r] = xdd_cmd[r] - dot(e, moved);
+    rows.errors[r] = xdd_cmd[entry_of(table, r)] - dot(e, moved);
   }
 }
 

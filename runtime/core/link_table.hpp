@@ -108,10 +108,11 @@ struct InputFrame {
 /// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
 /// `rubbing`: Coulomb friction. `coupled`: joints share coordinates. `own_sines`: some
 /// turn by multiples of these. `balls`: there are ball joints. `pushed`: external forces are an
-/// argument. `loaded`: inertial parameters of links depend on arguments.
+/// argument. `loaded`: inertial parameters of links depend on arguments. `sorted`: rows of points
+/// stand in the order of priority, which is not that of arguments and results.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
           bool coupled = false, bool own_sines = false, bool balls = false, bool pushed = false,
-          bool loaded = false>
+          bool loaded = false, bool sorted = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
@@ -123,6 +124,7 @@ struct LinkTable {
   static constexpr bool kBalls = balls;
   static constexpr bool kPushed = pushed;
   static constexpr bool kLoaded = loaded;
+  static constexpr bool kSorted = sorted;
 
   const Link<Real>* links;
   int count;
@@ -137,7 +139,8 @@ struct LinkTable {
   const LinkFriction<Real>* frictions = nullptr;
   const LinkCoupling<Real>* couplings = nullptr;  ///< of all links; none: each joint is its own
   int joints = 0;  ///< that have coordinates of their own, where there are couplings
-  const LinkBall* ball_axes = nullptr;  ///< of all links; none: there are no ball joints
+  const LinkBall* ball_axes = nullptr;   ///< of all links; none: there are no ball joints
+  const int16_t* row_entries = nullptr;  ///< of all rows; none: rows stand as in arguments
   const LinkPoint<Real>* pushed_points = nullptr;
   int pushed_count = 0;
   const Real* f_ext = nullptr;             ///< force and moment at each of these; none: 0
@@ -200,6 +203,17 @@ void enter(const Real& value, Real& place) noexcept {
     place = place + value;
   } else {
     place = value;
+  }
+}
+
+/// Where row `r` of the points has its numbers in arguments and results.
+template <class Table>
+constexpr int entry_of(const Table& table, int r) noexcept {
+  if constexpr (Table::kSorted) {
+    return table.row_entries[r];
+  } else {
+    static_cast<void>(table);
+    return r;
   }
 }
 

@@ -37,12 +37,13 @@ std::string print_value(const EmissionContext& context, const LinkTableText& tab
   };
   const bool points = has_points(data);
   return fmt::format(
-      "{{{}, {}, {}, {{{}}}, {}, {}, {}, {}, {}, {}, {}, {}, {}, NULL, 0, NULL, NULL, NULL, 0}}",
+      "{{{}, {}, {}, {{{}}}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, NULL, 0, NULL, NULL, NULL, "
+      "0}}",
       list(true, "links"), data.links.size(), data.slots, fmt::join(table.gravity, ", "),
       list(points, "points"), data.points.size(), list(points, "point_rows"), data.rows.size(),
       list(!data.drives.empty(), "drives"), list(!data.frictions.empty(), "frictions"),
       list(!data.couplings.empty(), "couplings"), data.joints,
-      list(!data.balls.empty(), "ball_axes"));
+      list(!data.balls.empty(), "ball_axes"), list(!data.row_entries.empty(), "row_entries"));
 }
 
 std::string print_link_array(const EmissionContext& context, const LinkArray& array) {
@@ -184,7 +185,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
       context,
       {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty(),
        !table.couplings.empty(), table.own_sines, !table.balls.empty(),
-       !table.pushed_points.empty(), !table.loaded_links.empty()},
+       !table.pushed_points.empty(), !table.loaded_links.empty(), !table.row_entries.empty()},
       std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_table.h", cpp::templates::kLinkTable},

@@ -123,7 +123,8 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
       suffix_(context.single_precision ? "F" : ""),
       table_{{"Floats", table.floats},   {"Sliding", table.sliding}, {"Driven", table.driven},
              {"Rubbing", table.rubbing}, {"Coupled", table.coupled}, {"OwnSines", table.own_sines},
-             {"Balls", table.balls},     {"Pushed", table.pushed},   {"Loaded", table.loaded}},
+             {"Balls", table.balls},     {"Pushed", table.pushed},   {"Loaded", table.loaded},
+             {"Sorted", table.sorted}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
                                                        {"Poses", "link_poses"},

@@ -40,7 +40,8 @@ std::string print_type(const LinkTableData& table, bool pushed) {
       "loops::LinkTable<Real, {}, {}{}>", table.floats, table.sliding,
       join_to_last({kind(!table.drives.empty()), kind(!table.frictions.empty()),
                     kind(!table.couplings.empty()), kind(table.own_sines),
-                    kind(!table.balls.empty()), kind(pushed), kind(!table.loaded_links.empty())}));
+                    kind(!table.balls.empty()), kind(pushed), kind(!table.loaded_links.empty()),
+                    kind(!table.row_entries.empty())}));
 }
 
 /// `kPointRows`, a constant of the robot.
@@ -62,7 +63,8 @@ std::string print_value(const LinkTableText& table) {
                     list(!data.frictions.empty(), "frictions"),
                     list(!data.couplings.empty(), "couplings"),
                     {!data.couplings.empty(), fmt::format("{}", data.joints)},
-                    list(!data.balls.empty(), "ball_axes")});
+                    list(!data.balls.empty(), "ball_axes"),
+                    list(!data.row_entries.empty(), "row_entries")});
   return fmt::format("{{&kLinks[0], {}, {}, {{{}}}{}}}", data.links.size(), data.slots,
                      fmt::join(table.gravity, ", "), lists);
 }

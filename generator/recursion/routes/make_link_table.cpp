@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 
 #include "functions/quantity.hpp"
 #include "recursion/tree/tree.hpp"
@@ -68,6 +70,24 @@ void append_rows(const TreePoint<double>& point, std::int16_t index, LinkTableDa
     if (!point.rows[static_cast<std::size_t>(k)]) continue;
     table.rows.push_back({index, static_cast<std::int16_t>(k % 3), k >= 3});
   }
+}
+
+/// Sorts the rows by the priorities of their points, the order in which they are eliminated.
+void sort_rows(const Tree<double>& tree, LinkTableData& table) {
+  std::vector<std::int16_t> order(table.rows.size());
+  std::iota(order.begin(), order.end(), std::int16_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::int16_t a, std::int16_t b) {
+    const auto priority_of = [&](std::int16_t row) {
+      const std::int16_t point = table.rows[static_cast<std::size_t>(row)].point;
+      return tree.operational_points[static_cast<std::size_t>(point)].priority;
+    };
+    return priority_of(a) < priority_of(b);
+  });
+  if (std::is_sorted(order.begin(), order.end())) return;
+  const auto rows = table.rows;
+  std::transform(order.begin(), order.end(), table.rows.begin(),
+                 [&](std::int16_t row) { return rows[static_cast<std::size_t>(row)]; });
+  table.row_entries = std::move(order);
 }
 
 /// Numbers the slots: links on one way out that carry one link each share theirs.
@@ -210,6 +230,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
     append_rows(point, static_cast<std::int16_t>(table.points.size()), table);
     table.points.push_back(table_point(point));
   }
+  sort_rows(tree, table);
   return table;
 }
 

@@ -42,6 +42,10 @@ class LiftedTable {
           {coupling.joint, Number(coupling.multiplier), coupling.spins, coupling.own_sine});
     }
     balls_ = from.balls.empty() ? other_joints(from) : from.balls;
+    row_entries_ = from.row_entries;
+    for (auto r = row_entries_.size(); r < from.rows.size(); ++r) {
+      row_entries_.push_back(static_cast<std::int16_t>(r));
+    }
     bodies_.resize(from.loaded_links.size());
     loops::copy_bodies(links_.data(), from.loaded_links.data(), static_cast<int>(bodies_.size()),
                        bodies_.data());
@@ -72,7 +76,7 @@ class LiftedTable {
 
   template <bool floats, bool coupled>
   [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true, true,
-                                 true>
+                                 true, true>
   view() const {
     return {links_.data(),
             static_cast<int>(links_.size()),
@@ -87,6 +91,7 @@ class LiftedTable {
             couplings_.data(),
             from_.joints,
             balls_.data(),
+            row_entries_.data(),
             pushed_points_.data(),
             static_cast<int>(pushed_points_.size()),
             f_ext_.empty() ? nullptr : f_ext_.data(),
@@ -148,6 +153,7 @@ class LiftedTable {
   std::vector<loops::LinkFriction<Number>> frictions_;
   std::vector<loops::LinkCoupling<Number>> couplings_;
   std::vector<loops::LinkBall> balls_;
+  std::vector<std::int16_t> row_entries_;
   std::vector<loops::LinkBody<Number>> bodies_;
 };
 

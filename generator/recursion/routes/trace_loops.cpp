@@ -50,12 +50,6 @@ std::string find_obstacle(const MovingLink& link, bool is_first) {
   return link.is_floating() && !is_first ? says("is floating, and not the base") : std::string();
 }
 
-/// Rows are eliminated in the order of the table, which is the scene's.
-bool are_in_order(const std::vector<MechanismPoint>& points) {
-  return std::is_sorted(points.begin(), points.end(),
-                        [](const auto& a, const auto& b) { return a.priority < b.priority; });
-}
-
 std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
   if (!mechanism.inputs.base.empty()) return "base parameters as an argument";
   if (mechanism.implicit_friction && form.function == Function::forward_dynamics) {
@@ -74,9 +68,6 @@ std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
   for (const MechanismPoint& point : mechanism.operational_points) {
     if (point.link < 0) return fmt::format("point `{}` is fixed to the world", point.name);
   }
-  if (form.function == Function::control_torque && !are_in_order(mechanism.operational_points)) {
-    return "points that the scene does not list in the order of their priorities";
-  }
   return {};
 }
 
@@ -93,6 +84,11 @@ void give_sines(const Mechanism& mechanism, Graph& graph, LoopArguments<PlainExp
   }
 }
 
+/// Of row `r` of the table, its place in the scene's order.
+std::size_t entry_of(const LinkTableData& table, std::size_t r) {
+  return table.row_entries.empty() ? r : static_cast<std::size_t>(table.row_entries[r]);
+}
+
 /// Rows in the order of priority yield by what their points have left, be it with a law or without.
 void take_floors(const Tree<double>& tree, LinkLoops& plan, const TaskLaw* law) {
   constexpr double kLargest = 0x1p100;  // of rows that nothing moves: they yield completely
@@ -100,7 +96,7 @@ void take_floors(const Tree<double>& tree, LinkLoops& plan, const TaskLaw* law) 
   for (std::size_t r = 0; r < plan.table.rows.size(); ++r) {
     const loops::PointRow& row = plan.table.rows[r];
     const int link = plan.table.points[static_cast<std::size_t>(row.point)].link;
-    const double floor = law == nullptr ? 0 : law->rule.borders[r];
+    const double floor = law == nullptr ? 0 : law->rule.borders[entry_of(plan.table, r)];
     plan.yields.push_back(may_move(tree, link, row.angular) ? floor : kLargest);
   }
 }
