@@ -115,6 +115,7 @@ std::size_t count_work(const LinkLoops& loops) {
   if (loops.uses_inertias) count += 7 * links + 27 * slots + count_base_entries(table);
   if (loops.uses_rows) count += 18 * points + (8 + rows) * rows;
   count += 10 * table.loaded_links.size();
+  if (!loops.step.empty()) count += links;
   if (moves_points(table)) count += 13 * points;
   return count;
 }

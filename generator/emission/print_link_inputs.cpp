@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "emission/wrap_line.hpp"
+#include "functions/quantity.hpp"
 
 namespace treeline {
 namespace {
@@ -31,6 +32,13 @@ std::string print_array(const char* type, const char* array, const std::string& 
   return fmt::format("  {} {}[{}];\n", names.type(type), array, count) +
          call(names.function(fmt::format("copy_{}", array)),
               fmt::format("{}, {}, {}", from, count, names.array(array)));
+}
+
+/// What fills the array of rotors, once the table is complete.
+std::string find_rotors(const LinkLoops& loops, const LoopNames& names) {
+  return call(names.function("find_rotors"),
+              fmt::format("{}, {}, {}, {}", names.table, names.array(loops.step),
+                          names.array(symbol_of(Quantity::qd)), names.array("rotors")));
 }
 
 }  // namespace
@@ -85,12 +93,18 @@ std::string print_members(const LinkLoops& loops, const LoopNames& names, const 
   set("bodies", !table.loaded_links.empty(), names.array("bodies"));
   set("loaded_links", !table.loaded_links.empty(), names.constant("loaded_links"));
   set_number("loaded_count", table.loaded_links.size());
-  return text;
+  const bool stepped = !loops.step.empty();
+  set("rotors", stepped, names.array("rotors"));
+  set("step", stepped, names.array(loops.step));
+  return text + (stepped ? find_rotors(loops, names) : "");
 }
 
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {
   const LinkTableData& table = loops.table;
   std::string text;
+  if (!loops.step.empty()) {
+    text += fmt::format("  {} rotors[{}];\n", names.number, table.links.size());
+  }
   if (!table.loaded_links.empty()) {
     const std::string from = names.constant("links") + ", " + names.constant("loaded_links");
     text += print_array("LinkBody", "bodies", from, table.loaded_links.size(), names);

@@ -15,6 +15,8 @@ struct LoopNames {
   std::function<std::string(const std::string&)> array;     ///< local, or an argument
   std::function<std::string(const std::string&)> constant;  ///< of the robot: `links`
   std::string none;                                         ///< a pointer to nothing
+  std::string number;                                       ///< the type of numbers
+  std::string table;                                        ///< the function's own, as an argument
 };
 
 /// What a function does before it loops where arguments change the table: arrays `bodies` and

@@ -167,12 +167,13 @@ bool has_points(const LinkTableData& table) {
 }
 
 bool changes_table(const LinkLoops& loops) {
-  return !loops.gravity.empty() || !loops.f_ext.empty() || !loops.table.inputs.empty();
+  return !loops.gravity.empty() || !loops.f_ext.empty() || !loops.step.empty() ||
+         !loops.table.inputs.empty();
 }
 
 bool changes_table(const LinkLoops& loops, const std::string& argument) {
   const auto& inputs = loops.table.inputs;
-  return argument == loops.gravity || argument == loops.f_ext ||
+  return argument == loops.gravity || argument == loops.f_ext || argument == loops.step ||
          std::any_of(inputs.begin(), inputs.end(),
                      [&](const LinkInput& input) { return input.argument == argument; });
 }

@@ -55,6 +55,7 @@ struct LinkLoops {
   bool solves = false;                            ///< takes the law by which rows yield
   std::string f_ext;                              ///< the argument of external forces; empty: none
   std::string gravity;                            ///< the argument; empty: as the table says
+  std::string step;                               ///< at whose end drives are taken; empty: none
   int power = 0;                                  ///< of this law; 0: none
   /// Of each row, its border to that power; to that of priorities, what its mobility has at least.
   std::vector<double> yields;

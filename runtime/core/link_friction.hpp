@@ -32,4 +32,22 @@ Real friction_sign(const Real& x) noexcept {
   return sign;
 }
 
+/// Its derivative.
+template <class Real>
+Real friction_slope(const Real& x) noexcept {
+  const Real first = x * Real(0x1p-7);
+  const Real first_square = first * first;
+  const Real first_divisor = Real(1.0) + first_square;
+  Real sign = double_tangent<Real>(first);
+  Real slope = (Real(0x1p-6) * (Real(1.0) - first_square)) / (first_divisor * first_divisor);
+  for (int i = 0; i < 3; ++i) {
+    const Real square = sign * sign;
+    const Real divisor = Real(1.0) + (square * (Real(6.0) + square));
+    const Real rest = Real(1.0) - square;
+    slope = slope * ((Real(4.0) * rest * rest * rest) / (divisor * divisor));
+    sign = quadruple_tangent<Real>(sign);
+  }
+  return slope;
+}
+
 }  // namespace treeline::core::loops

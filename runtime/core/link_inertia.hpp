@@ -213,13 +213,13 @@ void copy_to(const LinkInertia<Real>& inertia, Real* matrix, int columns) noexce
 template <class Table, class Real>
 void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
                    LinkProjection<Real>& joint) noexcept {
-  const Link<Real>& link = table.links[i];
   Spatial<Real> U;
   find_column(table, i, IA, U);
   Real& own = along_joint(table, i, U);
-  joint.inverse_D = Real(1.0) / (own + link.rotor);
+  const Real rotor = rotor_of(table, i);
+  joint.inverse_D = Real(1.0) / (own + rotor);
   own = Real(0.0);
-  const Real held = link.rotor * joint.inverse_D;
+  const Real held = rotor * joint.inverse_D;
   const bool along = slides(table, i);
   for (int k = 0; k < 3; ++k) {
     joint.u.linear[k] = U.linear[k] * joint.inverse_D;
@@ -289,7 +289,7 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
       Spatial<Real> wrench;
       find_column(table, i, inertia, wrench);
       const Real own = scale(table, i, scale(table, i, along_joint(table, i, wrench)));
-      enter<Table>(own + link.rotor, M[(at * nv) + at]);
+      enter<Table>(own + rotor_of(table, i), M[(at * nv) + at]);
       int j = i;
       while (table.links[j].parent >= 0) {
         wrench_to_parent(table, j, motions.poses, wrench);
@@ -359,7 +359,7 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
           wrench.linear[k] = wrench.linear[k] + (joint.u.linear[k] * left);
           wrench.angular[k] = wrench.angular[k] + (joint.u.angular[k] * left);
         }
-        along = missing - (link.rotor * joint.inverse_D * left);
+        along = missing - (rotor_of(table, i) * joint.inverse_D * left);
         wrench_to_parent(table, i, motions.poses, wrench);
         add(wrench, motions.wrenches[link.parent]);
       }
@@ -386,7 +386,7 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
         turn_to_child(table, i, motions.poses, twist.angular);
       }
       Real& along = along_joint(table, i, twist);
-      const Real held = link.rotor * joint.inverse_D;
+      const Real held = rotor_of(table, i) * joint.inverse_D;
       qdd[at] = (joint.inverse_D * qdd[at]) - dot(joint.u.linear, twist.linear) -
                 dot(joint.u.angular, twist.angular) - (along - (held * along));
       along = along + qdd[at];

@@ -172,7 +172,13 @@ template <class Table, class Real>
 void add_drive(const Table& table, int i, const Real& q, const Real& qd, Real& tau) noexcept {
   if (table.drives != nullptr) {
     const LinkDrive<Real>& drive = table.drives[i];
-    tau = tau + (drive.damping * qd) + (drive.stiffness * (q - drive.rest));
+    Real away = q - drive.rest;
+    if constexpr (Table::kStepped) {
+      if (table.step != nullptr) {
+        away = away + (table.step[0] * qd);
+      }
+    }
+    tau = tau + (drive.damping * qd) + (drive.stiffness * away);
   }
 }
 
@@ -182,6 +188,43 @@ void add_friction(const Table& table, int i, const Real& qd, Real& tau) noexcept
   if (table.frictions != nullptr) {
     const LinkFriction<Real>& friction = table.frictions[i];
     tau = tau + (friction.force * friction_sign<Real>(friction.sharpness * qd));
+  }
+}
+
+/// D + step K of joint `i`, whose velocity is `qd`: D is the derivative of its friction, K its
+/// stiffness.
+template <class Table, class Real>
+Real drive_slope(const Table& table, int i, const Real& step, const Real& qd) noexcept {
+  Real slope = Real(0.0);
+  if constexpr (Table::kDriven) {
+    if (table.drives != nullptr) {
+      const LinkDrive<Real>& drive = table.drives[i];
+      slope = drive.damping + (step * drive.stiffness);
+    }
+  } else {
+    static_cast<void>(step);
+  }
+  if constexpr (Table::kRubbing) {
+    if (table.frictions != nullptr) {
+      const LinkFriction<Real>& friction = table.frictions[i];
+      slope = slope + ((friction.force * friction.sharpness) *
+                       friction_slope<Real>(friction.sharpness * qd));
+    }
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(i);
+    static_cast<void>(qd);
+  }
+  return slope;
+}
+
+/// The inertias of joints that make friction and springs those at the end of a step: rotor + step D
+/// + step^2 K.
+template <class Table, class Real>
+void find_rotors(const Table& table, const Real* step, const Real* qd, Real* rotors) noexcept {
+  for (int i = 0; i < table.count; ++i) {
+    const Real speed = entry(qd, velocity_at<Table>(joint_of(table, i)));
+    rotors[i] = table.links[i].rotor + (step[0] * drive_slope(table, i, step[0], speed));
   }
 }
 

@@ -109,10 +109,11 @@ struct InputFrame {
 /// `rubbing`: Coulomb friction. `coupled`: joints share coordinates. `own_sines`: some
 /// turn by multiples of these. `balls`: there are ball joints. `pushed`: external forces are an
 /// argument. `loaded`: inertial parameters of links depend on arguments. `sorted`: rows of points
-/// stand in the order of priority, which is not that of arguments and results.
+/// stand in the order of priority, which is not that of arguments and results. `stepped`: friction
+/// and springs may be those at the end of a step.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
           bool coupled = false, bool own_sines = false, bool balls = false, bool pushed = false,
-          bool loaded = false, bool sorted = false>
+          bool loaded = false, bool sorted = false, bool stepped = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
@@ -125,6 +126,7 @@ struct LinkTable {
   static constexpr bool kPushed = pushed;
   static constexpr bool kLoaded = loaded;
   static constexpr bool kSorted = sorted;
+  static constexpr bool kStepped = stepped;
 
   const Link<Real>* links;
   int count;
@@ -147,6 +149,8 @@ struct LinkTable {
   const LinkBody<Real>* bodies = nullptr;  ///< of `loaded_links`, in place of those in `links`
   const int16_t* loaded_links = nullptr;
   int loaded_count = 0;
+  const Real* rotors = nullptr;  ///< of all links, for the step; none: those in `links`
+  const Real* step = nullptr;    ///< in s, at whose end springs are taken; none: at its beginning
 };
 
 /// The inertial parameters of link `i`.
@@ -204,6 +208,18 @@ void enter(const Real& value, Real& place) noexcept {
   } else {
     place = value;
   }
+}
+
+/// The inertia that the joint of link `i` alone feels.
+template <class Table, class Real = typename Table::Real>
+Real rotor_of(const Table& table, int i) noexcept {
+  Real rotor = table.links[i].rotor;
+  if constexpr (Table::kStepped) {
+    if (table.rotors != nullptr) {
+      rotor = table.rotors[i];
+    }
+  }
+  return rotor;
 }
 
 /// Where row `r` of the points has its numbers in arguments and results.

@@ -117,18 +117,23 @@ TEST(LinkLoopsCheck, SafeCodeOfAHumanoidThatFloats) {
   expect_safe(load_unmade("humanoid24", "scene_floating.yaml"), Real::float32);
 }
 
-TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
-  auto subjects = load_unmade("samm", "scene.yaml");
-  for (ScenePoint& point : subjects.scene.operational_points) {
-    point.axes = Axes::local;
-    point.rows = {true, true, true, false, false, true};
-  }
+/// With rotors, friction of both kinds and springs in some of its joints.
+Subjects with_drives(Subjects subjects) {
   for (const Joint& joint : subjects.robot.joints) {
-    if (!info_of(joint.type).has_one_freedom()) continue;
+    if (!info_of(joint.type).has_one_freedom() || joint.mimic) continue;
     subjects.scene.armature[joint.name] = 0.2;
     subjects.scene.joint_friction[joint.name].damping = 3;
     if (joint.child % 3 == 0) subjects.scene.joint_friction[joint.name] = {1, 5, 0.05};
     if (joint.child % 2 == 0) subjects.scene.joint_springs[joint.name] = {40, 0.3};
+  }
+  return subjects;
+}
+
+TEST(LinkLoopsCheck, SlidingJointsDrivesAndSomeRowsOfLocalAxes) {
+  auto subjects = with_drives(load_unmade("samm", "scene.yaml"));
+  for (ScenePoint& point : subjects.scene.operational_points) {
+    point.axes = Axes::local;
+    point.rows = {true, true, true, false, false, true};
   }
   expect_right(subjects, Real::float64, all_with_form());
   expect_safe(subjects, Real::float64);
@@ -336,15 +341,20 @@ TEST(LinkLoopsCheck, GravityAloneAsAnArgument) {
   expect_right(subjects, Real::float32, all_with_form());
 }
 
-// Friction at the end of a step takes an argument that loops do not know.
-TEST(LinkLoopsCheck, ImplicitFrictionStaysAsLines) {
-  auto subjects = load_unmade("humanoid24", "scene.yaml");
-  subjects.scene.optimize = Optimize::size;
-  subjects.scene.damped.reset();
-  subjects.scene.functions = {Function::forward_dynamics};
-  subjects.scene.joint_friction["ankle"].damping = 2;
-  subjects.scene.implicit_friction = true;
-  expect_lines(subjects, "implicit");
+// The other functions of the scene take friction and springs as they are. A base that floats,
+// joints that slide, that share coordinates, and whose only drives are springs.
+TEST(LinkLoopsCheck, FrictionAndSpringsAtTheEndOfAStep) {
+  auto samm = with_drives(load_unmade("samm", "scene.yaml"));
+  samm.scene.implicit_friction = true;
+  expect_right(samm, Real::float64, all_with_form());
+  auto gripper = with_drives(read("published/kinova_gen3_2f85.urdf", kPointAtWrist));
+  gripper.scene.implicit_friction = true;
+  gripper.scene.base = Base::floating;
+  expect_right(gripper, Real::float32, kDynamics);
+  auto humanoid = load_unmade("humanoid24", "scene_floating.yaml");
+  humanoid.scene.joint_springs["knee"] = {40, 0.3};
+  humanoid.scene.implicit_friction = true;
+  expect_safe(humanoid, Real::float32);
 }
 
 // Hips and shoulders of a humanoid; random trees whose ball joints have drives and rotors, beside

@@ -145,6 +145,7 @@ void use_link_loops(Data& data) noexcept {
   loops::control_torque<6>(kTable, data.a2 + 0, q, sines, qd, qd, data.b2 + 0, data.b36 + 0,
                            motions, inertias, rows);
   static constexpr int16_t kLoaded[1] = {2};
+  static constexpr int16_t kEntries[2] = {1, 0};
   static constexpr loops::InputFrame<Real> kFrames[1] = {
       {0, 0, {{1, 0, 0, 0, 1, 0, 0, 0, 1}}, {0, 0, 1}}};
   loops::LinkBody<Real> bodies[1];
@@ -154,7 +155,7 @@ void use_link_loops(Data& data) noexcept {
   loops::copy_points(kPoint, 1, points);
   loops::move_points(kFrames, 1, data.a3 + 0, points);
   loops::turn_points(kFrames, 1, data.a4 + 0, points);
-  loops::LinkTable<Real, true, true, true, true, false, false, false, true, true> table;
+  loops::LinkTable<Real, true, true, true, true, false, false, false, true, true, true, true> table;
   table.links = kLinks;
   table.count = 3;
   table.slots = 2;
@@ -173,6 +174,11 @@ void use_link_loops(Data& data) noexcept {
   table.bodies = bodies;
   table.loaded_links = kLoaded;
   table.loaded_count = 1;
+  table.row_entries = kEntries;
+  Real rotors[3];
+  table.rotors = rotors;
+  table.step = data.a2 + 0;
+  loops::find_rotors(table, data.a2 + 0, qd, rotors);
   loops::inverse_dynamics(table, q, sines, qd, qd, &data.a64[0], motions);
   loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
 }

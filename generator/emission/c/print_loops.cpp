@@ -37,8 +37,8 @@ std::string print_value(const EmissionContext& context, const LinkTableText& tab
   };
   const bool points = has_points(data);
   return fmt::format(
-      "{{{}, {}, {}, {{{}}}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, NULL, 0, NULL, NULL, NULL, "
-      "0}}",
+      "{{{}, {}, {}, {{{}}}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, NULL, 0, NULL, NULL, NULL, 0, "
+      "NULL, NULL}}",
       list(true, "links"), data.links.size(), data.slots, fmt::join(table.gravity, ", "),
       list(points, "points"), data.points.size(), list(points, "point_rows"), data.rows.size(),
       list(!data.drives.empty(), "drives"), list(!data.frictions.empty(), "frictions"),
@@ -77,8 +77,14 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
     return fmt::format("{}_{}", context.name, name);
   };
   names.none = "NULL";
+  names.number = number_type(context);
+  names.table = "&table";
   return print_link_inputs(loops, names) +
          print_members(loops, names, prefix + "link_table", text.gravity, true);
+}
+
+bool takes_step(const Program& program) {
+  return program.loops && !program.loops->step.empty();
 }
 
 /// The table that has what others have. `programs` have loops.
@@ -185,7 +191,8 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
       context,
       {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty(),
        !table.couplings.empty(), table.own_sines, !table.balls.empty(),
-       !table.pushed_points.empty(), !table.loaded_links.empty(), !table.row_entries.empty()},
+       !table.pushed_points.empty(), !table.loaded_links.empty(), !table.row_entries.empty(),
+       std::any_of(programs.begin(), programs.end(), takes_step)},
       std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_table.h", cpp::templates::kLinkTable},

@@ -31,7 +31,8 @@ struct LoopSignature {
 /// What the tables of a robot have.
 struct LoopTable {
   bool floats = false, sliding = false, driven = false, rubbing = false, coupled = false;
-  bool own_sines = false, balls = false, pushed = false, loaded = false, sorted = false;
+  bool own_sines = false, balls = false, pushed = false, loaded = false, sorted = false,
+       stepped = false;
 };
 
 /// Writes the loops over links, runtime/core/link_*.hpp, in C: templates for one robot, references

@@ -34,14 +34,14 @@ std::string join_to_last(std::initializer_list<std::pair<bool, std::string>> wor
 }
 
 /// `LinkTable<Real, false, true>`: defaults at its end are left out.
-std::string print_type(const LinkTableData& table, bool pushed) {
+std::string print_type(const LinkTableData& table, bool pushed, bool stepped) {
   const auto kind = [](bool has) { return std::pair(has, fmt::format("{}", has)); };
   return fmt::format(
       "loops::LinkTable<Real, {}, {}{}>", table.floats, table.sliding,
       join_to_last({kind(!table.drives.empty()), kind(!table.frictions.empty()),
                     kind(!table.couplings.empty()), kind(table.own_sines),
                     kind(!table.balls.empty()), kind(pushed), kind(!table.loaded_links.empty()),
-                    kind(!table.row_entries.empty())}));
+                    kind(!table.row_entries.empty()), kind(stepped)}));
 }
 
 /// `kPointRows`, a constant of the robot.
@@ -81,10 +81,10 @@ std::string print_table(const LinkTableText& table) {
   std::string text;
   for (const LinkArray& array : list_arrays(table)) text += print_link_array(array);
   if (!table.is_constant) return text;
-  return text +
-         wrap_line(fmt::format("inline constexpr {} {} = {};", print_type(*table.data, false),
-                               table_name(*table.data), print_value(table)),
-                   0);
+  return text + wrap_line(fmt::format("inline constexpr {} {} = {};",
+                                      print_type(*table.data, false, false),
+                                      table_name(*table.data), print_value(table)),
+                          0);
 }
 
 /// The table as arguments of a function change it.
@@ -100,8 +100,11 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
     return fmt::format("&detail::{}[0]", constant_name(name));
   };
   names.none = "nullptr";
+  names.number = "Real";
+  names.table = "table";
   return print_link_inputs(loops, names) +
-         print_members(loops, names, "detail::" + print_type(data, !loops.f_ext.empty()),
+         print_members(loops, names,
+                       "detail::" + print_type(data, !loops.f_ext.empty(), !loops.step.empty()),
                        text.gravity, false);
 }
 

@@ -76,7 +76,7 @@ class LiftedTable {
 
   template <bool floats, bool coupled>
   [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true, true,
-                                 true, true>
+                                 true, true, true>
   view() const {
     return {links_.data(),
             static_cast<int>(links_.size()),
@@ -237,6 +237,7 @@ struct LoopArguments {
   std::vector<Number> f_ext;                ///< empty: none
   std::vector<Number> gravity;              ///< empty: as the table says
   std::vector<std::vector<Number>> inputs;  ///< of the table's
+  std::vector<Number> step;                 ///< empty: none
 
   [[nodiscard]] TracedSines<Number> sines() const {
     return {sin_q.empty() ? nullptr : sin_q.data(), cos_q.data()};
@@ -290,6 +291,21 @@ void run(Function function, int power, const Table& table, LoopTrace<Number>& tr
   }
 }
 
+/// Calls `run_on` with the table, whose kind is that of the robot.
+template <class Number, class RunOn>
+void run_on_view(const LinkLoops& plan, const LiftedTable<Number>& table, const RunOn& run_on) {
+  const bool coupled = !plan.table.couplings.empty();
+  if (plan.table.floats && coupled) {
+    run_on(table.template view<true, true>());
+  } else if (plan.table.floats) {
+    run_on(table.template view<true, false>());
+  } else if (coupled) {
+    run_on(table.template view<false, true>());
+  } else {
+    run_on(table.template view<false, false>());
+  }
+}
+
 template <class Number>
 void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) {
   LoopTrace<Number> trace(plan);
@@ -298,17 +314,16 @@ void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) 
   for (std::size_t i = 0; i < with.inputs.size(); ++i) {
     trace.table.take(plan.table.inputs[i], with.inputs[i]);
   }
-  const auto run_on = [&](const auto& table) { run(function, plan.power, table, trace, with); };
-  const bool coupled = !plan.table.couplings.empty();
-  if (plan.table.floats && coupled) {
-    run_on(trace.table.template view<true, true>());
-  } else if (plan.table.floats) {
-    run_on(trace.table.template view<true, false>());
-  } else if (coupled) {
-    run_on(trace.table.template view<false, true>());
-  } else {
-    run_on(trace.table.template view<false, false>());
-  }
+  run_on_view(plan, trace.table, [&](const auto& table) {
+    if (with.step.empty()) return run(function, plan.power, table, trace, with);
+    std::vector<Number> rotors(plan.table.links.size());
+    loops::find_rotors(table, std::as_const(with.step).data(), std::as_const(with.qd).data(),
+                       rotors.data());
+    auto stepped = table;
+    stepped.rotors = rotors.data();
+    stepped.step = with.step.data();
+    run(function, plan.power, stepped, trace, with);
+  });
 }
 
 }  // namespace treeline

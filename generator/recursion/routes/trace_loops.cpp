@@ -52,9 +52,6 @@ std::string find_obstacle(const MovingLink& link, bool is_first) {
 
 std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
   if (!mechanism.inputs.base.empty()) return "base parameters as an argument";
-  if (mechanism.implicit_friction && form.function == Function::forward_dynamics) {
-    return "friction and springs at the end of a step (`implicit`)";
-  }
   if (mechanism.links.empty()) return "a robot without joints";
   for (const MovingLink& link : mechanism.links) {
     const bool is_first = &link == &mechanism.links.front();
@@ -130,7 +127,8 @@ void count(Function function, const LoopArguments<PlainExpression>& with, LinkLo
                                  numbers(with.cos_q),
                                  numbers(with.f_ext),
                                  numbers(with.gravity),
-                                 {}};
+                                 {},
+                                 numbers(with.step)};
   for (const auto& input : with.inputs) counted.inputs.push_back(numbers(input));
   const CountedOperations operations;
   run(function, plan, counted);
@@ -181,9 +179,11 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
       {},
       plain(Quantity::f_ext),
       plain(Quantity::gravity),
-      {}};
+      {},
+      plain(Quantity::step)};
   if (!with.f_ext.empty()) plan->f_ext = symbol_of(Quantity::f_ext);
   if (!with.gravity.empty()) plan->gravity = symbol_of(Quantity::gravity);
+  if (!with.step.empty()) plan->step = symbol_of(Quantity::step);
   for (const LinkInput& input : plan->table.inputs) {
     with.inputs.push_back(plain(find_quantity(input.argument).value()));
   }
