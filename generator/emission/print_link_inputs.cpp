@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "emission/wrap_line.hpp"
-#include "functions/quantity.hpp"
 
 namespace treeline {
 namespace {
@@ -37,8 +36,8 @@ std::string print_array(const char* type, const char* array, const std::string& 
 /// What fills the array of rotors, once the table is complete.
 std::string find_rotors(const LinkLoops& loops, const LoopNames& names) {
   return call(names.function("find_rotors"),
-              fmt::format("{}, {}, {}, {}", names.table, names.array(loops.step),
-                          names.array(symbol_of(Quantity::qd)), names.array("rotors")));
+              fmt::format("{}, {}, {}, {}", names.table, names.array(loops.step), names.array("qd"),
+                          names.array("rotors")));
 }
 
 }  // namespace
