@@ -34,10 +34,9 @@ std::string print_array(const char* type, const char* array, const std::string& 
 }
 
 /// What fills the array of rotors, once the table is complete.
-std::string find_rotors(const LinkLoops& loops, const LoopNames& names) {
+std::string print_rotors(const LoopNames& names) {
   return call(names.function("find_rotors"),
-              fmt::format("{}, {}, {}, {}", names.table, names.array(loops.step), names.array("qd"),
-                          names.array("rotors")));
+              fmt::format("{}, {}, {}", names.table, names.array("qd"), names.array("rotors")));
 }
 
 }  // namespace
@@ -95,7 +94,7 @@ std::string print_members(const LinkLoops& loops, const LoopNames& names, const 
   const bool stepped = !loops.step.empty();
   set("rotors", stepped, names.array("rotors"));
   set("step", stepped, names.array(loops.step));
-  return text + (stepped ? find_rotors(loops, names) : "");
+  return text + (stepped ? print_rotors(names) : "");
 }
 
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {

@@ -218,13 +218,14 @@ Real drive_slope(const Table& table, int i, const Real& step, const Real& qd) no
   return slope;
 }
 
-/// The inertias of joints that make friction and springs those at the end of a step: rotor + step D
-/// + step^2 K.
+/// The inertias of joints that make friction and springs those at the end of the table's step:
+/// rotor + step D + step^2 K.
 template <class Table, class Real>
-void find_rotors(const Table& table, const Real* step, const Real* qd, Real* rotors) noexcept {
+void find_rotors(const Table& table, const Real* qd, Real* rotors) noexcept {
+  const Real step = table.step[0];
   for (int i = 0; i < table.count; ++i) {
     const Real speed = entry(qd, velocity_at<Table>(joint_of(table, i)));
-    rotors[i] = table.links[i].rotor + (step[0] * drive_slope(table, i, step[0], speed));
+    rotors[i] = table.links[i].rotor + (step * drive_slope(table, i, step, speed));
   }
 }
 

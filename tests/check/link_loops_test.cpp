@@ -310,10 +310,8 @@ TEST(LinkLoopsCheck, PrioritiesInAnotherOrderThanPoints) {
   first.name = "first";
   first.rows = {true, false, true, false, true, false};
   first.axes = Axes::local;
+  for (ScenePoint& point : samm.scene.operational_points) point.priority = 3;
   samm.scene.operational_points.push_back(first);
-  for (ScenePoint& point : samm.scene.operational_points) {
-    if (&point != &samm.scene.operational_points.back()) point.priority = 3;
-  }
   expect_right(samm, Real::float64, kOfPoints);
   auto humanoid = load_unmade("humanoid24", "scene_floating.yaml");
   humanoid.scene.operational_points.front().priority = 2;

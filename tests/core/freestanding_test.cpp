@@ -178,7 +178,7 @@ void use_link_loops(Data& data) noexcept {
   Real rotors[3];
   table.rotors = rotors;
   table.step = data.a2 + 0;
-  loops::find_rotors(table, data.a2 + 0, qd, rotors);
+  loops::find_rotors(table, qd, rotors);
   loops::inverse_dynamics(table, q, sines, qd, qd, &data.a64[0], motions);
   loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
 }

@@ -317,11 +317,10 @@ void run(Function function, const LinkLoops& plan, LoopArguments<Number>& with) 
   run_on_view(plan, trace.table, [&](const auto& table) {
     if (with.step.empty()) return run(function, plan.power, table, trace, with);
     std::vector<Number> rotors(plan.table.links.size());
-    loops::find_rotors(table, std::as_const(with.step).data(), std::as_const(with.qd).data(),
-                       rotors.data());
     auto stepped = table;
-    stepped.rotors = rotors.data();
     stepped.step = with.step.data();
+    loops::find_rotors(stepped, std::as_const(with.qd).data(), rotors.data());
+    stepped.rotors = rotors.data();
     run(function, plan.power, stepped, trace, with);
   });
 }
