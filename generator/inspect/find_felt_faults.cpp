@@ -1,6 +1,5 @@
 #include "inspect/find_felt_faults.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include "description/nearest_inertia.hpp"
 #include "inspect/motion_of_bodies.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 namespace {
@@ -87,10 +87,9 @@ void make_possible(Eigen::Ref<VectorXd> numbers) {
   P.topRightCorner<3, 1>() = s * numbers.segment<3>(1);
   P.bottomLeftCorner<1, 3>() = s * numbers.segment<3>(1).transpose();
   P(3, 3) = numbers[0];
-  const Eigen::SelfAdjointEigenSolver<Matrix4d> solver(P);
-  if (solver.eigenvalues()[0] >= 0) return;
-  const Matrix4d& V = solver.eigenvectors();
-  P = V * solver.eigenvalues().cwiseMax(0).asDiagonal() * V.transpose();
+  const SymmetricDecomposition eigen = decompose_symmetric(P);
+  if (eigen.values[0] >= 0) return;
+  P = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
   numbers << P(3, 3), P.topRightCorner<3, 1>() / s, P(0, 0), P(1, 1), P(2, 2), P(0, 1) / s,
       P(0, 2) / s, P(1, 2) / s;
 }

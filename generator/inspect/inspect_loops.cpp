@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,6 +14,7 @@
 #include "inspect/draw_states.hpp"
 #include "interpreter/loop_instances.hpp"
 #include "oracle/model_from_robot.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 namespace {
@@ -27,14 +28,14 @@ constexpr int kPoses = 2, kGuesses = 64;
 constexpr double kClosed = 1e-12;     ///< m, and the sine of an angle
 constexpr double kDependent = 1e-12;  ///< squared singular value, beside the largest one
 
-/// Squared singular values, ascending, and the combinations of columns that belong to them.
-Eigen::SelfAdjointEigenSolver<MatrixXd> squared_singular_values(const MatrixXd& J) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(J.transpose() * J);
+/// Squared singular values, ascending.
+VectorXd squared_singular_values(const MatrixXd& J) {
+  return eigenvalues_of_symmetric(J.transpose() * J);
 }
 
 int rank_of(const MatrixXd& J) {
   if (J.size() == 0) return 0;
-  const VectorXd squares = squared_singular_values(J).eigenvalues();
+  const VectorXd squares = squared_singular_values(J);
   const double least = kDependent * squares.maxCoeff();
   return static_cast<int>(
       std::count_if(squares.begin(), squares.end(), [&](double square) { return square > least; }));
@@ -43,7 +44,7 @@ int rank_of(const MatrixXd& J) {
 /// Digits that lie between the largest singular value and the one that the rank counts as least.
 double digits_between(const MatrixXd& J, int rank) {
   if (rank == 0) return 0;
-  const VectorXd squares = squared_singular_values(J).eigenvalues();
+  const VectorXd squares = squared_singular_values(J);
   const double ratio = squares[squares.size() - rank] / squares.maxCoeff();
   return ratio > kDependent / 100 ? -0.5 * std::log10(ratio) : kMostDigits;
 }
@@ -107,8 +108,8 @@ class LoopedRobot {
   /// Velocities of passive joints that take part in the motion that the motors hold least.
   [[nodiscard]] std::vector<int> least_held(const VectorXd& q) const {
     const MatrixXd J = scaled_jacobian(q)(Eigen::all, passive_);
-    const auto solved = squared_singular_values(J);
-    const VectorXd motion = solved.eigenvectors().col(J.cols() - passive_rank_);
+    const MatrixXd combinations = decompose_symmetric(J.transpose() * J).vectors;
+    const VectorXd motion = combinations.col(J.cols() - passive_rank_);
     std::vector<int> velocities;
     for (Eigen::Index i = 0; i < motion.size(); ++i) {
       if (std::abs(motion[i]) < 0.1) continue;

@@ -1,12 +1,12 @@
 #include "inspect/inspect_masses.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
 #include "interpreter/instances.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "oracle/model_from_robot.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 namespace {
@@ -34,22 +34,19 @@ double condition(const Eigen::VectorXd& ascending) {
   return least > rounding ? largest / least : std::numeric_limits<double>::infinity();
 }
 
-Eigen::VectorXd eigenvalues(const Matrix<double>& M) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M, Eigen::EigenvaluesOnly).eigenvalues();
-}
-
 MassMatrixReport inspect_mass_matrix(const Matrix<double>& M) {
   MassMatrixReport report;
   const Eigen::VectorXd diagonal = M.diagonal();
   report.diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
-  const Eigen::VectorXd values = eigenvalues(M);
+  const Eigen::VectorXd values = eigenvalues_of_symmetric(M);
   report.least = values[0];
   report.largest = values[values.size() - 1];
   report.condition = condition(values);
   report.scaled_condition = std::numeric_limits<double>::infinity();
   if (diagonal.minCoeff() > 0) {
     const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
-    report.scaled_condition = condition(eigenvalues(scale.asDiagonal() * M * scale.asDiagonal()));
+    report.scaled_condition =
+        condition(eigenvalues_of_symmetric(scale.asDiagonal() * M * scale.asDiagonal()));
   }
   return report;
 }

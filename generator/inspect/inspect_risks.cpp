@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "interpreter/instances.hpp"
 #include "oracle/find_massless_directions.hpp"
 #include "oracle/model_from_robot.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 namespace {
@@ -54,8 +54,7 @@ void inspect_inertia(const Model<double>& model, DrawnStates& states, Report& re
     }
     if (d.minCoeff() <= 0) continue;
     const Eigen::VectorXd s = d.cwiseSqrt().cwiseInverse();
-    const Eigen::LDLT<Eigen::MatrixXd> solver(s.asDiagonal() * M * s.asDiagonal());
-    const Eigen::MatrixXd inverse = solver.solve(Eigen::MatrixXd::Identity(M.rows(), M.cols()));
+    const Eigen::MatrixXd inverse = inverse_of_symmetric(s.asDiagonal() * M * s.asDiagonal());
     for (std::size_t i = 0; i < worst.size(); ++i) {
       const int v = states.joints()[i]->v;
       const double felt = inverse(v, v);

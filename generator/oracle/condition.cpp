@@ -1,8 +1,9 @@
 #include "oracle/condition.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 
@@ -11,8 +12,7 @@ double scaled_condition(const Eigen::MatrixXd& A, const Eigen::VectorXd& d) {
   if (!A.allFinite() || !d.allFinite() || d.minCoeff() <= 0) return kInfinity;
   const Eigen::VectorXd s = d.cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = s.asDiagonal() * A * s.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
-  const double least = solver.eigenvalues()(0);
+  const double least = eigenvalues_of_symmetric(scaled)(0);
   return least > 0 ? 1 / least : kInfinity;
 }
 

@@ -9,6 +9,7 @@
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_constraints.hpp"
+#include "oracle/symmetric_matrices.hpp"
 #include "recursion/algebra/pivot_rule.hpp"
 
 namespace treeline {
@@ -45,10 +46,6 @@ Rows with_loops(const Rows& points, const Rows& loops, Eigen::Index at) {
   return all;
 }
 
-MatrixXd inverse_of(const MatrixXd& A) {
-  return A.ldlt().solve(MatrixXd::Identity(A.rows(), A.cols()));
-}
-
 }  // namespace
 
 ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& state,
@@ -80,7 +77,7 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
           subject.model, q, vector_of<double>(state.qd), step.front());
       M_ += drives.inertia;
       step_forces_ = drives.force.cwiseAbs();
-      M_inverse_ = inverse_of(M_).cwiseAbs();
+      M_inverse_ = inverse_of_symmetric(M_).cwiseAbs();
     }
     Lambda_inverse_ = J * M_.ldlt().solve(J.transpose());
   }
@@ -130,7 +127,7 @@ std::vector<double> ConstraintSizes::sizes(const interpreter::TaskLaw<double>& l
                : eliminated_torque_sizes(elimination_terms(), law, relaxed->Lambda);
   }
   const MatrixXd Lambda =
-      relaxed ? relaxed->Lambda : MatrixXd(inverse_of(Lambda_inverse_).cwiseAbs());
+      relaxed ? relaxed->Lambda : MatrixXd(inverse_of_symmetric(Lambda_inverse_).cwiseAbs());
   return tasks_ == Tasks::none ? constrained(Lambda) : supported(law, Lambda);
 }
 
@@ -209,7 +206,7 @@ std::vector<double> ConstraintSizes::supported(const interpreter::TaskLaw<double
 
 MatrixXd ConstraintSizes::passive_mobility() const {
   const MatrixXd M = interpreter::mass_matrix<double>(subject_.model, vector_of<double>(state_.q));
-  return inverse_of(M(subject_.passive, subject_.passive)).cwiseAbs();
+  return inverse_of_symmetric(M(subject_.passive, subject_.passive)).cwiseAbs();
 }
 
 LawSizes ConstraintSizes::forces(const interpreter::TaskLaw<double>& law) const {
@@ -223,7 +220,7 @@ LawSizes ConstraintSizes::forces(const interpreter::TaskLaw<double>& law) const 
 
 LawSizes ConstraintSizes::locked(const interpreter::TaskLaw<double>& law) const {
   const MatrixXd M = interpreter::mass_matrix<double>(subject_.model, vector_of<double>(state_.q));
-  const MatrixXd K_inverse = inverse_of(M(subject_.passive, subject_.passive));
+  const MatrixXd K_inverse = inverse_of_symmetric(M(subject_.passive, subject_.passive));
   const MatrixXd J = passive_columns().topRows(held_);
   const MatrixXd size = passive_sizes().topRows(held_);
   return find_law_sizes(J * K_inverse * J.transpose(),

@@ -7,6 +7,7 @@
 #include "interpreter/loop_instances.hpp"
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/symmetric_matrices.hpp"
 #include "recursion/algebra/pivot_rule.hpp"
 
 namespace treeline {
@@ -76,7 +77,7 @@ struct Rest {
       : rates(interpreter::dependent_rates<double>(terms.J, law)),
         P(interpreter::permitted_motions(rates, terms.M.rows())) {
     const MatrixXd M_s = P.transpose() * terms.M * P;
-    inertia_inverse = M_s.ldlt().solve(MatrixXd::Identity(M_s.rows(), M_s.cols()));
+    inertia_inverse = inverse_of_symmetric(M_s);
     G = inverse * terms.J_sizes(rates.rows, rates.independent);
   }
 

@@ -15,6 +15,7 @@
 #include "oracle/entries.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "oracle/subject.hpp"
+#include "oracle/symmetric_matrices.hpp"
 #include "oracle/term_sizes.hpp"
 
 namespace treeline {
@@ -61,12 +62,12 @@ NullSpace find_null_space(const Subject<Digits50>& exact, const Subject<double>&
     return size > 0 ? 1 / std::sqrt(size) : 1;
   });
   const Eigen::MatrixXd scaled = space.scale.asDiagonal() * M * space.scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
+  const SymmetricDecomposition eigen = decompose_symmetric(scaled);
   std::vector<Eigen::Index> zeros;
   for (Eigen::Index i = 0; i < M.rows(); ++i) {
-    if (std::abs(solver.eigenvalues()(i)) <= kMassless) zeros.push_back(i);
+    if (std::abs(eigen.values(i)) <= kMassless) zeros.push_back(i);
   }
-  space.columns = solver.eigenvectors()(Eigen::all, zeros);
+  space.columns = eigen.vectors(Eigen::all, zeros);
   space.q = std::move(q);
   return space;
 }

@@ -10,6 +10,7 @@
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_objects.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 namespace {
@@ -24,7 +25,7 @@ Subject<double> seen_at_objects(const Subject<double>& subject) {
 }
 
 MatrixXd inverse_magnitudes(const MatrixXd& A) {
-  return A.ldlt().solve(MatrixXd::Identity(A.rows(), A.cols())).cwiseAbs();
+  return inverse_of_symmetric(A).cwiseAbs();
 }
 
 /// Six rows: three of one size, then three of another.
@@ -220,7 +221,7 @@ MatrixXd ObjectSizes::mobility() const {
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const auto at = 6 * static_cast<Eigen::Index>(k);
     const MatrixXd Lambda = interpreter::object_inertia(objects[k], held[k].front().R);
-    inverse.block(at, at, 6, 6) = Lambda.ldlt().solve(MatrixXd::Identity(6, 6));
+    inverse.block(at, at, 6, 6) = inverse_of_symmetric(Lambda);
   }
   return inverse;
 }

@@ -11,6 +11,7 @@
 #include "interpreter/instances.hpp"
 #include "oracle/contact_sizes.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 namespace {
@@ -21,10 +22,6 @@ std::vector<double> joined(std::initializer_list<Eigen::MatrixXd> matrices) {
     append(matrix, entries);
   }
   return entries;
-}
-
-Eigen::MatrixXd inverse(const Eigen::MatrixXd& A) {
-  return A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
 }
 
 /// Lambda^-1 plus the relaxation of rows in strict priority: c (1 - w) / w for each row.
@@ -50,7 +47,7 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   const Eigen::VectorXd q = vector_of<double>(state.q);
   const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
   M_condition_ = scaled_condition(M, terms_.mass_matrix().diagonal());
-  M_inverse_ = inverse(M).cwiseAbs();
+  M_inverse_ = inverse_of_symmetric(M).cwiseAbs();
   if (!subject.chain.objects.empty()) objects_.emplace(subject_, state_, M_inverse_);
   if (subject.holds_rows()) {
     constrained_.emplace(subject_, state_, M_inverse_, ConstraintSizes::Tasks::none);
@@ -68,7 +65,7 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
       interpreter::lambda_inverse<double>(subject.model, subject.points, q);
   Lambda_inverse_ = Lambda_inverse;
   Lambda_condition_ = scaled_condition(Lambda_inverse, lambda_inverse().diagonal());
-  Lambda_ = inverse(Lambda_inverse).cwiseAbs();
+  Lambda_ = inverse_of_symmetric(Lambda_inverse).cwiseAbs();
   if (subject.damping.effective_mass_limits.size() > 0) {
     damped_ = find_damped_sizes(Lambda_inverse, lambda_inverse(), subject.damping);
   }
@@ -78,7 +75,7 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   const Eigen::MatrixXd relaxed = with_relaxed_rows(subject.points, Lambda_inverse);
   const Eigen::VectorXd scale = lambda_inverse().diagonal() + (relaxed - Lambda_inverse).diagonal();
   control_condition_ = scaled_condition(relaxed, scale);
-  control_Lambda_ = inverse(relaxed).cwiseAbs();
+  control_Lambda_ = inverse_of_symmetric(relaxed).cwiseAbs();
 }
 
 std::optional<LawSizes> ResultSizes::relaxed(Function function,
@@ -285,7 +282,7 @@ Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) co
       subject_.model, q, vector_of<double>(state_.qd), step.front());
   forces += drives.inertia * vector_of<double>(qdd).cwiseAbs() + drives.force.cwiseAbs();
   const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject_.model, q) + drives.inertia;
-  return inverse(M).cwiseAbs() * forces;
+  return inverse_of_symmetric(M).cwiseAbs() * forces;
 }
 
 /// Those of velocities and of friction.
