@@ -150,7 +150,8 @@ TEST(LinkLoopsCheck, CoulombFrictionAlone) {
 }
 
 /// A random robot with drives and rotors, of which some joint `has` what the test is about. Robots
-/// of even seeds float, and try the functions of points too.
+/// of even seeds float, and try the functions of points too; half of all take friction and springs
+/// at the end of a step.
 void expect_right_at_random(std::uint64_t seed, RandomOptions options, bool (*has)(const Joint&)) {
   options.drives = 0.5;
   options.rotors = 0.5;
@@ -159,6 +160,7 @@ void expect_right_at_random(std::uint64_t seed, RandomOptions options, bool (*ha
   ASSERT_TRUE(std::any_of(robot.joints.begin(), robot.joints.end(), has));
   Subjects unmade{robot, scene, {}};
   unmade.scene.language = language_of(seed);
+  unmade.scene.implicit_friction = seed % 4 == 1 || seed % 4 == 2;
   expect_right_in(unmade, seed % 3 == 0 ? Real::float32 : Real::float64,
                   options.floating_base ? all_with_form() : kDynamics);
 }
