@@ -1,6 +1,5 @@
 #include "oracle/elimination_sizes.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <random>
 

@@ -1,6 +1,5 @@
 #include "oracle/object_sizes.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <limits>
 #include <stdexcept>

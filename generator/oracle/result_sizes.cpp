@@ -1,6 +1,5 @@
 #include "oracle/result_sizes.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
