@@ -17,9 +17,9 @@ struct ErrorAt {
 };
 
 /// Largest error that a function's outputs may have, in ulp of their scale: kFloorUlp + angles +
-/// amplification * kInterpreterFactor * interpreter. Here `angles` is
-/// FunctionReference::computed_angles, and `interpreter` the largest ratio of error to
-/// amplification that the interpreter, run in Real, had at any state.
+/// steps + amplification * kInterpreterFactor * interpreter. Here `angles` and `steps` are
+/// FunctionReference::computed_angles and border_steps, and `interpreter` the largest ratio of
+/// error to amplification that the interpreter, run in Real, had at any state.
 struct Bound {
   static constexpr double kFloorUlp = 8;
   static constexpr double kInterpreterFactor = 16;
@@ -27,7 +27,7 @@ struct Bound {
   double interpreter = 0;
 
   [[nodiscard]] double at(const FunctionReference& reference) const {
-    return kFloorUlp + reference.computed_angles +
+    return kFloorUlp + reference.computed_angles + reference.border_steps +
            reference.amplification * kInterpreterFactor * interpreter;
   }
 };

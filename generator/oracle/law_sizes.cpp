@@ -45,6 +45,38 @@ LongMatrix neighbour(const LongMatrix& A, const Eigen::VectorXd& terms, long dou
   return changed;
 }
 
+/// The largest change of an entry, relative to the roots of the sizes of its row and column.
+double largest_change(const LongMatrix& one, const LongMatrix& other, const Eigen::VectorXd& root) {
+  const Eigen::MatrixXd change = (other - one).cast<double>().cwiseAbs();
+  double largest = 0;
+  for (Eigen::Index row = 0; row < change.rows(); ++row) {
+    for (Eigen::Index column = 0; column < change.cols(); ++column) {
+      const double size = root(row) * root(column);
+      if (size > 0) largest = std::max(largest, change(row, column) / size);
+    }
+  }
+  return largest;
+}
+
+/// The forces along the rows, per acceleration that the rows lack, of tasks in strict priority.
+LongMatrix priority_forces(const interpreter::Points<long double>& points, const LongMatrix& A,
+                           const interpreter::Vector<long double>& borders) {
+  LongMatrix left = A;
+  LongMatrix own = LongMatrix::Identity(A.rows(), A.cols());
+  LongMatrix forces = LongMatrix::Zero(A.rows(), A.cols());
+  for (const int row : interpreter::rows_by_priority(points)) {
+    const long double inverse =
+        interpreter::relaxed_inverse<long double>(left(row, row), borders(row));
+    const interpreter::Vector<long double> share = left.col(row) * inverse;
+    const interpreter::Vector<long double> column = left.col(row);
+    const interpreter::Vector<long double> one = own.row(row);
+    forces += one * (inverse * one.transpose());
+    own -= share * one.transpose();
+    left -= share * column.transpose();
+  }
+  return forces;
+}
+
 /// Finds the condition number by trial: the change of Lambda, relative to the size of its forces,
 /// per relative change of Lambda^-1. There is no formula for it, because a relaxed row affects all
 /// rows after it.
@@ -61,13 +93,8 @@ LawSizes probe(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
   for (int i = 0; i < kProbes; ++i) {
     const LongMatrix other = interpreter::bordered_inverse<long double>(
         neighbour(exact, terms, reach, random), long_law);
-    const Eigen::MatrixXd change = ((other - Lambda) / reach).cast<double>().cwiseAbs();
-    for (Eigen::Index row = 0; row < A.rows(); ++row) {
-      for (Eigen::Index column = 0; column < A.cols(); ++column) {
-        const double size = root(row) * root(column);
-        if (size > 0) condition = std::max(condition, change(row, column) / size);
-      }
-    }
+    condition =
+        std::max(condition, largest_change(Lambda, other, root) / static_cast<double>(reach));
   }
   return {condition, root * root.transpose()};
 }
@@ -89,6 +116,32 @@ LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q
 LawSizes find_law_sizes(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
                         const interpreter::TaskLaw<double>& law) {
   return probe(A, terms, law);
+}
+
+Eigen::MatrixXd find_priority_steps(const interpreter::Points<double>& points,
+                                    const Eigen::MatrixXd& Lambda_inverse,
+                                    const Eigen::VectorXd& terms, double unit) {
+  // All entries change at once, each by less than a rounding: more than that never meets.
+  const long double reach = unit / 8;
+  constexpr double kSafety = 4;
+  const LongMatrix exact = Lambda_inverse.cast<long double>();
+  const auto long_points = interpreter::cast<long double>(points);
+  const interpreter::Vector<long double> borders =
+      interpreter::relaxation_borders<long double>(long_points, exact.diagonal());
+  const LongMatrix forces = priority_forces(long_points, exact, borders);
+  const auto slope = [&](long double distance, std::mt19937_64 random) {
+    const LongMatrix other =
+        priority_forces(long_points, neighbour(exact, terms, distance, random), borders);
+    return Eigen::MatrixXd(((other - forces) / distance).cast<double>().cwiseAbs());
+  };
+  Eigen::MatrixXd secant = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
+  Eigen::MatrixXd tangent = secant;
+  for (unsigned probe = 0; probe < kProbes; ++probe) {
+    const std::mt19937_64 random(probe);
+    secant = secant.cwiseMax(slope(reach, random));
+    tangent = tangent.cwiseMax(slope(reach * 0x1p-10L, random));
+  }
+  return (secant - 2 * tangent).cwiseMax(0) * (kSafety * static_cast<double>(reach) / unit);
 }
 
 }  // namespace treeline

@@ -25,4 +25,11 @@ LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q
 LawSizes find_law_sizes(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
                         const interpreter::TaskLaw<double>& law);
 
+/// How much more the forces along rows in strict priority, per acceleration that the rows lack, may
+/// change by rounding, of size `unit`, than their slope says, in units of `unit`. What a row near
+/// its border leaves to those after it is lost in rounding, which may carry these across theirs.
+Eigen::MatrixXd find_priority_steps(const interpreter::Points<double>& points,
+                                    const Eigen::MatrixXd& Lambda_inverse,
+                                    const Eigen::VectorXd& terms, double unit);
+
 }  // namespace treeline

@@ -33,6 +33,7 @@ struct FunctionReference {
   /// Sum of the magnitudes of the angles that the code computes as q + offset instead of reading
   /// them from q. Rounding them is like rounding q, so this many ulp are allowed.
   double computed_angles = 0;
+  double border_steps = 0;  ///< see `ResultSizes::border_steps`
 };
 
 /// One state with the references of its functions, in the order of `all_callable`.

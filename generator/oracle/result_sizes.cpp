@@ -41,7 +41,7 @@ Eigen::MatrixXd with_relaxed_rows(const interpreter::Points<double>& points,
 
 }  // namespace
 
-ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
+ResultSizes::ResultSizes(const Subject<double>& subject, const State& state, double unit)
     : subject_(subject), state_(state), terms_(subject, state.q), at_rest_(state.qd.size(), 0) {
   const Eigen::VectorXd q = vector_of<double>(state.q);
   const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
@@ -75,6 +75,19 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   const Eigen::VectorXd scale = lambda_inverse().diagonal() + (relaxed - Lambda_inverse).diagonal();
   control_condition_ = scaled_condition(relaxed, scale);
   control_Lambda_ = inverse_of_symmetric(relaxed).cwiseAbs();
+  priority_steps_ =
+      find_priority_steps(subject.points, Lambda_inverse, lambda_inverse().diagonal(), unit);
+}
+
+double ResultSizes::border_steps(Function function) const {
+  if (function != Function::control_torque || priority_steps_.size() == 0) return 0;
+  const Eigen::VectorXd sizes = control_torque(control_Lambda_);
+  const Eigen::VectorXd steps = control_torque(control_Lambda_ + priority_steps_) - sizes;
+  double largest = 0;
+  for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+    if (sizes(i) > 0) largest = std::max(largest, steps(i) / sizes(i));
+  }
+  return largest;
 }
 
 std::optional<LawSizes> ResultSizes::relaxed(Function function,
