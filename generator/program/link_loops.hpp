@@ -23,6 +23,8 @@ struct LinkTableData {
   bool floats = false;     ///< the first link is a floating base
   bool sliding = false;    ///< there are prismatic joints
   bool own_sines = false;  ///< joints turn by multiples of coordinates of others
+  bool freed = false;      ///< joints beyond the base move freely
+  bool grounded = false;   ///< points, or external forces, are on the world
   int slots = 1;
   std::array<double, 3> gravity{};
   std::vector<core::loops::Link<double>> links;

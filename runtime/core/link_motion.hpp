@@ -65,6 +65,18 @@ void turn_ball_axes(const Real* qd, int at, LinkMotion<Real>& motion) noexcept {
   add_cross(motion.w, rate, motion.wd);
 }
 
+/// The same for the velocity along these axes of a joint that moves freely: (2 w + the joint's
+/// angular velocity) x v.
+template <class Real>
+void turn_free_axes(const Real* qd, int at, LinkMotion<Real>& motion) noexcept {
+  const Real v[3] = {entry(qd, at + 1), entry(qd, at + 2), entry(qd, at)};
+  Real w[3] = {entry(qd, at + 4), entry(qd, at + 5), entry(qd, at + 3)};
+  for (int k = 0; k < 3; ++k) {
+    w[k] = w[k] + (Real(2.0) * motion.w[k]);
+  }
+  add_cross(w, v, motion.a);
+}
+
 /// Adds what the velocity of joint `i`, whose axis its parent turns, adds: w x S qd, or twice that
 /// where it slides.
 template <class Table, class Real>
@@ -92,7 +104,12 @@ void move_link(const Table& table, int i, const Poses& poses, const Real* qd, co
   const int at = velocity_at<Table>(joint_of(table, i));
   const Real rate = scale(table, i, entry(qd, at));
   if (ball_axis(table, i) == 1) {
-    turn_ball_axes(qd, at, motion);
+    int angular = at;
+    if (is_freed(table, i)) {
+      turn_free_axes(qd, at, motion);
+      angular = at + 3;
+    }
+    turn_ball_axes(qd, angular, motion);
   }
   if (ball_axis(table, i) == 0) {
     turn_joint_axis(table, i, rate, motion);
@@ -137,11 +154,27 @@ void find_wrench(const LinkBody<Real>& body, const LinkMotion<Real>& motion,
   add_cross(body.h, motion.a, wrench.angular);
 }
 
+/// Motions of the table's points on the world.
+template <class Table, class Real>
+void rest_points(const Table& table, LinkMotion<Real>* point_motions) noexcept {
+  if constexpr (Table::kGrounded) {
+    for (int k = 0; k < table.point_count; ++k) {
+      if (is_on_world<Table>(table.points[k].link)) {
+        rest(table, point_motions[k]);
+      }
+    }
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(point_motions);
+  }
+}
+
 /// Outward pass: wrenches that move the links, and motions of the table's points. Without qd or qdd
 /// these are 0.
 template <class Table, class Real, class Motions>
 void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& motions,
                 LinkMotion<Real>* point_motions) noexcept {
+  rest_points(table, point_motions);
   for (int i = 0; i < table.count; ++i) {
     const Link<Real>& link = table.links[i];
     LinkMotion<Real>& motion = motions.motions[link.slot];

@@ -80,6 +80,28 @@ void turn_to_child(const Table& table, int i, const Poses& poses, Real (&v)[3]) 
   }
 }
 
+/// Makes of the way along the axis of link `i` that of all three axes, if it is the first of a
+/// joint that moves freely, and none, if it is another of these.
+template <class Table, class Poses, class Real>
+void slide_freely(const Table& table, int i, const Poses& poses, Real (&along)[3]) noexcept {
+  if constexpr (Table::kFreed) {
+    const int axis = ball_axis(table, i);
+    if (axis == 1) {
+      along[0] = poses.joints[i + 1].slide;
+      along[1] = poses.joints[i + 2].slide;
+      turn_plane(table.links[i].b, along[0], along[1]);
+    }
+    if (axis > 1) {
+      along[2] = Real(0.0);
+    }
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(i);
+    static_cast<void>(poses);
+    static_cast<void>(along);
+  }
+}
+
 /// The origin of link `i` in the axes of its parent.
 template <class Table, class Poses, class Real>
 void find_origin(const Table& table, int i, const Poses& poses, Real (&p)[3]) noexcept {
@@ -92,6 +114,7 @@ void find_origin(const Table& table, int i, const Poses& poses, Real (&p)[3]) no
       Real along[3];
       clear(along);
       along[2] = poses.joints[i].slide;
+      slide_freely(table, i, poses, along);
       turn_plane(link.alpha, along[1], along[2]);
       turn_plane(link.a, along[0], along[1]);
       for (int k = 0; k < 3; ++k) {
@@ -150,10 +173,16 @@ void place_rotation(const Link<Real>& link, const Real* v, LinkRotation<Real>& r
   }
 }
 
-/// The rotation of a ball joint, whose axes are y z x of its quaternion in those of its first link.
+/// The rotation of a ball joint, whose axes are y z x of its quaternion in those of its first link,
+/// and the way that a joint which moves freely takes along the axis of that.
 template <class Table, class Poses, class Real>
 void place_ball(const Table& table, int i, const Real* q, Poses& poses) noexcept {
-  const Real v[4] = {q[1], q[2], q[0], q[3]};
+  int at = 0;
+  if (is_freed(table, i)) {
+    at = 3;
+    poses.joints[i].slide = q[0];
+  }
+  const Real v[4] = {q[at + 1], q[at + 2], q[at], q[at + 3]};
   place_rotation(table.links[i], &v[0], poses.rotations[table.ball_axes[i].rotation]);
 }
 

@@ -64,21 +64,23 @@ template <class Table, class Motions, class Real = typename Table::Real>
 void take_external_forces(const Table& table, Motions& motions) noexcept {
   for (int k = 0; k < table.pushed_count; ++k) {
     const LinkPoint<Real>& point = table.pushed_points[k];
-    const Real* const force = &table.f_ext[6 * k];
-    LinkAxes<Real> axes;
-    find_axes(table, motions.poses, point.link, axes);
-    Spatial<Real> wrench;
-    clear_spatial(wrench);
-    for (int j = 0; j < 3; ++j) {
-      Real e[3];
-      find_direction(point, axes, j, e);
-      for (int m = 0; m < 3; ++m) {
-        wrench.linear[m] = wrench.linear[m] - (e[m] * force[j]);
-        wrench.angular[m] = wrench.angular[m] - (e[m] * force[3 + j]);
+    if (!is_on_world<Table>(point.link)) {
+      const Real* const force = &table.f_ext[6 * k];
+      LinkAxes<Real> axes;
+      find_axes(table, motions.poses, point.link, axes);
+      Spatial<Real> wrench;
+      clear_spatial(wrench);
+      for (int j = 0; j < 3; ++j) {
+        Real e[3];
+        find_direction(point, axes, j, e);
+        for (int m = 0; m < 3; ++m) {
+          wrench.linear[m] = wrench.linear[m] - (e[m] * force[j]);
+          wrench.angular[m] = wrench.angular[m] - (e[m] * force[3 + j]);
+        }
       }
+      add_cross(point.p, wrench.linear, wrench.angular);
+      add(wrench, motions.wrenches[point.link]);
     }
-    add_cross(point.p, wrench.linear, wrench.angular);
-    add(wrench, motions.wrenches[point.link]);
   }
 }
 
@@ -304,13 +306,16 @@ void find_errors(const Table& table, const Real* xdd_cmd, Rows& rows) noexcept {
 template <class Table, class Motions, class Rows, class Real = typename Table::Real>
 void add_row_forces(const Table& table, const Rows& rows, Motions& motions) noexcept {
   for (int r = 0; r < table.rows; ++r) {
-    Spatial<Real> wrench;
-    find_unit_force(table, rows, r, wrench);
-    for (int k = 0; k < 3; ++k) {
-      wrench.linear[k] = wrench.linear[k] * rows.errors[r];
-      wrench.angular[k] = wrench.angular[k] * rows.errors[r];
+    const int link = table.points[table.point_rows[r].point].link;
+    if (!is_on_world<Table>(link)) {
+      Spatial<Real> wrench;
+      find_unit_force(table, rows, r, wrench);
+      for (int k = 0; k < 3; ++k) {
+        wrench.linear[k] = wrench.linear[k] * rows.errors[r];
+        wrench.angular[k] = wrench.angular[k] * rows.errors[r];
+      }
+      add(wrench, motions.wrenches[link]);
     }
-    add(wrench, motions.wrenches[table.points[table.point_rows[r].point].link]);
   }
 }
 

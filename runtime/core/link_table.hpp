@@ -81,9 +81,10 @@ struct LinkCoupling {
 };
 
 /// A joint of three axes about one point, whose links are three: the first turns by the quaternion
-/// of the joint, the others only make its next axis the z axis.
+/// of the joint, the others only make its next axis the z axis. So do the six of a joint that moves
+/// freely: three slide along its axes, three turn about them, and the first is where the last is.
 struct LinkBall {
-  int16_t axis;      ///< which of them the link has: 1 to 3; 0: another joint
+  int16_t axis;      ///< which of them the link has: from 1 on; 0: another joint
   int16_t rotation;  ///< of the first: where its rotation is
   int16_t q;         ///< where the coordinates of a joint of any kind begin
 };
@@ -110,10 +111,12 @@ struct InputFrame {
 /// turn by multiples of these. `balls`: there are ball joints. `pushed`: external forces are an
 /// argument. `loaded`: inertial parameters of links depend on arguments. `sorted`: rows of points
 /// stand in the order of priority, which is not that of arguments and results. `stepped`: friction
-/// and springs may be those at the end of a step.
+/// and springs may be those at the end of a step. `grounded`: points are on the world.
+/// `freed`: joints beyond the base move freely.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
           bool coupled = false, bool own_sines = false, bool balls = false, bool pushed = false,
-          bool loaded = false, bool sorted = false, bool stepped = false>
+          bool loaded = false, bool sorted = false, bool stepped = false, bool grounded = false,
+          bool freed = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
@@ -127,6 +130,8 @@ struct LinkTable {
   static constexpr bool kLoaded = loaded;
   static constexpr bool kSorted = sorted;
   static constexpr bool kStepped = stepped;
+  static constexpr bool kGrounded = grounded;
+  static constexpr bool kFreed = freed;
 
   const Link<Real>* links;
   int count;
@@ -285,11 +290,34 @@ constexpr bool is_floating(int i) noexcept {
   }
 }
 
+/// Whether what has this number for its link is on the world.
+template <class Table>
+constexpr bool is_on_world(int link) noexcept {
+  if constexpr (Table::kGrounded) {
+    return link < 0;
+  } else {
+    static_cast<void>(link);
+    return false;
+  }
+}
+
 /// Whether the joint of link `i` is prismatic.
 template <class Table>
 constexpr bool slides(const Table& table, int i) noexcept {
   if constexpr (Table::kSliding) {
     return table.links[i].slides;
+  } else {
+    static_cast<void>(table);
+    static_cast<void>(i);
+    return false;
+  }
+}
+
+/// Whether link `i` is the first of a joint beyond the base that moves freely.
+template <class Table>
+constexpr bool is_freed(const Table& table, int i) noexcept {
+  if constexpr (Table::kFreed) {
+    return (ball_axis(table, i) == 1) && slides(table, i);
   } else {
     static_cast<void>(table);
     static_cast<void>(i);

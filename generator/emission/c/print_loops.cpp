@@ -192,7 +192,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
       {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty(),
        !table.couplings.empty(), table.own_sines, !table.balls.empty(),
        !table.pushed_points.empty(), !table.loaded_links.empty(), !table.row_entries.empty(),
-       std::any_of(programs.begin(), programs.end(), takes_step)},
+       std::any_of(programs.begin(), programs.end(), takes_step), table.grounded, table.freed},
       std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_table.h", cpp::templates::kLinkTable},

@@ -124,7 +124,8 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
       table_{{"Floats", table.floats},   {"Sliding", table.sliding}, {"Driven", table.driven},
              {"Rubbing", table.rubbing}, {"Coupled", table.coupled}, {"OwnSines", table.own_sines},
              {"Balls", table.balls},     {"Pushed", table.pushed},   {"Loaded", table.loaded},
-             {"Sorted", table.sorted},   {"Stepped", table.stepped}},
+             {"Sorted", table.sorted},   {"Stepped", table.stepped}, {"Grounded", table.grounded},
+             {"Freed", table.freed}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
                                                        {"Poses", "link_poses"},

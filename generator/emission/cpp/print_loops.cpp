@@ -41,7 +41,8 @@ std::string print_type(const LinkTableData& table, bool pushed, bool stepped) {
       join_to_last({kind(!table.drives.empty()), kind(!table.frictions.empty()),
                     kind(!table.couplings.empty()), kind(table.own_sines),
                     kind(!table.balls.empty()), kind(pushed), kind(!table.loaded_links.empty()),
-                    kind(!table.row_entries.empty()), kind(stepped)}));
+                    kind(!table.row_entries.empty()), kind(stepped), kind(table.grounded),
+                    kind(table.freed)}));
 }
 
 /// `kPointRows`, a constant of the robot.

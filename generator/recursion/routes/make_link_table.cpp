@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "functions/quantity.hpp"
-#include "recursion/tree/tree.hpp"
+#include "recursion/routes/split_free_joints.hpp"
 
 namespace treeline {
 
@@ -120,13 +120,14 @@ void add_drives(const Tree<double>& tree, LinkTableData& table) {
 }
 
 /// Whose coordinates the joints have, where some share one.
-void add_couplings(const Mechanism& mechanism, const Tree<double>& tree, LinkTableData& table) {
-  if (!tree.has_mimics) return;
-  for (const TreeLink<double>& link : tree.links) {
+void add_couplings(const Mechanism& mechanism, const SplitTree& split, LinkTableData& table) {
+  if (!split.tree.has_mimics) return;
+  for (const TreeLink<double>& link : split.tree.links) {
     const int joint = link.v_index - (table.floats && !link.is_floating() ? 5 : 0);
     const double multiplier = link.is_floating() ? 1 : link.multiplier;
     const auto& coordinate = mechanism.coordinates[static_cast<std::size_t>(link.q_index)];
     const bool own_sine = link.kind == JointKind::revolute && !link.spins &&
+                          split.axes[table.couplings.size()] == 0 &&
                           (std::abs(multiplier) != 1 || !coordinate.is_angle());
     table.couplings.push_back({static_cast<std::int16_t>(joint), multiplier, link.spins, own_sine});
     table.own_sines = table.own_sines || own_sine;
@@ -134,16 +135,15 @@ void add_couplings(const Mechanism& mechanism, const Tree<double>& tree, LinkTab
   }
 }
 
-/// Which links are axes of ball joints, where there are any.
-void add_balls(const Tree<double>& tree, LinkTableData& table) {
-  const auto is_of_ball = [](const auto& link) { return link.is_of_ball(); };
-  if (std::none_of(tree.links.begin(), tree.links.end(), is_of_ball)) return;
+/// Which links are axes of ball joints and of such that move freely, where there are any.
+void add_balls(const SplitTree& split, LinkTableData& table) {
+  const std::vector<int>& axes = split.axes;
+  if (std::all_of(axes.begin(), axes.end(), [](int axis) { return axis == 0; })) return;
   int rotations = table.floats ? 1 : 0;
-  for (const TreeLink<double>& link : tree.links) {
-    const int rotation = link.ball == BallAxis::x ? rotations++ : 0;
-    table.balls.push_back({static_cast<std::int16_t>(link.ball),
-                           static_cast<std::int16_t>(rotation),
-                           static_cast<std::int16_t>(link.q_index)});
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const int rotation = axes[i] == 1 ? rotations++ : 0;
+    table.balls.push_back({static_cast<std::int16_t>(axes[i]), static_cast<std::int16_t>(rotation),
+                           static_cast<std::int16_t>(split.tree.links[i].q_index)});
   }
   table.rotations = rotations;
 }
@@ -177,13 +177,14 @@ int place_among_loaded(int link, LinkTableData& table) {
 
 /// Bodies that an argument gives, but for those on links that do not move.
 void add_bodies(Quantity argument, const std::vector<MechanismInertia>& bodies,
-                LinkTableData& table) {
+                const std::vector<int>& places, LinkTableData& table) {
   LinkInput input{symbol_of(argument), LinkInput::Gives::bodies, {}};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const MechanismPoint& frame = bodies[i].frame;
     if (frame.link < 0) continue;
+    const int link = places[static_cast<std::size_t>(frame.link)];
     input.frames.push_back(
-        input_frame(frame, place_among_loaded(frame.link, table), kInertialParameters * i));
+        input_frame(frame, place_among_loaded(link, table), kInertialParameters * i));
   }
   if (!input.frames.empty()) table.inputs.push_back(std::move(input));
 }
@@ -206,8 +207,10 @@ void add_tools(const std::vector<MechanismTool>& tools, LinkTableData& table) {
 }  // namespace
 
 LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
-  const auto tree = constant_tree<double>(mechanism);
+  const SplitTree split = split_free_joints(mechanism);
+  const Tree<double>& tree = split.tree;
   LinkTableData table;
+  table.freed = split.freed;
   table.floats = tree.links.front().is_floating();
   table.gravity = mechanism.gravity;
   for (const TreeLink<double>& link : tree.links) {
@@ -217,18 +220,22 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   }
   number_slots(table);
   add_drives(tree, table);
-  add_couplings(mechanism, tree, table);
-  add_balls(tree, table);
+  add_couplings(mechanism, split, table);
+  add_balls(split, table);
   for (const TreePoint<double>& point : tree.external_forces) {
     table.pushed_points.push_back(table_point(point));
   }
-  add_bodies(Quantity::payload, mechanism.inputs.payloads, table);
-  add_bodies(Quantity::parameters, mechanism.inputs.parameters, table);
+  const auto is_on_world = [](const auto& point) { return point.link < 0; };
+  const auto& pushed = table.pushed_points;
+  table.grounded = std::any_of(pushed.begin(), pushed.end(), is_on_world);
+  add_bodies(Quantity::payload, mechanism.inputs.payloads, split.places, table);
+  add_bodies(Quantity::parameters, mechanism.inputs.parameters, split.places, table);
   if (!with_points) return table;
   add_tools(mechanism.inputs.tools, table);
   for (const TreePoint<double>& point : tree.operational_points) {
     append_rows(point, static_cast<std::int16_t>(table.points.size()), table);
     table.points.push_back(table_point(point));
+    table.grounded = table.grounded || is_on_world(point);
   }
   sort_rows(tree, table);
   return table;

@@ -43,28 +43,9 @@ const LoopForm* find_form(Function function) {
 }
 
 /// What of a link the table has no place for; empty: nothing.
-std::string find_obstacle(const MovingLink& link, bool is_first) {
-  const auto says = [&](const char* what) {
-    return fmt::format("joint `{}` {}", link.joint, what);
-  };
-  return link.is_floating() && !is_first ? says("is floating, and not the base") : std::string();
-}
-
-std::string find_obstacle(const Mechanism& mechanism, const LoopForm& form) {
+std::string find_obstacle(const Mechanism& mechanism) {
   if (!mechanism.inputs.base.empty()) return "base parameters as an argument";
   if (mechanism.links.empty()) return "a robot without joints";
-  for (const MovingLink& link : mechanism.links) {
-    const bool is_first = &link == &mechanism.links.front();
-    const std::string found = find_obstacle(link, is_first);
-    if (!found.empty()) return found;
-  }
-  for (const MechanismPoint& point : mechanism.external_forces) {
-    if (point.link < 0) return fmt::format("external force `{}` on the world", point.name);
-  }
-  if (!form.rows) return {};
-  for (const MechanismPoint& point : mechanism.operational_points) {
-    if (point.link < 0) return fmt::format("point `{}` is fixed to the world", point.name);
-  }
   return {};
 }
 
@@ -92,7 +73,7 @@ void take_floors(const Tree<double>& tree, LinkLoops& plan, const TaskLaw* law) 
   plan.power = kPowerOfPriorities;
   for (std::size_t r = 0; r < plan.table.rows.size(); ++r) {
     const loops::PointRow& row = plan.table.rows[r];
-    const int link = plan.table.points[static_cast<std::size_t>(row.point)].link;
+    const int link = tree.operational_points[static_cast<std::size_t>(row.point)].link;
     const double floor = law == nullptr ? 0 : law->rule.borders[entry_of(plan.table, r)];
     plan.yields.push_back(may_move(tree, link, row.angular) ? floor : kLargest);
   }
@@ -144,7 +125,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
                         bool given_sines) {
   const LoopForm* const form = find_form(function);
   if (form == nullptr) return {};
-  if (auto obstacle = find_obstacle(mechanism, *form); !obstacle.empty()) {
+  if (auto obstacle = find_obstacle(mechanism); !obstacle.empty()) {
     return {std::nullopt, std::move(obstacle)};
   }
   Program program;
