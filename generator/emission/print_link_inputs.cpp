@@ -13,6 +13,8 @@ const char* function_of(const LinkInput& input) {
   switch (input.gives) {
     case LinkInput::Gives::bodies:
       return "add_bodies";
+    case LinkInput::Gives::parts_of_bodies:
+      return "add_parts_of_bodies";
     case LinkInput::Gives::origins:
       return "move_points";
     case LinkInput::Gives::axes:
@@ -42,7 +44,8 @@ std::string print_rotors(const LoopNames& names) {
 }  // namespace
 
 bool is_of_links(const LinkInput& input) {
-  return input.gives == LinkInput::Gives::bodies;
+  return input.gives == LinkInput::Gives::bodies ||
+         input.gives == LinkInput::Gives::parts_of_bodies;
 }
 
 bool moves_points(const LinkTableData& table) {
@@ -51,6 +54,10 @@ bool moves_points(const LinkTableData& table) {
 
 std::string frames_name(const LinkInput& input) {
   return input.argument + "_frames";
+}
+
+std::string entries_name(const LinkInput& input) {
+  return input.argument + "_entries";
 }
 
 std::string print_members(const LinkLoops& loops, const LoopNames& names, const std::string& type,
@@ -113,10 +120,14 @@ std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {
   }
   for (const LinkInput& input : table.inputs) {
     const bool of_links = is_of_links(input);
-    text +=
-        call(names.function(function_of(input)),
-             fmt::format("{}, {}, {}, {}", names.constant(frames_name(input)), input.frames.size(),
-                         names.array(input.argument), names.array(of_links ? "bodies" : "points")));
+    const std::string entries =
+        input.entries.empty()
+            ? std::string()
+            : fmt::format("{}, {}, ", names.constant(entries_name(input)), input.entries.size());
+    text += call(names.function(function_of(input)),
+                 fmt::format("{}, {}, {}{}, {}", names.constant(frames_name(input)),
+                             input.frames.size(), entries, names.array(input.argument),
+                             names.array(of_links ? "bodies" : "points")));
   }
   return text;
 }

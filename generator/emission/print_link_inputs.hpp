@@ -37,4 +37,7 @@ bool moves_points(const LinkTableData& table);
 /// `payload_frames`, the constants of an input.
 std::string frames_name(const LinkInput& input);
 
+/// `base_parameters_entries`, where it gives parts of bodies.
+std::string entries_name(const LinkInput& input);
+
 }  // namespace treeline

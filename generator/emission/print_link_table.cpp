@@ -154,6 +154,9 @@ std::vector<LinkArray> list_arrays(const LinkTableText& table) {
     (is_of_links(input) ? of_links : of_points)
         .push_back(
             {"InputFrame", Of::numbers, frames_name(input), input.frames.size(), table.frames[i]});
+    if (input.entries.empty()) continue;
+    of_links.push_back({"int16_t", Of::built_in, entries_name(input), input.entries.size(),
+                        wrap_line(fmt::format("{}", fmt::join(input.entries, ", ")), 4)});
   }
   std::vector<LinkArray> arrays;
   if (!table.shares) arrays = std::move(of_links);

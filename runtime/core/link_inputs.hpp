@@ -61,28 +61,50 @@ void add_distance(const InputFrame<Real>& frame, const Real& mass, const Real (&
   }
 }
 
-/// Adds bodies that an argument gives: of each m, m c, Ixx, Ixy, Iyy, Ixz, Iyz, Izz in its frame.
+/// Adds a body: m, m c, Ixx, Ixy, Iyy, Ixz, Iyz, Izz in its frame.
+template <class Real>
+void add_body(const InputFrame<Real>& frame, const Real* given, LinkBody<Real>& body) noexcept {
+  const Real mass = given[0];
+  Real h[3];
+  for (int k = 0; k < 3; ++k) {
+    h[k] = given[k + 1];
+  }
+  Real J[9] = {given[4], given[5], given[7], given[5], given[6],
+               given[8], given[7], given[8], given[9]};
+  turn_by(frame.R, h);
+  add_turned(frame, J, body.J);
+  add_distance(frame, mass, h, body.J);
+  for (int k = 0; k < 3; ++k) {
+    body.h[k] = body.h[k] + h[k] + (mass * frame.p[k]);
+  }
+  body.mass = body.mass + mass;
+}
+
+/// Adds bodies that an argument gives.
 template <class Real>
 void add_bodies(const InputFrame<Real>* frames, int count, const Real* argument,
                 LinkBody<Real>* bodies) noexcept {
   for (int i = 0; i < count; ++i) {
-    const InputFrame<Real>& frame = frames[i];
-    const Real* const given = &argument[frame.at];
-    LinkBody<Real>& body = bodies[frame.of];
-    const Real mass = given[0];
-    Real h[3];
-    for (int k = 0; k < 3; ++k) {
-      h[k] = given[k + 1];
+    add_body(frames[i], &argument[frames[i].at], bodies[frames[i].of]);
+  }
+}
+
+/// Adds bodies of which an argument of `size` numbers gives some of the ten, as `entries` say, each
+/// from that of its frame to the next body's. The others are 0.
+template <class Real>
+void add_parts_of_bodies(const InputFrame<Real>* frames, int count, const int16_t* entries,
+                         int size, const Real* argument, LinkBody<Real>* bodies) noexcept {
+  int end = size;
+  for (int i = count - 1; i >= 0; --i) {
+    Real given[10];
+    for (int k = 0; k < 10; ++k) {
+      given[k] = Real(0.0);
     }
-    Real J[9] = {given[4], given[5], given[7], given[5], given[6],
-                 given[8], given[7], given[8], given[9]};
-    turn_by(frame.R, h);
-    add_turned(frame, J, body.J);
-    add_distance(frame, mass, h, body.J);
-    for (int k = 0; k < 3; ++k) {
-      body.h[k] = body.h[k] + h[k] + (mass * frame.p[k]);
+    for (int k = frames[i].at; k < end; ++k) {
+      given[entries[k]] = argument[k];
     }
-    body.mass = body.mass + mass;
+    add_body(frames[i], &given[0], bodies[frames[i].of]);
+    end = frames[i].at;
   }
 }
 

@@ -47,6 +47,17 @@ TEST(LinkLoopsCheck, PayloadsParametersToolsAndGravityAsArguments) {
   expect_safe(with_inputs(load_unmade("humanoid24", "scene_floating.yaml")), Real::float32);
 }
 
+// Of most links an argument gives some of the ten inertial parameters, of some none.
+TEST(LinkLoopsCheck, BaseParametersAsAnArgument) {
+  auto subjects = load_unmade("samm", "scene.yaml");
+  subjects.scene.inputs.base_parameters = true;
+  expect_right(subjects, Real::float64, all_with_form());
+  auto humanoid = load_unmade("humanoid24", "scene_floating.yaml");
+  humanoid.scene.inputs.base_parameters = true;
+  humanoid.scene.inputs.payloads.push_back({humanoid.scene.operational_points.front().link});
+  expect_safe(humanoid, Real::float64);
+}
+
 // At points with axes of the world and of their links, on bases that are fixed and that float.
 TEST(LinkLoopsCheck, ExternalForces) {
   auto subjects = load_unmade("samm", "scene.yaml");

@@ -197,7 +197,8 @@ TEST(LinkLoopsCheck, WhatTheTableCannotSayStaysAsLines) {
   subjects.scene.damped.reset();
   subjects.scene.functions = {Function::inverse_dynamics, Function::kinetic_energy};
   subjects.scene.inputs.base_parameters = true;
-  expect_lines(subjects, "base parameters");
+  subjects.scene.regressor.rotors = true;
+  expect_lines(subjects, "base parameters of rotors");
 }
 
 TEST(LinkLoopsCheck, SmallFunctionsStayAsLines) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "functions/quantity.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 #include "recursion/routes/split_free_joints.hpp"
 
 namespace treeline {
@@ -189,6 +190,26 @@ void add_bodies(Quantity argument, const std::vector<MechanismInertia>& bodies,
   if (!input.frames.empty()) table.inputs.push_back(std::move(input));
 }
 
+/// Bodies of which an argument gives the base parameters.
+void add_base_bodies(const Mechanism& mechanism, const std::vector<int>& places,
+                     LinkTableData& table) {
+  if (mechanism.inputs.base.empty()) return;
+  LinkInput input{symbol_of(Quantity::base_parameters), LinkInput::Gives::parts_of_bodies, {}};
+  const auto found = base_parameters_of(mechanism);
+  std::size_t last = mechanism.inputs.base.size();
+  for (const BaseParameter& base : found->base) {
+    const ModelParameter& parameter = found->parameters[base.parameter];
+    if (parameter.frame != std::exchange(last, parameter.frame)) {
+      const MechanismPoint& frame = mechanism.inputs.base[parameter.frame].frame;
+      const int link = places[static_cast<std::size_t>(frame.link)];
+      input.frames.push_back(
+          input_frame(frame, place_among_loaded(link, table), input.entries.size()));
+    }
+    input.entries.push_back(static_cast<std::int16_t>(parameter.entry));
+  }
+  if (!input.frames.empty()) table.inputs.push_back(std::move(input));
+}
+
 /// Origins and axes of points that arguments give.
 void add_tools(const std::vector<MechanismTool>& tools, LinkTableData& table) {
   LinkInput origins{symbol_of(Quantity::tool), LinkInput::Gives::origins, {}};
@@ -230,6 +251,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   table.grounded = std::any_of(pushed.begin(), pushed.end(), is_on_world);
   add_bodies(Quantity::payload, mechanism.inputs.payloads, split.places, table);
   add_bodies(Quantity::parameters, mechanism.inputs.parameters, split.places, table);
+  add_base_bodies(mechanism, split.places, table);
   if (!with_points) return table;
   add_tools(mechanism.inputs.tools, table);
   for (const TreePoint<double>& point : tree.operational_points) {

@@ -67,6 +67,10 @@ class LiftedTable {
     switch (input.gives) {
       case LinkInput::Gives::bodies:
         return loops::add_bodies(frames.data(), count, given.data(), bodies_.data());
+      case LinkInput::Gives::parts_of_bodies:
+        return loops::add_parts_of_bodies(frames.data(), count, input.entries.data(),
+                                          static_cast<int>(input.entries.size()), given.data(),
+                                          bodies_.data());
       case LinkInput::Gives::origins:
         return loops::move_points(frames.data(), count, given.data(), points_.data());
       case LinkInput::Gives::axes:

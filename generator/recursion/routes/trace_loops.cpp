@@ -8,6 +8,7 @@
 #include "program/link_loops.hpp"
 #include "recursion/methods/prioritized_task_force.hpp"
 #include "recursion/methods/task_law.hpp"
+#include "recursion/parameters/base_parameters.hpp"
 #include "recursion/routes/make_link_table.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/run_loops.hpp"
@@ -43,8 +44,16 @@ const LoopForm* find_form(Function function) {
 }
 
 /// What of a link the table has no place for; empty: nothing.
+/// Whether what an argument gives is not of bodies alone.
+bool takes_drives(const Mechanism& mechanism) {
+  if (mechanism.inputs.base.empty()) return false;
+  const auto& parameters = base_parameters_of(mechanism)->parameters;
+  return !std::all_of(parameters.begin(), parameters.end(),
+                      [](const ModelParameter& each) { return each.is_of_body(); });
+}
+
 std::string find_obstacle(const Mechanism& mechanism) {
-  if (!mechanism.inputs.base.empty()) return "base parameters as an argument";
+  if (takes_drives(mechanism)) return "base parameters of rotors or friction as an argument";
   if (mechanism.links.empty()) return "a robot without joints";
   return {};
 }
