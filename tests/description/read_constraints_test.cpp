@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "description/read_scene.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -170,6 +171,11 @@ struct Fault {
   const char* fault;
   const char* remedy;
 };
+
+// Names of tests have no quotation marks.
+void PrintTo(const Fault& tested, std::ostream* out) {
+  for (const char* c = tested.fault; *c != '\0'; ++c) *out << (*c == '"' ? '`' : *c);
+}
 
 class ConstraintFaults : public testing::TestWithParam<Fault> {};
 

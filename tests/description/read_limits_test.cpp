@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "description/read_scene.hpp"
 #include "scene_robot.hpp"
@@ -72,6 +73,11 @@ struct Fault {
   const char* fault;
   const char* remedy;
 };
+
+// Names of tests have no quotation marks.
+void PrintTo(const Fault& tested, std::ostream* out) {
+  for (const char* c = tested.fault; *c != '\0'; ++c) *out << (*c == '"' ? '`' : *c);
+}
 
 class LimitFaults : public testing::TestWithParam<Fault> {};
 

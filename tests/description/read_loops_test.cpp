@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <ostream>
 #include <string>
 
 #include "description/read_urdf.hpp"
@@ -40,6 +41,10 @@ struct LoopCase {
   const char* axis;
   const char* held;  ///< of x y z rx ry rz
 };
+
+void PrintTo(const LoopCase& tested, std::ostream* out) {
+  *out << tested.type << " " << tested.axis;
+}
 
 class LoopsAlongCoordinates : public testing::TestWithParam<LoopCase> {};
 

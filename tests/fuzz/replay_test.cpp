@@ -26,6 +26,10 @@ struct Target {
   std::string (*mutate)(std::string, Random&);
 };
 
+void PrintTo(const Target& target, std::ostream* out) {
+  *out << target.name;
+}
+
 std::string mutate_either(std::string text, Random& random) {
   return mutate_both(text, random);
 }

@@ -7,6 +7,7 @@
 #include "recursion/function_results.hpp"
 #include "recursion/methods/forward_dynamics_derivatives.hpp"
 #include "recursion/routes/trace_function.hpp"
+#include "recursion/seeded.hpp"
 
 // Derivatives of inverse and forward dynamics, compared with central differences of the interpreter
 // in 50 digits for the robot as written in the files. Would catch: a wrong term of the recursion
@@ -20,11 +21,11 @@ namespace {
 
 using interpreter::DynamicsDerivatives;
 
-std::vector<std::pair<std::uint64_t, RandomOptions>> derivatives_robots() {
-  std::vector<std::pair<std::uint64_t, RandomOptions>> all;
+std::vector<Seeded> derivatives_robots() {
+  std::vector<Seeded> all;
   const auto add = [&](RandomOptions options, int seeds) {
     options.external_forces = 2;
-    for (int i = 0; i < seeds; ++i) all.emplace_back(700 + all.size(), options);
+    for (int i = 0; i < seeds; ++i) all.push_back({700 + all.size(), options});
   };
   add({.joints = 1}, 3);
   add({.joints = 8, .branching = 0}, 3);
@@ -38,14 +39,14 @@ std::vector<std::pair<std::uint64_t, RandomOptions>> derivatives_robots() {
   return all;
 }
 
-class Derivatives : public testing::TestWithParam<std::pair<std::uint64_t, RandomOptions>> {
+class Derivatives : public testing::TestWithParam<Seeded> {
  protected:
   Derivatives()
-      : made_(random_mechanism(GetParam().first, GetParam().second)),
+      : made_(random_mechanism(GetParam().seed, GetParam().options)),
         mechanism_(reduced_mechanism(made_.robot, made_.scene)),
         model_(model_from_robot<Digits50>(made_.robot, made_.scene)),
         forces_(points_from_scene(model_, made_.scene.external_forces)) {
-    Rng rng(GetParam().first + 7);
+    Rng rng(GetParam().seed + 7);
     const Oracle<Digits50> oracle(made_.robot, made_.scene);
     in_ = oracle.random_inputs(rng, 2);
     q_ = vector(in_.q), qd_ = vector(in_.qd), qdd_ = vector(in_.qdd);

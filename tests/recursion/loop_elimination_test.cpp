@@ -216,6 +216,10 @@ struct EliminatedTask {
   const char* points;
 };
 
+void PrintTo(const EliminatedTask& tested, std::ostream* out) {
+  *out << tested.points;
+}
+
 /// Torques of motors for a task, which need not be that of closed poses.
 class EliminatedTorque : public testing::TestWithParam<EliminatedTask> {};
 

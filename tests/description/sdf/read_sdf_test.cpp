@@ -231,6 +231,10 @@ struct BadSdf {
   Severity severity;  ///< of the worst
 };
 
+void PrintTo(const BadSdf& tested, std::ostream* out) {
+  *out << tested.name;
+}
+
 std::string model(const std::string& elements) {
   return "<sdf version='1.9'><model name='m'>" + elements + "</model></sdf>";
 }
