@@ -173,9 +173,10 @@ TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
   c::LoopTranslator translator(arm(), {}, false);
   constexpr std::string_view kFunction = ") noexcept {\n";
   for (const std::string_view header :
-       {cpp::templates::kLinkTable, cpp::templates::kLinkPose, cpp::templates::kLinkFactors,
-        cpp::templates::kLinkFriction, cpp::templates::kLinkMotion, cpp::templates::kLinkInertia,
-        cpp::templates::kLinkRows, cpp::templates::kLinkFunctions, cpp::templates::kLinkInputs}) {
+       {cpp::templates::kLinkVectors, cpp::templates::kLinkTable, cpp::templates::kLinkPose,
+        cpp::templates::kLinkFactors, cpp::templates::kLinkFriction, cpp::templates::kLinkMotion,
+        cpp::templates::kLinkInertia, cpp::templates::kLinkRows, cpp::templates::kLinkFunctions,
+        cpp::templates::kLinkInputs}) {
     int expected = 0;
     int found = 0;
     for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;

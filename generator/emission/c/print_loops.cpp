@@ -195,6 +195,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
        std::any_of(programs.begin(), programs.end(), takes_step), table.grounded, table.freed},
       std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
+      {"link_vectors.h", cpp::templates::kLinkVectors},
       {"link_table.h", cpp::templates::kLinkTable},
       {"link_pose.h", cpp::templates::kLinkPose},
       {"link_factors.h", cpp::templates::kLinkFactors},
@@ -210,7 +211,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   std::vector<GeneratedFile> files;
   for (const auto& [name, header] : headers) {
     std::string text = print_opening(header);
-    if (files.empty()) text += print_sizes(context, table, ranked) + "\n";
+    if (header == cpp::templates::kLinkTable) text += print_sizes(context, table, ranked) + "\n";
     for (const LoopItem& item : parse_loops(header)) {
       const std::string translated = translator.translate(item);
       if (!translated.empty()) text += translated + "\n";

@@ -60,7 +60,8 @@ std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context,
       {"link_motion.hpp", templates::kLinkMotion},
       {"link_pose.hpp", templates::kLinkPose},
       {"link_rows.hpp", templates::kLinkRows},
-      {"link_table.hpp", templates::kLinkTable}};
+      {"link_table.hpp", templates::kLinkTable},
+      {"link_vectors.hpp", templates::kLinkVectors}};
   std::vector<GeneratedFile> files;
   for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
   if (has_inputs(programs)) {

@@ -49,6 +49,7 @@ extern const std::string_view kLinkMotion;
 extern const std::string_view kLinkPose;
 extern const std::string_view kLinkRows;
 extern const std::string_view kLinkTable;
+extern const std::string_view kLinkVectors;
 extern const std::string_view kLinks;
 extern const std::string_view kLoadLanes;
 extern const std::string_view kLoopFunction;
