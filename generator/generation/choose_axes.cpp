@@ -253,12 +253,13 @@ int count_cheapest(const Mechanism& mechanism, Function function) {
   return least;
 }
 
-void choose_axes(Mechanism& mechanism, Function decider) {
+void choose_axes(Mechanism& mechanism, Function frame_cost) {
   constexpr std::size_t kFew = 64;  // as humanoids have
   std::vector<bool MovingLink::*> choices{&MovingLink::defers_rotation};
-  if (info_of(decider).columns == Columns::carried) choices.push_back(&MovingLink::carries_column);
+  if (info_of(frame_cost).columns == Columns::carried)
+    choices.push_back(&MovingLink::carries_column);
   const std::vector<Links> together = corresponding_links(mechanism);
-  Counter counter(mechanism, decider);
+  Counter counter(mechanism, frame_cost);
   std::vector<Flip> flips;
   for (const Links& links : together) {
     if (!link_at(mechanism, links.front()).has_one_coordinate()) continue;

@@ -74,7 +74,7 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   const FrameCost& frames = info_of(function).frames;
   if (frames.of_files) return in_frames_of_files(needs);
   if (frames.count == 0) return reduced(needs);
-  if (frames.count == 1) return decided(needs, *frames.begin());
+  if (frames.count == 1) return with_axes_of(needs, *frames.begin());
   // What forward dynamics derives is for the most part what inverse dynamics does.
   const Function counted =
       is_derivative(function) ? Function::inverse_dynamics_derivatives : function;
@@ -83,8 +83,8 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   if (cheapest != cheapest_.end()) return *cheapest->second;
   const Mechanism* best = nullptr;
   int least = std::numeric_limits<int>::max();
-  for (const Function decider : frames) {
-    const Mechanism& mechanism = decided(needs, decider);
+  for (const Function frame_cost : frames) {
+    const Mechanism& mechanism = with_axes_of(needs, frame_cost);
     const int flops = count_cheapest(mechanism, counted);
     if (flops < least) {
       least = flops;
@@ -95,12 +95,12 @@ const Mechanism& FunctionMechanisms::of(Function function) {
   return *best;
 }
 
-const Mechanism& FunctionMechanisms::decided(unsigned needs, Function decider) {
-  const std::pair key{needs, decider};
-  const auto chosen = by_decider_.find(key);
-  if (chosen != by_decider_.end()) return chosen->second;
-  Mechanism& mechanism = by_decider_.emplace(key, reduced(needs)).first->second;
-  choose_axes(mechanism, decider);
+const Mechanism& FunctionMechanisms::with_axes_of(unsigned needs, Function frame_cost) {
+  const std::pair key{needs, frame_cost};
+  const auto chosen = by_frame_cost_.find(key);
+  if (chosen != by_frame_cost_.end()) return chosen->second;
+  Mechanism& mechanism = by_frame_cost_.emplace(key, reduced(needs)).first->second;
+  choose_axes(mechanism, frame_cost);
   return mechanism;
 }
 

@@ -30,8 +30,8 @@ class FunctionMechanisms {
   const Mechanism& reduced(unsigned needs);
   /// The mechanism with the links' frames of the URDF.
   const Mechanism& in_frames_of_files(unsigned needs);
-  /// The reduced mechanism with axes chosen by the frame cost function `decider`.
-  const Mechanism& decided(unsigned needs, Function decider);
+  /// The reduced mechanism with axes chosen by the frame cost function `frame_cost`.
+  const Mechanism& with_axes_of(unsigned needs, Function frame_cost);
 
   const Robot& robot_;
   const Scene& scene_;
@@ -39,7 +39,7 @@ class FunctionMechanisms {
   unsigned in_scene_ = 0;
   std::shared_ptr<BaseParameterMemo> base_parameters_;  ///< of the whole scene, if it needs them
   std::map<unsigned, Mechanism> by_needs_, in_frames_of_files_;
-  std::map<std::pair<unsigned, Function>, Mechanism> by_decider_;
+  std::map<std::pair<unsigned, Function>, Mechanism> by_frame_cost_;
   std::map<std::pair<unsigned, Function>, const Mechanism*> cheapest_;  // of several frame costs
 };
 
