@@ -121,7 +121,7 @@ LawSizes find_law_sizes(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
 Eigen::MatrixXd find_priority_steps(const interpreter::Points<double>& points,
                                     const Eigen::MatrixXd& Lambda_inverse,
                                     const Eigen::VectorXd& terms, double unit) {
-  // All entries change at once, each by less than a rounding: more than that never meets.
+  // All entries change at once, which their errors hardly do: hence by less than a rounding each.
   const long double reach = unit / 8;
   constexpr double kSafety = 4;
   const LongMatrix exact = Lambda_inverse.cast<long double>();

@@ -15,8 +15,6 @@ namespace {
 namespace robot = humanoid24_push;
 using Robot = servo::RobotOnGround<HumanoidOnSoles>;
 using Limits = servo::SafetyLimits<robot::kCoordinates, robot::kVelocities>;
-constexpr int kRates = robot::kVelocities;
-constexpr int kHeldRows = PushController::kHeldRows;
 
 constexpr double kDuration = 23.0;  ///< s
 /// A push on the chest.
