@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "emission/c/keep_called.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c/translate_loops.hpp"
@@ -81,6 +82,16 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
   names.table = "&table";
   return print_link_inputs(loops, names) +
          print_members(loops, names, prefix + "link_table", text.gravity, true);
+}
+
+/// What uses the loops: the functions' bodies and the robot's tables.
+std::string print_callers(const EmissionContext& context, std::span<const Program> programs) {
+  std::string text;
+  for (const Program& program : programs) {
+    if (program.loops) text += print_loop_body(context, program);
+  }
+  for (const GeneratedFile& file : print_loops(context, programs)) text += file.text;
+  return text;
 }
 
 bool takes_step(const Program& program) {
@@ -208,16 +219,21 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   const bool ranked = std::any_of(programs.begin(), programs.end(), [](const Program& program) {
     return program.loops && is_ranked(*program.loops);
   });
-  std::vector<GeneratedFile> files;
+  std::vector<LoopHeader> translated;
   for (const auto& [name, header] : headers) {
-    std::string text = print_opening(header);
-    if (header == cpp::templates::kLinkTable) text += print_sizes(context, table, ranked) + "\n";
-    for (const LoopItem& item : parse_loops(header)) {
-      const std::string translated = translator.translate(item);
-      if (!translated.empty()) text += translated + "\n";
+    LoopHeader& next = translated.emplace_back(LoopHeader{name, print_opening(header), {}});
+    if (header == cpp::templates::kLinkTable) {
+      next.opening += print_sizes(context, table, ranked) + "\n";
     }
-    text.pop_back();
-    files.push_back({name, text});
+    for (const LoopItem& item : parse_loops(header))
+      next.items.push_back(translator.translate(item));
+    std::erase(next.items, "");
+  }
+  keep_called(print_callers(context, programs), translated);
+  std::vector<GeneratedFile> files;
+  for (const LoopHeader& header : translated) {
+    files.push_back(
+        {header.name, header.opening + fmt::format("{}", fmt::join(header.items, "\n"))});
   }
   return files;
 }
