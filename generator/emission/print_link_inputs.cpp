@@ -12,9 +12,7 @@ namespace {
 const char* function_of(const LinkInput& input) {
   switch (input.gives) {
     case LinkInput::Gives::bodies:
-      return "add_bodies";
-    case LinkInput::Gives::parts_of_bodies:
-      return "add_parts_of_bodies";
+      return input.entries.empty() ? "add_bodies" : "add_parts_of_bodies";
     case LinkInput::Gives::origins:
       return "move_points";
     case LinkInput::Gives::axes:
@@ -44,8 +42,7 @@ std::string print_rotors(const LoopNames& names) {
 }  // namespace
 
 bool is_of_links(const LinkInput& input) {
-  return input.gives == LinkInput::Gives::bodies ||
-         input.gives == LinkInput::Gives::parts_of_bodies;
+  return input.gives == LinkInput::Gives::bodies;
 }
 
 bool moves_points(const LinkTableData& table) {

@@ -45,19 +45,6 @@ LongMatrix neighbour(const LongMatrix& A, const Eigen::VectorXd& terms, long dou
   return changed;
 }
 
-/// The largest change of an entry, relative to the roots of the sizes of its row and column.
-double largest_change(const LongMatrix& one, const LongMatrix& other, const Eigen::VectorXd& root) {
-  const Eigen::MatrixXd change = (other - one).cast<double>().cwiseAbs();
-  double largest = 0;
-  for (Eigen::Index row = 0; row < change.rows(); ++row) {
-    for (Eigen::Index column = 0; column < change.cols(); ++column) {
-      const double size = root(row) * root(column);
-      if (size > 0) largest = std::max(largest, change(row, column) / size);
-    }
-  }
-  return largest;
-}
-
 /// The forces along the rows, per acceleration that the rows lack, of tasks in strict priority.
 LongMatrix priority_forces(const interpreter::Points<long double>& points, const LongMatrix& A,
                            const interpreter::Vector<long double>& borders) {
@@ -93,8 +80,13 @@ LawSizes probe(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
   for (int i = 0; i < kProbes; ++i) {
     const LongMatrix other = interpreter::bordered_inverse<long double>(
         neighbour(exact, terms, reach, random), long_law);
-    condition =
-        std::max(condition, largest_change(Lambda, other, root) / static_cast<double>(reach));
+    const Eigen::MatrixXd change = ((other - Lambda) / reach).cast<double>().cwiseAbs();
+    for (Eigen::Index row = 0; row < A.rows(); ++row) {
+      for (Eigen::Index column = 0; column < A.cols(); ++column) {
+        const double size = root(row) * root(column);
+        if (size > 0) condition = std::max(condition, change(row, column) / size);
+      }
+    }
   }
   return {condition, root * root.transpose()};
 }

@@ -63,7 +63,7 @@ void ReferenceMaker::complete(std::size_t i, const State& state,
                               FunctionReference& estimated) const {
   const std::size_t like = shares_reference(i) ? i - plain_ : i;
   const SubjectAt subject(space_.subject, state);
-  const ResultSizes sizes(*subject, state, unit_of(real_));
+  const ResultSizes sizes(*subject, state);
   FunctionReference made = interpret_at(like, state, sizes, Digits::fifty);
   made.graph = std::move(estimated.graph);
   made.computed_angles = estimated.computed_angles;
@@ -83,7 +83,7 @@ bool ReferenceMaker::shares_reference(std::size_t i) const {
 StateReference ReferenceMaker::make(State state, Digits digits) const {
   StateReference made{std::move(state), {}};
   const SubjectAt subject(space_.subject, made.state);
-  const ResultSizes sizes(*subject, made.state, unit_of(real_));
+  const ResultSizes sizes(*subject, made.state);
   for (std::size_t i = 0; i < functions_.size(); ++i) {
     made.functions.push_back(shares_reference(i) ? made.functions[i - plain_]
                                                  : interpret_at(i, made.state, sizes, digits));
@@ -149,7 +149,7 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   }
   split(interpret<Digits50>(function, *SubjectAt(exact_, state), state, law), reference);
   reference.size = sizes.sizes(function, reference.high, size_law, relaxed);
-  reference.border_steps = sizes.border_steps(function);
+  reference.border_steps = sizes.border_steps(function, unit_of(real_));
   reference.interpreter_error = error_in_ulp(in_real, reference, unit_of(real_));
   return reference;
 }

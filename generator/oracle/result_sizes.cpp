@@ -41,7 +41,7 @@ Eigen::MatrixXd with_relaxed_rows(const interpreter::Points<double>& points,
 
 }  // namespace
 
-ResultSizes::ResultSizes(const Subject<double>& subject, const State& state, double unit)
+ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
     : subject_(subject), state_(state), terms_(subject, state.q), at_rest_(state.qd.size(), 0) {
   const Eigen::VectorXd q = vector_of<double>(state.q);
   const Eigen::MatrixXd M = interpreter::mass_matrix<double>(subject.model, q);
@@ -75,14 +75,17 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state, dou
   const Eigen::VectorXd scale = lambda_inverse().diagonal() + (relaxed - Lambda_inverse).diagonal();
   control_condition_ = scaled_condition(relaxed, scale);
   control_Lambda_ = inverse_of_symmetric(relaxed).cwiseAbs();
-  priority_steps_ =
-      find_priority_steps(subject.points, Lambda_inverse, lambda_inverse().diagonal(), unit);
 }
 
-double ResultSizes::border_steps(Function function) const {
-  if (function != Function::control_torque || priority_steps_.size() == 0) return 0;
+double ResultSizes::border_steps(Function function, double unit) const {
+  if (function != Function::control_torque || Lambda_inverse_.size() == 0 ||
+      !interpreter::has_priorities(subject_.points)) {
+    return 0;
+  }
   const Eigen::VectorXd sizes = control_torque(control_Lambda_);
-  const Eigen::VectorXd steps = control_torque(control_Lambda_ + priority_steps_) - sizes;
+  const Eigen::MatrixXd of_forces =
+      find_priority_steps(subject_.points, Lambda_inverse_, lambda_inverse().diagonal(), unit);
+  const Eigen::VectorXd steps = control_torque(control_Lambda_ + of_forces) - sizes;
   double largest = 0;
   for (Eigen::Index i = 0; i < sizes.size(); ++i) {
     if (sizes(i) > 0) largest = std::max(largest, steps(i) / sizes(i));

@@ -17,7 +17,7 @@ namespace treeline {
 /// Scales of the results of all functions at one state, from the sizes of their terms.
 class ResultSizes {
  public:
-  ResultSizes(const Subject<double>& subject, const State& state, double unit);
+  ResultSizes(const Subject<double>& subject, const State& state);
 
   /// Properties of the solve with rows that are relaxed by `law`. Nothing for functions without
   /// such a solve.
@@ -29,9 +29,9 @@ class ResultSizes {
       Function function, const std::vector<double>& result,
       const interpreter::TaskLaw<double>& law = {},
       const std::optional<LawSizes>& relaxed = std::nullopt) const;
-  /// What rounding may change where it carries rows in the order of priority across their borders,
-  /// in ulp of the scale.
-  [[nodiscard]] double border_steps(Function function) const;
+  /// What rounding by `unit` may change where it carries rows in the order of priority across their
+  /// borders, in ulp of the scale.
+  [[nodiscard]] double border_steps(Function function, double unit) const;
   /// Condition numbers of the matrices that the function solves with; 1 where there is none.
   [[nodiscard]] Conditions conditions(Function function,
                                       const std::optional<LawSizes>& relaxed = std::nullopt) const;
@@ -65,7 +65,6 @@ class ResultSizes {
   std::vector<double> at_rest_;  ///< zeros, a joint velocity each
   /// Magnitudes of the entries. The last one is Lambda after tasks of strict priority.
   Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
-  Eigen::MatrixXd priority_steps_;      ///< see `find_priority_steps`; empty without priorities
   Eigen::MatrixXd Lambda_inverse_;      ///< the matrix itself; empty if M has no inverse
   std::optional<ObjectSizes> objects_;  ///< only if the scene has objects
   std::optional<ConstraintSizes> constrained_, supported_;  ///< only where they can be asked for

@@ -11,11 +11,11 @@ namespace treeline {
 
 /// An argument that says something of links or points of the table.
 struct LinkInput {
-  enum class Gives { bodies, parts_of_bodies, origins, axes };
+  enum class Gives { bodies, origins, axes };
   std::string argument;
   Gives gives = Gives::bodies;
   std::vector<core::loops::InputFrame<double>> frames;
-  /// Of parts of bodies, for each number which of the ten it is.
+  /// Of bodies that are given in part, for each number which of the ten it is.
   std::vector<std::int16_t> entries = {};
 };
 

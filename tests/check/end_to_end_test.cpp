@@ -1,3 +1,4 @@
+#include <array>
 #include <set>
 
 #include "fixture.hpp"
@@ -222,6 +223,22 @@ TEST(Check, RandomRobots) {
   }
 }
 
+/// Torques of a random robot with three points in strict priority: the first has the first of
+/// these.
+Subjects draw_prioritized(std::uint64_t seed, RandomOptions options, Real real,
+                          std::array<int, 3> priorities) {
+  options.operational_points = 3;
+  const RandomMechanism drawn = random_mechanism(seed, options);
+  Subjects subjects{drawn.robot, drawn.scene, {}};
+  subjects.scene.real = real;
+  for (std::size_t k = 0; k < 3; ++k) {
+    subjects.scene.operational_points[k].priority = priorities[k];
+  }
+  subjects.scene.functions = {Function::control_torque};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  return subjects;
+}
+
 // Tasks of strict priority with more rows than freedoms. Conflicting rows are relaxed, and are
 // compared as well.
 TEST(Check, Priorities) {
@@ -230,14 +247,8 @@ TEST(Check, Priorities) {
     options.joints = 7;
     options.floating_base = seed % 2 == 0;
     options.mix = {4, 1, 1, 0, 0, 1};
-    options.operational_points = 3;
-    const RandomMechanism drawn = random_mechanism(seed, options);
-    Subjects subjects{drawn.robot, drawn.scene, {}};
-    subjects.scene.real = seed == 53 ? Real::float32 : Real::float64;
-    int priority = 3;
-    for (ScenePoint& point : subjects.scene.operational_points) point.priority = priority--;
-    subjects.scene.functions = {Function::control_torque};
-    subjects.generation = generate(subjects.robot, subjects.scene);
+    const Subjects subjects =
+        draw_prioritized(seed, options, seed == 53 ? Real::float32 : Real::float64, {3, 2, 1});
     const auto report = check_or_throw(subjects, quick_options(60));
     EXPECT_TRUE(report.passed()) << "seed " << seed << "\n" << print_text(report);
     EXPECT_LT(report.functions.front().singular, 20) << "seed " << seed;
@@ -250,14 +261,7 @@ TEST(Check, PrioritiesNearBordersInFloat) {
   for (const std::uint64_t seed : {115U, 130U, 133U, 139U}) {
     RandomOptions options;
     options.joints = 7;
-    options.operational_points = 3;
-    const RandomMechanism drawn = random_mechanism(seed, options);
-    Subjects subjects{drawn.robot, drawn.scene, {}};
-    subjects.scene.real = Real::float32;
-    int priority = 1;
-    for (ScenePoint& point : subjects.scene.operational_points) point.priority = priority++;
-    subjects.scene.functions = {Function::control_torque};
-    subjects.generation = generate(subjects.robot, subjects.scene);
+    const Subjects subjects = draw_prioritized(seed, options, Real::float32, {1, 2, 3});
     const auto report = check_or_throw(subjects, quick_options(300));
     EXPECT_TRUE(report.passed()) << "seed " << seed << "\n" << print_text(report);
     EXPECT_LT(report.functions.front().singular, 150) << "seed " << seed;

@@ -73,7 +73,7 @@ TEST(SingularTasks, OfEveryRouteAreTheInterpretersByTheSameLaw) {
       const auto programs = trace_function(mechanisms.of(function), function);
       for (const int index : {0, 1, 2, 4, 5, 8, 9, 11, 13}) {
         const State state = draw_state(space, index);
-        const ResultSizes sizes(subject, state, unit_of(Real::float64));
+        const ResultSizes sizes(subject, state);
         for (const Program& program : programs) {
           const double error = error_of(program, function, exact, sizes, state);
           EXPECT_LE(error, 4096) << describe(program.route) << ", state " << index;
@@ -103,7 +103,7 @@ TEST(SingularTasks, LeaveOrdinaryStatesAsTheBareSolveHasThem) {
     const auto exact = trace_function(without.of(function), function);
     for (int index = 0; index < 200; ++index) {
       const State state = draw_state(space, index);
-      const ResultSizes sizes(subject, state, unit_of(Real::float64));
+      const ResultSizes sizes(subject, state);
       if (sizes.conditions(function).largest() > 1e3) continue;
       FunctionReference reference;
       reference.high = GraphRun(exact.front()).results(state, Real::float64);
@@ -207,7 +207,7 @@ TEST(SingularTasks, OfHandsOnAnObjectAreCompared) {
       if (at.singular) continue;
       EXPECT_LE(error_in_ulp(at.graph, at, unit_of(Real::float64)), bound.at(at))
           << functions[i].program.name << " " << reference.state.index;
-      const ResultSizes sizes(subject, reference.state, unit_of(Real::float64));
+      const ResultSizes sizes(subject, reference.state);
       worst_bare = std::max(worst_bare, sizes.conditions(functions[i].function).largest());
     }
     EXPECT_GT(worst_bare, 1e12) << "no state was singular";

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 #include "description/read_scene.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "scene_fault.hpp"
 #include "scene_robot.hpp"
 
 namespace treeline {
@@ -166,18 +166,7 @@ TEST(ReadConstraints, PassiveVelocitiesAreThoseOfTheBaseAndOfNamedJoints) {
   EXPECT_EQ(build_mechanism(robot, *scene).passive, (std::vector{0, 1, 2, 3, 4, 5, 6, 8}));
 }
 
-struct Fault {
-  const char* text;
-  const char* fault;
-  const char* remedy;
-};
-
-// Names of tests have no quotation marks.
-void PrintTo(const Fault& tested, std::ostream* out) {
-  for (const char* c = tested.fault; *c != '\0'; ++c) *out << (*c == '"' ? '`' : *c);
-}
-
-class ConstraintFaults : public testing::TestWithParam<Fault> {};
+class ConstraintFaults : public testing::TestWithParam<SceneFault> {};
 
 TEST_P(ConstraintFaults, NameTheFaultAndTheRemedy) {
   Diagnostics diagnostics;
@@ -190,42 +179,47 @@ TEST_P(ConstraintFaults, NameTheFaultAndTheRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     All, ConstraintFaults,
     testing::Values(
-        Fault{"constraints: [{name: a}]", "\"between\" is missing", "between: [link, world]"},
-        Fault{"constraints: [{name: a, between: [tool]}]", "two things are held", "other link]"},
-        Fault{"constraints: [{name: a, between: [world, tool]}]", "world comes second",
-              "the link first"},
-        Fault{"constraints: [{name: a, between: [tool, ral]}]", "no link \"ral\"", "rail"},
-        Fault{"constraints: [{name: a, between: [tool, tool]}]",
-              "no joint moves against each other", "joints that move between"},
-        Fault{"constraints: [{name: a, between: [tool, rail], axes: world}]", "axes of the second",
-              "turn other_origin"},
-        Fault{"constraints: [{name: a, between: [tool, world], other_origin: {xyz: [0, 0, 1]}}]",
-              "the world's frame", "leave out other_origin"},
-        Fault{"couplings: [{name: a}]", "\"joints\" is missing", "factor"},
-        Fault{"couplings: [{name: a, joints: {}}]", "has no joint", "joint: factor"},
-        Fault{"couplings: [{name: a, joints: {elbw: 1}}]", "no joint \"elbw\"", "elbow"},
-        Fault{"couplings: [{name: a, joints: {follow: 1}}]", "no velocity of its own", "slide"},
-        Fault{"couplings: [{name: a, joints: {flange: 1}}]", "one degree of freedom", "remove"},
-        Fault{"couplings: [{name: a, joints: {elbow: 0}}]", "factor is 0", "remove"},
-        Fault{"constraints: [{name: a, between: [tool, world]}]\n"
-              "couplings: [{name: a, joints: {elbow: 1}}]",
-              "already taken", "name of its own"},
-        Fault{"constraints: [{name: a, between: [tol, world]}]", "no link \"tol\"", "tool"},
-        Fault{"constraints: [{name: a, between: [tool, world], link: tool}]", "link", "keys"},
-        Fault{"constraints: [{name: a, between: [base, world]}]", "cannot move", "floating"},
-        Fault{"functions: [constrained_forward_dynamics]", "nothing is held", "constraints"},
-        Fault{"constraints: [{name: a, between: [tool, rail]}]\n"
-              "functions: [supported_control_torque]",
-              "no operational point, and no joint is passive", "passive"},
-        Fault{"constraints: [{name: a, between: [rail, world]}]\nfunctions: [constraint_errors]",
-              "between two links", "remove"},
-        Fault{"constraints: [{name: a, between: [tool, world]}]\nfunctions: [gravity]",
-              "no function takes them", "supported_control_torque"},
-        Fault{"passive: [elbw]", "no joint \"elbw\"", "elbow"},
-        Fault{"passive: [follow]", "no motor of its own", "slide"},
-        Fault{"passive: [flange]", "does not move", "remove"},
-        Fault{"locked: {elbow: 0}\npassive: [elbow]", "does not move", "remove"},
-        Fault{"passive: [elbow, elbow]", "twice", "once"}));
+        SceneFault{"constraints: [{name: a}]", "\"between\" is missing", "between: [link, world]"},
+        SceneFault{"constraints: [{name: a, between: [tool]}]", "two things are held",
+                   "other link]"},
+        SceneFault{"constraints: [{name: a, between: [world, tool]}]", "world comes second",
+                   "the link first"},
+        SceneFault{"constraints: [{name: a, between: [tool, ral]}]", "no link \"ral\"", "rail"},
+        SceneFault{"constraints: [{name: a, between: [tool, tool]}]",
+                   "no joint moves against each other", "joints that move between"},
+        SceneFault{"constraints: [{name: a, between: [tool, rail], axes: world}]",
+                   "axes of the second", "turn other_origin"},
+        SceneFault{
+            "constraints: [{name: a, between: [tool, world], other_origin: {xyz: [0, 0, 1]}}]",
+            "the world's frame", "leave out other_origin"},
+        SceneFault{"couplings: [{name: a}]", "\"joints\" is missing", "factor"},
+        SceneFault{"couplings: [{name: a, joints: {}}]", "has no joint", "joint: factor"},
+        SceneFault{"couplings: [{name: a, joints: {elbw: 1}}]", "no joint \"elbw\"", "elbow"},
+        SceneFault{"couplings: [{name: a, joints: {follow: 1}}]", "no velocity of its own",
+                   "slide"},
+        SceneFault{"couplings: [{name: a, joints: {flange: 1}}]", "one degree of freedom",
+                   "remove"},
+        SceneFault{"couplings: [{name: a, joints: {elbow: 0}}]", "factor is 0", "remove"},
+        SceneFault{"constraints: [{name: a, between: [tool, world]}]\n"
+                   "couplings: [{name: a, joints: {elbow: 1}}]",
+                   "already taken", "name of its own"},
+        SceneFault{"constraints: [{name: a, between: [tol, world]}]", "no link \"tol\"", "tool"},
+        SceneFault{"constraints: [{name: a, between: [tool, world], link: tool}]", "link", "keys"},
+        SceneFault{"constraints: [{name: a, between: [base, world]}]", "cannot move", "floating"},
+        SceneFault{"functions: [constrained_forward_dynamics]", "nothing is held", "constraints"},
+        SceneFault{"constraints: [{name: a, between: [tool, rail]}]\n"
+                   "functions: [supported_control_torque]",
+                   "no operational point, and no joint is passive", "passive"},
+        SceneFault{
+            "constraints: [{name: a, between: [rail, world]}]\nfunctions: [constraint_errors]",
+            "between two links", "remove"},
+        SceneFault{"constraints: [{name: a, between: [tool, world]}]\nfunctions: [gravity]",
+                   "no function takes them", "supported_control_torque"},
+        SceneFault{"passive: [elbw]", "no joint \"elbw\"", "elbow"},
+        SceneFault{"passive: [follow]", "no motor of its own", "slide"},
+        SceneFault{"passive: [flange]", "does not move", "remove"},
+        SceneFault{"locked: {elbow: 0}\npassive: [elbow]", "does not move", "remove"},
+        SceneFault{"passive: [elbow, elbow]", "twice", "once"}));
 
 }  // namespace
 }  // namespace treeline

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 #include "description/read_scene.hpp"
+#include "scene_fault.hpp"
 #include "scene_robot.hpp"
 
 namespace treeline {
@@ -68,18 +68,7 @@ TEST(ReadLimits, WithoutThemThereAreNone) {
       0);
 }
 
-struct Fault {
-  std::string text;
-  const char* fault;
-  const char* remedy;
-};
-
-// Names of tests have no quotation marks.
-void PrintTo(const Fault& tested, std::ostream* out) {
-  for (const char* c = tested.fault; *c != '\0'; ++c) *out << (*c == '"' ? '`' : *c);
-}
-
-class LimitFaults : public testing::TestWithParam<Fault> {};
+class LimitFaults : public testing::TestWithParam<SceneFault> {};
 
 TEST_P(LimitFaults, NameTheFaultAndTheRemedy) {
   Diagnostics diagnostics;
@@ -92,30 +81,31 @@ TEST_P(LimitFaults, NameTheFaultAndTheRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     All, LimitFaults,
     testing::Values(
-        Fault{hold("friction: 0"), "not positive", "tangential to normal"},
-        Fault{hold("friction: 0.5, rows: [x, y]"), "does not hold all", "add x y z"},
-        Fault{hold("friction: 0.5, rows: [x, y, z], torsional: 0.1"), "does not hold", "add rz"},
-        Fault{hold("friction: 0.5, rows: [x, y, z], half_extents: [1, 1]"), "does not hold",
-              "add rx ry"},
-        Fault{hold("friction: 0.5, half_extents: [1]"), "1 numbers", "[x, y]"},
-        Fault{hold("friction: 0.5, half_extents: [1, -1]"), "not positive", "half a length"},
-        Fault{hold("friction: 0.5, sides: 5"), "sides", "8"},
-        Fault{hold("friction: 0.5, least_force: -1"), "negative", "cannot pull"},
-        Fault{hold("torsional: 0.5"), "without friction", "add friction"},
-        Fault{hold("fricton: 0.5"), "fricton", "friction"},
-        Fault{"constraints: [{name: a, between: [tool, rail], rows: [x, y], friction: 1}]",
-              "does not hold all", "remove the key"},
-        Fault{"torque_limits: 5\n", "neither `urdf` nor a map", "joint: N m"},
-        Fault{"torque_limits: {}\n", "no joint is listed", "urdf"},
-        Fault{"torque_limits: {elbw: 1}\n", "no joint \"elbw\"", "elbow"},
-        Fault{"torque_limits: {elbow: 0}\n", "not positive", "largest torque"},
-        Fault{"torque_limits: {follow: 1}\n", "no motor of its own", "follows"},
-        Fault{"torque_limits: {flange: 1}\n", "one degree of freedom", "remove"},
-        Fault{"passive: [elbow]\ntorque_limits: {elbow: 1}\n", "without a motor", "remove"},
-        Fault{"torque_limits: {elbow: 1}\n" + kHand, "cannot have", "add constraints"},
-        Fault{"torque_limits: {elbow: 1}\nfunctions: [supported_control_torque]\n" + kHand +
-                  hold("rows: [x]"),
-              "needs mass_matrix", "add it to functions"}));
+        SceneFault{hold("friction: 0"), "not positive", "tangential to normal"},
+        SceneFault{hold("friction: 0.5, rows: [x, y]"), "does not hold all", "add x y z"},
+        SceneFault{hold("friction: 0.5, rows: [x, y, z], torsional: 0.1"), "does not hold",
+                   "add rz"},
+        SceneFault{hold("friction: 0.5, rows: [x, y, z], half_extents: [1, 1]"), "does not hold",
+                   "add rx ry"},
+        SceneFault{hold("friction: 0.5, half_extents: [1]"), "1 numbers", "[x, y]"},
+        SceneFault{hold("friction: 0.5, half_extents: [1, -1]"), "not positive", "half a length"},
+        SceneFault{hold("friction: 0.5, sides: 5"), "sides", "8"},
+        SceneFault{hold("friction: 0.5, least_force: -1"), "negative", "cannot pull"},
+        SceneFault{hold("torsional: 0.5"), "without friction", "add friction"},
+        SceneFault{hold("fricton: 0.5"), "fricton", "friction"},
+        SceneFault{"constraints: [{name: a, between: [tool, rail], rows: [x, y], friction: 1}]",
+                   "does not hold all", "remove the key"},
+        SceneFault{"torque_limits: 5\n", "neither `urdf` nor a map", "joint: N m"},
+        SceneFault{"torque_limits: {}\n", "no joint is listed", "urdf"},
+        SceneFault{"torque_limits: {elbw: 1}\n", "no joint \"elbw\"", "elbow"},
+        SceneFault{"torque_limits: {elbow: 0}\n", "not positive", "largest torque"},
+        SceneFault{"torque_limits: {follow: 1}\n", "no motor of its own", "follows"},
+        SceneFault{"torque_limits: {flange: 1}\n", "one degree of freedom", "remove"},
+        SceneFault{"passive: [elbow]\ntorque_limits: {elbow: 1}\n", "without a motor", "remove"},
+        SceneFault{"torque_limits: {elbow: 1}\n" + kHand, "cannot have", "add constraints"},
+        SceneFault{"torque_limits: {elbow: 1}\nfunctions: [supported_control_torque]\n" + kHand +
+                       hold("rows: [x]"),
+                   "needs mass_matrix", "add it to functions"}));
 
 }  // namespace
 }  // namespace treeline

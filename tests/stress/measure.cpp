@@ -157,7 +157,7 @@ State Bench::draw(int index) const {
 }
 
 std::vector<Loss> Bench::measure(const State& state) const {
-  const ResultSizes sizes(impl_->space.subject, state, unit_of(Real::float64));
+  const ResultSizes sizes(impl_->space.subject, state);
   std::vector<Loss> losses;
   for (const Function function : impl_->functions) {
     const auto own = impl_->measure(function, state, sizes);

@@ -1,31 +1,28 @@
 #include "emission/c/keep_called.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <sstream>
 
+#include "emission/c/parse_loops.hpp"
+
 namespace treeline::c {
 namespace {
-
-bool is_of_name(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// What an item declares: the function before its first parenthesis, or the type after its last
 /// brace.
 std::string declared_name(const std::string& item) {
   const std::size_t function = item.find("static inline ");
-  std::size_t end = function != item.npos ? item.find('(', function) : item.rfind(';');
+  const std::size_t end = function != item.npos ? item.find('(', function) : item.rfind(';');
   std::size_t begin = end;
-  while (begin > 0 && is_of_name(item[begin - 1])) --begin;
+  while (begin > 0 && is_of_word(item[begin - 1])) --begin;
   return item.substr(begin, end - begin);
 }
 
 bool names(std::string_view text, const std::string& name) {
   for (std::size_t at = 0; (at = text.find(name, at)) != text.npos; at += name.size()) {
     const std::size_t end = at + name.size();
-    if ((at == 0 || !is_of_name(text[at - 1])) && (end == text.size() || !is_of_name(text[end]))) {
+    if ((at == 0 || !is_of_word(text[at - 1])) && (end == text.size() || !is_of_word(text[end]))) {
       return true;
     }
   }

@@ -1,6 +1,7 @@
 #include "emission/c/parse_loops.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -77,6 +78,10 @@ std::vector<LoopItem> parse_loops(std::string_view header) {
     }
   }
   return items;
+}
+
+bool is_of_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 std::vector<std::string> join_statements(std::string_view text) {

@@ -17,6 +17,9 @@ struct LoopItem {
 /// The declarations of a header `runtime/core/link_*.hpp`, in their order.
 std::vector<LoopItem> parse_loops(std::string_view header);
 
+/// Whether a name may have this character.
+bool is_of_word(char c);
+
 /// `text` with each statement, head of a loop and branch in one line. Comments keep their lines.
 std::vector<std::string> join_statements(std::string_view text);
 

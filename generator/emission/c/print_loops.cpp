@@ -109,6 +109,23 @@ const LinkTableData& find_largest(std::span<const Program> programs) {
   return *largest;
 }
 
+/// What the robot's tables have.
+LoopTable list_kinds(const LinkTableData& table, bool stepped) {
+  return {.floats = table.floats,
+          .sliding = table.sliding,
+          .driven = !table.drives.empty(),
+          .rubbing = !table.frictions.empty(),
+          .coupled = !table.couplings.empty(),
+          .own_sines = table.own_sines,
+          .balls = !table.balls.empty(),
+          .pushed = !table.pushed_points.empty(),
+          .loaded = !table.loaded_links.empty(),
+          .sorted = !table.row_entries.empty(),
+          .stepped = stepped,
+          .grounded = table.grounded,
+          .freed = table.freed};
+}
+
 /// Sizes of arrays: constants in C, where C++ has parameters of templates.
 std::string print_sizes(const EmissionContext& context, const LinkTableData& table, bool ranked) {
   const auto one_or = [](std::size_t count) { return std::max<std::size_t>(count, 1); };
@@ -199,11 +216,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   if (!has_loops(programs)) return {};
   const LinkTableData& table = find_largest(programs);
   LoopTranslator translator(
-      context,
-      {table.floats, table.sliding, !table.drives.empty(), !table.frictions.empty(),
-       !table.couplings.empty(), table.own_sines, !table.balls.empty(),
-       !table.pushed_points.empty(), !table.loaded_links.empty(), !table.row_entries.empty(),
-       std::any_of(programs.begin(), programs.end(), takes_step), table.grounded, table.freed},
+      context, list_kinds(table, std::any_of(programs.begin(), programs.end(), takes_step)),
       std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_vectors.h", cpp::templates::kLinkVectors},
@@ -225,8 +238,9 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
     if (header == cpp::templates::kLinkTable) {
       next.opening += print_sizes(context, table, ranked) + "\n";
     }
-    for (const LoopItem& item : parse_loops(header))
+    for (const LoopItem& item : parse_loops(header)) {
       next.items.push_back(translator.translate(item));
+    }
     std::erase(next.items, "");
   }
   keep_called(print_callers(context, programs), translated);

@@ -20,10 +20,6 @@ constexpr std::string_view kSines = "Sines";
   throw std::logic_error(fmt::format("loops over links: not to be had in C: {}", text));
 }
 
-bool is_of_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// Reads what stands between the bracket at `at` and the one that closes it, behind which it stops,
 /// split at its commas.
 std::vector<std::string> read_list(std::string_view text, std::size_t& at) {

@@ -123,12 +123,12 @@ void add_drives(const Tree<double>& tree, LinkTableData& table) {
 /// Whose coordinates the joints have, where some share one.
 void add_couplings(const Mechanism& mechanism, const SplitTree& split, LinkTableData& table) {
   if (!split.tree.has_mimics) return;
-  for (const TreeLink<double>& link : split.tree.links) {
+  for (std::size_t i = 0; i < split.axes.size(); ++i) {
+    const TreeLink<double>& link = split.tree.links[i];
     const int joint = link.v_index - (table.floats && !link.is_floating() ? 5 : 0);
     const double multiplier = link.is_floating() ? 1 : link.multiplier;
     const auto& coordinate = mechanism.coordinates[static_cast<std::size_t>(link.q_index)];
-    const bool own_sine = link.kind == JointKind::revolute && !link.spins &&
-                          split.axes[table.couplings.size()] == 0 &&
+    const bool own_sine = link.kind == JointKind::revolute && !link.spins && split.axes[i] == 0 &&
                           (std::abs(multiplier) != 1 || !coordinate.is_angle());
     table.couplings.push_back({static_cast<std::int16_t>(joint), multiplier, link.spins, own_sine});
     table.own_sines = table.own_sines || own_sine;
@@ -194,7 +194,7 @@ void add_bodies(Quantity argument, const std::vector<MechanismInertia>& bodies,
 void add_base_bodies(const Mechanism& mechanism, const std::vector<int>& places,
                      LinkTableData& table) {
   if (mechanism.inputs.base.empty()) return;
-  LinkInput input{symbol_of(Quantity::base_parameters), LinkInput::Gives::parts_of_bodies, {}};
+  LinkInput input{symbol_of(Quantity::base_parameters), LinkInput::Gives::bodies, {}};
   const auto found = base_parameters_of(mechanism);
   std::size_t last = mechanism.inputs.base.size();
   for (const BaseParameter& base : found->base) {
@@ -231,7 +231,8 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
   const SplitTree split = split_free_joints(mechanism);
   const Tree<double>& tree = split.tree;
   LinkTableData table;
-  table.freed = split.freed;
+  table.freed =
+      std::any_of(split.axes.begin(), split.axes.end(), [](int axis) { return axis > 3; });
   table.floats = tree.links.front().is_floating();
   table.gravity = mechanism.gravity;
   for (const TreeLink<double>& link : tree.links) {

@@ -66,8 +66,9 @@ class LiftedTable {
     const auto count = static_cast<int>(frames.size());
     switch (input.gives) {
       case LinkInput::Gives::bodies:
-        return loops::add_bodies(frames.data(), count, given.data(), bodies_.data());
-      case LinkInput::Gives::parts_of_bodies:
+        if (input.entries.empty()) {
+          return loops::add_bodies(frames.data(), count, given.data(), bodies_.data());
+        }
         return loops::add_parts_of_bodies(frames.data(), count, input.entries.data(),
                                           static_cast<int>(input.entries.size()), given.data(),
                                           bodies_.data());

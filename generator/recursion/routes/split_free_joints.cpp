@@ -30,7 +30,6 @@ void append_free_joint(const TreeLink<double>& whole, const Digits50Matrix3& pla
     split.tree.links.push_back(link);
     split.axes.push_back(k + 1);
   }
-  split.freed = true;
 }
 
 }  // namespace

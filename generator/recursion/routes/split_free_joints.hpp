@@ -12,7 +12,6 @@ struct SplitTree {
   Tree<double> tree;
   std::vector<int> axes;    ///< of all links, see `core::loops::LinkBall::axis`
   std::vector<int> places;  ///< in `tree`, of all links of the mechanism
-  bool freed = false;       ///< some joint beyond the base moves freely
 };
 
 /// The tree of constants with floating joints beyond the base as six links each: three that slide

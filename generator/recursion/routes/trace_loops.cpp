@@ -43,7 +43,6 @@ const LoopForm* find_form(Function function) {
   return at == std::end(kForms) ? nullptr : at;
 }
 
-/// What of a link the table has no place for; empty: nothing.
 /// Whether what an argument gives is not of bodies alone.
 bool takes_drives(const Mechanism& mechanism) {
   if (mechanism.inputs.base.empty()) return false;
@@ -52,6 +51,7 @@ bool takes_drives(const Mechanism& mechanism) {
                       [](const ModelParameter& each) { return each.is_of_body(); });
 }
 
+/// What the table has no place for; empty: nothing.
 std::string find_obstacle(const Mechanism& mechanism) {
   if (takes_drives(mechanism)) return "base parameters of rotors or friction as an argument";
   if (mechanism.links.empty()) return "a robot without joints";
