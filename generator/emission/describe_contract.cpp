@@ -112,7 +112,7 @@ std::size_t count_work(const LinkLoops& loops) {
   const std::size_t rows = table.rows.size();
   const std::size_t points = table.points.size();
   std::size_t count = 9 * links + 9 * slots + 9 * static_cast<std::size_t>(table.rotations);
-  if (loops.uses_inertias) count += 7 * links + 27 * slots + count_base_entries(table);
+  if (loops.uses_inertias) count += 7 * links + 21 * slots + count_base_entries(table);
   if (loops.uses_rows) count += 18 * points + (8 + rows) * rows;
   count += 10 * table.loaded_links.size();
   if (!loops.step.empty()) count += links;

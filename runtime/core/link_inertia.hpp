@@ -7,13 +7,14 @@
 
 namespace treeline::core::loops {
 
-/// Inertia of bodies at a link's frame, [A B; B^T C]: f = A a + B wd, n = B^T a + C wd. All three
-/// are row-major 3x3, A and C symmetric.
+/// Inertia of bodies at a link's frame, [A B; B^T C]: f = A a + B wd, n = B^T a + C wd. A and C are
+/// symmetric, with entries xx xy xz yy yz zz, B is row-major 3x3. What is done with all of these is
+/// written in straight lines, of which compilers keep much in registers.
 template <class Real>
 struct LinkInertia {
-  Real A[9];
+  Real A[6];
   Real B[9];
-  Real C[9];
+  Real C[6];
 };
 
 /// u = IA S / D without its own entry, and 1 / D of a joint; D includes its rotor.
@@ -32,62 +33,89 @@ struct InertiaWork {
   Real base[base_entries];
 };
 
-/// R M R^T for the rotation in the plane of the axes i and j.
+/// R M R^T for a rotation in the plane of two axes, of a symmetric M: its entries of the plane, and
+/// those of the plane's axes with the third.
 template <class Real>
-void turn_matrix(const Turn<Real>& r, int i, int j, Real (&M)[9]) noexcept {
-  const int k = 3 - i - j;
-  Real& a = M[4 * i];
-  Real& b = M[(3 * i) + j];
-  Real& b2 = M[(3 * j) + i];
-  Real& d = M[4 * j];
-  const Real t = (r.s * (a - d)) + (r.c * (b + b2));
+TREELINE_LINK_INLINE void turn_symmetric(const Turn<Real>& r, Real& xx, Real& xy, Real& yy,
+                                         Real& xz, Real& yz) noexcept {
+  const Real t = (r.s * (xx - yy)) + (r.c * (xy + xy));
+  const Real st = r.s * t;
+  xx = xx - st;
+  yy = yy + st;
+  xy = (r.c * t) - xy;
+  turn_plane(r, xz, yz);
+}
+
+/// The same of any M.
+template <class Real>
+TREELINE_LINK_INLINE void turn_square(const Turn<Real>& r, Real& xx, Real& xy, Real& yx, Real& yy,
+                                      Real& xz, Real& yz, Real& zx, Real& zy) noexcept {
+  const Real t = (r.s * (xx - yy)) + (r.c * (xy + yx));
   const Real st = r.s * t;
   const Real ct = r.c * t;
-  const Real old = b;
-  a = a - st;
-  d = d + st;
-  b = ct - b2;
-  b2 = ct - old;
-  turn_plane(r, M[(3 * i) + k], M[(3 * j) + k]);
-  turn_plane(r, M[(3 * k) + i], M[(3 * k) + j]);
+  const Real old = xy;
+  xx = xx - st;
+  yy = yy + st;
+  xy = ct - yx;
+  yx = ct - old;
+  turn_plane(r, xz, yz);
+  turn_plane(r, zx, zy);
+}
+
+template <class Real>
+TREELINE_LINK_INLINE void turn_about_z(const Turn<Real>& r, LinkInertia<Real>& inertia) noexcept {
+  Real(&A)[6] = inertia.A;
+  Real(&B)[9] = inertia.B;
+  Real(&C)[6] = inertia.C;
+  turn_symmetric(r, A[0], A[1], A[3], A[2], A[4]);
+  turn_square(r, B[0], B[1], B[3], B[4], B[2], B[5], B[6], B[7]);
+  turn_symmetric(r, C[0], C[1], C[3], C[2], C[4]);
+}
+
+template <class Real>
+TREELINE_LINK_INLINE void turn_about_x(const Turn<Real>& r, LinkInertia<Real>& inertia) noexcept {
+  Real(&A)[6] = inertia.A;
+  Real(&B)[9] = inertia.B;
+  Real(&C)[6] = inertia.C;
+  turn_symmetric(r, A[3], A[4], A[5], A[1], A[2]);
+  turn_square(r, B[4], B[5], B[7], B[8], B[3], B[6], B[1], B[2]);
+  turn_symmetric(r, C[3], C[4], C[5], C[1], C[2]);
+}
+
+/// The rows of B - A [p]x.
+template <class Real>
+TREELINE_LINK_INLINE void shift_moments(const Real (&p)[3], const Real (&A)[6],
+                                        Real (&B)[9]) noexcept {
+  B[0] = B[0] - ((A[1] * p[2]) - (A[2] * p[1]));
+  B[1] = B[1] - ((A[2] * p[0]) - (A[0] * p[2]));
+  B[2] = B[2] - ((A[0] * p[1]) - (A[1] * p[0]));
+  B[3] = B[3] - ((A[3] * p[2]) - (A[4] * p[1]));
+  B[4] = B[4] - ((A[4] * p[0]) - (A[1] * p[2]));
+  B[5] = B[5] - ((A[1] * p[1]) - (A[3] * p[0]));
+  B[6] = B[6] - ((A[4] * p[2]) - (A[5] * p[1]));
+  B[7] = B[7] - ((A[5] * p[0]) - (A[2] * p[2]));
+  B[8] = B[8] - ((A[2] * p[1]) - (A[4] * p[0]));
 }
 
 /// Moves an inertia from the origin of its frame to where that has origin p: B becomes
 /// H = B - A [p]x and C gains [p]x H - B^T [p]x.
 template <class Real>
-void shift_inertia(const Real (&p)[3], LinkInertia<Real>& inertia) noexcept {
-  Real(&A)[9] = inertia.A;
+TREELINE_LINK_INLINE void shift_inertia(const Real (&p)[3], LinkInertia<Real>& inertia) noexcept {
   Real(&B)[9] = inertia.B;
-  Real(&C)[9] = inertia.C;
-  for (int r = 0; r < 3; ++r) {
-    const int s = (r + 1) % 3;
-    const int t = (r + 2) % 3;
-    for (int k = 0; k < 3; ++k) {
-      C[(3 * k) + r] = C[(3 * k) + r] - ((B[(3 * s) + k] * p[t]) - (B[(3 * t) + k] * p[s]));
-    }
-  }
-  for (int r = 0; r < 3; ++r) {
-    const int s = (r + 1) % 3;
-    const int t = (r + 2) % 3;
-    for (int k = 0; k < 3; ++k) {
-      B[(3 * k) + r] = B[(3 * k) + r] - ((A[(3 * k) + s] * p[t]) - (A[(3 * k) + t] * p[s]));
-    }
-  }
-  for (int r = 0; r < 3; ++r) {
-    const int s = (r + 1) % 3;
-    const int t = (r + 2) % 3;
-    for (int k = 0; k < 3; ++k) {
-      C[(3 * r) + k] = C[(3 * r) + k] + ((p[s] * B[(3 * t) + k]) - (p[t] * B[(3 * s) + k]));
-    }
-  }
-}
-
-template <class Real>
-void turn_matrix_by_planes(const Link<Real>& link, const LinkPose<Real>& pose,
-                           Real (&M)[9]) noexcept {
-  turn_matrix(pose.turn, 0, 1, M);
-  turn_matrix(link.alpha, 1, 2, M);
-  turn_matrix(link.a, 0, 1, M);
+  Real(&C)[6] = inertia.C;
+  C[0] = C[0] - ((B[3] * p[2]) - (B[6] * p[1]));
+  C[1] = C[1] - ((B[6] * p[0]) - (B[0] * p[2]));
+  C[2] = C[2] - ((B[0] * p[1]) - (B[3] * p[0]));
+  C[3] = C[3] - ((B[7] * p[0]) - (B[1] * p[2]));
+  C[4] = C[4] - ((B[1] * p[1]) - (B[4] * p[0]));
+  C[5] = C[5] - ((B[2] * p[1]) - (B[5] * p[0]));
+  shift_moments(p, inertia.A, B);
+  C[0] = C[0] + ((p[1] * B[6]) - (p[2] * B[3]));
+  C[1] = C[1] + ((p[1] * B[7]) - (p[2] * B[4]));
+  C[2] = C[2] + ((p[1] * B[8]) - (p[2] * B[5]));
+  C[3] = C[3] + ((p[2] * B[1]) - (p[0] * B[7]));
+  C[4] = C[4] + ((p[2] * B[2]) - (p[0] * B[8]));
+  C[5] = C[5] + ((p[0] * B[5]) - (p[1] * B[2]));
 }
 
 /// Q M Q^T
@@ -109,18 +137,16 @@ void turn_matrix_by(const LinkRotation<Real>& rotation, Real (&M)[9]) noexcept {
   }
 }
 
-/// A matrix in the axes of the link's parent.
-template <class Table, class Poses, class Real>
-void matrix_to_parent(const Table& table, int i, const Poses& poses, Real (&M)[9]) noexcept {
-  if constexpr (Table::kBalls) {
-    if (ball_axis(table, i) == 1) {
-      turn_matrix_by(poses.rotations[table.ball_axes[i].rotation], M);
-    } else {
-      turn_matrix_by_planes(table.links[i], poses.joints[i], M);
-    }
-  } else {
-    turn_matrix_by_planes(table.links[i], poses.joints[i], M);
+template <class Real>
+void turn_symmetric_by(const LinkRotation<Real>& rotation, Real (&M)[6]) noexcept {
+  Real full[9] = {M[0], M[1], M[2], M[1], M[3], M[4], M[2], M[4], M[5]};
+  turn_matrix_by(rotation, full);
+  for (int k = 0; k < 3; ++k) {
+    M[k] = full[k];
   }
+  M[3] = full[4];
+  M[4] = full[5];
+  M[5] = full[8];
 }
 
 /// Makes the inertia that link `i` passes on one of its parent.
@@ -129,35 +155,60 @@ void inertia_to_parent(const Table& table, int i, const Poses& poses,
                        LinkInertia<Real>& inertia) noexcept {
   Real p[3];
   find_origin(table, i, poses, p);
-  matrix_to_parent(table, i, poses, inertia.A);
-  matrix_to_parent(table, i, poses, inertia.B);
-  matrix_to_parent(table, i, poses, inertia.C);
+  if (turns_freely(table, i)) {
+    const LinkRotation<Real>& rotation = rotation_of(table, i, poses);
+    turn_symmetric_by(rotation, inertia.A);
+    turn_matrix_by(rotation, inertia.B);
+    turn_symmetric_by(rotation, inertia.C);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_about_z(turns.joint, inertia);
+    turn_about_x(turns.alpha, inertia);
+    turn_about_z(turns.a, inertia);
+  }
   shift_inertia(p, inertia);
 }
 
 /// Inertia of a link alone, added to that of the links that it carries.
 template <class Real>
-void add_own(const LinkBody<Real>& body, LinkInertia<Real>& sum) noexcept {
-  const Real(&J)[6] = body.J;
-  const Real rows[9] = {J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5]};
-  for (int k = 0; k < 9; ++k) {
-    sum.C[k] = sum.C[k] + rows[k];
-  }
-  for (int k = 0; k < 3; ++k) {  // B = -[h]x
-    sum.A[4 * k] = sum.A[4 * k] + body.mass;
-    const int l = (k + 1) % 3;
-    const int m = (k + 2) % 3;
-    sum.B[(3 * k) + l] = sum.B[(3 * k) + l] + body.h[m];
-    sum.B[(3 * l) + k] = sum.B[(3 * l) + k] - body.h[m];
+TREELINE_LINK_INLINE void add_own(const LinkBody<Real>& body, LinkInertia<Real>& sum) noexcept {
+  const Real(&h)[3] = body.h;
+  Real(&A)[6] = sum.A;
+  Real(&B)[9] = sum.B;
+  A[0] = A[0] + body.mass;
+  A[3] = A[3] + body.mass;
+  A[5] = A[5] + body.mass;
+  B[1] = B[1] + h[2];  // B = -[h]x
+  B[2] = B[2] - h[1];
+  B[3] = B[3] - h[2];
+  B[5] = B[5] + h[0];
+  B[6] = B[6] + h[1];
+  B[7] = B[7] - h[0];
+  for (int k = 0; k < 6; ++k) {
+    sum.C[k] = sum.C[k] + body.J[k];
   }
 }
 
 template <class Real>
 void clear_inertia(LinkInertia<Real>& inertia) noexcept {
-  for (int k = 0; k < 9; ++k) {
+  for (int k = 0; k < 6; ++k) {
     inertia.A[k] = Real(0.0);
-    inertia.B[k] = Real(0.0);
     inertia.C[k] = Real(0.0);
+  }
+  for (int k = 0; k < 9; ++k) {
+    inertia.B[k] = Real(0.0);
+  }
+}
+
+template <class Real>
+void add_inertia(const LinkInertia<Real>& more, LinkInertia<Real>& sum) noexcept {
+  for (int k = 0; k < 6; ++k) {
+    sum.A[k] = sum.A[k] + more.A[k];
+    sum.C[k] = sum.C[k] + more.C[k];
+  }
+  for (int k = 0; k < 9; ++k) {
+    sum.B[k] = sum.B[k] + more.B[k];
   }
 }
 
@@ -173,12 +224,7 @@ void pass_on(const Table& table, int i, const Motions& motions, LinkInertia<Real
     inertia_to_parent(table, i, motions.poses, inertia);
     const int16_t slot = table.links[link.parent].slot;
     if (slot != link.slot) {
-      LinkInertia<Real>& parent = inertias.inertias[slot];
-      for (int k = 0; k < 9; ++k) {
-        parent.A[k] = parent.A[k] + inertia.A[k];
-        parent.B[k] = parent.B[k] + inertia.B[k];
-        parent.C[k] = parent.C[k] + inertia.C[k];
-      }
+      add_inertia(inertia, inertias.inertias[slot]);
       clear_inertia(inertia);
     }
   }
@@ -186,26 +232,95 @@ void pass_on(const Table& table, int i, const Motions& motions, LinkInertia<Real
 
 /// U = I S of the joint of link `i`.
 template <class Table, class Real>
-void find_column(const Table& table, int i, const LinkInertia<Real>& inertia,
-                 Spatial<Real>& U) noexcept {
-  const bool along = slides(table, i);
-  for (int k = 0; k < 3; ++k) {
-    U.linear[k] = along ? inertia.A[(3 * k) + 2] : inertia.B[(3 * k) + 2];
-    U.angular[k] = along ? inertia.B[6 + k] : inertia.C[(3 * k) + 2];
+TREELINE_LINK_INLINE void find_column(const Table& table, int i, const LinkInertia<Real>& inertia,
+                                      Spatial<Real>& U) noexcept {
+  const Real(&A)[6] = inertia.A;
+  const Real(&B)[9] = inertia.B;
+  const Real(&C)[6] = inertia.C;
+  if (slides(table, i)) {
+    U.linear[0] = A[2];
+    U.linear[1] = A[4];
+    U.linear[2] = A[5];
+    U.angular[0] = B[6];
+    U.angular[1] = B[7];
+    U.angular[2] = B[8];
+  } else {
+    U.linear[0] = B[2];
+    U.linear[1] = B[5];
+    U.linear[2] = B[8];
+    U.angular[0] = C[2];
+    U.angular[1] = C[4];
+    U.angular[2] = C[5];
+  }
+}
+
+/// Multiplies the row and column of the joint of link `i` by what its rotor holds.
+template <class Table, class Real>
+TREELINE_LINK_INLINE void hold_column(const Table& table, int i, const Real& held,
+                                      LinkInertia<Real>& inertia) noexcept {
+  Real(&A)[6] = inertia.A;
+  Real(&B)[9] = inertia.B;
+  Real(&C)[6] = inertia.C;
+  if (slides(table, i)) {
+    A[2] = A[2] * held;
+    A[4] = A[4] * held;
+    A[5] = A[5] * held;
+    B[6] = B[6] * held;
+    B[7] = B[7] * held;
+    B[8] = B[8] * held;
+  } else {
+    B[2] = B[2] * held;
+    B[5] = B[5] * held;
+    B[8] = B[8] * held;
+    C[2] = C[2] * held;
+    C[4] = C[4] * held;
+    C[5] = C[5] * held;
   }
 }
 
 /// The inertia as the first rows and columns of a row-major matrix of `columns` columns.
 template <class Real>
 void copy_to(const LinkInertia<Real>& inertia, Real* matrix, int columns) noexcept {
+  int at = 0;
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
-      matrix[(k * columns) + l] = inertia.A[(3 * k) + l];
       matrix[(k * columns) + l + 3] = inertia.B[(3 * k) + l];
-      matrix[((k + 3) * columns) + l] = inertia.B[(3 * l) + k];
-      matrix[((k + 3) * columns) + l + 3] = inertia.C[(3 * k) + l];
+      matrix[((l + 3) * columns) + k] = inertia.B[(3 * k) + l];
+    }
+    for (int l = k; l < 3; ++l) {
+      matrix[(k * columns) + l] = inertia.A[at];
+      matrix[(l * columns) + k] = inertia.A[at];
+      matrix[((k + 3) * columns) + l + 3] = inertia.C[at];
+      matrix[((l + 3) * columns) + k + 3] = inertia.C[at];
+      ++at;
     }
   }
+}
+
+/// M - U u^T of a symmetric M.
+template <class Real>
+TREELINE_LINK_INLINE void take_symmetric(const Real (&U)[3], const Real (&u)[3],
+                                         Real (&M)[6]) noexcept {
+  M[0] = M[0] - (U[0] * u[0]);
+  M[1] = M[1] - (U[0] * u[1]);
+  M[2] = M[2] - (U[0] * u[2]);
+  M[3] = M[3] - (U[1] * u[1]);
+  M[4] = M[4] - (U[1] * u[2]);
+  M[5] = M[5] - (U[2] * u[2]);
+}
+
+template <class Real>
+TREELINE_LINK_INLINE void take_square(const Real (&U)[3], const Real (&u)[3],
+                                      Real (&M)[9]) noexcept {
+  M[0] = M[0] - (U[0] * u[0]);
+  M[1] = M[1] - (U[0] * u[1]);
+  M[2] = M[2] - (U[0] * u[2]);
+  M[3] = M[3] - (U[1] * u[0]);
+  M[4] = M[4] - (U[1] * u[1]);
+  M[5] = M[5] - (U[1] * u[2]);
+  M[6] = M[6] - (U[2] * u[0]);
+  M[7] = M[7] - (U[2] * u[1]);
+  M[8] = M[8] - (U[2] * u[2]);
 }
 
 /// Makes IA what the joint passes on, IA - U D^-1 U^T. Of the joint's own row and column the share
@@ -217,32 +332,16 @@ void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
   find_column(table, i, IA, U);
   Real& own = along_joint(table, i, U);
   const Real rotor = rotor_of(table, i);
-  joint.inverse_D = Real(1.0) / (own + rotor);
+  const Real inverse_D = Real(1.0) / (own + rotor);
   own = Real(0.0);
-  const Real held = rotor * joint.inverse_D;
-  const bool along = slides(table, i);
-  for (int k = 0; k < 3; ++k) {
-    joint.u.linear[k] = U.linear[k] * joint.inverse_D;
-    joint.u.angular[k] = U.angular[k] * joint.inverse_D;
-  }
-  for (int k = 0; k < 3; ++k) {
-    for (int l = 0; l < 3; ++l) {
-      IA.A[(3 * k) + l] = IA.A[(3 * k) + l] - (U.linear[k] * joint.u.linear[l]);
-      IA.B[(3 * k) + l] = IA.B[(3 * k) + l] - (U.linear[k] * joint.u.angular[l]);
-      IA.C[(3 * k) + l] = IA.C[(3 * k) + l] - (U.angular[k] * joint.u.angular[l]);
-    }
-  }
-  Real(&own_rows)[9] = along ? IA.A : IA.C;
-  for (int k = 0; k < 3; ++k) {
-    int at = (3 * k) + 2;
-    if (along) {
-      at = 6 + k;
-    }
-    IA.B[at] = IA.B[at] * held;
-    Real& column = own_rows[(3 * k) + 2];
-    column = column * held;
-    own_rows[6 + k] = column;
-  }
+  Spatial<Real> u;
+  scale_spatial(inverse_D, U, u);
+  take_symmetric(U.linear, u.linear, IA.A);
+  take_square(U.linear, u.angular, IA.B);
+  take_symmetric(U.angular, u.angular, IA.C);
+  hold_column(table, i, rotor * inverse_D, IA);
+  joint.inverse_D = inverse_D;
+  copy_spatial(u, joint.u);
 }
 
 /// Inward pass of articulated bodies: u and 1 / D of joints, factors of a floating base. Not where
@@ -355,10 +454,7 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
       const Real left = missing - along;
       qdd[at] = left;
       if (link.parent >= 0) {
-        for (int k = 0; k < 3; ++k) {
-          wrench.linear[k] = wrench.linear[k] + (joint.u.linear[k] * left);
-          wrench.angular[k] = wrench.angular[k] + (joint.u.angular[k] * left);
-        }
+        add_scaled(joint.u, left, wrench);
         along = missing - (rotor_of(table, i) * joint.inverse_D * left);
         wrench_to_parent(table, i, motions.poses, wrench);
         add(wrench, motions.wrenches[link.parent]);
@@ -379,11 +475,7 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
       clear_spatial(twist);
       if (link.parent >= 0) {
         add(motions.wrenches[link.parent], twist);
-        Real p[3];
-        find_origin(table, i, motions.poses, p);
-        add_cross(twist.angular, p, twist.linear);
-        turn_to_child(table, i, motions.poses, twist.linear);
-        turn_to_child(table, i, motions.poses, twist.angular);
+        twist_to_child(table, i, motions.poses, twist);
       }
       Real& along = along_joint(table, i, twist);
       const Real held = rotor_of(table, i) * joint.inverse_D;

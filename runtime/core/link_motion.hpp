@@ -26,10 +26,18 @@ struct MotionWork {
 template <class Real>
 void add_rotation(const LinkMotion<Real>& motion, const Real (&r)[3], Real (&sum)[3]) noexcept {
   Real speed[3];
-  clear(speed);
-  add_cross(motion.w, r, speed);
+  find_cross(motion.w, r, speed);
   add_cross(motion.wd, r, sum);
   add_cross(motion.w, speed, sum);
+}
+
+/// product = M v of a symmetric M: xx xy xz yy yz zz
+template <class Real>
+TREELINE_LINK_INLINE void multiply_symmetric(const Real (&M)[6], const Real (&v)[3],
+                                             Real (&product)[3]) noexcept {
+  product[0] = (M[0] * v[0]) + (M[1] * v[1]) + (M[2] * v[2]);
+  product[1] = (M[1] * v[0]) + (M[3] * v[1]) + (M[4] * v[2]);
+  product[2] = (M[2] * v[0]) + (M[4] * v[1]) + (M[5] * v[2]);
 }
 
 template <class Real>
@@ -91,6 +99,22 @@ void turn_joint_axis(const Table& table, int i, const Real& qd, LinkMotion<Real>
   moved[1] = moved[1] - (motion.w[0] * rate);
 }
 
+/// From the axes of the parent of link `i` to its own.
+template <class Table, class Poses, class Real>
+void turn_motion(const Table& table, int i, const Poses& poses, LinkMotion<Real>& motion) noexcept {
+  if (turns_freely(table, i)) {
+    turn_back_by(rotation_of(table, i, poses), motion.w);
+    turn_back_by(rotation_of(table, i, poses), motion.wd);
+    turn_back_by(rotation_of(table, i, poses), motion.a);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_back_by_planes(turns, motion.w);
+    turn_back_by_planes(turns, motion.wd);
+    turn_back_by_planes(turns, motion.a);
+  }
+}
+
 /// Makes the motion of its parent that of link `i` behind its joint.
 template <class Table, class Poses, class Real>
 void move_link(const Table& table, int i, const Poses& poses, const Real* qd, const Real* qdd,
@@ -98,9 +122,7 @@ void move_link(const Table& table, int i, const Poses& poses, const Real* qd, co
   Real p[3];
   find_origin(table, i, poses, p);
   add_rotation(motion, p, motion.a);
-  turn_to_child(table, i, poses, motion.w);
-  turn_to_child(table, i, poses, motion.wd);
-  turn_to_child(table, i, poses, motion.a);
+  turn_motion(table, i, poses, motion);
   const int at = velocity_at<Table>(joint_of(table, i));
   const Real rate = scale(table, i, entry(qd, at));
   if (ball_axis(table, i) == 1) {
@@ -141,14 +163,12 @@ void move_base(const Table& table, const LinkRotation<Real>& base, const Real* q
 template <class Real>
 void find_wrench(const LinkBody<Real>& body, const LinkMotion<Real>& motion,
                  Spatial<Real>& wrench) noexcept {
-  const Real(&J)[6] = body.J;
-  const Real rows[3][3] = {{J[0], J[1], J[2]}, {J[1], J[3], J[4]}, {J[2], J[4], J[5]}};
   Real momentum[3];
-  for (int k = 0; k < 3; ++k) {
-    momentum[k] = dot(rows[k], motion.w);
-    wrench.angular[k] = dot(rows[k], motion.wd);
-    wrench.linear[k] = body.mass * motion.a[k];
-  }
+  multiply_symmetric(body.J, motion.w, momentum);
+  multiply_symmetric(body.J, motion.wd, wrench.angular);
+  wrench.linear[0] = body.mass * motion.a[0];
+  wrench.linear[1] = body.mass * motion.a[1];
+  wrench.linear[2] = body.mass * motion.a[2];
   add_rotation(motion, body.h, wrench.linear);
   add_cross(motion.w, momentum, wrench.angular);
   add_cross(body.h, motion.a, wrench.angular);

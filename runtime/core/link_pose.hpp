@@ -21,19 +21,36 @@ struct LinkPoses {
   LinkRotation<Real> rotations[turned];  ///< that of a floating base is the first
 };
 
-/// From a link's axes to those before its joint, by rotations about axes of coordinates.
+/// The rotations of a link about axes of coordinates, from its own axes to its parent's. Numbers
+/// that are turned may be those of the table for all that a compiler knows: it reads these once.
 template <class Real>
-void turn_by_planes(const Link<Real>& link, const LinkPose<Real>& pose, Real (&v)[3]) noexcept {
-  turn_plane(pose.turn, v[0], v[1]);
-  turn_plane(link.alpha, v[1], v[2]);
-  turn_plane(link.a, v[0], v[1]);
+struct LinkTurns {
+  Turn<Real> joint;
+  Turn<Real> alpha;
+  Turn<Real> a;
+};
+
+template <class Real>
+TREELINE_LINK_INLINE void find_turns(const Link<Real>& link, const LinkPose<Real>& pose,
+                                     LinkTurns<Real>& turns) noexcept {
+  turns.joint.c = pose.turn.c;
+  turns.joint.s = pose.turn.s;
+  turns.alpha.c = link.alpha.c;
+  turns.alpha.s = link.alpha.s;
+  turns.a.c = link.a.c;
+  turns.a.s = link.a.s;
 }
 template <class Real>
-void turn_back_by_planes(const Link<Real>& link, const LinkPose<Real>& pose,
-                         Real (&v)[3]) noexcept {
-  turn_plane_back(link.a, v[0], v[1]);
-  turn_plane_back(link.alpha, v[1], v[2]);
-  turn_plane_back(pose.turn, v[0], v[1]);
+TREELINE_LINK_INLINE void turn_by_planes(const LinkTurns<Real>& turns, Real (&v)[3]) noexcept {
+  turn_plane(turns.joint, v[0], v[1]);
+  turn_plane(turns.alpha, v[1], v[2]);
+  turn_plane(turns.a, v[0], v[1]);
+}
+template <class Real>
+TREELINE_LINK_INLINE void turn_back_by_planes(const LinkTurns<Real>& turns, Real (&v)[3]) noexcept {
+  turn_plane_back(turns.a, v[0], v[1]);
+  turn_plane_back(turns.alpha, v[1], v[2]);
+  turn_plane_back(turns.joint, v[0], v[1]);
 }
 
 /// The same by the rotation of a floating base or of a ball joint.
@@ -54,29 +71,27 @@ void turn_back_by(const LinkRotation<Real>& rotation, Real (&v)[3]) noexcept {
   }
 }
 
+/// Whether link `i` turns by a rotation of `LinkPoses`, not by planes: it has the first axis of a
+/// ball joint.
+template <class Table>
+constexpr bool turns_freely(const Table& table, int i) noexcept {
+  return ball_axis(table, i) == 1;
+}
+
+template <class Table, class Poses, class Real = typename Table::Real>
+const LinkRotation<Real>& rotation_of(const Table& table, int i, const Poses& poses) noexcept {
+  return poses.rotations[table.ball_axes[i].rotation];
+}
+
 /// From a link's axes to its parent's. Not for a floating base.
 template <class Table, class Poses, class Real>
 void turn_to_parent(const Table& table, int i, const Poses& poses, Real (&v)[3]) noexcept {
-  if constexpr (Table::kBalls) {
-    if (ball_axis(table, i) == 1) {
-      turn_by(poses.rotations[table.ball_axes[i].rotation], v);
-    } else {
-      turn_by_planes(table.links[i], poses.joints[i], v);
-    }
+  if (turns_freely(table, i)) {
+    turn_by(rotation_of(table, i, poses), v);
   } else {
-    turn_by_planes(table.links[i], poses.joints[i], v);
-  }
-}
-template <class Table, class Poses, class Real>
-void turn_to_child(const Table& table, int i, const Poses& poses, Real (&v)[3]) noexcept {
-  if constexpr (Table::kBalls) {
-    if (ball_axis(table, i) == 1) {
-      turn_back_by(poses.rotations[table.ball_axes[i].rotation], v);
-    } else {
-      turn_back_by_planes(table.links[i], poses.joints[i], v);
-    }
-  } else {
-    turn_back_by_planes(table.links[i], poses.joints[i], v);
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_by_planes(turns, v);
   }
 }
 
@@ -132,9 +147,33 @@ void wrench_to_parent(const Table& table, int i, const Poses& poses,
                       Spatial<Real>& wrench) noexcept {
   Real p[3];
   find_origin(table, i, poses, p);
-  turn_to_parent(table, i, poses, wrench.linear);
-  turn_to_parent(table, i, poses, wrench.angular);
+  if (turns_freely(table, i)) {
+    turn_by(rotation_of(table, i, poses), wrench.linear);
+    turn_by(rotation_of(table, i, poses), wrench.angular);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_by_planes(turns, wrench.linear);
+    turn_by_planes(turns, wrench.angular);
+  }
   add_cross(p, wrench.linear, wrench.angular);
+}
+
+/// From a twist of the parent of link `i` to the same of the link before its joint.
+template <class Table, class Poses, class Real>
+void twist_to_child(const Table& table, int i, const Poses& poses, Spatial<Real>& twist) noexcept {
+  Real p[3];
+  find_origin(table, i, poses, p);
+  add_cross(twist.angular, p, twist.linear);
+  if (turns_freely(table, i)) {
+    turn_back_by(rotation_of(table, i, poses), twist.linear);
+    turn_back_by(rotation_of(table, i, poses), twist.angular);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_back_by_planes(turns, twist.linear);
+    turn_back_by_planes(turns, twist.angular);
+  }
 }
 
 /// 2 / |q|^2 of a quaternion of any length, x y z w; of 0 it does not turn.

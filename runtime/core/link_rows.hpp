@@ -38,6 +38,7 @@ struct RowWork {
   LinkMotion<Real> point_motions[points];
   Spatial<Real> forces[rows];  ///< unit forces on their way to the base
   int16_t links[rows];         ///< where they have got to
+  int arrived[rows];           ///< which have got to the link that a loop is at
   Real errors[rows];
   Real Lambda_inv[rows * rows];
   Real inverse_borders[ranked];  ///< by which rows in the order of priority yield
@@ -98,47 +99,65 @@ void find_unit_force(const Table& table, const Rows& rows, int r, Spatial<Real>&
   }
 }
 
-/// Lambda^-1 += work D^-1 work^T of a joint, for the rows that have got to link `i`.
-template <class Table, class Real, class Rows>
-void absorb(const Table& table, int i, const Real* work_of_rows, const Real& inverse_D,
-            Rows& rows) noexcept {
+/// Lists the rows whose unit forces have got to link `i`, and returns how many they are.
+template <class Table, class Rows>
+int find_arrived(const Table& table, int i, Rows& rows) noexcept {
+  int count = 0;
   for (int r = 0; r < table.rows; ++r) {
     if (rows.links[r] == i) {
-      const Real scaled = work_of_rows[r] * inverse_D;
-      for (int s = 0; s <= r; ++s) {
-        if (rows.links[s] == i) {
-          Real& sum = rows.Lambda_inv[(r * table.rows) + s];
-          sum = sum + (scaled * work_of_rows[s]);
-        }
-      }
+      rows.arrived[count] = r;
+      ++count;
+    }
+  }
+  return count;
+}
+
+/// Lambda^-1 += work D^-1 work^T of a joint on the `count` rows that have got to its link, of whose
+/// work `errors` has one number each.
+template <class Table, class Real, class Rows>
+void absorb(const Table& table, int count, const Real& inverse_D, Rows& rows) noexcept {
+  for (int k = 0; k < count; ++k) {
+    const Real scaled = rows.errors[k] * inverse_D;
+    Real* const sums = &rows.Lambda_inv[rows.arrived[k] * table.rows];
+    for (int l = 0; l <= k; ++l) {
+      Real& sum = sums[rows.arrived[l]];
+      sum = sum + (scaled * rows.errors[l]);
     }
   }
 }
 
 /// Lambda^-1 += K^T IA^-1 K for the unit forces that have got to a floating base.
 template <class Table, class Inertias, class Rows, class Real = typename Table::Real>
-void absorb_in_base(const Table& table, const Inertias& inertias, Rows& rows) noexcept {
-  for (int r = 0; r < table.rows; ++r) {
-    if (rows.links[r] == 0) {
-      Spatial<Real>& K = rows.forces[r];
-      Real x[6];
-      for (int k = 0; k < 3; ++k) {
-        x[k] = K.linear[k];
-        x[k + 3] = K.angular[k];
-      }
-      solve_lower(&inertias.base[0], 6, x);
-      for (int k = 0; k < 3; ++k) {
-        K.linear[k] = x[k];
-        K.angular[k] = x[k + 3];
-      }
+void absorb_in_base(const Table& table, int count, const Inertias& inertias, Rows& rows) noexcept {
+  for (int k = 0; k < count; ++k) {
+    Spatial<Real>& K = rows.forces[rows.arrived[k]];
+    Real x[6];
+    for (int m = 0; m < 3; ++m) {
+      x[m] = K.linear[m];
+      x[m + 3] = K.angular[m];
+    }
+    solve_lower(&inertias.base[0], 6, x);
+    for (int m = 0; m < 3; ++m) {
+      K.linear[m] = x[m];
+      K.angular[m] = x[m + 3];
     }
   }
-  for (int k = 0; k < 6; ++k) {
-    for (int r = 0; r < table.rows; ++r) {
-      rows.errors[r] = (k < 3) ? rows.forces[r].linear[k] : rows.forces[r].angular[k - 3];
+  for (int m = 0; m < 6; ++m) {
+    for (int k = 0; k < count; ++k) {
+      const Spatial<Real>& K = rows.forces[rows.arrived[k]];
+      rows.errors[k] = (m < 3) ? K.linear[m] : K.angular[m - 3];
     }
-    absorb(table, 0, &rows.errors[0], inertias.base[7 * k], rows);
+    absorb(table, count, inertias.base[7 * m], rows);
   }
+}
+
+/// Makes K what is left of it on the parent of link `i`, whose joint it works on by `along`.
+template <class Table, class Motions, class Real>
+void pass_force(const Table& table, int i, const Motions& motions,
+                const LinkProjection<Real>& joint, const Real& along, Spatial<Real>& K) noexcept {
+  add_scaled(joint.u, -along, K);
+  along_joint(table, i, K) = table.links[i].rotor * joint.inverse_D * along;
+  wrench_to_parent(table, i, motions.poses, K);
 }
 
 /// The lower triangle of Lambda^-1, the sum over joints of (S^T K)^T D^-1 (S^T K) with the unit
@@ -154,26 +173,19 @@ void propagate_forces(const Table& table, const Motions& motions, const Inertias
     rows.links[r] = table.points[table.point_rows[r].point].link;
   }
   for (int i = table.count - 1; i >= 0; --i) {
+    const int count = find_arrived(table, i, rows);
     if (is_floating<Table>(i)) {
-      absorb_in_base(table, inertias, rows);
+      absorb_in_base(table, count, inertias, rows);
     } else {
-      for (int r = 0; r < table.rows; ++r) {
-        rows.errors[r] = along_joint(table, i, rows.forces[r]);
+      for (int k = 0; k < count; ++k) {
+        rows.errors[k] = along_joint(table, i, rows.forces[rows.arrived[k]]);
       }
       const LinkProjection<Real>& joint = inertias.projections[i];
-      absorb(table, i, &rows.errors[0], joint.inverse_D, rows);
-      for (int r = 0; r < table.rows; ++r) {
-        if (rows.links[r] == i) {
-          Spatial<Real>& K = rows.forces[r];
-          const Real along = rows.errors[r];
-          for (int k = 0; k < 3; ++k) {
-            K.linear[k] = K.linear[k] - (joint.u.linear[k] * along);
-            K.angular[k] = K.angular[k] - (joint.u.angular[k] * along);
-          }
-          along_joint(table, i, K) = table.links[i].rotor * joint.inverse_D * along;
-          wrench_to_parent(table, i, motions.poses, K);
-          rows.links[r] = table.links[i].parent;
-        }
+      absorb(table, count, joint.inverse_D, rows);
+      for (int k = 0; k < count; ++k) {
+        const int r = rows.arrived[k];
+        pass_force(table, i, motions, joint, rows.errors[k], rows.forces[r]);
+        rows.links[r] = table.links[i].parent;
       }
     }
   }

@@ -9,10 +9,15 @@
 namespace treeline::c {
 namespace {
 
+/// Where the function begins that an item declares, if it is one.
+std::size_t find_function(const std::string& item) {
+  return std::min(item.find("static inline "), item.find("static TREELINE_LINK_INLINE\n"));
+}
+
 /// What an item declares: the function before its first parenthesis, or the type after its last
 /// brace.
 std::string declared_name(const std::string& item) {
-  const std::size_t function = item.find("static inline ");
+  const std::size_t function = find_function(item);
   const std::size_t end = function != item.npos ? item.find('(', function) : item.rfind(';');
   std::size_t begin = end;
   while (begin > 0 && is_of_word(item[begin - 1])) --begin;

@@ -15,6 +15,7 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/inline_links.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/wrap_line.hpp"
@@ -233,9 +234,10 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
     return program.loops && is_ranked(*program.loops);
   });
   std::vector<LoopHeader> translated;
-  for (const auto& [name, header] : headers) {
+  for (const auto& [name, each] : headers) {
+    const std::string header = settle_inlining(context, each);
     LoopHeader& next = translated.emplace_back(LoopHeader{name, print_opening(header), {}});
-    if (header == cpp::templates::kLinkTable) {
+    if (each == cpp::templates::kLinkTable) {
       next.opening += print_sizes(context, table, ranked) + "\n";
     }
     for (const LoopItem& item : parse_loops(header)) {

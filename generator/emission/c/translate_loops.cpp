@@ -15,6 +15,7 @@ namespace treeline::c {
 namespace {
 
 constexpr std::string_view kSines = "Sines";
+constexpr const char* kInlined = "TREELINE_LINK_INLINE";
 
 [[noreturn]] void reject(std::string_view text) {
   throw std::logic_error(fmt::format("loops over links: not to be had in C: {}", text));
@@ -188,7 +189,8 @@ LoopParameter LoopTranslator::parameter(const std::string& text) const {
 
 void LoopTranslator::learn_signature(const LoopItem& item) {
   static const std::regex head(
-      "(?:inline |constexpr )?(const )?([\\w<>]+?)(&?) (\\w+)\\((.*)\\) noexcept");
+      "(?:inline |constexpr |TREELINE_LINK_INLINE )?(const )?([\\w<>]+?)(&?) (\\w+)\\((.*)\\) "
+      "noexcept");
   std::smatch found;
   if (!std::regex_match(item.head, found, head)) reject(item.head);
   const std::string result = found[2];
@@ -221,9 +223,12 @@ std::string LoopTranslator::translate_function(const LoopItem& item) {
   const LoopSignature& signature = functions_[found[1]];
   std::vector<std::string> list;
   for (const LoopParameter& each : signature.parameters) list.push_back(each.text);
-  std::string text = wrap_statements(fmt::format("static inline {} {}{}({}) {{", signature.result,
-                                                 name_, found[1].str(), joined(list)),
-                                     0);
+  const std::string inlining =
+      item.head.starts_with(kInlined) ? fmt::format("{}\n", kInlined) : "inline ";
+  std::string text =
+      wrap_statements(fmt::format("static {}{} {}{}({}) {{", inlining, signature.result, name_,
+                                  found[1].str(), joined(list)),
+                      0);
   for (const std::string& line : choose_branches(join_statements(item.body))) {
     const auto [indentation, code, note] = split_line(line);
     if (code.starts_with("static_assert") || code.starts_with("using ")) continue;

@@ -7,6 +7,7 @@
 #include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/inline_links.hpp"
 #include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
@@ -63,7 +64,9 @@ std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context,
       {"link_table.hpp", templates::kLinkTable},
       {"link_vectors.hpp", templates::kLinkVectors}};
   std::vector<GeneratedFile> files;
-  for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
+  for (const auto& [name, text] : headers) {
+    files.push_back({name, print_header(context, settle_inlining(context, text))});
+  }
   if (has_inputs(programs)) {
     files.push_back({"link_inputs.hpp", print_header(context, templates::kLinkInputs)});
   }
