@@ -31,12 +31,14 @@ struct Place {
   const char* colour;  ///< of Okabe and Ito
 };
 constexpr std::array kPlaces = {Place{"warm", "#009e73"}, Place{"from the shared cache", "#e69f00"},
-                                Place{"from memory", "#d55e00"}};
+                                Place{"from memory", "#d55e00"},
+                                Place{"from memory, loaded first", "#0072b2"}};
 
 /// Times of a row, in the order of `kPlaces`; those that were measured.
 std::vector<double> times_of(const ColdRow& row) {
   std::vector<double> times{row.warm.nanoseconds, row.cold.from_cache.nanoseconds};
   if (row.cold.from_memory) times.push_back(row.cold.from_memory->nanoseconds);
+  if (row.cold.loaded) times.push_back(row.cold.loaded->nanoseconds);
   for (double& time : times) time = std::max(time, 0.1);
   return times;
 }
@@ -102,13 +104,14 @@ class ColdPanel {
   std::string draw_row(const ColdRow& row) {
     const std::vector<double> times = times_of(row);
     const double at = x(row.bytes.value_or(0));
-    std::string text = svg_line(at, y(times.front()), at, y(times.back()), "#9a9a9a");
+    const auto [fastest, slowest] = std::minmax_element(times.begin(), times.end());
+    std::string text = svg_line(at, y(*fastest), at, y(*slowest), "#9a9a9a");
     for (std::size_t i = 0; i < times.size(); ++i) {
       text += svg_disc(at, y(times[i]), kMark, kPlaces[i].colour,
                        fmt::format("{}, {}: {:.3g} ns, {} bytes; {}", names_of(row),
                                    kPlaces[i].legend, times[i], row.bytes.value_or(0), row.method));
     }
-    return text + draw_name(row, at, y(times.back()));
+    return text + draw_name(row, at, y(*slowest));
   }
 
   /// The name beside the slowest mark, below those that stand there already.

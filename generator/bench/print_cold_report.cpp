@@ -12,15 +12,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A time and its ratio; blanks where it was not measured.
+void append_timing(const std::optional<Timing>& timing, std::vector<std::string>& cells) {
+  cells.push_back(timing ? print_time(timing->nanoseconds) : "");
+  cells.push_back(timing ? fmt::format("{:.2f}", timing->ratio) : "");
+}
+
 std::string print_cold_function(const ColdFunction& function) {
   std::vector<std::vector<std::string>> rows;
   for (const ColdRow& row : function.rows) {
-    rows.push_back({row.bytes ? std::to_string(*row.bytes) : "", print_time(row.warm.nanoseconds),
-                    fmt::format("{:.2f}", row.warm.ratio),
-                    print_time(row.cold.from_cache.nanoseconds),
-                    row.cold.from_memory ? print_time(row.cold.from_memory->nanoseconds) : "",
-                    row.cold.from_memory ? fmt::format("{:.2f}", row.cold.from_memory->ratio) : "",
-                    row.is_small ? "-Os" : "", names_of(row), row.method});
+    std::vector<std::string>& cells =
+        rows.emplace_back(std::vector{row.bytes ? std::to_string(*row.bytes) : ""});
+    append_timing(row.warm, cells);
+    cells.push_back(print_time(row.cold.from_cache.nanoseconds));
+    append_timing(row.cold.from_memory, cells);
+    append_timing(row.cold.loaded, cells);
+    for (const std::string& word :
+         {std::string(row.is_small ? "-Os" : ""), names_of(row), row.method}) {
+      cells.push_back(word);
+    }
   }
   return std::string(function_name(function.function)) + "\n" +
          align_columns({{"bytes", true},
@@ -28,6 +38,8 @@ std::string print_cold_function(const ColdFunction& function) {
                         {"ratio", true},
                         {"from cache", true},
                         {"from memory", true},
+                        {"ratio", true},
+                        {"loaded first", true},
                         {"ratio", true},
                         {"flag"},
                         {"optimize"},
@@ -52,7 +64,8 @@ Json describe_cold_row(const ColdReport& report, const ColdFunction& function, c
           {"warm", describe_timing(row.warm)},
           {"from_cache", describe_timing(row.cold.from_cache)},
           {"from_memory",
-           row.cold.from_memory ? describe_timing(*row.cold.from_memory) : Json(nullptr)}};
+           row.cold.from_memory ? describe_timing(*row.cold.from_memory) : Json(nullptr)},
+          {"loaded", row.cold.loaded ? describe_timing(*row.cold.loaded) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -60,6 +73,7 @@ Json describe_cold_row(const ColdReport& report, const ColdFunction& function, c
 std::string print_table(const ColdReport& report) {
   std::string text = fmt::format(
       "{}: bytes, and time of a call whose code is in caches or not, by `optimize`\n"
+      "loaded first: from memory, with a call of `prefetch` before it\n"
       "on {}\ncompiled by {}\n       with {}\n\n",
       report.name, report.machine.processor, report.machine.compiler, report.machine.command);
   for (const ColdFunction& function : report.functions) text += print_cold_function(function);

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "bench/cold_report.hpp"
+#include "compilation/print_entry.hpp"
 #include "compilation/temporary_folder.hpp"
+#include "description/follow_target.hpp"
 #include "description/scene_words.hpp"
 #include "emission/write_files.hpp"
 #include "generation/without_callers.hpp"
@@ -18,11 +20,36 @@ namespace {
 
 constexpr std::array kChoices = {Optimize::speed, Optimize::balanced, Optimize::size};
 
-/// The scene's functions of one state, without what calls them.
+/// The scene's functions of one state, without what calls them, and what loads their code where
+/// that can be had.
 Scene scene_for(Scene scene, Optimize optimize) {
   scene.optimize = optimize;
   scene.batch = 0;
+  scene.prefetch = can_load_code(scene);
   return without_callers(std::move(scene));
+}
+
+std::string load_name(const GeneratedFunction& generated) {
+  return "load_" + source_stem(generated);
+}
+
+/// A source with an entry for each function that loads its code into caches.
+WorkSource print_load_entries(const Scene& scene, const std::vector<GeneratedFunction>& functions) {
+  const bool is_c = scene.language == Language::c;
+  std::string text = fmt::format("#include \"prefetch.{}\"\n", is_c ? "c" : "cpp");
+  for (const GeneratedFunction& generated : functions) {
+    text += fmt::format(
+        "{}void {}(const void* const* in, void* const* out) {{\n  (void)in;\n  (void)out;\n"
+        "  {}{}prefetch_{}();\n}}\n",
+        is_c ? "" : "extern \"C\" ", entry_symbol(load_name(generated)), scene.name,
+        is_c ? "_" : "::", generated.program.name);
+  }
+  return {"load_entries", text};
+}
+
+/// What loads the function's code. Of functions that loop most is shared, which nothing loads.
+CompiledEntry find_load_entry(const GeneratedLibrary& library, const GeneratedFunction& generated) {
+  return generated.program.loops ? nullptr : library.find_entry(load_name(generated));
 }
 
 /// All functions by one value of `optimize`, compiled and loaded.
@@ -41,6 +68,7 @@ std::optional<ColdBuild> make_build(const Robot& robot, const Scene& scene,
   CompileOptions options{flags};
   options.optimize = scene.optimize;
   options.target = scene.target;
+  if (scene.prefetch) options.more.push_back(print_load_entries(scene, generation->functions));
   auto build =
       load_build(sources, scene, generation->functions, options, work / "objects", diagnostics);
   if (!build) return std::nullopt;
@@ -76,8 +104,10 @@ ColdFunction measure_cold_function(const std::vector<ColdBuild>& builds, std::si
       same->optimize.push_back(kChoices[k]);
       continue;
     }
-    warm.push_back({builds[k].build.library.raw_entry(i), &arguments});
-    cold.push_back({warm.back(), builds[k].build.compilation.library.string()});
+    const GeneratedLibrary& library = builds[k].build.library;
+    warm.push_back({library.raw_entry(i), &arguments});
+    cold.push_back({warm.back(), builds[k].build.compilation.library.string(),
+                    find_load_entry(library, builds[k].generation.functions[i])});
     made.rows.push_back(std::move(row));
   }
   const std::vector<Timing> warm_times = time_calls(warm, options.warm);

@@ -39,6 +39,10 @@ void follow_target(Scene& scene) {
   scene.lanes = scalar ? 1 : choose_lanes(target_of(scene), bytes_of(scene.real));
 }
 
+bool can_load_code(const Scene& scene) {
+  return target_of(scene).contracts && scene.profile != Profile::misra;
+}
+
 void warn_of_target(const Scene& scene, Diagnostics& diagnostics) {
   const Target& target = target_of(scene);
   const int bytes = bytes_of(scene.real);

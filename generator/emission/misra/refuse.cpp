@@ -18,7 +18,8 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
            "Leave `batch` out.");
   }
   if (context.prefetch) {
-    report("prefetch", "code is loaded by builtins, which `profile: misra` does not use",
+    report("prefetch",
+           "functions need sections of their own, for which `profile: misra` has no attributes",
            "Leave `prefetch` out.");
   }
 }
