@@ -115,7 +115,8 @@ std::size_t count_work(const LinkLoops& loops) {
   if (loops.uses_inertias) count += 7 * links + 21 * slots + count_base_entries(table);
   if (loops.uses_rows) count += 18 * points + (8 + rows) * rows;
   count += 10 * table.loaded_links.size();
-  if (!loops.step.empty()) count += links;
+  count += (changes_rotors(loops) ? links : 0) + (changes_drives(loops) ? 3 * links : 0) +
+           (changes_frictions(loops) ? 2 * links : 0);
   if (moves_points(table)) count += 13 * points;
   return count;
 }

@@ -9,16 +9,37 @@
 namespace treeline {
 namespace {
 
-const char* function_of(const LinkInput& input) {
+/// What enters an argument into the table, and into which array.
+struct InputStep {
+  const char* function;
+  const char* array;
+};
+
+InputStep step_of(const LinkInput& input) {
   switch (input.gives) {
     case LinkInput::Gives::bodies:
-      return input.entries.empty() ? "add_bodies" : "add_parts_of_bodies";
+      return {input.entries.empty() ? "add_bodies" : "add_parts_of_bodies", "bodies"};
     case LinkInput::Gives::origins:
-      return "move_points";
+      return {"move_points", "points"};
     case LinkInput::Gives::axes:
+      return {"turn_points", "points"};
+    case LinkInput::Gives::rotors:
+      return {"give_rotors", "rotors"};
+    case LinkInput::Gives::dampings:
+      return {"give_dampings", "drives"};
+    case LinkInput::Gives::frictions:
       break;
   }
-  return "turn_points";
+  return {"give_frictions", "frictions"};
+}
+
+bool is_of_friction(const LinkInput& input) {
+  return input.gives == LinkInput::Gives::dampings || input.gives == LinkInput::Gives::frictions;
+}
+
+bool gives(const LinkTableData& table, LinkInput::Gives what) {
+  return std::any_of(table.inputs.begin(), table.inputs.end(),
+                     [&](const LinkInput& input) { return input.gives == what; });
 }
 
 std::string call(const std::string& function, const std::string& arguments) {
@@ -33,24 +54,35 @@ std::string print_array(const char* type, const char* array, const std::string& 
               fmt::format("{}, {}, {}", from, count, names.array(array)));
 }
 
-/// What fills the array of rotors, once the table is complete.
-std::string print_rotors(const LoopNames& names) {
+/// What makes the table's rotors those of a step, once it is complete.
+std::string print_step(const LoopNames& names) {
+  const std::string rotors = names.array("rotors");
   return call(names.function("find_rotors"),
-              fmt::format("{}, {}, {}", names.table, names.array("qd"), names.array("rotors")));
+              fmt::format("{}, {}, {}", names.table, names.array("qd"), rotors)) +
+         fmt::format("  table.rotors = {};\n", rotors);
 }
 
 }  // namespace
 
-bool is_of_links(const LinkInput& input) {
-  return input.gives == LinkInput::Gives::bodies;
+bool moves_points(const LinkTableData& table) {
+  return std::any_of(table.inputs.begin(), table.inputs.end(),
+                     [](const LinkInput& input) { return input.is_of_points(); });
 }
 
-bool moves_points(const LinkTableData& table) {
-  return !std::all_of(table.inputs.begin(), table.inputs.end(), is_of_links);
+bool changes_rotors(const LinkLoops& loops) {
+  return !loops.step.empty() || gives(loops.table, LinkInput::Gives::rotors);
+}
+
+bool changes_drives(const LinkLoops& loops) {
+  return loops.uses_friction && gives(loops.table, LinkInput::Gives::dampings);
+}
+
+bool changes_frictions(const LinkLoops& loops) {
+  return loops.uses_friction && gives(loops.table, LinkInput::Gives::frictions);
 }
 
 std::string frames_name(const LinkInput& input) {
-  return input.argument + "_frames";
+  return input.argument + "_" + (input.numbers.empty() ? "frames" : step_of(input).array);
 }
 
 std::string entries_name(const LinkInput& input) {
@@ -82,8 +114,10 @@ std::string print_members(const LinkLoops& loops, const LoopNames& names, const 
   set_number("point_count", table.points.size());
   set("point_rows", !table.rows.empty(), names.constant("point_rows"));
   set_number("rows", table.rows.size());
-  set("drives", !table.drives.empty(), names.constant("drives"));
-  set("frictions", !table.frictions.empty(), names.constant("frictions"));
+  set("drives", !table.drives.empty(),
+      changes_drives(loops) ? names.array("drives") : names.constant("drives"));
+  set("frictions", !table.frictions.empty(),
+      changes_frictions(loops) ? names.array("frictions") : names.constant("frictions"));
   set("couplings", !table.couplings.empty(), names.constant("couplings"));
   set_number("joints", static_cast<std::size_t>(table.joints));
   set("ball_axes", !table.balls.empty(), names.constant("ball_axes"));
@@ -95,18 +129,35 @@ std::string print_members(const LinkLoops& loops, const LoopNames& names, const 
   set("bodies", !table.loaded_links.empty(), names.array("bodies"));
   set("loaded_links", !table.loaded_links.empty(), names.constant("loaded_links"));
   set_number("loaded_count", table.loaded_links.size());
-  const bool stepped = !loops.step.empty();
-  set("rotors", stepped, names.array("rotors"));
-  set("step", stepped, names.array(loops.step));
-  return text + (stepped ? print_rotors(names) : "");
+  set("rotors", gives(table, LinkInput::Gives::rotors), names.array("rotors"));
+  set("step", !loops.step.empty(), names.array(loops.step));
+  return text + (loops.step.empty() ? "" : print_step(names));
+}
+
+/// The arrays that take the place of constants of links, as these are.
+std::string print_link_arrays(const LinkLoops& loops, const LoopNames& names) {
+  const LinkTableData& table = loops.table;
+  const std::size_t links = table.links.size();
+  std::string text;
+  if (changes_rotors(loops)) {
+    text += fmt::format("  {} rotors[{}];\n", names.number, links);
+  }
+  if (gives(table, LinkInput::Gives::rotors)) {
+    text += call(names.function("copy_rotors"),
+                 fmt::format("{}, {}, {}", names.constant("links"), links, names.array("rotors")));
+  }
+  if (changes_drives(loops)) {
+    text += print_array("LinkDrive", "drives", names.constant("drives"), links, names);
+  }
+  if (changes_frictions(loops)) {
+    text += print_array("LinkFriction", "frictions", names.constant("frictions"), links, names);
+  }
+  return text;
 }
 
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {
   const LinkTableData& table = loops.table;
-  std::string text;
-  if (!loops.step.empty()) {
-    text += fmt::format("  {} rotors[{}];\n", names.number, table.links.size());
-  }
+  std::string text = print_link_arrays(loops, names);
   if (!table.loaded_links.empty()) {
     const std::string from = names.constant("links") + ", " + names.constant("loaded_links");
     text += print_array("LinkBody", "bodies", from, table.loaded_links.size(), names);
@@ -116,15 +167,16 @@ std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {
         print_array("LinkPoint", "points", names.constant("points"), table.points.size(), names);
   }
   for (const LinkInput& input : table.inputs) {
-    const bool of_links = is_of_links(input);
+    if (is_of_friction(input) && !loops.uses_friction) continue;
+    const InputStep step = step_of(input);
     const std::string entries =
         input.entries.empty()
             ? std::string()
             : fmt::format("{}, {}, ", names.constant(entries_name(input)), input.entries.size());
-    text += call(names.function(function_of(input)),
+    text += call(names.function(step.function),
                  fmt::format("{}, {}, {}{}, {}", names.constant(frames_name(input)),
-                             input.frames.size(), entries, names.array(input.argument),
-                             names.array(of_links ? "bodies" : "points")));
+                             std::max(input.frames.size(), input.numbers.size()), entries,
+                             names.array(input.argument), names.array(step.array)));
   }
   return text;
 }

@@ -19,8 +19,8 @@ struct LoopNames {
   std::string table;                                        ///< the function's own, as an argument
 };
 
-/// What a function does before it loops where arguments change the table: arrays `bodies` and
-/// `points` take the place of constants. Empty where none does.
+/// What a function does before it loops where arguments change the table: arrays `bodies`,
+/// `rotors`, `drives`, `frictions` and `points` take the place of constants. Empty where none does.
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names);
 
 /// The table of a function whose arguments change it, member by member: of an initializer g++ makes
@@ -28,13 +28,15 @@ std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names);
 std::string print_members(const LinkLoops& loops, const LoopNames& names, const std::string& type,
                           const std::vector<std::string>& gravity, bool all);
 
-/// Whether it is about links, not points.
-bool is_of_links(const LinkInput& input);
-
 /// Whether arguments move points of the table.
 bool moves_points(const LinkTableData& table);
 
-/// `payload_frames`, the constants of an input.
+/// Whether the table of the function has rotors, or friction of joints, of its own.
+bool changes_rotors(const LinkLoops& loops);
+bool changes_drives(const LinkLoops& loops);
+bool changes_frictions(const LinkLoops& loops);
+
+/// `payload_frames`, the constants of an input, or `base_parameters_rotors`.
 std::string frames_name(const LinkInput& input);
 
 /// `base_parameters_entries`, where it gives parts of bodies.

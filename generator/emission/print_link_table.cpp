@@ -38,8 +38,12 @@ std::string print_link(const Syntax& syntax, const Link<double>& of) {
                      numbers(syntax, of.body.J));
 }
 
+/// Frames of an input, or the numbers that it has in place of them.
 std::string print_frames(const Syntax& syntax, const LinkInput& input) {
   std::string text;
+  for (const core::loops::InputNumber& number : input.numbers) {
+    text += fmt::format("    {{{}, {}}},\n", number.of, number.at);
+  }
   for (const core::loops::InputFrame<double>& frame : input.frames) {
     text += wrap_line(fmt::format("{{{}, {}, {{{}}}, {}}},", frame.of, frame.at,
                                   numbers(syntax, frame.R.Q), numbers(syntax, frame.p)),
@@ -151,9 +155,14 @@ std::vector<LinkArray> list_arrays(const LinkTableText& table) {
       {"int16_t", Of::built_in, "row_entries", data.row_entries.size(), table.row_entries}};
   for (std::size_t i = 0; i < data.inputs.size(); ++i) {
     const LinkInput& input = data.inputs[i];
-    (is_of_links(input) ? of_links : of_points)
-        .push_back(
-            {"InputFrame", Of::numbers, frames_name(input), input.frames.size(), table.frames[i]});
+    std::vector<LinkArray>& of = input.is_of_points() ? of_points : of_links;
+    if (input.numbers.empty()) {
+      of.push_back(
+          {"InputFrame", Of::numbers, frames_name(input), input.frames.size(), table.frames[i]});
+    } else {
+      of.push_back(
+          {"InputNumber", Of::indices, frames_name(input), input.numbers.size(), table.frames[i]});
+    }
     if (input.entries.empty()) continue;
     of_links.push_back({"int16_t", Of::built_in, entries_name(input), input.entries.size(),
                         wrap_line(fmt::format("{}", fmt::join(input.entries, ", ")), 4)});

@@ -32,8 +32,8 @@ struct SizeModel {
 
 SizeModel model_of(const Scene& scene) {
   const Target& target = *find_target(scene.target);
-  if (emulates(target, bytes_of(scene.real))) return {14, 3100, 2600, 2000};
-  return {7, 1900, 2200, 1800};
+  if (emulates(target, bytes_of(scene.real))) return {14, 3100, 4200, 1800};
+  return {7, 2300, 2700, 1300};
 }
 
 double bytes_of_lines(const Scene& scene, int flops) {
@@ -56,60 +56,50 @@ double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
 }
 
 /// With the arguments that it reads.
-TracedLoops trace(const Mechanism& mechanism, Function function, const Program& lines,
-                  bool given_sines) {
-  TracedLoops traced = trace_loops(mechanism, function, lines, given_sines);
-  if (traced.program) declare_sines(*traced.program);
+std::optional<Program> trace(const Mechanism& mechanism, Function function, const Program& lines,
+                             bool given_sines) {
+  std::optional<Program> traced = trace_loops(mechanism, function, lines, given_sines);
+  if (traced) declare_sines(*traced);
   return traced;
-}
-
-/// Says what keeps a function from loops.
-void report(const Program& lines, const TracedLoops& traced, bool always,
-            Diagnostics& diagnostics) {
-  diagnostics.add({always ? Severity::error : Severity::note, "", 0, lines.name,
-                   fmt::format("cannot loop over a table of links: {}",
-                               traced.obstacle.empty() ? "it has no such form" : traced.obstacle),
-                   always ? "Choose another route." : "It stays as straight lines."});
 }
 
 }  // namespace
 
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                   GeneratedFunction& generated, Diagnostics& diagnostics) {
-  TracedLoops traced =
+  std::optional<Program> traced =
       trace(mechanism, generated.function, generated.program, scene.sin_cos == Sines::given);
-  if (!traced.program) {
-    if (always || !traced.obstacle.empty()) report(generated.program, traced, always, diagnostics);
+  if (!traced) {
+    if (!always) return;
+    diagnostics.add({Severity::error, "", 0, generated.program.name,
+                     "cannot loop over a table of links: it has no such form",
+                     "Choose another route."});
     return;
   }
-  if (!always && bytes_of_loops(scene, *traced.program->loops) >=
+  if (!always && bytes_of_loops(scene, *traced->loops) >=
                      bytes_of_lines(scene, count_operations(generated.program).flops())) {
     return;
   }
   const OperationCosts& costs = operation_costs(*find_target(scene.target), bytes_of(scene.real));
-  GeneratedFunction loops = generated_from(generated.function, std::move(*traced.program), costs);
+  GeneratedFunction loops = generated_from(generated.function, std::move(*traced), costs);
   loops.rejected = std::move(generated.rejected);
   loops.rejected.insert(loops.rejected.begin(), std::move(generated.chosen));
   generated = std::move(loops);
 }
 
 std::vector<Program> choose_loops_together(const Mechanism& mechanism, const Scene& scene,
-                                           std::span<const LoopCandidate> candidates,
-                                           Diagnostics& diagnostics) {
+                                           std::span<const LoopCandidate> candidates) {
   std::vector<Program> programs;
   double lines = 0;
   double loops = 0;  // once for all
   double calls = 0;
   for (const LoopCandidate& each : candidates) {
-    TracedLoops traced = trace(mechanism, each.function, *each.lines, true);
-    if (!traced.program) {
-      report(*each.lines, traced, false, diagnostics);
-      return {};
-    }
+    std::optional<Program> traced = trace(mechanism, each.function, *each.lines, true);
+    if (!traced) return {};
     lines += bytes_of_lines(scene, each.flops);
-    loops = std::max(loops, bytes_of_loops(scene, *traced.program->loops));
+    loops = std::max(loops, bytes_of_loops(scene, *traced->loops));
     calls += kBytesOfCall;
-    programs.push_back(std::move(*traced.program));
+    programs.push_back(std::move(*traced));
   }
   return loops + calls < lines ? std::move(programs) : std::vector<Program>{};
 }

@@ -11,10 +11,10 @@
 namespace treeline {
 
 /// Makes a function that was generated as straight lines one that loops over a table of links, if
-/// it has this form and its code is estimated to be smaller so; with `always` whether it is or not.
-/// Its program is as traced, see `trace_loops`. A note says what kept a function with this form
-/// from it; with `always` an error. `mechanism` is the whole scene's, the same for all functions,
-/// which share its table; loops take no more operations for that.
+/// it has this form and its code is estimated to be smaller so; with `always` whether it is or not,
+/// and without this form an error. Its program is as traced, see `trace_loops`. `mechanism` is the
+/// whole scene's, the same for all functions, which share its table; loops take no more operations
+/// for that.
 void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                   GeneratedFunction& generated, Diagnostics& diagnostics);
 
@@ -26,9 +26,8 @@ struct LoopCandidate {
 };
 
 /// The functions as loops over one table of links, which reads given sines; empty where the code is
-/// estimated to be smaller as straight lines, or, with a note, where one of them cannot loop.
+/// estimated to be smaller as straight lines, or where one of them has no such form.
 std::vector<Program> choose_loops_together(const Mechanism& mechanism, const Scene& scene,
-                                           std::span<const LoopCandidate> candidates,
-                                           Diagnostics& diagnostics);
+                                           std::span<const LoopCandidate> candidates);
 
 }  // namespace treeline

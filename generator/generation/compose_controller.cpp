@@ -79,8 +79,7 @@ Program trace_kinematics(const Robot& robot, const Scene& scene) {
 }
 
 /// Makes dynamics loops over links where the code is smaller so.
-void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& unit,
-                     Diagnostics& diagnostics) {
+void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& unit) {
   FunctionMechanisms mechanisms(robot, scene);
   const Mechanism& mechanism = mechanisms.whole();
   const bool task = unit.task_torque.has_value();
@@ -94,7 +93,7 @@ void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& uni
   if (task) {
     candidates.push_back({Function::control_torque, &*unit.task_torque, flops(*unit.task_torque)});
   }
-  std::vector<Program> loops = choose_loops_together(mechanism, scene, candidates, diagnostics);
+  std::vector<Program> loops = choose_loops_together(mechanism, scene, candidates);
   if (loops.empty()) return;
   if (task) {
     unit.kinematics = poses;
@@ -144,7 +143,7 @@ std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& 
 }  // namespace
 
 ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
-                                  const Mechanism& mechanism, Diagnostics& diagnostics) {
+                                  const Mechanism& mechanism) {
   ControllerUnit unit;
   unit.settings = *scene.controller;
   unit.joints = list_joints(robot, scene, mechanism);
@@ -155,7 +154,7 @@ ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
     unit.task_torque =
         trace_torque(robot, scene, Function::control_torque, "controller_task_torque");
   }
-  if (scene.optimize == Optimize::size) loop_over_links(robot, scene, unit, diagnostics);
+  if (scene.optimize == Optimize::size) loop_over_links(robot, scene, unit);
   if (!scene.controller->task) return unit;
   if (scene.controller->force) unit.push_torque = trace_push(robot, scene);
   for (const ScenePoint& point : scene.operational_points) {

@@ -373,7 +373,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (scene.controller) {
     if (tell) tell("the controller");
     context.controller = std::make_shared<const ControllerUnit>(
-        compose_controller(robot, scene, generation.mechanism, diagnostics));
+        compose_controller(robot, scene, generation.mechanism));
   }
   const std::vector<Program> programs = programs_of(generation.functions);
   const std::vector<Program> batch = programs_of(generation.batch);

@@ -11,12 +11,17 @@ namespace treeline {
 
 /// An argument that says something of links or points of the table.
 struct LinkInput {
-  enum class Gives { bodies, origins, axes };
+  enum class Gives { bodies, origins, axes, rotors, dampings, frictions };
   std::string argument;
   Gives gives = Gives::bodies;
   std::vector<core::loops::InputFrame<double>> frames;
   /// Of bodies that are given in part, for each number which of the ten it is.
   std::vector<std::int16_t> entries = {};
+  std::vector<core::loops::InputNumber> numbers = {};  ///< of joints, in place of frames
+
+  [[nodiscard]] bool is_of_points() const {
+    return gives == Gives::origins || gives == Gives::axes;
+  }
 };
 
 /// The robot as a table of its links, for functions that loop over it: see
@@ -57,6 +62,7 @@ struct LinkLoops {
   LinkTableData table;
   bool uses_inertias = false, uses_rows = false;  ///< which work space it needs beside motions
   bool solves = false;                            ///< takes the law by which rows yield
+  bool uses_friction = false;                     ///< depends on that of joints
   std::string f_ext;                              ///< the argument of external forces; empty: none
   std::string gravity;                            ///< the argument; empty: as the table says
   std::string step;                               ///< at whose end drives are taken; empty: none

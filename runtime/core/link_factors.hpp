@@ -71,4 +71,36 @@ void solve(const Real* factors, int n, Real* x) noexcept {
   }
 }
 
+/// Makes L below the diagonal of `factors` L^-1, of which the diagonal is 1.
+template <class Real>
+void invert_lower(Real* factors, int n) noexcept {
+  for (int j = 0; j < n; ++j) {
+    for (int i = j + 1; i < n; ++i) {
+      Real sum = factors[(i * n) + j];
+      for (int k = j + 1; k < i; ++k) {
+        sum = sum + (factors[(i * n) + k] * factors[(k * n) + j]);
+      }
+      factors[(i * n) + j] = -sum;
+    }
+  }
+}
+
+/// A^-1 = L^-T D^-1 L^-1 by factors whose L is inverted.
+template <class Real>
+void multiply_inverses(const Real* factors, int n, Real* inverse) noexcept {
+  for (int r = 0; r < n; ++r) {
+    for (int s = 0; s <= r; ++s) {
+      Real sum = factors[(n + 1) * r];
+      if (s < r) {
+        sum = sum * factors[(r * n) + s];
+      }
+      for (int k = r + 1; k < n; ++k) {
+        sum = sum + ((factors[(k * n) + r] * factors[(n + 1) * k]) * factors[(k * n) + s]);
+      }
+      inverse[(r * n) + s] = sum;
+      inverse[(s * n) + r] = sum;
+    }
+  }
+}
+
 }  // namespace treeline::core::loops

@@ -1,6 +1,6 @@
 #pragma once
 // What arguments say of a robot that is a table of links: payloads, inertial parameters of links,
-// tools. C++17, freestanding.
+// rotors, friction, tools. C++17, freestanding.
 
 #include <stdint.h>
 
@@ -155,6 +155,60 @@ void turn_points(const InputFrame<Real>* frames, int count, const Real* argument
         points[frame.of].axes[(3 * j) + k] = axis[k];
       }
     }
+  }
+}
+
+template <class Real>
+void copy_rotors(const Link<Real>* from, int count, Real* to) noexcept {
+  for (int i = 0; i < count; ++i) {
+    to[i] = from[i].rotor;
+  }
+}
+
+template <class Real>
+void copy_drives(const LinkDrive<Real>* from, int count, LinkDrive<Real>* to) noexcept {
+  for (int i = 0; i < count; ++i) {
+    to[i].damping = from[i].damping;
+    to[i].stiffness = from[i].stiffness;
+    to[i].rest = from[i].rest;
+  }
+}
+
+template <class Real>
+void copy_frictions(const LinkFriction<Real>* from, int count, LinkFriction<Real>* to) noexcept {
+  for (int i = 0; i < count; ++i) {
+    to[i].force = from[i].force;
+    to[i].sharpness = from[i].sharpness;
+  }
+}
+
+/// What an argument says of a joint.
+template <class Real>
+Real number_of(const InputNumber& number, const Real* argument) noexcept {
+  return (number.at < 0) ? Real(0.0) : argument[number.at];
+}
+
+template <class Real>
+void give_rotors(const InputNumber* numbers, int count, const Real* argument,
+                 Real* rotors) noexcept {
+  for (int i = 0; i < count; ++i) {
+    rotors[numbers[i].of] = number_of(numbers[i], argument);
+  }
+}
+
+template <class Real>
+void give_dampings(const InputNumber* numbers, int count, const Real* argument,
+                   LinkDrive<Real>* drives) noexcept {
+  for (int i = 0; i < count; ++i) {
+    drives[numbers[i].of].damping = number_of(numbers[i], argument);
+  }
+}
+
+template <class Real>
+void give_frictions(const InputNumber* numbers, int count, const Real* argument,
+                    LinkFriction<Real>* frictions) noexcept {
+  for (int i = 0; i < count; ++i) {
+    frictions[numbers[i].of].force = number_of(numbers[i], argument);
   }
 }
 

@@ -272,13 +272,13 @@ Real drive_slope(const Table& table, int i, const Real& step, const Real& qd) no
 }
 
 /// The inertias of joints that make friction and springs those at the end of the table's step:
-/// rotor + step D + step^2 K.
+/// rotor + step D + step^2 K. They may take the place of those that an argument gives.
 template <class Table, class Real>
 void find_rotors(const Table& table, const Real* qd, Real* rotors) noexcept {
   const Real step = table.step[0];
   for (int i = 0; i < table.count; ++i) {
     const Real speed = entry(qd, velocity_at<Table>(joint_of(table, i)));
-    rotors[i] = table.links[i].rotor + (step * drive_slope(table, i, step, speed));
+    rotors[i] = rotor_of(table, i) + (step * drive_slope(table, i, step, speed));
   }
 }
 
@@ -311,7 +311,7 @@ void gather_forces(const Table& table, const Real* q, const Real* qd, const Real
     } else {
       const int at = velocity_at<Table>(joint_of(table, i));
       const Real force = scale(table, i, along_joint(table, i, wrench));
-      enter<Table>(force + (link.rotor * entry(qdd, at)), tau[at]);
+      enter<Table>(force + (rotor_of(table, i) * entry(qdd, at)), tau[at]);
       if constexpr (Table::kDriven) {
         add_drive(table, i, q[coordinate_of(table, i)], entry(qd, at), tau[at]);
       } else {

@@ -156,7 +156,7 @@ template <class Table, class Motions, class Real>
 void pass_force(const Table& table, int i, const Motions& motions,
                 const LinkProjection<Real>& joint, const Real& along, Spatial<Real>& K) noexcept {
   add_scaled(joint.u, -along, K);
-  along_joint(table, i, K) = table.links[i].rotor * joint.inverse_D * along;
+  along_joint(table, i, K) = rotor_of(table, i) * joint.inverse_D * along;
   wrench_to_parent(table, i, motions.poses, K);
 }
 
@@ -261,16 +261,8 @@ void invert_rows(const Table& table, const Real* yields, Rows& rows, Real* Lambd
     }
   }
   factor<power>(&rows.Lambda_inv[0], n, yields);
-  for (int s = 0; s < n; ++s) {
-    for (int r = 0; r < n; ++r) {
-      rows.errors[r] = (r == s) ? Real(1.0) : Real(0.0);
-    }
-    solve(&rows.Lambda_inv[0], n, &rows.errors[0]);
-    for (int r = s; r < n; ++r) {
-      Lambda[(s * n) + r] = rows.errors[r];
-      Lambda[(r * n) + s] = rows.errors[r];
-    }
-  }
+  invert_lower(&rows.Lambda_inv[0], n);
+  multiply_inverses(&rows.Lambda_inv[0], n, Lambda);
 }
 
 /// 1 over the border of each row in the order of priority: 2^-13 of the inverse inertia, of which

@@ -100,14 +100,20 @@ struct InputFrame {
   Real p[3];  ///< the frame's origin, in the link's axes
 };
 
+/// A number of an argument that a joint has.
+struct InputNumber {
+  int16_t of;  ///< the link of the joint
+  int16_t at;  ///< its entry in the argument; -1: it is 0
+};
+
 /// The robot. `floats`: the first link moves freely, and has seven coordinates and six velocities;
 /// each other joint has one. `sliding`: there are prismatic joints. `driven`: there may be drives,
 /// `rubbing`: Coulomb friction. `coupled`: joints share coordinates. `own_sines`: some
 /// turn by multiples of these. `balls`: there are ball joints. `pushed`: external forces are an
 /// argument. `loaded`: inertial parameters of links depend on arguments. `sorted`: rows of points
 /// stand in the order of priority, which is not that of arguments and results. `stepped`: friction
-/// and springs may be those at the end of a step. `grounded`: points are on the world.
-/// `freed`: joints beyond the base move freely.
+/// and springs may be those at the end of a step, or rotors are an argument. `grounded`: points are
+/// on the world. `freed`: joints beyond the base move freely.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
           bool coupled = false, bool own_sines = false, bool balls = false, bool pushed = false,
           bool loaded = false, bool sorted = false, bool stepped = false, bool grounded = false,
@@ -149,7 +155,7 @@ struct LinkTable {
   const LinkBody<Real>* bodies = nullptr;  ///< of `loaded_links`, in place of those in `links`
   const int16_t* loaded_links = nullptr;
   int loaded_count = 0;
-  const Real* rotors = nullptr;  ///< of all links, for the step; none: those in `links`
+  const Real* rotors = nullptr;  ///< of all links; none: those in `links`
   const Real* step = nullptr;    ///< in s, at whose end springs are taken; none: at its beginning
 };
 

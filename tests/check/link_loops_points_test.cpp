@@ -58,6 +58,32 @@ TEST(LinkLoopsCheck, BaseParametersAsAnArgument) {
   expect_safe(humanoid, Real::float64);
 }
 
+/// With base parameters as an argument, rotors and friction among them.
+Subjects with_base_drives(Subjects subjects) {
+  subjects.scene.inputs.base_parameters = true;
+  subjects.scene.regressor.rotors = true;
+  subjects.scene.regressor.friction = true;
+  subjects.scene.regressor.coulomb = true;
+  return subjects;
+}
+
+// Of some rotors base parameters are named after a link. Springs and what mimics stay as the files
+// have them, and what the argument gives counts in the step too. Would catch: a rotor of another
+// joint, or one that a part of a function takes from the table.
+TEST(LinkLoopsCheck, RotorsAndFrictionAmongBaseParameters) {
+  auto samm = with_base_drives(load_unmade("samm", "scene.yaml"));
+  samm.scene.joint_springs["joint2"] = {40, 0.3};
+  expect_right(samm, Real::float64, all_with_form());
+  auto gripper = with_base_drives(read("published/kinova_gen3_2f85.urdf", kPointAtWrist));
+  gripper.scene.base = Base::floating;
+  expect_right(gripper, Real::float64, kDynamics);
+  auto humanoid = with_base_drives(load_unmade("humanoid24", "scene_floating.yaml"));
+  humanoid.scene.regressor.coulomb = false;
+  humanoid.scene.joint_friction["knee"] = {1, 5, 0.05};
+  humanoid.scene.implicit_friction = true;
+  expect_safe(humanoid, Real::float64);
+}
+
 // At points with axes of the world and of their links, on bases that are fixed and that float.
 TEST(LinkLoopsCheck, ExternalForces) {
   auto subjects = load_unmade("samm", "scene.yaml");

@@ -8,19 +8,6 @@
 namespace treeline::tests {
 namespace {
 
-/// No function loops, and a single note says why.
-void expect_lines(const Subjects& subjects, const std::string& why) {
-  Diagnostics diagnostics;
-  const auto generation = generate_code(subjects.robot, subjects.scene,
-                                        {"robot.urdf", "", "scene.yaml", ""}, diagnostics);
-  ASSERT_TRUE(generation);
-  for (const auto& generated : generation->functions) EXPECT_FALSE(generated.program.loops);
-  ASSERT_EQ(diagnostics.list().size(), 1U);
-  const Diagnostic& note = diagnostics.list().front();
-  EXPECT_EQ(note.severity, Severity::note);
-  EXPECT_NE(note.fault.find(why), std::string::npos) << to_string(note);
-}
-
 TEST(LinkLoopsCheck, HumanoidOnAFixedBase) {
   expect_right(load_unmade("humanoid24", "scene.yaml"), Real::float64, all_with_form());
 }
@@ -190,15 +177,23 @@ TEST(LinkLoopsCheck, SafeCodeOfBallJointsWithGivenSines) {
   expect_safe(humanoid, Real::float64);
 }
 
-// Nothing is said of the function that never has this form.
-TEST(LinkLoopsCheck, WhatTheTableCannotSayStaysAsLines) {
+// Where small code is asked for, functions that never have this form say nothing of it. Chosen by
+// name, it is an error.
+TEST(LinkLoopsCheck, FunctionsWithoutThisFormStayAsLines) {
   auto subjects = load_unmade("puma560", "scene.yaml");
   subjects.scene.optimize = Optimize::size;
   subjects.scene.damped.reset();
-  subjects.scene.functions = {Function::inverse_dynamics, Function::kinetic_energy};
-  subjects.scene.inputs.base_parameters = true;
-  subjects.scene.regressor.rotors = true;
-  expect_lines(subjects, "base parameters of rotors");
+  subjects.scene.functions = {Function::kinetic_energy};
+  Diagnostics diagnostics;
+  const auto lines = generate_code(subjects.robot, subjects.scene, {}, diagnostics);
+  ASSERT_TRUE(lines);
+  EXPECT_FALSE(lines->functions.front().program.loops);
+  EXPECT_TRUE(diagnostics.list().empty());
+  Choices choices;
+  choices.plain[Function::kinetic_energy] = {kLoopsKey};
+  EXPECT_FALSE(generate_code(subjects.robot, subjects.scene, {}, diagnostics, choices));
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_NE(diagnostics.list().front().fault.find("no such form"), std::string::npos);
 }
 
 TEST(LinkLoopsCheck, SmallFunctionsStayAsLines) {

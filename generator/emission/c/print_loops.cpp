@@ -95,8 +95,8 @@ std::string print_callers(const EmissionContext& context, std::span<const Progra
   return text;
 }
 
-bool takes_step(const Program& program) {
-  return program.loops && !program.loops->step.empty();
+bool has_own_rotors(const Program& program) {
+  return program.loops && changes_rotors(*program.loops);
 }
 
 /// The table that has what others have. `programs` have loops.
@@ -217,7 +217,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   if (!has_loops(programs)) return {};
   const LinkTableData& table = find_largest(programs);
   LoopTranslator translator(
-      context, list_kinds(table, std::any_of(programs.begin(), programs.end(), takes_step)),
+      context, list_kinds(table, std::any_of(programs.begin(), programs.end(), has_own_rotors)),
       std::any_of(programs.begin(), programs.end(), takes_sines));
   std::vector<std::pair<const char*, std::string_view>> headers = {
       {"link_vectors.h", cpp::templates::kLinkVectors},

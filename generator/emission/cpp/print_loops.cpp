@@ -105,7 +105,7 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
   names.table = "table";
   return print_link_inputs(loops, names) +
          print_members(loops, names,
-                       "detail::" + print_type(data, !loops.f_ext.empty(), !loops.step.empty()),
+                       "detail::" + print_type(data, !loops.f_ext.empty(), changes_rotors(loops)),
                        text.gravity, false);
 }
 

@@ -106,12 +106,19 @@ void number_slots(LinkTableData& table) {
   }
 }
 
-/// Friction and springs of all links, where there are any.
+bool gives(const LinkTableData& table, LinkInput::Gives what) {
+  return std::any_of(table.inputs.begin(), table.inputs.end(),
+                     [&](const LinkInput& input) { return input.gives == what; });
+}
+
+/// Friction and springs of all links, where there are any, or arguments give some.
 void add_drives(const Tree<double>& tree, LinkTableData& table) {
-  const bool driven = std::any_of(tree.links.begin(), tree.links.end(), [](const auto& link) {
-    return link.drive.damping != 0 || link.drive.stiffness != 0;
-  });
-  const bool rubbing = std::any_of(tree.links.begin(), tree.links.end(),
+  const bool driven = gives(table, LinkInput::Gives::dampings) ||
+                      std::any_of(tree.links.begin(), tree.links.end(), [](const auto& link) {
+                        return link.drive.damping != 0 || link.drive.stiffness != 0;
+                      });
+  const bool rubbing = gives(table, LinkInput::Gives::frictions) ||
+                       std::any_of(tree.links.begin(), tree.links.end(),
                                    [](const auto& link) { return link.drive.friction != 0; });
   for (const TreeLink<double>& link : tree.links) {
     const TreeDrive<double>& drive = link.drive;
@@ -199,6 +206,7 @@ void add_base_bodies(const Mechanism& mechanism, const std::vector<int>& places,
   std::size_t last = mechanism.inputs.base.size();
   for (const BaseParameter& base : found->base) {
     const ModelParameter& parameter = found->parameters[base.parameter];
+    if (!parameter.is_of_body()) break;  // those of joints come last
     if (parameter.frame != std::exchange(last, parameter.frame)) {
       const MechanismPoint& frame = mechanism.inputs.base[parameter.frame].frame;
       const int link = places[static_cast<std::size_t>(frame.link)];
@@ -208,6 +216,47 @@ void add_base_bodies(const Mechanism& mechanism, const std::vector<int>& places,
     input.entries.push_back(static_cast<std::int16_t>(parameter.entry));
   }
   if (!input.frames.empty()) table.inputs.push_back(std::move(input));
+}
+
+/// The link of the joint that has velocity `v` for its own.
+std::size_t link_of_velocity(const Mechanism& mechanism, int v) {
+  const auto at =
+      std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                   [&](const MovingLink& link) { return !link.mimics && link.v_index == v; });
+  return static_cast<std::size_t>(at - mechanism.links.begin());
+}
+
+/// Where the argument has a parameter; -1 if it is none that base parameters are named after.
+std::int16_t find_base_entry(const BaseParameters& found, std::size_t parameter) {
+  const auto at =
+      std::find_if(found.base.begin(), found.base.end(),
+                   [&](const BaseParameter& base) { return base.parameter == parameter; });
+  return static_cast<std::int16_t>(at == found.base.end() ? -1 : at - found.base.begin());
+}
+
+/// Rotors and friction among the base parameters that an argument gives.
+void add_base_drives(const Mechanism& mechanism, SplitTree& split, LinkTableData& table) {
+  if (mechanism.inputs.base.empty()) return;
+  using Gives = LinkInput::Gives;
+  LinkInput inputs[] = {{symbol_of(Quantity::base_parameters), Gives::rotors, {}},
+                        {symbol_of(Quantity::base_parameters), Gives::dampings, {}},
+                        {symbol_of(Quantity::base_parameters), Gives::frictions, {}}};
+  const auto found = base_parameters_of(mechanism);
+  for (std::size_t k = 0; k < found->parameters.size(); ++k) {
+    const ModelParameter& parameter = found->parameters[k];
+    if (parameter.is_of_body()) continue;
+    const int link = split.places[link_of_velocity(mechanism, parameter.v)];
+    const bool rubs = parameter.kind == ModelParameter::Kind::coulomb;
+    if (rubs) {
+      split.tree.links[static_cast<std::size_t>(link)].drive.sharpness =
+          static_cast<double>(parameter.sharpness);
+    }
+    LinkInput& input = inputs[parameter.kind == ModelParameter::Kind::rotor ? 0 : rubs ? 2 : 1];
+    input.numbers.push_back({static_cast<std::int16_t>(link), find_base_entry(*found, k)});
+  }
+  for (LinkInput& input : inputs) {
+    if (!input.numbers.empty()) table.inputs.push_back(std::move(input));
+  }
 }
 
 /// Origins and axes of points that arguments give.
@@ -228,9 +277,10 @@ void add_tools(const std::vector<MechanismTool>& tools, LinkTableData& table) {
 }  // namespace
 
 LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
-  const SplitTree split = split_free_joints(mechanism);
-  const Tree<double>& tree = split.tree;
+  SplitTree split = split_free_joints(mechanism);
   LinkTableData table;
+  add_base_drives(mechanism, split, table);
+  const Tree<double>& tree = split.tree;
   table.freed =
       std::any_of(split.axes.begin(), split.axes.end(), [](int axis) { return axis > 3; });
   table.floats = tree.links.front().is_floating();

@@ -76,6 +76,10 @@ class LiftedTable {
         return loops::move_points(frames.data(), count, given.data(), points_.data());
       case LinkInput::Gives::axes:
         return loops::turn_points(frames.data(), count, given.data(), points_.data());
+      case LinkInput::Gives::rotors:
+      case LinkInput::Gives::dampings:
+      case LinkInput::Gives::frictions:
+        return take_numbers(input, given);
     }
   }
 
@@ -102,10 +106,26 @@ class LiftedTable {
             f_ext_.empty() ? nullptr : f_ext_.data(),
             bodies_.data(),
             from_.loaded_links.data(),
-            static_cast<int>(bodies_.size())};
+            static_cast<int>(bodies_.size()),
+            rotors_.empty() ? nullptr : rotors_.data()};
   }
 
  private:
+  /// What the argument gives of joints.
+  void take_numbers(const LinkInput& input, const std::vector<Number>& given) {
+    const loops::InputNumber* const numbers = input.numbers.data();
+    const auto count = static_cast<int>(input.numbers.size());
+    if (input.gives == LinkInput::Gives::dampings) {
+      return loops::give_dampings(numbers, count, given.data(), drives_.data());
+    }
+    if (input.gives == LinkInput::Gives::frictions) {
+      return loops::give_frictions(numbers, count, given.data(), frictions_.data());
+    }
+    rotors_.resize(links_.size());
+    loops::copy_rotors(links_.data(), static_cast<int>(links_.size()), rotors_.data());
+    loops::give_rotors(numbers, count, given.data(), rotors_.data());
+  }
+
   static loops::Turn<Number> lifted(const loops::Turn<double>& r) {
     return {Number(r.c), Number(r.s)};
   }
@@ -160,6 +180,7 @@ class LiftedTable {
   std::vector<loops::LinkBall> balls_;
   std::vector<std::int16_t> row_entries_;
   std::vector<loops::LinkBody<Number>> bodies_;
+  std::vector<Number> rotors_;  ///< those that an argument gives
 };
 
 /// The table and work space of loops in another kind of number.

@@ -8,7 +8,6 @@
 #include "program/link_loops.hpp"
 #include "recursion/methods/prioritized_task_force.hpp"
 #include "recursion/methods/task_law.hpp"
-#include "recursion/parameters/base_parameters.hpp"
 #include "recursion/routes/make_link_table.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/run_loops.hpp"
@@ -41,21 +40,6 @@ const LoopForm* find_form(Function function) {
   const auto* const at = std::find_if(std::begin(kForms), std::end(kForms),
                                       [&](const auto& form) { return form.function == function; });
   return at == std::end(kForms) ? nullptr : at;
-}
-
-/// Whether what an argument gives is not of bodies alone.
-bool takes_drives(const Mechanism& mechanism) {
-  if (mechanism.inputs.base.empty()) return false;
-  const auto& parameters = base_parameters_of(mechanism)->parameters;
-  return !std::all_of(parameters.begin(), parameters.end(),
-                      [](const ModelParameter& each) { return each.is_of_body(); });
-}
-
-/// What the table has no place for; empty: nothing.
-std::string find_obstacle(const Mechanism& mechanism) {
-  if (takes_drives(mechanism)) return "base parameters of rotors or friction as an argument";
-  if (mechanism.links.empty()) return "a robot without joints";
-  return {};
 }
 
 /// Inputs of the sines and cosines of coordinates that are angles.
@@ -130,13 +114,10 @@ void count(Function function, const LoopArguments<PlainExpression>& with, LinkLo
 
 }  // namespace
 
-TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
-                        bool given_sines) {
+std::optional<Program> trace_loops(const Mechanism& mechanism, Function function,
+                                   const Program& lines, bool given_sines) {
   const LoopForm* const form = find_form(function);
-  if (form == nullptr) return {};
-  if (auto obstacle = find_obstacle(mechanism); !obstacle.empty()) {
-    return {std::nullopt, std::move(obstacle)};
-  }
+  if (form == nullptr) return std::nullopt;
   Program program;
   program.name = lines.name;
   program.equation = lines.equation;
@@ -151,6 +132,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
   plan->uses_inertias = form->inertias;
   plan->uses_rows = form->rows;
   plan->solves = form->solves;
+  plan->uses_friction = takes(function, Quantity::qd);
   if (form->solves) take_law(mechanism, function, *plan, program);
   const Result& result = lines.results.front();
   const auto plain = [&](Quantity quantity) {
@@ -185,7 +167,7 @@ TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Pro
     program.results.front().values.push_back(each.value());
   }
   program.loops = plan;
-  return {std::move(program), {}};
+  return program;
 }
 
 }  // namespace treeline

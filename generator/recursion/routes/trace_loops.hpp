@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "functions/function.hpp"
 #include "mechanism/mechanism.hpp"
@@ -12,20 +11,14 @@ namespace treeline {
 /// Key of the route by loops over a table of links, which `--choices` may name.
 inline constexpr const char* kLoopsKey = "loops";
 
-/// The function as a loop over a table of links, for small code, or why there is none. The graph is
-/// the trace of `runtime/core/link_functions.hpp`: it has the operations that the loops execute, in
-/// their order, but for products and sums with the constants 0 and 1, which are exact (a zero may
-/// have another sign). So what is
-/// evaluated, bounded and proven of the graph holds for the loops, as long as no pass changes it.
-/// `lines` is the function as straight lines.
-struct TracedLoops {
-  std::optional<Program> program;
-  std::string obstacle;  ///< "`elbow` mimics a joint"; empty where the function has no such form
-};
-
+/// The function as a loop over a table of links, for small code; nothing where it has no such form.
+/// The graph is the trace of `runtime/core/link_functions.hpp`: it has the operations that the
+/// loops execute, in their order, but for products and sums with the constants 0 and 1, which are
+/// exact (a zero may have another sign). So what is evaluated, bounded and proven of the graph
+/// holds for the loops, as long as no pass changes it. `lines` is the function as straight lines.
 /// With `given_sines` it reads sin_q[i] and cos_q[i] of angles, as `take_sines` names them; its
 /// arguments do not list them.
-TracedLoops trace_loops(const Mechanism& mechanism, Function function, const Program& lines,
-                        bool given_sines);
+std::optional<Program> trace_loops(const Mechanism& mechanism, Function function,
+                                   const Program& lines, bool given_sines);
 
 }  // namespace treeline
