@@ -1,3 +1,6 @@
+#include <set>
+#include <utility>
+
 #include "link_loops_fixture.hpp"
 
 // Functions that loop over a table of links, of robots of all kinds. Would catch: a recursion that
@@ -194,6 +197,36 @@ TEST(LinkLoopsCheck, FunctionsWithoutThisFormStayAsLines) {
   EXPECT_FALSE(generate_code(subjects.robot, subjects.scene, {}, diagnostics, choices));
   ASSERT_EQ(diagnostics.list().size(), 1U);
   EXPECT_NE(diagnostics.list().front().fault.find("no such form"), std::string::npos);
+}
+
+/// Names of the headers of loops in a generated folder, and the text of all.
+std::pair<std::set<std::string>, std::string> loop_headers(const Subjects& subjects) {
+  std::pair<std::set<std::string>, std::string> headers;
+  for (const GeneratedFile& file : subjects.generation.files) {
+    if (!file.name.starts_with("link_")) continue;
+    headers.first.insert(file.name.substr(0, file.name.find('.')));
+    headers.second += file.text;
+  }
+  return headers;
+}
+
+// Would catch: headers that a reviewer has to read though nothing calls what is in them.
+TEST(LinkLoopsCheck, HeadersHaveWhatIsCalledAlone) {
+  auto humanoid = load_unmade("humanoid24", "scene.yaml");
+  for (const Language language : {Language::cpp, Language::c}) {
+    for (const Profile profile : {Profile::plain, Profile::misra}) {
+      humanoid.scene.language = language;
+      humanoid.scene.profile = profile;
+      const auto [names, text] =
+          loop_headers(as_loops(humanoid, Real::float32, {Function::mass_matrix}));
+      EXPECT_EQ(names, (std::set<std::string>{"link_functions", "link_inertia", "link_motion",
+                                              "link_pose", "link_table", "link_vectors"}));
+      EXPECT_NE(text.find("find_mass_matrix("), std::string::npos);
+      for (const char* other : {"inverse_dynamics(", "move_links(", "articulate(", "find_cross("}) {
+        EXPECT_EQ(text.find(other), std::string::npos) << other;
+      }
+    }
+  }
 }
 
 TEST(LinkLoopsCheck, SmallFunctionsStayAsLines) {

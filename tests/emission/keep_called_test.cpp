@@ -1,20 +1,23 @@
-#include "emission/c/keep_called.hpp"
+#include "emission/keep_called.hpp"
 
 #include <gtest/gtest.h>
 
 // Would catch: a function or type that is left out though something that stays names it, one that
-// stays since its name begins another's, and an include of a header that is no more.
+// stays since its name begins another's or is a member's, and an include of a header that is no
+// more.
 
-namespace treeline::c {
+namespace treeline {
 namespace {
 
-std::string function(const std::string& name, const std::string& body) {
-  return "/// Calls.\nstatic inline void " + name + "(int i) {\n  " + body + "\n}\n";
+LoopDeclaration function(const std::string& name, const std::string& body) {
+  return {name, true, "/// Calls.\nvoid " + name + "(int i) {\n  " + body + "\n}\n"};
 }
 
 TEST(KeepCalled, KeepsWhatIsCalledAndItsTypes) {
   std::vector<LoopHeader> headers = {
-      {"a.h", "// a\n", {"typedef struct {\n  int x;\n} pair;\n", function("turn", "pair p;")}},
+      {"a.h",
+       "// a\n",
+       {{"pair", false, "struct pair {\n  int turn_back;\n};\n"}, function("turn", "pair p;")}},
       {"b.h", "// b\n#include \"a.h\"\n", {function("turn_back", ";"), function("slide", ";")}},
       {"c.h", "// c\n#include \"b.h\"\n", {function("move", "turn(i);"), function("rest", ";")}}};
   keep_called("move(1);", headers);
@@ -23,7 +26,7 @@ TEST(KeepCalled, KeepsWhatIsCalledAndItsTypes) {
   EXPECT_EQ(headers[1].name, "c.h");
   EXPECT_EQ(headers[1].opening, "// c\n#include \"a.h\"\n");
   ASSERT_EQ(headers[1].items.size(), 1U);
-  EXPECT_NE(headers[1].items[0].find("void move("), std::string::npos);
+  EXPECT_NE(headers[1].items[0].text.find("void move("), std::string::npos);
 }
 
 TEST(KeepCalled, KeepsNothingThatOnlyItselfCalls) {
@@ -33,4 +36,4 @@ TEST(KeepCalled, KeepsNothingThatOnlyItselfCalls) {
 }
 
 }  // namespace
-}  // namespace treeline::c
+}  // namespace treeline

@@ -23,9 +23,8 @@ std::string in_c(const std::string& declarations, bool given_sines = false,
                  const c::LoopTable& table = {}) {
   c::LoopTranslator translator(arm(), table, given_sines);
   std::string text;
-  for (const c::LoopItem& item :
-       c::parse_loops("namespace treeline::core::loops {\n" + declarations +
-                      "}  // namespace treeline::core::loops\n")) {
+  for (const LoopItem& item : parse_loops("namespace treeline::core::loops {\n" + declarations +
+                                          "}  // namespace treeline::core::loops\n")) {
     text += translator.translate(item);
   }
   return text;
@@ -165,7 +164,7 @@ TEST(TranslateLoops, RefusesWhatItDoesNotUnderstand) {
   EXPECT_THROW(in_c(function("  x = Table::kFloats ? x : x;\n")), std::logic_error);
   EXPECT_THROW(in_c("void f(std::span<double> x) noexcept {\n}\n"), std::logic_error);
   EXPECT_THROW(in_c("double f(int i) {\n}\n"), std::logic_error);
-  EXPECT_THROW(c::parse_loops("namespace treeline::core {\n}\n"), std::logic_error);
+  EXPECT_THROW(parse_loops("namespace treeline::core {\n}\n"), std::logic_error);
 }
 
 // Every header, as emitted: nothing of it is lost.
@@ -180,7 +179,7 @@ TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
     int expected = 0;
     int found = 0;
     for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;
-    for (const c::LoopItem& item : c::parse_loops(header)) {
+    for (const LoopItem& item : parse_loops(header)) {
       found += translator.translate(item).find("static ") != std::string::npos ? 1 : 0;
     }
     EXPECT_GT(expected, 2) << header.substr(0, 100);

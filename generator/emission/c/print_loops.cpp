@@ -7,7 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "emission/c/keep_called.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c/translate_loops.hpp"
@@ -16,6 +15,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/inline_links.hpp"
+#include "emission/keep_called.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/wrap_line.hpp"
@@ -241,15 +241,20 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
       next.opening += print_sizes(context, table, ranked) + "\n";
     }
     for (const LoopItem& item : parse_loops(header)) {
-      next.items.push_back(translator.translate(item));
+      std::string text = translator.translate(item);
+      if (text.empty()) continue;
+      const std::string name = item.is_struct() ? in_snake_case(item.name()) : item.name();
+      next.items.push_back({context.name + "_loops_" + name, !item.is_struct(), std::move(text)});
     }
-    std::erase(next.items, "");
   }
   keep_called(print_callers(context, programs), translated);
   std::vector<GeneratedFile> files;
   for (const LoopHeader& header : translated) {
-    files.push_back(
-        {header.name, header.opening + fmt::format("{}", fmt::join(header.items, "\n"))});
+    std::string text = header.opening;
+    for (const LoopDeclaration& item : header.items) {
+      text += (&item == &header.items.front() ? "" : "\n") + item.text;
+    }
+    files.push_back({header.name, std::move(text)});
   }
   return files;
 }

@@ -133,13 +133,12 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
 }
 
 std::string LoopTranslator::translate(const LoopItem& item) {
-  const bool is_struct = item.head.starts_with("struct ");
-  if (is_struct && item.head.ends_with(kSines)) return {};  // they are arguments, or none
-  return item.comment + (is_struct ? translate_struct(item) : translate_function(item));
+  if (item.is_struct() && item.head.ends_with(kSines)) return {};  // they are arguments, or none
+  return item.comment + (item.is_struct() ? translate_struct(item) : translate_function(item));
 }
 
 std::string LoopTranslator::translate_struct(const LoopItem& item) {
-  const std::string name = item.head.substr(std::string_view("struct ").size());
+  const std::string name = item.name();
   types_[name] = name_ + in_snake_case(name);
   structs_.clear();
   numbers_.clear();
@@ -216,18 +215,15 @@ void LoopTranslator::learn_signature(const LoopItem& item) {
 }
 
 std::string LoopTranslator::translate_function(const LoopItem& item) {
-  static const std::regex name("(\\w+)\\(");
   learn_signature(item);
-  std::smatch found;
-  std::regex_search(item.head, found, name);
-  const LoopSignature& signature = functions_[found[1]];
+  const LoopSignature& signature = functions_[item.name()];
   std::vector<std::string> list;
   for (const LoopParameter& each : signature.parameters) list.push_back(each.text);
   const std::string inlining =
       item.head.starts_with(kInlined) ? fmt::format("{}\n", kInlined) : "inline ";
   std::string text =
       wrap_statements(fmt::format("static {}{} {}{}({}) {{", inlining, signature.result, name_,
-                                  found[1].str(), joined(list)),
+                                  item.name(), joined(list)),
                       0);
   for (const std::string& line : choose_branches(join_statements(item.body))) {
     const auto [indentation, code, note] = split_line(line);

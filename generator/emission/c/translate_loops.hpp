@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "emission/c/parse_loops.hpp"
 #include "emission/emission_context.hpp"
+#include "emission/parse_loops.hpp"
 
 namespace treeline::c {
 

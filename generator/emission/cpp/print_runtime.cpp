@@ -5,15 +5,14 @@
 
 #include "emission/controller_unit.hpp"
 #include "emission/cpp/print_controller.hpp"
+#include "emission/cpp/print_loop_headers.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
-#include "emission/inline_links.hpp"
 #include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_limited_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
-#include "emission/print_link_table.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -53,23 +52,8 @@ void append_limit_headers(const EmissionContext& context, std::vector<GeneratedF
 /// What functions include that loop over a table of links.
 std::vector<GeneratedFile> list_loop_headers(const EmissionContext& context,
                                              std::span<const Program> programs) {
-  const std::pair<const char*, std::string_view> headers[] = {
-      {"link_factors.hpp", templates::kLinkFactors},
-      {"link_friction.hpp", templates::kLinkFriction},
-      {"link_functions.hpp", templates::kLinkFunctions},
-      {"link_inertia.hpp", templates::kLinkInertia},
-      {"link_motion.hpp", templates::kLinkMotion},
-      {"link_pose.hpp", templates::kLinkPose},
-      {"link_rows.hpp", templates::kLinkRows},
-      {"link_table.hpp", templates::kLinkTable},
-      {"link_vectors.hpp", templates::kLinkVectors}};
-  std::vector<GeneratedFile> files;
-  for (const auto& [name, text] : headers) {
-    files.push_back({name, print_header(context, settle_inlining(context, text))});
-  }
-  if (has_inputs(programs)) {
-    files.push_back({"link_inputs.hpp", print_header(context, templates::kLinkInputs)});
-  }
+  std::vector<GeneratedFile> files = print_loop_headers(context, list_sources(context, programs));
+  for (GeneratedFile& file : files) file.text = print_header(context, file.text);
   return files;
 }
 

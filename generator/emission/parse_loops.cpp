@@ -1,4 +1,4 @@
-#include "emission/c/parse_loops.hpp"
+#include "emission/parse_loops.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace treeline::c {
+namespace treeline {
 namespace {
 
 constexpr std::string_view kOpen = "namespace treeline::core::loops {\n";
@@ -23,21 +23,24 @@ void append_word(std::string_view word, std::string& text) {
   text += word;
 }
 
-/// Reads lines until one ends in `end`, as one line.
-std::string read_until(std::istringstream& lines, std::string line, char end) {
+/// Reads lines until one ends in `end`, as one line. Appends them to `source` as they are.
+std::string read_until(std::istringstream& lines, std::string line, char end, std::string& source) {
   std::string text(trimmed(line));
+  source += line + "\n";
   while (text.back() != end) {
     if (!std::getline(lines, line)) throw std::logic_error("loops over links: no end of " + text);
     append_word(trimmed(line), text);
+    source += line + "\n";
   }
   return text;
 }
 
-std::string read_body(std::istringstream& lines) {
+/// Reads the lines of a body, and its end. Appends both to `source`.
+std::string read_body(std::istringstream& lines, std::string& source) {
   std::string body;
-  for (std::string line; std::getline(lines, line) && line != "}" && line != "};";) {
-    body += line + "\n";
-  }
+  std::string line;
+  while (std::getline(lines, line) && line != "}" && line != "};") body += line + "\n";
+  source += body + line + "\n";
   return body;
 }
 
@@ -53,6 +56,13 @@ bool is_complete(std::string_view statement) {
 
 }  // namespace
 
+std::string LoopItem::name() const {
+  const std::size_t end = is_struct() ? head.size() : head.find('(');
+  std::size_t begin = end;
+  while (begin > 0 && is_of_word(head[begin - 1])) --begin;
+  return head.substr(begin, end - begin);
+}
+
 std::vector<LoopItem> parse_loops(std::string_view header) {
   const std::size_t open = header.find(kOpen);
   const std::size_t close = header.find(kClose);
@@ -67,13 +77,14 @@ std::vector<LoopItem> parse_loops(std::string_view header) {
     if (line.empty()) continue;
     if (line.starts_with("//")) {
       item.comment += line + "\n";
+      item.source += line + "\n";
     } else if (line.starts_with(kTemplate)) {
-      const std::string whole = read_until(lines, line, '>');
+      const std::string whole = read_until(lines, line, '>', item.source);
       item.parameters = whole.substr(kTemplate.size(), whole.size() - kTemplate.size() - 1);
     } else {
-      item.head = read_until(lines, line, '{');
+      item.head = read_until(lines, line, '{', item.source);
       item.head.resize(item.head.size() - 2);  // without ` {`
-      item.body = read_body(lines);
+      item.body = read_body(lines, item.source);
       items.push_back(std::exchange(item, {}));
     }
   }
@@ -99,4 +110,4 @@ std::vector<std::string> join_statements(std::string_view text) {
   return statements;
 }
 
-}  // namespace treeline::c
+}  // namespace treeline

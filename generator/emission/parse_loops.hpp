@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace treeline::c {
+namespace treeline {
 
 /// A declaration of the runtime's loops over links: a struct, or a function.
 struct LoopItem {
@@ -12,6 +12,11 @@ struct LoopItem {
   std::string parameters;  ///< of its template: `int power, class Real`
   std::string head;        ///< in one line: `struct Turn`, `void clear(Real (&v)[3]) noexcept`
   std::string body;        ///< the lines between its braces
+  std::string source;      ///< all of this as the header has it
+
+  [[nodiscard]] bool is_struct() const { return head.starts_with("struct "); }
+  /// Of the struct or function.
+  [[nodiscard]] std::string name() const;
 };
 
 /// The declarations of a header `runtime/core/link_*.hpp`, in their order.
@@ -23,4 +28,4 @@ bool is_of_word(char c);
 /// `text` with each statement, head of a loop and branch in one line. Comments keep their lines.
 std::vector<std::string> join_statements(std::string_view text);
 
-}  // namespace treeline::c
+}  // namespace treeline
