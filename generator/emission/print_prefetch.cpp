@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "emission/controller_unit.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/templates.hpp"
 #include "emission/wrap_line.hpp"
@@ -11,22 +12,33 @@
 namespace treeline {
 namespace {
 
+constexpr const char* kStep = "step";
+
 /// A name of C, so that the linker defines where the section begins and ends.
 std::string section_of(const EmissionContext& context, const std::string& function) {
   return fmt::format("treeline_{}_{}", context.name, function);
 }
 
-std::string print_bounds(const EmissionContext& context,
-                         const std::vector<std::string>& functions) {
+std::string print_bounds(const EmissionContext& context, const std::vector<LoadedCode>& codes) {
   std::string text;
-  for (const std::string& function : functions) {
-    const std::string section = section_of(context, function);
-    text += fmt::format(
-        "extern const char __start_{0}[] TREELINE_BOUND;\nextern const char __stop_{0}[] "
-        "TREELINE_BOUND;\n",
-        section);
+  for (const LoadedCode& code : codes) {
+    for (const std::string& function : code.functions) {
+      text += fmt::format(
+          "extern const char __start_{0}[] TREELINE_BOUND;\nextern const char __stop_{0}[] "
+          "TREELINE_BOUND;\n",
+          section_of(context, function));
+    }
   }
   return text;
+}
+
+/// `head` as it is declared; of a controller with what it loads.
+std::string declare(const EmissionContext& context, const LoadedCode& code,
+                    const std::string& head) {
+  const bool is_step = code.name == kStep;
+  return (is_step ? fmt::format("/// Loads the dynamics that {}_step calls.\n", context.name)
+                  : "") +
+         head + ";\n";
 }
 
 GeneratedFile print_header(const EmissionContext& context, const std::string& declarations,
@@ -39,20 +51,29 @@ GeneratedFile print_header(const EmissionContext& context, const std::string& de
 
 }  // namespace
 
-std::vector<std::string> list_prefetched(std::span<const Program> programs,
-                                         std::span<const Program> batch) {
-  std::vector<std::string> functions;
-  for (const Program& program : programs) functions.push_back(program.name);
-  for (const Program& program : batch) functions.push_back("batch_" + program.name);
-  return functions;
+std::vector<LoadedCode> list_loaded(const EmissionContext& context,
+                                    std::span<const Program> programs,
+                                    std::span<const Program> batch) {
+  std::vector<LoadedCode> codes;
+  for (const Program& program : programs) codes.push_back({program.name, {program.name}});
+  for (const Program& program : batch) {
+    codes.push_back({"batch_" + program.name, {"batch_" + program.name}});
+  }
+  if (!context.controller) return codes;
+  LoadedCode& step = codes.emplace_back(LoadedCode{kStep, {}});
+  for (const Program* program : context.controller->programs()) {
+    step.functions.push_back(program->name);
+  }
+  return codes;
 }
 
 GeneratedFile print_prefetch_for_c(const EmissionContext& context,
                                    std::span<const Program> programs,
                                    std::span<const Program> batch) {
   std::string declarations;
-  for (const std::string& function : list_prefetched(programs, batch)) {
-    declarations += fmt::format("void {}_prefetch_{}(void);\n", context.name, function);
+  for (const LoadedCode& code : list_loaded(context, programs, batch)) {
+    declarations +=
+        declare(context, code, fmt::format("void {}_prefetch_{}(void)", context.name, code.name));
   }
   return print_header(context, declarations, true);
 }
@@ -61,25 +82,28 @@ std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
                                           std::span<const Program> programs,
                                           std::span<const Program> batch) {
   if (!context.prefetch) return {};
-  const std::vector<std::string> functions = list_prefetched(programs, batch);
+  const std::vector<LoadedCode> codes = list_loaded(context, programs, batch);
   const bool is_c = context.language == Language::c;
   const std::string prefix = is_c ? context.name + "_" : "";
   const char* const arguments = is_c ? "(void)" : "() noexcept";
   std::string declarations, definitions, nothing;
-  for (const std::string& function : functions) {
-    const std::string head = fmt::format("void {}prefetch_{}{}", prefix, function, arguments);
-    const std::string section = section_of(context, function);
-    declarations += head + ";\n";
-    definitions += head + " {\n" +
-                   wrap_line(fmt::format("{0}load(__start_{1}, __stop_{1});", prefix, section), 2) +
-                   "}\n";
+  for (const LoadedCode& code : codes) {
+    const std::string head = fmt::format("void {}prefetch_{}{}", prefix, code.name, arguments);
+    declarations += declare(context, code, head);
+    definitions += head + " {\n";
+    for (const std::string& function : code.functions) {
+      const std::string section = section_of(context, function);
+      definitions +=
+          wrap_line(fmt::format("{0}load(__start_{1}, __stop_{1});", prefix, section), 2);
+    }
+    definitions += "}\n";
     nothing += head + " {}\n";
   }
   return {print_header(context, declarations, is_c),
           {is_c ? "prefetch.c" : "prefetch.cpp",
            fill_template(is_c ? templates::kPrefetchC : templates::kPrefetchCpp,
                          {{"name", context.name},
-                          {"bounds", print_bounds(context, functions)},
+                          {"bounds", print_bounds(context, codes)},
                           {"definitions", definitions},
                           {"nothing", nothing}})}};
 }

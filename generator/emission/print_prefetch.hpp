@@ -11,8 +11,8 @@
 namespace treeline {
 
 /// NAME_prefetch and prefetch, header and source in the context's language: functions that load the
-/// code of each of the programs' functions into caches, for one state and for `batch`. None unless
-/// the scene asks for them.
+/// code of each of the programs' functions into caches, for one state and for `batch`, and the
+/// dynamics of the controller. None unless the scene asks for them.
 std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
                                           std::span<const Program> programs,
                                           std::span<const Program> batch);
@@ -22,9 +22,16 @@ GeneratedFile print_prefetch_for_c(const EmissionContext& context,
                                    std::span<const Program> programs,
                                    std::span<const Program> batch);
 
-/// What can be loaded: `gravity`, `batch_gravity`.
-std::vector<std::string> list_prefetched(std::span<const Program> programs,
-                                         std::span<const Program> batch);
+/// Code that is loaded by one call.
+struct LoadedCode {
+  std::string name;                    ///< `gravity`, `batch_gravity`; `step` of the controller
+  std::vector<std::string> functions;  ///< by their sources; each has a section of its own
+};
+
+/// What can be loaded.
+std::vector<LoadedCode> list_loaded(const EmissionContext& context,
+                                    std::span<const Program> programs,
+                                    std::span<const Program> batch);
 
 /// What stands before the source of a function whose code can be loaded: the macro that gives it a
 /// section of its own. Empty unless the scene asks for it.

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <regex>
 #include <sstream>
 
 #include "emission/controller_unit.hpp"
+#include "emission/print_prefetch.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: a name from a file that ends a comment of the controller's header, so that what is
@@ -24,14 +26,18 @@ Program give_first(const std::string& name, const std::string& result) {
   return program;
 }
 
-std::vector<GeneratedFile> print_odd() {
-  EmissionContext context = test::sample_context("arm", false);
-  context.robot = kOdd;
+ControllerUnit odd_unit() {
   ControllerUnit unit;
   unit.kinematics = give_first("controller_kinematics", "g");
   unit.joint_torque = give_first("controller_joint_torque", "tau");
   unit.joints = {{kOdd, false, -1, 1, 2, 3}};
-  return cpp::print_controller(context, unit);
+  return unit;
+}
+
+std::vector<GeneratedFile> print_odd() {
+  EmissionContext context = test::sample_context("arm", false);
+  context.robot = kOdd;
+  return cpp::print_controller(context, odd_unit());
 }
 
 TEST(PrintController, KeepsNamesWithinComments) {
@@ -41,6 +47,24 @@ TEST(PrintController, KeepsNamesWithinComments) {
       std::regex_replace(header, std::regex(R"(/\*[^*]*(\*[^/][^*]*)*\*/)"), "");
   EXPECT_EQ(code.find("evil"), std::string::npos) << code;
   EXPECT_NE(code.find("arm_number payload[10];"), std::string::npos) << code;
+}
+
+// Would catch: functions of the controller's own that have a section and that nothing loads.
+TEST(PrintController, LoadsTheDynamicsOfAStep) {
+  EmissionContext context = test::sample_context("arm", false);
+  context.prefetch = true;
+  context.controller = std::make_shared<const ControllerUnit>(odd_unit());
+  const std::vector<Program> programs = {give_first("gravity", "g")};
+  const std::vector<GeneratedFile> files = print_prefetch(context, programs, {});
+  const std::string& source = files.back().text;
+  for (const char* function : {"gravity", "controller_kinematics", "controller_joint_torque"}) {
+    const std::string section = std::string("treeline_arm_") + function;
+    EXPECT_NE(source.find("load(__start_" + section + ", __stop_" + section + ");"),
+              std::string::npos)
+        << section << source;
+    EXPECT_NE(print_prefetch_macro(context, function).find('"' + section + '"'), std::string::npos);
+  }
+  EXPECT_NE(files.front().text.find("void prefetch_step() noexcept;"), std::string::npos);
 }
 
 TEST(PrintController, KeepsLinesShort) {

@@ -148,9 +148,9 @@ void pass_limited(const EmissionContext& context, std::span<const Program> progr
 void pass_prefetch(const EmissionContext& context, std::span<const Program> programs,
                    std::span<const Program> batch, Parts& parts) {
   include_both(context, "prefetch", parts);
-  for (const std::string& function : list_prefetched(programs, batch)) {
+  for (const LoadedCode& code : list_loaded(context, programs, batch)) {
     parts.definitions.push_back(fmt::format(
-        "void {0}_prefetch_{1}(void) {{\n  {0}::prefetch_{1}();\n}}\n", context.name, function));
+        "void {0}_prefetch_{1}(void) {{\n  {0}::prefetch_{1}();\n}}\n", context.name, code.name));
   }
   parts.headers.push_back(print_prefetch_for_c(context, programs, batch));
 }
