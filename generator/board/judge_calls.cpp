@@ -9,7 +9,7 @@ namespace {
 
 void note_bits_on_board(const GeneratedFunction& generated, const std::vector<double>& results,
                         const FunctionReference& reference, int state, BoardFunction& function) {
-  if (are_bits_of_graph(generated, results, reference.graph)) return;
+  if (are_bits_of_graph(generated, results, reference)) return;
   if (function.bits_differ++ == 0) function.first_bits_differ = state;
 }
 

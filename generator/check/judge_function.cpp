@@ -11,17 +11,22 @@ namespace treeline {
 namespace {
 
 /// Of what loops compute. Their graph has no products with constants of 0, which code multiplies:
-/// the sign of a zero may differ, and where a pivot is 0, 0 times infinity is NaN in code alone.
-/// Where a function is not singular, NaN is an error of its value.
-bool same_in_loops(double code, double graph) {
-  return same_bits(code, graph) || (code == 0 && graph == 0) || std::isnan(code);
+/// the sign of a zero may differ.
+bool same_or_zero(double code, double graph) {
+  return same_bits(code, graph) || (code == 0 && graph == 0);
+}
+
+/// The same of a function that is singular at the state: where a pivot is 0, 0 times infinity is
+/// NaN in code alone.
+bool same_where_singular(double code, double graph) {
+  return same_or_zero(code, graph) || std::isnan(code);
 }
 
 void note_bits(const GeneratedFunction& generated, const CallResult& result,
                const StateReference& reference, const FunctionReference& function,
                FunctionReport& report) {
   report.bits_known = report.bits_known && !function.graph.empty();
-  const bool same = are_bits_of_graph(generated, result.entries, function.graph);
+  const bool same = are_bits_of_graph(generated, result.entries, function);
   report.out_of_bounds += result.wrote_out_of_bounds ? 1 : 0;
   if (same || !report.bits_known) return;
   if (report.bits_differ++ == 0) report.first_bits_differ = reference.state.index;
@@ -90,9 +95,12 @@ bool same_bits(double a, double b) {
 }
 
 bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
-                       const std::vector<double>& graph) {
-  return std::equal(results.begin(), results.end(), graph.begin(), graph.end(),
-                    generated.program.loops ? same_in_loops : same_bits);
+                       const FunctionReference& reference) {
+  const bool loops = generated.program.loops != nullptr;
+  return std::equal(results.begin(), results.end(), reference.graph.begin(), reference.graph.end(),
+                    !loops               ? same_bits
+                    : reference.singular ? same_where_singular
+                                         : same_or_zero);
 }
 
 double quantile(std::vector<double>& values, double share) {

@@ -22,9 +22,10 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
 bool same_bits(double a, double b);
 
 /// Whether results are those of the function's graph to the bit. Of loops over links zeros may have
-/// another sign, and NaN may stand for any number, see `same_in_loops`.
+/// another sign, since they add zeros that the graph leaves out, and where the function is singular
+/// there may be NaN in place of numbers.
 bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
-                       const std::vector<double>& graph);
+                       const FunctionReference& reference);
 
 /// Value below which the given share of the values lies. Changes the order of the values.
 double quantile(std::vector<double>& values, double share);

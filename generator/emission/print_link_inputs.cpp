@@ -37,11 +37,6 @@ bool is_of_friction(const LinkInput& input) {
   return input.gives == LinkInput::Gives::dampings || input.gives == LinkInput::Gives::frictions;
 }
 
-bool gives(const LinkTableData& table, LinkInput::Gives what) {
-  return std::any_of(table.inputs.begin(), table.inputs.end(),
-                     [&](const LinkInput& input) { return input.gives == what; });
-}
-
 std::string call(const std::string& function, const std::string& arguments) {
   return wrap_line(fmt::format("{}({});", function, arguments), 2);
 }
@@ -70,15 +65,15 @@ bool moves_points(const LinkTableData& table) {
 }
 
 bool changes_rotors(const LinkLoops& loops) {
-  return !loops.step.empty() || gives(loops.table, LinkInput::Gives::rotors);
+  return !loops.step.empty() || loops.table.gives(LinkInput::Gives::rotors);
 }
 
 bool changes_drives(const LinkLoops& loops) {
-  return loops.uses_friction && gives(loops.table, LinkInput::Gives::dampings);
+  return loops.uses_friction && loops.table.gives(LinkInput::Gives::dampings);
 }
 
 bool changes_frictions(const LinkLoops& loops) {
-  return loops.uses_friction && gives(loops.table, LinkInput::Gives::frictions);
+  return loops.uses_friction && loops.table.gives(LinkInput::Gives::frictions);
 }
 
 std::string frames_name(const LinkInput& input) {
@@ -129,7 +124,7 @@ std::string print_members(const LinkLoops& loops, const LoopNames& names, const 
   set("bodies", !table.loaded_links.empty(), names.array("bodies"));
   set("loaded_links", !table.loaded_links.empty(), names.constant("loaded_links"));
   set_number("loaded_count", table.loaded_links.size());
-  set("rotors", gives(table, LinkInput::Gives::rotors), names.array("rotors"));
+  set("rotors", table.gives(LinkInput::Gives::rotors), names.array("rotors"));
   set("step", !loops.step.empty(), names.array(loops.step));
   return text + (loops.step.empty() ? "" : print_step(names));
 }
@@ -142,7 +137,7 @@ std::string print_link_arrays(const LinkLoops& loops, const LoopNames& names) {
   if (changes_rotors(loops)) {
     text += fmt::format("  {} rotors[{}];\n", names.number, links);
   }
-  if (gives(table, LinkInput::Gives::rotors)) {
+  if (table.gives(LinkInput::Gives::rotors)) {
     text += call(names.function("copy_rotors"),
                  fmt::format("{}, {}, {}", names.constant("links"), links, names.array("rotors")));
   }

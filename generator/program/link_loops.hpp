@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -50,6 +51,12 @@ struct LinkTableData {
   std::vector<core::loops::LinkPoint<double>> pushed_points;  ///< of external forces
   std::vector<LinkInput> inputs;                              ///< which the functions take
   std::vector<std::int16_t> loaded_links;                     ///< whose inertia depends on them
+
+  /// Whether an argument gives this.
+  [[nodiscard]] bool gives(LinkInput::Gives what) const {
+    return std::any_of(inputs.begin(), inputs.end(),
+                       [&](const LinkInput& input) { return input.gives == what; });
+  }
 };
 
 /// That of the law of `core/prioritized_solve.hpp`.

@@ -106,18 +106,13 @@ void number_slots(LinkTableData& table) {
   }
 }
 
-bool gives(const LinkTableData& table, LinkInput::Gives what) {
-  return std::any_of(table.inputs.begin(), table.inputs.end(),
-                     [&](const LinkInput& input) { return input.gives == what; });
-}
-
 /// Friction and springs of all links, where there are any, or arguments give some.
 void add_drives(const Tree<double>& tree, LinkTableData& table) {
-  const bool driven = gives(table, LinkInput::Gives::dampings) ||
+  const bool driven = table.gives(LinkInput::Gives::dampings) ||
                       std::any_of(tree.links.begin(), tree.links.end(), [](const auto& link) {
                         return link.drive.damping != 0 || link.drive.stiffness != 0;
                       });
-  const bool rubbing = gives(table, LinkInput::Gives::frictions) ||
+  const bool rubbing = table.gives(LinkInput::Gives::frictions) ||
                        std::any_of(tree.links.begin(), tree.links.end(),
                                    [](const auto& link) { return link.drive.friction != 0; });
   for (const TreeLink<double>& link : tree.links) {
