@@ -34,15 +34,13 @@ std::string load_name(const GeneratedFunction& generated) {
 }
 
 /// A source with an entry for each function that loads its code into caches.
-WorkSource print_load_entries(const Scene& scene, const std::vector<GeneratedFunction>& functions) {
-  const bool is_c = scene.language == Language::c;
-  std::string text = fmt::format("#include \"prefetch.{}\"\n", is_c ? "c" : "cpp");
+WorkSource print_load_entries(const std::string& name,
+                              const std::vector<GeneratedFunction>& functions) {
+  std::string text = "#include \"prefetch.cpp\"\n";
   for (const GeneratedFunction& generated : functions) {
     text += fmt::format(
-        "{}void {}(const void* const* in, void* const* out) {{\n  (void)in;\n  (void)out;\n"
-        "  {}{}prefetch_{}();\n}}\n",
-        is_c ? "" : "extern \"C\" ", entry_symbol(load_name(generated)), scene.name,
-        is_c ? "_" : "::", generated.program.name);
+        "extern \"C\" void {}(const void* const*, void* const*) {{\n  {}::prefetch_{}();\n}}\n",
+        entry_symbol(load_name(generated)), name, generated.program.name);
   }
   return {"load_entries", text};
 }
@@ -68,7 +66,7 @@ std::optional<ColdBuild> make_build(const Robot& robot, const Scene& scene,
   CompileOptions options{flags};
   options.optimize = scene.optimize;
   options.target = scene.target;
-  if (scene.prefetch) options.more.push_back(print_load_entries(scene, generation->functions));
+  if (scene.prefetch) options.more.push_back(print_load_entries(scene.name, generation->functions));
   auto build =
       load_build(sources, scene, generation->functions, options, work / "objects", diagnostics);
   if (!build) return std::nullopt;

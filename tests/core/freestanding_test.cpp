@@ -120,41 +120,70 @@ void use_posture_laws(Data& data) noexcept {
                                      data.x, data.a6, data.b6);
 }
 
-/// Six coordinates of a floating base and those of two joints, one of which slides.
-void use_link_loops(Data& data) noexcept {
-  namespace loops = core::loops;
-  static constexpr loops::Link<Real> kLinks[3] = {
-      {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, {3, {}, {1, 0, 0, 1, 0, 1}}},
-      {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, {2, {}, {1, 0, 0, 1, 0, 1}}},
-      {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {1, {}, {1, 0, 0, 1, 0, 1}}}};
-  static constexpr loops::LinkPoint<Real> kPoint[1] = {{2, true, {}, {}}};
-  static constexpr loops::PointRow kRows[2] = {{0, 0, false}, {0, 1, false}};
-  static constexpr loops::LinkDrive<Real> kDrives[3] = {{0, 0, 0}, {1, 2, 0}, {1, 0, 0}};
-  static constexpr loops::LinkFriction<Real> kFrictions[3] = {{0, 0}, {1, 100}, {2, 100}};
-  static constexpr loops::LinkTable<Real, true, true, true, true> kTable = {
-      kLinks, 3, 2, {0, 0, -10}, kPoint, 1, kRows, 2, kDrives, kFrictions};
+namespace loops = core::loops;
+
+// Six coordinates of a floating base and those of two joints, one of which slides.
+constexpr loops::Link<Real> kLinks[3] = {
+    {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, {3, {}, {1, 0, 0, 1, 0, 1}}},
+    {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, {2, {}, {1, 0, 0, 1, 0, 1}}},
+    {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {1, {}, {1, 0, 0, 1, 0, 1}}}};
+constexpr loops::LinkPoint<Real> kPoint[1] = {{2, true, {}, {}}};
+constexpr loops::PointRow kRows[2] = {{0, 0, false}, {0, 1, false}};
+constexpr loops::LinkDrive<Real> kDrives[3] = {{0, 0, 0}, {1, 2, 0}, {1, 0, 0}};
+constexpr loops::LinkFriction<Real> kFrictions[3] = {{0, 0}, {1, 100}, {2, 100}};
+
+struct LoopWork {
   loops::MotionWork<Real, 3, 2> motions;
   loops::InertiaWork<Real, 3, 2, 36> inertias;
   loops::RowWork<Real, 1, 2> rows;
+};
+
+void use_link_loops(Data& data, LoopWork& work) noexcept {
+  static constexpr loops::LinkTable<Real, true, true, true, true> kTable = {
+      kLinks, 3, 2, {0, 0, -10}, kPoint, 1, kRows, 2, kDrives, kFrictions};
   const loops::ComputedSines sines;
   const Real* const q = data.a9;
   const Real* const qd = data.b9;
-  loops::mass_matrix(kTable, q, sines, &data.a64[0], motions, inertias);
-  loops::forward_dynamics(kTable, q, sines, qd, qd, data.b36 + 0, motions, inertias);
-  loops::lambda<4>(kTable, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
+  loops::mass_matrix(kTable, q, sines, &data.a64[0], work.motions, work.inertias);
+  loops::forward_dynamics(kTable, q, sines, qd, qd, data.b36 + 0, work.motions, work.inertias);
+  loops::lambda<4>(kTable, data.a2 + 0, q, sines, data.a4 + 0, work.motions, work.inertias,
+                   work.rows);
   loops::control_torque<6>(kTable, data.a2 + 0, q, sines, qd, qd, data.b2 + 0, data.b36 + 0,
-                           motions, inertias, rows);
-  static constexpr int16_t kLoaded[1] = {2};
-  static constexpr int16_t kEntries[2] = {1, 0};
-  static constexpr loops::InputFrame<Real> kFrames[1] = {
-      {0, 0, {{1, 0, 0, 0, 1, 0, 0, 0, 1}}, {0, 0, 1}}};
+                           work.motions, work.inertias, work.rows);
+}
+
+/// What arguments change of a table.
+struct LoopArrays {
   loops::LinkBody<Real> bodies[1];
   loops::LinkPoint<Real> points[1];
-  loops::copy_bodies(kLinks, kLoaded, 1, bodies);
-  loops::add_bodies(kFrames, 1, data.a36 + 0, bodies);
-  loops::copy_points(kPoint, 1, points);
-  loops::move_points(kFrames, 1, data.a3 + 0, points);
-  loops::turn_points(kFrames, 1, data.a4 + 0, points);
+  Real rotors[3];
+  loops::LinkDrive<Real> drives[3];
+  loops::LinkFriction<Real> frictions[3];
+};
+
+void enter_arguments(const Data& data, LoopArrays& arrays) noexcept {
+  static constexpr int16_t kLoaded[1] = {2};
+  static constexpr loops::InputFrame<Real> kFrames[1] = {
+      {0, 0, {{1, 0, 0, 0, 1, 0, 0, 0, 1}}, {0, 0, 1}}};
+  static constexpr loops::InputNumber kNumbers[2] = {{1, 0}, {2, -1}};
+  loops::copy_bodies(kLinks, kLoaded, 1, arrays.bodies);
+  loops::add_bodies(kFrames, 1, data.a36 + 0, arrays.bodies);
+  loops::copy_points(kPoint, 1, arrays.points);
+  loops::move_points(kFrames, 1, data.a3 + 0, arrays.points);
+  loops::turn_points(kFrames, 1, data.a4 + 0, arrays.points);
+  loops::copy_rotors(kLinks, 3, arrays.rotors);
+  loops::give_rotors(kNumbers, 2, data.a3 + 0, arrays.rotors);
+  loops::copy_drives(kDrives, 3, arrays.drives);
+  loops::give_dampings(kNumbers, 2, data.a3 + 0, arrays.drives);
+  loops::copy_frictions(kFrictions, 3, arrays.frictions);
+  loops::give_frictions(kNumbers, 2, data.a3 + 0, arrays.frictions);
+}
+
+void use_link_inputs(Data& data, LoopWork& work) noexcept {
+  static constexpr int16_t kLoaded[1] = {2};
+  static constexpr int16_t kEntries[2] = {1, 0};
+  LoopArrays arrays;
+  enter_arguments(data, arrays);
   loops::LinkTable<Real, true, true, true, true, false, false, false, true, true, true, true> table;
   table.links = kLinks;
   table.count = 3;
@@ -162,25 +191,34 @@ void use_link_loops(Data& data) noexcept {
   for (int k = 0; k < 3; ++k) {
     table.gravity[k] = data.a3[k];
   }
-  table.points = points;
+  table.points = arrays.points;
   table.point_count = 1;
   table.point_rows = kRows;
   table.rows = 2;
-  table.drives = kDrives;
-  table.frictions = kFrictions;
+  table.drives = arrays.drives;
+  table.frictions = arrays.frictions;
   table.pushed_points = kPoint;
   table.pushed_count = 1;
   table.f_ext = data.a6 + 0;
-  table.bodies = bodies;
+  table.bodies = arrays.bodies;
   table.loaded_links = kLoaded;
   table.loaded_count = 1;
   table.row_entries = kEntries;
-  Real rotors[3];
-  table.rotors = rotors;
+  table.rotors = arrays.rotors;
   table.step = data.a2 + 0;
-  loops::find_rotors(table, qd, rotors);
-  loops::inverse_dynamics(table, q, sines, qd, qd, &data.a64[0], motions);
-  loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, motions, inertias, rows);
+  const Real* const q = data.a9;
+  const Real* const qd = data.b9;
+  const loops::ComputedSines sines;
+  loops::find_rotors(table, qd, arrays.rotors);
+  loops::inverse_dynamics(table, q, sines, qd, qd, &data.a64[0], work.motions);
+  loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, work.motions, work.inertias,
+                   work.rows);
+}
+
+void use_link_loops(Data& data) noexcept {
+  LoopWork work;
+  use_link_loops(data, work);
+  use_link_inputs(data, work);
 }
 
 bool use_quadratic_program(Data& data) noexcept {
