@@ -243,8 +243,8 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
     for (const LoopItem& item : parse_loops(header)) {
       std::string text = translator.translate(item);
       if (text.empty()) continue;
-      const std::string name = item.is_struct() ? in_snake_case(item.name()) : item.name();
-      next.items.push_back({context.name + "_loops_" + name, !item.is_struct(), std::move(text)});
+      const std::string own = item.is_struct() ? in_snake_case(item.name()) : item.name();
+      next.items.push_back({context.name + "_loops_" + own, !item.is_struct(), std::move(text)});
     }
   }
   keep_called(print_callers(context, programs), translated);
