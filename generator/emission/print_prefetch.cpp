@@ -36,7 +36,7 @@ std::string print_bounds(const EmissionContext& context, const std::vector<Loade
 std::string declare(const EmissionContext& context, const LoadedCode& code,
                     const std::string& head) {
   const bool is_step = code.name == kStep;
-  return (is_step ? fmt::format("/// Loads the dynamics that {}_step calls.\n", context.name)
+  return (is_step ? fmt::format("/// Loads {}_step and the dynamics that it calls.\n", context.name)
                   : "") +
          head + ";\n";
 }
@@ -60,7 +60,7 @@ std::vector<LoadedCode> list_loaded(const EmissionContext& context,
     codes.push_back({"batch_" + program.name, {"batch_" + program.name}});
   }
   if (!context.controller) return codes;
-  LoadedCode& step = codes.emplace_back(LoadedCode{kStep, {}});
+  LoadedCode& step = codes.emplace_back(LoadedCode{kStep, {kControllerStem}});
   for (const Program* program : context.controller->programs()) {
     step.functions.push_back(program->name);
   }
@@ -108,17 +108,19 @@ std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
                           {"nothing", nothing}})}};
 }
 
-std::string print_prefetch_macro(const EmissionContext& context, const std::string& function) {
+std::string print_prefetch_macro(const EmissionContext& context, const std::string& function,
+                                 Attributes attributes) {
   if (!context.prefetch) return {};
   return fmt::format(
       "\n// For {}_prefetch: a section of its own.\n"
       "#undef TREELINE_OWN_SECTION  // of a file before, where a build joins sources\n"
       "#if defined(__ELF__) && defined(__GNUC__)\n"
-      "#define TREELINE_OWN_SECTION __attribute__((section(\"{}\")))\n"
+      "#define TREELINE_OWN_SECTION __attribute__((section(\"{}\"){}))\n"
       "#else\n"
       "#define TREELINE_OWN_SECTION\n"
       "#endif\n",
-      context.name, section_of(context, function));
+      context.name, section_of(context, function),
+      attributes == Attributes::whole ? ", flatten" : "");
 }
 
 std::string print_prefetch_section(const EmissionContext& context) {

@@ -49,8 +49,9 @@ TEST(PrintController, KeepsNamesWithinComments) {
   EXPECT_NE(code.find("arm_number payload[10];"), std::string::npos) << code;
 }
 
-// Would catch: functions of the controller's own that have a section and that nothing loads.
-TEST(PrintController, LoadsTheDynamicsOfAStep) {
+// Would catch: functions of the controller's own that have a section and that nothing loads, and a
+// section that nothing is in.
+TEST(PrintController, LoadsAStepAndItsDynamics) {
   EmissionContext context = test::sample_context("arm", false);
   context.prefetch = true;
   context.controller = std::make_shared<const ControllerUnit>(odd_unit());
@@ -65,6 +66,11 @@ TEST(PrintController, LoadsTheDynamicsOfAStep) {
     EXPECT_NE(print_prefetch_macro(context, function).find('"' + section + '"'), std::string::npos);
   }
   EXPECT_NE(files.front().text.find("void prefetch_step() noexcept;"), std::string::npos);
+  EXPECT_NE(source.find("load(__start_treeline_arm_controller, "), std::string::npos) << source;
+  const auto controller = cpp::print_controller(context, odd_unit());
+  const std::string& step = controller[1].text;
+  EXPECT_NE(step.find("section(\"treeline_arm_controller\"), flatten"), std::string::npos) << step;
+  EXPECT_NE(step.find("TREELINE_OWN_SECTION\nvoid arm_step("), std::string::npos) << step;
 }
 
 TEST(PrintController, KeepsLinesShort) {

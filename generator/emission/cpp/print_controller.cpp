@@ -13,6 +13,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/misra/follow_rules.hpp"
+#include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
@@ -303,8 +304,10 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
   Holes holes = {{"name", context.name},
                  {"NAME", name_in_capitals(context)},
                  {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
-                 {"section", print_section_macro(context)},
+                 {"section", print_section_macro(context) +
+                                 print_prefetch_macro(context, kControllerStem, Attributes::whole)},
                  {"code_section", print_section(context)},
+                 {"step_section", print_prefetch_section(context)},
                  {"joints", std::to_string(unit.joints.size())},
                  {"points", std::to_string(unit.points.size())},
                  {"rows", std::to_string(std::max(1, unit.rows))},
