@@ -2,7 +2,7 @@
 // Functions of operational points by loops over a table of links: Lambda^-1, Lambda, control
 // torque. C++17, freestanding.
 
-#include "core/link_inertia.hpp"
+#include "core/link_articulation.hpp"
 
 namespace treeline::core::loops {
 

@@ -174,8 +174,8 @@ TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
   for (const std::string_view header :
        {cpp::templates::kLinkVectors, cpp::templates::kLinkTable, cpp::templates::kLinkPose,
         cpp::templates::kLinkFactors, cpp::templates::kLinkFriction, cpp::templates::kLinkMotion,
-        cpp::templates::kLinkInertia, cpp::templates::kLinkRows, cpp::templates::kLinkFunctions,
-        cpp::templates::kLinkInputs}) {
+        cpp::templates::kLinkInertia, cpp::templates::kLinkArticulation, cpp::templates::kLinkRows,
+        cpp::templates::kLinkFunctions, cpp::templates::kLinkInputs}) {
     int expected = 0;
     int found = 0;
     for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;

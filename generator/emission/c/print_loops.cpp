@@ -227,6 +227,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
       {"link_friction.h", cpp::templates::kLinkFriction},
       {"link_motion.h", cpp::templates::kLinkMotion},
       {"link_inertia.h", cpp::templates::kLinkInertia},
+      {"link_articulation.h", cpp::templates::kLinkArticulation},
       {"link_rows.h", cpp::templates::kLinkRows},
       {"link_functions.h", cpp::templates::kLinkFunctions}};
   if (has_inputs(programs)) headers.emplace_back("link_inputs.h", cpp::templates::kLinkInputs);

@@ -46,6 +46,7 @@ std::string print_kept(const LoopHeader& header) {
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
   std::vector<std::pair<const char*, std::string_view>> texts = {
+      {"link_articulation.hpp", templates::kLinkArticulation},
       {"link_factors.hpp", templates::kLinkFactors},
       {"link_friction.hpp", templates::kLinkFriction},
       {"link_functions.hpp", templates::kLinkFunctions},

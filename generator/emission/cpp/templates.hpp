@@ -43,6 +43,7 @@ extern const std::string_view kLimitedTorque;
 extern const std::string_view kLinkFactors;
 extern const std::string_view kLinkFriction;
 extern const std::string_view kLinkFunctions;
+extern const std::string_view kLinkArticulation;
 extern const std::string_view kLinkInertia;
 extern const std::string_view kLinkInputs;
 extern const std::string_view kLinkMotion;
