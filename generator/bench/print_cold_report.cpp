@@ -48,8 +48,9 @@ std::string print_cold_function(const ColdFunction& function) {
          "\n";
 }
 
-Json describe_timing(const Timing& timing) {
-  return {{"nanoseconds", timing.nanoseconds}, {"ratio", timing.ratio}, {"noise", timing.noise}};
+Json describe_timing(const std::optional<Timing>& timing) {
+  if (!timing) return nullptr;
+  return {{"nanoseconds", timing->nanoseconds}, {"ratio", timing->ratio}, {"noise", timing->noise}};
 }
 
 Json describe_cold_row(const ColdReport& report, const ColdFunction& function, const ColdRow& row) {
@@ -63,9 +64,8 @@ Json describe_cold_row(const ColdReport& report, const ColdFunction& function, c
           {"bytes", row.bytes ? Json(*row.bytes) : Json(nullptr)},
           {"warm", describe_timing(row.warm)},
           {"from_cache", describe_timing(row.cold.from_cache)},
-          {"from_memory",
-           row.cold.from_memory ? describe_timing(*row.cold.from_memory) : Json(nullptr)},
-          {"loaded", row.cold.loaded ? describe_timing(*row.cold.loaded) : Json(nullptr)}};
+          {"from_memory", describe_timing(row.cold.from_memory)},
+          {"loaded", describe_timing(row.cold.loaded)}};
 }
 
 }  // namespace

@@ -57,6 +57,17 @@ void pass_over(const LoopHeader& gone, LoopHeader& header) {
 
 }  // namespace
 
+std::string join_callers(std::span<const Program> programs,
+                         const std::function<std::string(const Program&)>& print_body,
+                         const std::vector<GeneratedFile>& tables) {
+  std::string text;
+  for (const Program& program : programs) {
+    if (program.loops) text += print_body(program);
+  }
+  for (const GeneratedFile& file : tables) text += file.text;
+  return text;
+}
+
 void keep_called(std::string_view callers, std::vector<LoopHeader>& headers) {
   std::vector<const LoopDeclaration*> left;
   std::set<const LoopDeclaration*> kept;

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "emission/generated_file.hpp"
+#include "program/program.hpp"
 
 namespace treeline {
 
@@ -19,6 +24,11 @@ struct LoopHeader {
   std::string opening;                 ///< what it says of itself and includes
   std::vector<LoopDeclaration> items;  ///< its types and functions
 };
+
+/// What uses the loops: bodies of the functions that loop, and the robot's tables.
+std::string join_callers(std::span<const Program> programs,
+                         const std::function<std::string(const Program&)>& print_body,
+                         const std::vector<GeneratedFile>& tables);
 
 /// Leaves out the types and functions that neither `callers` nor what stays names, and headers of
 /// which nothing is left: what these include, others include in their place.

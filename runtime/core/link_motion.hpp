@@ -125,7 +125,7 @@ void move_link(const Table& table, int i, const Poses& poses, const Real* qd, co
   turn_motion(table, i, poses, motion);
   const int at = velocity_at<Table>(joint_of(table, i));
   const Real rate = scale(table, i, entry(qd, at));
-  if (ball_axis(table, i) == 1) {
+  if (turns_freely(table, i)) {
     int angular = at;
     if (is_freed(table, i)) {
       turn_free_axes(qd, at, motion);

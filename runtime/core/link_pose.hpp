@@ -283,7 +283,7 @@ void place_links(const Table& table, const Real* q, const Sines& sines, Poses& p
       place_rotation(table.links[i], &q[3], poses.rotations[0]);
     } else {
       const int at = coordinate_of(table, i);
-      if (ball_axis(table, i) == 1) {
+      if (turns_freely(table, i)) {
         place_ball(table, i, &q[at], poses);
       } else {
         const Real moved = scale(table, i, q[at]);

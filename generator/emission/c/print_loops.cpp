@@ -11,6 +11,7 @@
 #include "emission/c/templates.hpp"
 #include "emission/c/translate_loops.hpp"
 #include "emission/c_family_syntax.hpp"
+#include "emission/cpp/print_loop_headers.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
@@ -83,16 +84,6 @@ std::string print_own_table(const EmissionContext& context, const LinkLoops& loo
   names.table = "&table";
   return print_link_inputs(loops, names) +
          print_members(loops, names, prefix + "link_table", text.gravity, true);
-}
-
-/// What uses the loops: the functions' bodies and the robot's tables.
-std::string print_callers(const EmissionContext& context, std::span<const Program> programs) {
-  std::string text;
-  for (const Program& program : programs) {
-    if (program.loops) text += print_loop_body(context, program);
-  }
-  for (const GeneratedFile& file : print_loops(context, programs)) text += file.text;
-  return text;
 }
 
 bool has_own_rotors(const Program& program) {
@@ -219,36 +210,26 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   LoopTranslator translator(
       context, list_kinds(table, std::any_of(programs.begin(), programs.end(), has_own_rotors)),
       std::any_of(programs.begin(), programs.end(), takes_sines));
-  std::vector<std::pair<const char*, std::string_view>> headers = {
-      {"link_vectors.h", cpp::templates::kLinkVectors},
-      {"link_table.h", cpp::templates::kLinkTable},
-      {"link_pose.h", cpp::templates::kLinkPose},
-      {"link_factors.h", cpp::templates::kLinkFactors},
-      {"link_friction.h", cpp::templates::kLinkFriction},
-      {"link_motion.h", cpp::templates::kLinkMotion},
-      {"link_inertia.h", cpp::templates::kLinkInertia},
-      {"link_articulation.h", cpp::templates::kLinkArticulation},
-      {"link_rows.h", cpp::templates::kLinkRows},
-      {"link_functions.h", cpp::templates::kLinkFunctions}};
-  if (has_inputs(programs)) headers.emplace_back("link_inputs.h", cpp::templates::kLinkInputs);
   const bool ranked = std::any_of(programs.begin(), programs.end(), [](const Program& program) {
     return program.loops && is_ranked(*program.loops);
   });
   std::vector<LoopHeader> translated;
-  for (const auto& [name, each] : headers) {
-    const std::string header = settle_inlining(context, each);
-    LoopHeader& next = translated.emplace_back(LoopHeader{name, print_opening(header), {}});
-    if (each == cpp::templates::kLinkTable) {
+  for (const cpp::LoopTemplate& each : cpp::list_loop_templates(programs)) {
+    const std::string header = settle_inlining(context, each.text);
+    LoopHeader& next =
+        translated.emplace_back(LoopHeader{each.stem + ".h", print_opening(header), {}});
+    if (each.text == cpp::templates::kLinkTable) {
       next.opening += print_sizes(context, table, ranked) + "\n";
     }
     for (const LoopItem& item : parse_loops(header)) {
       std::string text = translator.translate(item);
       if (text.empty()) continue;
-      const std::string own = item.is_struct() ? in_snake_case(item.name()) : item.name();
-      next.items.push_back({context.name + "_loops_" + own, !item.is_struct(), std::move(text)});
+      const std::string name = item.is_struct() ? in_snake_case(item.name()) : item.name();
+      next.items.push_back({context.name + "_loops_" + name, !item.is_struct(), std::move(text)});
     }
   }
-  keep_called(print_callers(context, programs), translated);
+  const auto print_body = [&](const Program& program) { return print_loop_body(context, program); };
+  keep_called(join_callers(programs, print_body, print_loops(context, programs)), translated);
   std::vector<GeneratedFile> files;
   for (const LoopHeader& header : translated) {
     std::string text = header.opening;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "emission/emission_context.hpp"
@@ -9,7 +11,17 @@
 
 namespace treeline::cpp {
 
-/// The headers `runtime/core/link_*.hpp` with what `programs` need of them, which have functions
+/// A header of the runtime as it is.
+struct LoopTemplate {
+  std::string stem;  ///< `link_pose`
+  std::string_view text;
+};
+
+/// The headers `runtime/core/link_*.hpp` that `programs` may need, each behind those that it
+/// includes.
+std::vector<LoopTemplate> list_loop_templates(std::span<const Program> programs);
+
+/// The same with what `programs` need of them, which have functions
 /// that loop over a table of links. They are in the namespace of the runtime.
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs);

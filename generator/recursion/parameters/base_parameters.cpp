@@ -210,12 +210,16 @@ std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechan
   return memo.found;
 }
 
+std::size_t link_of(const ModelParameter& parameter, const Mechanism& mechanism) {
+  const auto link = std::find_if(
+      mechanism.links.begin(), mechanism.links.end(),
+      [&](const MovingLink& each) { return !each.mimics && each.v_index == parameter.v; });
+  return static_cast<std::size_t>(link - mechanism.links.begin());
+}
+
 Digits50 value_in_files(const ModelParameter& parameter, const Mechanism& mechanism) {
   if (!parameter.is_of_body()) {
-    const auto link = std::find_if(
-        mechanism.links.begin(), mechanism.links.end(),
-        [&](const MovingLink& each) { return !each.mimics && each.v_index == parameter.v; });
-    const JointDrive& drive = link->drive;
+    const JointDrive& drive = mechanism.links[link_of(parameter, mechanism)].drive;
     return parameter.kind == Kind::rotor     ? drive.inertia
            : parameter.kind == Kind::viscous ? drive.damping
                                              : drive.friction;

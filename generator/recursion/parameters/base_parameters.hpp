@@ -43,6 +43,9 @@ BaseParameters find_base_parameters(const Mechanism& mechanism, const SceneRegre
 /// reductions do not change them.
 std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechanism);
 
+/// The link whose joint has the rotor or friction that a parameter is.
+std::size_t link_of(const ModelParameter& parameter, const Mechanism& mechanism);
+
 /// What the files say of a parameter. Not for payloads, which no file has.
 Digits50 value_in_files(const ModelParameter& parameter, const Mechanism& mechanism);
 /// What they say of a base parameter: the sum of its combination.

@@ -213,14 +213,6 @@ void add_base_bodies(const Mechanism& mechanism, const std::vector<int>& places,
   if (!input.frames.empty()) table.inputs.push_back(std::move(input));
 }
 
-/// The link of the joint that has velocity `v` for its own.
-std::size_t link_of_velocity(const Mechanism& mechanism, int v) {
-  const auto at =
-      std::find_if(mechanism.links.begin(), mechanism.links.end(),
-                   [&](const MovingLink& link) { return !link.mimics && link.v_index == v; });
-  return static_cast<std::size_t>(at - mechanism.links.begin());
-}
-
 /// Where the argument has a parameter; -1 if it is none that base parameters are named after.
 std::int16_t find_base_entry(const BaseParameters& found, std::size_t parameter) {
   const auto at =
@@ -240,7 +232,7 @@ void add_base_drives(const Mechanism& mechanism, SplitTree& split, LinkTableData
   for (std::size_t k = 0; k < found->parameters.size(); ++k) {
     const ModelParameter& parameter = found->parameters[k];
     if (parameter.is_of_body()) continue;
-    const int link = split.places[link_of_velocity(mechanism, parameter.v)];
+    const int link = split.places[link_of(parameter, mechanism)];
     const bool rubs = parameter.kind == ModelParameter::Kind::coulomb;
     if (rubs) {
       split.tree.links[static_cast<std::size_t>(link)].drive.sharpness =
