@@ -83,15 +83,20 @@ const LinkRotation<Real>& rotation_of(const Table& table, int i, const Poses& po
   return poses.rotations[table.ball_axes[i].rotation];
 }
 
-/// From a link's axes to its parent's. Not for a floating base.
+/// Three vectors from a link's axes to its parent's. Not for a floating base.
 template <class Table, class Poses, class Real>
-void turn_to_parent(const Table& table, int i, const Poses& poses, Real (&v)[3]) noexcept {
+void turn_axes_to_parent(const Table& table, int i, const Poses& poses, Real (&x)[3], Real (&y)[3],
+                         Real (&z)[3]) noexcept {
   if (turns_freely(table, i)) {
-    turn_by(rotation_of(table, i, poses), v);
+    turn_by(rotation_of(table, i, poses), x);
+    turn_by(rotation_of(table, i, poses), y);
+    turn_by(rotation_of(table, i, poses), z);
   } else {
     LinkTurns<Real> turns;
     find_turns(table.links[i], poses.joints[i], turns);
-    turn_by_planes(turns, v);
+    turn_by_planes(turns, x);
+    turn_by_planes(turns, y);
+    turn_by_planes(turns, z);
   }
 }
 

@@ -14,20 +14,22 @@ struct LinkAxes {
 
 template <class Table, class Poses, class Real>
 void find_axes(const Table& table, const Poses& poses, int link, LinkAxes<Real>& axes) noexcept {
-  for (int j = 0; j < 3; ++j) {
-    Real v[3];
-    clear(v);
-    v[j] = Real(1.0);
-    for (int i = link; i >= 0; i = table.links[i].parent) {
-      if (is_floating<Table>(i)) {
-        turn_by(poses.rotations[0], v);
-      } else {
-        turn_to_parent(table, i, poses, v);
-      }
+  Real x[3] = {Real(1.0), Real(0.0), Real(0.0)};
+  Real y[3] = {Real(0.0), Real(1.0), Real(0.0)};
+  Real z[3] = {Real(0.0), Real(0.0), Real(1.0)};
+  for (int i = link; i >= 0; i = table.links[i].parent) {
+    if (is_floating<Table>(i)) {
+      turn_by(poses.rotations[0], x);
+      turn_by(poses.rotations[0], y);
+      turn_by(poses.rotations[0], z);
+    } else {
+      turn_axes_to_parent(table, i, poses, x, y, z);
     }
-    for (int m = 0; m < 3; ++m) {
-      axes.rows[(3 * j) + m] = v[m];
-    }
+  }
+  for (int m = 0; m < 3; ++m) {
+    axes.rows[m] = x[m];
+    axes.rows[3 + m] = y[m];
+    axes.rows[6 + m] = z[m];
   }
 }
 
@@ -38,7 +40,6 @@ struct RowWork {
   LinkMotion<Real> point_motions[points];
   Spatial<Real> forces[rows];  ///< unit forces on their way to the base
   int16_t links[rows];         ///< where they have got to
-  int arrived[rows];           ///< which have got to the link that a loop is at
   Real errors[rows];
   Real Lambda_inv[rows * rows];
   Real inverse_borders[ranked];  ///< by which rows in the order of priority yield
@@ -99,65 +100,87 @@ void find_unit_force(const Table& table, const Rows& rows, int r, Spatial<Real>&
   }
 }
 
-/// Lists the rows whose unit forces have got to link `i`, and returns how many they are.
-template <class Table, class Rows>
-int find_arrived(const Table& table, int i, Rows& rows) noexcept {
-  int count = 0;
-  for (int r = 0; r < table.rows; ++r) {
-    if (rows.links[r] == i) {
-      rows.arrived[count] = r;
-      ++count;
-    }
-  }
-  return count;
-}
-
-/// Lambda^-1 += work D^-1 work^T of a joint on the `count` rows that have got to its link, of whose
-/// work `errors` has one number each.
+/// Adds to row `r` of Lambda^-1, from column `first` on, `scaled` times the work of the other rows,
+/// which `errors` has.
 template <class Table, class Real, class Rows>
-void absorb(const Table& table, int count, const Real& inverse_D, Rows& rows) noexcept {
-  for (int k = 0; k < count; ++k) {
-    const Real scaled = rows.errors[k] * inverse_D;
-    Real* const sums = &rows.Lambda_inv[rows.arrived[k] * table.rows];
-    for (int l = 0; l <= k; ++l) {
-      Real& sum = sums[rows.arrived[l]];
-      sum = sum + (scaled * rows.errors[l]);
-    }
-  }
+TREELINE_LINK_INLINE void add_work(const Table& table, const Real& scaled, int first, int r,
+                                   Rows& rows) noexcept {
+  Real* const sums = &rows.Lambda_inv[r * table.rows];
+  int s = first;
+  do {
+    sums[s] = sums[s] + (scaled * rows.errors[s]);
+    ++s;
+  } while (s <= r);
 }
 
-/// Lambda^-1 += K^T IA^-1 K for the unit forces that have got to a floating base.
+/// Lambda^-1 += K^T IA^-1 K for the unit forces that have got to a floating base, link `i`.
 template <class Table, class Inertias, class Rows, class Real = typename Table::Real>
-void absorb_in_base(const Table& table, int count, const Inertias& inertias, Rows& rows) noexcept {
-  for (int k = 0; k < count; ++k) {
-    Spatial<Real>& K = rows.forces[rows.arrived[k]];
-    Real x[6];
-    for (int m = 0; m < 3; ++m) {
-      x[m] = K.linear[m];
-      x[m + 3] = K.angular[m];
-    }
-    solve_lower(&inertias.base[0], 6, x);
-    for (int m = 0; m < 3; ++m) {
-      K.linear[m] = x[m];
-      K.angular[m] = x[m + 3];
+void absorb_in_base(const Table& table, int i, const Inertias& inertias, Rows& rows) noexcept {
+  for (int r = 0; r < table.rows; ++r) {
+    Spatial<Real>& K = rows.forces[r];
+    if (rows.links[r] == i) {
+      Real x[6];
+      for (int m = 0; m < 3; ++m) {
+        x[m] = K.linear[m];
+        x[m + 3] = K.angular[m];
+      }
+      solve_lower(&inertias.base[0], 6, x);
+      for (int m = 0; m < 3; ++m) {
+        K.linear[m] = x[m];
+        K.angular[m] = x[m + 3];
+      }
+    } else {
+      clear_spatial(K);
     }
   }
   for (int m = 0; m < 6; ++m) {
-    for (int k = 0; k < count; ++k) {
-      const Spatial<Real>& K = rows.forces[rows.arrived[k]];
-      rows.errors[k] = (m < 3) ? K.linear[m] : K.angular[m - 3];
+    for (int r = 0; r < table.rows; ++r) {
+      const Spatial<Real>& K = rows.forces[r];
+      rows.errors[r] = (m < 3) ? K.linear[m] : K.angular[m - 3];
+      add_work(table, rows.errors[r] * inertias.base[7 * m], 0, r, rows);
     }
-    absorb(table, count, inertias.base[7 * m], rows);
   }
 }
 
-/// Makes K what is left of it on the parent of link `i`, whose joint it works on by `along`.
-template <class Table, class Motions, class Real>
-void pass_force(const Table& table, int i, const Motions& motions,
-                const LinkProjection<Real>& joint, const Real& along, Spatial<Real>& K) noexcept {
-  add_scaled(joint.u, -along, K);
-  along_joint(table, i, K) = rotor_of(table, i) * joint.inverse_D * along;
-  wrench_to_parent(table, i, motions.poses, K);
+/// Lambda^-1 gains what the forces that have got to link `i` do on its joint, which passes the rest
+/// of them on. `errors` has the work of each row, 0 of one that has not got there.
+template <class Table, class Motions, class Real, class Rows>
+void absorb_in_joint(const Table& table, int i, const Motions& motions,
+                     const LinkProjection<Real>& joint, Rows& rows) noexcept {
+  Real p[3];
+  find_origin(table, i, motions.poses, p);
+  LinkTurns<Real> turns;
+  find_turns(table.links[i], motions.poses.joints[i], turns);
+  Spatial<Real> u;
+  copy_spatial(joint.u, u);
+  const Real inverse_D = joint.inverse_D;
+  const Real held = rotor_of(table, i) * inverse_D;
+  int first = table.rows;
+  for (int r = 0; r < table.rows; ++r) {
+    rows.errors[r] = Real(0.0);
+    if (rows.links[r] == i) {
+      if (r < first) {
+        first = r;
+      }
+      Spatial<Real> K;
+      copy_spatial(rows.forces[r], K);
+      const Real along = along_joint(table, i, K);
+      rows.errors[r] = along;
+      add_work(table, along * inverse_D, first, r, rows);
+      add_scaled(u, -along, K);
+      along_joint(table, i, K) = held * along;
+      if (turns_freely(table, i)) {
+        turn_by(rotation_of(table, i, motions.poses), K.linear);
+        turn_by(rotation_of(table, i, motions.poses), K.angular);
+      } else {
+        turn_by_planes(turns, K.linear);
+        turn_by_planes(turns, K.angular);
+      }
+      add_cross(p, K.linear, K.angular);
+      copy_spatial(K, rows.forces[r]);
+      rows.links[r] = table.links[i].parent;
+    }
+  }
 }
 
 /// The lower triangle of Lambda^-1, the sum over joints of (S^T K)^T D^-1 (S^T K) with the unit
@@ -173,20 +196,10 @@ void propagate_forces(const Table& table, const Motions& motions, const Inertias
     rows.links[r] = table.points[table.point_rows[r].point].link;
   }
   for (int i = table.count - 1; i >= 0; --i) {
-    const int count = find_arrived(table, i, rows);
     if (is_floating<Table>(i)) {
-      absorb_in_base(table, count, inertias, rows);
+      absorb_in_base(table, i, inertias, rows);
     } else {
-      for (int k = 0; k < count; ++k) {
-        rows.errors[k] = along_joint(table, i, rows.forces[rows.arrived[k]]);
-      }
-      const LinkProjection<Real>& joint = inertias.projections[i];
-      absorb(table, count, joint.inverse_D, rows);
-      for (int k = 0; k < count; ++k) {
-        const int r = rows.arrived[k];
-        pass_force(table, i, motions, joint, rows.errors[k], rows.forces[r]);
-        rows.links[r] = table.links[i].parent;
-      }
+      absorb_in_joint(table, i, motions, inertias.projections[i], rows);
     }
   }
 }

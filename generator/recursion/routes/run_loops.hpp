@@ -205,7 +205,6 @@ struct LoopTrace {
     std::vector<loops::LinkMotion<Number>> point_motions;
     std::vector<loops::Spatial<Number>> forces;
     std::vector<std::int16_t> links;
-    std::vector<int> arrived;
     std::vector<Number> errors, Lambda_inv, inverse_borders;
   };
 
@@ -227,7 +226,6 @@ struct LoopTrace {
     rows.point_motions.resize(of.points.size());
     rows.forces.resize(count);
     rows.links.resize(count);
-    rows.arrived.resize(count);
     rows.errors.resize(count);
     rows.Lambda_inv.resize(count * count);
     rows.inverse_borders.resize(count);
