@@ -202,7 +202,7 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
       enter<Table>(own + rotor_of(table, i), M[(at * nv) + at]);
       int j = i;
       while (table.links[j].parent >= 0) {
-        wrench_to_parent(table, j, motions.poses, wrench);
+        pass_to_parent(table, j, motions.poses, wrench);
         j = table.links[j].parent;
         const int entries = is_floating<Table>(j) ? 6 : 1;
         for (int k = 0; k < entries; ++k) {

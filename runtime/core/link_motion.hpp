@@ -24,7 +24,7 @@ struct MotionWork {
 
 /// sum += wd x r + w x (w x r)
 template <class Real>
-void add_rotation(const LinkMotion<Real>& motion, const Real (&r)[3], Real (&sum)[3]) noexcept {
+TREELINE_LINK_INLINE void add_rotation(const LinkMotion<Real>& motion, const Real (&r)[3], Real (&sum)[3]) noexcept {
   Real speed[3];
   find_cross(motion.w, r, speed);
   add_cross(motion.wd, r, sum);
@@ -41,12 +41,16 @@ TREELINE_LINK_INLINE void multiply_symmetric(const Real (&M)[6], const Real (&v)
 }
 
 template <class Real>
-void copy(const LinkMotion<Real>& from, LinkMotion<Real>& to) noexcept {
-  for (int k = 0; k < 3; ++k) {
-    to.w[k] = from.w[k];
-    to.wd[k] = from.wd[k];
-    to.a[k] = from.a[k];
-  }
+TREELINE_LINK_INLINE void copy(const LinkMotion<Real>& from, LinkMotion<Real>& to) noexcept {
+  to.w[0] = from.w[0];
+  to.w[1] = from.w[1];
+  to.w[2] = from.w[2];
+  to.wd[0] = from.wd[0];
+  to.wd[1] = from.wd[1];
+  to.wd[2] = from.wd[2];
+  to.a[0] = from.a[0];
+  to.a[1] = from.a[1];
+  to.a[2] = from.a[2];
 }
 
 /// The motion of a fixed base.
@@ -117,8 +121,8 @@ void turn_motion(const Table& table, int i, const Poses& poses, LinkMotion<Real>
 
 /// Makes the motion of its parent that of link `i` behind its joint.
 template <class Table, class Poses, class Real>
-void move_link(const Table& table, int i, const Poses& poses, const Real* qd, const Real* qdd,
-               LinkMotion<Real>& motion) noexcept {
+TREELINE_LINK_INLINE void move_link(const Table& table, int i, const Poses& poses, const Real* qd,
+                                    const Real* qdd, LinkMotion<Real>& motion) noexcept {
   Real p[3];
   find_origin(table, i, poses, p);
   add_rotation(motion, p, motion.a);
@@ -160,18 +164,21 @@ void move_base(const Table& table, const LinkRotation<Real>& base, const Real* q
 }
 
 /// Rate of change of a link's momentum: f = m a + wd x h + w x (w x h), n = J wd + w x J w + h x a.
+/// It is found in a copy, of which a compiler knows that it is none of the others.
 template <class Real>
-void find_wrench(const LinkBody<Real>& body, const LinkMotion<Real>& motion,
-                 Spatial<Real>& wrench) noexcept {
+TREELINE_LINK_INLINE void find_wrench(const LinkBody<Real>& body, const LinkMotion<Real>& motion,
+                                      Spatial<Real>& wrench) noexcept {
+  Spatial<Real> rate;
   Real momentum[3];
   multiply_symmetric(body.J, motion.w, momentum);
-  multiply_symmetric(body.J, motion.wd, wrench.angular);
-  wrench.linear[0] = body.mass * motion.a[0];
-  wrench.linear[1] = body.mass * motion.a[1];
-  wrench.linear[2] = body.mass * motion.a[2];
-  add_rotation(motion, body.h, wrench.linear);
-  add_cross(motion.w, momentum, wrench.angular);
-  add_cross(body.h, motion.a, wrench.angular);
+  multiply_symmetric(body.J, motion.wd, rate.angular);
+  rate.linear[0] = body.mass * motion.a[0];
+  rate.linear[1] = body.mass * motion.a[1];
+  rate.linear[2] = body.mass * motion.a[2];
+  add_rotation(motion, body.h, rate.linear);
+  add_cross(motion.w, momentum, rate.angular);
+  add_cross(body.h, motion.a, rate.angular);
+  copy_spatial(rate, wrench);
 }
 
 /// Motions of the table's points on the world.
@@ -197,21 +204,19 @@ void move_links(const Table& table, const Real* qd, const Real* qdd, Motions& mo
   rest_points(table, point_motions);
   for (int i = 0; i < table.count; ++i) {
     const Link<Real>& link = table.links[i];
-    LinkMotion<Real>& motion = motions.motions[link.slot];
+    LinkMotion<Real> motion;
     if (is_floating<Table>(i)) {
       move_base(table, motions.poses.rotations[0], qd, qdd, motion);
     } else {
       if (link.parent < 0) {
         rest(table, motion);
       } else {
-        const int16_t slot = table.links[link.parent].slot;
-        if (slot != link.slot) {
-          copy(motions.motions[slot], motion);
-        }
+        copy(motions.motions[table.links[link.parent].slot], motion);
       }
       move_link(table, i, motions.poses, qd, qdd, motion);
     }
     find_wrench(body_of(table, i), motion, motions.wrenches[i]);
+    copy(motion, motions.motions[link.slot]);
     for (int k = 0; k < table.point_count; ++k) {
       if (table.points[k].link == i) {
         copy(motion, point_motions[k]);
