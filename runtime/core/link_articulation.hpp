@@ -137,7 +137,7 @@ TREELINE_LINK_INLINE void take_square(const Real (&U)[3], const Real (&u)[3],
 /// Makes IA what the joint passes on, IA - U D^-1 U^T. Of the joint's own row and column the share
 /// rotor / D is left; without a rotor they are exact zeros.
 template <class Table, class Real>
-void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
+TREELINE_LINK_INLINE void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
                    LinkProjection<Real>& joint) noexcept {
   Spatial<Real> U;
   find_column(table, i, IA, U);
@@ -164,7 +164,9 @@ void articulate(const Table& table, const Motions& motions, Inertias& inertias) 
   }
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
-    LinkInertia<Real>& IA = inertias.inertias[link.slot];
+    LinkInertia<Real>& sum = inertias.inertias[link.slot];
+    LinkInertia<Real> IA;
+    copy_inertia(sum, IA);
     add_own(body_of(table, i), IA);
     if (is_floating<Table>(i)) {
       copy_to(IA, &inertias.base[0], 6);
@@ -172,7 +174,8 @@ void articulate(const Table& table, const Motions& motions, Inertias& inertias) 
       factor<0>(&inertias.base[0], 6, none);
     } else {
       release_joint(table, i, IA, inertias.projections[i]);
-      pass_on(table, i, motions, IA, inertias);
+      copy_inertia(IA, sum);
+      pass_on(table, i, motions, sum, inertias);
     }
   }
 }

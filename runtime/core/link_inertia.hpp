@@ -152,24 +152,58 @@ void inertia_to_parent(const Table& table, int i, const Poses& poses,
   shift_inertia(p, inertia);
 }
 
+template <class Real>
+TREELINE_LINK_INLINE void add_six(const Real (&more)[6], Real (&sum)[6]) noexcept {
+  sum[0] = sum[0] + more[0];
+  sum[1] = sum[1] + more[1];
+  sum[2] = sum[2] + more[2];
+  sum[3] = sum[3] + more[3];
+  sum[4] = sum[4] + more[4];
+  sum[5] = sum[5] + more[5];
+}
+
 /// Inertia of a link alone, added to that of the links that it carries.
 template <class Real>
 TREELINE_LINK_INLINE void add_own(const LinkBody<Real>& body, LinkInertia<Real>& sum) noexcept {
-  const Real(&h)[3] = body.h;
+  const Real mass = body.mass;
+  const Real h[3] = {body.h[0], body.h[1], body.h[2]};
   Real(&A)[6] = sum.A;
   Real(&B)[9] = sum.B;
-  A[0] = A[0] + body.mass;
-  A[3] = A[3] + body.mass;
-  A[5] = A[5] + body.mass;
+  A[0] = A[0] + mass;
+  A[3] = A[3] + mass;
+  A[5] = A[5] + mass;
   B[1] = B[1] + h[2];  // B = -[h]x
   B[2] = B[2] - h[1];
   B[3] = B[3] - h[2];
   B[5] = B[5] + h[0];
   B[6] = B[6] + h[1];
   B[7] = B[7] - h[0];
-  for (int k = 0; k < 6; ++k) {
-    sum.C[k] = sum.C[k] + body.J[k];
-  }
+  add_six(body.J, sum.C);
+}
+
+template <class Real>
+TREELINE_LINK_INLINE void copy_inertia(const LinkInertia<Real>& from, LinkInertia<Real>& to) noexcept {
+  to.A[0] = from.A[0];
+  to.A[1] = from.A[1];
+  to.A[2] = from.A[2];
+  to.A[3] = from.A[3];
+  to.A[4] = from.A[4];
+  to.A[5] = from.A[5];
+  to.B[0] = from.B[0];
+  to.B[1] = from.B[1];
+  to.B[2] = from.B[2];
+  to.B[3] = from.B[3];
+  to.B[4] = from.B[4];
+  to.B[5] = from.B[5];
+  to.B[6] = from.B[6];
+  to.B[7] = from.B[7];
+  to.B[8] = from.B[8];
+  to.C[0] = from.C[0];
+  to.C[1] = from.C[1];
+  to.C[2] = from.C[2];
+  to.C[3] = from.C[3];
+  to.C[4] = from.C[4];
+  to.C[5] = from.C[5];
 }
 
 template <class Real>

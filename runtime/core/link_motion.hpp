@@ -300,14 +300,15 @@ void clear_shared(const Table& table, Real* tau) noexcept {
   }
 }
 
-/// Inward pass: joint forces of the wrenches on links, which are lost.
+/// Inward pass: joint forces of the wrenches on links, which become those on all that a link carries.
 template <class Table, class Real, class Motions>
 void gather_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
                    Motions& motions, Real* tau) noexcept {
   clear_shared(table, tau);
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
-    Spatial<Real>& wrench = motions.wrenches[i];
+    Spatial<Real> wrench;
+    copy_spatial(motions.wrenches[i], wrench);
     if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         tau[k] = wrench.linear[k];
@@ -327,7 +328,7 @@ void gather_forces(const Table& table, const Real* q, const Real* qd, const Real
         add_friction(table, i, entry(qd, at), tau[at]);
       }
       if (link.parent >= 0) {
-        wrench_to_parent(table, i, motions.poses, wrench);
+        pass_to_parent(table, i, motions.poses, wrench);
         add(wrench, motions.wrenches[link.parent]);
       }
     }

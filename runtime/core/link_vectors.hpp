@@ -72,7 +72,7 @@ TREELINE_LINK_INLINE void add_cross(const Real (&a)[3], const Real (&b)[3],
 }
 
 template <class Real>
-void add(const Spatial<Real>& more, Spatial<Real>& sum) noexcept {
+TREELINE_LINK_INLINE void add(const Spatial<Real>& more, Spatial<Real>& sum) noexcept {
   sum.linear[0] = sum.linear[0] + more.linear[0];
   sum.linear[1] = sum.linear[1] + more.linear[1];
   sum.linear[2] = sum.linear[2] + more.linear[2];
