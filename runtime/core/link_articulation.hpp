@@ -205,7 +205,7 @@ void find_mass_matrix(const Table& table, const Motions& motions, Inertias& iner
       enter<Table>(own + rotor_of(table, i), M[(at * nv) + at]);
       int j = i;
       while (table.links[j].parent >= 0) {
-        pass_to_parent(table, j, motions.poses, wrench);
+        wrench_to_parent(table, j, motions.poses, wrench);
         j = table.links[j].parent;
         const int entries = is_floating<Table>(j) ? 6 : 1;
         for (int k = 0; k < entries; ++k) {
@@ -254,7 +254,8 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];
     const LinkProjection<Real>& joint = inertias.projections[i];
-    Spatial<Real>& wrench = motions.wrenches[i];
+    Spatial<Real> wrench;
+    copy_spatial(motions.wrenches[i], wrench);
     if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         qdd[k] = tau[k] - qdd[k] - wrench.linear[k];
@@ -278,7 +279,7 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
   for (int i = 0; i < table.count; ++i) {
     const Link<Real>& link = table.links[i];
     const LinkProjection<Real>& joint = inertias.projections[i];
-    Spatial<Real>& twist = motions.wrenches[i];  // acceleration without what velocities add
+    Spatial<Real> twist;  // acceleration without what velocities add
     if (is_floating<Table>(i)) {
       for (int k = 0; k < 3; ++k) {
         twist.linear[k] = qdd[k];
@@ -286,9 +287,10 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
       }
     } else {
       const int at = velocity_at<Table>(i);
-      clear_spatial(twist);
-      if (link.parent >= 0) {
-        add(motions.wrenches[link.parent], twist);
+      if (link.parent < 0) {
+        clear_spatial(twist);
+      } else {
+        copy_spatial(motions.wrenches[link.parent], twist);
         twist_to_child(table, i, motions.poses, twist);
       }
       Real& along = along_joint(table, i, twist);
@@ -297,6 +299,7 @@ void find_accelerations(const Table& table, const Real* tau, Motions& motions,
                 dot(joint.u.angular, twist.angular) - (along - (held * along));
       along = along + qdd[at];
     }
+    copy_spatial(twist, motions.wrenches[i]);
   }
 }
 

@@ -328,7 +328,7 @@ void gather_forces(const Table& table, const Real* q, const Real* qd, const Real
         add_friction(table, i, entry(qd, at), tau[at]);
       }
       if (link.parent >= 0) {
-        pass_to_parent(table, i, motions.poses, wrench);
+        wrench_to_parent(table, i, motions.poses, wrench);
         add(wrench, motions.wrenches[link.parent]);
       }
     }

@@ -146,10 +146,10 @@ void find_origin(const Table& table, int i, const Poses& poses, Real (&p)[3]) no
   }
 }
 
-/// `wrench_to_parent` as part of a loop, in which the wrench stays in registers.
+/// From a wrench on link `i` to the same on its parent. Not for a floating base.
 template <class Table, class Poses, class Real>
-TREELINE_LINK_INLINE void pass_to_parent(const Table& table, int i, const Poses& poses,
-                                         Spatial<Real>& wrench) noexcept {
+TREELINE_LINK_INLINE void wrench_to_parent(const Table& table, int i, const Poses& poses,
+                                           Spatial<Real>& wrench) noexcept {
   Real p[3];
   find_origin(table, i, poses, p);
   if (turns_freely(table, i)) {
@@ -164,16 +164,10 @@ TREELINE_LINK_INLINE void pass_to_parent(const Table& table, int i, const Poses&
   add_cross(p, wrench.linear, wrench.angular);
 }
 
-/// From a wrench on link `i` to the same on its parent. Not for a floating base.
-template <class Table, class Poses, class Real>
-void wrench_to_parent(const Table& table, int i, const Poses& poses,
-                      Spatial<Real>& wrench) noexcept {
-  pass_to_parent(table, i, poses, wrench);
-}
-
 /// From a twist of the parent of link `i` to the same of the link before its joint.
 template <class Table, class Poses, class Real>
-void twist_to_child(const Table& table, int i, const Poses& poses, Spatial<Real>& twist) noexcept {
+TREELINE_LINK_INLINE void twist_to_child(const Table& table, int i, const Poses& poses,
+                                         Spatial<Real>& twist) noexcept {
   Real p[3];
   find_origin(table, i, poses, p);
   add_cross(twist.angular, p, twist.linear);
