@@ -41,9 +41,11 @@ void factor(Real* A, int n, const Real* yields) noexcept {
     pivot = bounded_inverse<power>(pivot, (power == 0) ? pivot : yields[k]);
     for (int i = n - 1; i > k; --i) {  // from below, so that the rows above are still A's
       const Real l = A[(i * n) + k] * pivot;
-      for (int j = k + 1; j <= i; ++j) {
+      int j = k + 1;
+      do {
         A[(i * n) + j] = A[(i * n) + j] - (l * A[(j * n) + k]);
-      }
+        ++j;
+      } while (j <= i);
       A[(i * n) + k] = l;
     }
   }
@@ -53,9 +55,11 @@ void factor(Real* A, int n, const Real* yields) noexcept {
 template <class Real>
 void solve_lower(const Real* factors, int n, Real* x) noexcept {
   for (int i = 0; i < n; ++i) {
+    Real left = x[i];
     for (int k = 0; k < i; ++k) {
-      x[i] = x[i] - (factors[(i * n) + k] * x[k]);
+      left = left - (factors[(i * n) + k] * x[k]);
     }
+    x[i] = left;
   }
 }
 
@@ -64,10 +68,11 @@ template <class Real>
 void solve(const Real* factors, int n, Real* x) noexcept {
   solve_lower(factors, n, x);
   for (int i = n - 1; i >= 0; --i) {
-    x[i] = x[i] * factors[(i * n) + i];
+    Real left = x[i] * factors[(i * n) + i];
     for (int k = i + 1; k < n; ++k) {
-      x[i] = x[i] - (factors[(k * n) + i] * x[k]);
+      left = left - (factors[(k * n) + i] * x[k]);
     }
+    x[i] = left;
   }
 }
 
