@@ -138,7 +138,7 @@ TREELINE_LINK_INLINE void take_square(const Real (&U)[3], const Real (&u)[3],
 /// rotor / D is left; without a rotor they are exact zeros.
 template <class Table, class Real>
 TREELINE_LINK_INLINE void release_joint(const Table& table, int i, LinkInertia<Real>& IA,
-                   LinkProjection<Real>& joint) noexcept {
+                                        LinkProjection<Real>& joint) noexcept {
   Spatial<Real> U;
   find_column(table, i, IA, U);
   Real& own = along_joint(table, i, U);

@@ -182,7 +182,8 @@ TREELINE_LINK_INLINE void add_own(const LinkBody<Real>& body, LinkInertia<Real>&
 }
 
 template <class Real>
-TREELINE_LINK_INLINE void copy_inertia(const LinkInertia<Real>& from, LinkInertia<Real>& to) noexcept {
+TREELINE_LINK_INLINE void copy_inertia(const LinkInertia<Real>& from,
+                                       LinkInertia<Real>& to) noexcept {
   to.A[0] = from.A[0];
   to.A[1] = from.A[1];
   to.A[2] = from.A[2];

@@ -24,7 +24,8 @@ struct MotionWork {
 
 /// sum += wd x r + w x (w x r)
 template <class Real>
-TREELINE_LINK_INLINE void add_rotation(const LinkMotion<Real>& motion, const Real (&r)[3], Real (&sum)[3]) noexcept {
+TREELINE_LINK_INLINE void add_rotation(const LinkMotion<Real>& motion, const Real (&r)[3],
+                                       Real (&sum)[3]) noexcept {
   Real speed[3];
   find_cross(motion.w, r, speed);
   add_cross(motion.wd, r, sum);
@@ -300,7 +301,7 @@ void clear_shared(const Table& table, Real* tau) noexcept {
   }
 }
 
-/// Inward pass: joint forces of the wrenches on links, which become those on all that a link carries.
+/// Inward pass: joint forces of the wrenches on links, which become those on what links carry.
 template <class Table, class Real, class Motions>
 void gather_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
                    Motions& motions, Real* tau) noexcept {
