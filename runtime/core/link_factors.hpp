@@ -93,17 +93,25 @@ void invert_lower(Real* factors, int n) noexcept {
 /// A^-1 = L^-T D^-1 L^-1 by factors whose L is inverted.
 template <class Real>
 void multiply_inverses(const Real* factors, int n, Real* inverse) noexcept {
+  for (int k = 0; k < n; ++k) {
+    const Real* const row = &factors[k * n];
+    const Real pivot = row[k];
+    for (int s = 0; s < k; ++s) {
+      inverse[(k * n) + s] = pivot * row[s];
+    }
+    inverse[(k * n) + k] = pivot;
+    for (int r = 0; r < k; ++r) {
+      const Real scaled = row[r] * pivot;
+      int s = 0;
+      do {
+        inverse[(r * n) + s] = inverse[(r * n) + s] + (scaled * row[s]);
+        ++s;
+      } while (s <= r);
+    }
+  }
   for (int r = 0; r < n; ++r) {
-    for (int s = 0; s <= r; ++s) {
-      Real sum = factors[(n + 1) * r];
-      if (s < r) {
-        sum = sum * factors[(r * n) + s];
-      }
-      for (int k = r + 1; k < n; ++k) {
-        sum = sum + ((factors[(k * n) + r] * factors[(n + 1) * k]) * factors[(k * n) + s]);
-      }
-      inverse[(r * n) + s] = sum;
-      inverse[(s * n) + r] = sum;
+    for (int s = 0; s < r; ++s) {
+      inverse[(s * n) + r] = inverse[(r * n) + s];
     }
   }
 }
