@@ -45,9 +45,9 @@ WorkSource print_load_entries(const std::string& name,
   return {"load_entries", text};
 }
 
-/// What loads the function's code. Of functions that loop most is shared, which nothing loads.
+/// What loads the function's code.
 CompiledEntry find_load_entry(const GeneratedLibrary& library, const GeneratedFunction& generated) {
-  return generated.program.loops ? nullptr : library.find_entry(load_name(generated));
+  return library.find_entry(load_name(generated));
 }
 
 /// All functions by one value of `optimize`, compiled and loaded.

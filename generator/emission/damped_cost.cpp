@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/symmetric_eigen.hpp"
-#include "emission/describe_program.hpp"
+#include "emission/count_stack.hpp"
 #include "passes/count_operations.hpp"
 
 namespace treeline {
@@ -85,7 +85,7 @@ DampedCost cost_of_damped(const EmissionContext& context, std::span<const Progra
     cost.count.mul += own.mul;
     cost.count.div += own.div;
     cost.count.sin_cos += own.sin_cos;
-    live = std::max(live, count_live_values(program));
+    live = std::max(live, static_cast<int>(count_stack_values(program, false)));
   }
   cost.values += live;
   return cost;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "emission/comment.hpp"
+#include "emission/count_stack.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/print_link_inputs.hpp"
@@ -104,35 +105,16 @@ std::string describe_input_costs(const EmissionContext& context, const Program& 
   return wrap_text(text + ".", 95) + "\n";
 }
 
-/// Numbers of the work space in `runtime/core/link_*.hpp`.
-std::size_t count_work(const LinkLoops& loops) {
-  const LinkTableData& table = loops.table;
-  const std::size_t links = table.links.size();
-  const auto slots = static_cast<std::size_t>(table.slots);
-  const std::size_t rows = table.rows.size();
-  const std::size_t points = table.points.size();
-  std::size_t count = 9 * links + 9 * slots + 9 * static_cast<std::size_t>(table.rotations);
-  if (loops.uses_inertias) count += 7 * links + 21 * slots + count_base_entries(table);
-  if (loops.uses_rows) count += 18 * points + (8 + rows) * rows;
-  count += 10 * table.loaded_links.size();
-  count += (changes_rotors(loops) ? links : 0) + (changes_drives(loops) ? 3 * links : 0) +
-           (changes_frictions(loops) ? 2 * links : 0);
-  if (moves_points(table)) count += 13 * points;
-  return count;
-}
-
 /// `13 values live at once, 104 bytes`
 std::string describe_stack(const EmissionContext& context, const Program& program) {
+  const auto values = count_stack_values(program, context.misra);
+  const auto bytes = values * (context.single_precision ? 4 : 8);
   if (program.loops) {
-    const std::size_t work = count_work(*program.loops);
-    return fmt::format("{} values of work space, {} bytes, and what calls take", work,
-                       work * (context.single_precision ? 4 : 8));
+    return fmt::format("{} values of work space, {} bytes, and what calls take", values, bytes);
   }
-  const int live = count_live_values(program);
-  const int shared = context.misra ? static_cast<int>(count_shared_values(program)) : 0;
-  return fmt::format("{} values live at once{}, {} bytes", live,
-                     shared > 0 ? fmt::format(", {} are shared by parts", shared) : "",
-                     (live + shared) * (context.single_precision ? 4 : 8));
+  const std::size_t shared = context.misra ? count_shared_values(program) : 0;
+  return fmt::format("{} values live at once{}, {} bytes", values - shared,
+                     shared > 0 ? fmt::format(", {} are shared by parts", shared) : "", bytes);
 }
 
 std::string describe_loops(const EmissionContext& context) {

@@ -61,30 +61,4 @@ std::string describe_cost(const Program& program) {
   return text;
 }
 
-int count_live_values(const Program& program) {
-  const std::vector<Node>& nodes = program.graph.nodes();
-  std::vector<std::size_t> last_use(nodes.size(), 0);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const int operands = operation(nodes[i].op).operands;
-    if (operands >= 1) {
-      last_use[nodes[i].a] = i;
-    }
-    if (operands == 2) {
-      last_use[nodes[i].b] = i;
-    }
-  }
-  std::vector<int> dying(nodes.size(), 0);
-  int live = 0;
-  int most = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (operation(nodes[i].op).operands > 0 && last_use[i] > i) {
-      ++live;
-      ++dying[last_use[i]];
-    }
-    most = std::max(most, live);
-    live -= dying[i];
-  }
-  return most;
-}
-
 }  // namespace treeline

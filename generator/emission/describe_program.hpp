@@ -31,8 +31,4 @@ bool uses_trigonometry(const Program& program);
 /// "320 flops (170 additions, 150 multiplications, 0 divisions), sine and cosine of 6 angles".
 std::string describe_cost(const Program& program);
 
-/// How many values are alive at once, at most, when the nodes are computed in their order; times
-/// sizeof(Real) that bounds what the function keeps on the stack beside the sines and cosines.
-int count_live_values(const Program& program);
-
 }  // namespace treeline

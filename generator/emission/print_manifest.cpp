@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "emission/count_stack.hpp"
 #include "emission/damped_cost.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
@@ -84,7 +85,7 @@ std::string print_function(const EmissionContext& context, const Program& progra
       R"("sin_cos": {}, "live_values": {}{}{}{}{}}})",
       quote_json(program.name), quote_json(key_of(program.route)),
       quote_json(describe(program.route)), count.flops(), count.add, count.mul, count.div,
-      count.sin_cos, count_live_values(program), print_input_costs(context, program),
+      count.sin_cos, count_stack_values(program, false), print_input_costs(context, program),
       print_lanes(program), singular, bound);
 }
 

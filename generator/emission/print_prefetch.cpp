@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "emission/controller_unit.hpp"
+#include "emission/count_stack.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/templates.hpp"
 #include "emission/wrap_line.hpp"
@@ -32,6 +34,17 @@ std::string print_bounds(const EmissionContext& context, const std::vector<Loade
   return text;
 }
 
+/// Writes a byte of each line of the stack below the caller, of which it reads nothing else.
+std::string print_stack_writes(const EmissionContext& context, std::size_t bytes) {
+  if (bytes == 0) return {};
+  const bool is_c = context.language == Language::c;
+  return fmt::format(
+      "  volatile char stack[{0}];  // of the function that is called next, too\n"
+      "  for (int i = 0; i < {0}; i += {1}) {{\n    stack[i] = 0;\n  }}\n  {2};\n",
+      bytes, is_c ? context.name + "_line" : "kLine",
+      is_c ? "(void)stack[0]" : "static_cast<void>(stack[0])");
+}
+
 /// `head` as it is declared; of a controller with what it loads.
 std::string declare(const EmissionContext& context, const LoadedCode& code,
                     const std::string& head) {
@@ -54,8 +67,13 @@ GeneratedFile print_header(const EmissionContext& context, const std::string& de
 std::vector<LoadedCode> list_loaded(const EmissionContext& context,
                                     std::span<const Program> programs,
                                     std::span<const Program> batch) {
+  const auto count_bytes = [&](const Program& program) {
+    return count_stack_values(program, false) * (context.single_precision ? 4 : 8);
+  };
   std::vector<LoadedCode> codes;
-  for (const Program& program : programs) codes.push_back({program.name, {program.name}});
+  for (const Program& program : programs) {
+    codes.push_back({program.name, {program.name}, count_bytes(program)});
+  }
   for (const Program& program : batch) {
     codes.push_back({"batch_" + program.name, {"batch_" + program.name}});
   }
@@ -63,6 +81,7 @@ std::vector<LoadedCode> list_loaded(const EmissionContext& context,
   LoadedCode& step = codes.emplace_back(LoadedCode{kStep, {kControllerStem}});
   for (const Program* program : context.controller->programs()) {
     step.functions.push_back(program->name);
+    step.stack = std::max(step.stack, count_bytes(*program));
   }
   return codes;
 }
@@ -96,7 +115,7 @@ std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
       definitions +=
           wrap_line(fmt::format("{0}load(__start_{1}, __stop_{1});", prefix, section), 2);
     }
-    definitions += "}\n";
+    definitions += print_stack_writes(context, code.stack) + "}\n";
     nothing += head + " {}\n";
   }
   return {print_header(context, declarations, is_c),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ GeneratedFile print_prefetch_for_c(const EmissionContext& context,
 struct LoadedCode {
   std::string name;                    ///< `gravity`, `batch_gravity`; `step` of the controller
   std::vector<std::string> functions;  ///< by their sources; each has a section of its own
+  std::size_t stack = 0;               ///< bytes that a call is estimated to use
 };
 
 /// What can be loaded.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bounds/bound_rounding.hpp"
+#include "emission/count_stack.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
 #include "emission/generator_version.hpp"
@@ -99,10 +100,11 @@ std::string print_functions(const Scene& scene, const Generation& generation) {
       "|---|---|---|---|---|\n";
   for (const GeneratedFunction& function : generation.functions) {
     const Program& program = function.program;
-    text += fmt::format("| `{}` | {} | {} bytes | {} | {} |\n", program.name,
-                        describe_cost(program), count_live_values(program) * (single ? 4 : 8),
-                        describe(function.rounding, program, single ? 0x1p-24 : 0x1p-53),
-                        word_of(function.rounding));
+    text +=
+        fmt::format("| `{}` | {} | {} bytes | {} | {} |\n", program.name, describe_cost(program),
+                    count_stack_values(program, scene.profile == Profile::misra) * (single ? 4 : 8),
+                    describe(function.rounding, program, single ? 0x1p-24 : 0x1p-53),
+                    word_of(function.rounding));
   }
   for (const GeneratedFunction& function : generation.functions) {
     if (function.program.singular.empty()) continue;
