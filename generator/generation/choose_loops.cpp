@@ -33,7 +33,7 @@ struct SizeModel {
 SizeModel model_of(const Scene& scene) {
   const Target& target = *find_target(scene.target);
   if (emulates(target, bytes_of(scene.real))) return {14, 3100, 4200, 1800};
-  return {7, 2300, 2700, 1300};
+  return {7, 2000, 2700, 1300};
 }
 
 double bytes_of_lines(const Scene& scene, int flops) {
