@@ -1,0 +1,56 @@
+#include "emission/count_stack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/link_functions.hpp"
+#include "emission/sample.hpp"
+#include "program/link_loops.hpp"
+
+// Would catch: a stack told of a function that loops which is that of its trace as straight lines.
+namespace treeline {
+namespace {
+
+namespace loops = core::loops;
+
+Program looping(bool uses_rows) {
+  LinkLoops plan;
+  plan.table.links.resize(24);
+  plan.table.slots = 3;
+  plan.uses_inertias = true;
+  plan.uses_rows = uses_rows;
+  if (uses_rows) {
+    plan.table.points.resize(2);
+    plan.table.rows.resize(12);
+  }
+  Program program = test::safe_programs().front();
+  program.loops = std::make_shared<const LinkLoops>(plan);
+  return program;
+}
+
+/// Not less than the work space has, and at most a tenth more.
+void expect_about(std::size_t bytes, std::size_t values) {
+  EXPECT_GE(8 * values, bytes);
+  EXPECT_LE(8 * values, bytes + bytes / 10);
+}
+
+TEST(CountStackValues, AreThoseOfTheWorkSpaceOfLoops) {
+  const std::size_t joints =
+      sizeof(loops::MotionWork<double, 24, 3>) + sizeof(loops::InertiaWork<double, 24, 3, 1>);
+  expect_about(joints, count_stack_values(looping(false), false));
+  expect_about(joints + sizeof(loops::RowWork<double, 2, 12>),
+               count_stack_values(looping(true), false));
+}
+
+TEST(CountStackValues, AreThoseAliveAtOnceInStraightLines) {
+  Program program = looping(false);
+  program.loops = nullptr;
+  const std::size_t values = count_stack_values(program, false);
+  EXPECT_GT(values, 0U);
+  EXPECT_LE(values, program.graph.nodes().size());
+  EXPECT_GE(count_stack_values(program, true), values);  // parts share some
+}
+
+}  // namespace
+}  // namespace treeline
