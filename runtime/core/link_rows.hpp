@@ -150,7 +150,9 @@ void absorb_in_joint(const Table& table, int i, const Motions& motions,
   Real p[3];
   find_origin(table, i, motions.poses, p);
   LinkTurns<Real> turns;
-  find_turns(table.links[i], motions.poses.joints[i], turns);
+  if (!turns_freely(table, i)) {
+    find_turns(table.links[i], motions.poses.joints[i], turns);
+  }
   Spatial<Real> u;
   copy_spatial(joint.u, u);
   const Real inverse_D = joint.inverse_D;
