@@ -23,21 +23,24 @@ constexpr double kNumbersOfFriction = 2;
 constexpr double kNumbersOfCoupling = 2;
 constexpr double kBytesOfCall = 120;   // of a function of the loops
 constexpr double kBytesOfInput = 250;  // of what each argument adds that changes the table
+constexpr double kWorthwhile = 0.9;    // of the bytes of straight lines, which are estimated too
 
-/// Bytes of code by g++ 12 -Os: of an operation in straight lines, and of the loops, whatever the
-/// robot is. Those of a number type that the target computes by calls take more, see `emulates`.
+/// Bytes of code by g++ 12 -Os: of an operation in straight lines and of sines and cosines, and of
+/// the loops, whatever the robot is. Those of a number type that the target computes by calls take
+/// more, see `emulates`.
 struct SizeModel {
-  double operation, motions, inertias, rows;
+  double operation, sines, motions, inertias, rows;
 };
 
 SizeModel model_of(const Scene& scene) {
   const Target& target = *find_target(scene.target);
-  if (emulates(target, bytes_of(scene.real))) return {14, 3100, 4200, 1800};
-  return {7, 2000, 2700, 1300};
+  if (emulates(target, bytes_of(scene.real))) return {14, 0, 3100, 4200, 1800};
+  return {6, 330, 1900, 2750, 1250};
 }
 
 double bytes_of_lines(const Scene& scene, int flops) {
-  return flops * model_of(scene).operation;
+  const SizeModel model = model_of(scene);
+  return flops * model.operation + model.sines;
 }
 
 double bytes_of_loops(const Scene& scene, const LinkLoops& loops) {
@@ -76,10 +79,8 @@ void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
                      "Choose another route."});
     return;
   }
-  if (!always && bytes_of_loops(scene, *traced->loops) >=
-                     bytes_of_lines(scene, count_operations(generated.program).flops())) {
-    return;
-  }
+  const double lines = bytes_of_lines(scene, count_operations(generated.program).flops());
+  if (!always && bytes_of_loops(scene, *traced->loops) >= kWorthwhile * lines) return;
   const OperationCosts& costs = operation_costs(*find_target(scene.target), bytes_of(scene.real));
   GeneratedFunction loops = generated_from(generated.function, std::move(*traced), costs);
   loops.rejected = std::move(generated.rejected);
@@ -101,7 +102,7 @@ std::vector<Program> choose_loops_together(const Mechanism& mechanism, const Sce
     calls += kBytesOfCall;
     programs.push_back(std::move(*traced));
   }
-  return loops + calls < lines ? std::move(programs) : std::vector<Program>{};
+  return loops + calls < kWorthwhile * lines ? std::move(programs) : std::vector<Program>{};
 }
 
 }  // namespace treeline
