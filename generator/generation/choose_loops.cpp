@@ -34,7 +34,7 @@ struct SizeModel {
 
 SizeModel model_of(const Scene& scene) {
   const Target& target = *find_target(scene.target);
-  if (emulates(target, bytes_of(scene.real))) return {14, 0, 3100, 4200, 1800};
+  if (emulates(target, bytes_of(scene.real))) return {15, 0, 3100, 4350, 1400};
   return {6, 330, 1900, 2750, 1250};
 }
 
