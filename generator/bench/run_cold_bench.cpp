@@ -45,11 +45,6 @@ WorkSource print_load_entries(const std::string& name,
   return {"load_entries", text};
 }
 
-/// What loads the function's code.
-CompiledEntry find_load_entry(const GeneratedLibrary& library, const GeneratedFunction& generated) {
-  return library.find_entry(load_name(generated));
-}
-
 /// All functions by one value of `optimize`, compiled and loaded.
 struct ColdBuild {
   Generation generation;
@@ -105,7 +100,7 @@ ColdFunction measure_cold_function(const std::vector<ColdBuild>& builds, std::si
     const GeneratedLibrary& library = builds[k].build.library;
     warm.push_back({library.raw_entry(i), &arguments});
     cold.push_back({warm.back(), builds[k].build.compilation.library.string(),
-                    find_load_entry(library, builds[k].generation.functions[i])});
+                    library.find_entry(load_name(builds[k].generation.functions[i]))});
     made.rows.push_back(std::move(row));
   }
   const std::vector<Timing> warm_times = time_calls(warm, options.warm);

@@ -107,14 +107,16 @@ std::string describe_input_costs(const EmissionContext& context, const Program& 
 
 /// `13 values live at once, 104 bytes`
 std::string describe_stack(const EmissionContext& context, const Program& program) {
-  const auto values = count_stack_values(program, context.misra);
-  const auto bytes = values * (context.single_precision ? 4 : 8);
+  const std::size_t values = count_stack_values(program, false);
+  const std::size_t bytes = context.single_precision ? 4 : 8;
   if (program.loops) {
-    return fmt::format("{} values of work space, {} bytes, and what calls take", values, bytes);
+    return fmt::format("{} values of work space, {} bytes, and what calls take", values,
+                       values * bytes);
   }
   const std::size_t shared = context.misra ? count_shared_values(program) : 0;
-  return fmt::format("{} values live at once{}, {} bytes", values - shared,
-                     shared > 0 ? fmt::format(", {} are shared by parts", shared) : "", bytes);
+  return fmt::format("{} values live at once{}, {} bytes", values,
+                     shared > 0 ? fmt::format(", {} are shared by parts", shared) : "",
+                     (values + shared) * bytes);
 }
 
 std::string describe_loops(const EmissionContext& context) {
