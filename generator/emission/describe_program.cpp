@@ -38,8 +38,13 @@ std::set<std::string> find_taken_names(const Program& program, std::set<std::str
 }
 
 bool has_loops(std::span<const Program> programs) {
-  return std::any_of(programs.begin(), programs.end(),
-                     [](const Program& program) { return program.loops != nullptr; });
+  return count_loops(programs) > 0;
+}
+
+int count_loops(std::span<const Program> programs) {
+  return static_cast<int>(
+      std::count_if(programs.begin(), programs.end(),
+                    [](const Program& program) { return program.loops != nullptr; }));
 }
 
 bool uses_lanes(const Program& program) {

@@ -22,8 +22,9 @@ bool is_long(const Program& program);
 /// Whether some numbers of the emitted function share registers.
 bool uses_lanes(const Program& program);
 
-/// Whether a function loops over a table of links.
+/// Whether a function loops over a table of links, and how many do.
 bool has_loops(std::span<const Program> programs);
+int count_loops(std::span<const Program> programs);
 
 /// Whether the emitted function needs sine and cosine.
 bool uses_trigonometry(const Program& program);

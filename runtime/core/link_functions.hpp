@@ -65,8 +65,8 @@ void forward_dynamics(const Table& table, const Real* q, const Sines& sines, con
 
 /// The lower triangle of Lambda^-1 to `rows`, once links are placed.
 template <class Table, class Motions, class Inertias, class Rows, class Real = typename Table::Real>
-void find_lambda_inverse(const Table& table, Motions& motions, Inertias& inertias,
-                         Rows& rows) noexcept {
+TREELINE_LINK_SHARED void find_lambda_inverse(const Table& table, Motions& motions,
+                                              Inertias& inertias, Rows& rows) noexcept {
   find_point_axes(table, motions, rows);
   if constexpr (Table::kCoupled) {
     factor_mass_matrix(table, motions, inertias);

@@ -303,8 +303,8 @@ void clear_shared(const Table& table, Real* tau) noexcept {
 
 /// Inward pass: joint forces of the wrenches on links, which become those on what links carry.
 template <class Table, class Real, class Motions>
-void gather_forces(const Table& table, const Real* q, const Real* qd, const Real* qdd,
-                   Motions& motions, Real* tau) noexcept {
+TREELINE_LINK_SHARED void gather_forces(const Table& table, const Real* q, const Real* qd,
+                                        const Real* qdd, Motions& motions, Real* tau) noexcept {
   clear_shared(table, tau);
   for (int i = table.count - 1; i >= 0; --i) {
     const Link<Real>& link = table.links[i];

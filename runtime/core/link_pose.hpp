@@ -283,7 +283,8 @@ void turn_joint(const Table& table, int i, const Sines& sines, const Real& moved
 
 /// Poses of all links, by the sines and cosines of the joints' angles.
 template <class Table, class Real, class Sines, class Poses>
-void place_links(const Table& table, const Real* q, const Sines& sines, Poses& poses) noexcept {
+TREELINE_LINK_SHARED void place_links(const Table& table, const Real* q, const Sines& sines,
+                                      Poses& poses) noexcept {
   for (int i = 0; i < table.count; ++i) {
     if (is_floating<Table>(i)) {
       place_rotation(table.links[i], &q[3], poses.rotations[0]);

@@ -197,10 +197,8 @@ std::vector<GeneratedFile> print_loops(const EmissionContext& context,
 }
 
 std::string joined_loops(const EmissionContext& context, std::span<const Program> programs) {
-  const auto looping = std::count_if(programs.begin(), programs.end(), [](const Program& program) {
-    return program.loops != nullptr;
-  });
-  return looping < 2 ? "" : fmt::format("${{CMAKE_CURRENT_BINARY_DIR}}/{}_loops", context.name);
+  if (count_loops(programs) < 2) return {};
+  return fmt::format("${{CMAKE_CURRENT_BINARY_DIR}}/{}_loops", context.name);
 }
 
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
@@ -215,7 +213,7 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
   });
   std::vector<LoopHeader> translated;
   for (const cpp::LoopTemplate& each : cpp::list_loop_templates(programs)) {
-    const std::string header = settle_inlining(context, each.text);
+    const std::string header = settle_inlining(context, each.text, Sharing::compilers);
     LoopHeader& next =
         translated.emplace_back(LoopHeader{each.stem + ".h", print_opening(header), {}});
     if (each.text == cpp::templates::kLinkTable) {

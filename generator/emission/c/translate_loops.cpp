@@ -188,7 +188,8 @@ LoopParameter LoopTranslator::parameter(const std::string& text) const {
 
 void LoopTranslator::learn_signature(const LoopItem& item) {
   static const std::regex head(
-      "(?:inline |constexpr |TREELINE_LINK_INLINE )?(const )?([\\w<>]+?)(&?) (\\w+)\\((.*)\\) "
+      "(?:inline |constexpr |TREELINE_LINK_INLINE |TREELINE_LINK_SHARED )?(const )?([\\w<>]+?)(&?) "
+      "(\\w+)\\((.*)\\) "
       "noexcept");
   std::smatch found;
   if (!std::regex_match(item.head, found, head)) reject(item.head);

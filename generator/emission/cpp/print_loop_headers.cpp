@@ -2,6 +2,7 @@
 
 #include "emission/cpp/print_loops.hpp"
 #include "emission/cpp/templates.hpp"
+#include "emission/describe_program.hpp"
 #include "emission/inline_links.hpp"
 #include "emission/keep_called.hpp"
 #include "emission/parse_loops.hpp"
@@ -46,9 +47,13 @@ std::vector<LoopTemplate> list_loop_templates(std::span<const Program> programs)
 
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs) {
+  // `prefetch` loads a function with what it calls: each has the loops in its own section.
+  const Sharing sharing =
+      count_loops(programs) > 1 && !context.prefetch ? Sharing::linkers : Sharing::compilers;
   std::vector<LoopHeader> headers;
   for (const LoopTemplate& each : list_loop_templates(programs)) {
-    headers.push_back(read_header(each.stem + ".hpp", settle_inlining(context, each.text)));
+    headers.push_back(
+        read_header(each.stem + ".hpp", settle_inlining(context, each.text, sharing)));
   }
   const auto print_body = [&](const Program& program) { return print_loop_body(context, program); };
   keep_called(join_callers(programs, print_body, print_loops(context, programs)), headers);
