@@ -25,6 +25,10 @@ const OperationCosts& operation_costs(const Target& target, int bytes_of_real) {
   return bytes_of_real > 4 ? target.double_costs : target.float_costs;
 }
 
+const CodeSizes& code_sizes(const Target& target, int bytes_of_real) {
+  return bytes_of_real > 4 ? target.double_sizes : target.float_sizes;
+}
+
 bool emulates(const Target& target, int bytes_of_real) {
   return target.unit == FloatUnit::none ||
          (target.unit == FloatUnit::single_only && bytes_of_real > 4);

@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "target/code_sizes.hpp"
 #include "target/operation_costs.hpp"
 
 namespace treeline {
@@ -51,6 +52,7 @@ struct Target {
   Board board = {};
   CycleCosts cycles = {};
   OperationCosts float_costs = {}, double_costs = {};
+  CodeSizes float_sizes = {}, double_sizes = {};
 };
 
 /// All targets; the first is `generic`, for any processor.
@@ -67,6 +69,9 @@ int choose_lanes(const Target& target, int bytes_of_real);
 
 /// Returns what operations on numbers of so many bytes cost on the target.
 const OperationCosts& operation_costs(const Target& target, int bytes_of_real);
+
+/// Returns how large code of numbers of so many bytes becomes on the target.
+const CodeSizes& code_sizes(const Target& target, int bytes_of_real);
 
 /// Whether the target computes with numbers of so many bytes by calls of a library.
 bool emulates(const Target& target, int bytes_of_real);

@@ -80,47 +80,107 @@ constexpr OperationCosts kDoubleOnRv64{1, 12.5, 37, 1, 1, kInstructions};
 constexpr OperationCosts kFloatOnA53{1, 9, 8, 1, 4, kInstructions};
 constexpr OperationCosts kDoubleOnA53{1, 15.5, 30, 1, 2, kInstructions};
 
+// What code takes, in bytes.
+constexpr CodeSizes kFloatOnThumb{5.4, 540, 1};
+constexpr CodeSizes kDoubleOnThumb{7, 860, 1.22};
+constexpr CodeSizes kFloatByCalls{9.1, 750, 1.13};
+constexpr CodeSizes kDoubleByCalls{14.5, 1450, 1.64};
+constexpr CodeSizes kFloatInRv32{5.7, 860, 1.21};
+constexpr CodeSizes kDoubleInRv32{20.8, 2160, 2.3};
+constexpr CodeSizes kFloatInRv64{6.6, 800, 1.3};
+constexpr CodeSizes kDoubleInRv64{5.8, 1220, 1.31};
+constexpr CodeSizes kFloatInA64{6.8, 1100, 1.36};
+constexpr CodeSizes kDoubleInA64{7.3, 1830, 1.42};
+constexpr CodeSizes kFloatInSse{10.2, 1010, 1.77};
+constexpr CodeSizes kDoubleInSse{11.1, 2060, 1.89};
+constexpr CodeSizes kFloatInAvx2{8.6, 930, 1.51};
+constexpr CodeSizes kDoubleInAvx2{10.6, 1110, 1.63};
+constexpr CodeSizes kFloatInAvx512{7.3, 1050, 1.5};
+constexpr CodeSizes kDoubleInAvx512{7.7, 1440, 1.6};
+
 constexpr auto kTargets = std::to_array<Target>({
-    {"generic", "any processor", "", "g++", "", FloatUnit::single_and_double, 64},
+    {"generic",
+     "any processor",
+     "",
+     "g++",
+     "",
+     FloatUnit::single_and_double,
+     64,
+     true,
+     {},
+     {},
+     {},
+     {},
+     kFloatInSse,
+     kDoubleInSse},
     {"cortex-m0", "Arm Cortex-M0, no floating-point unit", "arm-none-eabi-", kArmPackage,
      "-mcpu=cortex-m0 -mthumb -mfloat-abi=soft", FloatUnit::none, 0, false,
      // QEMU's only board with this core has 16 KB of memory. A Cortex-M3 executes the same code.
-     arm_board("-M mps2-an385", kMps2, 25), kCortexM0, kFloatOnM0, kDoubleOnM0},
+     arm_board("-M mps2-an385", kMps2, 25), kCortexM0, kFloatOnM0, kDoubleOnM0, kFloatByCalls,
+     kDoubleByCalls},
     {"cortex-m3", "Arm Cortex-M3, no floating-point unit", "arm-none-eabi-", kArmPackage,
      "-mcpu=cortex-m3 -mthumb -mfloat-abi=soft", FloatUnit::none, 0, false,
-     arm_board("-M mps2-an385", kMps2, 25), kCortexM3, kFloatOnM3, kDoubleOnM3},
+     arm_board("-M mps2-an385", kMps2, 25), kCortexM3, kFloatOnM3, kDoubleOnM3, kFloatByCalls,
+     kDoubleByCalls},
     {"cortex-m4f", "Arm Cortex-M4 with a single-precision unit", "arm-none-eabi-", kArmPackage,
      "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16", FloatUnit::single_only, 0, false,
-     arm_board("-M mps2-an386", kMps2, 25), kCortexM4, kFloatOnM4, kDoubleOnM4},
+     arm_board("-M mps2-an386", kMps2, 25), kCortexM4, kFloatOnM4, kDoubleOnM4, kFloatOnThumb,
+     kDoubleByCalls},
     {"cortex-m7", "Arm Cortex-M7 with a double-precision unit", "arm-none-eabi-", kArmPackage,
      "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16", FloatUnit::single_and_double, 0,
-     false, arm_board("-M mps2-an500", kMps2WithM7, 25), kCortexM7, kFloatOnM7, kDoubleOnM7},
+     false, arm_board("-M mps2-an500", kMps2WithM7, 25), kCortexM7, kFloatOnM7, kDoubleOnM7,
+     kFloatOnThumb, kDoubleOnThumb},
     {"cortex-m33", "Arm Cortex-M33 with a single-precision unit", "arm-none-eabi-", kArmPackage,
      "-mcpu=cortex-m33 -mthumb -mfloat-abi=hard -mfpu=fpv5-sp-d16", FloatUnit::single_only, 0,
-     false, arm_board("-M mps2-an505", kMps2Secure, 20), kCortexM33, kFloatOnM4, kDoubleOnM33},
+     false, arm_board("-M mps2-an505", kMps2Secure, 20), kCortexM33, kFloatOnM4, kDoubleOnM33,
+     kFloatOnThumb, kDoubleByCalls},
     // Its vectors hold no doubles, and to collect four floats takes more than it saves: where g++
     // does so by itself, humanoid24's mass matrix takes 12 % more instructions and twice the stack.
     {"cortex-m55", "Arm Cortex-M55 with a double-precision unit", "arm-none-eabi-", kArmPackage,
      "-mcpu=cortex-m55 -mthumb -mfloat-abi=hard -fno-tree-slp-vectorize",
      FloatUnit::single_and_double, 0, false, arm_board("-M mps3-an547", kMps3, 32), kCortexM55,
-     kFloatOnM55, kDoubleOnM55},
+     kFloatOnM55, kDoubleOnM55, kFloatOnThumb, kDoubleOnThumb},
     {"rv32imfc", "32-bit RISC-V with a single-precision unit", "riscv64-unknown-elf-",
      kRiscvPackage, "-march=rv32imfc -mabi=ilp32f", FloatUnit::single_only, 0, false,
      Board{BoardKind::riscv, "qemu-system-riscv32", "-M virt -bios none", kSystemMisc, kVirt, 0},
-     kInOrder, kFloatOnRiscv, kDoubleOnRv32},
+     kInOrder, kFloatOnRiscv, kDoubleOnRv32, kFloatInRv32, kDoubleInRv32},
     {"rv64gc", "64-bit RISC-V with a double-precision unit", "riscv64-unknown-elf-", kRiscvPackage,
      "-march=rv64gc -mabi=lp64d -mcmodel=medany", FloatUnit::single_and_double, 0, true,
      Board{BoardKind::riscv, "qemu-system-riscv64", "-M virt -bios none", kSystemMisc, kVirt, 0},
-     kInOrder, kFloatOnRiscv, kDoubleOnRv64},
+     kInOrder, kFloatOnRiscv, kDoubleOnRv64, kFloatInRv64, kDoubleInRv64},
     {"aarch64", "64-bit Arm", "aarch64-linux-gnu-", "g++-aarch64-linux-gnu", "-march=armv8-a",
      FloatUnit::single_and_double, 16, true,
      Board{BoardKind::aarch64, "qemu-system-aarch64", "-M virt -cpu cortex-a53 -nic none",
            kSystemArm, kVirtArm, 0},
-     kTwoInOrder, kFloatOnA53, kDoubleOnA53},
-    {"x86-64-v3", "64-bit x86 with AVX2 and fused multiply-add", "", "g++", "-march=x86-64-v3",
-     FloatUnit::single_and_double, 32},
-    {"x86-64-v4", "64-bit x86 with AVX-512", "", "g++", "-march=x86-64-v4",
-     FloatUnit::single_and_double, 64},
+     kTwoInOrder, kFloatOnA53, kDoubleOnA53, kFloatInA64, kDoubleInA64},
+    {"x86-64-v3",
+     "64-bit x86 with AVX2 and fused multiply-add",
+     "",
+     "g++",
+     "-march=x86-64-v3",
+     FloatUnit::single_and_double,
+     32,
+     true,
+     {},
+     {},
+     {},
+     {},
+     kFloatInAvx2,
+     kDoubleInAvx2},
+    {"x86-64-v4",
+     "64-bit x86 with AVX-512",
+     "",
+     "g++",
+     "-march=x86-64-v4",
+     FloatUnit::single_and_double,
+     64,
+     true,
+     {},
+     {},
+     {},
+     {},
+     kFloatInAvx512,
+     kDoubleInAvx512},
 });
 
 }  // namespace

@@ -56,6 +56,18 @@ TEST(Targets, HaveBoardsWithCosts) {
   EXPECT_EQ(boards, 9);
 }
 
+// Would catch: a processor on which `optimize: size` takes one of its forms for free.
+TEST(Targets, HaveSizesOfCode) {
+  for (const Target& target : all_targets()) {
+    for (const int bytes : {4, 8}) {
+      const CodeSizes& sizes = code_sizes(target, bytes);
+      EXPECT_GE(sizes.operation, 4) << target.name;
+      EXPECT_GT(sizes.start, 0) << target.name;
+      EXPECT_GE(sizes.loops, 1) << target.name;
+    }
+  }
+}
+
 // Would catch: other code where no target is named, and a processor whose operations cost nothing.
 TEST(Targets, HaveCostsOfOperations) {
   const OperationCosts common;
