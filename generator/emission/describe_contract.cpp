@@ -108,7 +108,7 @@ std::string describe_input_costs(const EmissionContext& context, const Program& 
 /// `13 values live at once, 104 bytes`
 std::string describe_stack(const EmissionContext& context, const Program& program) {
   const std::size_t values = count_stack_values(program, false);
-  const std::size_t bytes = context.single_precision ? 4 : 8;
+  const auto bytes = static_cast<std::size_t>(number_bytes(context));
   if (program.loops) {
     return fmt::format("{} values of work space, {} bytes, and what calls take", values,
                        values * bytes);

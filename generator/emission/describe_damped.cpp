@@ -69,7 +69,7 @@ std::string describe_damped_cost(const EmissionContext& context,
           .count.flops());
   text = wrap_text(text, 95) + "\n";
   text += fmt::format("Stack, an estimate: {} values live at once, {} bytes.\n", cost.values,
-                      cost.values * (context.single_precision ? 4 : 8));
+                      cost.values * number_bytes(context));
   return text + describe_rounding(context, "damped_control_torque");
 }
 

@@ -29,7 +29,7 @@ std::string print_numbers(const std::vector<Number>& numbers, const Print& print
 
 std::string describe_stack(const EmissionContext& context, int values) {
   return fmt::format("Stack, an estimate: {} values, {} bytes, and what calls take.", values,
-                     values * (context.single_precision ? 4 : 8));
+                     values * number_bytes(context));
 }
 
 }  // namespace

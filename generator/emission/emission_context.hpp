@@ -124,4 +124,9 @@ inline const char* number_type(const EmissionContext& context) {
   return context.single_precision ? "float" : "double";
 }
 
+/// Bytes of one of the emitted code's numbers.
+inline int number_bytes(const EmissionContext& context) {
+  return context.single_precision ? 4 : 8;
+}
+
 }  // namespace treeline

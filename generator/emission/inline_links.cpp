@@ -22,7 +22,7 @@ std::string replace_macro(const std::string& header, const std::string& macro,
 std::string settle_inlining(const EmissionContext& context, std::string_view header,
                             Sharing sharing) {
   std::string text(header);
-  if (context.misra || emulates(*find_target(context.target), context.single_precision ? 4 : 8)) {
+  if (context.misra || emulates(*find_target(context.target), number_bytes(context))) {
     text = replace_macro(text, "TREELINE_LINK_INLINE", "inline");
   }
   if (context.misra || sharing == Sharing::compilers) {

@@ -68,7 +68,7 @@ std::vector<LoadedCode> list_loaded(const EmissionContext& context,
                                     std::span<const Program> programs,
                                     std::span<const Program> batch) {
   const auto count_bytes = [&](const Program& program) {
-    return count_stack_values(program, false) * (context.single_precision ? 4 : 8);
+    return count_stack_values(program, false) * static_cast<std::size_t>(number_bytes(context));
   };
   std::vector<LoadedCode> codes;
   for (const Program& program : programs) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bounds/bound_rounding.hpp"
+#include "description/follow_target.hpp"
 #include "emission/count_stack.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
@@ -102,7 +103,8 @@ std::string print_functions(const Scene& scene, const Generation& generation) {
     const Program& program = function.program;
     text +=
         fmt::format("| `{}` | {} | {} bytes | {} | {} |\n", program.name, describe_cost(program),
-                    count_stack_values(program, scene.profile == Profile::misra) * (single ? 4 : 8),
+                    count_stack_values(program, scene.profile == Profile::misra) *
+                        static_cast<std::size_t>(bytes_of(scene.real)),
                     describe(function.rounding, program, single ? 0x1p-24 : 0x1p-53),
                     word_of(function.rounding));
   }

@@ -174,7 +174,7 @@ std::vector<GeneratedFile> print_batch_runtime(const EmissionContext& context,
                                                std::span<const Program> programs) {
   if (programs.empty() || !has_vectors(context)) return {};
   const bool sines = std::any_of(programs.begin(), programs.end(), uses_trigonometry);
-  const int size = context.single_precision ? 4 : 8;
+  const int size = number_bytes(context);
   const std::string of_states =
       fill_template(templates::kSinCosStates, {{"name", context.name},
                                                {"real", number_type(context)},

@@ -55,7 +55,7 @@ std::string print_lanes(const EmissionContext& context, std::span<const Program>
   for (const std::size_t count : counts) {
     types += fmt::format("typedef {} {}_lanes_{} __attribute__((vector_size({})));\n",
                          number_type(context), context.name, count,
-                         count * (context.single_precision ? 4 : 8));
+                         count * static_cast<std::size_t>(number_bytes(context)));
   }
   return fill_template(templates::kLanes, {{"name", context.name}, {"types", types}});
 }
