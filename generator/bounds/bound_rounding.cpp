@@ -58,6 +58,9 @@ RoundingBound prove(const Program& program, const Domain& domain, double unit) {
   for (const Result& result : program.results) {
     for (const Expression& value : result.values) {
       const bounds::Bounded entry = *sets.of(value.node());
+      if (!std::isfinite(entry.size + entry.error)) {
+        return no_bound("numbers may be too large to be represented");
+      }
       bound.size.push_back(entry.size);
       bound.error.push_back(entry.error * unit);
     }

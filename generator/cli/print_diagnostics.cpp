@@ -31,28 +31,63 @@ constexpr std::array kKinds = {
               "limits that are missing or of no use"},
     KindWords{Minor::form, "oddity of form", "oddities of form"}};
 
-std::string print_counts(const std::map<Minor, int>& counts) {
+/// Faults of one kind in a file.
+struct Counted {
+  int count = 0;
+  std::vector<std::string> names;  ///< of elements or attributes, each once
+};
+using Counts = std::map<Minor, Counted>;
+
+/// `<name>`, or "name", that a fault begins with.
+std::string name_in(const std::string& fault) {
+  const std::size_t begin = fault.find_first_of("<\"");
+  if (begin == fault.npos) return {};
+  const std::size_t end = fault.find_first_of(">\"", begin + 1);
+  return end == fault.npos ? std::string() : fault.substr(begin, end + 1 - begin);
+}
+
+void count(const Diagnostic& each, Counts& counts) {
+  Counted& counted = counts[each.minor];
+  counted.count += each.times;
+  if (each.minor != Minor::attribute && each.minor != Minor::element) return;
+  const std::string name = name_in(each.fault);
+  if (name.empty() || std::ranges::find(counted.names, name) != counted.names.end()) return;
+  counted.names.push_back(name);
+}
+
+/// " (<cable>, <tendon> and 2 more)"
+std::string print_names(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 4;
+  if (names.empty()) return {};
+  const std::size_t named = std::min(names.size(), kMostNamed);
+  return fmt::format(
+      " ({}{})", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+      names.size() > named ? fmt::format(" and {} more", names.size() - named) : "");
+}
+
+std::string print_counts(const Counts& counts) {
   std::string text;
   for (const KindWords& kind : kKinds) {
-    const auto count = counts.find(kind.minor);
-    if (count == counts.end()) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count->second,
-                        count->second == 1 ? kind.one : kind.many);
+    const auto found = counts.find(kind.minor);
+    if (found == counts.end()) continue;
+    const auto& [count, names] = found->second;
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count,
+                        count == 1 ? kind.one : kind.many, print_names(names));
   }
   return text;
 }
 
 std::vector<Diagnostic> summarise(const std::vector<Diagnostic>& minor) {
   std::vector<std::string> files;
-  std::map<std::string, std::map<Minor, int>> counts;
+  std::map<std::string, Counts> counts;
   for (const Diagnostic& each : minor) {
     if (!counts.contains(each.file)) files.push_back(each.file);
-    counts[each.file][each.minor] += each.times;
+    count(each, counts[each.file]);
   }
   std::vector<Diagnostic> lines;
   for (const std::string& file : files) {
     lines.push_back({Severity::warning, file, 0, "",
-                     fmt::format("of no account to the motion: {}; --warnings all lists them",
+                     fmt::format("without effect here: {}; --warnings all lists them",
                                  print_counts(counts[file])),
                      ""});
   }

@@ -12,6 +12,7 @@
 #include "cli/read_robot_files.hpp"
 #include "cli/simulate_motion.hpp"
 #include "cli/write_output.hpp"
+#include "oracle/leave_out_singular.hpp"
 #include "text/json_text.hpp"
 #include "text/printable.hpp"
 
@@ -54,7 +55,10 @@ std::string print_text(const std::string& robot, const MotionSettings& settings,
     text += fmt::format("  steps                  {}, {} tried and found too long\n",
                         motion.adaptive_steps, motion.rejected_steps);
   }
-  text += fmt::format("  quaternions            {:.1e} off unit length\n", motion.quaternion_error);
+  if (motion.has_quaternions) {
+    text +=
+        fmt::format("  quaternions            {:.1e} off unit length\n", motion.quaternion_error);
+  }
   if (gave_up(motion)) {
     text += fmt::format(
         "GIVEN UP after {:g} s: energy out of nothing, or ever shorter steps; try "
@@ -105,7 +109,7 @@ ExitCode write_data(const SimulateOptions& options, const std::string& robot, co
 int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {
   const auto read = read_robot_files(options.urdf, options.scene, diagnostics);
   const auto scene = read ? parse_scene_of(*read, diagnostics) : std::nullopt;
-  if (!scene) return kBadInput;
+  if (!scene || !has_accelerations(read->robot, *scene, diagnostics)) return kBadInput;
   const auto motion = simulate_motion(read->robot, *scene, options.motion, diagnostics);
   if (!motion) return kBadInput;
   const ExitCode exit_code = !write_files(options, *read, *motion, diagnostics) ? kBadInput

@@ -82,6 +82,7 @@ bool record(const simulation::Model& model, const simulation::Coordinates& coord
   if (motion.table.rows() == 0) motion.start_energy = energy;
   motion.energy_change = energy - motion.start_energy;
   motion.largest_change = std::max(motion.largest_change, std::abs(motion.energy_change));
+  motion.has_quaternions = !coordinates.quaternions.empty();
   motion.quaternion_error =
       std::max(motion.quaternion_error, quaternion_error(coordinates, state.q));
   std::vector<double> row = {time};

@@ -28,10 +28,11 @@ struct MotionSettings {
 /// A motion: a row a step with time, q, qd and energy, and what became of what should not change.
 struct Motion {
   report::Table table;
-  int rows_planned = 0;         ///< fewer in the table: the motion was given up
-  double start_energy = 0;      ///< J
-  double energy_change = 0;     ///< J, at the end; an error where no force acts but gravity
-  double largest_change = 0;    ///< J, of all steps
+  int rows_planned = 0;       ///< fewer in the table: the motion was given up
+  double start_energy = 0;    ///< J
+  double energy_change = 0;   ///< J, at the end; an error where no force acts but gravity
+  double largest_change = 0;  ///< J, of all steps
+  bool has_quaternions = false;
   double quaternion_error = 0;  ///< largest | |quaternion| - 1 |
   int adaptive_steps = 0, rejected_steps = 0;
 };

@@ -10,10 +10,25 @@ namespace treeline {
 namespace {
 
 constexpr double kRoundingOfFigures = 1e-4;
+constexpr double kRoundingOfMoments =
+    1e-14;  // m^2: moments of a body of so small a radius are rounding errors
+constexpr std::size_t kMostNamed = 5;
 
 double largest_entry(const Inertial& inertial) {
   return std::max({std::abs(inertial.ixx), std::abs(inertial.ixy), std::abs(inertial.ixz),
                    std::abs(inertial.iyy), std::abs(inertial.iyz), std::abs(inertial.izz)});
+}
+
+/// "; so are those of links b, c and 3 more", or nothing, if there are no others.
+std::string name_others(const Robot& robot, const std::vector<std::size_t>& at) {
+  const std::size_t named = std::min(at.size(), kMostNamed + 1);
+  if (named < 2) return {};
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k < named; ++k) {
+    names.push_back(fmt::format("\"{}\"", robot.links[at[k]].name));
+  }
+  const std::string more = at.size() > named ? fmt::format(" and {} more", at.size() - named) : "";
+  return fmt::format("; so it is with {}{}", fmt::join(names, ", "), more);
 }
 
 }  // namespace
@@ -35,7 +50,7 @@ std::array<double, 3> principal_moments(const Inertial& inertial) {
 std::optional<std::string> find_unphysical(const Inertial& inertial) {
   const auto [least, middle, largest] = principal_moments(inertial);
   const double scale = std::max(std::abs(least), std::abs(largest));
-  if (scale == 0) return std::nullopt;
+  if (scale <= kRoundingOfMoments * inertial.mass) return std::nullopt;
   if (least < -kRoundingOfFigures * scale) {
     return fmt::format(
         "the inertia is indefinite: principal moments {:.6g}, {:.6g}, {:.6g} kg m^2, worst {:.6g}",
@@ -57,17 +72,17 @@ std::optional<std::string> find_unphysical(const Inertial& inertial) {
 }
 
 void check_inertias(const Robot& robot, const std::vector<UrdfElement>& elements) {
+  std::vector<std::size_t> at;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    const auto& inertial = robot.links[i].inertial;
-    if (!inertial) continue;
-    const auto fault = find_unphysical(*inertial);
-    if (!fault) continue;
-    const auto* xml = elements[i].xml().FirstChildElement("inertial");
-    elements[i].as_child(*xml).warn(
-        *fault,
-        "check the units (kg m^2, about the centre of mass) and the signs of the products; "
-        "the numbers are used as they are");
+    if (robot.links[i].inertial && find_unphysical(*robot.links[i].inertial)) at.push_back(i);
   }
+  if (at.empty()) return;
+  const std::size_t first = at.front();
+  const auto* xml = elements[first].xml().FirstChildElement("inertial");
+  elements[first].as_child(*xml).warn(
+      *find_unphysical(*robot.links[first].inertial) + name_others(robot, at),
+      "check the units (kg m^2, about the centre of mass) and the signs of the products; "
+      "the numbers are used as they are");
 }
 
 }  // namespace treeline

@@ -302,8 +302,14 @@ std::vector<Function> default_functions(const Scene& scene) {
 void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   const Freedoms freedoms = find_freedoms(robot, scene);
   if (freedoms.empty()) {
+    const bool jointed =
+        std::any_of(robot.joints.begin(), robot.joints.end(),
+                    [](const Joint& joint) { return info_of(joint.type).moves(); });
     top.error("nothing moves: the robot has no coordinates in this scene",
-              "write base: floating, or unlock a joint");
+              jointed ? "unlock a joint, or write base: floating"
+              : moves_inertia(robot)
+                  ? "write base: floating: no joint moves"
+                  : "give its links mass, so that the base can float: no joint moves");
     return;
   }
   const Link& root = robot.links[static_cast<std::size_t>(robot.root)];

@@ -151,9 +151,12 @@ bool same(const Link& ours, const urdf::Link& theirs) {
   if (ours.inertial.has_value() != static_cast<bool>(theirs.inertial)) return false;
   if (!ours.inertial) return true;
   const Inertial& a = *ours.inertial;
-  const urdf::Inertial& b = *theirs.inertial;
-  return a.mass == counted_mass(b.mass) && a.ixx == b.ixx && a.ixy == b.ixy && a.ixz == b.ixz &&
-         a.iyy == b.iyy && a.iyz == b.iyz && a.izz == b.izz && same(a.origin, b.origin);
+  const urdf::Inertial& read = *theirs.inertial;
+  Inertial b{
+      counted_mass(read.mass), {}, read.ixx, read.ixy, read.ixz, read.iyy, read.iyz, read.izz};
+  (void)drop_smallest_moments(b);
+  return a.mass == b.mass && a.ixx == b.ixx && a.ixy == b.ixy && a.ixz == b.ixz && a.iyy == b.iyy &&
+         a.iyz == b.iyz && a.izz == b.izz && same(a.origin, read.origin);
 }
 
 int type_of(JointType type) {

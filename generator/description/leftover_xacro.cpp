@@ -37,7 +37,8 @@ std::string expansion_command(const std::string& file) {
     }
   }
   if (output.empty() || output + ".urdf" == file) output += "_expanded";
-  return fmt::format("expand it first: xacro {0} > {1}.urdf", file.empty() ? "FILE" : file, output);
+  return fmt::format("expand it, or the file that includes it: xacro {0} > {1}.urdf",
+                     file.empty() ? "FILE" : file, output);
 }
 
 /// Whether links or joints stand somewhere inside.

@@ -92,6 +92,11 @@ std::optional<YAML::Node> parse_yaml(const std::string& text, const std::string&
                   "name the scene's own file");
   }
   if (!is_utf8(text)) return report(0, "the file is not UTF-8 text", "save it as UTF-8 text");
+  if (const std::size_t begin = text.find_first_not_of("\xef\xbb\xbf \t\r\n");
+      begin != text.npos && text.compare(begin, 1, "<") == 0 && text.compare(begin, 2, "<<") != 0) {
+    return report(0, "this is XML, as a robot's file is, and no scene",
+                  "name one robot and one scene; a scene lists several robots under robots:");
+  }
   try {
     const Outline outline = read_outline(text);
     if (outline.starts.size() > 1) {

@@ -14,6 +14,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Nothing reaches more rad, m, rad/s, m/s, N m or N: programs write the largest double where there
+/// is no limit. Its square is beyond the numbers of float or double, and with it the bounds of
+/// rounding errors.
+constexpr double kLargestLimit = 1e9;
+
 JointType read_type(const UrdfElement& element) {
   std::vector<std::string> names;
   for (const JointTypeInfo& row : kJointTypes) names.emplace_back(row.name);
@@ -68,8 +73,8 @@ std::array<double, 3> read_axis(const UrdfElement& joint) {
   const double length = std::sqrt(square);
   for (double& component : *axis) component /= length;
   if (std::abs(length * largest - 1) > 1e-2) {
-    element->reading().report(
-        Severity::note, element->line(), element->path(),
+    element->reading().pass_over(
+        Severity::note, "joint/axis length", element->line(), element->path(),
         fmt::format("the axis has length {:.6g} and is made a unit vector", length * largest), "");
   }
   return *axis;
@@ -106,24 +111,30 @@ void read_range(const UrdfElement& element, JointType type, Limits& limits) {
                  "exchange the two", Minor::limit);
     return;
   }
-  limits.lower = lower.value_or(0);
-  limits.upper = upper.value_or(0);
+  limits.lower = lower.value_or(0) < -kLargestLimit ? -kInfinity : lower.value_or(0);
+  limits.upper = upper.value_or(0) > kLargestLimit ? kInfinity : upper.value_or(0);
   if (type == JointType::revolute) warn_of_degrees(element, limits);
 }
 
 double read_bound(const UrdfElement& element, const char* name) {
-  const auto bound = element.number(name, true);
+  const double bound = element.number(name, true).value_or(kInfinity);
   if (!element.has(name)) {
     element.warn(fmt::format("the attribute \"{}\" is missing; it counts as unlimited", name),
                  "add it: other readers of URDF refuse the joint without it", Minor::limit);
     return kInfinity;
   }
-  if (bound.value_or(0) < 0) {
-    element.warn(fmt::format("{}={} is negative; it counts as unlimited", name, *bound),
+  if (bound < 0) {
+    element.warn(fmt::format("{}={} is negative; it counts as unlimited", name, bound),
                  "give its magnitude", Minor::limit);
     return kInfinity;
   }
-  return bound.value_or(kInfinity);
+  if (std::isfinite(bound) && bound > kLargestLimit) {
+    element.warn(
+        fmt::format("{}={} is more than anything reaches; it counts as unlimited", name, bound),
+        "leave the limit out or give a real one", Minor::limit);
+    return kInfinity;
+  }
+  return bound;
 }
 
 std::optional<Limits> read_limits(const UrdfElement& joint, JointType type) {
@@ -187,9 +198,10 @@ void read_mimic(const UrdfElement& joint, NamedJoint& result) {
   const auto element = joint.child("mimic");
   if (!element) return;
   if (!info_of(result.joint.type).has_axis) {
-    element->warn(fmt::format("a {} joint cannot mimic; <mimic> is ignored",
-                              joint_type_name(result.joint.type)),
-                  "remove it");
+    element->reading().pass_over(Severity::warning, "joint/mimic", element->line(), element->path(),
+                                 fmt::format("a {} joint cannot mimic; <mimic> is ignored",
+                                             joint_type_name(result.joint.type)),
+                                 "remove it");
     return;
   }
   element->holds_only_attributes({"joint", "multiplier", "offset"});

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace treeline {
 namespace {
 
@@ -35,6 +39,16 @@ void read_moments(const UrdfElement& inertia, Inertial& inertial) {
   }
 }
 
+void warn_of_smallest_moments(const UrdfElement& element, Inertial& inertial) {
+  const double largest = drop_smallest_moments(inertial);
+  if (largest == 0) return;
+  element.warn(
+      fmt::format("the moments of inertia, at most {} kg m^2, are too small to compute with and "
+                  "count as 0",
+                  largest),
+      fmt::format("give at least {} kg m^2, or 0", kSmallestMoment));
+}
+
 Inertial read_inertial(const UrdfElement& element) {
   element.only_attributes({});
   element.only_children({"origin", "mass", "inertia"});
@@ -59,7 +73,10 @@ Inertial read_inertial(const UrdfElement& element) {
                   "add <mass value=\"...\"/> in kg, or remove <inertial> if the link has no mass");
   }
   const auto inertia = element.child("inertia");
-  if (inertia) read_moments(*inertia, inertial);
+  if (inertia) {
+    read_moments(*inertia, inertial);
+    warn_of_smallest_moments(*inertia, inertial);
+  }
   if (!inertia && inertial.mass > 0) {
     element.warn(fmt::format("the link has a mass of {} kg and no <inertia>; the mass counts as a "
                              "point at the centre of mass",
@@ -81,6 +98,16 @@ void warn_of_stray_inertia(const UrdfElement& element) {
 }
 
 }  // namespace
+
+double drop_smallest_moments(Inertial& inertial) {
+  const std::array<double*, 6> moments = {&inertial.ixx, &inertial.ixy, &inertial.ixz,
+                                          &inertial.iyy, &inertial.iyz, &inertial.izz};
+  double largest = 0;
+  for (const double* const moment : moments) largest = std::max(largest, std::abs(*moment));
+  if (largest >= kSmallestMoment) return 0;
+  for (double* const moment : moments) *moment = 0;
+  return largest;
+}
 
 double counted_mass(double mass) {
   return mass > 0 && mass < kSmallestMass ? 0 : mass;

@@ -201,6 +201,10 @@ std::optional<Robot> parse_urdf(const std::string& text, const std::string& file
   const LeftoverXacro leftover = find_leftover_xacro(*root, file_name, xacro);
   for (const Diagnostic& diagnostic : xacro.list()) diagnostics.add(diagnostic);
   if (xacro.has_errors()) return std::nullopt;
+  if (leftover.line > 0 && root->FirstChildElement("link") == nullptr) {
+    report_leftover(leftover, file_name, false, diagnostics);
+    return std::nullopt;
+  }
   UrdfReading reading(file_name, diagnostics);
   warn_of_entities(text, reading);
   check_looks({*root, "robot", reading});

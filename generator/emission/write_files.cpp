@@ -19,8 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 bool fail(const fs::path& path, const std::string& fault, Diagnostics& diagnostics) {
-  diagnostics.add({Severity::error, path.string(), 0, "", fault,
-                   "Check that the folder is yours to write and has space left."});
+  diagnostics.add(
+      {Severity::error, path.string(), 0, "", fault,
+       "Check that the folder is yours to write and has space left, and that no name is too "
+       "long."});
   return false;
 }
 

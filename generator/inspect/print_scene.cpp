@@ -71,7 +71,7 @@ std::string print_head(const Robot& robot, const std::string& file) {
          "# - where it becomes singular: see `treeline inspect` with this scene, and `damped`\n"
          "# generator/README.md explains every key; leave out a key for its default.\n\n" +
          fmt::format("name: {}  # namespace, header and folder of the code\n\n",
-                     package_name_from(robot.name));
+                     yaml_word(package_name_from(robot.name)));
 }
 
 std::string print_base(const SceneProposal& proposal) {
@@ -102,8 +102,8 @@ std::string print_points(const Robot& robot, const SceneProposal& proposal) {
   for (const ScenePoint& point : proposal.points) {
     const int freedoms = count(find_freedoms_of_link(robot, scene, point.link));
     text += fmt::format("  - name: {}\n    link: {}  # moved by {} coordinate{}\n    rows: [{}]\n",
-                        point.name, yaml_word(point.link), freedoms, freedoms == 1 ? "" : "s",
-                        list_rows(point, ", "));
+                        yaml_word(point.name), yaml_word(point.link), freedoms,
+                        freedoms == 1 ? "" : "s", list_rows(point, ", "));
   }
   return text + "    # origin: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}  # of a point in its link\n";
 }

@@ -91,4 +91,13 @@ void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnosti
   std::erase_if(scene.functions, inverts_mass_matrix);
 }
 
+bool has_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
+  const std::vector<MasslessDirections> massless = find_massless_directions(robot, scene);
+  if (massless.empty()) return true;
+  diagnostics.add({Severity::error, scene.file, 0, "",
+                   describe_fault("in every pose", massless) + "; nothing can be simulated",
+                   describe_cure(massless)});
+  return false;
+}
+
 }  // namespace treeline

@@ -12,4 +12,8 @@ namespace treeline {
 /// content is reported for them.
 void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnostics& diagnostics);
 
+/// Whether joint forces determine accelerations: an error with the same content says that M is
+/// singular in every pose.
+bool has_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
+
 }  // namespace treeline

@@ -229,23 +229,22 @@ std::string exported_arm() {
 TEST_F(MessagesTest, FaultsOfFormAreOneLineAndBrokenInertiasLast) {
   write("exported.urdf", exported_arm());
   const std::string told = messages("inspect exported.urdf", 0);
-  expect_parts(told, {"exported.urdf: warning: of no account to the motion: 5 attributes that are "
-                      "not part of URDF, 2 elements that are not part of URDF, 1 limit that is "
-                      "missing or of no use; --warnings all lists them\n"});
-  EXPECT_EQ(told.find("rgba"), std::string::npos) << told;
+  expect_parts(told,
+               {"exported.urdf: warning: without effect here: 5 attributes that are not part of "
+                "URDF (\"rgba\", \"tag\"), 2 elements that are not part of URDF (<note>, "
+                "<limb>), 1 limit that is missing or of no use; --warnings all lists them\n"});
   const auto inertia = told.find("no body has this inertia");
   ASSERT_NE(inertia, std::string::npos) << told;
   EXPECT_EQ(told.find("warning:", inertia), std::string::npos) << "it stands last\n" << told;
   const std::string all = messages("inspect exported.urdf --warnings all", 0);
   expect_parts(all, {"\"rgba\"", "\"tag\"", "<note>", "<limb>", "\"velocity\"", "no body has"});
-  EXPECT_EQ(all.find("of no account"), std::string::npos) << all;
+  EXPECT_EQ(all.find("without effect"), std::string::npos) << all;
   EXPECT_EQ(messages("inspect exported.urdf --warnings none", 0), "");
   expect_parts(messages("generate exported.urdf --warnings none -o out nowhere.yaml", 1),
                {"nowhere.yaml: error:"});
 }
 
-// Would catch: a number of another format that is counted among what is of no account to the
-// motion.
+// Would catch: a number of another format that is counted among what has no effect.
 TEST_F(MessagesTest, NumbersThatNobodyReadsAreTold) {
   std::string text = kArm;
   const std::string origin = "<origin xyz=\"0.2 0 0\"/>";

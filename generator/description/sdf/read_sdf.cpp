@@ -34,8 +34,14 @@ void report(const std::string& file, std::string fault, const char* remedy,
 SdfReader* load_reader(const std::string& file, Diagnostics& diagnostics) {
   const fs::path module = find_module();
   if (module.empty()) {
+#if defined(TREELINE_READS_SDF)
+    report(file, "this is SDF, and the module that reads it, treeline_sdf.so, is not there",
+           "put it in lib/treeline beside the folder of the program, or install both anew",
+           diagnostics);
+#else
     report(file, "this is SDF, which this program was built without",
            "install libsdformat-dev (Debian 12) and build again, or export a URDF", diagnostics);
+#endif
     return nullptr;
   }
   void* const loaded = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);

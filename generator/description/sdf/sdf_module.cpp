@@ -45,11 +45,13 @@ std::optional<SdfModel> read(const SdfText& text, Diagnostics& diagnostics) {
   if (models.size() != 1) {
     std::vector<std::string> names;
     for (const sdf::Model* model : models) names.push_back(model->Name());
-    diagnostics.add({Severity::error, text.shown, 0, "sdf",
-                     models.empty()
-                         ? "the file has no model that moves"
-                         : fmt::format("the file has several models: {}", fmt::join(names, ", ")),
-                     "write one model in a file; a scene can list several files under robots"});
+    diagnostics.add(
+        {Severity::error, text.shown, 0, "sdf",
+         models.empty() ? "the file has no model that moves: there is none, or all are <static>"
+                        : fmt::format("the file has several models: {}", fmt::join(names, ", ")),
+         models.empty()
+             ? "name the file of a robot, or remove <static> from its model"
+             : "write one model in a file; a scene can list several files under robots"});
     return std::nullopt;
   }
   note_world(*root, text.shown, diagnostics);
