@@ -22,10 +22,8 @@ struct KindWords {
   const char* many;
 };
 constexpr std::array kKinds = {
-    KindWords{Minor::attribute, "attribute that is not part of URDF",
-              "attributes that are not part of URDF"},
-    KindWords{Minor::element, "element that is not part of URDF",
-              "elements that are not part of URDF"},
+    KindWords{Minor::attribute, "unknown attribute", "unknown attributes"},
+    KindWords{Minor::element, "unknown element", "unknown elements"},
     KindWords{Minor::text, "text between elements", "texts between elements"},
     KindWords{Minor::limit, "limit that is missing or of no use",
               "limits that are missing or of no use"},

@@ -229,10 +229,11 @@ std::string exported_arm() {
 TEST_F(MessagesTest, FaultsOfFormAreOneLineAndBrokenInertiasLast) {
   write("exported.urdf", exported_arm());
   const std::string told = messages("inspect exported.urdf", 0);
-  expect_parts(told,
-               {"exported.urdf: warning: without effect here: 5 attributes that are not part of "
-                "URDF (\"rgba\", \"tag\"), 2 elements that are not part of URDF (<note>, "
-                "<limb>), 1 limit that is missing or of no use; --warnings all lists them\n"});
+  expect_parts(
+      told,
+      {"exported.urdf: warning: without effect here: 5 unknown attributes (\"rgba\", \"tag\"), "
+       "2 unknown elements (<note>, <limb>), 1 limit that is missing or of no use; --warnings all "
+       "lists them\n"});
   const auto inertia = told.find("no body has this inertia");
   ASSERT_NE(inertia, std::string::npos) << told;
   EXPECT_EQ(told.find("warning:", inertia), std::string::npos) << "it stands last\n" << told;
