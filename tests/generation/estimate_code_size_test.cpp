@@ -48,7 +48,7 @@ TEST(EstimateCodeSize, IsNearTheBytesMeasured) {
     Scene scene;
     scene.target = each.target;
     scene.real = each.real;
-    // Operations are not alike: the fit of `CodeSizes` says how far they are from their mean.
+    // Operations differ: `CodeSizes` says how far functions are from the mean.
     EXPECT_NEAR(bytes_of_lines(scene, each.flops) / each.lines, 1, 0.3);
     LoopNeeds needs;
     needs.add(each.function, loops_of(each.function, each.links));
