@@ -144,7 +144,7 @@ void inertia_to_parent(const Table& table, int i, const Poses& poses,
     turn_symmetric_by(rotation, inertia.C);
   } else {
     LinkTurns<Real> turns;
-    find_turns(table, i, poses, turns);
+    find_turns(table.links[i], poses.joints[i], turns);
     turn_about_z(turns.joint, inertia);
     turn_about_x(turns.alpha, inertia);
     turn_about_z(turns.a, inertia);

@@ -107,11 +107,17 @@ void turn_joint_axis(const Table& table, int i, const Real& qd, LinkMotion<Real>
 /// From the axes of the parent of link `i` to its own.
 template <class Table, class Poses, class Real>
 void turn_motion(const Table& table, int i, const Poses& poses, LinkMotion<Real>& motion) noexcept {
-  LinkTurns<Real> turns;
-  find_turns(table, i, poses, turns);
-  turn_to_child(table, i, poses, turns, motion.w);
-  turn_to_child(table, i, poses, turns, motion.wd);
-  turn_to_child(table, i, poses, turns, motion.a);
+  if (turns_freely(table, i)) {
+    turn_back_by(rotation_of(table, i, poses), motion.w);
+    turn_back_by(rotation_of(table, i, poses), motion.wd);
+    turn_back_by(rotation_of(table, i, poses), motion.a);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_back_by_planes(turns, motion.w);
+    turn_back_by_planes(turns, motion.wd);
+    turn_back_by_planes(turns, motion.a);
+  }
 }
 
 /// Makes the motion of its parent that of link `i` behind its joint.

@@ -31,6 +31,16 @@ struct LinkTurns {
 };
 
 template <class Real>
+TREELINE_LINK_INLINE void find_turns(const Link<Real>& link, const LinkPose<Real>& pose,
+                                     LinkTurns<Real>& turns) noexcept {
+  turns.joint.c = pose.turn.c;
+  turns.joint.s = pose.turn.s;
+  turns.alpha.c = link.alpha.c;
+  turns.alpha.s = link.alpha.s;
+  turns.a.c = link.a.c;
+  turns.a.s = link.a.s;
+}
+template <class Real>
 TREELINE_LINK_INLINE void turn_by_planes(const LinkTurns<Real>& turns, Real (&v)[3]) noexcept {
   turn_plane(turns.joint, v[0], v[1]);
   turn_plane(turns.alpha, v[1], v[2]);
@@ -73,50 +83,21 @@ const LinkRotation<Real>& rotation_of(const Table& table, int i, const Poses& po
   return poses.rotations[table.ball_axes[i].rotation];
 }
 
-/// The rotations of link `i`, unless it turns freely. Not for a floating base.
-template <class Table, class Poses, class Real>
-TREELINE_LINK_INLINE void find_turns(const Table& table, int i, const Poses& poses,
-                                     LinkTurns<Real>& turns) noexcept {
-  if (!turns_freely(table, i)) {
-    const Link<Real>& link = table.links[i];
-    turns.joint.c = poses.joints[i].turn.c;
-    turns.joint.s = poses.joints[i].turn.s;
-    turns.alpha.c = link.alpha.c;
-    turns.alpha.s = link.alpha.s;
-    turns.a.c = link.a.c;
-    turns.a.s = link.a.s;
-  }
-}
-
-/// From the axes of link `i` to its parent's, by `turns` of `find_turns`.
-template <class Table, class Poses, class Real>
-TREELINE_LINK_INLINE void turn_to_parent(const Table& table, int i, const Poses& poses,
-                                         const LinkTurns<Real>& turns, Real (&v)[3]) noexcept {
-  if (turns_freely(table, i)) {
-    turn_by(rotation_of(table, i, poses), v);
-  } else {
-    turn_by_planes(turns, v);
-  }
-}
-template <class Table, class Poses, class Real>
-TREELINE_LINK_INLINE void turn_to_child(const Table& table, int i, const Poses& poses,
-                                        const LinkTurns<Real>& turns, Real (&v)[3]) noexcept {
-  if (turns_freely(table, i)) {
-    turn_back_by(rotation_of(table, i, poses), v);
-  } else {
-    turn_back_by_planes(turns, v);
-  }
-}
-
 /// Three vectors from a link's axes to its parent's. Not for a floating base.
 template <class Table, class Poses, class Real>
 void turn_axes_to_parent(const Table& table, int i, const Poses& poses, Real (&x)[3], Real (&y)[3],
                          Real (&z)[3]) noexcept {
-  LinkTurns<Real> turns;
-  find_turns(table, i, poses, turns);
-  turn_to_parent(table, i, poses, turns, x);
-  turn_to_parent(table, i, poses, turns, y);
-  turn_to_parent(table, i, poses, turns, z);
+  if (turns_freely(table, i)) {
+    turn_by(rotation_of(table, i, poses), x);
+    turn_by(rotation_of(table, i, poses), y);
+    turn_by(rotation_of(table, i, poses), z);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_by_planes(turns, x);
+    turn_by_planes(turns, y);
+    turn_by_planes(turns, z);
+  }
 }
 
 /// Makes of the way along the axis of link `i` that of all three axes, if it is the first of a
@@ -171,10 +152,15 @@ TREELINE_LINK_INLINE void wrench_to_parent(const Table& table, int i, const Pose
                                            Spatial<Real>& wrench) noexcept {
   Real p[3];
   find_origin(table, i, poses, p);
-  LinkTurns<Real> turns;
-  find_turns(table, i, poses, turns);
-  turn_to_parent(table, i, poses, turns, wrench.linear);
-  turn_to_parent(table, i, poses, turns, wrench.angular);
+  if (turns_freely(table, i)) {
+    turn_by(rotation_of(table, i, poses), wrench.linear);
+    turn_by(rotation_of(table, i, poses), wrench.angular);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_by_planes(turns, wrench.linear);
+    turn_by_planes(turns, wrench.angular);
+  }
   add_cross(p, wrench.linear, wrench.angular);
 }
 
@@ -185,10 +171,15 @@ TREELINE_LINK_INLINE void twist_to_child(const Table& table, int i, const Poses&
   Real p[3];
   find_origin(table, i, poses, p);
   add_cross(twist.angular, p, twist.linear);
-  LinkTurns<Real> turns;
-  find_turns(table, i, poses, turns);
-  turn_to_child(table, i, poses, turns, twist.linear);
-  turn_to_child(table, i, poses, turns, twist.angular);
+  if (turns_freely(table, i)) {
+    turn_back_by(rotation_of(table, i, poses), twist.linear);
+    turn_back_by(rotation_of(table, i, poses), twist.angular);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_back_by_planes(turns, twist.linear);
+    turn_back_by_planes(turns, twist.angular);
+  }
 }
 
 /// 2 / |q|^2 of a quaternion of any length, x y z w; of 0 it does not turn.

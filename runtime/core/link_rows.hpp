@@ -150,7 +150,9 @@ void absorb_in_joint(const Table& table, int i, const Motions& motions,
   Real p[3];
   find_origin(table, i, motions.poses, p);
   LinkTurns<Real> turns;
-  find_turns(table, i, motions.poses, turns);
+  if (!turns_freely(table, i)) {
+    find_turns(table.links[i], motions.poses.joints[i], turns);
+  }
   Spatial<Real> u;
   copy_spatial(joint.u, u);
   const Real inverse_D = joint.inverse_D;
@@ -169,8 +171,13 @@ void absorb_in_joint(const Table& table, int i, const Motions& motions,
       add_work(table, along * inverse_D, first, r, rows);
       add_scaled(u, -along, K);
       along_joint(table, i, K) = held * along;
-      turn_to_parent(table, i, motions.poses, turns, K.linear);
-      turn_to_parent(table, i, motions.poses, turns, K.angular);
+      if (turns_freely(table, i)) {
+        turn_by(rotation_of(table, i, motions.poses), K.linear);
+        turn_by(rotation_of(table, i, motions.poses), K.angular);
+      } else {
+        turn_by_planes(turns, K.linear);
+        turn_by_planes(turns, K.angular);
+      }
       add_cross(p, K.linear, K.angular);
       copy_spatial(K, rows.forces[r]);
       rows.links[r] = table.links[i].parent;
