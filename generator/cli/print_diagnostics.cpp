@@ -12,6 +12,7 @@
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/write_output.hpp"
+#include "text/list_first.hpp"
 
 namespace treeline {
 namespace {
@@ -28,6 +29,8 @@ constexpr std::array kKinds = {
     KindWords{Minor::limit, "limit that is missing or of no use",
               "limits that are missing or of no use"},
     KindWords{Minor::form, "oddity of form", "oddities of form"}};
+
+constexpr std::size_t kMostNamed = 4;
 
 /// Faults of one kind in a file.
 struct Counted {
@@ -53,24 +56,15 @@ void count(const Diagnostic& each, Counts& counts) {
   counted.names.push_back(name);
 }
 
-/// " (<cable>, <tendon> and 2 more)"
-std::string print_names(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNamed = 4;
-  if (names.empty()) return {};
-  const std::size_t named = std::min(names.size(), kMostNamed);
-  return fmt::format(
-      " ({}{})", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named), ", "),
-      names.size() > named ? fmt::format(" and {} more", names.size() - named) : "");
-}
-
 std::string print_counts(const Counts& counts) {
   std::string text;
   for (const KindWords& kind : kKinds) {
     const auto found = counts.find(kind.minor);
     if (found == counts.end()) continue;
     const auto& [count, names] = found->second;
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count,
-                        count == 1 ? kind.one : kind.many, print_names(names));
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? kind.one : kind.many);
+    if (!names.empty()) text += fmt::format(" ({})", list_first(names, kMostNamed));
   }
   return text;
 }

@@ -82,7 +82,6 @@ bool record(const simulation::Model& model, const simulation::Coordinates& coord
   if (motion.table.rows() == 0) motion.start_energy = energy;
   motion.energy_change = energy - motion.start_energy;
   motion.largest_change = std::max(motion.largest_change, std::abs(motion.energy_change));
-  motion.has_quaternions = !coordinates.quaternions.empty();
   motion.quaternion_error =
       std::max(motion.quaternion_error, quaternion_error(coordinates, state.q));
   std::vector<double> row = {time};
@@ -148,6 +147,7 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
   if (!steps) return std::nullopt;
   Motion motion{report::Table(column_names(model), static_cast<std::size_t>(*steps) + 1),
                 *steps + 1};
+  motion.has_quaternions = !coordinates.quaternions.empty();
   simulation::AdaptiveSettings adaptive{settings.tolerance, settings.tolerance,
                                         std::min(1e-3, settings.step)};
   for (int i = 0; record(model, coordinates, i * settings.step, *state, motion) && i < *steps;

@@ -5,6 +5,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "text/list_first.hpp"
 
 namespace treeline {
 namespace {
@@ -17,18 +20,6 @@ constexpr std::size_t kMostNamed = 5;
 double largest_entry(const Inertial& inertial) {
   return std::max({std::abs(inertial.ixx), std::abs(inertial.ixy), std::abs(inertial.ixz),
                    std::abs(inertial.iyy), std::abs(inertial.iyz), std::abs(inertial.izz)});
-}
-
-/// "; so are those of links b, c and 3 more", or nothing, if there are no others.
-std::string name_others(const Robot& robot, const std::vector<std::size_t>& at) {
-  const std::size_t named = std::min(at.size(), kMostNamed + 1);
-  if (named < 2) return {};
-  std::vector<std::string> names;
-  for (std::size_t k = 1; k < named; ++k) {
-    names.push_back(fmt::format("\"{}\"", robot.links[at[k]].name));
-  }
-  const std::string more = at.size() > named ? fmt::format(" and {} more", at.size() - named) : "";
-  return fmt::format("; so it is with {}{}", fmt::join(names, ", "), more);
 }
 
 }  // namespace
@@ -72,15 +63,25 @@ std::optional<std::string> find_unphysical(const Inertial& inertial) {
 }
 
 void check_inertias(const Robot& robot, const std::vector<UrdfElement>& elements) {
-  std::vector<std::size_t> at;
+  std::optional<std::string> fault;  // of the first
+  std::size_t first = 0;
+  std::vector<std::string> others;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    if (robot.links[i].inertial && find_unphysical(*robot.links[i].inertial)) at.push_back(i);
+    const auto& inertial = robot.links[i].inertial;
+    auto found = inertial ? find_unphysical(*inertial) : std::nullopt;
+    if (!found) continue;
+    if (fault) {
+      others.push_back(fmt::format("\"{}\"", robot.links[i].name));
+    } else {
+      fault = std::move(found);
+      first = i;
+    }
   }
-  if (at.empty()) return;
-  const std::size_t first = at.front();
+  if (!fault) return;
+  if (!others.empty()) *fault += "; so it is with " + list_first(others, kMostNamed);
   const auto* xml = elements[first].xml().FirstChildElement("inertial");
   elements[first].as_child(*xml).warn(
-      *find_unphysical(*robot.links[first].inertial) + name_others(robot, at),
+      *fault,
       "check the units (kg m^2, about the centre of mass) and the signs of the products; "
       "the numbers are used as they are");
 }

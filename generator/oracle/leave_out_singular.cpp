@@ -8,19 +8,12 @@
 
 #include "description/check_scene.hpp"
 #include "oracle/find_massless_directions.hpp"
+#include "text/list_first.hpp"
 
 namespace treeline {
 namespace {
 
 constexpr std::size_t kMostNamed = 6;
-
-/// Lists the first names and counts the others: "a, b and 3 more".
-std::string list_first(const std::vector<std::string>& names) {
-  const auto shown = static_cast<std::ptrdiff_t>(std::min(names.size(), kMostNamed));
-  std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
-  if (names.size() > kMostNamed) text += fmt::format(" and {} more", names.size() - kMostNamed);
-  return text;
-}
 
 void append_new(const std::string& name, std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -30,7 +23,7 @@ std::string describe_fault(const char* where, const std::vector<MasslessDirectio
   std::vector<std::string> names;
   for (const MasslessDirections& each : all) names.push_back(each.what);
   return fmt::format("the mass matrix is singular {}: no inertia resists {}", where,
-                     list_first(names));
+                     list_first(names, kMostNamed));
 }
 
 std::string describe_cure(const std::vector<MasslessDirections>& all) {
@@ -42,10 +35,10 @@ std::string describe_cure(const std::vector<MasslessDirections>& all) {
     base = base || each.moves_base;
   }
   std::string cure = fmt::format("Give link{} {} mass and moments of inertia in the URDF",
-                                 links.size() > 1 ? "s" : "", list_first(links));
+                                 links.size() > 1 ? "s" : "", list_first(links, kMostNamed));
   if (!locks.empty()) {
     cure += fmt::format("; or lock joint{} {} in the scene", locks.size() > 1 ? "s" : "",
-                        list_first(locks));
+                        list_first(locks, kMostNamed));
   }
   return cure + (base ? "; or write base: fixed" : "");
 }
@@ -64,7 +57,7 @@ void warn_of_zero(const Robot& robot, const Scene& scene, const std::vector<Func
   diagnostics.add({Severity::warning, scene.file, 0, "",
                    fmt::format("{}; without a value there, and with few digits nearby: {}",
                                describe_fault("where all coordinates are 0", massless),
-                               list_first(names_of(functions))),
+                               list_first(names_of(functions), kMostNamed)),
                    describe_cure(massless) + "; or start from another pose"});
 }
 
@@ -82,7 +75,7 @@ void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnosti
   const std::vector<std::string> names = names_of(undefined);
   const bool asked = listed || scene.damped || scene.has_limits();
   const char* const composed = scene.damped ? "damped" : "limited_control_torque";
-  const std::string list = asked && !listed ? composed : list_first(names);
+  const std::string list = asked && !listed ? composed : list_first(names, kMostNamed);
   diagnostics.add(
       {asked ? Severity::error : Severity::warning, scene.file, 0, listed ? "functions" : "",
        fmt::format("{}; {} {}", describe_fault("in every pose", massless),

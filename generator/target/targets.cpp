@@ -98,21 +98,17 @@ constexpr CodeSizes kDoubleInAvx2{10.6, 1110, 1.63};
 constexpr CodeSizes kFloatInAvx512{7.3, 1050, 1.5};
 constexpr CodeSizes kDoubleInAvx512{7.7, 1440, 1.6};
 
+/// A target without a board, whose costs are those that `OperationCosts` has.
+constexpr Target on_this_machine(const char* name, const char* about, const char* flags,
+                                 int vector_bytes, CodeSizes float_sizes, CodeSizes double_sizes) {
+  Target target{name, about, "", "g++", flags, FloatUnit::single_and_double, vector_bytes};
+  target.float_sizes = float_sizes;
+  target.double_sizes = double_sizes;
+  return target;
+}
+
 constexpr auto kTargets = std::to_array<Target>({
-    {"generic",
-     "any processor",
-     "",
-     "g++",
-     "",
-     FloatUnit::single_and_double,
-     64,
-     true,
-     {},
-     {},
-     {},
-     {},
-     kFloatInSse,
-     kDoubleInSse},
+    on_this_machine("generic", "any processor", "", 64, kFloatInSse, kDoubleInSse),
     {"cortex-m0", "Arm Cortex-M0, no floating-point unit", "arm-none-eabi-", kArmPackage,
      "-mcpu=cortex-m0 -mthumb -mfloat-abi=soft", FloatUnit::none, 0, false,
      // QEMU's only board with this core has 16 KB of memory. A Cortex-M3 executes the same code.
@@ -153,34 +149,10 @@ constexpr auto kTargets = std::to_array<Target>({
      Board{BoardKind::aarch64, "qemu-system-aarch64", "-M virt -cpu cortex-a53 -nic none",
            kSystemArm, kVirtArm, 0},
      kTwoInOrder, kFloatOnA53, kDoubleOnA53, kFloatInA64, kDoubleInA64},
-    {"x86-64-v3",
-     "64-bit x86 with AVX2 and fused multiply-add",
-     "",
-     "g++",
-     "-march=x86-64-v3",
-     FloatUnit::single_and_double,
-     32,
-     true,
-     {},
-     {},
-     {},
-     {},
-     kFloatInAvx2,
-     kDoubleInAvx2},
-    {"x86-64-v4",
-     "64-bit x86 with AVX-512",
-     "",
-     "g++",
-     "-march=x86-64-v4",
-     FloatUnit::single_and_double,
-     64,
-     true,
-     {},
-     {},
-     {},
-     {},
-     kFloatInAvx512,
-     kDoubleInAvx512},
+    on_this_machine("x86-64-v3", "64-bit x86 with AVX2 and fused multiply-add", "-march=x86-64-v3",
+                    32, kFloatInAvx2, kDoubleInAvx2),
+    on_this_machine("x86-64-v4", "64-bit x86 with AVX-512", "-march=x86-64-v4", 64, kFloatInAvx512,
+                    kDoubleInAvx512),
 });
 
 }  // namespace
