@@ -12,10 +12,6 @@
 namespace treeline {
 namespace {
 
-double finite_or(double value, double otherwise) {
-  return std::isfinite(value) && value > 0 ? value : otherwise;
-}
-
 /// Largest magnitude of a coordinate: its limits, or the default for its kind.
 double coordinate_size(const Coordinate& coordinate) {
   if (coordinate.is_of_quaternion()) return 1;
@@ -35,16 +31,17 @@ std::vector<double> coordinate_sizes(const Mechanism& mechanism) {
 std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
                                 const Mechanism& mechanism) {
   std::vector<double> sizes(static_cast<std::size_t>(mechanism.nv()), row.range);
-  const auto limit = row.quantity == Quantity::qd    ? &Limits::velocity
-                     : row.quantity == Quantity::tau ? &Limits::effort
-                                                     : nullptr;
-  if (limit == nullptr) return sizes;
+  const bool speeds = row.quantity == Quantity::qd;
+  if (!speeds && row.quantity != Quantity::tau) return sizes;
   for (const MovingLink& link : mechanism.links) {
     const Joint* joint = find_joint(robot, link.joint);
     if (link.mimics || !link.has_one_coordinate() || joint == nullptr || !joint->limits) {
       continue;
     }
-    sizes[static_cast<std::size_t>(link.v_index)] = finite_or((*joint->limits).*limit, row.range);
+    const Limit& limit = speeds ? joint->limits->velocity : joint->limits->effort;
+    if (!limit.is_stated()) continue;
+    sizes[static_cast<std::size_t>(link.v_index)] =
+        speeds ? std::min(limit.value(), kFastestInBounds) : limit.value();
   }
   return sizes;
 }

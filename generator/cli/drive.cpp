@@ -352,6 +352,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
 void add_drive(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DriveOptions>();
   options->inputs.functions_from = FunctionsFrom::command;
+  options->inputs.limits_for = LimitUse::drive;
   CLI::App* command = app.add_subcommand("drive", "Drive a simulated robot by its generated code");
   command->add_option("urdf", options->inputs.urdf, kRobotArgument)->required();
   command->add_option("scene", options->inputs.scene,

@@ -65,7 +65,7 @@ std::optional<Inspection> inspect(const InspectOptions& options, Diagnostics& di
   }
   const Scene seen = scene.value_or(Scene{});
   note_noise(build_mechanism(read->robot, seen).noise, seen, diagnostics);
-  warn_of_limits(read->robot, seen, diagnostics);
+  warn_of_limits(read->robot, seen, LimitUse::code, diagnostics);
   Report report = inspect_robot(read->robot, scene);
   return Inspection{std::move(read->files.urdf_text), std::move(read->robot), std::move(report)};
 }

@@ -26,8 +26,6 @@ constexpr std::array kKinds = {
     KindWords{Minor::attribute, "unknown attribute", "unknown attributes"},
     KindWords{Minor::element, "unknown element", "unknown elements"},
     KindWords{Minor::text, "text between elements", "texts between elements"},
-    KindWords{Minor::limit, "limit that is missing or of no use",
-              "limits that are missing or of no use"},
     KindWords{Minor::form, "oddity of form", "oddities of form"}};
 
 constexpr std::size_t kMostNamed = 4;
@@ -77,11 +75,15 @@ std::vector<Diagnostic> summarise(const std::vector<Diagnostic>& minor) {
     count(each, counts[each.file]);
   }
   std::vector<Diagnostic> lines;
+  const auto add = [&lines](const std::string& file, const std::string& fault) {
+    lines.push_back({Severity::warning, file, 0, "", fault + "; --warnings all lists them", ""});
+  };
   for (const std::string& file : files) {
-    lines.push_back({Severity::warning, file, 0, "",
-                     fmt::format("without effect here: {}; --warnings all lists them",
-                                 print_counts(counts[file])),
-                     ""});
+    const std::string idle = print_counts(counts[file]);
+    if (!idle.empty()) add(file, "without effect here: " + idle);
+    const int limits = counts[file][Minor::limit].count;
+    if (limits == 1) add(file, "1 limit is missing and counts as none");
+    if (limits > 1) add(file, fmt::format("{} limits are missing and count as none", limits));
   }
   return lines;
 }

@@ -14,7 +14,6 @@
 #include "description/scene_words.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
-#include "inspect/warn_of_limits.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "text/identifier.hpp"
@@ -105,7 +104,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   if (!scene) return std::nullopt;
   apply(options, *scene, diagnostics);
   const bool listed = !options.functions.empty() || lists_functions(read->files.scene_text);
-  warn_of_limits(read->robot, *scene, diagnostics);
+  warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
   note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -8,6 +8,7 @@
 #include "cli/read_robot_files.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "inspect/warn_of_limits.hpp"
 #include "text/diagnostic.hpp"
 
 namespace CLI {
@@ -30,6 +31,7 @@ struct InputOptions {
   std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
   Warnings warnings = Warnings::summary;
   FunctionsFrom functions_from = FunctionsFrom::scene;
+  LimitUse limits_for = LimitUse::code;
 };
 
 struct RobotAndScene {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "comparison/compare_parts.hpp"
 
@@ -29,8 +28,7 @@ class JointComparison {
       add(fmt::format("type: {} and {}", joint_type_name(a.type), joint_type_name(b.type)));
     }
     compare_mimics(a, b);
-    const Limits none{-kInfinity, kInfinity, kInfinity, kInfinity};
-    const Limits limits_a = a.limits.value_or(none), limits_b = b.limits.value_or(none);
+    const Limits limits_a = a.limits.value_or(Limits{}), limits_b = b.limits.value_or(Limits{});
     compare("lower", limits_a.lower, limits_b.lower);
     compare("upper", limits_a.upper, limits_b.upper);
     compare("effort", limits_a.effort, limits_b.effort);
@@ -40,8 +38,6 @@ class JointComparison {
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
   void add(std::string fault) { difference_.faults.push_back(std::move(fault)); }
 
   void compare(const char* what, double a, double b) {

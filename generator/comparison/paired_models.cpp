@@ -68,8 +68,9 @@ PairedModels::PairedModels(const Robot& first, const Robot& second, const RobotM
     if (body.kind == interpreter::JointKind::fixed || body.kind != second_.body(pair.second).kind)
       continue;
     const double reach = body.kind == interpreter::JointKind::revolute ? kPi : 1;
-    pair.lower = std::max(a.limits ? a.limits->lower : -reach, -reach);
-    pair.upper = std::min(a.limits ? a.limits->upper : reach, reach);
+    const Limits limits = a.limits.value_or(Limits{});
+    pair.lower = std::max(limits.lower.value(), -reach);
+    pair.upper = std::min(limits.upper.value(), reach);
     if (pair.lower > pair.upper) pair.lower = pair.upper;
     pairs_.push_back(pair);
     add_velocities(pair, a.name);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "description/controller_limits.hpp"
 #include "description/read_scene_point.hpp"
 
 namespace treeline {
@@ -85,14 +87,18 @@ void read_numbers(const SceneFields& fields, SceneController& controller) {
   read_ticks(fields, "blind_ticks", controller.blind_ticks);
 }
 
-void read_bound(const SceneFields& fields, const char* key, bool positive,
+/// `none`, the infinity, where the scene waives the limit.
+void read_bound(const SceneFields& fields, const char* key, double none, bool positive,
                 std::optional<double>& bound) {
   const auto found = fields.find(key);
   if (found == fields.end()) return;
+  if (found->second.is("none")) {
+    bound = none;
+    return;
+  }
   bound = found->second.number();
   if (bound && positive && !(*bound > 0)) {
-    found->second.error(fmt::format("{} is not positive", *bound),
-                        "leave the key out for no limit");
+    found->second.error(fmt::format("{} is not positive", *bound), "write none for no limit");
   }
 }
 
@@ -116,10 +122,11 @@ void read_limits(const SceneElement& element, const Robot& robot, const Scene& s
     if (joint == nullptr || !can_have_limits(value, *joint, scene)) continue;
     const auto fields = value.fields({"lower", "upper", "speed", "torque"});
     SceneJointLimits& limits = controller.limits[name];
-    read_bound(fields, "lower", false, limits.lower);
-    read_bound(fields, "upper", false, limits.upper);
-    read_bound(fields, "speed", true, limits.speed);
-    read_bound(fields, "torque", true, limits.torque);
+    constexpr double kWaived = std::numeric_limits<double>::infinity();
+    read_bound(fields, "lower", -kWaived, false, limits.lower);
+    read_bound(fields, "upper", kWaived, false, limits.upper);
+    read_bound(fields, "speed", kWaived, true, limits.speed);
+    read_bound(fields, "torque", kWaived, true, limits.torque);
     if (limits.lower && limits.upper && !(*limits.lower < *limits.upper)) {
       value.error(fmt::format("lower, {}, is not below upper, {}", *limits.lower, *limits.upper),
                   "exchange them");
@@ -215,6 +222,7 @@ void check_controller(const SceneElement& top, const Robot& robot, const std::st
     top.error("a controller drives the open tree, but constraints or couplings are listed",
               kRemedy);
   }
+  check_controller_limits(top, robot, scene);
   if (scene.controller->task && scene.operational_points.empty()) {
     top.error("the controller has a law of tasks, but there is no operational point",
               "add a list operational_points, or keep to laws: [joint_impedance]");

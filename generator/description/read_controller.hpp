@@ -20,8 +20,9 @@ std::vector<Function> list_controller_functions(const Scene& scene);
 
 /// Reports as an error what of the robot and the rest of the scene does not permit the controller
 /// that is asked for. Every coordinate needs a motor and a number of its own: no floating base, no
-/// ball joint, nothing passive, no closed loop. Laws of tasks need operational points and the
-/// inverse of the mass matrix: `singular` names what has no mass beyond it, if anything.
+/// ball joint, nothing passive, no closed loop; and limits, see `check_controller_limits`. Laws of
+/// tasks need operational points and the inverse of the mass matrix: `singular` names what has no
+/// mass beyond it, if anything.
 void check_controller(const SceneElement& top, const Robot& robot, const std::string& singular,
                       const Scene& scene);
 

@@ -4,20 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "description/read_number.hpp"
+#include "description/read_joint_limits.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Nothing reaches more rad, m, rad/s, m/s, N m or N: programs write the largest double where there
-/// is no limit. Its square is beyond the numbers of float or double, and with it the bounds of
-/// rounding errors.
-constexpr double kLargestLimit = 1e9;
 
 JointType read_type(const UrdfElement& element) {
   std::vector<std::string> names;
@@ -81,82 +73,6 @@ std::array<double, 3> read_axis(const UrdfElement& joint) {
 }
 
 namespace {
-
-/// Few joints turn more than twice and have an end; 1000 and more mean that there is none.
-void warn_of_degrees(const UrdfElement& element, const Limits& limits) {
-  constexpr double kTwoTurns = 12.6, kDegrees = 720;  // rad, and the degrees of as many turns
-  const double most = std::max(std::abs(limits.lower), std::abs(limits.upper));
-  if (most <= kTwoTurns || most > kDegrees) return;
-  element.reading().pass_over(
-      Severity::warning, "limits in degrees", element.line(), element.path(),
-      fmt::format("the limits {} and {} rad let the joint turn more than twice", limits.lower,
-                  limits.upper),
-      kRadiansForDegrees);
-}
-
-void read_range(const UrdfElement& element, JointType type, Limits& limits) {
-  const auto lower = element.number("lower", true);
-  const auto upper = element.number("upper", true);
-  limits.lower = -kInfinity;
-  limits.upper = kInfinity;
-  if (!info_of(type).has_range) return;
-  if (!element.has("lower") && !element.has("upper")) {
-    element.warn("there is neither \"lower\" nor \"upper\"; the joint counts as unlimited",
-                 "give the range, or type=\"continuous\" if there is none", Minor::limit);
-    return;
-  }
-  if (lower.value_or(0) > upper.value_or(0)) {
-    element.warn(fmt::format("lower={} is above upper={}; the joint counts as unlimited",
-                             lower.value_or(0), upper.value_or(0)),
-                 "exchange the two", Minor::limit);
-    return;
-  }
-  limits.lower = lower.value_or(0) < -kLargestLimit ? -kInfinity : lower.value_or(0);
-  limits.upper = upper.value_or(0) > kLargestLimit ? kInfinity : upper.value_or(0);
-  if (type == JointType::revolute) warn_of_degrees(element, limits);
-}
-
-double read_bound(const UrdfElement& element, const char* name) {
-  const double bound = element.number(name, true).value_or(kInfinity);
-  if (!element.has(name)) {
-    element.warn(fmt::format("the attribute \"{}\" is missing; it counts as unlimited", name),
-                 "add it: other readers of URDF refuse the joint without it", Minor::limit);
-    return kInfinity;
-  }
-  if (bound < 0) {
-    element.warn(fmt::format("{}={} is negative; it counts as unlimited", name, bound),
-                 "give its magnitude", Minor::limit);
-    return kInfinity;
-  }
-  if (std::isfinite(bound) && bound > kLargestLimit) {
-    element.warn(
-        fmt::format("{}={} is more than anything reaches; it counts as unlimited", name, bound),
-        "leave the limit out or give a real one", Minor::limit);
-    return kInfinity;
-  }
-  return bound;
-}
-
-std::optional<Limits> read_limits(const UrdfElement& joint, JointType type) {
-  const auto element = joint.child("limit");
-  if (!element) {
-    if (info_of(type).has_range) {
-      joint.warn("the joint has no <limit>; it counts as unlimited",
-                 "add <limit lower=... upper=... effort=... velocity=.../>, or type=\"continuous\"",
-                 Minor::limit);
-    }
-    return std::nullopt;
-  }
-  element->holds_only_attributes(
-      {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"});
-  Limits limits;
-  read_range(*element, type, limits);
-  const bool moves = info_of(type).has_axis;
-  limits.effort = moves || element->has("effort") ? read_bound(*element, "effort") : kInfinity;
-  limits.velocity =
-      moves || element->has("velocity") ? read_bound(*element, "velocity") : kInfinity;
-  return limits;
-}
 
 /// Of a joint that is no joint of URDF: programs write these elements because other programs want
 /// them.
@@ -235,7 +151,7 @@ NamedJoint read_joint(const UrdfElement& element) {
   const JointTypeInfo& type = info_of(joint.type);
   if (type.has_axis) joint.axis = read_axis(element);
   if (!type.is_standard) ignore_axis_and_limits(element, type);
-  if (type.is_standard && type.moves()) joint.limits = read_limits(element, joint.type);
+  if (type.is_standard && type.moves()) joint.limits = read_joint_limits(element, joint.type);
   read_dynamics(element, joint);
   read_mimic(element, result);
   return result;

@@ -151,7 +151,7 @@ class FrictionReader {
   void check_width(const Joint& joint, const SceneFriction& own) const {
     if (!joint.limits || !(own.friction > 0)) return;
     const double fastest = joint.limits->velocity;
-    if (!(fastest > 0) || !std::isfinite(fastest) || fastest <= kWidestRatio * own.width) return;
+    if (!std::isfinite(fastest) || fastest <= kWidestRatio * own.width) return;
     element_.error(fmt::format("friction of \"{}\" falls off above {:.4g} times its width of {}, "
                                "below the joint's velocity limit of {}",
                                joint.name, kWidestRatio, own.width, fastest),

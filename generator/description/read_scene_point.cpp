@@ -225,7 +225,7 @@ void read_locked(const SceneElement& element, const Robot& robot, Scene& scene) 
                   "make the joint fixed in the URDF");
     } else if (joint->limits && (*held < joint->limits->lower || *held > joint->limits->upper)) {
       value.warn(fmt::format("{} is outside the joint's limits, {} to {}", *held,
-                             joint->limits->lower, joint->limits->upper),
+                             joint->limits->lower.value(), joint->limits->upper.value()),
                  "check the value and its unit: radians or metres");
     }
     scene.locked.emplace(name, *held);

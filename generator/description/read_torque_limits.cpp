@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "description/read_scene_point.hpp"
 
@@ -19,17 +18,10 @@ void take_efforts(const SceneElement& element, const Robot& robot, Scene& scene)
   for (const Joint& joint : robot.joints) {
     if (joint.mimic || scene.locked.contains(joint.name) || is_passive(scene, joint)) continue;
     if (!info_of(joint.type).has_one_freedom() || !joint.limits) continue;
-    const double effort = joint.limits->effort;
-    if (!std::isfinite(effort)) continue;
-    if (effort > 0) {
-      scene.torque_limits[joint.name] = effort;
-    } else {
-      element.warn(fmt::format("joint \"{}\" has the effort {} in the URDF: it is taken for not "
-                               "limited",
-                               joint.name, effort),
-                   "give its torque in torque_limits: {joint: N m}");
-    }
+    const Limit& effort = joint.limits->effort;
+    if (effort.is_stated()) scene.torque_limits[joint.name] = effort;
   }
+  scene.torque_limits_of_urdf = true;
   if (!scene.torque_limits.empty()) return;
   element.error("the URDF states no effort of any joint with a motor",
                 "write torque_limits: {joint: N m}, or <limit effort> in the URDF");

@@ -11,6 +11,7 @@
 #include "description/confirm_with_urdfdom.hpp"
 #include "description/connect_tree.hpp"
 #include "description/find_undefined_entity.hpp"
+#include "description/fold_follower_limits.hpp"
 #include "description/leftover_xacro.hpp"
 #include "description/parse_xml.hpp"
 #include "description/read_joint.hpp"
@@ -156,6 +157,7 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   for (const UrdfElement& loop : elements.loops) read_loop_joint(loop, robot);
   if (reading.failed()) return std::nullopt;
   if (!resolve_mimics(joints, robot)) return std::nullopt;
+  fold_follower_limits(joints, robot);
   read_rotors(element, robot.joints);
   if (reading.failed()) return std::nullopt;
   if (!confirm_with_urdfdom(robot, joints, elements.links, reading)) return std::nullopt;

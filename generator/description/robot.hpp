@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "description/limit.hpp"
 #include "joint/joint_type.hpp"
 
 namespace treeline {
@@ -30,11 +31,6 @@ struct Link {
   int line = 0;                      ///< of the element in the file
 };
 
-/// Radians or metres, N m or N, rad/s or m/s. Infinite where the file sets no bound.
-struct Limits {
-  double lower = 0, upper = 0, effort = 0, velocity = 0;
-};
-
 /// q = multiplier * q[joint] + offset. Chains of mimics are put together.
 struct Mimic {
   int joint = -1;  ///< index into Robot::joints of a joint that is no mimic itself
@@ -56,6 +52,7 @@ struct Joint {
   Pose origin;      ///< joint frame (= child link frame at q = 0) in parent
   /// Unit vector in the joint frame; planar: the normal. Without meaning for types without an axis.
   std::array<double, 3> axis{1, 0, 0};
+  /// With those of joints that follow it, see `fold_follower_limits`. Absent: the file has none.
   std::optional<Limits> limits;
   std::optional<Mimic> mimic;
   double damping = 0, friction = 0;

@@ -182,6 +182,7 @@ struct EffectiveMassLimit {
 };
 
 /// Limits of a joint in the controller, in place of the URDF's: rad or m, rad/s or m/s, N m or N.
+/// Infinite where the scene waives one.
 struct SceneJointLimits {
   std::optional<double> lower, upper, speed, torque;
 };
@@ -263,6 +264,7 @@ struct Scene {
   std::map<std::string, SceneSpring> joint_springs;  ///< by joint
   /// By joint, largest torque of its motor, N m or N.
   std::map<std::string, double> torque_limits;
+  bool torque_limits_of_urdf = false;    ///< they are the efforts that the URDF states
   std::map<std::string, double> locked;  ///< joint name -> value it is held at
 
   /// Whether NAME_limited.hpp is asked for: limited_control_torque.

@@ -73,6 +73,11 @@ struct QuantityInfo {
 inline constexpr double kAngleRange = std::numbers::pi;  ///< rad
 inline constexpr double kPositionRange = 10;             ///< m
 
+/// Of qd, the most that rounding bounds allow, whatever limit the URDF states: rad/s, a motor of
+/// 955 rpm without a gear, or m/s. They grow with its square: at the 1000 rad/s that exporters
+/// write, they would be a hundred times too wide for the speeds that joints reach.
+inline constexpr double kFastestInBounds = 100;
+
 /// Of bodies whose inertial parameters are inputs, what rounding bounds allow where the scene says
 /// nothing else.
 inline constexpr double kPayloadMass = 10;    ///< kg

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "description/controller_limits.hpp"
 #include "description/find_joint.hpp"
 #include "generation/choose_loops.hpp"
 #include "generation/function_mechanisms.hpp"
@@ -116,26 +116,10 @@ std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& 
                                                const Mechanism& mechanism) {
   std::vector<ControllerUnit::Joint> joints;
   for (const Coordinate& coordinate : mechanism.coordinates) {
-    const Joint* const joint = find_joint(robot, coordinate.joint);
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    ControllerUnit::Joint row{coordinate.joint,
-                              coordinate.kind == CoordinateKind::displacement,
-                              coordinate.lower,
-                              coordinate.upper,
-                              kNone,
-                              kNone};
-    if (joint != nullptr && joint->limits) {
-      row.speed = joint->limits->velocity;
-      row.torque = joint->limits->effort;
-    }
-    const auto own = scene.controller->limits.find(coordinate.joint);
-    if (own != scene.controller->limits.end()) {
-      row.lower = own->second.lower.value_or(row.lower);
-      row.upper = own->second.upper.value_or(row.upper);
-      row.speed = own->second.speed.value_or(row.speed);
-      row.torque = own->second.torque.value_or(row.torque);
-    }
-    joints.push_back(row);
+    const Joint& joint = *find_joint(robot, coordinate.joint);
+    const Limits limits = limits_in_controller(joint, *scene.controller);
+    joints.push_back({coordinate.joint, coordinate.kind == CoordinateKind::displacement,
+                      limits.lower, limits.upper, limits.velocity, limits.effort});
   }
   return joints;
 }

@@ -18,24 +18,36 @@
 namespace treeline {
 namespace {
 
+std::string range_text(const Limits& limits, const char* unit) {
+  const auto& [lower, upper, effort, velocity] = limits;
+  const bool misses =
+      lower.state() == LimitState::implausible || upper.state() == LimitState::implausible;
+  const std::string file =
+      misses ? fmt::format(" ({:g} .. {:g} in the file)", lower.written(), upper.written()) : "";
+  if (lower.is_stated() && upper.is_stated()) {
+    return fmt::format("{} .. {} {}", lower.value(), upper.value(), unit);
+  }
+  if (lower.is_stated()) return fmt::format("at least {} {}{}", lower.value(), unit, file);
+  if (upper.is_stated()) return fmt::format("at most {} {}{}", upper.value(), unit, file);
+  return misses ? "no range" + file : "";
+}
+
+std::string limit_text(const Limit& limit, const char* unit, const char* none) {
+  if (limit.is_stated()) return fmt::format("{} {}", limit.value(), unit);
+  return limit.state() == LimitState::absent
+             ? ""
+             : fmt::format("no limit of {} ({:g} in the file)", none, limit.written());
+}
+
 std::string limits_text(const Joint& joint) {
-  if (!joint.limits) {
-    return {};
-  }
+  if (!joint.limits) return {};
   const bool angle = !info_of(joint.type).slides();
-  const Limits& limits = *joint.limits;
   std::string text;
-  const auto append = [&text](const std::string& part) {
-    text += (text.empty() ? "" : ", ") + part;
-  };
-  if (std::isfinite(limits.lower) && std::isfinite(limits.upper)) {
-    append(fmt::format("{} .. {} {}", limits.lower, limits.upper, angle ? "rad" : "m"));
-  }
-  if (std::isfinite(limits.effort)) {
-    append(fmt::format("{} {}", limits.effort, angle ? "N m" : "N"));
-  }
-  if (std::isfinite(limits.velocity)) {
-    append(fmt::format("{} {}", limits.velocity, angle ? "rad/s" : "m/s"));
+  for (const std::string& part :
+       {range_text(*joint.limits, angle ? "rad" : "m"),
+        limit_text(joint.limits->effort, angle ? "N m" : "N", "effort"),
+        limit_text(joint.limits->velocity, angle ? "rad/s" : "m/s", "speed")}) {
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }
   return text;
 }

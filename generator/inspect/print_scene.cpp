@@ -120,8 +120,7 @@ std::string print_left_out(const SceneProposal& proposal) {
 /// A value at which the joint can rest: 0, or its limit nearest to 0.
 double rest_of(const Joint& joint) {
   if (!joint.limits) return 0;
-  return std::min(std::max(0.0, joint.limits->lower),
-                  std::max(joint.limits->upper, joint.limits->lower));
+  return std::min(std::max(0.0, joint.limits->lower.value()), joint.limits->upper.value());
 }
 
 std::string print_locked(const Robot& robot, const SceneProposal& proposal) {

@@ -6,9 +6,13 @@
 
 namespace treeline {
 
-/// Warns of joints that move in the scene and whose limits permit no motion: one place (lower =
-/// upper), no speed (velocity = 0) or no force (effort = 0), as exporters write where nobody has
-/// filled the limits in. Each of the three once, at the first such joint, with a count.
-void warn_of_limits(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
+/// What reads limits: code that is generated, with its bounds of rounding errors, or the loop of
+/// `drive`.
+enum class LimitUse { code, drive };
+
+/// Names placeholders among the limits of joints that move in the scene, each kind once, at the
+/// first such joint and with a count, and says what those who read the limit here take in its
+/// place. Notes speeds that are stated but beyond those for which rounding bounds hold.
+void warn_of_limits(const Robot& robot, const Scene& scene, LimitUse use, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -19,18 +19,12 @@ using drive::Measure;
 constexpr std::array kFloatingNames = {"x", "y", "z", "qx", "qy", "qz", "qw"};
 constexpr std::array kPlanarNames = {"x", "y", "theta"};
 
-double limit_or_none(double limit) {
-  return std::isfinite(limit) && limit > 0 ? limit : std::numeric_limits<double>::infinity();
-}
-
 void take_limits(const Joint& joint, const Coordinate& coordinate, DrivenCoordinate& driven) {
-  if (coordinate.lower < coordinate.upper) {
-    driven.lower = coordinate.lower;
-    driven.upper = coordinate.upper;
-  }
+  driven.lower = coordinate.lower;
+  driven.upper = coordinate.upper;
   if (!joint.limits) return;
-  driven.velocity = limit_or_none(joint.limits->velocity);
-  driven.effort = limit_or_none(joint.limits->effort);
+  driven.velocity = joint.limits->velocity;
+  driven.effort = joint.limits->effort;
 }
 
 /// The coordinates of one link's joint; `axis` counts the axes of a planar joint.

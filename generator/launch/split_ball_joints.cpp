@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -19,14 +18,13 @@ constexpr double kMostOfMiddle = 1.4;  // rad: 80 degrees, where two axes are ne
 
 /// The hinge about axis `i` in place of the ball joint `ball`.
 Joint hinge_of(const Joint& ball, std::size_t i) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
   Joint hinge;
   hinge.name = ball.name + "." + kAxisNames[i];
   hinge.axis = {};
   hinge.axis[i] = 1;
   hinge.line = ball.line;
   hinge.type = i == 1 ? JointType::revolute : JointType::continuous;
-  if (i == 1) hinge.limits = Limits{-kMostOfMiddle, kMostOfMiddle, kNone, kNone};
+  if (i == 1) hinge.limits = Limits{-kMostOfMiddle, kMostOfMiddle};
   return hinge;
 }
 

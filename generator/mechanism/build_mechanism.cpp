@@ -158,7 +158,7 @@ class Builder {
     if (!joint.mimic) {
       first_coordinate_[index_of(joint)] = first;
       const bool limited = joint.limits.has_value() && type.has_one_freedom();
-      add_coordinates(type, joint.name, limited ? *joint.limits : unlimited());
+      add_coordinates(type, joint.name, limited ? *joint.limits : Limits{});
     }
     const LinkPlace behind = add_steps(type, {joint.name, link}, first, before, to_axis);
     mechanism_.links.back().spins = joint.spins;
@@ -209,7 +209,7 @@ class Builder {
 
   LinkPlace add_floating_base(const std::string& link, const LinkPlace& before) {
     const JointTypeInfo& type = info_of(JointType::floating);
-    add_coordinates(type, "base", unlimited());
+    add_coordinates(type, "base", Limits{});
     return add_steps(type, {"base", link}, {0, 0}, before, Digits50Matrix3::Identity());
   }
 
@@ -262,10 +262,6 @@ class Builder {
     return robot_.joints[static_cast<std::size_t>(joint.mimic->joint)];
   }
 
-  static Limits unlimited() {
-    const double infinity = std::numeric_limits<double>::infinity();
-    return {-infinity, infinity, infinity, infinity};
-  }
   [[nodiscard]] std::size_t index_of(const Joint& joint) const {
     return static_cast<std::size_t>(&joint - robot_.joints.data());
   }

@@ -16,7 +16,7 @@ enum class Minor {
   attribute,  ///< not part of URDF
   element,    ///< not part of URDF
   text,       ///< between elements
-  limit,      ///< missing or of no use
+  limit,      ///< missing, and counts as none
   form,       ///< anything else about how the file is written
 };
 

@@ -186,12 +186,13 @@ TEST_F(MessagesTest, InspectNamesLimitsThatPermitNoMotion) {
   };
   with_limits(R"(lower="0" upper="0" effort="1" velocity="1")");
   expect_parts(messages("inspect limited.urdf", 0),
-               {"limited.urdf:3: warning: joint[elbow_joint]/limit", "the joint cannot move"});
+               {"limited.urdf:3: warning: joint[elbow_joint]/limit",
+                "lower and upper are both 0: a placeholder"});
   with_limits(R"(lower="-1" upper="1" effort="1" velocity="0")");
   expect_parts(messages("inspect limited.urdf", 0),
-               {"limited.urdf:3: warning: joint[elbow_joint]/limit", "the joint has no speed"});
+               {"limited.urdf:3: warning: joint[elbow_joint]/limit", "velocity=0: a placeholder"});
   write("locked.yaml", "base: floating\nlocked: {elbow_joint: 0}\n");
-  EXPECT_EQ(messages("inspect limited.urdf locked.yaml", 0).find("no speed"), std::string::npos);
+  EXPECT_EQ(messages("inspect limited.urdf locked.yaml", 0).find("velocity=0"), std::string::npos);
 }
 
 // Would catch: the JSON library's own text.
@@ -232,8 +233,9 @@ TEST_F(MessagesTest, FaultsOfFormAreOneLineAndBrokenInertiasLast) {
   expect_parts(
       told,
       {"exported.urdf: warning: without effect here: 5 unknown attributes (\"rgba\", \"tag\"), "
-       "2 unknown elements (<note>, <limb>), 1 limit that is missing or of no use; --warnings all "
-       "lists them\n"});
+       "2 unknown elements (<note>, <limb>); --warnings all lists them\n",
+       "exported.urdf: warning: 1 limit is missing and counts as none; --warnings all lists "
+       "them\n"});
   const auto inertia = told.find("no body has this inertia");
   ASSERT_NE(inertia, std::string::npos) << told;
   EXPECT_EQ(told.find("warning:", inertia), std::string::npos) << "it stands last\n" << told;

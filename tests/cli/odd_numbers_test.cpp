@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "program_test.hpp"
 
@@ -53,11 +54,61 @@ TEST_F(OddNumbersTest, TheLargestNumberIsNoLimit) {
   }
 }
 
-TEST_F(OddNumbersTest, NoSpeedAndNoForceAreTold) {
+TEST_F(OddNumbersTest, NoSpeedAndNoForceAreToldAndAreNoLimits) {
   write("arm.urdf", arm(R"(effort="0" velocity="0")", inertial("0.01")));
   const Outcome outcome = run_to("generate arm.urdf -o out", 0);
-  EXPECT_TRUE(holds(outcome.err, "velocity=0: the joint has no speed")) << outcome.err;
-  EXPECT_TRUE(holds(outcome.err, "effort=0: the joint has no force")) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err,
+                    "velocity=0: a placeholder that counts as no limit; bounds of "
+                    "rounding errors take 10 rad/s"))
+      << outcome.err;
+  EXPECT_TRUE(holds(outcome.err,
+                    "effort=0: a placeholder that counts as no limit; bounds of "
+                    "rounding errors take 1000 N m"))
+      << outcome.err;
+  const std::string header = test::read_file(root_ / "out/arm.hpp");
+  EXPECT_TRUE(holds(header, "-1 .. 1 rad, no limit of effort (0 in the file)")) << header;
+  const std::string joints = test::read_file(root_ / "out/arm_joints.hpp");
+  for (const char* limit :
+       {"kVelocityLimits[1] = {\n    kUnlimited", "kEffortLimits[1] = {\n    kUnlimited"}) {
+    EXPECT_TRUE(holds(joints, limit)) << limit << joints;
+  }
+}
+
+TEST_F(OddNumbersTest, AControllerWithoutTorqueIsRefusedOrWaivesTheLimit) {
+  write("arm.urdf", arm(R"(effort="0" velocity="2")", inertial("0.01")));
+  write("bare.yaml", "controller: {laws: joint_impedance}\n");
+  const Outcome refused = run_to("generate arm.urdf bare.yaml -o out", 1);
+  EXPECT_TRUE(holds(refused.err, "no limit of torque of \"turn\" (effort=0 is a placeholder)"))
+      << refused.err;
+  write("waived.yaml", "controller: {laws: joint_impedance, limits: {turn: {torque: none}}}\n");
+  const Outcome waived = run_to("generate arm.urdf waived.yaml -o out", 0);
+  EXPECT_TRUE(holds(waived.err, "the controller has what the scene says")) << waived.err;
+}
+
+TEST_F(OddNumbersTest, NoBoundIsOfSpeedsThatNothingReaches) {
+  for (const auto& [velocity, reach] : {std::pair{"1e8", "10"}, {"5000", "100"}}) {
+    write("arm.urdf",
+          arm(std::string("effort=\"10\" velocity=\"") + velocity + "\"", inertial("0.01")));
+    const Outcome outcome = run_to("generate arm.urdf -o out --functions inverse_dynamics", 0);
+    EXPECT_TRUE(holds(outcome.err, std::string("bounds of rounding errors"))) << outcome.err;
+    const std::string header = test::read_file(root_ / "out/arm.hpp");
+    EXPECT_TRUE(holds(header, std::string("|qd| <= ") + reach + ",")) << header;
+  }
+}
+
+TEST_F(OddNumbersTest, FollowersLimitTheirLeader) {
+  std::string text = arm(R"(effort="10" velocity="5")", inertial("0.01"));
+  text.replace(text.find("</robot>"), 8,
+               "<link name=\"jaw\">" + inertial("0.01") +
+                   "</link><joint name=\"follow\" type=\"revolute\"><parent link=\"tip\"/><child "
+                   "link=\"jaw\"/><axis xyz=\"0 1 0\"/><limit lower=\"-0.5\" upper=\"0.5\" "
+                   "effort=\"1\" velocity=\"1\"/><mimic joint=\"turn\" multiplier=\"-2\" "
+                   "offset=\"0.1\"/></joint></robot>");
+  write("arm.urdf", text);
+  const Outcome outcome = run_to("generate arm.urdf -o out --functions gravity", 0);
+  EXPECT_TRUE(holds(outcome.err, "from -0.2 to 0.3, up to 0.5 a second")) << outcome.err;
+  const std::string header = test::read_file(root_ / "out/arm.hpp");
+  EXPECT_TRUE(holds(header, "-0.2 .. 0.3 rad, 10 N m, 0.5 rad/s")) << header;
 }
 
 TEST_F(OddNumbersTest, SimulateSaysWhatHasNoInertia) {

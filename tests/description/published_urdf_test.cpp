@@ -10,6 +10,7 @@
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "diagnosed.hpp"
+#include "inspect/warn_of_limits.hpp"
 #include "oracle/leave_out_singular.hpp"
 
 namespace treeline {
@@ -57,11 +58,14 @@ bool agrees(const std::string& name, const std::string& expected, const std::str
   return chosen == kChosen.end() || chosen->second == found;
 }
 
-/// Adds the warnings about joints and bases without inertia that a default scene gives.
-void warn_of_massless_directions(const Robot& robot, Diagnostics& diagnostics) {
+/// Adds the warnings about joints and bases without inertia, and about placeholders among limits,
+/// that a default scene gives.
+void warn_in_scene(const Robot& robot, Diagnostics& diagnostics) {
   Diagnostics of_scene;
   auto scene = read_scene("", robot, of_scene);
-  if (scene) leave_out_singular(robot, *scene, false, diagnostics);
+  if (!scene) return;
+  leave_out_singular(robot, *scene, false, diagnostics);
+  warn_of_limits(robot, *scene, LimitUse::code, diagnostics);
 }
 
 TEST(PublishedUrdf, OddFilesAreTakenAsExpected) {
@@ -77,7 +81,7 @@ TEST(PublishedUrdf, OddFilesAreTakenAsExpected) {
     Diagnostics diagnostics;
     const auto robot = read_urdf(data_file("odd/" + name + ".urdf"), diagnostics);
     EXPECT_EQ(robot.has_value(), !diagnostics.has_errors()) << name;
-    if (robot) warn_of_massless_directions(*robot, diagnostics);
+    if (robot) warn_in_scene(*robot, diagnostics);
     EXPECT_TRUE(agrees(name, expected, verdict(diagnostics)))
         << name << ": expected " << expected << ", found " << verdict(diagnostics) << '\n'
         << to_string(diagnostics);

@@ -12,6 +12,9 @@ namespace {
 
 const std::string kPoint = "operational_points: [{name: tip, link: tool}]\n";
 
+/// Of the joint of which the URDF states no limit.
+const std::string kShoulder = "shoulder: {speed: 2, torque: 9}";
+
 TEST(ReadController, ReadsEverySetting) {
   Diagnostics diagnostics;
   const auto scene = parse_scene(
@@ -21,7 +24,8 @@ TEST(ReadController, ReadsEverySetting) {
           "  damping_ratio: 0.7\n  brake_damping: 9\n  position_margin: 0.01\n  speed_margin: 0.2\n"
           "  fade: 0.3\n  force_gain: 1\n  force_rate: 2\n  force_damping: 30\n  largest_force: 4\n"
           "  stale_ticks: 5\n  blind_ticks: 6\n"
-          "  limits: {elbow: {lower: -0.5, upper: 0.5, speed: 2, torque: 3}}\n",
+          "  limits: {elbow: {lower: -0.5, upper: 0.5, speed: 2, torque: 3}, " +
+          kShoulder + "}\n",
       "s.yaml", make_robot(), diagnostics);
   ASSERT_TRUE(scene) << to_string(diagnostics);
   ASSERT_TRUE(scene->controller);
@@ -53,8 +57,8 @@ TEST(ReadController, ReadsEverySetting) {
 
 TEST(ReadController, OneLawNeedsNoListAndJointsNoPoint) {
   Diagnostics diagnostics;
-  const auto scene =
-      parse_scene("controller: {laws: joint_impedance}\n", "s.yaml", make_robot(), diagnostics);
+  const auto scene = parse_scene("controller: {laws: joint_impedance, limits: {" + kShoulder + "}}",
+                                 "s.yaml", make_robot(), diagnostics);
   ASSERT_TRUE(scene) << to_string(diagnostics);
   EXPECT_FALSE(scene->controller->task);
   EXPECT_FALSE(scene->controller->force);
@@ -62,11 +66,13 @@ TEST(ReadController, OneLawNeedsNoListAndJointsNoPoint) {
 
 TEST(ReadController, TakesForcesAndInputsOfTheScene) {
   Diagnostics diagnostics;
-  const auto scene = parse_scene(
-      kPoint +
-          "functions: [center_of_mass]\nexternal_forces: [{name: cable, link: fore}]\n"
-          "inputs: {gravity: true, tool: tip, payload: tool}\ncontroller: {laws: [force]}\n",
-      "s.yaml", make_robot(), diagnostics);
+  const auto scene =
+      parse_scene(kPoint +
+                      "functions: [center_of_mass]\nexternal_forces: [{name: cable, link: fore}]\n"
+                      "inputs: {gravity: true, tool: tip, payload: tool}\n"
+                      "controller: {laws: [force], limits: {" +
+                      kShoulder + "}}\n",
+                  "s.yaml", make_robot(), diagnostics);
   ASSERT_TRUE(scene);
   for (const Diagnostic& each : diagnostics.list()) {
     EXPECT_EQ(each.fault.find("no function"), std::string::npos) << to_string(each);

@@ -107,7 +107,8 @@ TEST_F(ReadUrdf, HasInfiniteLimitsWhereNoneAreSet) {
   EXPECT_FALSE(robot_->joints[1].limits);
   // If only one limit is given, the other is 0, as the specification says.
   EXPECT_EQ(robot_->joints[2].limits->lower, 0);
-  EXPECT_EQ(robot_->joints[2].limits->upper, 2);
+  // Of 2 in the file: the wrist, which follows by -6 q + 2.25, keeps above -0.5.
+  EXPECT_DOUBLE_EQ(robot_->joints[2].limits->upper, 2.75 / 6);
 }
 
 TEST_F(ReadUrdf, PutsChainsOfMimicsTogether) {

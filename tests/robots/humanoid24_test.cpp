@@ -46,8 +46,8 @@ TEST(Humanoid24, MirrorsItsJoints) {
     EXPECT_EQ(a.origin.xyz[1], -b.origin.xyz[1]) << a.name;
     EXPECT_EQ(a.origin.xyz[2], b.origin.xyz[2]) << a.name;
     const bool same = a.axis[1] == 1;
-    EXPECT_EQ(a.limits->lower, same ? b.limits->lower : -b.limits->upper) << a.name;
-    EXPECT_EQ(a.limits->upper, same ? b.limits->upper : -b.limits->lower) << a.name;
+    EXPECT_EQ(a.limits->lower, same ? b.limits->lower.value() : -b.limits->upper) << a.name;
+    EXPECT_EQ(a.limits->upper, same ? b.limits->upper.value() : -b.limits->lower) << a.name;
     EXPECT_EQ(a.limits->effort, b.limits->effort) << a.name;
     EXPECT_EQ(a.limits->velocity, b.limits->velocity) << a.name;
   }

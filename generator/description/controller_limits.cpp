@@ -1,0 +1,123 @@
+#include "description/controller_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "text/list_first.hpp"
+
+namespace treeline {
+namespace {
+
+/// A limit that the controller reads: where files and where the scene have it.
+struct ControllerLimit {
+  const char* key;
+  Limit Limits::*of_file;
+  std::optional<double> SceneJointLimits::*of_scene;
+};
+
+/// Limits that are told together.
+struct ControllerGuard {
+  const char* what;
+  std::vector<ControllerLimit> limits;
+  const char* stated;
+  const char* waived;
+};
+
+const std::array<ControllerGuard, 3> kGuards = {
+    {{"range of positions",
+      {{"lower", &Limits::lower, &SceneJointLimits::lower},
+       {"upper", &Limits::upper, &SceneJointLimits::upper}},
+      "lower: -1, upper: 1",
+      "lower: none, upper: none"},
+     {"limit of speed",
+      {{"velocity", &Limits::velocity, &SceneJointLimits::speed}},
+      "speed: 1",
+      "speed: none"},
+     {"limit of torque",
+      {{"effort", &Limits::effort, &SceneJointLimits::torque}},
+      "torque: 10",
+      "torque: none"}}};
+
+bool has_motor(const Joint& joint, const Scene& scene) {
+  return info_of(joint.type).has_one_freedom() && !joint.mimic &&
+         !scene.locked.contains(joint.name);
+}
+
+/// What is missing of a joint, with the placeholders that stand in its place; empty where nothing
+/// is.
+std::string describe_missing(const Joint& joint, const SceneJointLimits& own,
+                             const ControllerGuard& guard) {
+  bool missing = false;
+  std::string placeholders;
+  for (const ControllerLimit& each : guard.limits) {
+    const Limit limit = joint.limits.value_or(Limits{}).*each.of_file;
+    if ((own.*each.of_scene).has_value() || limit.is_stated()) continue;
+    missing = true;
+    if (limit.state() != LimitState::implausible) continue;
+    placeholders +=
+        fmt::format("{}{}={:g}", placeholders.empty() ? "" : " ", each.key, limit.written());
+  }
+  if (!missing) return {};
+  return fmt::format("\"{}\"{}", joint.name,
+                     placeholders.empty() ? "" : " (" + placeholders + " is a placeholder)");
+}
+
+void check_guard(const SceneElement& top, const std::vector<const Joint*>& joints,
+                 const SceneController& controller, const ControllerGuard& guard) {
+  constexpr std::size_t kMostNamed = 4;
+  std::vector<std::string> missing;
+  std::string first;
+  for (const Joint* joint : joints) {
+    if (guard.limits.size() > 1 && !info_of(joint->type).has_range) continue;
+    const auto own = controller.limits.find(joint->name);
+    const std::string what = describe_missing(
+        *joint, own == controller.limits.end() ? SceneJointLimits{} : own->second, guard);
+    if (what.empty()) continue;
+    if (missing.empty()) first = joint->name;
+    missing.push_back(what);
+  }
+  if (missing.empty()) return;
+  top.error(
+      fmt::format("the controller has no {} of {}", guard.what, list_first(missing, kMostNamed)),
+      fmt::format("state it: controller: {{limits: {{{0}: {{{1}}}}}}}; or waive it by name: "
+                  "{{{0}: {{{2}}}}}",
+                  first, guard.stated, guard.waived));
+}
+
+/// One end may be the scene's, the other the URDF's.
+void check_ends(const SceneElement& top, const Joint& joint, const SceneController& controller) {
+  const Limits limits = limits_in_controller(joint, controller);
+  if (limits.lower < limits.upper) return;
+  top.error(fmt::format("the controller has an empty range of \"{}\": lower, {}, is not below "
+                        "upper, {}",
+                        joint.name, limits.lower.value(), limits.upper.value()),
+            "state both under controller: limits");
+}
+
+}  // namespace
+
+Limits limits_in_controller(const Joint& joint, const SceneController& controller) {
+  Limits limits = joint.limits.value_or(Limits{});
+  const auto own = controller.limits.find(joint.name);
+  if (own == controller.limits.end()) return limits;
+  for (const ControllerGuard& guard : kGuards) {
+    for (const ControllerLimit& each : guard.limits) {
+      if (const auto stated = own->second.*each.of_scene) limits.*each.of_file = *stated;
+    }
+  }
+  return limits;
+}
+
+void check_controller_limits(const SceneElement& top, const Robot& robot, const Scene& scene) {
+  std::vector<const Joint*> joints;
+  for (const Joint& joint : robot.joints) {
+    if (has_motor(joint, scene)) joints.push_back(&joint);
+  }
+  for (const ControllerGuard& guard : kGuards) check_guard(top, joints, *scene.controller, guard);
+  for (const Joint* joint : joints) check_ends(top, *joint, *scene.controller);
+}
+
+}  // namespace treeline
