@@ -164,12 +164,12 @@ void puma560_forward_dynamics(const double q[TREELINE_PUMA560_ARRAY(6)],
     double qdd[TREELINE_PUMA560_ARRAY(6)]);
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J carried inward, in the axes asked for at link origins.
+/// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
 /// in  q (6): joint coordinates, rad
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 566 flops (add 232, mul 330, div 4), sine and cosine of 5 angles.
-/// Stack, an estimate: 61 values live at once, 488 bytes.
-/// Rounding: at most 4e-10 in Lambda_inv (at Lambda_inv[28]), 66 ulp of 3e+04, to first order, 4
+/// Cost: 560 flops (add 233, mul 323, div 4), sine and cosine of 5 angles.
+/// Stack, an estimate: 55 values live at once, 440 bytes.
+/// Rounding: at most 4e-10 in Lambda_inv (at Lambda_inv[28]), 68 ulp of 3e+04, to first order, 4
 ///   times what a search met.
 void puma560_lambda_inverse(const double q[TREELINE_PUMA560_ARRAY(6)],
     double Lambda_inv[TREELINE_PUMA560_ARRAY(36)]);

@@ -167,12 +167,12 @@ void ur10e_forward_dynamics(const double q[TREELINE_UR10E_ARRAY(6)],
     double qdd[TREELINE_UR10E_ARRAY(6)]);
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J carried inward, in the axes asked for at the points.
+/// By M = L^T D L, J carried inward, in the axes of link 4 (wrist_1) at link origins.
 /// in  q (6): joint coordinates, rad
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 576 flops (add 235, mul 337, div 4), sine and cosine of 5 angles.
-/// Stack, an estimate: 91 values live at once, 728 bytes.
-/// Rounding: at most 3e-11 in Lambda_inv (at Lambda_inv[21]), 67 ulp of 2e+03, to first order, 4
+/// Cost: 541 flops (add 234, mul 303, div 4), sine and cosine of 5 angles.
+/// Stack, an estimate: 65 values live at once, 520 bytes.
+/// Rounding: at most 3e-11 in Lambda_inv (at Lambda_inv[28]), 70 ulp of 2e+03, to first order, 4
 ///   times what a search met.
 void ur10e_lambda_inverse(const double q[TREELINE_UR10E_ARRAY(6)],
     double Lambda_inv[TREELINE_UR10E_ARRAY(36)]);

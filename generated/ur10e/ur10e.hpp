@@ -154,12 +154,12 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
     Real (&qdd)[6]) noexcept;
 
 /// Lambda^-1 = J M^-1 J^T
-/// By M = L^T D L, J carried inward, in the axes asked for at the points.
+/// By M = L^T D L, J carried inward, in the axes of link 4 (wrist_1) at link origins.
 /// in  q (6): joint coordinates, rad
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 576 flops (add 235, mul 337, div 4), sine and cosine of 5 angles.
-/// Stack, an estimate: 91 values live at once, 728 bytes.
-/// Rounding: at most 3e-11 in Lambda_inv (at Lambda_inv[21]), 67 ulp of 2e+03, to first order, 4
+/// Cost: 541 flops (add 234, mul 303, div 4), sine and cosine of 5 angles.
+/// Stack, an estimate: 65 values live at once, 520 bytes.
+/// Rounding: at most 3e-11 in Lambda_inv (at Lambda_inv[28]), 70 ulp of 2e+03, to first order, 4
 ///   times what a search met.
 void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 

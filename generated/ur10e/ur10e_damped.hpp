@@ -17,11 +17,11 @@ inline constexpr Real kHeaviest[kTaskRows] = {200.0, 200.0, 200.0, 5.0, 5.0, 5.0
 /// configuration, and tau has no step; see damped_solve.hpp. Where directions yield, qdd_0 moves
 /// the joints that the task has given up: let it damp, as qdd_0 = -kv qd does. Returns the least
 /// ease: 1 and more where nothing yields, 0 at a singularity.
-/// Cost: 5288 flops (add 2017, mul 3109, div 162), 130 square roots, sine and cosine of 19 angles;
+/// Cost: 5253 flops (add 2016, mul 3075, div 162), 130 square roots, sine and cosine of 19 angles;
 ///   4249 of the flops in the solve.
-/// Stack, an estimate: 455 values live at once, 3640 bytes.
-/// Rounding: in 50, 90, 99 of 100 states, as measured, at most 3e-11, 6e-10, 2e-09 in tau; 3e-13,
-///   2e-12, 3e-12 in the ease.
+/// Stack, an estimate: 429 values live at once, 3432 bytes.
+/// Rounding: in 50, 90, 99 of 100 states, as measured, at most 4e-11, 7e-10, 2e-09 in tau; 3e-13,
+///   9e-13, 2e-12 in the ease.
 inline Real damped_control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[kTaskRows], Real (&tau)[kVelocities], const Real (&heaviest)[kTaskRows] =
     kHeaviest) noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,19 @@ inline constexpr const char* kBenchFlags = "-O3 -march=native -ffp-contract=fast
 
 /// Sets `on_front` of each row.
 void mark_front(std::vector<BenchRow>& rows);
+
+/// Share of the time by which a rejected route may be faster than the emitted one, whose cost is an
+/// estimate.
+inline constexpr double kFasterRoute = 0.05;
+
+/// The fastest of the routes that were not chosen.
+struct FastestRejected {
+  const BenchRow* row = nullptr;
+  /// Whether it is faster than the emitted one by more than `kFasterRoute`, and twice the noise.
+  bool is_faster = false;
+};
+/// Returns nothing where there is one route. `function` must outlive the result.
+std::optional<FastestRejected> find_fastest_rejected(const BenchFunction& function);
 
 /// Nanoseconds, in three digits or more.
 std::string print_time(double nanoseconds);

@@ -13,7 +13,6 @@
 #include "emission/fill_template.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
-#include "generation/run_routes.hpp"
 #include "generation/without_callers.hpp"
 #include "mechanism/build_mechanism.hpp"
 
@@ -70,8 +69,7 @@ class Planner {
   void generate_emitted() {
     FunctionMechanisms mechanisms(robot_, scene_);
     for (const Function function : scene_.functions) {
-      routes_.push_back(
-          generate_routes(mechanisms.of(function), function, scene_.lanes, scene_.sin_cos));
+      routes_.push_back(generate_routes(mechanisms.of(function), function, route_options(scene_)));
       emitted_.push_back(routes_.back().front());
     }
   }

@@ -6,6 +6,7 @@
 
 #include "bench/variant.hpp"
 #include "description/robot.hpp"
+#include "generation/run_routes.hpp"
 
 namespace treeline {
 
@@ -22,9 +23,10 @@ std::optional<std::vector<VariantBuild>> plan_builds(const Robot& robot, const S
 std::optional<VariantBuild> plan_emitted(const Robot& robot, const Scene& scene,
                                          const std::string& flags, Diagnostics& diagnostics);
 
-/// Generates the function by each of its routes from the same mechanism, in the coordinates that
-/// are cheapest for the route. The cheapest route comes first; it is the one that is emitted.
+/// Generates the function by each of its routes from the same mechanism, none of them pruned, in
+/// the coordinates that are cheapest for the route. The first one is emitted; routes that can only
+/// be chosen by their name come last.
 std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Function function,
-                                               int lanes, Sines sin_cos);
+                                               RouteOptions options);
 
 }  // namespace treeline

@@ -41,6 +41,18 @@ Json describe(const BenchReport& report, const BenchFunction& function, const Be
           {"on_front", row.on_front}};
 }
 
+/// Says whether a rejected route is faster than the emitted one.
+Json describe_choice(const BenchReport& report, const BenchFunction& function,
+                     const FastestRejected& fastest) {
+  return {{"scene", report.name},
+          {"function", function_name(function.function)},
+          {"group", "choice"},
+          {"fastest_rejected", fastest.row->variant.method},
+          {"ratio", fastest.row->timing.ratio},
+          {"noise", fastest.row->timing.noise},
+          {"is_faster", fastest.is_faster}};
+}
+
 /// Describes a peer that was not timed because it computes something else.
 Json describe_disagreement(const BenchReport& report, const BenchFunction& function,
                            const BenchRow& row) {
@@ -80,6 +92,9 @@ std::string print_json_lines(const BenchReport& report) {
   for (const BenchFunction& function : report.functions) {
     for (const BenchRow& row : function.rows) {
       text += json_line(describe(report, function, row)) + "\n";
+    }
+    if (const auto fastest = find_fastest_rejected(function)) {
+      text += json_line(describe_choice(report, function, *fastest)) + "\n";
     }
     for (const BenchRow& row : function.disagreeing) {
       text += json_line(describe_disagreement(report, function, row)) + "\n";

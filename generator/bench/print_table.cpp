@@ -28,6 +28,18 @@ std::string print_disagreeing(const BenchFunction& function) {
   return text;
 }
 
+std::string print_choice(const BenchFunction& function) {
+  const auto fastest = find_fastest_rejected(function);
+  if (!fastest) return {};
+  const std::string verdict =
+      fastest->is_faster ? fmt::format("more than {:.0f} % faster: let `generate --tune` choose",
+                                       kFasterRoute * 100)
+                         : fmt::format("none is more than {:.0f} % faster", kFasterRoute * 100);
+  return fmt::format(
+      "rejected routes: the fastest takes {:.2f} of the time of the emitted one; {}\n",
+      fastest->row->timing.ratio, verdict);
+}
+
 std::string print_function(const BenchFunction& function) {
   std::vector<std::vector<std::string>> rows;
   for (const BenchRow& row : function.rows) {
@@ -62,7 +74,7 @@ std::string print_function(const BenchFunction& function) {
                         {"flops", true},
                         {"variant"}},
                        rows) +
-         print_disagreeing(function) + "\n";
+         print_choice(function) + print_disagreeing(function) + "\n";
 }
 
 /// Prints `beside KDL 1.5.1, which has no lambda; has no floating base`, one line per peer, and the

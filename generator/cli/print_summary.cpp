@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "passes/count_operations.hpp"
@@ -59,6 +60,7 @@ Json describe_function(const GeneratedFunction& generated) {
   return {{"name", generated.program.name},
           {"route", key_of(generated.chosen.route)},
           {"method", describe(generated.chosen.route)},
+          {"cost", std::lround(generated.chosen.weighted)},
           {"flops", count.flops()},
           {"add", count.add},
           {"mul", count.mul},
@@ -70,16 +72,16 @@ Json describe_function(const GeneratedFunction& generated) {
 
 std::string print_text(const Summary& summary) {
   std::string text = summary.tuning != nullptr ? print_text(*summary.tuning) : "";
-  text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", "function", "flops", "add",
-                      "mul", "div", "sin,cos", "method");
+  text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7} {:>6}  {}\n", "function", "flops",
+                      "add", "mul", "div", "sin,cos", "cost", "method");
   for (const GeneratedFunction& generated : summary.functions) {
     const OperationCount count = count_operations(generated.program);
-    text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7}  {}\n", generated.program.name,
-                        count.flops(), count.add, count.mul, count.div, count.sin_cos,
-                        describe(generated.chosen.route));
+    text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7} {:>6.0f}  {}\n",
+                        generated.program.name, count.flops(), count.add, count.mul, count.div,
+                        count.sin_cos, generated.chosen.weighted, describe(generated.chosen.route));
     for (const Cost& cost : summary.verbose ? generated.rejected : std::vector<Cost>{}) {
-      text += fmt::format("{:<20} {:>6} {:>26}  ({})\n", "  rejected", cost.count.flops(), "",
-                          describe(cost.route));
+      text += fmt::format("{:<20} {:>6} {:>26} {:>6.0f}  ({})\n", "  rejected", cost.count.flops(),
+                          "", cost.weighted, describe(cost.route));
     }
   }
   return text + print_files(summary);

@@ -93,7 +93,8 @@ struct EmissionContext {
     std::string route;  ///< its key
     std::string name;   ///< in words
     int flops = 0;
-    int lanes = 0;  ///< where they were chosen to be others than the scene's
+    double cost = 0;  ///< by which it was chosen, see `Cost::weighted`
+    int lanes = 0;    ///< where they were chosen to be others than the scene's
     std::optional<bool> small_code = std::nullopt;  ///< see `Program`
   };
   struct ChoiceRow {

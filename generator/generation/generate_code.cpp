@@ -38,7 +38,8 @@ EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;
   row.function = source_stem(generated);
   const auto method = [](const Cost& cost, int lanes) -> EmissionContext::Method {
-    return {key_of(cost.route), describe(cost.route), cost.count.flops(), lanes, std::nullopt};
+    return {key_of(cost.route), describe(cost.route), cost.count.flops(), cost.weighted, lanes,
+            std::nullopt};
   };
   row.chosen = method(generated.chosen, generated.other_lanes);
   row.chosen.small_code = generated.program.small_code;

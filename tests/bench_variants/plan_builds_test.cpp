@@ -5,7 +5,6 @@
 #include <set>
 
 #include "check/fixture.hpp"
-#include "generation/run_routes.hpp"
 
 // Variants that are planned, before anything runs. Would catch: a first route that is not the
 // emitted one, a variant that is lost, and code that is measured twice.
@@ -30,7 +29,7 @@ TEST(GenerateRoutes, StartWithTheOneThatIsEmitted) {
   const Subjects subjects = load("puma560");
   const Mechanism& mechanism = subjects.generation.mechanism;
   for (const Function function : {Function::forward_dynamics, Function::lambda}) {
-    const auto routes = generate_routes(mechanism, function, 8, Sines::computed);
+    const auto routes = generate_routes(mechanism, function, RouteOptions{8});
     const GeneratedFunction emitted = generate_function(mechanism, function, RouteOptions{8});
     EXPECT_EQ(key_of(routes.front().chosen.route), key_of(emitted.chosen.route));
     EXPECT_EQ(routes.front().chosen.count.flops(), emitted.chosen.count.flops());

@@ -18,8 +18,8 @@ TEST(PrintManifest, ListsWhatItWasGiven) {
   for (
       const char* part :
       {R"("robot": "Two links \"2R\"")",
-       R"("chosen": {"route": "textbook", "method": "by the textbook", "flops": 40})",
-       R"("rejected": [{"route": "recursion", "method": "by recursion", "flops": 55}])",
+       R"("chosen": {"route": "textbook", "method": "by the textbook", "flops": 40, "cost": 47})",
+       R"("rejected": [{"route": "recursion", "method": "by recursion", "flops": 55, "cost": 63}])",
        R"("file": "arm.yaml")",
        // FIPS 180-4, example 1: the digest of "abc".
        R"({"file": "a.cpp", "sha256": "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"})"}) {

@@ -104,8 +104,8 @@ inline EmissionContext sample_context(const std::string& name, bool single_preci
   context.operational_points = {{"tool", "forearm", "origin (0.4, 0, 0) m, world axes", "x y", 0}};
   EmissionContext::ChoiceRow choice;
   choice.function = "inverse_dynamics";
-  choice.chosen = {"textbook", "by the textbook", 40};
-  choice.rejected.push_back({"recursion", "by recursion", 55});
+  choice.chosen = {"textbook", "by the textbook", 40, 47.2};
+  choice.rejected.push_back({"recursion", "by recursion", 55, 62.9});
   context.choices.push_back(choice);
   context.notes = {"Locked: gripper at 0.02 m."};
   return context;
