@@ -11,7 +11,7 @@
 namespace treeline {
 namespace {
 
-/// Below this, of lengths and of volumes of unit vectors, a linkage is taken for a flat one.
+/// Below this, of lengths and of sines, grasps are taken for one, or for three on a line.
 constexpr double kFlat = 1e-6;
 
 std::string link_of(const Scene& scene, const std::string& point) {
@@ -83,13 +83,6 @@ void check_linkage(const SceneElement& top, const SceneObject& object) {
   if (unit(0, 1).cross(unit(0, 2)).norm() < kFlat) {
     top.error(fmt::format("the first three grasps of object \"{}\" are on a line", object.name),
               "list three first that make a triangle");
-    return;
-  }
-  for (std::size_t k = 3; k < r.size(); ++k) {
-    if (std::abs(unit(0, k).dot(unit(1, k).cross(unit(2, k)))) > kFlat) continue;
-    top.error(fmt::format("the grasp \"{}\" of object \"{}\" is in the plane of the first three",
-                          object.grasps[k].point, object.name),
-              "list three first whose plane holds no other");
   }
 }
 

@@ -13,7 +13,9 @@
 #include "generation/describe_drives.hpp"
 #include "generation/describe_inputs.hpp"
 #include "generation/describe_regressor.hpp"
+#include "mechanism/digits50_from_file.hpp"
 #include "mechanism/home_of.hpp"
+#include "recursion/tree/virtual_linkage.hpp"
 
 namespace treeline {
 namespace {
@@ -230,6 +232,31 @@ constexpr const char* kPriorityNote =
     "above it has a smaller c and gives up, alone, the share 1/(1 + t^8), t = 2^13 c/s; the torque "
     "remains finite. Each point must be able to move in some row of each kind that it lists.";
 
+/// `tensions of the rods 1-2, 2-3, 3-1, 3-4, 1-4, warp of 4 between the points`, in the order of
+/// `internal`.
+std::string linkage_text(const SceneObject& object) {
+  std::vector<Digits50Vector3> points;
+  for (const SceneGrasp& grasp : object.grasps) {
+    points.push_back(inverse(digits50_pose(grasp.origin)).p);
+  }
+  std::string text;
+  bool warps = false;
+  for (const LinkageForce& force : list_linkage_forces(points)) {
+    const bool is_rod = force.kind == LinkageForce::Kind::tension;
+    text += text.empty() ? "tensions of the rods " : ", ";
+    text += is_rod ? fmt::format("{}-{}", force.from + 1, force.to + 1)
+                   : fmt::format("warp of {}", force.to + 1);
+    warps = warps || !is_rod;
+  }
+  text += " between the points";
+  if (warps) {
+    text +=
+        " (warp: force at a point along the normal (r_2 - r_1) x (r_3 - r_1) of the first three, "
+        "which balance it by forces along that normal)";
+  }
+  return text;
+}
+
 /// What the reader must know to fill `xdd_object` and `internal`.
 std::string object_text(const SceneObject& object) {
   std::string text = fmt::format("object {}, {} kg, held at", object.name, object.inertial.mass);
@@ -246,10 +273,10 @@ std::string object_text(const SceneObject& object) {
         "object's z axis (x axis if |x_z| > 0.9), z = x x y; tension stretches, a squeeze is "
         "negative";
   } else if (object.grasps.size() > 2) {
-    text +=
-        "; internal: tensions of the rods 12, 23, 31 between the points, then 1k, 2k, 3k of each "
-        "further one; then the moments at all points, object's axes; tension stretches, a squeeze "
-        "is negative";
+    text += fmt::format(
+        "; internal: {}; then the moments at all points, object's axes; tension stretches, a "
+        "squeeze is negative",
+        linkage_text(object));
   }
   return text;
 }

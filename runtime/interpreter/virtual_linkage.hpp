@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <utility>
+#include <vector>
 
 #include "interpreter/closed_chain.hpp"
 
@@ -17,7 +19,11 @@ namespace treeline::interpreter {
 ///     [tension; torsion (m_2 - m_1).x / 2; m_1.y; m_1.z; m_2.y; m_2.z], m_i the moment of grasp i.
 ///   N >= 3: the tensions of the rods 12, 23, 31, then for each further grasp k of 1k, 2k, 3k; then
 ///     the moments m_1 .. m_N, three each in the object's axes. Grasps 1, 2, 3 must not lie on a
-///     line, nor a further one in their plane.
+///     line. Where k lies in their plane (unit vectors from it to them span a volume of less than
+///     0.01), it has the tensions of two rods and a warp. The rods lead to the two of 1, 2, 3 that
+///     k sees nearest to a right angle, in the order 12, 23, 31 of these pairs; the square of a
+///     later pair's sine must be larger by 0.001. The warp is a force at k along the normal (r_2 -
+///     r_1) x (r_3 - r_1), which 1, 2, 3 balance by forces along it.
 /// Forces of grasps act ON the object at the grasp's point.
 constexpr int internal_force_count(int grasps) {
   return 6 * (grasps - 1);
@@ -52,24 +58,68 @@ Vector3<Scalar> unit_between(const Vector3<Scalar>& from, const Vector3<Scalar>&
   return step / Scalar(sqrt(step.squaredNorm()));
 }
 
-/// E: forces on the object at the grasps' points per unit tension of the rods, 3 N x 3 (N - 2).
+/// Corners 0, 1, 2 of the first triangle that a point at `p` pulls by its rods: all of them, or two
+/// where it lies in their plane.
 template <class Scalar>
-Matrix<Scalar> rod_forces(const std::vector<Vector3<Scalar>>& r) {
+std::vector<int> pulled_corners(const std::vector<Vector3<Scalar>>& r, const Vector3<Scalar>& p) {
+  using std::abs;
+  Matrix3<Scalar> to;
+  for (int i = 0; i < 3; ++i) to.col(i) = unit_between(p, r[static_cast<std::size_t>(i)]);
+  if (abs(Scalar(to.determinant())) >= Scalar(1) / Scalar(100)) return {0, 1, 2};
+  std::vector<int> corners;
+  Scalar best = -1;
+  for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
+    const Scalar cosine = to.col(i).dot(to.col(j));
+    const Scalar sine_squared = Scalar(1) - cosine * cosine;
+    if (sine_squared <= best + Scalar(1) / Scalar(1000)) continue;
+    best = sine_squared;
+    corners = {i, j};
+  }
+  return corners;
+}
+
+/// Forces at the grasps' points of the unit warp of grasp k. Those of 1, 2, 3 are in the shares a
+/// of r_k = r_1 + a_2 (r_2 - r_1) + a_3 (r_3 - r_1), but for what of r_k is along the normal.
+template <class Scalar>
+Vector<Scalar> warp_forces(const std::vector<Vector3<Scalar>>& r, int k) {
+  using std::sqrt;
+  Eigen::Matrix<Scalar, 3, 2> edges;
+  edges << r[1] - r[0], r[2] - r[0];
+  Vector3<Scalar> normal = cross<Scalar>(edges.col(0), edges.col(1));
+  normal /= Scalar(sqrt(normal.squaredNorm()));
+  const Vector3<Scalar> arm = r[static_cast<std::size_t>(k)] - r[0];
+  const Eigen::Matrix<Scalar, 2, 2> gram = edges.transpose() * edges;
+  const Eigen::Matrix<Scalar, 2, 1> along = edges.transpose() * arm;
+  const Eigen::Matrix<Scalar, 2, 1> a = gram.fullPivLu().solve(along);
+  Vector<Scalar> forces = Vector<Scalar>::Zero(3 * static_cast<Eigen::Index>(r.size()));
+  forces.template segment<3>(0) = -(Scalar(1) - a(0) - a(1)) * normal;
+  forces.template segment<3>(3) = -a(0) * normal;
+  forces.template segment<3>(6) = -a(1) * normal;
+  forces.template segment<3>(3 * k) = normal;
+  return forces;
+}
+
+/// E: forces on the object at the grasps' points per unit tension of the rods and per unit warp,
+/// 3 N x 3 (N - 2).
+template <class Scalar>
+Matrix<Scalar> linkage_forces(const std::vector<Vector3<Scalar>>& r) {
   const int n = static_cast<int>(r.size());
   Matrix<Scalar> E = Matrix<Scalar>::Zero(3 * n, 3 * (n - 2));
-  int rod = 0;
+  int column = 0;
   const auto add = [&](int i, int j) {
     const Vector3<Scalar> e =
         unit_between(r[static_cast<std::size_t>(i)], r[static_cast<std::size_t>(j)]);
-    E.template block<3, 1>(3 * i, rod) = -e;
-    E.template block<3, 1>(3 * j, rod) = e;
-    ++rod;
+    E.template block<3, 1>(3 * i, column) = -e;
+    E.template block<3, 1>(3 * j, column) = e;
+    ++column;
   };
   add(0, 1);
   add(1, 2);
   add(2, 0);
   for (int k = 3; k < n; ++k) {
-    for (int base = 0; base < 3; ++base) add(base, k);
+    const std::vector<int> corners = pulled_corners(r, r[static_cast<std::size_t>(k)]);
+    for (const int corner : corners) add(corner, k);
+    if (corners.size() == 2) E.col(column++) = warp_forces(r, k);
   }
   return E;
 }
@@ -89,7 +139,7 @@ Matrix<Scalar> internal_rows(const std::vector<Vector3<Scalar>>& r) {
     rows.template block<2, 3>(2, 3) = frame.template rightCols<2>().transpose();
     rows.template block<2, 3>(4, 9) = frame.template rightCols<2>().transpose();
   } else if (n > 2) {
-    const Matrix<Scalar> E = rod_forces(r);
+    const Matrix<Scalar> E = linkage_forces(r);
     const Matrix<Scalar> left_inverse =
         Matrix<Scalar>(E.transpose() * E).ldlt().solve(Matrix<Scalar>(E.transpose()));
     for (int i = 0; i < n; ++i) {
@@ -104,7 +154,7 @@ Matrix<Scalar> internal_rows(const std::vector<Vector3<Scalar>>& r) {
 
 /// W, the grasp description matrix, 6 N x 6 N: [resultant; internal] = W [f_1; m_1; ... f_N; m_N].
 /// Everything is in the object's axes: the resultant is at the object's origin, f_i and m_i of
-/// grasp i act on the object at the grasp's point. For N >= 3 the tensions are E^+ f, the
+/// grasp i act on the object at the grasp's point. For N >= 3 tensions and warps are E^+ f, the
 /// least-squares solution.
 template <class Scalar>
 Matrix<Scalar> grasp_description(const GraspedObject<Scalar>& object) {

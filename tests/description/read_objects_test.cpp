@@ -88,6 +88,30 @@ TEST(ReadObjects, BringTheirFunctions) {
   }
 }
 
+/// A tray that is held at these places of it.
+std::string tray(const std::vector<const char*>& places) {
+  std::string text =
+      "operational_points: [{name: p0, link: left6}, {name: p1, link: right6}, "
+      "{name: p2, link: left5}, {name: p3, link: right5}]\n"
+      "objects:\n"
+      "  - name: tray\n"
+      "    mass: 2\n"
+      "    inertia: {ixx: 1, iyy: 2, izz: 2.5}\n"
+      "    grasps:\n";
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    text += "      - {point: p" + std::to_string(i) + ", origin: {xyz: " + places[i] + "}}\n";
+  }
+  return text;
+}
+
+TEST(ReadObjects, MayBeHeldByFourHandsInAPlane) {
+  Diagnostics diagnostics;
+  const auto scene = read(
+      tray({"[0.3, 0.2, 0]", "[-0.3, 0.2, 0]", "[-0.3, -0.2, 0]", "[0.3, -0.2, 0]"}), diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_EQ(scene->objects.front().grasps.size(), 4U);
+}
+
 struct Fault {
   const char* name;
   std::string scene;
@@ -129,6 +153,8 @@ std::vector<Fault> faults() {
        error(5, "objects[0]/centre", "unknown", "center")},
       {"one_place", replaced("xyz: [0, 0.1, 0], rpy: [0, 0, 0.5]", "xyz: [0, -0.1, 0]"),
        error(1, "", "at the same place", "origins")},
+      {"on_a_line", tray({"[0.3, 0.2, 0]", "[0, 0.2, 0]", "[-0.3, 0.2, 0]"}),
+       error(1, "", "the first three grasps of object \"tray\" are on a line", "a triangle")},
       {"too_few_coordinates", replaced("point: right", "point: stub") + "singular: exact\n",
        error(1, "", "needs six coordinates at point \"stub\", which has 1", "every direction")},
       {"function_without_object", kPoints + "functions: [object_state]",

@@ -6,6 +6,7 @@
 
 #include "interpreter/object_forward_dynamics.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "mechanism/digits50_from_file.hpp"
 #include "oracle/chain_from_scene.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
@@ -242,6 +243,34 @@ TEST_P(Objects, ProgramsAgreeInDouble) {
     }
     std::cout << function_name(function) << ": " << names.size() << " routes, worst " << worst
               << " ulp over the condition " << c_.growth << '\n';
+  }
+}
+
+// The constant matrices by which programs hold a flat object, beside the interpreter's other
+// formulation. Would catch: rods or a warp that one of them chooses or turns otherwise.
+TEST(FlatLinkage, IsTheInterpretersInverse) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const int n = 4 + static_cast<int>(seed % 3);
+    const Digits50Pose plane = digits50_pose(detail::random_pose(rng, 1, 0));
+    std::vector<Digits50Vector3> points;
+    interpreter::GraspedObject<Digits50> object;
+    for (int i = 0; i < n; ++i) {
+      const Digits50Vector3 in_plane(rng.rounded(-1, 1), rng.rounded(-1, 1), i == 5 ? 0.4 : 0);
+      points.push_back(plane.R * in_plane + plane.p);
+      interpreter::Grasp<Digits50> grasp;
+      grasp.R.setIdentity();
+      grasp.p = -points.back();
+      object.grasps.push_back(grasp);
+    }
+    const auto W = interpreter::grasp_description(object);
+    const VirtualLinkage linkage = virtual_linkage(points);
+    const interpreter::Matrix<Digits50> one = interpreter::Matrix<Digits50>::Identity(6 * n, 6 * n);
+    const Digits50 error = (W * linkage.split - one).cwiseAbs().maxCoeff();
+    EXPECT_LT(error, Digits50("1e-38"));
+    const Digits50 off = (W.bottomRows(6 * (n - 1)) - linkage.read).cwiseAbs().maxCoeff();
+    EXPECT_LT(off, Digits50("1e-38"));
   }
 }
 

@@ -45,26 +45,67 @@ Vector split_over_two(const std::vector<Digits50Vector3>& r, const Vector& wante
   return forces;
 }
 
-/// Unit vectors of the rods at each grasp: f_i gets -e_ij t, f_j gets +e_ij t.
-void add_tensions(const std::vector<Digits50Vector3>& r, const Vector& wanted, Vector& forces) {
-  Eigen::Index rod = 6;
-  const auto pull = [&](std::size_t i, std::size_t j) {
-    const Digits50Vector3 force = wanted(rod++) * unit(r[j] - r[i]);
-    forces.segment<3>(6 * static_cast<Eigen::Index>(i)) -= force;
-    forces.segment<3>(6 * static_cast<Eigen::Index>(j)) += force;
-  };
-  pull(0, 1);
-  pull(1, 2);
-  pull(2, 0);
-  for (std::size_t k = 3; k < r.size(); ++k) {
-    for (std::size_t base = 0; base < 3; ++base) {
-      pull(base, k);
+/// Whether the edges from grasp k to the first three span next to no volume.
+bool is_in_plane(const std::vector<Digits50Vector3>& r, std::size_t k) {
+  const Digits50 volume = unit(r[k] - r[0]).dot(cross(unit(r[k] - r[1]), unit(r[k] - r[2])));
+  return abs(volume) < Digits50(1) / 100;
+}
+
+/// Appends the forces of a grasp k in the plane of the first three.
+void append_in_plane(const std::vector<Digits50Vector3>& r, std::size_t k,
+                     std::vector<LinkageForce>& forces) {
+  const Digits50 more = Digits50(1) / 1000;  // of the square of a sine: equals keep their order
+  std::size_t first = 0;
+  Digits50 best = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Digits50Vector3 sine = cross(unit(r[i] - r[k]), unit(r[(i + 1) % 3] - r[k]));
+    if (sine.dot(sine) > best + more) {
+      best = sine.dot(sine);
+      first = i;
+    }
+  }
+  forces.push_back({LinkageForce::Kind::tension, first, k});
+  forces.push_back({LinkageForce::Kind::tension, (first + 1) % 3, k});
+  forces.push_back({LinkageForce::Kind::warp, 0, k});
+}
+
+/// f_i gets -e_ij t, f_j gets +e_ij t.
+void add_tension(const std::vector<Digits50Vector3>& r, const LinkageForce& rod, const Digits50& t,
+                 Vector& forces) {
+  const Digits50Vector3 force = t * unit(r[rod.to] - r[rod.from]);
+  forces.segment<3>(6 * static_cast<Eigen::Index>(rod.from)) -= force;
+  forces.segment<3>(6 * static_cast<Eigen::Index>(rod.to)) += force;
+}
+
+/// f_k gets n w; each of the first three -n w times the share by which it carries k: that of the
+/// triangle which k makes with the other two.
+void add_warp(const std::vector<Digits50Vector3>& r, std::size_t k, const Digits50& w,
+              Vector& forces) {
+  const Digits50Vector3 area = cross(r[1] - r[0], r[2] - r[0]);
+  const Digits50Vector3 n = unit(area);
+  forces.segment<3>(6 * static_cast<Eigen::Index>(k)) += w * n;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Digits50Vector3 part = cross(r[(i + 1) % 3] - r[k], r[(i + 2) % 3] - r[k]);
+    const Digits50 share = n.dot(part) / n.dot(area);
+    forces.segment<3>(6 * static_cast<Eigen::Index>(i)) -= share * w * n;
+  }
+}
+
+void add_linkage_forces(const std::vector<Digits50Vector3>& r, const Vector& wanted,
+                        Vector& forces) {
+  Eigen::Index at = 6;
+  for (const LinkageForce& each : list_linkage_forces(r)) {
+    const Digits50 size = wanted(at++);
+    if (each.kind == LinkageForce::Kind::tension) {
+      add_tension(r, each, size, forces);
+    } else {
+      add_warp(r, each.to, size, forces);
     }
   }
 }
 
 /// Equal shares of the force, and forces phi x (r_i - middle) for the moment that the hands' own
-/// moments leave: the least forces that do it, orthogonal to those of the rods.
+/// moments leave: the least forces that do it, orthogonal to internal ones.
 Vector split_over_many(const std::vector<Digits50Vector3>& r, const Vector& wanted) {
   const auto n = static_cast<Eigen::Index>(r.size());
   Digits50Vector3 middle = Digits50Vector3::Zero();
@@ -86,7 +127,7 @@ Vector split_over_many(const std::vector<Digits50Vector3>& r, const Vector& want
     const Digits50Vector3 arm = r[static_cast<std::size_t>(i)] - middle;
     forces.segment<3>(6 * i) = F / Digits50(n) + cross(phi, arm);
   }
-  add_tensions(r, wanted, forces);
+  add_linkage_forces(r, wanted, forces);
   return forces;
 }
 
@@ -100,6 +141,19 @@ void snap(VirtualLinkage::Matrix& A) {
 }
 
 }  // namespace
+
+std::vector<LinkageForce> list_linkage_forces(const std::vector<Digits50Vector3>& points) {
+  using enum LinkageForce::Kind;
+  std::vector<LinkageForce> forces{{tension, 0, 1}, {tension, 1, 2}, {tension, 2, 0}};
+  for (std::size_t k = 3; k < points.size(); ++k) {
+    if (is_in_plane(points, k)) {
+      append_in_plane(points, k, forces);
+      continue;
+    }
+    for (std::size_t base = 0; base < 3; ++base) forces.push_back({tension, base, k});
+  }
+  return forces;
+}
 
 VirtualLinkage virtual_linkage(const std::vector<Digits50Vector3>& points) {
   const auto n = static_cast<Eigen::Index>(points.size());
