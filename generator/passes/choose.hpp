@@ -25,8 +25,8 @@ struct Choice {
 };
 
 /// Estimated time of a program, in units of one sum's time. `count` holds its operations. Packs of
-/// lanes save two thirds of the operations that they share, see the source. The longest chain counts
-/// where it takes about as long as the operations or longer: (operations^4 + chain^4)^(1/4).
+/// lanes save two thirds of the operations that they share, see the source. The longest chain
+/// counts where it takes about as long as the operations or longer: (operations^4 + chain^4)^(1/4).
 double cost(const Program& program, const OperationCount& count, const OperationCosts& costs = {});
 
 /// Counts the operations of `program` and weights them by time (see `cost`).

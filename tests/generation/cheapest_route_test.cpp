@@ -9,6 +9,7 @@
 #include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
 #include "generation/only_by_name.hpp"
+#include "limbed_robot.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/critical_path.hpp"
 #include "random_mechanism.hpp"
@@ -92,57 +93,9 @@ TEST_P(Cheapest, IsNoRejectedRoute) {
   std::cout << GetParam() << " lanes: a rejected route is cheaper by " << worst * 100 << " %\n";
 }
 
-/// A trunk of hinges with limbs on its end, whose axes are not along each other, and a hand on the
-/// last link of the first limb or of the trunk.
-tests::RandomMechanism make_robot(int trunk, int limbs, int limb_links) {
-  tests::RandomMechanism made;
-  Robot& robot = made.robot;
-  robot.name = "trunk";
-  robot.links.push_back({"base", {}, 0});
-  robot.root = 0;
-  const auto add_chain = [&robot](int parent, int links) {
-    for (int i = 0; i < links; ++i) {
-      const int child = static_cast<int>(robot.links.size());
-      Inertial inertial;
-      inertial.origin = {{0.03, -0.02, 0.15}, {0, 0, 0}};
-      inertial.mass = 2.5;
-      inertial.ixx = 0.03;
-      inertial.iyy = 0.025;
-      inertial.izz = 0.012;
-      inertial.ixy = 0.002;
-      inertial.ixz = -0.003;
-      inertial.iyz = 0.004;
-      robot.links.push_back({fmt::format("link_{}", child), inertial, 0});
-      Joint joint;
-      joint.name = fmt::format("joint_{}", child);
-      joint.type = JointType::revolute;
-      joint.parent = parent;
-      joint.child = child;
-      joint.origin = {{0.05, 0.1, 0.3}, {0.7, -0.4, 1.1}};
-      joint.axis = {0, 0, 1};
-      robot.joints.push_back(joint);
-      parent = child;
-    }
-    return parent;
-  };
-  const int top = add_chain(0, trunk);
-  int hand = top;
-  for (int i = 0; i < limbs; ++i) {
-    const int end = add_chain(top, limb_links);
-    if (i == 0) hand = end;
-  }
-  ScenePoint point;
-  point.name = "hand";
-  point.link = robot.links[static_cast<std::size_t>(hand)].name;
-  point.origin.xyz = {0.02, 0.03, 0.1};
-  made.scene.name = robot.name;
-  made.scene.operational_points = {point};
-  return made;
-}
-
 /// An algorithm that was measured to be faster than the one that was chosen before.
 struct Measured {
-  int trunk, limbs, limb_links;
+  tests::LimbedShape shape;
   Function function;
   int lanes;
   const char* faster;
@@ -151,22 +104,22 @@ struct Measured {
 };
 
 constexpr Measured kMeasured[] = {
-    {16, 0, 0, Function::control_torque, 1, "fused/branching", "fused/pv-osim", 0.87},
-    {5, 2, 8, Function::control_torque, 1, "fused/branching", "fused/pv-osim", 0.91},
-    {5, 4, 10, Function::control_torque, 1, "fused/branching", "fused/pv-osim", 0.93},
-    {10, 0, 0, Function::lambda, 8, "pv-osim", "ltdl-poses", 0.91},
+    {{16, 0, 0, 1}, Function::control_torque, 1, "fused/branching", "fused/pv-osim", 0.87},
+    {{5, 2, 8, 1}, Function::control_torque, 1, "fused/branching", "fused/pv-osim", 0.91},
+    {{5, 4, 10, 1}, Function::control_torque, 1, "fused/branching", "fused/pv-osim", 0.93},
+    {{10, 0, 0, 1}, Function::lambda, 8, "pv-osim", "ltdl-poses", 0.91},
 };
 
 TEST(Cost, IsLessWhereARouteWasMeasuredToBeFaster) {
   for (const Measured& row : kMeasured) {
-    const tests::RandomMechanism made = make_robot(row.trunk, row.limbs, row.limb_links);
+    const tests::LimbedRobot made = tests::make_limbed_robot(row.shape);
     const Scene scene = scene_for(made.scene, row.function, row.lanes);
     FunctionMechanisms mechanisms(made.robot, scene);
     const GeneratedFunction emitted =
         generate_function(mechanisms.of(row.function), row.function, route_options(scene));
     EXPECT_EQ(emitted.chosen.route.algorithm, row.faster)
-        << fmt::format("{} + {} x {} hinges: {} takes {} of the time", row.trunk, row.limbs,
-                       row.limb_links, row.faster, row.share);
+        << fmt::format("{} + {} x {} hinges: {} takes {} of the time", row.shape.trunk,
+                       row.shape.limbs, row.shape.limb_links, row.faster, row.share);
     EXPECT_TRUE(
         std::any_of(emitted.rejected.begin(), emitted.rejected.end(),
                     [&](const Cost& other) { return other.route.algorithm == row.slower; }));
@@ -175,7 +128,7 @@ TEST(Cost, IsLessWhereARouteWasMeasuredToBeFaster) {
 
 // The formula as generator/README.md states it, on scalar code.
 TEST(Cost, IsTheOneThatIsStated) {
-  const tests::RandomMechanism made = make_robot(7, 0, 0);
+  const tests::LimbedRobot made = tests::make_limbed_robot({7, 0, 0, 1});
   const Scene scene = scene_for(made.scene, Function::control_torque, 1);
   FunctionMechanisms mechanisms(made.robot, scene);
   const GeneratedFunction emitted = generate_function(

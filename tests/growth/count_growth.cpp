@@ -16,36 +16,6 @@ namespace {
 
 using Expressions = std::vector<Expression>;
 
-void add_link(Robot& robot, int parent) {
-  const int child = static_cast<int>(robot.links.size());
-  Inertial inertial;
-  inertial.origin = {{0.03, -0.02, 0.15}, {0, 0, 0}};
-  inertial.mass = 2.5;
-  inertial.ixx = 0.03;
-  inertial.iyy = 0.025;
-  inertial.izz = 0.012;
-  inertial.ixy = 0.002;
-  inertial.ixz = -0.003;
-  inertial.iyz = 0.004;
-  robot.links.push_back({fmt::format("link_{}", child), inertial, 0});
-  Joint joint;
-  joint.name = fmt::format("joint_{}", child);
-  joint.type = JointType::revolute;
-  joint.parent = parent;
-  joint.child = child;
-  joint.origin = {{0.05, 0.1, 0.3}, {0.7, -0.4, 1.1}};
-  joint.axis = {0, 0, 1};
-  robot.joints.push_back(joint);
-}
-
-void add_point(const Robot& robot, int link, Scene& scene) {
-  ScenePoint point;
-  point.name = fmt::format("hand_{}", scene.operational_points.size());
-  point.link = robot.links[static_cast<std::size_t>(link)].name;
-  point.origin.xyz = {0.02, 0.03, 0.1};
-  scene.operational_points.push_back(point);
-}
-
 Expressions declare(Program& program, const char* name, int size) {
   program.arguments.push_back({name, size, 1, ""});
   Expressions entries;
@@ -167,23 +137,8 @@ std::vector<std::pair<std::string, CountOf>> task_ways(int (*flops)(const Mechan
 }  // namespace
 
 Mechanism make_robot(const Shape& shape) {
-  Robot robot;
-  robot.name = "alike";
-  robot.links.push_back({"base", std::nullopt, 0});
-  robot.root = 0;
-  Scene scene;
-  for (int i = 0; i < shape.trunk; ++i) add_link(robot, i);
-  for (int limb = 0; limb < shape.limbs; ++limb) {
-    for (int i = 0; i < shape.limb_links; ++i) {
-      const int last = static_cast<int>(robot.links.size()) - 1;
-      add_link(robot, i == 0 ? shape.trunk : last);
-    }
-    const int tip = static_cast<int>(robot.links.size()) - 1;
-    if (limb < shape.hands) add_point(robot, tip, scene);
-  }
-  for (int k = 0; shape.limbs == 0 && k < shape.hands; ++k)
-    add_point(robot, shape.trunk - k, scene);
-  return reduced_mechanism(robot, scene);
+  const tests::LimbedRobot made = tests::make_limbed_robot(shape);
+  return reduced_mechanism(made.robot, made.scene);
 }
 
 const char* name_of(Way way) {

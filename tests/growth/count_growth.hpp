@@ -4,23 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "limbed_robot.hpp"
 #include "mechanism/mechanism.hpp"
 
 /// Growth of the number of operations with the size of robots and tasks. The counts are those of
 /// traced and canonicalized programs, so they do not depend on machine or compiler.
 namespace treeline::growth {
 
-/// A trunk of hinges with several limbs of hinges on its end. All links are equal and no axis is
-/// along another one, so nothing vanishes that would not vanish for every robot. A point with six
-/// rows, in world axes, is on the last link of each of the first `hands` limbs; without limbs,
-/// points are on the last `hands` links of the trunk.
-struct Shape {
-  int trunk = 4;
-  int limbs = 0;
-  int limb_links = 4;
-  int hands = 1;
-  [[nodiscard]] int links() const { return trunk + limbs * limb_links; }
-};
+/// See `tests::make_limbed_robot`.
+using Shape = tests::LimbedShape;
 Mechanism make_robot(const Shape& shape);
 
 /// Ways to compute Lambda^-1. `dense` is J M^-1 J^T by an LDL^T of M without use of zeros, O(n^3).
