@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "passes/lanes.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {
@@ -21,7 +23,7 @@ std::uint32_t first_node(const LanePack& pack) {
 }  // namespace
 
 LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names)
-    : program_(program), pack_of_(names.size(), -1), lane_of_(names.size(), -1) {
+    : program_(program), pack_of_(names.size(), -1) {
   for (std::size_t p = 0; p < program.packs.size(); ++p) {
     const LanePack& pack = program.packs[p];
     pack_names_.push_back(names[first_node(pack)] + "_lanes");
@@ -29,7 +31,6 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
     for (std::size_t lane = 0; lane < pack.size(); ++lane) {
       if (pack[lane] != kNoNode) {
         pack_of_[pack[lane]] = static_cast<int>(p);
-        lane_of_[pack[lane]] = static_cast<int>(lane);
         names[pack[lane]] = fmt::format("{}[{}]", pack_names_.back(), lane);
       }
     }
@@ -40,13 +41,9 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
 int LanePrinter::pack_in_place(const LanePack& nodes) const {
   const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNoNode; });
   const int pack = some == nodes.end() ? -1 : pack_of_[*some];
-  for (std::size_t lane = 0; lane < nodes.size(); ++lane) {
-    const std::uint32_t node = nodes[lane];
-    if (node != kNoNode && (pack_of_[node] != pack || lane_of_[node] != static_cast<int>(lane))) {
-      return -1;
-    }
-  }
-  return pack;
+  const bool in_place =
+      pack >= 0 && stands_in_place(nodes, program_.packs[static_cast<std::size_t>(pack)]);
+  return in_place ? pack : -1;
 }
 
 void LanePrinter::find_inner_packs() {
@@ -88,24 +85,26 @@ Op LanePrinter::op_of(std::size_t pack) const {
 
 /// One value for all lanes is a scalar, which the language spreads; another pack in place is its
 /// name.
-std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
-                                 const ExpressionPrinter& expressions) const {
+LanePrinter::Operand LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
+                                          const ExpressionPrinter& expressions) const {
   const auto some = std::find_if(nodes.begin(), nodes.end(), [](auto n) { return n != kNoNode; });
   const bool same =
       std::all_of(nodes.begin(), nodes.end(), [&](auto n) { return n == kNoNode || n == *some; });
   if (same) {
-    return expressions.atom(*some);
+    return {expressions.atom(*some), kSpread};
   }
   if (const int pack = pack_in_place(nodes); pack >= 0) {
     const auto p = static_cast<std::size_t>(pack);
+    const std::size_t width = program_.packs[p].size();
     if (!is_inner_[p]) {
-      return pack_names_[p];
+      return {pack_names_[p], width};
     }
     const bool own_is_sum = is_sum(op_of(p));
     const bool loose =
         is_sum(user) && !own_is_sum && expressions.syntax().parentheses == Parentheses::needed;
     const bool binds = loose || (is_sum(user) == own_is_sum && !is_right);
-    return binds ? formula(p, expressions) : fmt::format("({})", formula(p, expressions));
+    const std::string inner = formula(p, expressions);
+    return {binds ? inner : fmt::format("({})", inner), width};
   }
   std::string list;
   for (const std::uint32_t node : nodes) {
@@ -113,18 +112,34 @@ std::string LanePrinter::operand(const LanePack& nodes, Op user, bool is_right,
     list += (list.empty() ? "" : ", ") + expressions.reference(node != kNoNode ? node : *some);
   }
   const Syntax& syntax = expressions.syntax();
-  return syntax.make_lanes(syntax, nodes.size(), list);
+  return {syntax.make_lanes(syntax, nodes.size(), list), nodes.size()};
+}
+
+/// No language has operations between lanes of different numbers: rather no code than such code.
+void LanePrinter::expect_equal_widths(std::size_t pack, const Operand& a, const Operand& b) const {
+  const std::size_t width = program_.packs[pack].size();
+  const auto fits = [&](const Operand& each) {
+    return each.width == kSpread || each.width == width;
+  };
+  const bool is_width = width == 2 || width == 4 || width == 8;
+  const bool in_lanes = a.width != kSpread || b.width != kSpread;
+  if (is_width && in_lanes && fits(a) && fits(b)) return;
+  throw std::logic_error(fmt::format("{}: `{}` of {} lanes reads {} and {} lanes", program_.name,
+                                     pack_names_[pack], width, a.width, b.width));
 }
 
 std::string LanePrinter::formula(std::size_t pack, const ExpressionPrinter& expressions) const {
   const Op op = op_of(pack);
+  const std::string_view sign = expressions.syntax().sign(op);
   if (operation(op).operands == 1) {
-    return fmt::format("{}{}", expressions.syntax().sign(op),
-                       operand(operands_[pack].a, Op::div, true, expressions));
+    const Operand only = operand(operands_[pack].a, Op::div, true, expressions);
+    expect_equal_widths(pack, only, only);
+    return fmt::format("{}{}", sign, only.text);
   }
-  return fmt::format("{} {} {}", operand(operands_[pack].a, op, false, expressions),
-                     expressions.syntax().sign(op),
-                     operand(operands_[pack].b, op, true, expressions));
+  const Operand a = operand(operands_[pack].a, op, false, expressions);
+  const Operand b = operand(operands_[pack].b, op, true, expressions);
+  expect_equal_widths(pack, a, b);
+  return fmt::format("{} {} {}", a.text, sign, b.text);
 }
 
 std::string LanePrinter::statement(std::uint32_t node, const ExpressionPrinter& expressions) const {

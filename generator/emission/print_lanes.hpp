@@ -27,6 +27,13 @@ class LanePrinter {
                                       const ExpressionPrinter& expressions) const;
 
  private:
+  /// Width of one number for all lanes.
+  static constexpr std::size_t kSpread = 1;
+  struct Operand {
+    std::string text;
+    std::size_t width = kSpread;  ///< number of lanes
+  };
+
   [[nodiscard]] std::size_t index_of(std::uint32_t node) const {
     return static_cast<std::size_t>(pack_of_[node]);
   }
@@ -35,11 +42,13 @@ class LanePrinter {
   void find_inner_packs();
   [[nodiscard]] Op op_of(std::size_t pack) const;
   [[nodiscard]] std::string formula(std::size_t pack, const ExpressionPrinter& expressions) const;
-  [[nodiscard]] std::string operand(const LanePack& nodes, Op user, bool is_right,
-                                    const ExpressionPrinter& expressions) const;
+  /// Throws std::logic_error unless operands in lanes have as many as the pack.
+  void expect_equal_widths(std::size_t pack, const Operand& a, const Operand& b) const;
+  [[nodiscard]] Operand operand(const LanePack& nodes, Op user, bool is_right,
+                                const ExpressionPrinter& expressions) const;
 
   const Program& program_;
-  std::vector<int> pack_of_, lane_of_;
+  std::vector<int> pack_of_;
   std::vector<std::string> pack_names_;
   std::vector<LaneOperands> operands_;  // of each pack
   std::vector<bool> is_inner_;          // written inside another's statement

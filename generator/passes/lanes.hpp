@@ -46,6 +46,15 @@ class Lanes {
   std::size_t size_ = 0;
 };
 
+/// Whether `pack` holds these nodes as they are to be read: as many lanes, and each node in its
+/// place. Limbs of several numbers make packs of several widths, and no expression mixes these.
+inline bool stands_in_place(std::span<const std::uint32_t> nodes,
+                            std::span<const std::uint32_t> pack) {
+  return std::equal(
+      nodes.begin(), nodes.end(), pack.begin(), pack.end(),
+      [](std::uint32_t node, std::uint32_t held) { return node == kNoNode || node == held; });
+}
+
 /// Returns the values in the lanes, each once.
 inline Lanes distinct(const Lanes& lanes) {
   Lanes places(lanes.size());

@@ -29,8 +29,7 @@ class Packer {
         nodes_(program.graph.nodes()),
         isomorphic_(isomorphic),
         live_(find_live(program)),
-        pack_of_(nodes_.size(), kNoPack),
-        lane_of_(nodes_.size(), 0) {}
+        pack_of_(nodes_.size(), kNoPack) {}
 
   /// What to pack first: the columns that the trace aligned, or the operations of isomorphic limbs.
   enum class First { columns, limbs };
@@ -127,11 +126,8 @@ class Packer {
     if (count_lanes(lanes) < fewest) {
       return false;
     }
-    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-      if (lanes[lane] != kNoNode) {
-        pack_of_[lanes[lane]] = static_cast<int>(packs_.size());
-        lane_of_[lanes[lane]] = lane;
-      }
+    for (const std::uint32_t node : lanes) {
+      if (node != kNoNode) pack_of_[node] = static_cast<int>(packs_.size());
     }
     Lanes left(lanes.size()), right(lanes.size());
     lane_operands(program_.graph, lanes, left, right);
@@ -184,20 +180,19 @@ class Packer {
       return 0;
     }
     const auto each = static_cast<int>(values.size());
-    bool in_place = true;
     std::array<int, 2> packs{kNoPack, kNoPack};
-    for (std::size_t lane = 0; lane < operands.size(); ++lane) {
-      const std::uint32_t node = operands[lane];
-      if (node == kNoNode) continue;
+    for (const std::uint32_t node : values) {
       const int pack = pack_of_[node];
       if (pack == kNoPack) return each;
-      in_place = in_place && lane_of_[node] == lane;
       if (packs[0] == kNoPack) packs[0] = pack;
       if (pack == packs[0]) continue;
       if (packs[1] != kNoPack && pack != packs[1]) return each;
       packs[1] = pack;
     }
-    return packs[1] == kNoPack && in_place ? 0 : 1;
+    return packs[1] == kNoPack &&
+                   stands_in_place(operands, packs_[static_cast<std::size_t>(packs[0])])
+               ? 0
+               : 1;
   }
 
   /// Takes apart packs that wait for each other, directly or through scalars.
@@ -232,7 +227,6 @@ class Packer {
   const std::vector<LanePack>& isomorphic_;
   Marks live_;
   std::vector<int> pack_of_;
-  std::vector<std::size_t> lane_of_;
   std::vector<LanePack> packs_;
   std::size_t resolved_ = 0;  // number of packs when they were resolved last
   struct Reading {
