@@ -32,6 +32,7 @@ constexpr const char* kHowToReadBench =
     "  *           nothing else is as fast and as accurate (worst, norm-wise); never where the "
     "caller\n"
     "              has to take the sines\n"
+    "Below stands how the fastest of the rejected routes compares with the first line.\n"
     "Variants differ from the first line in what they are called by, and in nothing else: lanes,\n"
     "float, the algorithm (route), inertias as in the URDF (full), accuracy, where sines and\n"
     "cosines come from, whether products and sums may be fused. Behind a semicolon stand variants\n"
