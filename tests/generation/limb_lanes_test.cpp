@@ -7,8 +7,8 @@
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "emission/write_files.hpp"
+#include "generation/draw_limbs.hpp"
 #include "generation/generate_code.hpp"
-#include "generation/limbed_robot.hpp"
 #include "generation/mixed_lanes.hpp"
 #include "own_folder.hpp"
 
@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t kSeeds = 20;
 
 /// Files of a robot, if its scene is one that can be had; random ones may be singular.
-std::vector<GeneratedFile> generate(const LimbedRobot& drawn) {
+std::vector<GeneratedFile> generate(const DrawnLimbs& drawn) {
   Diagnostics diagnostics;
   const auto robot = parse_urdf(drawn.urdf, "limbed.urdf", diagnostics);
   const auto scene =
@@ -44,7 +44,7 @@ TEST(LimbLanes, NoExpressionMixesNumbersOfLanes) {
   int sources_of_several_widths = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     for (const int lanes : {2, 4, 8}) {
-      const LimbedRobot drawn = limbed_robot(seed, lanes);
+      const DrawnLimbs drawn = draw_limbs(seed, lanes);
       for (const GeneratedFile& file : generate(drawn)) {
         if (!file.name.ends_with(".cpp")) continue;
         const DeclaredLanes read = read_lanes(file.text);
@@ -73,7 +73,7 @@ class LimbLanesCompile : public test::OwnFolder {};
 /// A compiler's front end agrees on some of them.
 TEST_F(LimbLanesCompile, SourcesAreWellFormed) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const std::vector<GeneratedFile> files = generate(limbed_robot(seed, 8));
+    const std::vector<GeneratedFile> files = generate(draw_limbs(seed, 8));
     const auto folder = root_ / std::to_string(seed);
     Diagnostics diagnostics;
     ASSERT_TRUE(write_files(folder, files, diagnostics));

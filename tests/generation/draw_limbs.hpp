@@ -10,16 +10,16 @@
 /// Random robots with families of limbs, as files that people write: hands, legs, wheels.
 namespace treeline::tests {
 
-struct LimbedRobot {
+struct DrawnLimbs {
   std::string urdf, scene;
 };
 
 namespace detail {
 
 /// Builds the text of a robot whose limbs are alike by shape and differ in every number.
-class LimbedRobotWriter {
+class LimbWriter {
  public:
-  explicit LimbedRobotWriter(Rng& rng) : rng_(rng) { add_link("trunk"); }
+  explicit LimbWriter(Rng& rng) : rng_(rng) { add_link("trunk"); }
 
   /// Adds a chain to `parent`, with a joint for each of `types`; returns its last link.
   std::string add_chain(const std::string& parent, const std::string& name,
@@ -118,9 +118,9 @@ inline std::string hold_box(const std::vector<std::string>& links) {
 /// Draws a robot from `seed`, with up to three families of two to eight limbs, one of which may sit
 /// on another's limb as fingers on a hand, and a scene in `lanes` with points, contacts, feet or an
 /// object at tips of them.
-inline LimbedRobot limbed_robot(std::uint64_t seed, int lanes) {
+inline DrawnLimbs draw_limbs(std::uint64_t seed, int lanes) {
   Rng rng(seed);
-  detail::LimbedRobotWriter writer(rng);
+  detail::LimbWriter writer(rng);
   std::vector<std::string> tips;
   std::string root = rng.chance(0.5) ? writer.add_chain("trunk", "spine", {"revolute"}) : "trunk";
   const int families = 1 + rng.below(3);
