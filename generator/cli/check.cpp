@@ -101,7 +101,9 @@ bool is_for_board(const CheckCommand& options) {
 /// The code that `generate` would write.
 std::optional<GeneratedInputs> make_code(const CheckCommand& options, Diagnostics& diagnostics) {
   auto made = generate_from_files(options.inputs, diagnostics);
-  if (made) (void)retry_routes(options.inputs, *made, diagnostics);  // `check` finds what is left
+  if (!made) return made;
+  (void)retry_routes(options.inputs, *made, diagnostics);  // `check` finds what is left
+  tell_size(options.inputs, *made);
   return made;
 }
 

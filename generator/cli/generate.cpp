@@ -216,6 +216,7 @@ int run(const GenerateOptions& options) {
   if (made && writes(options)) {
     made = keep_tried(options.inputs, std::move(*made), failed, diagnostics);
   }
+  if (made && writes(options)) tell_size(options.inputs, *made);
   ExitCode exit_code = failed ? kMismatch : kBadInput;
   // Before anything is written: a folder without its notes would look as if it had none.
   const auto evidence = made ? read_all_evidence(options, *made, diagnostics) : std::nullopt;

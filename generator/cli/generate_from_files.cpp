@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "cli/print_diagnostics.hpp"
 #include "cli/progress_line.hpp"
+#include "generation/warn_of_size.hpp"
 
 namespace treeline {
 namespace {
@@ -74,6 +76,12 @@ std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
     return std::nullopt;
   }
   return GeneratedInputs{std::move(inputs), std::move(*generation), choices};
+}
+
+void tell_size(const InputOptions& options, const GeneratedInputs& made) {
+  Diagnostics diagnostics;
+  warn_of_size(made.inputs.scene, made.generation, diagnostics);
+  print_diagnostics(diagnostics, options.warnings);
 }
 
 }  // namespace treeline

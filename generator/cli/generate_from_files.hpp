@@ -28,4 +28,8 @@ std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     RobotAndScene inputs, const Choices& choices,
                                                     Diagnostics& diagnostics);
 
+/// Tells at once, before anything is written or compiled, what there is of it where that is much
+/// (`warn_of_size`).
+void tell_size(const InputOptions& options, const GeneratedInputs& made);
+
 }  // namespace treeline

@@ -13,7 +13,9 @@ bool is_small(const GeneratedFunction& generated, const CompileOptions& options)
   if (is_composed(generated)) {
     return options.optimize == Optimize::size && options.language == Language::c;
   }
-  if (generated.batch > 0) return options.optimize == Optimize::size;
+  if (generated.batch > 0) {
+    return options.optimize == Optimize::size && !is_huge(generated.program);
+  }
   return compiles_to_small_code(options.optimize, options.target, generated.program);
 }
 
@@ -38,8 +40,10 @@ FunctionFlags choose_flags(const GeneratedFunction& generated, const CompileOpti
   const std::string flags =
       options.flags + (long_one && passes ? std::string(" ") + kNoExtraPasses : "");
   if (is_small(generated, options)) return {flags + " " + kSmallCodeFlag, false, true};
+  const bool huge = is_huge(generated.program) && optimises(flags);
   const bool has_flags = !options.long_flags.empty() && long_one;
-  return {has_flags ? options.long_flags : flags, has_flags, false};
+  if (has_flags) return {options.long_flags, true, false};
+  return {huge ? flags + " " + kHugeFlag : flags, false, false};
 }
 
 }  // namespace treeline

@@ -9,9 +9,22 @@
 #include "passes/count_operations.hpp"
 
 namespace treeline {
+namespace {
+
+bool has_lines(const Program& program, int more_than) {
+  return !program.loops && count_operations(program).flops() > more_than;
+}
+
+}  // namespace
+
 bool is_long(const Program& program) {
   constexpr int kLong = 12000;
-  return !program.loops && count_operations(program).flops() > kLong;
+  return has_lines(program, kLong);
+}
+
+bool is_huge(const Program& program) {
+  constexpr int kHuge = 100000;
+  return has_lines(program, kHuge);
 }
 
 bool reads(const Program& program, const Argument& argument) {

@@ -19,6 +19,10 @@ std::set<std::string> find_taken_names(const Program& program, std::set<std::str
 /// minutes.
 bool is_long(const Program& program);
 
+/// Whether the function has so many operations (100000) that compilers take minutes and gigabytes
+/// at -O2, or hours where it has several times as many.
+bool is_huge(const Program& program);
+
 /// Whether some numbers of the emitted function share registers.
 bool uses_lanes(const Program& program);
 

@@ -46,21 +46,30 @@ std::string print_source_options(std::span<const std::string> names, const char*
                      options);
 }
 
-}  // namespace
-
-std::string print_extra_passes(const EmissionContext& context, std::span<const Program> programs,
-                               std::span<const Program> batch) {
-  // Of a chain of 60 joints g++ 12 compiles Lambda^-1 (25000 operations) in 200 s with these passes
-  // and in 17 s without, M (27000) in 48 and 28 s, to 5 % more code.
-  std::vector<std::string> slow;
+/// Sources of those functions, of those for several states, and of a controller.
+std::vector<std::string> list_sources_where(bool (*holds)(const Program&),
+                                            const EmissionContext& context,
+                                            std::span<const Program> programs,
+                                            std::span<const Program> batch) {
+  std::vector<std::string> names;
   const auto add = [&](const Program& program, const char* prefix) {
-    if (is_long(program)) slow.push_back(prefix + program.name);
+    if (holds(program)) names.push_back(prefix + program.name);
   };
   for (const Program& program : programs) add(program, "");
   for (const Program& program : batch) add(program, "batch_");
   if (context.controller) {
     for (const Program* const program : context.controller->programs()) add(*program, "");
   }
+  return with_endings(context, std::move(names));
+}
+
+}  // namespace
+
+std::string print_extra_passes(const EmissionContext& context, std::span<const Program> programs,
+                               std::span<const Program> batch) {
+  // Of a chain of 60 joints g++ 12 compiles Lambda^-1 (25000 operations) in 200 s with these passes
+  // and in 17 s without, M (27000) in 48 and 28 s, to 5 % more code.
+  const std::vector<std::string> slow = list_sources_where(is_long, context, programs, batch);
   return fmt::format(
       "if(CMAKE_{0}_COMPILER_ID STREQUAL \"GNU\")\n"
       "  # Fewer spills and copies in long straight-line code; no arithmetic changes.\n"
@@ -69,10 +78,22 @@ std::string print_extra_passes(const EmissionContext& context, std::span<const P
       "    \"$<$<IN_LIST:$<CONFIG>,{2}>:-frename-registers>\")\n{3}"
       "endif()\n",
       language_id(context), context.name, "Release;RelWithDebInfo;MinSizeRel",
-      print_source_options(with_endings(context, std::move(slow)), kNoExtraPasses));
+      print_source_options(slow, kNoExtraPasses));
+}
+
+std::string print_huge_code(const EmissionContext& context, std::span<const Program> programs,
+                            std::span<const Program> batch) {
+  const std::vector<std::string> huge = list_sources_where(is_huge, context, programs, batch);
+  if (huge.empty()) return {};
+  return fmt::format(
+      "# Too long for a higher level, whatever level the project compiles with.\n"
+      "if(CMAKE_{}_COMPILER_ID MATCHES \"GNU|Clang|IntelLLVM\")\n{}"
+      "endif()\n",
+      language_id(context), print_source_options(huge, kHugeFlag));
 }
 
 bool compiles_to_small_code(Optimize optimize, std::string_view target, const Program& program) {
+  if (is_huge(program)) return false;
   if (optimize != Optimize::balanced) return optimize == Optimize::size;
   if (program.small_code) return *program.small_code;
   const CodeModel model = model_of(target);
@@ -93,7 +114,9 @@ std::vector<std::string> list_small_sources(const EmissionContext& context,
     for (const Program* const program : context.controller->programs()) add(*program);
   }
   if (context.optimize != Optimize::size) return with_endings(context, std::move(names));
-  for (const Program& program : batch) names.push_back("batch_" + program.name);
+  for (const Program& program : batch) {
+    if (!is_huge(program)) names.push_back("batch_" + program.name);
+  }
   if (context.controller) names.emplace_back("controller");
   if (context.language == Language::c) {  // in C++ they are headers
     if (!context.effective_mass_limits.empty()) names.emplace_back("damped_control_torque");

@@ -20,13 +20,21 @@ inline constexpr const char* kNoExtraPasses = "-fno-live-range-shrinkage -fno-re
 std::string print_extra_passes(const EmissionContext& context, std::span<const Program> programs,
                                std::span<const Program> batch);
 
+/// GCC's and Clang's option for functions that are too long for others (`is_huge`): of the levels
+/// that optimise the one that ends.
+inline constexpr const char* kHugeFlag = "-O1";
+
+/// Lines of CMake that compile such functions by it. Empty where there are none.
+std::string print_huge_code(const EmissionContext& context, std::span<const Program> programs,
+                            std::span<const Program> batch);
+
 /// GCC's and Clang's option for small code.
 inline constexpr const char* kSmallCodeFlag = "-Os";
 
 /// Whether the emitted CMakeLists.txt compiles a function to small code, as `optimize` of the scene
 /// asks: `size` all; `balanced` those of which `Program::small_code` says so, and where it says
 /// nothing those whose code is modelled to be larger than the first-level cache of the target, so
-/// that loading it takes longer than running it.
+/// that loading it takes longer than running it; never what is too long for this (`is_huge`).
 bool compiles_to_small_code(Optimize optimize, std::string_view target, const Program& program);
 
 /// The sources that are compiled to small code: of these functions, of those for several states,

@@ -71,12 +71,32 @@ TEST(ChooseFlags, BalancedTakesLongFunctionsAlone) {
   EXPECT_EQ(expect_same_names(humanoid), std::set<std::string>{"control_torque"});
 }
 
-TEST(ChooseFlags, LongFunctionsThatAreSmallCodeAreOptimised) {
+GeneratedFunction multiply(int times) {
   GeneratedFunction generated;
   const Graph::Scope scope(generated.program.graph);
   Expression product = generated.program.graph.input("x[0]");
-  for (int i = 0; i < 12001; ++i) product *= product;
+  for (int i = 0; i < times; ++i) product *= product;
   generated.program.results = {{{"y", 1, 1, "the product"}, {product}}};
+  return generated;
+}
+
+TEST(ChooseFlags, HugeFunctionsAreOptimisedLess) {
+  GeneratedFunction generated = multiply(100001);
+  CompileOptions options;
+  options.optimize = Optimize::size;
+  for (const int states : {0, 4}) {
+    generated.batch = states;
+    EXPECT_EQ(choose_flags(generated, options).flags, options.flags + " -O1");
+    EXPECT_FALSE(choose_flags(generated, options).is_small);
+  }
+  options.flags = "-O0";
+  EXPECT_EQ(choose_flags(generated, options).flags, "-O0");
+  options.long_flags = "-O0 -g";
+  EXPECT_EQ(choose_flags(generated, options).flags, "-O0 -g");
+}
+
+TEST(ChooseFlags, LongFunctionsThatAreSmallCodeAreOptimised) {
+  const GeneratedFunction generated = multiply(12001);
   CompileOptions options;
   options.long_flags = "-O0";
   EXPECT_EQ(choose_flags(generated, options).flags, "-O0");

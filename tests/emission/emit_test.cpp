@@ -178,6 +178,20 @@ TEST(Emit, LongFunctionsDoWithoutSlowPasses) {
   }
 }
 
+// Would catch: functions of which the emitted project never ends to compile, by -O2 or by -Os.
+TEST(Emit, HugeFunctionsAreOptimisedLess) {
+  EmissionContext context = test::sample_context("arm", false);
+  context.optimize = Optimize::size;
+  const std::vector<Program> usual{trace_products(12001)}, huge{trace_products(100001)};
+  EXPECT_EQ(print_huge_code(context, usual, usual), "");
+  const std::string options = print_huge_code(context, huge, huge);
+  EXPECT_NE(options.find("    products.cpp\n    batch_products.cpp\n"), std::string::npos)
+      << options;
+  EXPECT_NE(options.find("COMPILE_OPTIONS -O1)"), std::string::npos) << options;
+  EXPECT_NE(print_small_code(context, usual, usual), "");
+  EXPECT_EQ(print_small_code(context, huge, huge), "");
+}
+
 // Would catch: output without the version of the generator that made it.
 TEST(Emit, NamesTheGeneratorsVersion) {
   Diagnostics diagnostics;

@@ -20,7 +20,7 @@
 namespace treeline::tests {
 namespace {
 
-constexpr std::uint64_t kSeeds = 20;
+constexpr std::uint64_t kSeeds = 10;
 
 /// Files of a robot, if its scene is one that can be had; random ones may be singular.
 std::vector<GeneratedFile> generate(const DrawnLimbs& drawn) {
@@ -72,7 +72,7 @@ class LimbLanesCompile : public test::OwnFolder {};
 
 /// A compiler's front end agrees on some of them.
 TEST_F(LimbLanesCompile, SourcesAreWellFormed) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const std::vector<GeneratedFile> files = generate(draw_limbs(seed, 8));
     const auto folder = root_ / std::to_string(seed);
     Diagnostics diagnostics;

@@ -53,7 +53,8 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
        {"sources", sources},
        {"contraction", contraction_default(context)},
        {"target_flags", print_target_flags(context) + print_extra_passes(context, programs, batch) +
-                            print_small_code(context, programs, batch)}});
+                            print_small_code(context, programs, batch) +
+                            print_huge_code(context, programs, batch)}});
 }
 
 }  // namespace treeline::c

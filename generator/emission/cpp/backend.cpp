@@ -54,7 +54,8 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
        {"name", context.name},
        {"contraction", contraction_default(context)},
        {"target_flags", print_target_flags(context) + print_extra_passes(context, programs, batch) +
-                            print_small_code(context, programs, batch)},
+                            print_small_code(context, programs, batch) +
+                            print_huge_code(context, programs, batch)},
        {"sources", sources}});
 }
 

@@ -114,6 +114,10 @@ void count(Function function, const LoopArguments<PlainExpression>& with, LinkLo
 
 }  // namespace
 
+bool has_loop_form(Function function) {
+  return find_form(function) != nullptr;
+}
+
 std::optional<Program> trace_loops(const Mechanism& mechanism, Function function,
                                    const Program& lines, bool given_sines) {
   const LoopForm* const form = find_form(function);

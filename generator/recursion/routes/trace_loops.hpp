@@ -11,6 +11,9 @@ namespace treeline {
 /// Key of the route by loops over a table of links, which `--choices` may name.
 inline constexpr const char* kLoopsKey = "loops";
 
+/// Whether the function may have such a form; of some robots it has none.
+bool has_loop_form(Function function);
+
 /// The function as a loop over a table of links, for small code; nothing where it has no such form.
 /// The graph is the trace of `runtime/core/link_functions.hpp`: it has the operations that the
 /// loops execute, in their order, but for products and sums with the constants 0 and 1, which are
