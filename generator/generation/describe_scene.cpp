@@ -200,6 +200,18 @@ void append_loop_notes(const Scene& scene, std::size_t row, std::vector<std::str
   }
 }
 
+/// What rates of velocities along a point's own axes are.
+void append_axes_note(const Scene& scene, std::vector<std::string>& notes) {
+  const auto turns = [](const ScenePoint& point) {
+    return point.axes == Axes::local && (point.rows[0] || point.rows[1] || point.rows[2]);
+  };
+  if (std::any_of(scene.operational_points.begin(), scene.operational_points.end(), turns) ||
+      std::any_of(scene.constraints.begin(), scene.constraints.end(), turns)) {
+    notes.push_back(
+        "own axes turn with the link: rates of velocities along them are R^T (dv/dt - w x v)");
+  }
+}
+
 /// Which rows are held, and which entries of tau are zero.
 void append_constraint_notes(const Scene& scene, const Mechanism& mechanism,
                              std::vector<std::string>& notes) {
@@ -310,6 +322,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.velocity_rows = velocity_rows(robot, mechanism);
   context.operational_points = point_rows(scene.operational_points);
   context.external_forces = point_rows(scene.external_forces);
+  append_axes_note(scene, context.notes);
   append_input_notes(scene, mechanism, context.notes);
   append_regressor_notes(scene, mechanism, context.notes);
   for (const SceneObject& object : scene.objects) {

@@ -86,6 +86,11 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
   }
   if (!scene.operational_points.empty()) {
     functions.insert(functions.end(), {Function::forward_kinematics, Function::jacobian});
+    const auto& points = scene.operational_points;
+    if (std::any_of(points.begin(), points.end(),
+                    [](const ScenePoint& point) { return point.axes == Axes::local; })) {
+      functions.push_back(Function::point_velocity);  // by which the axes of rows turn
+    }
     if (is_closed(scene)) {
       functions.insert(functions.end(), {Function::mass_matrix, Function::bias_acceleration});
     } else if (scene.damped) {

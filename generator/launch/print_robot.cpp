@@ -72,6 +72,9 @@ std::string print_functions(const Scene& control, const Generation& generation,
     text += print_rows(control) +
             print_alias("forward_kinematics", control.name, "forward_kinematics") +
             print_alias("jacobian", control.name, "jacobian");
+    if (has(generation, Function::point_velocity)) {
+      text += print_alias("point_velocity", control.name, "point_velocity");
+    }
     if (!is_closed(control)) text += print_control_torque(control);
     if (!is_closed(control) && has(generation, Function::mass_matrix)) {
       text += print_alias("mass_matrix", control.name, "mass_matrix");

@@ -265,8 +265,10 @@ Eigen::VectorXd TermSizes::bias(const std::vector<double>& qd) const {
   int row = 0;
   for (const auto& point : subject_.points) {
     const Motion of = motion(columns(point.body, point.p.norm()), qd, none);
+    const bool turns = point.axes == interpreter::PointAxes::local;
+    const double linear = of.a + (turns ? of.w * of.v : 0);
     for (std::size_t i = 0; i < 6; ++i) {
-      if (point.rows[i]) rows(row++) = i < 3 ? of.a : of.alpha;
+      if (point.rows[i]) rows(row++) = i < 3 ? linear : of.alpha;
     }
   }
   return rows;

@@ -33,6 +33,7 @@ struct LinkTableData {
   bool own_sines = false;  ///< joints turn by multiples of coordinates of others
   bool freed = false;      ///< joints beyond the base move freely
   bool grounded = false;   ///< points, or external forces, are on the world
+  bool turning = false;    ///< linear rows of points are along axes that turn with their links
   int slots = 1;
   std::array<double, 3> gravity{};
   std::vector<core::loops::Link<double>> links;

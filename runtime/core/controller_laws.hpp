@@ -231,11 +231,19 @@ inline RealOf<Robot> force_law(const typename Robot::Config& config,
   return within(measured, config.largest_force);
 }
 
-/// Rows of the task among the six accelerations of each point, in world axes or the point's own.
+/// Rows of the task among the six accelerations of each point, in world axes or the point's own. As
+/// these turn, velocities along them have rates less by w x v.
 template <class Robot>
 inline void select_rows(const Measured<Robot>& at, int point, const RealOf<Robot> (&xdd)[6],
                         int& row, RealOf<Robot> (&xdd_cmd)[Robot::kRows]) noexcept {
   using Real = RealOf<Robot>;
+  Real turning[3] = {Real(0), Real(0), Real(0)};
+  if (Robot::kOwnAxes[point]) {
+    const Real* const moved = &at.velocity[6 * point];
+    const Real v[3] = {moved[0], moved[1], moved[2]};
+    const Real w[3] = {moved[3], moved[4], moved[5]};
+    steps::cross(w, v, turning);
+  }
   for (int i = 0; i < 6; ++i) {
     if (!Robot::kControls[(6 * point) + i]) {
       continue;
@@ -245,7 +253,8 @@ inline void select_rows(const Measured<Robot>& at, int point, const RealOf<Robot
       const int part = (i < 3) ? 0 : 3;
       value = Real(0);
       for (int k = 0; k < 3; ++k) {
-        value += at.rotation[(9 * point) + (3 * k) + (i - part)] * xdd[part + k];
+        const Real rate = (i < 3) ? (xdd[k] - turning[k]) : xdd[3 + k];
+        value += at.rotation[(9 * point) + (3 * k) + (i - part)] * rate;
       }
     }
     xdd_cmd[row] = value;

@@ -107,6 +107,9 @@ void control_torque(const Table& table, const Real* yields, const Real* q, const
   move_links(table, qd, qdd_0, motions, &rows.point_motions[0]);
   find_lambda_inverse(table, motions, inertias, rows);
   find_errors(table, xdd_cmd, rows);
+  if constexpr (Table::kTurning) {
+    count_in_turning_axes(table, motions, qd, rows);
+  }
   const Real* borders = yields;
   if constexpr (power == 8) {
     find_inverse_borders(table, yields, rows);

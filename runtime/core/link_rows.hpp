@@ -321,6 +321,47 @@ void find_errors(const Table& table, const Real* xdd_cmd, Rows& rows) noexcept {
   }
 }
 
+/// The power of a wrench on a link, in its axes, as the robot moves at qd. Loses the wrench.
+template <class Table, class Motions, class Real>
+Real find_power(const Table& table, const Motions& motions, int link, const Real* qd,
+                Spatial<Real>& wrench) noexcept {
+  Real power = Real(0.0);
+  for (int i = link; i >= 0; i = table.links[i].parent) {
+    if (is_floating<Table>(i)) {
+      for (int k = 0; k < 3; ++k) {
+        power = power + (wrench.linear[k] * qd[k]) + (wrench.angular[k] * qd[k + 3]);
+      }
+    } else {
+      const int at = velocity_at<Table>(joint_of(table, i));
+      power = power + (scale(table, i, along_joint(table, i, wrench)) * qd[at]);
+      wrench_to_parent(table, i, motions.poses, wrench);
+    }
+  }
+  return power;
+}
+
+/// Makes of the errors of linear rows e in axes that turn with their link those of the rates of
+/// their velocities, which are less than accelerations by e . (w x v): the power of a force e x w
+/// at the point.
+template <class Table, class Motions, class Real, class Rows>
+void count_in_turning_axes(const Table& table, const Motions& motions, const Real* qd,
+                           Rows& rows) noexcept {
+  for (int r = 0; r < table.rows; ++r) {
+    const PointRow& row = table.point_rows[r];
+    const LinkPoint<Real>& point = table.points[row.point];
+    if (!point.world && !row.angular && !is_on_world<Table>(point.link)) {
+      const LinkMotion<Real>& motion = rows.point_motions[row.point];
+      Real e[3];
+      find_direction(point, rows.link_axes[row.point], row.axis, e);
+      Spatial<Real> wrench;
+      clear_spatial(wrench);
+      add_cross(e, motion.w, wrench.linear);
+      add_cross(point.p, wrench.linear, wrench.angular);
+      rows.errors[r] = rows.errors[r] + find_power(table, motions, point.link, qd, wrench);
+    }
+  }
+}
+
 /// Adds the wrenches of forces along the rows to those of links: J^T F.
 template <class Table, class Motions, class Rows, class Real = typename Table::Real>
 void add_row_forces(const Table& table, const Rows& rows, Motions& motions) noexcept {

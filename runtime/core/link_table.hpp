@@ -113,11 +113,12 @@ struct InputNumber {
 /// argument. `loaded`: inertial parameters of links depend on arguments. `sorted`: rows of points
 /// stand in the order of priority, which is not that of arguments and results. `stepped`: friction
 /// and springs may be those at the end of a step, or rotors are an argument. `grounded`: points are
-/// on the world. `freed`: joints beyond the base move freely.
+/// on the world. `freed`: joints beyond the base move freely. `turning`: linear rows of points are
+/// along axes that turn with their links.
 template <class Number, bool floats, bool sliding, bool driven = false, bool rubbing = false,
           bool coupled = false, bool own_sines = false, bool balls = false, bool pushed = false,
           bool loaded = false, bool sorted = false, bool stepped = false, bool grounded = false,
-          bool freed = false>
+          bool freed = false, bool turning = false>
 struct LinkTable {
   using Real = Number;
   static constexpr bool kFloats = floats;
@@ -133,6 +134,7 @@ struct LinkTable {
   static constexpr bool kStepped = stepped;
   static constexpr bool kGrounded = grounded;
   static constexpr bool kFreed = freed;
+  static constexpr bool kTurning = turning;
 
   const Link<Real>* links;
   int count;

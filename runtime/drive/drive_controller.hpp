@@ -209,7 +209,8 @@ class DriveController {
                     double (&tau)[nv]) noexcept;
   void yield_to_hand(const State& state, double (&tau)[nv]) noexcept;
   void measure_points(double time, const State& state, double* rotations, double* errors) noexcept;
-  double command_row(int row, const double* rotations, const double* errors,
+  void find_turning(const State& state, double* turning) const noexcept;
+  double command_row(int row, const double* rotations, const double* errors, const double* turning,
                      double velocity) const noexcept;
   void add_acceleration(const State& state, const double (&qdd)[nv], double (&tau)[nv]) noexcept;
   void command_task(double time, const State& state, double (&tau)[nv]) noexcept;

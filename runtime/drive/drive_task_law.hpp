@@ -33,10 +33,33 @@ void DriveController<F>::measure_points(double time, const State& state, double*
   }
 }
 
-/// The acceleration of one row of the task, which moves at `velocity`.
+/// w x v of the points whose axes turn, world axes, by which rates of velocities along them are
+/// less than accelerations; 0 of the others.
+template <class F>
+void DriveController<F>::find_turning(const State& state, double* turning) const noexcept {
+  for (int i = 0; i < 3 * kPoints; ++i) {
+    turning[i] = 0.0;
+  }
+  if constexpr (requires { F::point_velocity; }) {
+    double twists[6 * kPoints];
+    F::point_velocity(state.q, state.qd, twists);
+    for (int k = 0; k < kPoints; ++k) {
+      if (!F::kLocalAxes[k]) continue;
+      const double* const v = twists + 6 * k;
+      const double* const w = v + 3;
+      for (int i = 0; i < 3; ++i) {
+        const int a = (i + 1) % 3;
+        const int b = (i + 2) % 3;
+        turning[3 * k + i] = w[a] * v[b] - w[b] * v[a];
+      }
+    }
+  }
+}
+
+/// The rate that one row of the task is to have, which moves at `velocity`.
 template <class F>
 double DriveController<F>::command_row(int row, const double* rotations, const double* errors,
-                                       double velocity) const noexcept {
+                                       const double* turning, double velocity) const noexcept {
   const TaskRow& place = F::kRows[row];
   const double* R = rotations + 9 * place.point;
   // In the point's own axes a row is the component along a column of its rotation.
@@ -48,7 +71,8 @@ double DriveController<F>::command_row(int row, const double* rotations, const d
                : of(part + i);
   };
   const double(&push)[3] = avoidance_.point_push(place.point);
-  const double aside = place.axis < 3 ? component([&](int i) { return push[i]; }) : 0.0;
+  const double* const across = turning + 3 * place.point;
+  const double aside = place.axis < 3 ? component([&](int i) { return push[i] - across[i]; }) : 0.0;
   if (free_[at(place.point)]) {
     return aside - task_gains_.kv * velocity;
   }
@@ -130,13 +154,15 @@ void DriveController<F>::command_task(double time, const State& state, double (&
     F::jacobian(state.q, J);
     double aside[nv] = {};
     avoid_obstacles(state, aside);
+    double turning[3 * kPoints];
+    find_turning(state, turning);
     double xdd[F::kTaskRows];
     for (int row = 0; row < F::kTaskRows; ++row) {
       double velocity = 0.0;
       for (int i = 0; i < nv; ++i) {
         velocity += J[row * nv + i] * state.qd[i];
       }
-      xdd[row] = command_row(row, rotations, errors, velocity);
+      xdd[row] = command_row(row, rotations, errors, turning, velocity);
     }
     double posture[nv];
     accelerate_posture(state, posture);

@@ -4,9 +4,8 @@
 
 namespace treeline::interpreter {
 
-/// xdd = J qdd + Jd qd by one outward recursion (Chang eq. 6.11, 6.12), without gravity: the
-/// controlled rows of all points stacked, conventional accelerations of the origins over angular
-/// accelerations, each in its point's axes.
+/// xdd = J qdd + Jd qd by one outward recursion (Chang eq. 6.11, 6.12), without gravity: the rates
+/// of the velocities in the controlled rows of all points, stacked, linear over angular.
 template <class Scalar>
 Vector<Scalar> point_accelerations(const Model<Scalar>& model, PointsArg<Scalar> points,
                                    VectorArg<Scalar> q, VectorArg<Scalar> qd,

@@ -43,15 +43,19 @@ Matrix6<Scalar> point_transform(const OperationalPoint<Scalar>& point,
   return force_transform(axes_in_body(point, k), point.p);
 }
 
-/// Conventional acceleration of a point's origin over angular acceleration, in its axes, from the
-/// acceleration `a` of its body.
+/// Rate of a point's velocity over angular velocity as its axes count it, from the acceleration `a`
+/// of its body. In world axes the linear part is the conventional acceleration of the origin; in
+/// its own axes, which turn with the body, that less w x v.
 template <class Scalar>
 Vector6<Scalar> point_acceleration(const OperationalPoint<Scalar>& point,
                                    const Kinematics<Scalar>& k, const Vector6<Scalar>& a) {
   const Matrix3<Scalar> axes = axes_in_body(point, k);
   const Vector3<Scalar> w = angular(k.v[point.body]);
-  const Vector3<Scalar> origin =
-      linear(a) + cross(angular(a), point.p) + cross(w, cross(w, point.p));
+  Vector3<Scalar> origin = linear(a) + cross(angular(a), point.p) + cross(w, cross(w, point.p));
+  if (point.axes == PointAxes::local) {
+    const Vector3<Scalar> v = linear(k.v[point.body]) + cross(w, point.p);
+    origin -= cross(w, v);
+  }
   return stack<Scalar>(axes.transpose() * origin, axes.transpose() * angular(a));
 }
 

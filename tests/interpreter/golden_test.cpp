@@ -97,8 +97,18 @@ class GoldenComparison {
       note("jacobian", error(J_world.middleRows(row, 6), point.J_world, 1));
       note("jacobian", error(J_local.middleRows(row, 6), point.J_local, 1));
       note("bias_acceleration", error(bias_world.segment(row, 6), point.bias_world, 1));
-      note("bias_acceleration", error(bias_local.segment(row, 6), point.bias_local, 1));
+      note("bias_acceleration", error(bias_local.segment(row, 6), rate_in_own_axes(point, s), 1));
     }
+  }
+
+  /// Rate of the velocities along the point's own axes: the library has the conventional
+  /// acceleration along them, which is more by w x v.
+  static DoubleVector rate_in_own_axes(const GoldenPoint& point, const GoldenState& s) {
+    const DoubleVector velocity = point.J_local * s.qd;
+    DoubleVector rate = point.bias_local;
+    rate.head<3>() -=
+        Eigen::Vector3d(velocity.tail<3>()).cross(Eigen::Vector3d(velocity.head<3>()));
+    return rate;
   }
 
   void add_operational_space(const GoldenState& s) {

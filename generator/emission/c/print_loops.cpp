@@ -115,7 +115,8 @@ LoopTable list_kinds(const LinkTableData& table, bool stepped) {
           .sorted = !table.row_entries.empty(),
           .stepped = stepped,
           .grounded = table.grounded,
-          .freed = table.freed};
+          .freed = table.freed,
+          .turning = table.turning};
 }
 
 /// Sizes of arrays: constants in C, where C++ has parameters of templates.

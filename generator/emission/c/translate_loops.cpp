@@ -122,7 +122,7 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
              {"Rubbing", table.rubbing}, {"Coupled", table.coupled}, {"OwnSines", table.own_sines},
              {"Balls", table.balls},     {"Pushed", table.pushed},   {"Loaded", table.loaded},
              {"Sorted", table.sorted},   {"Stepped", table.stepped}, {"Grounded", table.grounded},
-             {"Freed", table.freed}},
+             {"Freed", table.freed},     {"Turning", table.turning}},
       given_sines_(given_sines) {
   const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
                                                        {"Poses", "link_poses"},

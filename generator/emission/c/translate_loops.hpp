@@ -32,7 +32,7 @@ struct LoopSignature {
 struct LoopTable {
   bool floats = false, sliding = false, driven = false, rubbing = false, coupled = false;
   bool own_sines = false, balls = false, pushed = false, loaded = false, sorted = false,
-       stepped = false, grounded = false, freed = false;
+       stepped = false, grounded = false, freed = false, turning = false;
 };
 
 /// Writes the loops over links, runtime/core/link_*.hpp, in C: templates for one robot, references

@@ -42,7 +42,7 @@ std::string print_type(const LinkTableData& table, bool pushed, bool stepped) {
                     kind(!table.couplings.empty()), kind(table.own_sines),
                     kind(!table.balls.empty()), kind(pushed), kind(!table.loaded_links.empty()),
                     kind(!table.row_entries.empty()), kind(stepped), kind(table.grounded),
-                    kind(table.freed)}));
+                    kind(table.freed), kind(table.turning)}));
 }
 
 /// `kPointRows`, a constant of the robot.

@@ -61,10 +61,7 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(const Tree<Scalar>& tree,
   motion.qdd = solve_for_qdd(net);
   const auto tasks = task_points(tree, {}, world_poses(tree, X));
   const auto links = outward_motion<Scalar>(tree, X, {inputs.qd, motion.qdd}, Vector3<Scalar>{});
-  std::vector<Scalar> missing;
-  for (const TaskPoint<Scalar>& task : tasks) {
-    append_accelerations(task, links, missing);
-  }
+  std::vector<Scalar> missing = row_accelerations(tree, X, tasks, links, inputs.qd);
   const auto velocities = row_velocities(tasks, link_velocities(tree, X, {inputs.qd, {}}));
   for (std::size_t k = 0; k < missing.size(); ++k) {
     missing[k] = -(missing[k] + velocities[k] * inputs.stabilisation[0] +

@@ -69,8 +69,8 @@ Vector3<Scalar> to_basis_axes(const Tree<Scalar>& tree,
   return to_link_axes(tree, X, point, v);
 }
 
-/// xdd_cmd - (Jd qd + J qdd_0) for one point, in the rows of the scene. Gravity is removed from the
-/// motion: motion.a is the true acceleration minus g.
+/// xdd_cmd - (Jd qd + J qdd_0) for one point, in the rows of the scene. `motion` is one of
+/// `motions_of_rows`, from which gravity is removed: motion.a is the true acceleration minus g.
 template <class Scalar>
 std::vector<Scalar> asked_acceleration_error(const Tree<Scalar>& tree,
                                              const std::vector<JointTransform<Scalar>>& X,
@@ -178,17 +178,14 @@ std::vector<Scalar> control_torque(const Tree<Scalar>& tree,
   const auto poses = poses_seen_from(tree, X, basis.axes_link);
   const auto motions = outward_motion(tree, X, inputs.rates, -tree.gravity);
   const auto tasks = task_points(tree, basis, poses);
+  const auto of_rows = motions_of_rows(tree, X, motions, inputs.rates.qd, -tree.gravity);
   std::vector<Scalar> errors;
   for (std::size_t k = 0; k < tasks.size(); ++k) {
     const TreePoint<Scalar>& point = tree.operational_points[k];
-    LinkMotion<Scalar> motion;
-    motion.a = -tree.gravity;
-    if (point.link >= 0) {
-      motion = motions[static_cast<std::size_t>(point.link)];
-    }
     const auto xdd = inputs.xdd_cmd.subspan(errors.size());
-    const auto error = as_asked ? asked_acceleration_error(tree, X, point, tasks[k], motion, xdd)
-                                : acceleration_error(tree, X, point, tasks[k], basis, motion, xdd);
+    const auto error = as_asked
+                           ? asked_acceleration_error(tree, X, point, tasks[k], of_rows[k], xdd)
+                           : acceleration_error(tree, X, point, tasks[k], basis, of_rows[k], xdd);
     errors.insert(errors.end(), error.begin(), error.end());
   }
   const auto F = task_force(tree, X, poses, choice, row_count, rule, errors);

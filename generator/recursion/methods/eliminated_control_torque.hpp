@@ -63,6 +63,7 @@ SupportedTorque<Scalar> eliminated_control_torque(const Tree<Scalar>& tree,
                                                   const LoopedVelocities& looped,
                                                   const PivotRule& rule) {
   const auto motions = outward_motion(tree, X, inputs.rates, -tree.gravity);
+  const auto of_rows = motions_of_rows(tree, X, motions, inputs.rates.qd, -tree.gravity);
   const auto poses = world_poses(tree, X);
   const auto tasks = task_points(tree, {}, poses);
   const auto gamma = inverse_dynamics<Scalar>(tree, X, inputs.rates, inputs.applied);
@@ -78,7 +79,7 @@ SupportedTorque<Scalar> eliminated_control_torque(const Tree<Scalar>& tree,
   const auto J_c = permitted_rows(J, follow.G, looped);
   auto drive = projected(less_dependent(std::vector<Scalar>(M.rows(), Scalar(0.0)), M, r, looped),
                          follow.G, looped);
-  auto errors = less_dependent(supported_errors(tree, X, tasks, motions, wanted), J, r, looped);
+  auto errors = less_dependent(supported_errors(tree, X, tasks, of_rows, wanted), J, r, looped);
   const auto freely = solve(factor, drive);
   for (std::size_t row = 0; row < errors.size(); ++row) {
     for (std::size_t i = 0; i < freely.size(); ++i) {

@@ -281,10 +281,7 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
   motion.qdd = solve_for_qdd(net);
   const auto tasks = task_points(tree, {}, world_poses(tree, X));
   const auto links = outward_motion<Scalar>(tree, X, {inputs.qd, motion.qdd}, Vector3<Scalar>{});
-  std::vector<Scalar> xdd_o;
-  for (const TaskPoint<Scalar>& task : tasks) {
-    append_accelerations(task, links, xdd_o);
-  }
+  std::vector<Scalar> xdd_o = row_accelerations(tree, X, tasks, links, inputs.qd);
   const auto state = held_objects(tree, objects, X, inputs.qd, inputs.stabilisation);
   for (std::size_t i = 0; i < xdd_o.size(); ++i) {
     xdd_o[i] = xdd_o[i] - state.corrections[i];

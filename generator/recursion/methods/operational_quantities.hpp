@@ -84,10 +84,8 @@ std::vector<Scalar> force_against_motion(const Tree<Scalar>& tree,
   for (Scalar& force : forces) force = -force;
   const auto qdd = accelerate(tree, X, choice.route, forces);
   const auto motions = outward_motion<Scalar>(tree, X, {qd, qdd}, Vector3<Scalar>{});
-  std::vector<Scalar> accelerations;
-  for (const TaskPoint<Scalar>& task : task_points(tree, {}, world_poses(tree, X))) {
-    append_accelerations(task, motions, accelerations);
-  }
+  auto accelerations =
+      row_accelerations(tree, X, task_points(tree, {}, world_poses(tree, X)), motions, qd);
   for (Scalar& acceleration : accelerations) acceleration = -acceleration;
   return solve(factor_ldlt(lambda_inverse_as_asked(tree, X, choice, rows), rule), accelerations);
 }

@@ -51,8 +51,9 @@ std::vector<Scalar> control_torque_by_resolved_acceleration(
   const auto poses = poses_seen_from(tree, X, axes_link);
   const TreePoint<Scalar>& point = tree.operational_points.front();
   const auto motions = outward_motion(tree, X, {inputs.rates.qd, {}}, -tree.gravity);
+  const auto of_rows = motions_of_rows(tree, X, motions, inputs.rates.qd, -tree.gravity);
   const auto error = acceleration_error(tree, X, point, task_point(point, basis, poses), basis,
-                                        motions.back(), inputs.xdd_cmd);
+                                        of_rows.front(), inputs.xdd_cmd);
   const auto J = jacobian_world(tree, poses, basis, 6);
   const auto column = [&J](std::size_t row, std::size_t j) {
     return Vector3<Scalar>{J(row, j), J(row + 1, j), J(row + 2, j)};

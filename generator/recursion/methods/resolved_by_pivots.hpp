@@ -104,9 +104,10 @@ std::vector<Scalar> control_torque_by_pivots(const Tree<Scalar>& tree,
   const TaskBasis& basis = law.basis;
   const TreePoint<Scalar>& point = tree.operational_points.front();
   const auto motions = outward_motion(tree, X, {inputs.rates.qd, {}}, -tree.gravity);
+  const auto of_rows = motions_of_rows(tree, X, motions, inputs.rates.qd, -tree.gravity);
   const auto poses = poses_seen_from(tree, X, basis.axes_link);
   const auto error = acceleration_error(tree, X, point, task_point(point, basis, poses), basis,
-                                        motions.back(), inputs.xdd_cmd);
+                                        of_rows.front(), inputs.xdd_cmd);
   const auto J = jacobian_world(tree, poses, basis, 6);
   const auto arm = solve_arm(J, {error[0], error[1], error[2]}, law);
   Vector3<Scalar> rest{error[3], error[4], error[5]};

@@ -37,21 +37,19 @@ DenseMatrix<Scalar> passive_columns(const Tree<Scalar>& tree,
 }
 
 /// What the rows lack at qdd_0: -Jd qd - J qdd_0 of constraints, xdd_cmd - Jd qd - J qdd_0 of
-/// tasks. `motions` have gravity removed.
+/// tasks. `of_rows` are those of `motions_of_rows`, without gravity.
 template <class Scalar>
 std::vector<Scalar> supported_errors(const Tree<Scalar>& tree,
                                      const std::vector<JointTransform<Scalar>>& X,
                                      const std::vector<TaskPoint<Scalar>>& tasks,
-                                     const std::vector<LinkMotion<Scalar>>& motions,
+                                     const std::vector<LinkMotion<Scalar>>& of_rows,
                                      const std::vector<Scalar>& wanted) {
   std::vector<Scalar> errors;
   for (std::size_t k = 0; k < tasks.size(); ++k) {
     const TreePoint<Scalar>& point = tree.operational_points[k];
-    LinkMotion<Scalar> motion;
-    motion.a = -tree.gravity;
-    if (point.link >= 0) motion = motions[static_cast<std::size_t>(point.link)];
-    const auto error = asked_acceleration_error(
-        tree, X, point, tasks[k], motion, std::span<const Scalar>(wanted).subspan(errors.size()));
+    const auto error =
+        asked_acceleration_error(tree, X, point, tasks[k], of_rows[k],
+                                 std::span<const Scalar>(wanted).subspan(errors.size()));
     errors.insert(errors.end(), error.begin(), error.end());
   }
   return errors;
@@ -129,7 +127,8 @@ SupportedRows<Scalar> supported_rows(const Tree<Scalar>& tree,
   wanted.insert(wanted.end(), inputs.xdd_cmd.begin(), inputs.xdd_cmd.end());
   SupportedRows<Scalar> rows;
   rows.tasks = task_points(tree, {}, world_poses(tree, X));
-  rows.errors = supported_errors(tree, X, rows.tasks, motions, wanted);
+  const auto of_rows = motions_of_rows(tree, X, motions, inputs.rates.qd, -tree.gravity);
+  rows.errors = supported_errors(tree, X, rows.tasks, of_rows, wanted);
   if (has_loops(tree)) {
     add_loops(tree, X, inputs.rates, anchored, rows);
     rows.Lambda_inv = lambda_inverse_by_factors(tree, X, rows.all);

@@ -5,6 +5,7 @@
 
 #include "recursion/methods/forward_kinematics.hpp"
 #include "recursion/methods/inverse_dynamics.hpp"
+#include "recursion/methods/link_velocities.hpp"
 
 namespace treeline {
 
@@ -100,17 +101,66 @@ Wrench<Scalar> unit_wrench(const TaskPoint<Scalar>& task, const TaskRow<Scalar>&
   return row.angular ? Wrench<Scalar>{{}, row.e} : wrench_at(row.e, Vector3<Scalar>{}, task.r);
 }
 
-/// Appends the acceleration along each row of a point, from the motion of its link.
+/// Whether linear rows of the point are along axes that turn with its link.
 template <class Scalar>
-void append_accelerations(const TaskPoint<Scalar>& task,
-                          const std::vector<LinkMotion<Scalar>>& motions,
-                          std::vector<Scalar>& accelerations) {
-  const LinkMotion<Scalar> motion =
-      task.link < 0 ? LinkMotion<Scalar>{} : motions[static_cast<std::size_t>(task.link)];
-  const Vector3<Scalar> linear = acceleration_at(motion, task.r);
-  for (const TaskRow<Scalar>& row : task.rows) {
-    accelerations.push_back(dot(row.e, row.angular ? motion.wd : linear));
+bool has_turning_rows(const TreePoint<Scalar>& point) {
+  return point.axes == Axes::local && point.link >= 0 &&
+         (point.rows[0] || point.rows[1] || point.rows[2]);
+}
+
+/// The motion of a link as its own axes count it, which turn: the rate of a point's velocity is
+/// less by w x (v + w x r) there, so that a - w x v + wd x r is left (spatial acceleration, RBDA
+/// sect. 2.10).
+template <class Scalar>
+LinkMotion<Scalar> counted_in_turning_axes(LinkMotion<Scalar> motion, const Vector3<Scalar>& v) {
+  motion.a = motion.a - cross(motion.w, v);
+  motion.U = angular_matrix(Vector3<Scalar>{}, motion.wd);
+  return motion;
+}
+
+/// The motion of each point's link, from which `acceleration_at` gives the rates of the velocities
+/// of its rows: J qdd + Jd qd. `base_acceleration` is that of `motions`.
+template <class Scalar>
+std::vector<LinkMotion<Scalar>> motions_of_rows(const Tree<Scalar>& tree,
+                                                const std::vector<JointTransform<Scalar>>& X,
+                                                const std::vector<LinkMotion<Scalar>>& motions,
+                                                std::span<const Scalar> qd,
+                                                const Vector3<Scalar>& base_acceleration) {
+  const auto& points = tree.operational_points;
+  std::vector<LinkVelocity<Scalar>> velocities;
+  if (std::any_of(points.begin(), points.end(), has_turning_rows<Scalar>)) {
+    velocities = link_velocities(tree, X, {qd, {}});
   }
+  LinkMotion<Scalar> world;
+  world.a = base_acceleration;
+  std::vector<LinkMotion<Scalar>> of_rows;
+  for (const TreePoint<Scalar>& point : points) {
+    const auto link = static_cast<std::size_t>(point.link);
+    of_rows.push_back(point.link < 0 ? world : motions[link]);
+    if (has_turning_rows(point)) {
+      of_rows.back() = counted_in_turning_axes(of_rows.back(), velocities[link].v);
+    }
+  }
+  return of_rows;
+}
+
+/// Rates of the velocities of the rows of all points, J qdd + Jd qd, from `motions` of the links
+/// without gravity.
+template <class Scalar>
+std::vector<Scalar> row_accelerations(const Tree<Scalar>& tree,
+                                      const std::vector<JointTransform<Scalar>>& X,
+                                      const std::vector<TaskPoint<Scalar>>& tasks,
+                                      const std::vector<LinkMotion<Scalar>>& motions,
+                                      std::span<const Scalar> qd) {
+  const auto of_rows = motions_of_rows(tree, X, motions, qd, Vector3<Scalar>{});
+  std::vector<Scalar> accelerations;
+  for (std::size_t k = 0; k < tasks.size(); ++k) {
+    const Vector3<Scalar> linear = acceleration_at(of_rows[k], tasks[k].r);
+    for (const TaskRow<Scalar>& row : tasks[k].rows) {
+      accelerations.push_back(dot(row.e, row.angular ? of_rows[k].wd : linear));
+    }
+  }
+  return accelerations;
 }
 
 /// Jd qd of all rows, by one outward pass with qdd = 0 and no gravity (Chang eq. 6.11, 6.12).
@@ -120,11 +170,7 @@ std::vector<Scalar> bias_acceleration(const Tree<Scalar>& tree,
                                       const std::vector<TaskPoint<Scalar>>& tasks,
                                       std::span<const Scalar> qd) {
   const auto motions = outward_motion(tree, X, {qd, {}}, Vector3<Scalar>{});
-  std::vector<Scalar> bias;
-  for (const TaskPoint<Scalar>& task : tasks) {
-    append_accelerations(task, motions, bias);
-  }
-  return bias;
+  return row_accelerations(tree, X, tasks, motions, qd);
 }
 
 }  // namespace treeline

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "functions/quantity.hpp"
+#include "recursion/methods/task_basis.hpp"
 #include "recursion/parameters/base_parameters.hpp"
 #include "recursion/routes/split_free_joints.hpp"
 
@@ -296,6 +297,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
     append_rows(point, static_cast<std::int16_t>(table.points.size()), table);
     table.points.push_back(table_point(point));
     table.grounded = table.grounded || is_on_world(point);
+    table.turning = table.turning || has_turning_rows(point);
   }
   sort_rows(tree, table);
   return table;

@@ -85,7 +85,7 @@ class LiftedTable {
 
   template <bool floats, bool coupled>
   [[nodiscard]] loops::LinkTable<Number, floats, true, true, true, coupled, coupled, true, true,
-                                 true, true, true, true, true>
+                                 true, true, true, true, true, true>
   view() const {
     return {links_.data(),
             static_cast<int>(links_.size()),
