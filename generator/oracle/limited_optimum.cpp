@@ -117,7 +117,7 @@ class DenseProgram {
     const Vector50 d_qdd = y_.head(nv_), d_f = y_.segment(nv_, held_);
     return {Vector50(problem_.tau + problem_.M * d_qdd - problem_.J_s.transpose() * d_f),
             Vector50(problem_.f + d_f),
-            Vector50(problem_.J_t * d_qdd),
+            Vector50(-(problem_.J_t * d_qdd)),
             lost_size(d_qdd, d_f),
             y_(size_ - 1),
             0,

@@ -33,7 +33,7 @@ using LimitSides = std::vector<int>;
 /// The point of least cost within limits.
 struct LimitedOptimum {
   interpreter::Vector<Digits50> tau, f;
-  interpreter::Vector<Digits50> lost;  ///< accelerations that task rows lose
+  interpreter::Vector<Digits50> lost;  ///< accelerations of task rows before less those after
   Digits50 lost_size;                  ///< size of the terms of these
   Digits50 slack;
   int corrections = 0;  ///< how often the sides that were given first had to be changed

@@ -11,13 +11,13 @@
 //
 //     1/2 k^2 |d_xdd|^2_D + 1/2 d_qdd^T M d_qdd + 1/2 |d_z|^2 / (k^2 m) + penalty(slack)
 //
-// d_xdd = J_t d_qdd is what the task loses, D its effective masses, z the forces that carry nothing
-// (internal forces of two feet). k is large, so that forces give way first, then the posture, then
-// the task: the limit k -> infinity is the strict hierarchy of Escande, Mansard & Wieber (2014)
-// with limits above tasks above the posture of Sentis & Khatib (2005) above forces. In that limit
-// the costs of the unlimited law and those here have the same minimum: the unlimited law's gradient
-// is J_t^T and J_s^T times its multipliers, which is constant where d_xdd is fixed. Where no limit
-// is reached nothing is changed, to the bit.
+// -d_xdd = -J_t d_qdd is what the task loses, D its effective masses, z the forces that carry
+// nothing (internal forces of two feet). k is large, so that forces give way first, then the
+// posture, then the task: the limit k -> infinity is the strict hierarchy of Escande, Mansard &
+// Wieber (2014) with limits above tasks above the posture of Sentis & Khatib (2005) above forces.
+// In that limit the costs of the unlimited law and those here have the same minimum: the unlimited
+// law's gradient is J_t^T and J_s^T times its multipliers, which is constant where d_xdd is fixed.
+// Where no limit is reached nothing is changed, to the bit.
 //
 // Torque limits can always be kept: any torques are followed by some motion. Where they leave no
 // forces within the cones, all cones are widened by the same force, `slack`, as little as possible:
@@ -106,7 +106,7 @@ void LimitProgram<Real, Sizes>::solve(const SupportLayout<Real, Sizes>& layout,
   result.slack = larger_of(slack_ * x[Sizes::kSlackAt], Real(0));
   for (int t = 0; t < T; ++t) {
     result.lost[t] = Real(0);
-    for (int i = 0; i < task_; ++i) result.lost[t] += W_[(held_ + i) * kCols + kTaskAt + t] * x[i];
+    for (int i = 0; i < task_; ++i) result.lost[t] -= W_[(held_ + i) * kCols + kTaskAt + t] * x[i];
   }
   for (int h = 0; h < Sizes::kHeld; ++h) f[h] += dot_of<N>(forces_ + h * N, x);
   int row = 0;

@@ -67,7 +67,8 @@ struct LimitedTorque {
   bool limited;            ///< whether anything had to be changed
   QuadraticStatus status;  ///< `solved`, or `limit`: iterations used up, torques are only clipped
   Real slack;              ///< N by which cones were widened; 0 where forces are within them
-  Real lost[one_or(Sizes::kTask)];  ///< xdd that the task rows lack of the unlimited law
+  Real lost[one_or(
+      Sizes::kTask)];  ///< xdd of the task rows by the unlimited law, less what is left of it
   int iterations;
   QuadraticSolution<Real, Sizes::kUnknowns, Sizes::kRows> program;
 };
