@@ -74,6 +74,7 @@ class DualActiveSet {
   void correct() noexcept;
   void find_multipliers() noexcept;
   void set_aside(const Violation& violation) noexcept;
+  [[nodiscard]] bool is_comparable(int row) const noexcept;
   void finish() noexcept;
   /// Of active rows; compilers do not see that there are never more than N.
   [[nodiscard]] int count() const noexcept { return count_ < N ? count_ : N; }

@@ -175,6 +175,15 @@ void DualActiveSet<Real, N, M>::solve() noexcept {
   finish();
 }
 
+/// Whether x is on a side of both bounds: of NaN it is on none, which nothing else notices.
+template <class Real, int N, int M>
+bool DualActiveSet<Real, N, M>::is_comparable(int row) const noexcept {
+  const Real(&x)[N] = solution_.x;
+  const Real value = row < N ? x[row] : dot_of<N>(rows_.A + (row - N) * N, x);
+  const bool below = value < lower(row) || value >= lower(row);
+  return below && (value > upper(row) || value <= upper(row));
+}
+
 template <class Real, int N, int M>
 void DualActiveSet<Real, N, M>::finish() noexcept {
   if (solution_.status == QuadraticStatus::limit) settle();
@@ -188,6 +197,7 @@ void DualActiveSet<Real, N, M>::finish() noexcept {
     finite = finite && is_finite(u_[j]);
   }
   for (int i = 0; i < N; ++i) finite = finite && is_finite(solution_.x[i]);
+  for (int row = 0; row < kRows; ++row) finite = finite && is_comparable(row);
   if (!finite) give_up(solution_);
 }
 

@@ -12,7 +12,7 @@ enum class QuadraticStatus {
   solved,       ///< all rows hold
   conflicting,  ///< rows that conflict with others were set aside, see `sides`
   limit,        ///< the iterations were used up: x is the minimum over the active rows alone
-  not_convex,   ///< H is not positive definite, or numbers do not fit: x is zero
+  not_convex,   ///< H is not positive definite, or numbers do not fit or are none: x is zero
 };
 
 /// Which side of a row is active.

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -220,7 +221,7 @@ void sweep(int copies, double torque, double bound) {
     EXPECT_LT((support.J_s * d_qdd).norm(), 1e-9 * (1 + d_qdd.norm()));
     for (int j = 0; j < Sizes::kPassive; ++j) EXPECT_EQ(outcome.tau(j), 0);
     for (int t = 0; t < Sizes::kTask; ++t) {
-      EXPECT_NEAR(outcome.limited.lost[t], support.J_t.row(t).dot(d_qdd), 1e-7);
+      EXPECT_NEAR(outcome.limited.lost[t], -support.J_t.row(t).dot(d_qdd), 1e-7);
     }
     if (outcome.limited.slack > 0) continue;
     const Vector other = solve_otherwise(support, 1e-12);
@@ -234,6 +235,19 @@ void sweep(int copies, double torque, double bound) {
   }
   std::printf("%d of 200 limited, %d with slack\n", limited, slack);
   EXPECT_GT(limited, 100);
+}
+
+// NaN limits nothing, and no comparison says so. Would catch: `solved` beside it.
+TEST(LimitedTorque, SaysThatALimitIsNoNumber) {
+  using Sizes = LimitSizes<12, 3, 6, 4, 8, 9>;
+  std::mt19937 engine(4);
+  auto support = random_support<Sizes>(0, 4, 5, engine);
+  ASSERT_EQ(run(support).limited.status, QuadraticStatus::solved);
+  support.limits.torque[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(run(support).limited.status, QuadraticStatus::not_convex);
+  support = random_support<Sizes>(0, 4, 5, engine);
+  support.limits.cones[1].bound = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(run(support).limited.status, QuadraticStatus::not_convex);
 }
 
 TEST(LimitedTorque, AFloatingBaseOnTwoFeet) {

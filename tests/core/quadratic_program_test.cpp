@@ -285,6 +285,27 @@ TEST(QuadraticProgram, NoFiniteInputGivesNaN) {
   }
 }
 
+// A row that is NaN is violated by no x: no comparison finds it. It is not solved all the same.
+TEST(QuadraticProgram, SaysThatNaNHasNoAnswer) {
+  std::mt19937 engine(9);
+  const auto expect_none = [&](const auto& choose) {
+    for (int i = 0; i < 40; ++i) {
+      auto problem = random_case<5, 12>(kKinds[i % 8], engine);
+      auto& numbers = choose(problem);
+      numbers[engine() % std::size(numbers)] = std::numeric_limits<double>::quiet_NaN();
+      const auto solution = solve(problem);
+      EXPECT_EQ(solution.status, QuadraticStatus::not_convex) << i;
+      for (const double each : solution.x) EXPECT_EQ(each, 0);
+    }
+  };
+  expect_none([](auto& problem) -> auto& { return problem.g; });
+  expect_none([](auto& problem) -> auto& { return problem.rows.A; });
+  expect_none([](auto& problem) -> auto& { return problem.rows.lower; });
+  expect_none([](auto& problem) -> auto& { return problem.rows.upper; });
+  expect_none([](auto& problem) -> auto& { return problem.rows.lowest; });
+  expect_none([](auto& problem) -> auto& { return problem.rows.highest; });
+}
+
 TEST(QuadraticProgram, UsedUpIterationsLeaveTheMinimumOverTheActiveRows) {
   std::mt19937 engine(6);
   const auto problem = random_case<12, 20>(kKinds[0], engine);
