@@ -25,6 +25,18 @@ void split(const std::vector<Digits50>& exact, FunctionReference& reference) {
   }
 }
 
+/// What 50 digits leave at most of a sum whose terms cancel, in SI units.
+constexpr double kCancelled = 1e-30;
+
+/// Makes entries 0 that have no term, as their size of 0 says, in the reference and in the
+/// interpreter's result: the formulation of the interpreter has terms there that cancel.
+void clear_residues(FunctionReference& reference, std::vector<double>& in_real) {
+  for (std::size_t i = 0; i < reference.size.size(); ++i) {
+    if (reference.size[i] != 0 || !(std::abs(reference.high[i]) < kCancelled)) continue;
+    reference.high[i] = reference.low[i] = in_real[i] = 0;
+  }
+}
+
 template <class T>
 std::vector<double> widened(const std::vector<T>& entries) {
   return {entries.begin(), entries.end()};
@@ -149,6 +161,7 @@ FunctionReference ReferenceMaker::interpret_at(std::size_t i, const State& state
   }
   split(interpret<Digits50>(function, *SubjectAt(exact_, state), state, law), reference);
   reference.size = sizes.sizes(function, reference.high, size_law, relaxed);
+  clear_residues(reference, in_real);
   reference.border_steps = sizes.border_steps(function, unit_of(real_));
   reference.interpreter_error = error_in_ulp(in_real, reference, unit_of(real_));
   return reference;

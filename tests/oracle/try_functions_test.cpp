@@ -1,11 +1,7 @@
-#include "oracle/try_functions.hpp"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
 
-#include "check/fixture.hpp"
+#include "tried_subjects.hpp"
 
 // Functions of correct robots pass before they are written; a function with a fault planted into
 // its graph does not. Would catch: a kind of function that is never tried, bounds so wide that
@@ -20,18 +16,6 @@ void spoil(Program& program, double factor) {
   for (Result& result : program.results) {
     for (Expression& value : result.values) value = value * Expression(factor);
   }
-}
-
-std::vector<std::string> failing(const Subjects& subjects, const Generation& generation) {
-  TrialOptions options;
-  options.confirm = 40;
-  std::vector<std::string> names;
-  for (const FailedTrial& each :
-       try_functions(subjects.robot, subjects.scene, generation, options)) {
-    EXPECT_GT(each.error, each.bound) << each.name;
-    names.push_back(each.name);
-  }
-  return names;
 }
 
 std::vector<std::string> spoil_all(std::vector<GeneratedFunction>& functions, double factor) {
@@ -92,16 +76,6 @@ TEST(TryFunctions, OfObjects) {
   subjects.scene.functions = {kObjectFunctions.begin(), kObjectFunctions.end()};
   subjects.generation = generate(subjects.robot, subjects.scene);
   expect_tried(subjects);
-}
-
-/// Reads a robot and a scene from text and generates.
-Subjects read(const std::string& urdf, const std::string& scene_text) {
-  Diagnostics diagnostics;
-  const auto robot = parse_urdf("<robot name='r'>" + urdf + "</robot>", "r.urdf", diagnostics);
-  if (!robot) throw std::runtime_error(to_string(diagnostics.list().back()));
-  const auto scene = parse_scene(scene_text, "s.yaml", *robot, diagnostics);
-  if (!scene) throw std::runtime_error(to_string(diagnostics.list().back()));
-  return {*robot, *scene, generate(*robot, *scene)};
 }
 
 // Reduced from bullet3's minitaur with all joints fixed: its legs balance up to 1e-16 m. Would
