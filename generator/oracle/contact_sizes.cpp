@@ -1,10 +1,9 @@
 #include "oracle/contact_sizes.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_contacts.hpp"
 #include "oracle/term_sizes.hpp"
@@ -19,33 +18,15 @@ Subject<double> seen_at(const Subject<double>& subject, const interpreter::Point
   return seen;
 }
 
-/// Largest effective masses in the neighbourhood of the state. Where a mass is relaxed this is the
-/// peak of `bounded_inverse`, otherwise the mass itself.
-std::vector<double> steepest_masses(const Subject<double>& subject, const State& state,
-                                    const interpreter::TaskLaw<double>& law,
-                                    std::vector<double> masses) {
-  if (law.borders.empty()) return masses;
-  const Eigen::VectorXd c = interpreter::mobilities_along<double>(
-      subject.model, subject.contacts, vector_of<double>(state.q),
-      vector_of<double>(values_of(state, Quantity::normals)));
-  const double peak = std::pow(law.power - 1.0, 1.0 / law.power);
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    const double at = peak * law.borders[i];
-    if (c(static_cast<Eigen::Index>(i)) < at) {
-      masses[i] = interpreter::bounded_inverse<double>(at, law.borders[i], law.power);
-    }
-  }
-  return masses;
-}
-
 /// Appends m^2 |n|^T |Lambda_c^-1| |n|: the change of m = 1 / (n^T Lambda_c^-1 n) due to an error
-/// of the denominator.
+/// of the denominator. With a cap it is less, and m where that is more.
 void append_masses(const Eigen::MatrixXd& Lambda_inverse, const Eigen::VectorXd& normals,
                    const std::vector<double>& masses, std::vector<double>& entries) {
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const auto row = 3 * static_cast<Eigen::Index>(i);
     const Eigen::Vector3d n = normals.segment<3>(row);
-    entries.push_back(masses[i] * masses[i] * n.dot(Lambda_inverse.block<3, 3>(row, row) * n));
+    const double of_terms = masses[i] * n.dot(Lambda_inverse.block<3, 3>(row, row) * n);
+    entries.push_back(masses[i] * std::max(of_terms, 1.0));
   }
 }
 
@@ -62,8 +43,7 @@ void append_blocks(const Eigen::MatrixXd& J, const Eigen::MatrixXd& M_inverse,
 
 std::vector<double> contact_sizes(Function function, const Subject<double>& subject,
                                   const State& state, const Eigen::MatrixXd& M_inverse,
-                                  const std::vector<double>& result,
-                                  const interpreter::TaskLaw<double>& law) {
+                                  const std::vector<double>& result) {
   std::vector<double> entries;
   if (function == Function::link_inverse_inertias) {
     const Subject<double> links = seen_at(subject, link_frames(subject.model));
@@ -83,8 +63,8 @@ std::vector<double> contact_sizes(Function function, const Subject<double>& subj
       append(Lambda_inverse, entries);
       break;
     case Function::effective_mass:
-      append_masses(Lambda_inverse, magnitudes(values_of(state, Quantity::normals)),
-                    steepest_masses(subject, state, law, result), entries);
+      append_masses(Lambda_inverse, magnitudes(values_of(state, Quantity::normals)), result,
+                    entries);
       break;
     case Function::impulse_response:
       append(M_inverse * (J.transpose() * magnitudes(values_of(state, Quantity::impulse))),

@@ -276,7 +276,7 @@ std::vector<double> ResultSizes::sizes(Function function, const std::vector<doub
   const Row* row = find_row(of_robot, function);
   if (row == nullptr) row = find_row(of_task, function);
   if (row == nullptr) {
-    return contact_sizes(function, subject_, state_, M_inverse_, result, law);
+    return contact_sizes(function, subject_, state_, M_inverse_, result);
   }
   return row->sizes(*this, {result, law, relaxed, relaxed ? relaxed->Lambda : Lambda_});
 }

@@ -80,16 +80,18 @@ Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> co
   return mobilities_along<Scalar>(model, contacts, q, normals).cwiseInverse();
 }
 
-/// Effective mass of each contact along n, with the borders of `law`, one per contact. The mass
-/// goes to zero in directions that cannot move.
+/// Effective mass of each contact along n, with the borders of `law`, one per contact: where c is
+/// its mobility, 1 / (c + border / (1 + (c / border)^3)), so that the mass grows to 1 / border in
+/// directions that cannot move.
 template <class Scalar>
 Vector<Scalar> effective_masses(const Model<Scalar>& model, PointsArg<Scalar> contacts,
                                 VectorArg<Scalar> q, VectorArg<Scalar> normals,
                                 const TaskLaw<Scalar>& law) {
   Vector<Scalar> masses = mobilities_along<Scalar>(model, contacts, q, normals);
   for (Eigen::Index i = 0; i < masses.size(); ++i) {
-    masses(i) =
-        bounded_inverse<Scalar>(masses(i), law.borders[static_cast<std::size_t>(i)], law.power);
+    const Scalar& border = law.borders[static_cast<std::size_t>(i)];
+    const Scalar t = masses(i) / border;
+    masses(i) = Scalar(1) / (masses(i) + border / (Scalar(1) + t * t * t));
   }
   return masses;
 }

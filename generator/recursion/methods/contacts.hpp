@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "recursion/algebra/pivot_rule.hpp"
+#include "recursion/algebra/capped_inverse.hpp"
 #include "recursion/methods/forward_dynamics.hpp"
 #include "recursion/methods/lambda_inverse.hpp"
 
@@ -76,14 +76,15 @@ std::vector<TaskPoint<Scalar>> normal_tasks(const Tree<Scalar>& tree,
   return tasks;
 }
 
-/// Effective masses 1 / (n^T Lambda_c^-1 n), one per row of `Lambda_inv` (Chang eq. 8.1). `rule`
-/// inverts the divisors.
+/// Effective masses 1 / (n^T Lambda_c^-1 n), one per row of `Lambda_inv` (Chang eq. 8.1), each with
+/// a cap of 1 / border if there are `borders`.
 template <class Scalar>
 std::vector<Scalar> masses_along(const DenseMatrix<Scalar>& Lambda_inv,
-                                 const PivotRule& rule = {}) {
+                                 const std::vector<double>& borders = {}) {
   std::vector<Scalar> masses;
   for (std::size_t i = 0; i < Lambda_inv.rows(); ++i) {
-    masses.push_back(rule(i, Lambda_inv(i, i)));
+    const Scalar& c = Lambda_inv(i, i);
+    masses.push_back(borders.empty() ? Scalar(1.0) / c : capped_inverse(c, borders[i]));
   }
   return masses;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recursion/algebra/capped_inverse.hpp"
 #include "recursion/methods/loop_rows.hpp"
 #include "recursion/methods/order_pivots.hpp"
 #include "recursion/methods/ordinary_states.hpp"
@@ -75,15 +76,26 @@ std::vector<double> row_borders(const Mechanism& mechanism, TaskLaw::Kind kind, 
 }
 
 /// One for each contact: a share of the mean of its three diagonal entries.
-std::vector<double> normal_borders(const Mechanism& mechanism, const BoundedInverseShape& shape) {
+std::vector<double> normal_borders(const Mechanism& mechanism) {
+  const CappedInverseShape shape = effective_mass_shape(mechanism.real);
   const auto pivots =
       ordinary_pivots(mechanism, TaskLaw::Kind::normals, LawPoints::contacts, TaskBasis{});
   std::vector<double> borders;
   for (std::size_t row = 0; row < pivots.rows(); row += 3) {
     const double sum = pivots.diagonal(row) + pivots.diagonal(row + 1) + pivots.diagonal(row + 2);
-    borders.push_back(rounded_border(sum / 3, shape));
+    borders.push_back(std::max(rounded_border(shape.share * sum / 3), shape.least));
   }
   return borders;
+}
+
+/// The caps of effective masses, one per contact, and a plural.
+std::string list_caps(const std::vector<double>& borders) {
+  std::string list;
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    const char* const before = i == 0 ? "" : i + 1 < borders.size() ? ", " : " and ";
+    list += fmt::format("{}{:.2g}", before, 1 / borders[i]);
+  }
+  return list;
 }
 
 /// One for each row: a share of the sum over its point's rows of its kind.
@@ -223,9 +235,9 @@ std::string describe(const TaskLaw& law) {
           single ? "5e-4" : "8e-6", single ? "3e-2" : "1e-3");
     case TaskLaw::Kind::normals:
       return fmt::format(
-          "finite everywhere; along what cannot be moved the mass tends to 0, smoothly, where the "
-          "inverse mass falls below {} of what is ordinary.",
-          single ? "5e-4" : "8e-6");
+          "finite everywhere; along what cannot be moved the mass grows smoothly to a cap of {} "
+          "kg{}; it is never above the exact mass, and below it by at most (exact mass / cap)^4.",
+          list_caps(law.rule.borders), law.rule.borders.size() > 1 ? ", contact by contact" : "");
   }
   return {};
 }
@@ -247,7 +259,7 @@ std::shared_ptr<const TaskLaw> TaskLaws::find(TaskLaw::Kind kind, LawPoints poin
   law.basis = basis;
   law.rule.power = shape.power;
   if (kind == TaskLaw::Kind::normals) {
-    law.rule.borders = normal_borders(*mechanism_, shape);
+    law.rule = {4, normal_borders(*mechanism_)};
   } else if (kind == TaskLaw::Kind::priorities) {
     law.rule.borders = mobility_floors(*mechanism_);
   } else {

@@ -46,7 +46,7 @@ struct TaskLaw {
   enum class Kind {
     inverse_inertia,  ///< LDL^T of Lambda^-1
     grasp_forces,     ///< LDL^T of Lambda_e^-1 + C Lambda_obj^-1 C^T
-    normals,          ///< n^T Lambda_c^-1 n of each contact separately
+    normals,          ///< n^T Lambda_c^-1 n of each contact separately, see `capped_inverse`
     priorities,       ///< borders are added to mobilities, see `rows_by_priority`
     supported,        ///< of a supported control torque, see `split_rules`
     eliminated,       ///< passive velocities out of rows of loops, see `LoopedVelocities`
@@ -81,6 +81,11 @@ std::string describe(const TaskLaw& law);
 /// without a law.
 inline constexpr const char* kBareSolve =
     "not finite where rows cannot be moved independently (singular: exact).";
+
+/// Added for Lambda itself.
+inline constexpr const char* kYieldingLambda =
+    " What yields has no inertia: this is the Lambda of control_torque, F = Lambda xdd stays "
+    "finite. The inertia itself grows without bound there; lambda_inverse is exact.";
 
 /// Directions in the world, row by row.
 using LawAxes = std::array<std::array<Digits50, 3>, 3>;

@@ -39,9 +39,9 @@ std::vector<Route> inverse_inertia_routes(const TracedTree& tree) {
   return routes;
 }
 
-std::vector<Result> masses(const DenseMatrix<Expression>& Lambda_inv, const PivotRule& rule) {
+std::vector<Result> masses(const DenseMatrix<Expression>& Lambda_inv, const PivotRule& law) {
   return {vector_result("mass", "effective masses, kg where the normal is a unit vector",
-                        masses_along(Lambda_inv, rule))};
+                        masses_along(Lambda_inv, law.borders))};
 }
 
 /// Couplings between contacts are traced and never used: what is not asked for is not emitted.

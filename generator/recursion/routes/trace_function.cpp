@@ -62,6 +62,19 @@ std::string priorities_of(const TracedTree& tree) {
   return text;
 }
 
+/// What a function about impulses leaves out of a robot that is held or holds something.
+std::string left_out_of(Function function, const Mechanism& mechanism) {
+  const FunctionGroup group = info_of(function).group;
+  const bool about_impulses = (group == FunctionGroup::contacts || group == FunctionGroup::links) &&
+                              solve_of(function) != Solve::none;
+  if (!about_impulses) return {};
+  const bool holds = !mechanism.objects.empty();
+  const bool is_held = mechanism.held_rows() > 0;
+  if (!holds && !is_held) return {};
+  const char* const what = !holds ? "constraints" : is_held ? "constraints and objects" : "objects";
+  return fmt::format(", of the robot alone: {} of the scene are not held", what);
+}
+
 /// The equation with an argument `step`.
 std::string implicit_equation(Function function) {
   const std::string equation =
@@ -127,6 +140,7 @@ class Tracer {
     if (function_ == Function::control_torque && has_priorities(trace.tree)) {
       program.equation += priorities_of(trace.tree);
     }
+    program.equation += left_out_of(function_, mechanism_);
     take_inputs(*seen, program, trace);
     find_transforms(trace);
     describe_singular(route, program);
@@ -162,6 +176,7 @@ class Tracer {
       program.singular = route.singular;
     } else if (route.law) {
       program.singular = describe(*route.law);
+      if (function_ == Function::lambda) program.singular += kYieldingLambda;
     } else if (mechanism_.singular == SingularTasks::exact && may_divide_by_zero(function_)) {
       program.singular = kBareSolve;
     }
