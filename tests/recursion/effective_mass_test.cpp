@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -17,7 +18,8 @@
 // Effective masses on the way into a singularity, against 1 / (n^T Lambda_c^-1 n) in 50 digits: an
 // arm of three links whose tip touches something along the stretched arm. Would catch: a mass that
 // falls where it grows, a cap below what the header states, digits that are lost long before the
-// cap, and functions about impulses that leave out what a scene holds without a word.
+// cap, functions about impulses that leave out what a scene holds without a word, and a way to take
+// it in that moves what is held.
 
 namespace treeline::tests {
 namespace {
@@ -158,6 +160,54 @@ TEST(Impulses, SayWhatTheyLeaveOut) {
               std::string::npos)
         << equation(held);
   }
+}
+
+interpreter::Matrix<double> matrix_by(const Scenery& arm, Function function,
+                                      const std::vector<double>& q, Eigen::Index rows) {
+  const auto program = trace_function(reduced_mechanism(arm.robot, arm.scene), function).front();
+  const auto entries = evaluate<double>(program, {q}).front();
+  return Eigen::Map<const interpreter::Matrix<double>>(entries.data(), rows, 3);
+}
+
+/// qdd of an arm that a constraint holds, with a force on its tip.
+interpreter::Vector<double> held_acceleration(const Program& program, const std::vector<double>& q,
+                                              const std::vector<double>& f_ext) {
+  std::vector<std::vector<double>> arguments;
+  for (const Argument& argument : program.arguments) {
+    const auto size = static_cast<std::size_t>(argument.rows * argument.cols);
+    arguments.push_back(argument.name == "q"       ? q
+                        : argument.name == "f_ext" ? f_ext
+                                                   : std::vector<double>(size, 0.3));
+  }
+  const auto qdd = evaluate<double>(program, arguments).front();
+  return Eigen::Map<const interpreter::Vector<double>>(qdd.data(), 3);
+}
+
+// What the pages say of impulses on a robot that is held: the jump keeps the constraint, and what
+// of the momentum the impulse does not bring, the constraint brings.
+TEST(Impulses, OfARobotThatIsHeldAreDifferencesOfItsAccelerations) {
+  const Scenery arm = read_arm(
+      "constraints: [{name: pin, between: [l2, world], origin: {xyz: [0.4, 0, 0]}, rows: [x]}]\n"
+      "external_forces: [{name: push, link: l3, origin: {xyz: [0.4, 0, 0]}}]\n"
+      "operational_points: [{name: tip, link: l3, origin: {xyz: [0.4, 0, 0]}, rows: [x, y]}]\n");
+  const std::vector<double> q{0.3, 0.5, -0.4};
+  const interpreter::Vector<double> y = Eigen::Vector2d(3, -5);
+  const auto program = trace_function(reduced_mechanism(arm.robot, arm.scene),
+                                      Function::constrained_forward_dynamics)
+                           .front();
+  const interpreter::Vector<double> dqd = held_acceleration(program, q, {y(0), y(1), 0, 0, 0, 0}) -
+                                          held_acceleration(program, q, {0, 0, 0, 0, 0, 0});
+  const auto J_s = matrix_by(arm, Function::constraint_jacobian, q, 1);
+  const auto M = matrix_by(arm, Function::mass_matrix, q, 3);
+  const auto J = matrix_by(arm, Function::jacobian, q, 2);
+  EXPECT_GT(dqd.norm(), 1);
+  EXPECT_NEAR((J_s * dqd).norm(), 0, 1e-12 * dqd.norm());
+  const interpreter::Vector<double> from_pin = M * dqd - J.transpose() * y;
+  const double share = from_pin.dot(J_s.row(0)) / J_s.squaredNorm();
+  EXPECT_LT((from_pin - share * J_s.transpose()).norm(), 1e-12 * y.norm());
+  EXPECT_GT(std::abs(share), 1e-3);
+  const double work = dqd.dot(J.transpose() * y);
+  EXPECT_NEAR(dqd.dot(M * dqd), work, 1e-12 * work) << "the pin does no work";
 }
 
 }  // namespace
