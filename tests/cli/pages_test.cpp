@@ -2,8 +2,12 @@
 // that no page explains, or that a page calls by another name.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "description/scene_keys.hpp"
 #include "functions/function.hpp"
@@ -47,6 +51,32 @@ std::set<std::string> find_all(const std::string& text, const char* pattern) {
     found.insert((*match)[1]);
   }
   return found;
+}
+
+/// Cells of a row of a table that begins with `first`; empty: there is none.
+std::vector<std::string> cells_of(const std::string& page, const std::string& first) {
+  const std::size_t row = page.find("\n| " + first + " | ");
+  if (row == std::string::npos) return {};
+  std::istringstream line(page.substr(row + 3, page.find('\n', row + 1) - row - 3));
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(line, cell, '|');) cells.push_back(cell);
+  return cells;
+}
+
+// Would catch: a function that only the interpreter judges, and a test that has gone. `judges`
+// compares what the table says of programs with what they were asked.
+TEST_F(PagesTest, EveryFunctionHasTwoJudges) {
+  const std::string page = read_file(kSources + "/tests/README.md");
+  for (const FunctionInfo& row : kFunctions) {
+    const std::vector<std::string> cells = cells_of(page, "`" + std::string(row.name) + "`");
+    ASSERT_EQ(cells.size(), 3U) << row.name;
+    const std::set<std::string> programs = find_all(cells[1], "(Pinocchio|Drake|MuJoCo)");
+    const std::set<std::string> tests = find_all(cells[2], "`([^`]+)`");
+    EXPECT_GE(programs.size() + tests.size(), 2U) << row.name;
+    for (const std::string& test : tests) {
+      EXPECT_TRUE(std::filesystem::exists(kSources + "/tests/" + test)) << test;
+    }
+  }
 }
 
 TEST_F(PagesTest, EveryOptionIsExplained) {

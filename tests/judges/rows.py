@@ -1,0 +1,109 @@
+"""Rows of frames: of tasks, of supports, of loops between two links and of couplings. Their Jacobians and Jd qd."""
+
+import numpy as np
+
+ALL_ROWS = ("x", "y", "z", "rx", "ry", "rz")
+
+
+def place_yaml(xyz, rpy):
+    numbers = lambda values: "[" + ", ".join(repr(float(x)) for x in values) + "]"
+    return f"{{xyz: {numbers(xyz)}, rpy: {numbers(rpy)}}}"
+
+
+class Point:
+    """A frame on a link, and which of its rows count."""
+
+    def __init__(self, name, link, xyz, rpy, axes, rows=ALL_ROWS):
+        self.name, self.link, self.xyz, self.rpy, self.axes, self.rows = name, link, xyz, rpy, axes, tuple(rows)
+
+    @property
+    def indices(self):
+        return [ALL_ROWS.index(row) for row in self.rows]
+
+    def yaml(self, with_rows=True):
+        rows = f", rows: [{', '.join(self.rows)}]" if with_rows else ""
+        return (f'{{name: {self.name}, link: "{self.link}", origin: {place_yaml(self.xyz, self.rpy)}, '
+                f"axes: {self.axes}{rows}}}")
+
+
+def rows_jacobian(figures, points):
+    """The velocities of the rows are J qd: their axes turn with the link where they are local."""
+    blocks = []
+    for point in points:
+        J = figures.jacobian(point.name)
+        if point.axes == "local":
+            R = figures.pose(point.name)[0]
+            J = np.vstack([R.T @ J[:3], R.T @ J[3:]])
+        blocks.append(J[point.indices])
+    return np.vstack(blocks) if blocks else np.zeros((0, figures.T.shape[1]))
+
+
+def rows_bias(figures, points):
+    """Jd qd, the derivative of the rows' velocities at qdd = 0: R^T a - w x v in local axes."""
+    blocks = []
+    for point in points:
+        a = figures.acceleration(point.name, False)
+        if point.axes == "local":
+            R, twist = figures.pose(point.name)[0], figures.velocity(point.name)
+            v, w = R.T @ twist[:3], R.T @ twist[3:]
+            a = np.concatenate([R.T @ a[:3] - np.cross(w, v), R.T @ a[3:]])
+        blocks.append(a[point.indices])
+    return np.concatenate(blocks) if blocks else np.zeros(0)
+
+
+class Loop:
+    """Rows of the first frame's velocity against the second's, in the second's axes."""
+
+    def __init__(self, first, second, rows):
+        self.first, self.second, self.rows = first, second, tuple(rows)
+
+    @property
+    def indices(self):
+        return [ALL_ROWS.index(row) for row in self.rows]
+
+
+def _loop_jacobian(figures, loop):
+    J1, J2, R, d = _relative_frames(figures, loop)
+    linear = J1[:3] - J2[:3] + skew(d) @ J2[3:]  # v1 - v2 - w2 x d
+    return np.vstack([R.T @ linear, R.T @ (J1[3:] - J2[3:])])[loop.indices]
+
+
+def _loop_bias(figures, loop):
+    """The derivative of R^T (v1 - v2 - w2 x d) and R^T (w1 - w2) at qdd = 0: R turns with w2."""
+    R, d = _relative_frames(figures, loop)[2:]
+    (v1, w1), (v2, w2) = (np.split(figures.velocity(frame), 2) for frame in (loop.first, loop.second))
+    (a1, b1), (a2, b2) = (np.split(figures.acceleration(frame, False), 2) for frame in (loop.first, loop.second))
+    slip = v1 - v2 - np.cross(w2, d)
+    linear = a1 - a2 - np.cross(b2, d) - np.cross(w2, v1 - v2) - np.cross(w2, slip)
+    return np.concatenate([R.T @ linear, R.T @ (b1 - b2 - np.cross(w2, w1 - w2))])[loop.indices]
+
+
+def _relative_frames(figures, loop):
+    p1, (R, p2) = figures.pose(loop.first)[1], figures.pose(loop.second)
+    return figures.jacobian(loop.first), figures.jacobian(loop.second), R, p1 - p2
+
+
+def skew(a):
+    return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
+
+
+def held_jacobian(figures, case):
+    """Of supports, then loops, then couplings."""
+    return np.vstack([rows_jacobian(figures, case.held), *(_loop_jacobian(figures, loop) for loop in case.loops),
+                      *case.coupling_rows()])
+
+
+def held_bias(figures, case):
+    return np.concatenate([rows_bias(figures, case.held), *(_loop_bias(figures, loop) for loop in case.loops),
+                           np.zeros(len(case.couplings))])
+
+
+def constraint_errors(figures, case, q):
+    """Of loops: displacements and sines of turns, in the second frame's axes. Of couplings: sums."""
+    errors = [np.zeros(0)]
+    for loop in case.loops:
+        (R1, p1), (R2, p2) = figures.pose(loop.first), figures.pose(loop.second)
+        turn = R2.T @ R1
+        sines = 0.5 * np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+        errors.append(np.concatenate([R2.T @ (p1 - p2), sines])[loop.indices])
+    return np.concatenate(errors + [row @ q for row in case.coupling_rows()])  # of joints with one coordinate
