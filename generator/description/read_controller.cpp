@@ -48,6 +48,13 @@ const std::vector<NumberKey> kNumbers = {
     {"posture_frequency", &SceneController::posture_frequency, 0, 1e4, "rad/s, such as 5"},
     {"damping_ratio", &SceneController::damping_ratio, 0, 10, "1 damps critically"},
     {"brake_damping", &SceneController::brake_damping, 0, 1e4, "1/s, such as 20"},
+    {"hold_frequency", &SceneController::hold_frequency, 1e-3, 1e4, "rad/s, such as 60"},
+    {"hold_reach", &SceneController::hold_reach, 1e-6, 10, "rad or m, such as 0.05"},
+    {"jump", &SceneController::jump, 1e-6, 1e9, "rad or m, such as 0.05"},
+    {"following", &SceneController::following, 1e-6, 1e9, "rad or m, such as 0.3"},
+    {"torque_rise", &SceneController::torque_rise, 1e-6, 10, "seconds, such as 0.025"},
+    {"point_speed", &SceneController::point_speed, 1e-6, 1e3, "m/s, such as 0.25"},
+    {"point_turn", &SceneController::point_turn, 1e-6, 1e3, "rad/s, such as 1"},
     {"position_margin", &SceneController::position_margin, 0, 10, "rad or m, such as 0.05"},
     {"speed_margin", &SceneController::speed_margin, 0, 10, "a share of the limit, such as 0.1"},
     {"fade", &SceneController::fade, 0, 10, "seconds, such as 0.1"},
@@ -148,6 +155,7 @@ void check_frequencies(const SceneElement& element, const SceneController& contr
   check("task_frequency", controller.task_frequency);
   check("posture_frequency", controller.posture_frequency);
   check("brake_damping", controller.brake_damping);
+  check("hold_frequency", controller.hold_frequency);
   check("force_damping", controller.force_damping);
   if (controller.force && !(controller.force_rate < controller.force_damping)) {
     element.error(
@@ -189,6 +197,10 @@ void read_controller(const SceneElement& element, const Robot& robot, Scene& sce
     controller.clamps = saturation->second.choice({"scale", "clamp"}) == 1;
   }
   read_numbers(fields, controller);
+  if (!fields.contains("hold_frequency")) {
+    // Two steps of delay then leave a phase margin of 60 degrees.
+    controller.hold_frequency = std::min(controller.hold_frequency, 0.06 / controller.period);
+  }
   if (const auto limits = fields.find("limits"); limits != fields.end()) {
     read_limits(limits->second, robot, scene, controller);
   }

@@ -197,7 +197,14 @@ struct SceneController {
   double task_frequency = 20;
   double posture_frequency = 5;
   double damping_ratio = 1;
-  double brake_damping = 20;      ///< 1/s
+  double brake_damping = 20;      ///< 1/s, of the reference along which the robot is braked
+  double hold_frequency = 60;     ///< rad/s: how stiffly it is led along that, and held
+  double hold_reach = 0.05;       ///< rad or m that the reference leaves a joint behind
+  double jump = 0.05;             ///< rad or m of q that qd does not explain
+  double following = 0.3;         ///< rad or m that a reference may be away
+  double torque_rise = 0.025;     ///< s in which a torque may rise from 0 to its limit
+  double point_speed = 1.5;       ///< m/s of a point along its reference
+  double point_turn = 3;          ///< rad/s
   double position_margin = 0.05;  ///< rad or m beyond a limit that are a fault
   double speed_margin = 0.1;      ///< share of a limit
   double fade = 0.1;              ///< s, of a switch between laws
@@ -205,7 +212,7 @@ struct SceneController {
   double force_rate = 2;          ///< 1/s, of the integral
   double force_damping = 60;      ///< 1/s
   double largest_force = 50;      ///< N
-  int stale_ticks = 0;            ///< steps without a command that are a fault; 0: never
+  int stale_ticks = 200;          ///< steps without a command that are a fault; 0: never
   int blind_ticks = 100;          ///< steps that gravity is held without a measurement
   std::map<std::string, SceneJointLimits> limits;  ///< by joint
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,12 @@ struct ControllerUnit {
     std::string name;
     bool slides = false;
     double lower = 0, upper = 0, speed = 0, torque = 0;
+    bool led = false;  ///< other joints follow it
+
+    /// Whether the joint turns without end, so that angles a turn apart are the same pose.
+    [[nodiscard]] bool turns() const {
+      return !slides && !led && std::isinf(lower) && std::isinf(upper);
+    }
   };
   std::vector<Joint> joints;
 

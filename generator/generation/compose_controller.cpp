@@ -118,8 +118,11 @@ std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& 
   for (const Coordinate& coordinate : mechanism.coordinates) {
     const Joint& joint = *find_joint(robot, coordinate.joint);
     const Limits limits = limits_in_controller(joint, *scene.controller);
+    const bool led = std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& each) {
+      return each.mimic && &robot.joints[static_cast<std::size_t>(each.mimic->joint)] == &joint;
+    });
     joints.push_back({coordinate.joint, coordinate.kind == CoordinateKind::displacement,
-                      limits.lower, limits.upper, limits.velocity, limits.effort});
+                      limits.lower, limits.upper, limits.velocity, limits.effort, led});
   }
   return joints;
 }

@@ -25,10 +25,13 @@ constexpr std::array<std::string_view, 17> kTargets = {
     "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
 /// Headers of the runtime that are emitted, in C++ or in C, without their ending.
-constexpr std::array<std::string_view, 39> kHeaders = {"active_row_factors",
+constexpr std::array<std::string_view, 42> kHeaders = {"active_row_factors",
                                                        "controller",
+                                                       "controller_braking",
                                                        "controller_commands",
+                                                       "controller_config",
                                                        "controller_laws",
+                                                       "controller_measurement",
                                                        "controller_safety",
                                                        "damped_solve",
                                                        "dual_active_set",

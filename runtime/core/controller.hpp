@@ -3,6 +3,7 @@
 // torque of the safe state. C++17, freestanding, fixed size, no state but what it is given.
 
 #include "core/controller_commands.hpp"
+#include "core/controller_config.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
@@ -10,19 +11,6 @@
 #endif
 
 namespace treeline::core {
-
-/// Torque that holds the robot against gravity and damps its motion, qdd = -brake_damping qd, each
-/// joint's within its limit. NaN where the state was not finite.
-template <class Robot>
-inline void brake_torque(const typename Robot::Config& config, const typename Robot::Input& input,
-                         const Measured<Robot>& at, RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
-  using Real = RealOf<Robot>;
-  Real qdd[Robot::kJoints];
-  for (int i = 0; i < Robot::kJoints; ++i) {
-    qdd[i] = -config.brake_damping * input.qd[i];
-  }
-  Robot::joint_torque(input, at, qdd, tau);
-}
 
 /// tau += J^T n force, which bears the reaction to `force` along the direction n of the point that
 /// presses.
@@ -70,9 +58,9 @@ inline void law_torque(const typename Robot::Config& config, const typename Robo
 }
 
 /// Adds what a switch of laws has left over: the torque has no step at the switch, and what it
-/// lacks there fades.
+/// lacks there fades. Where the old torque is not `trusted` nothing is left over.
 template <class Robot>
-inline void fade_switch(const typename Robot::Config& config, bool switched,
+inline void fade_switch(const typename Robot::Config& config, bool switched, bool trusted,
                         typename Robot::State& state,
                         RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   using Real = RealOf<Robot>;
@@ -80,7 +68,7 @@ inline void fade_switch(const typename Robot::Config& config, bool switched,
   if (switched) {
     state.fade_ticks = 0;
     for (int i = 0; i < Robot::kJoints; ++i) {
-      const bool fades = (rate > Real(0)) && (state.known != 0);
+      const bool fades = trusted && (rate > Real(0)) && (state.known != 0);
       state.left_over[i] = fades ? (state.tau[i] - tau[i]) : Real(0);
     }
   }
@@ -91,7 +79,8 @@ inline void fade_switch(const typename Robot::Config& config, bool switched,
   count_tick(state.fade_ticks);
 }
 
-/// Torque of the mode. Where the law's is not finite the mode becomes faulted, and brakes.
+/// Torque of the mode. Where the law's is not finite, or its reference is not followed, the mode
+/// becomes faulted, and brakes.
 template <class Robot>
 inline void mode_torque(const typename Robot::Config& config, const typename Robot::Input& input,
                         const Measured<Robot>& at, bool switched, typename Robot::State& state,
@@ -99,26 +88,36 @@ inline void mode_torque(const typename Robot::Config& config, const typename Rob
                         RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   if (mode_of<Robot>(state) == Mode::running) {
     law_torque<Robot>(config, input, at, state, output, tau);
-    fade_switch<Robot>(config, switched, state, tau);
-    if (all_finite(tau)) {
+    fade_switch<Robot>(config, switched, true, state, tau);
+    const bool finite = all_finite(tau);
+    if (finite && follows<Robot>(config, state, output)) {
       return;
     }
-    raise_fault<Robot>(kFaultTorque, state);
+    raise_fault<Robot>(finite ? kFaultFollowing : kFaultTorque, state);
   }
-  brake_torque<Robot>(config, input, at, tau);
-  if ((mode_of<Robot>(state) == Mode::stopping) && rests<Robot>(config, input)) {
+  const bool begins = state.braking == 0;
+  if (brake_torque<Robot>(config, input, at, state, tau)) {
+    raise_fault<Robot>(kFaultMoved, state);
+  }
+  const bool by_command = (state.faults & ~kFaultEmergency) == 0;
+  fade_switch<Robot>(config, begins, by_command, state, tau);
+  if ((mode_of<Robot>(state) == Mode::stopping) && rests<Robot>(config, at, state)) {
     apply_event<Robot>(Event::at_rest, state);
   }
 }
 
-/// The torque that holds the robot at rest, within its limits.
+/// Whether mechanical brakes should be closed now: torque alone cannot be trusted, or is not needed
+/// any more since the robot is faulted and at rest. Stays so until a reset.
 template <class Robot>
-inline void hold_gravity(const typename Robot::Config& config, const Measured<Robot>& at,
-                         typename Robot::State& state) noexcept {
-  for (int i = 0; i < Robot::kJoints; ++i) {
-    state.held[i] = within(at.gravity[i], config.torque[i]);
+inline bool wants_brakes(const typename Robot::Config& config, const Measured<Robot>& at,
+                         bool known, const typename Robot::State& state) noexcept {
+  constexpr uint32_t kUntrusted =
+      kFaultMeasurement | kFaultTorque | kFaultMoved | kFaultJump | kFaultConfig;
+  if (mode_of<Robot>(state) != Mode::faulted) {
+    return false;
   }
-  state.blind_ticks = 0;
+  return (state.brakes != 0) || ((state.faults & kUntrusted) != 0) || !known ||
+         rests<Robot>(config, at, state);
 }
 
 template <class Robot>
@@ -139,47 +138,69 @@ inline void clear_output(typename Robot::Output& output) noexcept {
   }
 }
 
-/// One step of the controller, every `config.period` seconds.
+/// Faults of a step: of what was measured, of the configuration, of commands that stay away.
 template <class Robot>
-inline void controller_step(const typename Robot::Config& config, typename Robot::State& state,
-                            const typename Robot::Input& input,
-                            typename Robot::Output& output) noexcept {
-  using Real = RealOf<Robot>;
-  clear_output<Robot>(output);
-  const bool seen = measured_all<Robot>(input);
-  Measured<Robot> at;
+inline void find_faults(const typename Robot::Config& config, bool sound, bool seen,
+                        const typename Robot::Input& input, typename Robot::State& state) noexcept {
+  uint32_t found = sound ? 0U : kFaultConfig;
   if (seen) {
-    Robot::measure(input, at);
-    hold_gravity<Robot>(config, at, state);
+    found |= check_motion<Robot>(config, state, input) | check_drift<Robot>(config, state);
+  } else {
+    found |= kFaultMeasurement;
   }
-  const bool switched = take_command<Robot>(config, input, at, seen, state, output);
-  const uint32_t found = seen ? check_motion<Robot>(config, state, input) : kFaultMeasurement;
+  found |= is_stale<Robot>(config, state) ? kFaultStale : 0U;
   if (found != 0) {
     raise_fault<Robot>(found, state);
   }
-  if (is_stale<Robot>(config, state)) {
-    raise_fault<Robot>(kFaultStale, state);
-  }
-  Real tau[Robot::kJoints];
+}
+
+/// Torque of a step, within its limits and their rates.
+template <class Robot>
+inline void step_torque(const typename Robot::Config& config, const typename Robot::Input& input,
+                        const Measured<Robot>& at, bool known, bool switched,
+                        typename Robot::State& state, typename Robot::Output& output) noexcept {
   bool finite = false;
-  if (seen) {
-    mode_torque<Robot>(config, input, at, switched, state, output, tau);
-    finite = all_finite(tau);
+  if (known) {
+    mode_torque<Robot>(config, input, at, switched, state, output, output.tau);
+    finite = all_finite(output.tau);
   }
   if (finite) {
-    output.factor = saturate<Robot>(config, state.held, tau);
+    output.factor = saturate<Robot>(config, state.held, output.tau);
   } else {
-    blind_torque<Robot>(config, state, tau);
+    blind_torque<Robot>(config, state, output.tau);
+    state.braking = 0;
   }
-  state.cut = (output.factor < Real(1)) ? 1 : 0;
-  for (int i = 0; i < Robot::kJoints; ++i) {
-    state.tau[i] = tau[i];
-    output.tau[i] = tau[i];
+  const bool late = limit_rate<Robot>(config, state, output.tau);
+  state.cut = ((output.factor < RealOf<Robot>(1)) || late) ? 1 : 0;
+}
+
+/// One step of the controller, every `given.period` seconds. By a configuration that is not sound
+/// the robot is not driven: it is braked by the emitted defaults.
+template <class Robot>
+inline void controller_step(const typename Robot::Config& given, typename Robot::State& state,
+                            const typename Robot::Input& input,
+                            typename Robot::Output& output) noexcept {
+  clear_output<Robot>(output);
+  const bool sound = check_config<Robot>(given).field == 0;
+  const typename Robot::Config& config = sound ? given : Robot::defaults();
+  const bool seen = measured_all<Robot>(input);
+  if (seen) {
+    add_drift<Robot>(config, input, state);
   }
-  state.known = 1;
+  Measured<Robot> at;
+  const bool known = complete_state<Robot>(config, input, seen, at, state);
+  if (known) {
+    hold_gravity<Robot>(config, at, state);
+  }
+  const bool switched = take_command<Robot>(config, input, at, seen, state, output);
+  find_faults<Robot>(config, sound, seen, input, state);
+  step_torque<Robot>(config, input, at, known, switched, state, output);
+  state.brakes = wants_brakes<Robot>(config, at, known, state) ? 1 : 0;
+  output.brakes = state.brakes;
   output.saturated = state.cut;
   output.mode = state.mode;
   output.faults = state.faults;
+  output.reason = state.reason;
 }
 
 }  // namespace treeline::core

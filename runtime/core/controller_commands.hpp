@@ -2,7 +2,7 @@
 // Commands of an emitted controller: what each begins, and which are refused. C++17, freestanding,
 // fixed size.
 
-#include "core/controller_laws.hpp"
+#include "core/controller_braking.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
@@ -23,6 +23,7 @@ inline void apply_event(Event event, typename Robot::State& state) noexcept {
 
 template <class Robot>
 inline void raise_fault(uint32_t faults, typename Robot::State& state) noexcept {
+  state.reason = (state.faults == 0) ? faults : state.reason;
   state.faults |= faults;
   apply_event<Robot>(Event::fault, state);
 }
@@ -45,6 +46,7 @@ inline void start_holding(const typename Robot::Config& config, const typename R
     number = Real(0);
   }
   state.law = Robot::kJointLaw;
+  state.braking = 0;
   move_joints<Robot>(config, input.q, rest, rest, input.q, config.period, state);
 }
 
@@ -58,10 +60,10 @@ inline bool is_within_limits(const typename Robot::Config& config,
   return within_all;
 }
 
-/// Whether the duration is positive and finite.
+/// Whether the duration is finite, and a step at the least.
 template <class Real>
-constexpr bool is_duration(Real duration) noexcept {
-  return is_finite(duration) && (duration > Real(0));
+constexpr bool is_duration(Real duration, Real period) noexcept {
+  return is_finite(duration) && (duration >= period);
 }
 
 /// Whether a vector is of length 1 to a hundredth.
@@ -136,7 +138,7 @@ inline bool enter_task(const typename Robot::Config& config, const Measured<Robo
     for (RealOf<Robot>& v : now.velocity) {
       v = RealOf<Robot>(0);
     }
-    move_point<Robot>(now, now.position, now.rotation, config.period, point, state);
+    move_point<Robot>(config, now, now.position, now.rotation, config.period, point, state);
   }
   return true;
 }
@@ -157,8 +159,8 @@ inline bool begin_pose(const typename Robot::Config& config, const typename Robo
   if (pressed) {
     stop_pressing<Robot>(state);
   }
-  move_point<Robot>(now, input.command.position, input.command.rotation, input.command.duration,
-                    point, state);
+  move_point<Robot>(config, now, input.command.position, input.command.rotation,
+                    input.command.duration, point, state);
   return entered || pressed;
 }
 
@@ -182,7 +184,7 @@ template <class Robot>
 inline bool is_sound(const typename Robot::Config& config,
                      const typename Robot::Command& command) noexcept {
   const auto kind = static_cast<MessageKind>(command.kind);
-  if (!is_duration(command.duration)) {
+  if (!is_duration(command.duration, config.period)) {
     return false;
   }
   if (kind == MessageKind::set_posture) {
@@ -252,7 +254,9 @@ inline bool apply_command(const typename Robot::Config& config, const typename R
         return false;
       }
       admit<Robot>(config, input, state);
+      clear_drift<Robot>(state);
       state.faults = 0;
+      state.reason = 0;
       apply_event<Robot>(Event::reset, state);
       return false;
     case MessageKind::start:

@@ -8,8 +8,9 @@
 //           xdd . n = k (f - f_n + r integral (f - f_n)) - d xd . n,
 //           and tau += J^T n f_n for the measured force f_n
 
-#include "core/controller_safety.hpp"
+#include "core/controller_measurement.hpp"
 #include "core/quintic.hpp"
+#include "core/square_root.hpp"
 #include "core/turn_motion.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
@@ -18,18 +19,6 @@
 #endif
 
 namespace treeline::core {
-
-/// The state of the robot as the functions of a step find it: each joint's sine and cosine once,
-/// poses and velocities [v; w] of the points in world axes, and the torque that holds it at rest.
-template <class Robot>
-struct Measured {
-  RealOf<Robot> sin_q[Robot::kJoints];
-  RealOf<Robot> cos_q[Robot::kJoints];
-  RealOf<Robot> gravity[Robot::kJoints];
-  RealOf<Robot> position[(Robot::kPoints > 0) ? (3 * Robot::kPoints) : 1];
-  RealOf<Robot> rotation[(Robot::kPoints > 0) ? (9 * Robot::kPoints) : 1];
-  RealOf<Robot> velocity[(Robot::kPoints > 0) ? (6 * Robot::kPoints) : 1];
-};
 
 /// Desired motion of one point in world axes, linear over angular.
 template <class Real>
@@ -70,6 +59,7 @@ inline void joint_reference(const typename Robot::Config& config,
 
 /// Leads the joints from a state to rest in `goal`. The motion takes `duration`, and as much longer
 /// as keeps a motion from rest within the limits of speed: it is fastest at 15/8 of its mean.
+/// Joints that turn without end go the short way round.
 template <class Robot>
 inline void move_joints(const typename Robot::Config& config,
                         const RealOf<Robot> (&p)[Robot::kJoints],
@@ -78,11 +68,14 @@ inline void move_joints(const typename Robot::Config& config,
                         const RealOf<Robot> (&goal)[Robot::kJoints], RealOf<Robot> duration,
                         typename Robot::State& state) noexcept {
   using Real = RealOf<Robot>;
+  Real end[Robot::kJoints];
   for (int i = 0; i < Robot::kJoints; ++i) {
-    const Real least = Real(1.875) * magnitude(goal[i] - p[i]) / config.speed[i];
+    const Real way = way_to<Robot>(i, p[i], goal[i]);
+    end[i] = Robot::kTurns[i] ? (p[i] + way) : goal[i];
+    const Real least = Real(1.875) * magnitude(way) / config.speed[i];
     duration = (duration > least) ? duration : least;
   }
-  quintic_to_rest(p, v, a, goal, duration, &state.joint_motion[0]);
+  quintic_to_rest(p, v, a, end, duration, &state.joint_motion[0]);
   state.joint_rate = Real(1) / duration;
   state.joint_ticks = 0;
 }
@@ -97,7 +90,7 @@ inline void joint_law(const typename Robot::Config& config, const typename Robot
   joint_reference<Robot>(config, state, p, v, qdd);
   for (int i = 0; i < Robot::kJoints; ++i) {
     const Real w = config.joint_frequency[i];
-    output.joint_error[i] = p[i] - input.q[i];
+    output.joint_error[i] = way_to<Robot>(i, input.q[i], p[i]);
     qdd[i] += w * ((Real(2) * config.joint_damping[i] * (v[i] - input.qd[i])) +
                    (w * output.joint_error[i]));
   }
@@ -136,14 +129,29 @@ inline void point_reference(const typename Robot::Config& config,
   }
 }
 
-/// Leads a point from a motion to rest in a pose, straight and about one axis if it is at rest.
+/// The duration, and as much longer as keeps a quintic motion from rest over `way` below `speed`.
+template <class Real>
+inline Real stretch(Real duration, const Real (&way)[3], Real speed) noexcept {
+  const Real square = (way[0] * way[0]) + (way[1] * way[1]) + (way[2] * way[2]);
+  const Real least = Real(1.875) * square_root(square) / speed;
+  return (duration > least) ? duration : least;
+}
+
+/// Leads a point from a motion to rest in a pose, straight and about one axis if it is at rest. The
+/// motion takes `duration`, and as much longer as keeps a motion from rest within `point_speed` and
+/// `point_turn`.
 template <class Robot>
-inline void move_point(const PointMotion<RealOf<Robot>>& now, const RealOf<Robot> (&position)[3],
-                       const RealOf<Robot> (&rotation)[9], RealOf<Robot> duration, int point,
-                       typename Robot::State& state) noexcept {
+inline void move_point(const typename Robot::Config& config, const PointMotion<RealOf<Robot>>& now,
+                       const RealOf<Robot> (&position)[3], const RealOf<Robot> (&rotation)[9],
+                       RealOf<Robot> duration, int point, typename Robot::State& state) noexcept {
   using Real = RealOf<Robot>;
   Real turn[3];
+  Real way[3];
   orientation_error(now.rotation, rotation, turn);
+  for (int i = 0; i < 3; ++i) {
+    way[i] = position[i] - now.position[i];
+  }
+  duration = stretch(stretch(duration, way, config.point_speed), turn, config.point_turn);
   Real from[6];
   Real to[6];
   for (int i = 0; i < 3; ++i) {
@@ -231,6 +239,68 @@ inline RealOf<Robot> force_law(const typename Robot::Config& config,
   return within(measured, config.largest_force);
 }
 
+/// How far a reference may be away: `following`, and half of that once it has stood for a second.
+template <class Robot>
+inline RealOf<Robot> admitted_error(const typename Robot::Config& config, int32_t ticks,
+                                    RealOf<Robot> rate) noexcept {
+  using Real = RealOf<Robot>;
+  const bool stands = ((seconds(ticks, config.period) - Real(1)) * rate) > Real(1);
+  return stands ? (Real(0.5) * config.following) : config.following;
+}
+
+/// Whether all joints are near their reference.
+template <class Robot>
+inline bool joints_follow(const typename Robot::Config& config, const typename Robot::State& state,
+                          const typename Robot::Output& output) noexcept {
+  const RealOf<Robot> most = admitted_error<Robot>(config, state.joint_ticks, state.joint_rate);
+  bool follow = true;
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    follow = follow && (magnitude(output.joint_error[i]) <= most);
+  }
+  return follow;
+}
+
+/// Whether a point is near its reference, in position and orientation, each where all three of its
+/// rows are controlled. Where the point presses its position is free.
+template <class Robot>
+inline bool point_follows(const typename Robot::Config& config, int point,
+                          const typename Robot::State& state,
+                          const typename Robot::Output& output) noexcept {
+  using Real = RealOf<Robot>;
+  const Real most =
+      admitted_error<Robot>(config, state.point_ticks[point], state.point_rate[point]);
+  bool pressed = false;
+  if constexpr (Robot::kForce) {
+    pressed = (state.pressing != 0) && (state.press_point == point);
+  }
+  bool follows = true;
+  for (int part = pressed ? 3 : 0; part < 6; part += 3) {
+    const int row = (6 * point) + part;
+    const bool controlled =
+        Robot::kControls[row] && Robot::kControls[row + 1] && Robot::kControls[row + 2];
+    for (int i = 0; i < 3; ++i) {
+      follows = follows && (!controlled || (magnitude(output.task_error[row + i]) <= most));
+    }
+  }
+  return follows;
+}
+
+/// Whether the law's references are followed.
+template <class Robot>
+inline bool follows(const typename Robot::Config& config, const typename Robot::State& state,
+                    const typename Robot::Output& output) noexcept {
+  if constexpr (Robot::kTask) {
+    if (state.law == Robot::kTaskLaw) {
+      bool all = true;
+      for (int point = 0; point < Robot::kPoints; ++point) {
+        all = all && point_follows<Robot>(config, point, state, output);
+      }
+      return all;
+    }
+  }
+  return joints_follow<Robot>(config, state, output);
+}
+
 /// Rows of the task among the six accelerations of each point, in world axes or the point's own. As
 /// these turn, velocities along them have rates less by w x v.
 template <class Robot>
@@ -283,7 +353,7 @@ inline void task_law(const typename Robot::Config& config, const typename Robot:
   }
   for (int i = 0; i < Robot::kJoints; ++i) {
     const Real w = config.posture_frequency[i];
-    qdd_0[i] = w * ((w * (state.posture[i] - input.q[i])) - (Real(2) * input.qd[i]));
+    qdd_0[i] = w * ((w * way_to<Robot>(i, input.q[i], state.posture[i])) - (Real(2) * input.qd[i]));
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What keeps an emitted controller within its limits: checks of what was measured, torque within
-// limits, the torque of the safe state. C++17, freestanding, fixed size.
+// What keeps an emitted controller within its limits: checks of what was measured, torque and its
+// rate within limits. C++17, freestanding, fixed size.
 //
 // `Robot` is the struct of constants and functions that is emitted beside these headers.
 
@@ -23,6 +23,10 @@ inline constexpr uint32_t kFaultSpeed = 4U;        ///< beyond a limit by more t
 inline constexpr uint32_t kFaultTorque = 8U;       ///< the law's torque is not finite
 inline constexpr uint32_t kFaultStale = 16U;       ///< no command for too many steps
 inline constexpr uint32_t kFaultEmergency = 32U;   ///< emergency stop, by command
+inline constexpr uint32_t kFaultMoved = 64U;       ///< dragged away while it should stand
+inline constexpr uint32_t kFaultJump = 128U;       ///< q moves otherwise than qd says
+inline constexpr uint32_t kFaultFollowing = 256U;  ///< the reference is not followed
+inline constexpr uint32_t kFaultConfig = 512U;     ///< a number of the configuration is not sound
 
 /// What a controller computes with: the type that its functions take.
 template <class Robot>
@@ -53,6 +57,24 @@ constexpr Real within(Real x, Real most) noexcept {
   return (x > most) ? most : ((x < -most) ? -most : ((x == x) ? x : Real(0)));
 }
 
+/// `x` less its whole turns, between -pi and pi where |x| is below a million turns.
+template <class Real>
+constexpr Real shortest_turn(Real x) noexcept {
+  const Real turns = x * Real(0.15915494309189535);
+  if (!(magnitude(turns) < Real(1000000))) {
+    return x;
+  }
+  const auto whole = static_cast<int32_t>(turns + ((turns < Real(0)) ? Real(-0.5) : Real(0.5)));
+  return x - (static_cast<Real>(whole) * Real(6.283185307179586));
+}
+
+/// How far coordinate `i` is from `from` to `to`, rad or m: the short way round for a joint that
+/// turns without end.
+template <class Robot>
+inline RealOf<Robot> way_to(int i, RealOf<Robot> from, RealOf<Robot> to) noexcept {
+  return Robot::kTurns[i] ? shortest_turn(to - from) : (to - from);
+}
+
 /// How far a coordinate is beyond its limits, rad or m; negative within them.
 template <class Robot>
 inline RealOf<Robot> beyond_limits(const typename Robot::Config& config,
@@ -60,16 +82,6 @@ inline RealOf<Robot> beyond_limits(const typename Robot::Config& config,
   const RealOf<Robot> above = input.q[i] - config.upper[i];
   const RealOf<Robot> below = config.lower[i] - input.q[i];
   return (above > below) ? above : below;
-}
-
-/// Whether all that was measured and is not an argument of constants is finite.
-template <class Robot>
-inline bool measured_all(const typename Robot::Input& input) noexcept {
-  bool finite = all_finite(input.q) && all_finite(input.qd);
-  if constexpr (Robot::kForce) {
-    finite = finite && all_finite(input.force);
-  }
-  return finite && Robot::finite(input);
 }
 
 /// The faults of what was measured, which is finite. A joint that was beyond its limit at a reset
@@ -81,12 +93,12 @@ inline uint32_t check_motion(const typename Robot::Config& config, typename Robo
   uint32_t faults = 0;
   for (int i = 0; i < Robot::kJoints; ++i) {
     const Real beyond = beyond_limits<Robot>(config, input, i);
-    if (beyond > (config.position_margin + state.admitted[i])) {
+    if (!(beyond <= (config.position_margin + state.admitted[i]))) {
       faults |= kFaultPosition;
     }
     const Real now = (beyond > Real(0)) ? beyond : Real(0);
     state.admitted[i] = (state.admitted[i] < now) ? state.admitted[i] : now;
-    if (magnitude(input.qd[i]) > (config.speed[i] * (Real(1) + config.speed_margin))) {
+    if (!(magnitude(input.qd[i]) <= (config.speed[i] * (Real(1) + config.speed_margin)))) {
       faults |= kFaultSpeed;
     }
   }
@@ -101,16 +113,6 @@ inline void admit(const typename Robot::Config& config, const typename Robot::In
     const RealOf<Robot> beyond = beyond_limits<Robot>(config, input, i);
     state.admitted[i] = (beyond > RealOf<Robot>(0)) ? beyond : RealOf<Robot>(0);
   }
-}
-
-template <class Robot>
-inline bool rests(const typename Robot::Config& config,
-                  const typename Robot::Input& input) noexcept {
-  bool rests = true;
-  for (int i = 0; i < Robot::kJoints; ++i) {
-    rests = rests && (magnitude(input.qd[i]) <= config.rest_speed);
-  }
-  return rests;
 }
 
 /// Brings `tau` within its limits and returns the factor that was needed, 1 for none. By `scale`
@@ -141,16 +143,24 @@ inline RealOf<Robot> saturate(const typename Robot::Config& config,
   return factor;
 }
 
-/// Torque of a robot whose state was not measured: what held it against gravity when it last was,
-/// and nothing once that is too long ago, so that mechanical brakes can take over.
+/// Brings each torque within its limit, and within what `torque_rate` lets it differ from the last.
+/// Returns whether one was cut.
 template <class Robot>
-inline void blind_torque(const typename Robot::Config& config, typename Robot::State& state,
-                         RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
-  const bool lately = state.blind_ticks < config.blind_ticks;
+inline bool limit_rate(const typename Robot::Config& config, typename Robot::State& state,
+                       RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
+  using Real = RealOf<Robot>;
+  bool cut = false;
   for (int i = 0; i < Robot::kJoints; ++i) {
-    tau[i] = lately ? state.held[i] : RealOf<Robot>(0);
+    const Real asked = within(tau[i], config.torque[i]);
+    const Real last = (state.known != 0) ? within(state.tau[i], config.torque[i]) : asked;
+    const Real most = config.torque_rate[i] * config.period;
+    const Real change = asked - last;
+    tau[i] = (magnitude(change) <= most) ? asked : (last + within(change, most));
+    cut = cut || (magnitude(change) > most);
+    state.tau[i] = tau[i];
   }
-  state.blind_ticks += lately ? 1 : 0;
+  state.known = 1;
+  return cut;
 }
 
 }  // namespace treeline::core

@@ -12,7 +12,8 @@ namespace treeline::servo {
 /// An emitted controller (`NAME_controller.h`, struct `NAME::Controller`) as the controller of a
 /// `ServoLoop`: the same code as in firmware. The loop's period must be `config().period`. The loop
 /// checks and brakes by itself; a fault of the controller alone makes it return its own safe
-/// torque, see `output()`. Messages are taken one a cycle, in the order of the queue.
+/// torque, see `output()`. Messages are taken one a cycle, in the order of the queue. Commands do
+/// not become stale, since the loop itself notices who leaves it.
 template <class Emitted, class F>
 class EmittedController {
  public:
@@ -39,9 +40,8 @@ class EmittedController {
       input_.qd[i] = static_cast<typename Emitted::Real>(state.qd[i]);
     }
     Message message;
-    if (waiting_.pop(message)) {
-      core::fill_command<Emitted>(message, ++sequence_, input_.command);
-    }
+    if (!waiting_.pop(message)) message.kind = MessageKind::instruction;
+    core::fill_command<Emitted>(message, ++sequence_, input_.command);
     Emitted::step(config_, state_, input_, output_);
     for (int i = 0; i < Emitted::kJoints; ++i) {
       tau[i] = static_cast<double>(output_.tau[i]);

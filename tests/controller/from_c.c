@@ -15,6 +15,9 @@ int main(void) {
   input.command.sequence = 1U;
   puma_arm_step(&config, &state, &input, &output);
   if (output.mode != PUMA_ARM_RUNNING) return 2;
+  if (puma_arm_check_config(&config, 0) != PUMA_ARM_CONFIG_SOUND) return 5;
+  config.jump = 1000.0;
+  config.following = 1000.0;
   input.q[0] = 100.0;
   puma_arm_step(&config, &state, &input, &output);
   if (output.faults != (uint32_t)PUMA_ARM_FAULT_POSITION) return 3;

@@ -110,6 +110,12 @@ int main(void) {
     printf("other defaults\n");
     return 1;
   }
+  /* The arm swings whatever it is told, which shall be no fault. */
+  config.following = safe_config.following = 1e6;
+  config.hold_reach = safe_config.hold_reach = 10;
+  /* Within the torques, for at a limit it hangs on a rounding whether an integral stops. */
+  config.point_speed = safe_config.point_speed = 100;
+  config.point_turn = safe_config.point_turn = 100;
   for (step = 0; step < 2000; ++step) {
     measure(step);
     command(step);

@@ -15,11 +15,12 @@
 namespace treeline::cpp {
 namespace {
 
+/// Limits of the joints, over `part` of one.
 std::string print_limits(const ControllerUnit& unit, const Syntax& syntax,
-                         double ControllerUnit::Joint::*limit) {
+                         double ControllerUnit::Joint::*limit, double part = 1) {
   std::vector<std::string> entries;
   for (const ControllerUnit::Joint& joint : unit.joints) {
-    const double value = joint.*limit;
+    const double value = joint.*limit / part;
     const std::string sign = value < 0 ? "-" : "";
     entries.push_back(sign +
                       (std::isfinite(value) ? syntax.literal(std::fabs(value)) : "kUnlimited"));
@@ -34,6 +35,10 @@ void add_limit_holes(const EmissionContext& context, const ControllerUnit& unit,
   holes["upper"] = print_limits(unit, syntax, &Joint::upper);
   holes["speed"] = print_limits(unit, syntax, &Joint::speed);
   holes["torque"] = print_limits(unit, syntax, &Joint::torque);
+  holes["torque_rate"] = print_limits(unit, syntax, &Joint::torque, unit.settings.torque_rise);
+  std::vector<std::string> turns;
+  for (const Joint& joint : unit.joints) turns.emplace_back(joint.turns() ? "true" : "false");
+  holes["turns"] = fmt::format("{}", fmt::join(turns, ", "));
   bool unlimited = false;
   for (const char* hole : {"lower", "upper", "speed", "torque"}) {
     unlimited = unlimited || holes[hole].find("kUnlimited") != std::string::npos;
@@ -56,6 +61,10 @@ void add_default_holes(const EmissionContext& context, const ControllerUnit& uni
   holes["position_margin"] = literal(own.position_margin);
   holes["speed_margin"] = literal(own.speed_margin);
   holes["brake_damping"] = literal(own.brake_damping);
+  holes["hold_frequency"] = literal(own.hold_frequency);
+  holes["hold_reach"] = literal(own.hold_reach);
+  holes["jump"] = literal(own.jump);
+  holes["following"] = literal(own.following);
   constexpr double kRestSpeed = 1e-3;
   holes["rest_speed"] = literal(kRestSpeed);
   holes["fade"] = literal(own.fade);
@@ -66,16 +75,17 @@ void add_default_holes(const EmissionContext& context, const ControllerUnit& uni
       unit.task_torque
           ? fmt::format(
                 "for (int i = 0; i < (6 * Robot::kPoints); ++i) {{\n"
-                "  config->task_frequency[i] = {};\n  config->task_damping[i] = {};\n}}\n"
+                "  config.task_frequency[i] = {};\n  config.task_damping[i] = {};\n}}\n"
                 "for (int i = 0; i < Robot::kJoints; ++i) {{\n"
-                "  config->posture_frequency[i] = {};\n}}\n",
+                "  config.posture_frequency[i] = {};\n}}\n"
+                "config.point_speed = {};\nconfig.point_turn = {};\n",
                 literal(own.task_frequency), literal(own.damping_ratio),
-                literal(own.posture_frequency))
+                literal(own.posture_frequency), literal(own.point_speed), literal(own.point_turn))
           : "";
   holes["force_defaults"] = own.force
                                 ? fmt::format(
-                                      "config->force_gain = {};\nconfig->force_rate = {};\n"
-                                      "config->force_damping = {};\nconfig->largest_force = {};\n",
+                                      "config.force_gain = {};\nconfig.force_rate = {};\n"
+                                      "config.force_damping = {};\nconfig.largest_force = {};\n",
                                       literal(own.force_gain), literal(own.force_rate),
                                       literal(own.force_damping), literal(own.largest_force))
                                 : "";

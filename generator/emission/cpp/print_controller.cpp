@@ -24,10 +24,10 @@ namespace {
 
 /// What the step calls an argument of its functions; empty for one that the input has.
 std::string variable_of(const std::string& argument) {
-  static const std::map<std::string, std::string> kVariables = {{"q", "input.q"},
+  static const std::map<std::string, std::string> kVariables = {{"q", "at.q"},
                                                                 {"sin_q", "at.sin_q"},
                                                                 {"cos_q", "at.cos_q"},
-                                                                {"qd", "input.qd"},
+                                                                {"qd", "at.qd"},
                                                                 {"qdd", "qdd"},
                                                                 {"qdd_0", "qdd_0"},
                                                                 {"tau", "tau"},
@@ -62,11 +62,6 @@ std::string print_step_call(const Program& program, const std::string& forces = 
     at = end + 1;
   }
   return text;
-}
-
-bool takes(const Program& program, const std::string& name) {
-  return std::any_of(program.arguments.begin(), program.arguments.end(),
-                     [&](const Argument& argument) { return argument.name == name; });
 }
 
 /// Arguments that the input brings beside q and qd: what of the robot changes, known forces.
@@ -155,7 +150,9 @@ void add_task_holes(const EmissionContext& context, const ControllerUnit& unit, 
        {{"task_frequency[6 * " + points + "]", "rad/s, by point: x y z rx ry rz of the world"},
         {"task_damping[6 * " + points + "]", "ratio"},
         {"posture_frequency[" + name_in_capitals(context) + "_JOINTS]",
-         "rad/s, of motions that the task leaves free"}});
+         "rad/s, of motions that the task leaves free"},
+        {"point_speed", "m/s of a point along its reference"},
+        {"point_turn", "rad/s"}});
   fill("task_command", {{"position[3]", "m, world"}, {"rotation[9]", "of the point's axes"}});
   fill("task_output",
        {{"task_error[6 * " + points + "]", "m, rad: reference less measured, world axes"}});
@@ -259,7 +256,7 @@ std::string print_task_functions(const ControllerUnit& unit) {
   std::string text;
   if (unit.task_torque) {
     text +=
-        "static void task_torque(const Input& input, const Measured<Robot>& at,\n"
+        "static void task_torque([[maybe_unused]] const Input& input, const Measured<Robot>& at,\n"
         "                        const Real (&qdd_0)[kJoints], const Real (&xdd_cmd)[kRows],\n"
         "                        Real (&tau)[kJoints]) noexcept {\n  " +
         print_step_call(*unit.task_torque) + "\n}\n";
@@ -267,10 +264,9 @@ std::string print_task_functions(const ControllerUnit& unit) {
   if (unit.push_torque) {
     text +=
         "\n/// Joint forces against [force; moment] on the points.\n"
-        "static void push_torque(const Input& input, const Measured<Robot>& at,\n"
+        "static void push_torque([[maybe_unused]] const Input& input, const Measured<Robot>& at,\n"
         "                        const Real (&f)[6 * kPoints], Real (&tau)[kJoints]) noexcept {\n "
         " " +
-        std::string(takes(*unit.push_torque, "q") ? "" : "static_cast<void>(input);\n  ") +
         print_step_call(*unit.push_torque, "f") + "\n}\n";
   }
   return text;
@@ -299,7 +295,6 @@ std::string print_function(const EmissionContext& context, const Program& progra
 }
 
 std::string print_step(const EmissionContext& context, const ControllerUnit& unit) {
-  const bool reads_at = takes(unit.joint_torque, "sin_q");
   const std::vector<Argument> inputs = list_inputs(unit);
   Holes holes = {{"name", context.name},
                  {"NAME", name_in_capitals(context)},
@@ -314,8 +309,6 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                  {"task", unit.task_torque ? "true" : "false"},
                  {"force", unit.settings.force ? "true" : "false"},
                  {"finite", print_finite(inputs)},
-                 {"finite_input", inputs.empty() ? "" : " input"},
-                 {"joint_at", reads_at ? " at" : ""},
                  {"kinematics_call", print_kinematics_calls(unit)},
                  {"joint_call", print_step_call(unit.joint_torque)},
                  {"task_functions", print_task_functions(unit)}};
@@ -340,8 +333,11 @@ std::vector<GeneratedFile> print_controller(const EmissionContext& context,
 std::vector<GeneratedFile> list_controller_headers() {
   const auto text = [](std::string_view view) { return std::string(view); };
   return {{"controller.hpp", text(templates::kController)},
+          {"controller_braking.hpp", text(templates::kControllerBraking)},
           {"controller_commands.hpp", text(templates::kControllerCommands)},
+          {"controller_config.hpp", text(templates::kControllerConfig)},
           {"controller_laws.hpp", text(templates::kControllerLaws)},
+          {"controller_measurement.hpp", text(templates::kControllerMeasurement)},
           {"controller_safety.hpp", text(templates::kControllerSafety)},
           {"mode.hpp", text(templates::kMode)},
           {"orientation.hpp", text(templates::kOrientation)},
