@@ -15,6 +15,11 @@ bool has(const Scene& scene, Function function) {
 
 }  // namespace
 
+const char* why_unsupported(const Scene& scene) {
+  return scene.operational_points.empty() ? "nothing is held, and there is no operational point"
+                                          : "nothing is held, and every joint has a motor";
+}
+
 std::vector<Function> functions_of_limits(const Scene& scene) {
   std::vector<Function> functions = {Function::mass_matrix, Function::supported_control_torque};
   if (!scene.operational_points.empty()) functions.push_back(Function::jacobian);
@@ -22,23 +27,23 @@ std::vector<Function> functions_of_limits(const Scene& scene) {
   return functions;
 }
 
-void add_functions_of_limits(Scene& scene) {
+void add_functions_of_limits(const Robot& robot, Scene& scene) {
   if (!scene.has_limits()) return;
   for (const Function function : functions_of_limits(scene)) {
-    if (permits(scene, function) && !has(scene, function)) scene.functions.push_back(function);
+    if (!permits(robot, scene, function) || has(scene, function)) continue;
+    scene.functions.push_back(function);
   }
   std::sort(scene.functions.begin(), scene.functions.end());
 }
 
-void check_limits(const SceneElement& top, const Scene& scene) {
+void check_limits(const SceneElement& top, const Robot& robot, const Scene& scene) {
   if (!scene.has_limits()) return;
   const char* const key = scene.torque_limits.empty() ? "friction" : "torque_limits";
-  if (!permits(scene, Function::supported_control_torque)) {
-    top.error(
-        fmt::format("{} limits the law of supported_control_torque, which this scene cannot "
-                    "have: {}",
-                    key, scene.holds_rows() ? kNoTask : "nothing is held, and no joint is passive"),
-        "add constraints or passive joints, and operational_points; or remove the limits");
+  if (!permits(robot, scene, Function::supported_control_torque)) {
+    top.error(fmt::format("{} limits the law of supported_control_torque, which this scene cannot "
+                          "have: {}",
+                          key, why_unsupported(scene)),
+              "add constraints, or operational_points and passive joints; or remove the limits");
     return;
   }
   for (const Function function : functions_of_limits(scene)) {

@@ -36,15 +36,22 @@ std::string find_singular(const Robot& robot, const Scene& scene) {
   return fmt::format("joint{} {}", names.size() > 1 ? "s" : "", fmt::join(names, ", "));
 }
 
+/// Whether a floating base, a floating joint or one that the scene calls passive has no motor.
+bool lacks_motors(const Robot& robot, const Scene& scene) {
+  return scene.base == Base::floating || !scene.passive.empty() ||
+         std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [](const Joint& joint) { return joint.type == JointType::floating; });
+}
+
 bool has_mass(const Robot& robot) {
   return std::any_of(robot.links.begin(), robot.links.end(),
                      [](const Link& link) { return link.inertial && link.inertial->mass > 0; });
 }
 
 /// All functions that the scene can have; where M is known to have no inverse, those without it.
-void choose_functions(const std::string& singular, Scene& scene) {
-  scene.functions = default_functions(scene);
-  add_functions_of_limits(scene);
+void choose_functions(const Robot& robot, const std::string& singular, Scene& scene) {
+  scene.functions = default_functions(robot, scene);
+  add_functions_of_limits(robot, scene);
   if (!singular.empty()) std::erase_if(scene.functions, inverts_mass_matrix);
 }
 
@@ -58,12 +65,12 @@ bool exceeds_base_parameters(const Scene& scene, Function function) {
 void report_constraints(const SceneElement& top, const Scene& scene, Function function) {
   const char* missing = "nothing is held";
   const char* remedy = "add a list constraints or couplings, or remove the function";
-  if (scene.holds_rows() && function == Function::constraint_errors) {
+  if (scene.holds_rows()) {
     missing = "nothing is held between two links, and no joints are coupled";
     remedy = "errors of constraints to the world are those of their points; remove the function";
-  } else if (scene.holds_rows()) {
-    missing = kNoTask;
-    remedy = "add a list operational_points or passive, or remove the function";
+  } else if (function == Function::supported_control_torque) {
+    missing = why_unsupported(scene);
+    remedy = "add constraints or couplings, or operational_points and passive joints";
   }
   top.error(fmt::format("{} is listed, but {}", function_name(function), missing), remedy);
 }
@@ -81,7 +88,7 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
     } else if (needs_objects(function) && scene.objects.empty()) {
       top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
                 "add a list objects, or remove the function");
-    } else if (needs_constraints(function) && !permits(scene, function)) {
+    } else if (needs_constraints(function) && !permits(robot, scene, function)) {
       report_constraints(top, scene, function);
     } else if (needs_mass(function) && !has_mass(robot)) {
       top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
@@ -118,7 +125,8 @@ void check_implicit_friction(const SceneElement& top, const Scene& scene) {
 }
 
 /// What `damped_control_torque` calls.
-void check_damped(const SceneElement& top, const std::string& singular, const Scene& scene) {
+void check_damped(const SceneElement& top, const Robot& robot, const std::string& singular,
+                  const Scene& scene) {
   if (!scene.damped) return;
   if (has_priorities(scene.operational_points)) {
     top.error("damped knows no priorities, but the operational points differ in theirs",
@@ -136,8 +144,8 @@ void check_damped(const SceneElement& top, const std::string& singular, const Sc
     }
     top.error(
         fmt::format("damped needs {}, which is not among the functions", function_name(function)),
-        !permits(scene, function) ? "add a list operational_points"
-                                  : "add it to functions, or leave out functions for all");
+        !permits(robot, scene, function) ? "add a list operational_points"
+                                         : "add it to functions, or leave out functions for all");
     return;
   }
 }
@@ -265,7 +273,7 @@ void check_joint_identifiers(const SceneElement& top, const Robot& robot,
 
 }  // namespace
 
-bool permits(const Scene& scene, Function function) {
+bool permits(const Robot& robot, const Scene& scene, Function function) {
   switch (info_of(function).group) {
     case FunctionGroup::points:
       return !scene.operational_points.empty();
@@ -277,9 +285,9 @@ bool permits(const Scene& scene, Function function) {
       if (function == Function::constraint_errors) {
         return !scene.loops.empty() || !scene.couplings.empty();
       }
-      if (function != Function::supported_control_torque) return scene.holds_rows();
-      if (scene.operational_points.empty()) return scene.holds_rows() && !scene.passive.empty();
-      return scene.holds_rows() || !scene.passive.empty();
+      return scene.holds_rows() ||
+             (function == Function::supported_control_torque && !scene.operational_points.empty() &&
+              lacks_motors(robot, scene));
     case FunctionGroup::robot:
     case FunctionGroup::links:
     case FunctionGroup::center_of_mass:
@@ -289,10 +297,12 @@ bool permits(const Scene& scene, Function function) {
   return true;
 }
 
-std::vector<Function> default_functions(const Scene& scene) {
+std::vector<Function> default_functions(const Robot& robot, const Scene& scene) {
+  const bool supports = scene.holds_rows() || !scene.passive.empty();
   std::vector<Function> functions;
   for (const FunctionInfo& row : kFunctions) {
-    if (row.emitted == Emitted::by_default && permits(scene, row.function)) {
+    const bool wanted = supports || row.function != Function::supported_control_torque;
+    if (row.emitted == Emitted::by_default && wanted && permits(robot, scene, row.function)) {
       functions.push_back(row.function);
     }
   }
@@ -319,12 +329,12 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
   }
   const std::string singular = find_singular(robot, scene);
   if (scene.functions.empty()) {
-    choose_functions(singular, scene);
+    choose_functions(robot, singular, scene);
   } else {
     check_functions(top, robot, singular, scene);
   }
-  check_damped(top, singular, scene);
-  check_limits(top, scene);
+  check_damped(top, robot, singular, scene);
+  check_limits(top, robot, scene);
   check_controller(top, robot, singular, scene);
   check_inputs_used(top, scene);
   check_implicit_friction(top, scene);

@@ -8,12 +8,13 @@
 
 namespace treeline {
 
-/// Whether the scene lists what the function is about.
-bool permits(const Scene& scene, Function function);
+/// Whether robot and scene have what the function is about.
+bool permits(const Robot& robot, const Scene& scene, Function function);
 
-/// All functions that a scene has which lists none: those of joints, of its points, contacts and
-/// objects.
-std::vector<Function> default_functions(const Scene& scene);
+/// All functions that a scene has which lists none: those of joints, of its points, contacts,
+/// objects and constraints. `supported_control_torque` of a robot that merely floats is not among
+/// them.
+std::vector<Function> default_functions(const Robot& robot, const Scene& scene);
 
 /// Chooses the functions where the scene lists none, without those that invert a mass matrix which
 /// cannot be inverted for want of any mass (`leave_out_singular` says so, and finds other reasons);

@@ -48,10 +48,10 @@ Savings::Sum Savings::possible() const {
   return sum_of(functions, false);
 }
 
-std::vector<Function> possible_functions(const Scene& scene) {
+std::vector<Function> possible_functions(const Robot& robot, const Scene& scene) {
   std::vector<Function> functions;
   for (const Function function : kSceneFunctions) {
-    if (permits(scene, function)) functions.push_back(function);
+    if (permits(robot, scene, function)) functions.push_back(function);
   }
   return functions;
 }
@@ -62,7 +62,7 @@ Savings measure_savings(const Robot& robot, const Scene& scene) {
   context.batch = 0;
   context.effective_mass_limits.clear();
   Savings savings{scene.name, {}};
-  for (const Function function : possible_functions(scene)) {
+  for (const Function function : possible_functions(robot, scene)) {
     const GeneratedFunction generated =
         generate_function(mechanisms.of(function), function, route_options(scene));
     const std::size_t bytes = emitted_bytes(context, generated.program);

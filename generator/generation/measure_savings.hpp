@@ -31,7 +31,7 @@ struct Savings {
 };
 
 /// Lists the functions that the scene could ask for, sorted.
-std::vector<Function> possible_functions(const Scene& scene);
+std::vector<Function> possible_functions(const Robot& robot, const Scene& scene);
 
 /// Generates each of these functions. Functions that cannot be generated, for lack of mass or of
 /// freedoms, are left out.

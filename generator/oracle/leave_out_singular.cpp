@@ -64,7 +64,7 @@ void warn_of_zero(const Robot& robot, const Scene& scene, const std::vector<Func
 }  // namespace
 
 void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnostics& diagnostics) {
-  std::vector<Function> undefined = listed ? scene.functions : default_functions(scene);
+  std::vector<Function> undefined = listed ? scene.functions : default_functions(robot, scene);
   std::erase_if(undefined, [](Function function) { return !inverts_mass_matrix(function); });
   if (undefined.empty()) return;
   const std::vector<MasslessDirections> massless = find_massless_directions(robot, scene);

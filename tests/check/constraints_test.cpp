@@ -49,6 +49,24 @@ TEST(ConstraintsCheck, QuadrupedOnADiagonal) {
   expect_right(quadruped_on({"LF", "RH"}), 2);
 }
 
+// No task and no joint that is named passive: the base alone has no motor.
+TEST(ConstraintsCheck, HopperOnItsSole) {
+  expect_right(
+      in_scene(data_file("written/hopper.urdf"),
+               "base: floating\nconstraints:\n  - {name: sole, between: [foot, world], origin: "
+               "{xyz: [0, 0, -0.4]}, axes: local}\nfunctions: [supported_control_torque]\n"),
+      1);
+}
+
+// Nothing is held: motors alone, while the base drifts.
+TEST(ConstraintsCheck, HopperThatFloats) {
+  expect_right(
+      in_scene(data_file("written/hopper.urdf"),
+               "base: floating\noperational_points: [{name: foot, link: foot, rows: [x]}]\n"
+               "functions: [supported_control_torque]\n"),
+      1);
+}
+
 // Both feet of this humanoid are on one link: twelve rows, of which six are independent.
 TEST(ConstraintsCheck, HumanoidOnFeetThatDependOnEachOther) {
   expect_right(load("humanoid24", "scene_stand.yaml"), 5);

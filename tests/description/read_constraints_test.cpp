@@ -149,11 +149,23 @@ TEST(ReadConstraints, FunctionsFollowWhatIsListed) {
   const auto held = read(kHold, diagnostics);
   ASSERT_TRUE(held);
   EXPECT_TRUE(has(*held, Function::constrained_forward_dynamics));
-  EXPECT_FALSE(has(*held, Function::supported_control_torque));
+  EXPECT_TRUE(has(*held, Function::supported_control_torque));
   const auto passive = read(kHand + "passive: [elbow]\n", diagnostics);
   ASSERT_TRUE(passive);
   EXPECT_FALSE(has(*passive, Function::constrained_forward_dynamics));
   EXPECT_TRUE(has(*passive, Function::supported_control_torque));
+  const auto floating = read("base: floating\n" + kHand, diagnostics);
+  ASSERT_TRUE(floating);
+  EXPECT_FALSE(has(*floating, Function::supported_control_torque));
+}
+
+// The freedoms of a floating base have no motor, without being named.
+TEST(ReadConstraints, MotorsMoveWhatStandsOrFloats) {
+  const std::string wanted = "functions: [supported_control_torque]\n";
+  for (const std::string& scene : {kHold, "base: floating\n" + kHold, "base: floating\n" + kHand}) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read(scene + wanted, diagnostics)) << scene << to_string(diagnostics);
+  }
 }
 
 TEST(ReadConstraints, PassiveVelocitiesAreThoseOfTheBaseAndOfNamedJoints) {
@@ -207,9 +219,12 @@ INSTANTIATE_TEST_SUITE_P(
         SceneFault{"constraints: [{name: a, between: [tool, world], link: tool}]", "link", "keys"},
         SceneFault{"constraints: [{name: a, between: [base, world]}]", "cannot move", "floating"},
         SceneFault{"functions: [constrained_forward_dynamics]", "nothing is held", "constraints"},
-        SceneFault{"constraints: [{name: a, between: [tool, rail]}]\n"
-                   "functions: [supported_control_torque]",
-                   "no operational point, and no joint is passive", "passive"},
+        SceneFault{"functions: [supported_control_torque]",
+                   "nothing is held, and there is no operational point", "add constraints"},
+        SceneFault{kHand + "functions: [supported_control_torque]",
+                   "nothing is held, and every joint has a motor", "passive joints"},
+        SceneFault{"torque_limits: {elbow: 1}",
+                   "nothing is held, and there is no operational point", "add constraints"},
         SceneFault{
             "constraints: [{name: a, between: [rail, world]}]\nfunctions: [constraint_errors]",
             "between two links", "remove"},

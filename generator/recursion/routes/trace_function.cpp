@@ -105,6 +105,16 @@ std::vector<Route> list_routes(const RouteQuery& query) {
   return robot_routes(query);
 }
 
+/// The row's equation, without what the scene has not: held rows, tasks, joints without a motor.
+std::string supported_equation(const Mechanism& mechanism) {
+  const bool held = mechanism.held_rows() > 0;
+  std::string text = "M qdd + b + g = tau + ";
+  text += held ? "J_s^T f + J_ext^T f_ext, J_s qdd + Jd_s qd = 0, " : "J_ext^T f_ext, ";
+  if (!mechanism.operational_points.empty()) text += "J qdd + Jd qd = xdd_cmd, ";
+  if (!mechanism.passive.empty()) text += "tau = 0 at passive joints, ";
+  return text + "qdd nearest to qdd_0";
+}
+
 /// Traces any function by any of its routes.
 class Tracer {
  public:
@@ -139,6 +149,9 @@ class Tracer {
     Trace trace = begin(*seen);
     if (function_ == Function::control_torque && has_priorities(trace.tree)) {
       program.equation += priorities_of(trace.tree);
+    }
+    if (function_ == Function::supported_control_torque) {
+      program.equation = supported_equation(mechanism_);
     }
     program.equation += left_out_of(function_, mechanism_);
     take_inputs(*seen, program, trace);
