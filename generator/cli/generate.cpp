@@ -19,6 +19,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/write_output.hpp"
 #include "emission/print_manifest.hpp"
+#include "generation/predict_sources.hpp"
 #include "program/print.hpp"
 #include "safety/describe_safety.hpp"
 #include "timing/tune.hpp"
@@ -61,7 +62,7 @@ struct GenerateOptions {
   std::string depfile;                ///< file for the list of inputs, or empty
   std::vector<std::string> evidence;  ///< reports for them
   PackageKind package = PackageKind::none;
-  bool compare = false, json = false, verbose = false, tune = false;
+  bool compare = false, json = false, verbose = false, tune = false, list_sources = false;
   CompileOptions compile{kTimedFlags};  ///< with which code is tuned
 };
 
@@ -207,7 +208,22 @@ bool writes(const GenerateOptions& options) {
   return options.dump.empty() && !options.compare;
 }
 
+/// Prints which sources would be written, for builds that are being configured. What there is to
+/// say of the inputs is said where code is generated, but for faults.
+int list_sources(const GenerateOptions& options) {
+  Diagnostics diagnostics;
+  const auto inputs = read_inputs(options.inputs, diagnostics);
+  if (!inputs) {
+    print_diagnostics(diagnostics, options.inputs.warnings);
+    return kBadInput;
+  }
+  std::string text;
+  for (const std::string& stem : predict_sources(inputs->scene)) text += stem + "\n";
+  return write_output(text, OutputForm::text, kOk);
+}
+
 int run(const GenerateOptions& options) {
+  if (options.list_sources) return list_sources(options);
   Diagnostics diagnostics;
   std::optional<Tuning> tuning;
   auto made = options.tune ? generate_tuned(options, tuning, diagnostics)
@@ -231,6 +247,22 @@ int run(const GenerateOptions& options) {
   }
   print_diagnostics(diagnostics, options.inputs.warnings);
   return exit_code;
+}
+
+/// Options that name files beside the folder, which `dump` does not write.
+void add_files_beside(CLI::App& command, GenerateOptions& options, CLI::Option& dump) {
+  auto* safety = command.add_option("--safety", options.safety,
+                                    "File for notes to a reviewer of functional safety");
+  command
+      .add_option("--evidence", options.evidence,
+                  "Report of check or certify, printed with --json, for the notes; may be repeated")
+      ->needs(safety);
+  safety->excludes(&dump);
+  command
+      .add_option("--depfile", options.depfile,
+                  "File FILE.d to write: a rule that FILE depends on the inputs, for make, Ninja "
+                  "and CMake")
+      ->excludes(&dump);
 }
 
 }  // namespace
@@ -271,19 +303,13 @@ void add_generate(CLI::App& app, int& exit_code) {
   compare->excludes(dump);
   json->excludes(dump);
   output->excludes(dump);
-  auto* safety = command->add_option("--safety", options->safety,
-                                     "File for notes to a reviewer of functional safety");
+  add_files_beside(*command, *options, *dump);
   command
-      ->add_option(
-          "--evidence", options->evidence,
-          "Report of check or certify, printed with --json, for the notes; may be repeated")
-      ->needs(safety);
-  safety->excludes(dump);
-  command
-      ->add_option("--depfile", options->depfile,
-                   "File FILE.d to write: a rule that FILE depends on the inputs, for make, Ninja "
-                   "and CMake")
-      ->excludes(dump);
+      ->add_flag("--list-sources", options->list_sources,
+                 "Write nothing; print the names of the sources to compile, without their endings")
+      ->excludes(dump)
+      ->excludes(json)
+      ->excludes(compare);
   tune->excludes(compare)->excludes(dump);
   command->footer(kExamples);
   command->callback([options, output, &exit_code] {

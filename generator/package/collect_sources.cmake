@@ -1,5 +1,5 @@
-# One source for every function that a scene may ask for, so that a build knows its sources before
-# the scene is read: it includes the generated source, or is empty where there is none.
+# One source for each of FUNCTIONS, what a build knows of its sources before it generates: it includes the
+# generated source, or is empty where there is none.
 # The compiler's options for the scene's processor go to the file target.flags, those of a single
 # source to a file such as gravity.flags.
 # cmake -DFOLDER=generated-folder -DFUNCTIONS=list -DENDING=cpp|c -DCROSSCOMPILING=ON|OFF
@@ -9,6 +9,12 @@ if(NOT sources)
   message(FATAL_ERROR "${FOLDER} has no .${ENDING}: say which LANGUAGE treeline_generate makes")
 endif()
 cmake_policy(SET CMP0057 NEW)  # IN_LIST
+foreach(source IN LISTS sources)
+  get_filename_component(stem ${source} NAME_WE)
+  if(NOT stem IN_LIST FUNCTIONS)
+    message(FATAL_ERROR "${source} is new: configure the project again, so that it is compiled")
+  endif()
+endforeach()
 # In C the functions that loop over links are one source, so that they share the loops.
 set(looping "")
 set(loops "")

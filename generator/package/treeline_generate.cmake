@@ -14,8 +14,9 @@
 # URDFs, the scene, the choices or the generator change, compiled again only where its text did.
 # Relative paths are relative to the calling CMakeLists.txt.
 
-# TREELINE_FUNCTIONS, every function that a scene may ask for, comes from treeline_functions.cmake;
-# which of them a scene does ask for is known only once it is read.
+# Which sources there will be the program tells when the project is configured, where it is there by then:
+# an installed one is, one of this very build is not. Without it there is a source for every function that a
+# scene may ask for: TREELINE_FUNCTIONS, from treeline_functions.cmake.
 
 if(POLICY CMP0116)
   cmake_policy(SET CMP0116 NEW)  # DEPFILE of Ninja names absolute paths
@@ -24,13 +25,64 @@ endif()
 option(TREELINE_FP_CONTRACT
   "Leave it to the compiler whether products and sums are fused; OFF: same bits on every target" ON)
 
-# Sets RESULT to the line of the scene that has a key of the first level, else to nothing.
+# Sets RESULT to the lines of the scene that may have a key, else to nothing.
 function(treeline_find_key scene key result)
   set(line)
   if(scene AND EXISTS ${scene})
-    file(STRINGS ${scene} line REGEX "^ *[\"']?${key}[\"']? *:")
+    file(STRINGS ${scene} line REGEX "(^|[{,]) *[\"']?${key}[\"']? *:")
   endif()
   set(${result} "${line}" PARENT_SCOPE)
+endfunction()
+
+# Sets RESULT to the names of the sources that the program makes of these inputs, as far as it can tell
+# now; else to nothing. It is asked again when they change.
+function(treeline_ask_for_sources urdf scene options result)
+  set(${result} "" PARENT_SCOPE)
+  get_target_property(imported treeline::treeline IMPORTED)
+  if(NOT imported)
+    return()
+  endif()
+  foreach(input IN ITEMS ${urdf} ${scene})
+    get_source_file_property(generated ${input} GENERATED)
+    if(generated OR NOT EXISTS ${input})
+      return()
+    endif()
+  endforeach()
+  get_target_property(program treeline::treeline LOCATION)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${urdf} ${program})
+  execute_process(COMMAND ${program} generate ${urdf} ${scene} ${options} --list-sources
+    OUTPUT_VARIABLE listed RESULT_VARIABLE failed ERROR_QUIET)
+  if(failed)
+    return()  # and the build will say why
+  endif()
+  string(REGEX MATCHALL "[^\n]+" listed "${listed}")
+  set(${result} ${listed} PARENT_SCOPE)
+endfunction()
+
+# Sets RESULT to all sources that the program may make of a scene.
+function(treeline_possible_sources scene ending result)
+  set(sources ${TREELINE_FUNCTIONS})
+  treeline_find_key("${scene}" batch batch)
+  if(batch)
+    list(TRANSFORM TREELINE_FUNCTIONS PREPEND batch_ OUTPUT_VARIABLE batch_sources)
+    list(APPEND sources ${batch_sources})
+  endif()
+  treeline_find_key("${scene}" controller controller)
+  if(controller)
+    list(APPEND sources controller controller_kinematics controller_gravity controller_joint_torque
+      controller_push_torque controller_task_torque)
+  endif()
+  treeline_find_key("${scene}" prefetch prefetch)
+  if(prefetch)
+    list(APPEND sources prefetch)
+  endif()
+  if(ending STREQUAL "c")
+    list(APPEND sources damped_control_torque limited_control_torque
+      batch_limited_control_torque)  # in C++ headers
+  else()
+    list(APPEND sources c_calls)
+  endif()
+  set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
 function(treeline_generate target)
@@ -104,28 +156,9 @@ function(treeline_generate target)
     list(APPEND options --choices ${arg_CHOICES})
   endif()
 
-  set(sources ${TREELINE_FUNCTIONS})
-  if(arg_SCENE AND EXISTS ${arg_SCENE})
-    file(STRINGS ${arg_SCENE} batch REGEX "batch *:")
-    if(batch)
-      list(TRANSFORM TREELINE_FUNCTIONS PREPEND batch_ OUTPUT_VARIABLE batch_sources)
-      list(APPEND sources ${batch_sources})
-    endif()
-  endif()
-  treeline_find_key("${arg_SCENE}" controller controller)
-  if(controller)
-    list(APPEND sources controller controller_kinematics controller_gravity controller_joint_torque
-      controller_push_torque controller_task_torque)
-  endif()
-  treeline_find_key("${arg_SCENE}" prefetch prefetch)
-  if(prefetch)
-    list(APPEND sources prefetch)
-  endif()
-  if(ending STREQUAL "c")
-    list(APPEND sources damped_control_torque limited_control_torque
-      batch_limited_control_torque)  # in C++ headers
-  else()
-    list(APPEND sources c_calls)
+  treeline_ask_for_sources("${arg_URDF}" "${arg_SCENE}" "${options}" sources)
+  if(NOT sources)
+    treeline_possible_sources("${arg_SCENE}" ${ending} sources)
   endif()
   set(stems ${sources})
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")

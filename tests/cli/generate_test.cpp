@@ -2,7 +2,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "program_test.hpp"
 
@@ -50,6 +52,41 @@ TEST_F(GenerateTest, SameBytesFromAnywhere) {
   for (const auto& entry : fs::directory_iterator(root_ / "puma560")) {
     const fs::path other = root_ / "elsewhere" / "puma560" / entry.path().filename();
     EXPECT_EQ(read_file(entry.path()), read_file(other)) << other;
+  }
+}
+
+// Would catch: a build that compiles files which are not there, or leaves some out.
+TEST_F(GenerateTest, ListsTheSourcesThatItWrites) {
+  const std::string point = "operational_points: [{name: tool, link: tool}]\n";
+  const std::string few = "functions: [gravity, mass_matrix, jacobian, control_torque]\n";
+  const std::pair<const char*, std::string> scenes[] = {
+      {"", "functions: [gravity]\n"},
+      {"--language c", point + few + "batch: 4\nprefetch: true\n"},
+      {"--profile misra", "functions: [gravity]\n"},
+      {"--name math", "functions: [gravity]\n"},
+      {"--language c",
+       point + "constraints: [{name: wall, between: [tool, world], rows: [x]}]\nbatch: 2\n"
+               "torque_limits: urdf\nfunctions: [mass_matrix, jacobian, supported_control_torque, "
+               "constraint_jacobian]\n"},
+      {"", point + few + "controller: {laws: [joint_impedance, task_impedance, force]}\n"}};
+  int folder = 0;
+  for (const auto& [options, scene] : scenes) {
+    std::ofstream(root_ / "scene.yaml") << scene;
+    const std::string inputs = kUrdf + " scene.yaml " + options;
+    const Outcome listed = run(inputs + " --list-sources");
+    ASSERT_EQ(listed.exit_code, 0) << listed.err;
+    EXPECT_EQ(listed.err, "");
+    const fs::path output = root_ / ("out_" + std::to_string(folder++));
+    const Outcome made = run(inputs + " --output " + output.string());
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    std::multiset<std::string> written, predicted;
+    for (const auto& entry : fs::directory_iterator(output)) {
+      const fs::path extension = entry.path().extension();
+      if (extension == ".cpp" || extension == ".c") written.insert(entry.path().stem());
+    }
+    std::istringstream lines(listed.out);
+    for (std::string line; std::getline(lines, line);) predicted.insert(line);
+    EXPECT_EQ(predicted, written) << scene;
   }
 }
 
