@@ -1,29 +1,38 @@
 #include "servo/safety.hpp"
 
-#include <fmt/core.h>
+#include <cmath>
+#include <cstdio>
 
 namespace treeline::servo {
+namespace {
+
+/// What a coordinate did, by how much, and what it may.
+std::string beyond_limit(const std::string& who, const char* did, const Fault& fault) {
+  char numbers[64];  // two of at most 13 characters
+  std::snprintf(numbers, sizeof numbers, "%.6g, beyond its limit %.6g", fault.value, fault.limit);
+  return who + " " + did + " " + numbers;
+}
+
+}  // namespace
 
 std::string describe(const Fault& fault, const std::string& name) {
-  const std::string who = name.empty() ? fmt::format("coordinate {}", fault.index) : name;
+  const std::string who = name.empty() ? "coordinate " + std::to_string(fault.index) : name;
   switch (fault.kind) {
     case FaultKind::none:
       return "no fault";
     case FaultKind::position_limit:
-      return fmt::format("{} is at {:.6g}, beyond its limit {:.6g}", who, fault.value, fault.limit);
+      return beyond_limit(who, "is at", fault);
     case FaultKind::velocity_limit:
-      return fmt::format("{} moves at {:.6g}, beyond its limit {:.6g}", who, fault.value,
-                         fault.limit);
+      return beyond_limit(who, "moves at", fault);
     case FaultKind::torque_limit:
-      return fmt::format("{} was commanded {:.6g}, beyond its limit {:.6g}", who, fault.value,
-                         fault.limit);
+      return beyond_limit(who, "was commanded", fault);
     case FaultKind::state_not_finite:
       return who + " reads a number that is not finite";
     case FaultKind::torque_not_finite:
       return who + " was commanded a number that is not finite";
     case FaultKind::deadline:
-      return fmt::format("{:.0f} cycles in a row missed their deadline, {:.0f} are allowed",
-                         fault.value, fault.limit);
+      return std::to_string(std::lround(fault.value)) + " cycles in a row missed their deadline, " +
+             std::to_string(std::lround(fault.limit)) + " are allowed";
     case FaultKind::robot_gone:
       return "the robot is no longer connected";
     case FaultKind::emergency_stop:
