@@ -1,26 +1,28 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "core/command_laws.hpp"
 #include "servo/message.hpp"
 #include "servo/pose_reference.hpp"
 #include "servo/robot_proxy.hpp"
+#include "servo/task_rows.hpp"
 
 namespace treeline::servo {
 
-/// The functions that PoseTaskController calls, for operational points with six rows each in world
-/// axes: a struct as for RobotFunctions, with kTaskRows in addition.
+/// The functions that PoseTaskController calls, for operational points in world axes: a struct as
+/// for RobotFunctions, with kTaskRows in addition, and kTaskRowNames unless each point has six
+/// rows.
 template <class F>
-concept PoseTaskFunctions =
-    RobotFunctions<F> && F::kTaskRows % 6 == 0 &&
-    F::kCoordinates == F::kVelocities&& requires(const double (&q)[F::kCoordinates],
-                                                 const double (&qd)[F::kVelocities],
-                                                 const double (&xdd)[F::kTaskRows],
-                                                 double (&tau)[F::kVelocities],
-                                                 double (&J)[F::kTaskRows * F::kVelocities],
-                                                 double (&position)[F::kTaskRows / 2],
-                                                 double (&rotation)[F::kTaskRows / 2 * 3]) {
+concept PoseTaskFunctions = RobotFunctions<F> && F::kCoordinates ==
+                            F::kVelocities&& requires(const double (&q)[F::kCoordinates],
+                                                      const double (&qd)[F::kVelocities],
+                                                      const double (&xdd)[F::kTaskRows],
+                                                      double (&tau)[F::kVelocities],
+                                                      double (&J)[F::kTaskRows * F::kVelocities],
+                                                      double (&position)[3 * kTaskPoints<F>],
+                                                      double (&rotation)[9 * kTaskPoints<F>]) {
   F::forward_kinematics(q, position, rotation);
   F::jacobian(q, J);
   F::control_torque(q, qd, qd, xdd, tau);
@@ -47,8 +49,26 @@ class AcceleratedPosture {
   Gains gains_;
 };
 
-/// Operational-space control of whole poses (Chang table 6.1) with a desired posture in the null
-/// space:
+/// Gains of a posture for joints alike, but ten times as fast for those that move no row of the
+/// task at q, such as fingers. What accelerates the task pushes light ones with it.
+template <PoseTaskFunctions F>
+typename AcceleratedPosture<F>::Gains posture_gains(const double (&q)[F::kCoordinates],
+                                                    const core::Gains<double>& gains) noexcept {
+  constexpr int nv = F::kVelocities;
+  double J[F::kTaskRows * nv];
+  F::jacobian(q, J);
+  typename AcceleratedPosture<F>::Gains all;
+  for (int i = 0; i < nv; ++i) {
+    bool moves = false;
+    for (int row = 0; row < F::kTaskRows; ++row) moves = moves || J[row * nv + i] != 0;
+    all[static_cast<std::size_t>(i)] = {moves ? gains.kp : 100 * gains.kp,
+                                        moves ? gains.kv : 10 * gains.kv};
+  }
+  return all;
+}
+
+/// Operational-space control of poses, or of those of their rows that the task has (Chang
+/// table 6.1), with a desired posture in the null space:
 ///   xdd_cmd = xdd_ref + kv (xd_ref - xd) + kp (x_ref - x), orientation by its rotation vector,
 ///   qdd_0   by `Posture`: joint accelerations, or the springs of `SpringPosture`.
 /// Only for robots whose joints have one degree of freedom. On `start` every point holds its
@@ -56,7 +76,7 @@ class AcceleratedPosture {
 template <PoseTaskFunctions F, class Posture = AcceleratedPosture<F>>
 class PoseTaskController {
  public:
-  static constexpr int kPoints = F::kTaskRows / 6;
+  static constexpr int kPoints = kTaskPoints<F>;
   static constexpr int nv = F::kVelocities;
 
   /// Desired and actual pose of a point at the last call of `control`.
@@ -159,18 +179,22 @@ class PoseTaskController {
     core::pose_error(point.position, point.rotation, point.wanted.position, point.wanted.rotation,
                      point.error);
     double velocity[6] = {};
-    for (int row = 0; row < 6; ++row) {
-      for (int i = 0; i < nv; ++i) {
-        velocity[row] += J[(6 * k + row) * nv + i] * state.qd[i];
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      const TaskRow& of = kRows[static_cast<std::size_t>(row)];
+      for (int i = 0; of.point == k && i < nv; ++i) {
+        velocity[of.axis] += J[row * nv + i] * state.qd[i];
       }
     }
     double acceleration[6];
     core::tracking_law(task_, point.error, velocity, point.wanted.velocity,
                        point.wanted.acceleration, acceleration);
-    for (int row = 0; row < 6; ++row) {
-      xdd_cmd[6 * k + row] = acceleration[row];
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      const TaskRow& of = kRows[static_cast<std::size_t>(row)];
+      if (of.point == k) xdd_cmd[row] = acceleration[of.axis];
     }
   }
+
+  static constexpr auto kRows = task_rows_of<F>();
 
   core::Gains<double> task_;
   Posture posture_;
