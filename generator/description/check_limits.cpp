@@ -43,7 +43,9 @@ void check_limits(const SceneElement& top, const Robot& robot, const Scene& scen
     top.error(fmt::format("{} limits the law of supported_control_torque, which this scene cannot "
                           "have: {}",
                           key, why_unsupported(scene)),
-              "add constraints, or operational_points and passive joints; or remove the limits");
+              "add constraints; or operational_points, and passive joints where nothing floats; or "
+              "remove "
+              "the limits");
     return;
   }
   for (const Function function : functions_of_limits(scene)) {

@@ -70,7 +70,9 @@ void report_constraints(const SceneElement& top, const Scene& scene, Function fu
     remedy = "errors of constraints to the world are those of their points; remove the function";
   } else if (function == Function::supported_control_torque) {
     missing = why_unsupported(scene);
-    remedy = "add constraints or couplings, or operational_points and passive joints";
+    remedy =
+        "add constraints or couplings; or operational_points, and passive joints where nothing "
+        "floats";
   }
   top.error(fmt::format("{} is listed, but {}", function_name(function), missing), remedy);
 }

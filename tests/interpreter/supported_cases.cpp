@@ -28,10 +28,7 @@ const std::vector<Standing>& standings() {
       {"hand_at_a_wall", {kAllRows}, 2, false},
       {"mimics", {kAllRows, kAllRows}, 3, true, 0, 0.15},
       {"pushed", {kPointFoot, kPointFoot, kPointFoot}, 3, true, 1, 0, 2},
-      {"drives", {kAllRows}, 4, true, 1, 0, 1, 0.5},
-      {"foot_without_task", {kAllRows}, 0},
-      {"two_points_without_task", {kPointFoot, kPointFoot}, 0},
-      {"wall_without_task", {kPointFoot}, 0, false}};
+      {"drives", {kAllRows}, 4, true, 1, 0, 1, 0.5}};
   return kStandings;
 }
 
@@ -142,7 +139,6 @@ void draw_loops(Rng& rng, const Standing& standing, RandomMechanism& made) {
 /// motor.
 void draw_tasks(Rng& rng, const Standing& standing, RandomMechanism& made) {
   Scene& scene = made.scene;
-  if (standing.task_rows == 0) scene.operational_points.clear();
   int left = standing.task_rows;
   for (ScenePoint& point : scene.operational_points) {
     for (bool& row : point.rows) row = left > 0 && rng.chance(0.6) && left-- > 0;
