@@ -32,6 +32,10 @@ class Unavailable(Exception):
     """The judge cannot compute this figure of this robot or state. Says why."""
 
 
+class Undetermined(Exception):
+    """At this state the result has no one value, or yields: nothing is to be compared."""
+
+
 class Lacking(Exception):
     """The judge has no such figure of any robot."""
 

@@ -6,7 +6,7 @@ judge computes as such follows here from its definition by dense linear algebra.
 
 import numpy as np
 
-from conventions import Lacking, Unavailable
+from conventions import Lacking, Undetermined
 from robot_file import inertials_of, rotation_from_rpy
 from rows import constraint_errors, held_bias, held_jacobian, rows_bias, rows_jacobian
 
@@ -242,7 +242,7 @@ def effective_mass(f, case, v):
     inverse = np.array([n @ Lambda_inv[3 * i:3 * i + 3, 3 * i:3 * i + 3] @ n for i, n in enumerate(normals)])
     moved = inverse > 3e-3 * np.max(np.linalg.eigvalsh(Lambda_inv))
     if not np.any(moved):
-        raise Unavailable("contacts that can hardly be moved")
+        raise Undetermined("contacts that can hardly be moved")
     return {"mass": [(lambda mass: mass[moved], 1 / inverse[moved], 1 / inverse[moved])]}
 
 
@@ -335,7 +335,7 @@ def _nearest(A, b, levels):
     scale = np.linalg.norm(A, axis=1)
     U, s, V = np.linalg.svd(A / scale[:, None])
     if len(A) > A.shape[1] or s[-1] < 1e-3 * s[0]:
-        raise Unavailable("tasks and supports at a singularity")
+        raise Undetermined("tasks and supports at a singularity")
     x, free = V[:len(s)].T @ ((U.T @ (b / scale)) / s), V[len(s):].T
     for matrix, goal in levels:
         if free.shape[1] == 0:

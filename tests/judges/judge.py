@@ -20,7 +20,7 @@ import time
 import numpy as np
 
 import objects
-from conventions import Freedoms, Lacking, State, Unavailable
+from conventions import Freedoms, Lacking, State, Unavailable, Undetermined
 from emitted import Emitted, Refused
 from expected import EXPECTED, forward_dynamics_by_algebra
 from judge_drake import Drake
@@ -44,7 +44,7 @@ class Report:
     def __init__(self, table):
         self.errors = collections.defaultdict(float)
         self.reasons = {}
-        self.had, self.lacking = set(), set()
+        self.had, self.lacking, self.left_out = set(), set(), {}
         self.known = []
         with open(table, encoding="utf-8") as file:
             for line in file.read().splitlines()[1:]:
@@ -62,7 +62,6 @@ class Report:
         """What differs or was not compared without a row that says why, and rows that say what is not so."""
         found = {key: f"differs by {error:.2g} of its terms" for key, error in self.errors.items()
                  if not error <= TOLERANCE}
-        # At some states some figures have no one value; at one state at least all are compared.
         found.update({key: "not compared: " + reason for key, reason in self.reasons.items() if key not in self.errors})
         met = set()
         for key, what in sorted(found.items()):
@@ -85,6 +84,10 @@ class Report:
 
     def print_case(self, case, seconds):
         errors = {key: error for key, error in self.errors.items() if key[0] == case}
+        compared = {figure for _, figure, _ in errors}
+        for (name, figure), reason in self.left_out.items():
+            if name == case and figure not in compared:
+                print(f"{case}: {figure} left out: {reason}")
         if not errors:
             print(f"{case}: nothing compared, {seconds:.0f} s", flush=True)
             return
@@ -227,7 +230,7 @@ class Trial:
             return
         self.case.keep_independent_rows([judges[0].at(self.freedoms, state) for state in states])
         if not self.case.held or not self.case.points:
-            print(f"{self.name}: forces are left out, no row of a support or of the task can be moved ordinarily")
+            self.report.left_out[self.name, "forces"] = "no row of a support or of the task can be moved ordinarily"
             return
         self.hold_rows(judges[0], states[0])
         self.case.freedoms = self.freedoms
@@ -322,6 +325,9 @@ class Trial:
         except Lacking:
             if not label.startswith("drives"):
                 self.report.lacking.add((name, judge.name))
+            return
+        except Undetermined as reason:
+            self.report.left_out[self.name, label] = str(reason)
             return
         except Unavailable as reason:
             if name != "forward_dynamics":
