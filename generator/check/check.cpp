@@ -5,6 +5,7 @@
 #include <set>
 
 #include "check/find_sources.hpp"
+#include "check/judge_equations.hpp"
 #include "check/judge_function.hpp"
 #include "check/judge_limits.hpp"
 #include "compilation/generated_library.hpp"
@@ -171,6 +172,7 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
   const auto references = make_references(robot, scene, generation, options.references);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   CheckReport report = judge(scene, generation, references, options, *libraries);
+  judge_equations(robot, scene, generation, references, options.references.threads, report);
   if (scene.has_limits()) {
     const auto judge_one = [&](bool batch) {
       LimitsReport limits = judge_limits(robot, scene, generation, references, *libraries->accurate,

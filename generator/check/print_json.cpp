@@ -59,6 +59,15 @@ Json to_json(const std::optional<RoundingReport>& rounding) {
           {"states", rounding->states}};
 }
 
+Json to_json(const std::optional<EquationReport>& equation) {
+  if (!equation) return nullptr;
+  return {{"says", equation->says},
+          {"worst", finite(equation->worst)},
+          {"allowed", EquationReport::kAllowed},
+          {"state", equation->state},
+          {"states", equation->states}};
+}
+
 Json to_json(const FunctionReport& f) {
   Json json{{"name", f.name},
             {"passed", f.passed()},
@@ -71,6 +80,7 @@ Json to_json(const FunctionReport& f) {
             {"worst", nullptr},
             {"nearest_to_bound", nullptr},
             {"interpreter_worst", finite(f.interpreter_worst)},
+            {"equation", to_json(f.equation)},
             {"bound", to_json(f.bound)},
             {"rounding", to_json(f.rounding)},
             {"beyond_bound", f.beyond_bound},

@@ -57,7 +57,8 @@ std::string print_table(const CheckReport& report) {
     rows.push_back(
         {f.name, error(f.median), error(f.percent_99), error(f.worst.error),
          any ? fmt::format("{:.1f}", digits_left(report, f.worst.error)) : "-",
-         error(f.interpreter_worst), any ? state_name(f.worst.state) : "-", print_bound(f.bound),
+         error(f.interpreter_worst), f.equation ? fmt::format("{:.0e}", f.equation->worst) : "",
+         any ? state_name(f.worst.state) : "-", print_bound(f.bound),
          any ? fmt::format("{} %", number(100 * f.nearest.error / f.nearest.bound)) : "-",
          print_rounding(f.rounding),
          f.rounding && f.rounding->states > 0 ? fmt::format("{} %", number(100 * f.rounding->used))
@@ -72,6 +73,7 @@ std::string print_table(const CheckReport& report) {
                         {"worst", true},
                         {"digits", true},
                         {"interp", true},
+                        {"equation", true},
                         {"worst state"},
                         {"bound"},
                         {"of bound", true},
@@ -138,6 +140,12 @@ std::string print_faults(const FunctionReport& f) {
     add(fmt::format("beyond its bound at {} of {} states; at {} the error is {} ulp, allowed {}",
                     f.beyond_bound, f.states - f.singular, state_name(f.nearest.state),
                     number(f.nearest.error), number(f.nearest.bound)));
+  }
+  if (f.equation && !(f.equation->worst <= EquationReport::kAllowed)) {
+    add(
+        fmt::format("its equation does not hold: of {} the sides differ by {} of the largest term "
+                    "at {}",
+                    f.equation->says, number(f.equation->worst), state_name(f.equation->state)));
   }
   if (f.rounding && f.rounding->used > 1) {
     add(fmt::format("errs by {} times what its expression graph permits",

@@ -23,6 +23,17 @@ struct RoundingReport {
   int states = 0;    ///< number of states in which the bound holds
 };
 
+/// How far a function's equation that has a derivative in it is from holding.
+struct EquationReport {
+  /// Differences in 50 digits leave some 1e-20 where the equation holds.
+  static constexpr double kAllowed = 1e-12;
+
+  std::string says;  ///< the equation
+  double worst = 0;  ///< largest difference of its sides, relative to its largest term
+  int state = 0;     ///< index of the state of that
+  int states = 0;    ///< number of states at which it was tested
+};
+
 /// Verdict on one function and the figures behind it.
 struct FunctionReport {
   std::string name, method;
@@ -32,12 +43,13 @@ struct FunctionReport {
   bool is_long = false;   ///< compiled with fewer passes, see CheckReport::long_command
   bool is_small = false;  ///< compiled to small code, see CheckReport::small_command
 
-  int states = 0;                     ///< number of states at which the function was called
-  int singular = 0;                   ///< number of these states without a reference
-  double median = 0, percent_99 = 0;  ///< errors in ulp of the scale
-  ErrorAt worst;                      ///< the largest error
-  ErrorAt nearest;                    ///< the error with the largest ratio to its bound
-  double interpreter_worst = 0;       ///< largest error of the interpreter in Real
+  int states = 0;                          ///< number of states at which the function was called
+  int singular = 0;                        ///< number of these states without a reference
+  double median = 0, percent_99 = 0;       ///< errors in ulp of the scale
+  ErrorAt worst;                           ///< the largest error
+  ErrorAt nearest;                         ///< the error with the largest ratio to its bound
+  double interpreter_worst = 0;            ///< largest error of the interpreter in Real
+  std::optional<EquationReport> equation;  ///< absent if it has none, or no state tests it
   Bound bound;
   std::optional<RoundingReport> rounding;  ///< absent if no bound is known
   int beyond_bound = 0;                    ///< number of states whose error exceeds the bound
@@ -53,8 +65,9 @@ struct FunctionReport {
     return singular == states && states >= kStatesOfEveryClass && bits_known;
   }
   [[nodiscard]] bool passed() const {
-    return beyond_bound == 0 && (!rounding || rounding->used <= 1) && out_of_bounds == 0 &&
-           bits_differ == 0 && (has_errors() || has_no_value());
+    return beyond_bound == 0 && (!equation || equation->worst <= EquationReport::kAllowed) &&
+           (!rounding || rounding->used <= 1) && out_of_bounds == 0 && bits_differ == 0 &&
+           (has_errors() || has_no_value());
   }
 };
 

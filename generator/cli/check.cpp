@@ -26,6 +26,8 @@ constexpr const char* kHowToReadCheck =
     "  median, 99 %, worst  error in ulp (2^-52, of float 2^-23) of the scale: the equation with\n"
     "              the magnitude of each term in place of the term, so that nothing cancels\n"
     "  interp      the interpreter's own worst error, computed in the same Real\n"
+    "  equation    where the equation has a derivative: what it is off, of its largest term,\n"
+    "              if lower functions are differentiated in 50 digits, at 20 states\n"
     "  bound       allowed: 8 ulp + 16 x the interpreter's worst; where a matrix is solved with,\n"
     "              the latter per condition of that matrix (scaled to a unit diagonal), times it;\n"
     "              what is made with M^-1 multiplies the condition of M by its own;\n"
