@@ -34,13 +34,13 @@ draw(humanoid24/touch_floor ${FOLDER}/touch_floor.csv
   --times 0.25,1.75,2.75,3.75,5.25 --path left_hand --elevation 0.18)
 draw(humanoid24/rock_torso ${FOLDER}/rock_torso.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene.yaml
-  --times 0.5,5.7,6.7,7.7,9.7 --azimuth 0.4 --elevation 0.18)
+  --times 5.7,6.2,6.7,7.2,7.7 --azimuth 0.1 --elevation 0.12)
 draw(humanoid24/put_box ${FOLDER}/put_box.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene_box.yaml
   --times 0.25,1.75,2.75,3.75,5.25 --elevation 0.18)
 draw(humanoid24/hit_wall ${FOLDER}/hit_wall.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene_hit_wall.yaml
-  --times 0,0.4,0.8,1.2 --azimuth 1.3 --elevation 0.18)
+  --times 0,0.2,0.37,0.6,2.5 --azimuth 1.5 --elevation 0.1)
 draw(samm/carry_object ${FOLDER}/carry_object.csv ${ROBOTS}/samm/pair.yaml
   --times 0.5,3,5,8 --azimuth 0.6 --elevation 0.3)
 foreach(lock elbow head)

@@ -111,7 +111,7 @@ TEST(TouchFloor, ReadsTheHumanoidsPlanAndLimits) {
   ASSERT_TRUE(read_plan(folder + "/touch_floor.yaml", plan, error)) << error;
   ASSERT_EQ(plan.joints.size(), 24U);
   EXPECT_EQ(plan.joints.front(), "ankle");
-  EXPECT_EQ(plan.target[2], 0.0);
+  EXPECT_EQ(plan.target[2], 0.0016);
   EXPECT_EQ(plan.spring, 60.0);
   EXPECT_EQ(plan.limit_margin, 0.2);
   EXPECT_EQ(plan.limit_strength, 200.0);

@@ -87,6 +87,11 @@ BoxErrors largest_box_errors(const BoxOutcome& outcome, const BoxPlan& plan) {
   errors.rotation = largest(table.column(kErrors + 1));
   errors.drift = largest(table.column(kDrift));
   errors.drift_rotation = largest(table.column(kDrift + 1));
+  const std::size_t last = table.rows() - 1;
+  for (std::size_t i = kJoints; i < kJoints + plan.run.joints.size(); ++i) {
+    const double turned = std::abs(table.at(last, i) - table.at(last - 1, i));
+    errors.final_speed = std::max(errors.final_speed, turned * plan.run.rate);
+  }
   errors.internal_force = largest(table.column(kInternal), plan.internal[0]);
   for (std::size_t i = 1; i < 6; ++i) {
     errors.internal_moment =
@@ -99,6 +104,10 @@ bool box_within_bounds(const BoxErrors& errors) {
   return errors.position < kBoxPositionBound && errors.internal_force < kBoxForceBound &&
          errors.internal_moment < kBoxForceBound && errors.drift < kBoxDriftBound &&
          errors.drift_rotation < kBoxDriftBound;
+}
+
+bool box_rests(const BoxErrors& errors) {
+  return errors.final_speed < kBoxRestBound;
 }
 
 std::string box_summary(const BoxOutcome& outcome, const BoxPlan& plan) {
@@ -119,6 +128,9 @@ std::string box_summary(const BoxOutcome& outcome, const BoxPlan& plan) {
       "at the start {:.1e}\n",
       errors.drift, errors.drift_rotation, kBoxDriftBound,
       verdict(std::max(errors.drift, errors.drift_rotation), kBoxDriftBound), outcome.initial_gap);
+  text +=
+      fmt::format("at the end   the fastest joint turns at {:.4f} rad/s (bound {}, {})\n",
+                  errors.final_speed, kBoxRestBound, verdict(errors.final_speed, kBoxRestBound));
   text += fmt::format(
       "control      median {:.2f} us, 99 % {:.2f} us, max {:.2f} us over {} cycles\n"
       "             thesis: {:.0f} us on a 266 MHz Pentium II, {:.0f} times the median here\n",

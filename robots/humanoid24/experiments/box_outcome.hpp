@@ -48,15 +48,19 @@ struct BoxErrors {
   double internal_moment = 0.0;  ///< of the other internal forces, N m
   double drift = 0.0;            ///< of the grasps, m
   double drift_rotation = 0.0;   ///< rad
+  double final_speed = 0.0;      ///< of the fastest joint in the last cycle, rad/s
 };
 
 BoxErrors largest_box_errors(const BoxOutcome& outcome, const BoxPlan& plan);
 
 /// Bounds that the run must keep.
+inline constexpr double kBoxRestBound = 0.02;      ///< of joints at the end, rad/s
 inline constexpr double kBoxPositionBound = 1e-4;  ///< m
 inline constexpr double kBoxForceBound = 1e-2;     ///< of internal forces, N and N m
 inline constexpr double kBoxDriftBound = 1e-10;    ///< m and rad
 bool box_within_bounds(const BoxErrors& errors);
+/// Whether the body has come to rest at the end, too.
+bool box_rests(const BoxErrors& errors);
 
 /// Time for one step in the thesis: 1.5 ms on a 266 MHz Pentium II (section 7.5).
 inline constexpr double kBoxThesisMicroseconds = 1500.0;

@@ -20,7 +20,7 @@ using Robot = servo::SimulatedRobot<Humanoid24>;
 using Controller = servo::PoseTaskController<Humanoid24>;
 
 constexpr double kHandBound = 5e-6;             // m
-constexpr double kFollowed = 2.0 / 3.0;         // of the advice
+constexpr double kFollowed = 0.6;               // of the advice
 constexpr std::size_t kHandErrors[] = {7, 15};  // columns: distance, and angle after it
 constexpr int kSubsteps = 4;
 

@@ -45,7 +45,7 @@ struct RockFindings {
 RockFindings find_rocking(const Outcome& outcome, const Plan& pose);
 
 /// Whether the run ends without a fault, the hands stay within 5 um, and the waist follows at least
-/// two thirds of the advice.
+/// three fifths of the advice.
 bool rocks_without_hands(const Outcome& outcome, const RockPlan& plan, const Plan& pose);
 std::string rock_summary(const Outcome& outcome, const RockPlan& plan, const Plan& pose);
 report::Plot rock_figure(const Outcome& outcome, const Plan& pose);
