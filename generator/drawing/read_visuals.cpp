@@ -150,4 +150,16 @@ std::vector<Visual> read_visuals(const std::string& urdf, const std::string& fil
   return visuals;
 }
 
+std::vector<Visual> read_collisions(const std::string& urdf, const std::string& file,
+                                    Diagnostics& diagnostics) {
+  tinyxml2::XMLDocument document;
+  const XMLElement* robot = parse_urdf_xml(urdf, file, document, diagnostics);
+  std::vector<Visual> shapes;
+  const XMLElement* link = robot == nullptr ? nullptr : robot->FirstChildElement("link");
+  for (; link != nullptr; link = link->NextSiblingElement("link")) {
+    add_collisions(*link, kGrey, shapes);
+  }
+  return shapes;
+}
+
 }  // namespace treeline

@@ -11,7 +11,7 @@ namespace treeline {
 
 enum class VisualKind { box, cylinder, sphere, mesh };
 
-/// A `<visual>` of a link.
+/// A `<visual>` of a link, or a `<collision>`.
 struct Visual {
   std::string link;
   VisualKind kind = VisualKind::mesh;
@@ -25,5 +25,9 @@ struct Visual {
 /// cylinders and spheres by which it collides follow them.
 std::vector<Visual> read_visuals(const std::string& urdf, const std::string& file,
                                  Diagnostics& diagnostics);
+
+/// The boxes, cylinders and spheres by which the links of a URDF collide, in the file's order.
+std::vector<Visual> read_collisions(const std::string& urdf, const std::string& file,
+                                    Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -80,5 +80,24 @@ TEST(ReadVisuals, WarnsOfShapesWithoutASize) {
   EXPECT_EQ(diagnostics.list()[1].element, "robot/link[b]/visual");
 }
 
+TEST(ReadCollisions, HasWhatLinksCollideByAndNothingElse) {
+  constexpr const char* kBoth = R"(<robot name="arm">
+<link name="a">
+  <visual><geometry><box size="1 1 1"/></geometry></visual>
+  <collision><origin xyz="1 2 3"/><geometry><sphere radius="0.5"/></geometry></collision>
+  <collision><geometry><mesh filename="a.stl"/></geometry></collision>
+</link>
+<link name="b"><collision><geometry><cylinder radius="0.1" length="2"/></geometry></collision></link>
+</robot>)";
+  Diagnostics diagnostics;
+  const auto shapes = read_collisions(kBoth, "arm.urdf", diagnostics);
+  ASSERT_EQ(shapes.size(), 2U);
+  EXPECT_EQ(shapes[0].link, "a");
+  EXPECT_EQ(shapes[0].kind, VisualKind::sphere);
+  EXPECT_EQ(shapes[0].pose.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(shapes[1].kind, VisualKind::cylinder);
+  EXPECT_EQ(shapes[1].size.head(2), Eigen::Vector2d(0.1, 2));
+}
+
 }  // namespace
 }  // namespace treeline

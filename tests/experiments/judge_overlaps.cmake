@@ -1,0 +1,26 @@
+# Runs an experiment and judges its motion: nothing passes through anything by more than 1 mm. Would
+# catch: an arm that goes through a leg, a hand below the ground, an object in a foot.
+# PROGRAM and OPTIONS with T and D as in robots/motions.txt, TABLE, ROBOTS, FILES, JUDGE, JUDGED_BY.
+function(place result word)
+  string(REGEX REPLACE "^T$" "${FOLDER}/table.csv" word "${word}")
+  string(REGEX REPLACE "^D(/|$)" "${FOLDER}\\1" word "${word}")
+  set(${result} ${word} PARENT_SCOPE)
+endfunction()
+file(MAKE_DIRECTORY ${FOLDER})
+separate_arguments(OPTIONS)
+set(options)
+foreach(option ${OPTIONS})
+  place(option ${option})
+  list(APPEND options ${option})
+endforeach()
+execute_process(COMMAND ${PROGRAM} ${options} COMMAND_ERROR_IS_FATAL ANY)
+place(table ${TABLE})
+separate_arguments(FILES)
+list(POP_FRONT FILES robot)
+set(scene)
+if(FILES)
+  set(scene --scene ${FILES})
+endif()
+separate_arguments(JUDGED_BY)
+execute_process(COMMAND ${JUDGE} --robot ${robot} ${scene} --motion ${table} ${JUDGED_BY}
+  WORKING_DIRECTORY ${ROBOTS} COMMAND_ERROR_IS_FATAL ANY)
