@@ -5,8 +5,9 @@
 #include <string>
 
 // The humanoid's fist against a wall on generated code. Would catch: impulses or effective masses
-// that disagree with the contact-space inverse inertia, a hand that sinks into the wall, and a
-// pressing force that differs from the one commanded in operational space.
+// that disagree with the contact-space inverse inertia, joints that swing before the blow, a hand
+// that sinks into the wall, and a pressing force that differs from the one commanded in operational
+// space.
 
 namespace treeline::experiments {
 namespace {
@@ -15,7 +16,7 @@ Plan plan() {
   Plan read;
   std::string error;
   EXPECT_TRUE(
-      read_plan(std::string(TREELINE_ROBOTS_DIR) + "/humanoid24/touch_floor.yaml", read, error))
+      read_plan(std::string(TREELINE_ROBOTS_DIR) + "/humanoid24/hit_wall.yaml", read, error, ""))
       << error;
   return read;
 }

@@ -25,16 +25,17 @@ double positive(const YAML::Node& node, const char* key) {
 
 void fill_plan(const YAML::Node& root, const std::string& mover, Plan& plan) {
   read_joints(root["start"], plan.joints, plan.start);
+  if (const YAML::Node springs = root["springs"]) {
+    plan.spring = positive(springs, "stiffness");
+    plan.limit_margin = positive(springs, "margin");
+    plan.limit_strength = positive(springs, "strength");
+  }
+  if (mover.empty()) return;
   std::vector<std::string> names;
   read_joints(root["posture_stiffness"], names, plan.posture_stiffness);
   if (names != plan.joints) {
     throw YAML::Exception(root["posture_stiffness"].Mark(),
                           "start and posture_stiffness must list the same joints");
-  }
-  if (const YAML::Node springs = root["springs"]) {
-    plan.spring = positive(springs, "stiffness");
-    plan.limit_margin = positive(springs, "margin");
-    plan.limit_strength = positive(springs, "strength");
   }
   const YAML::Node moved = root[mover];
   plan.target = moved["target"].as<std::array<double, 3>>();

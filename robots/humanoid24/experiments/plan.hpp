@@ -8,7 +8,8 @@
 
 namespace treeline::experiments {
 
-/// Content of touch_floor.yaml or put_box.yaml. Joints are in the generated code's order; SI units.
+/// Content of touch_floor.yaml, put_box.yaml or hit_wall.yaml. Joints are in the generated code's
+/// order; SI units.
 struct Plan {
   std::vector<std::string> joints;
   std::vector<double> start;              ///< q at rest, and the desired posture
@@ -24,9 +25,9 @@ struct Plan {
   double damping = 0.0;                   ///< of the task, 1/s
 };
 
-/// Reads the plan at `path`. `mover` is the name of the section about what moves. Returns false,
-/// with the reason in `error`, if something is missing or of the wrong kind, or if the two lists of
-/// joints differ.
+/// Reads the plan at `path`. `mover` is the name of the section about what moves; if it is empty,
+/// only the start and the springs are read. Returns false, with the reason in `error`, if something
+/// is missing or of the wrong kind, or if the two lists of joints differ.
 bool read_plan(const std::string& path, Plan& plan, std::string& error,
                const std::string& mover = "left_hand");
 

@@ -15,6 +15,7 @@
 #include "servo/integrate.hpp"
 #include "servo/run_for.hpp"
 #include "servo/safety.hpp"
+#include "servo/spring_posture.hpp"
 
 namespace treeline::experiments {
 namespace {
@@ -25,12 +26,14 @@ constexpr int kJoints = robot::kVelocities;
 struct Wall24 {
   static constexpr int kCoordinates = robot::kCoordinates;
   static constexpr int kVelocities = robot::kVelocities;
+  static constexpr auto& mass_matrix = robot::mass_matrix;
   static constexpr auto& inverse_dynamics = robot::inverse_dynamics;
   static constexpr auto& forward_dynamics = robot::forward_dynamics;
 };
 using State = servo::StateOf<Wall24>;
 
 constexpr double kNormal[3] = {-1, 0, 0};  // points out of the wall
+constexpr double kSwingBound = 1.0;        // rad/s
 
 struct Hand {
   double x[3] = {};
@@ -163,12 +166,18 @@ class WallRobot {
   std::vector<WallBlow> blows_;
 };
 
-/// Control torque of Chang table 6.1: the hand follows a spline to the goal behind the wall, the
-/// desired posture is the initial one.
+servo::SpringPosture<Wall24> springs_of(const Plan& plan, double rate) {
+  return {{plan.spring, 1.0, plan.limit_margin, plan.limit_strength, 1.0 / rate},
+          robot::kLowerLimits,
+          robot::kUpperLimits};
+}
+
+/// Control torque of Chang table 6.1: the hand follows a spline to the goal behind the wall,
+/// springs draw the posture to the initial one.
 class WallController {
  public:
   WallController(const Plan& plan, const WallSettings& settings, const State& start)
-      : plan_(plan), settings_(settings) {
+      : settings_(settings), posture_(springs_of(plan, settings.rate)), start_(start) {
     const Hand hand = hand_of(start);
     const double goal[3] = {settings.wall + settings.behind, hand.x[1], hand.x[2]};
     spline_ = core::rest_to_rest<3>(hand.x, goal, settings.reach_time);
@@ -189,17 +198,14 @@ class WallController {
     core::tracking_law<3, double>({settings_.stiffness, settings_.damping}, error, hand.v,
                                   wanted.velocity, wanted.acceleration, xdd_);
     double qdd_0[kJoints];
-    for (int i = 0; i < kJoints; ++i) {
-      const double kp = plan_.posture_stiffness[static_cast<std::size_t>(i)];
-      qdd_0[i] = kp * (plan_.start[static_cast<std::size_t>(i)] - state.q[i]) -
-                 2 * std::sqrt(kp) * state.qd[i];
-    }
+    posture_.advise(state, start_.q, qdd_0);
     robot::control_torque(state.q, state.qd, qdd_0, xdd_, tau);
   }
 
  private:
-  const Plan& plan_;
   WallSettings settings_;
+  servo::SpringPosture<Wall24> posture_;
+  State start_;
   core::CubicSegment<3, double> spline_;
   double xdd_[3] = {};
 };
@@ -266,7 +272,7 @@ WallRun run_hit_wall(const Plan& plan, const WallSettings& settings) {
   servo::LoopSettings loop;
   loop.rate = settings.rate;
   const auto rows = static_cast<std::size_t>(settings.duration * settings.rate) + 2;
-  WallRun run{report::Table(column_names(), rows), {}, {}, 0, 0, 0};
+  WallRun run{report::Table(column_names(), rows), {}, {}, 0, 0, 0, 0};
   constexpr double kEnd = 0.2;  // s at the end over which forces are averaged
   const double share = 1 / std::floor(kEnd * settings.rate);
   const servo::RunEnd end = servo::run_for<Wall24>(
@@ -276,6 +282,9 @@ WallRun run_hit_wall(const Plan& plan, const WallSettings& settings) {
       before_wall, controller, clock, mailbox, [&](const servo::Report<Wall24>& report) {
         const double force = before_wall.impulse() * settings.rate;
         record(report, plan, settings, force, run.table);
+        for (const double rate : report.state.qd) {
+          if (before_wall.blows().empty()) run.swing = std::max(run.swing, std::abs(rate));
+        }
         if (report.time > settings.duration - kEnd + 0.5 / settings.rate) {
           double wanted[3];
           commanded_force(report.state, controller.commanded(), wanted);
@@ -295,11 +304,12 @@ std::string hit_wall_summary(const WallRun& run, const WallSettings& settings) {
   }
   const WallBlow& first = run.blows.front();
   std::string text = fmt::format(
+      "reach        joints turn at up to {:.3f} rad/s (bound {})\n"
       "first blow   at {:.4f} s: {:.4f} m/s into the wall, {:.4f} m/s out of it (e = {})\n"
       "             effective mass {:.4f} kg, impulse {:.4f} N s\n"
       "             energy {:+.6f} J by the velocities, {:+.6f} J by the impulse",
-      first.time, first.approach, first.parting, settings.restitution, first.mass, first.impulse,
-      first.energy, first.work);
+      run.swing, kSwingBound, first.time, first.approach, first.parting, settings.restitution,
+      first.mass, first.impulse, first.energy, first.work);
   if (settings.friction == 0) {
     const double e = settings.restitution;
     text += fmt::format(", {:+.6f} J by restitution",
@@ -343,7 +353,7 @@ bool hit_wall_claims_hold(const WallRun& run, const WallSettings& settings) {
     return false;
   }
   const WallBlow& first = run.blows.front();
-  bool hold = !run.fault && first.approach > 0.1 &&
+  bool hold = !run.fault && first.approach > 0.1 && run.swing < kSwingBound &&
               std::abs(first.parting - settings.restitution * first.approach) < 1e-9;
   for (const WallBlow& blow : run.blows) {
     hold = hold && std::abs(blow.energy - blow.work) < 1e-9;
