@@ -118,7 +118,7 @@ bool within_bounds(const ThreeArmsOutcome& outcome) {
   const ThreeArmsErrors errors = largest_errors(outcome);
   return !outcome.fault && errors.object.position < 1e-4 && errors.object.rotation < 1e-3 &&
          errors.tensions < 0.1 && errors.moments < 0.1 && errors.object.drift < 1e-9 &&
-         errors.object.lift > 0.09;
+         errors.object.lift > 0.08;
 }
 
 std::string summary(const ThreeArmsOutcome& outcome) {

@@ -132,7 +132,7 @@ LadderErrors largest_errors(const LadderOutcome& outcome) {
 bool within_bounds(const LadderOutcome& outcome) {
   const LadderErrors errors = largest_errors(outcome);
   return !outcome.fault && errors.object.position < 1e-4 && errors.object.rotation < 1e-3 &&
-         errors.internal < 1.0 && errors.object.drift < 1e-9 && errors.object.lift > 0.07;
+         errors.internal < 1.0 && errors.object.drift < 1e-9 && errors.object.lift > 0.06;
 }
 
 std::string summary(const LadderOutcome& outcome) {

