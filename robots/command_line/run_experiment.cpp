@@ -32,6 +32,10 @@ void add_outputs(CommandLine& command, OutputPaths& paths, const std::string& cs
   command.add_text("--svg", paths.svg, svg_help);
 }
 
+void add_page_table(CommandLine& command, std::string& path) {
+  command.add_text("--table", path, "write the table of the robot's page into this file");
+}
+
 void add_output_folder(CommandLine& command, std::string& folder, const std::string& content) {
   command.add_folder("--output", folder, "existing folder for " + content);
 }

@@ -39,6 +39,9 @@ void add_outputs(CommandLine& command, OutputPaths& paths,
                  const std::string& csv_help = "write every cycle to this file",
                  const std::string& svg_help = "draw the figure into this file");
 
+/// Adds the option --table: a table of the robot's page, which `report_tables` puts there.
+void add_page_table(CommandLine& command, std::string& path);
+
 /// Adds the option --output, an existing folder for `content`, such as "RUN.csv of each run".
 void add_output_folder(CommandLine& command, std::string& folder, const std::string& content);
 

@@ -15,4 +15,15 @@ report::PlotPanel joint_panel(const report::Table& table, const Plan& plan,
                               const std::string& title, const std::string& y_label,
                               std::size_t first, bool from_start);
 
+/// What a page says of a run's joints, in words.
+struct JointWords {
+  std::string nearest_limit;  ///< of position
+  std::string fastest;
+  std::string torques;  ///< the four greatest
+};
+
+/// `first`: the first column of q, behind which those of tau follow.
+JointWords describe_joints(const report::Table& table, const Plan& plan, const JointLimits& limits,
+                           std::size_t first);
+
 }  // namespace treeline::experiments

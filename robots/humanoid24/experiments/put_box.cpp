@@ -8,6 +8,7 @@
 #include "box_outcome.hpp"
 #include "command_line/run_experiment.hpp"
 #include "humanoid24_box.hpp"
+#include "joint_panel.hpp"
 #include "plan.hpp"
 
 namespace {
@@ -28,6 +29,7 @@ struct Options {
   std::string plan = TREELINE_HUMANOID24_DIR "/put_box.yaml";
   std::string urdf = TREELINE_HUMANOID24_DIR "/humanoid24.urdf";
   experiments::OutputPaths paths;
+  std::string table;
   experiments::RunSettings run;
 };
 
@@ -36,6 +38,25 @@ void declare(experiments::CommandLine& command, Options& options) {
   command.add_text("--urdf", options.urdf, "where joint limits are read");
   experiments::add_substeps(command, options.run.substeps);
   experiments::add_outputs(command, options.paths);
+  experiments::add_page_table(command, options.table);
+}
+
+/// The table of the page.
+std::string page_table(const experiments::BoxOutcome& outcome, const experiments::BoxPlan& plan,
+                       const experiments::JointLimits& limits) {
+  const auto errors = experiments::largest_box_errors(outcome, plan);
+  const auto joints =
+      experiments::describe_joints(outcome.table, plan.run, limits, experiments::kBoxColumns);
+  return fmt::format(
+      "| over the whole motion and after it, 1 kHz | |\n|---|---|\n"
+      "| box, worst error | {:.1e} m, {:.0e} rad |\n"
+      "| squeeze, worst error (after a cycle under one torque) | {:.0f} mN, other internal moments "
+      "{:.1f} mN m |\n"
+      "| nearest joint limit | {} |\n"
+      "| fastest joint; at the end | {}; {:.4f} rad/s |\n"
+      "| greatest torques | {} |\n",
+      errors.position, errors.rotation, 1e3 * errors.internal_force, 1e3 * errors.internal_moment,
+      joints.nearest_limit, joints.fastest, errors.final_speed, joints.torques);
 }
 
 experiments::Findings run(const Options& options) {
@@ -52,11 +73,13 @@ experiments::Findings run(const Options& options) {
   const std::string title = fmt::format(
       "humanoid24 puts a box on the floor (Chang section 7.5): {:.1f} s spline at {:.0f} Hz\n",
       plan.run.duration, plan.run.rate);
-  return {
-      title + experiments::box_summary(outcome, plan),
-      experiments::files_of(options.paths, outcome.table, experiments::box_figure(outcome, plan)),
-      experiments::box_within_bounds(experiments::largest_box_errors(outcome, plan)),
-      experiments::stopped(outcome.fault, plan.run)};
+  const auto errors = experiments::largest_box_errors(outcome, plan);
+  auto files =
+      experiments::files_of(options.paths, outcome.table, experiments::box_figure(outcome, plan));
+  files.push_back({options.table, page_table(outcome, plan, limits)});
+  return {title + experiments::box_summary(outcome, plan), files,
+          experiments::box_within_bounds(errors) && experiments::box_rests(errors),
+          experiments::stopped(outcome.fault, plan.run)};
 }
 
 }  // namespace

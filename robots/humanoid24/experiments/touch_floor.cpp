@@ -10,6 +10,7 @@
 
 #include "command_line/run_experiment.hpp"
 #include "humanoid24_functions.hpp"
+#include "joint_panel.hpp"
 #include "outcome.hpp"
 #include "plan.hpp"
 #include "servo/realtime.hpp"
@@ -22,6 +23,7 @@ struct Options {
   std::string plan = TREELINE_HUMANOID24_DIR "/touch_floor.yaml";
   std::string urdf = TREELINE_HUMANOID24_DIR "/humanoid24.urdf";
   experiments::OutputPaths paths;
+  std::string table;
   std::optional<double> rate;
   std::optional<double> duration;
   std::optional<double> spring;
@@ -40,6 +42,7 @@ void declare(experiments::CommandLine& command, Options& options) {
                      "N m/rad, of every joint, instead of the plan's");
   command.add_flag("--realtime", options.realtime, "keep to the machine's clock");
   experiments::add_outputs(command, options.paths);
+  experiments::add_page_table(command, options.table);
 }
 
 experiments::Outcome touch_floor(const Options& options, const experiments::Plan& plan,
@@ -54,6 +57,32 @@ experiments::Outcome touch_floor(const Options& options, const experiments::Plan
   }
   servo::SteadyClock clock;
   return experiments::touch_floor<experiments::Humanoid24>(plan, options.run, limits, clock);
+}
+
+/// The table of the page: the plan's rate beside the thesis's.
+std::string page_table(const experiments::Outcome& outcome, const Options& options,
+                       experiments::Plan plan, const experiments::JointLimits& limits) {
+  const auto joints =
+      experiments::describe_joints(outcome.table, plan, limits, experiments::kFixedColumns);
+  plan.rate = 300.0;
+  const auto slow = touch_floor(options, plan, limits);
+  const auto slow_joints =
+      experiments::describe_joints(slow.table, plan, limits, experiments::kFixedColumns);
+  const auto errors = experiments::largest_errors(outcome.table);
+  const auto slow_errors = experiments::largest_errors(slow.table);
+  const auto row = [](const char* what, const std::string& first, const std::string& second) {
+    return fmt::format("| {} | {} | {} |\n", what, first, second);
+  };
+  const auto metres = [](double x) { return fmt::format("{:.1e} m", x); };
+  return row("over the whole motion and after it", "1 kHz", "300 Hz, as in the thesis") +
+         "|---|---|---|\n" +
+         row("left hand, worst error", metres(errors.left_position),
+             metres(slow_errors.left_position)) +
+         row("right hand, worst drift", metres(errors.right_position),
+             metres(slow_errors.right_position)) +
+         row("nearest joint limit", joints.nearest_limit, slow_joints.nearest_limit) +
+         row("fastest joint", joints.fastest, slow_joints.fastest) +
+         row("greatest torques", joints.torques, slow_joints.torques);
 }
 
 experiments::Findings run(const Options& options) {
@@ -73,8 +102,11 @@ experiments::Findings run(const Options& options) {
   const std::string title = fmt::format(
       "humanoid24 touches the floor (Chang section 6.3): {:.1f} s spline at {:.0f} Hz\n",
       plan.duration, plan.rate);
-  return {title + experiments::summary(outcome, plan, options.realtime),
-          experiments::files_of(options.paths, outcome.table, experiments::figure(outcome, plan)),
+  auto files =
+      experiments::files_of(options.paths, outcome.table, experiments::figure(outcome, plan));
+  files.push_back(
+      {options.table, options.table.empty() ? "" : page_table(outcome, options, plan, limits)});
+  return {title + experiments::summary(outcome, plan, options.realtime), files,
           experiments::within_bounds(outcome), experiments::stopped(outcome.fault, plan)};
 }
 

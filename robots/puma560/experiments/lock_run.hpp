@@ -41,18 +41,25 @@ struct LockRun {
 /// shall come back: +1 through the lock, -1 the side from which they came.
 LockRun run_lock(Lock lock, Strategy strategy, double branch = 1.0);
 
+/// Heads the table of `lock_rows`.
+inline constexpr const char* kLockTableHead =
+    "| | torque / effort limit | speed rad/s | tool off by m | by rad |\n|---|---|---|---|---|\n";
+
 /// Prints a line for each run, in the order of kStrategies.
 std::string lock_summary(Lock lock, const std::vector<LockRun>& runs);
+
+/// The runs' rows of the page's table, Markdown.
+std::string lock_rows(Lock lock, const std::vector<LockRun>& runs);
 
 /// Draws errors, phases, joints and torques of the runs (Chang fig. A.2, A.3).
 report::Plot lock_figure(Lock lock, const std::vector<LockRun>& runs);
 
 /// Whether the physical claim holds. With the strategy the lock is entered, stayed in and left, and
 /// has Chang's type (elbow and head 1, wrist 2); joints and torques stay within their limits and
-/// speeds below 3 rad/s; the tool ends at its desired pose, elbow and shoulder on their other side.
-/// Without the strategy a torque exceeds its limit a thousandfold within milliseconds. Damped least
-/// squares is bounded too, but it leaves the path farther, and moves faster or comes back to the
-/// side from which it came.
+/// speeds below 3.6 rad/s; the tool ends at its desired pose, elbow and shoulder on their other
+/// side. Without the strategy a torque exceeds its limit a thousandfold within milliseconds. Damped
+/// least squares is bounded too, but it leaves the path farther, and moves faster or comes back to
+/// the side from which it came.
 bool lock_claim_holds(Lock lock, const std::vector<LockRun>& runs);
 
 }  // namespace treeline::experiments

@@ -28,8 +28,11 @@ int main(int argc, char** argv) {
       "strategy, without it, and with damped least squares. Prints torques, speeds and errors;\n"
       "exit status 3 if a claim is broken."};
   std::string folder;
+  std::string table;
   add_output_folder(command, folder, "LOCK_STRATEGY.csv and LOCK.svg");
-  return run_experiment(command, argc, argv, [&folder] {
+  add_page_table(command, table);
+  return run_experiment(command, argc, argv, [&folder, &table] {
+    std::string rows = kLockTableHead;
     constexpr const char* kEndings[] = {"_none.csv", "_damped.csv", "_singular.csv"};
     Findings findings{"", {}, true};
     for (const auto lock : kLocks) {
@@ -37,8 +40,10 @@ int main(int argc, char** argv) {
       for (const auto strategy : kStrategies) runs.push_back(run_lock(lock, strategy));
       add_runs(findings, folder, file_name(lock), kEndings, runs, lock_figure(lock, runs));
       findings.summary += lock_summary(lock, runs);
+      rows += lock_rows(lock, runs);
       findings.claims_hold = lock_claim_holds(lock, runs) && findings.claims_hold;
     }
+    findings.files.push_back({table, rows});
     return findings;
   });
 }

@@ -1,6 +1,7 @@
 #include "singular_control.hpp"
 
 #include "core/ldlt.hpp"
+#include "puma560_exact.hpp"
 
 namespace treeline::experiments {
 namespace {
@@ -172,7 +173,7 @@ void control(Strategy strategy, const double (&q)[6], const double (&qd)[6],
   switch (strategy) {
     case Strategy::none: {
       const double none[6] = {};
-      puma560::control_torque(q, qd, none, command.acceleration, tau);
+      puma560_exact::control_torque(q, qd, none, command.acceleration, tau);
       return;
     }
     case Strategy::damped:

@@ -23,7 +23,7 @@ struct ToolCommand {
 };
 
 enum class Strategy {
-  none,      ///< table 6.1 without changes
+  none,      ///< table 6.1 as it stands, `singular: exact`
   damped,    ///< damped least squares (Nakamura & Hanafusa 1986)
   singular,  ///< the lost direction leaves the task, appendix A
 };

@@ -10,8 +10,11 @@ int main(int argc, char** argv) {
       "UR10e: torque and speed on the way through singularities. Exit status 3 if a "
       "claim is broken."};
   std::string folder;
+  std::string table;
   add_output_folder(command, folder, "LINE_LAW.csv and LINE.svg");
-  return run_experiment(command, argc, argv, [&folder] {
+  add_page_table(command, table);
+  return run_experiment(command, argc, argv, [&folder, &table] {
+    std::string rows = kTableHead;
     constexpr const char* kEndings[] = {"_exact.csv", "_least_squares.csv", "_damped.csv"};
     Findings findings{"", {}, true};
     for (const auto line : kLines) {
@@ -22,8 +25,10 @@ int main(int argc, char** argv) {
       const std::string name = file_name_of(line);
       add_runs(findings, folder, name, kEndings, runs, figure(line, runs));
       findings.summary += summary(line, runs);
+      rows += rows_of(line, runs);
       findings.claims_hold = claim_holds(line, runs) && findings.claims_hold;
     }
+    findings.files.push_back({table, rows});
     return findings;
   });
 }

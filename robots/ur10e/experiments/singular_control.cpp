@@ -3,6 +3,7 @@
 #include "core/ldlt.hpp"
 #include "core/singularity.hpp"
 #include "ur10e_damped.hpp"
+#include "ur10e_exact.hpp"
 
 namespace treeline::ur10e_experiments {
 namespace {
@@ -65,7 +66,7 @@ double control(Law law, const double (&q)[6], const double (&qd)[6], const doubl
   }
   const double ease = ur10e::damped_control_torque(q, qd, qdd_0, xdd_cmd, tau);
   if (law == Law::exact) {
-    ur10e::control_torque(q, qd, qdd_0, xdd_cmd, tau);
+    ur10e_exact::control_torque(q, qd, qdd_0, xdd_cmd, tau);
   } else if (law == Law::least_squares) {
     control_least_squares(q, qd, qdd_0, xdd_cmd, tau);
   }

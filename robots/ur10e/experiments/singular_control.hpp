@@ -8,7 +8,7 @@
 namespace treeline::ur10e_experiments {
 
 enum class Law {
-  exact,          ///< table 6.1 without changes
+  exact,          ///< table 6.1 as it stands, `singular: exact`
   least_squares,  ///< damped least squares (Nakamura & Hanafusa 1986)
   damped,         ///< the generated damped_control_torque
 };

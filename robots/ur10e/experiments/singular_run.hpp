@@ -48,6 +48,11 @@ SingularRun run_line(Line line, Law law);
 
 /// Prints a line for each run, in the order of kLaws.
 std::string summary(Line line, const std::vector<SingularRun>& runs);
+/// The runs' rows of the page's table, Markdown, and what heads them.
+std::string rows_of(Line line, const std::vector<SingularRun>& runs);
+inline constexpr const char* kTableHead =
+    "| line | law | torque / limit | speed / limit | position error (m) | rotation error (rad) |\n"
+    "|---|---|---|---|---|---|\n";
 report::Plot figure(Line line, const std::vector<SingularRun>& runs);
 
 /// Whether the claim holds. Damped by directions, torques and speeds stay within the maker's
