@@ -16,7 +16,7 @@ FLOOR = 1e-5
 
 def terms(*summands):
     size = sum(np.abs(s) for s in summands)
-    return size + FLOOR * np.max(size, initial=1e-6)
+    return size + FLOOR * np.max(size, initial=1e-3)
 
 
 def of_size(value):
