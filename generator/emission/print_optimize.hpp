@@ -20,8 +20,7 @@ inline constexpr const char* kNoExtraPasses = "-fno-live-range-shrinkage -fno-re
 std::string print_extra_passes(const EmissionContext& context, std::span<const Program> programs,
                                std::span<const Program> batch);
 
-/// GCC's and Clang's option for functions that are too long for others (`is_huge`): of the levels
-/// that optimise the one that ends.
+/// GCC's and Clang's option for functions that are too long for higher levels (`is_huge`).
 inline constexpr const char* kHugeFlag = "-O1";
 
 /// Lines of CMake that compile such functions by it. Empty where there are none.
