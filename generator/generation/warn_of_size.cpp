@@ -51,8 +51,8 @@ std::string describe_remedy(const Scene& scene, const GeneratedFunction& longest
 
 }  // namespace
 
-// Of ergoCub on a floating base, on one core at 2.4 GHz, g++ 12 compiles by -O2 15,704 operations in
-// 9 s, 23,006 in 5 s, 78,688 in 139 s (1.5 GB); 388,316 it had not after half an hour.
+// Of ergoCub on a floating base, on one core at 2.4 GHz, g++ 12 compiles by -O2 15,704 operations
+// in 9 s, 23,006 in 5 s, 78,688 in 139 s (1.5 GB); 388,316 it had not after half an hour.
 double estimate_compile_seconds(int flops) {
   constexpr double kOfOperation = 4e-4, kOfSquare = 2e-8;
   return flops * (kOfOperation + kOfSquare * flops);

@@ -46,8 +46,8 @@ struct ConfigFault {
   int32_t index;
 };
 
-constexpr ConfigFault not_sound(ConfigField field, int index) noexcept {
-  return {static_cast<int32_t>(field), static_cast<int32_t>(index)};
+constexpr ConfigFault not_sound(ConfigField field, int32_t index) noexcept {
+  return {static_cast<int32_t>(field), index};
 }
 
 /// Whether `x` is from `least` to `most`.
@@ -66,7 +66,6 @@ constexpr bool is_positive(Real x) noexcept {
 template <class Robot>
 inline ConfigFault check_joint_config(const typename Robot::Config& config,
                                       RealOf<Robot> fastest) noexcept {
-  using Real = RealOf<Robot>;
   for (int i = 0; i < Robot::kJoints; ++i) {
     if (!is_finite(config.lower[i])) {
       return not_sound(ConfigField::lower, i);
@@ -83,10 +82,10 @@ inline ConfigFault check_joint_config(const typename Robot::Config& config,
     if (!is_positive(config.torque_rate[i])) {
       return not_sound(ConfigField::torque_rate, i);
     }
-    if (!is_from(config.joint_frequency[i], Real(0), fastest)) {
+    if (!is_from(config.joint_frequency[i], RealOf<Robot>(0), fastest)) {
       return not_sound(ConfigField::joint_frequency, i);
     }
-    if (!is_from(config.joint_damping[i], Real(0), Real(10))) {
+    if (!is_from(config.joint_damping[i], RealOf<Robot>(0), RealOf<Robot>(10))) {
       return not_sound(ConfigField::joint_damping, i);
     }
   }
@@ -97,17 +96,16 @@ inline ConfigFault check_joint_config(const typename Robot::Config& config,
 template <class Robot>
 inline ConfigFault check_task_config(const typename Robot::Config& config,
                                      RealOf<Robot> fastest) noexcept {
-  using Real = RealOf<Robot>;
   for (int i = 0; i < (6 * Robot::kPoints); ++i) {
-    if (!is_from(config.task_frequency[i], Real(0), fastest)) {
+    if (!is_from(config.task_frequency[i], RealOf<Robot>(0), fastest)) {
       return not_sound(ConfigField::task_frequency, i);
     }
-    if (!is_from(config.task_damping[i], Real(0), Real(10))) {
+    if (!is_from(config.task_damping[i], RealOf<Robot>(0), RealOf<Robot>(10))) {
       return not_sound(ConfigField::task_damping, i);
     }
   }
   for (int i = 0; i < Robot::kJoints; ++i) {
-    if (!is_from(config.posture_frequency[i], Real(0), fastest)) {
+    if (!is_from(config.posture_frequency[i], RealOf<Robot>(0), fastest)) {
       return not_sound(ConfigField::posture_frequency, i);
     }
   }
@@ -124,17 +122,16 @@ inline ConfigFault check_task_config(const typename Robot::Config& config,
 template <class Robot>
 inline ConfigFault check_force_config(const typename Robot::Config& config,
                                       RealOf<Robot> fastest) noexcept {
-  using Real = RealOf<Robot>;
-  if (!is_from(config.force_gain, Real(0), Real(100))) {
+  if (!is_from(config.force_gain, RealOf<Robot>(0), RealOf<Robot>(100))) {
     return not_sound(ConfigField::force_gain, 0);
   }
-  if (!((config.force_rate >= Real(0)) && (config.force_rate < config.force_damping))) {
+  if (!((config.force_rate >= RealOf<Robot>(0)) && (config.force_rate < config.force_damping))) {
     return not_sound(ConfigField::force_rate, 0);
   }
-  if (!is_from(config.force_damping, Real(0), fastest)) {
+  if (!is_from(config.force_damping, RealOf<Robot>(0), fastest)) {
     return not_sound(ConfigField::force_damping, 0);
   }
-  if (!(is_finite(config.largest_force) && (config.largest_force >= Real(0)))) {
+  if (!(is_finite(config.largest_force) && (config.largest_force >= RealOf<Robot>(0)))) {
     return not_sound(ConfigField::largest_force, 0);
   }
   return {0, 0};
@@ -144,11 +141,10 @@ inline ConfigFault check_force_config(const typename Robot::Config& config,
 template <class Robot>
 inline ConfigFault check_safety_config(const typename Robot::Config& config,
                                        RealOf<Robot> fastest) noexcept {
-  using Real = RealOf<Robot>;
-  if (!is_from(config.position_margin, Real(0), Real(10))) {
+  if (!is_from(config.position_margin, RealOf<Robot>(0), RealOf<Robot>(10))) {
     return not_sound(ConfigField::position_margin, 0);
   }
-  if (!is_from(config.speed_margin, Real(0), Real(10))) {
+  if (!is_from(config.speed_margin, RealOf<Robot>(0), RealOf<Robot>(10))) {
     return not_sound(ConfigField::speed_margin, 0);
   }
   if (!(is_positive(config.brake_damping) && (config.brake_damping <= fastest))) {
@@ -169,7 +165,7 @@ inline ConfigFault check_safety_config(const typename Robot::Config& config,
   if (!is_positive(config.following)) {
     return not_sound(ConfigField::following, 0);
   }
-  if (!is_from(config.fade, Real(0), Real(10))) {
+  if (!is_from(config.fade, RealOf<Robot>(0), RealOf<Robot>(10))) {
     return not_sound(ConfigField::fade, 0);
   }
   if (!((config.saturation == Robot::kScale) || (config.saturation == Robot::kClamp))) {
@@ -187,11 +183,10 @@ inline ConfigFault check_safety_config(const typename Robot::Config& config,
 /// The first member of the configuration that cannot be used.
 template <class Robot>
 inline ConfigFault check_config(const typename Robot::Config& config) noexcept {
-  using Real = RealOf<Robot>;
-  if (!(is_positive(config.period) && (config.period <= Real(1)))) {
+  if (!(is_positive(config.period) && (config.period <= RealOf<Robot>(1)))) {
     return not_sound(ConfigField::period, 0);
   }
-  const Real fastest = Real(0.5001) / config.period;
+  const RealOf<Robot> fastest = RealOf<Robot>(0.5001) / config.period;
   ConfigFault fault = check_joint_config<Robot>(config, fastest);
   if constexpr (Robot::kTask) {
     fault = (fault.field == 0) ? check_task_config<Robot>(config, fastest) : fault;

@@ -243,9 +243,9 @@ inline RealOf<Robot> force_law(const typename Robot::Config& config,
 template <class Robot>
 inline RealOf<Robot> admitted_error(const typename Robot::Config& config, int32_t ticks,
                                     RealOf<Robot> rate) noexcept {
-  using Real = RealOf<Robot>;
-  const bool stands = ((seconds(ticks, config.period) - Real(1)) * rate) > Real(1);
-  return stands ? (Real(0.5) * config.following) : config.following;
+  const bool stands =
+      ((seconds(ticks, config.period) - RealOf<Robot>(1)) * rate) > RealOf<Robot>(1);
+  return stands ? (RealOf<Robot>(0.5) * config.following) : config.following;
 }
 
 /// Whether all joints are near their reference.

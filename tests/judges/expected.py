@@ -297,7 +297,11 @@ def constrained_forward_dynamics(f, case, v):
     drift = np.concatenate([v["drift"], constraint_errors(f, case, v["q"])])
     wanted = -bias - v["stabilisation"][0] * (J @ v["qd"]) - v["stabilisation"][1] * drift
     free = a.M_inverse @ (v["tau"] + a.J_ext.T @ v.get("f_ext", np.zeros(0)) - a.h)
-    forces = np.linalg.solve(J @ a.M_inverse @ J.T, wanted - J @ free)
+    held_inverse = J @ a.M_inverse @ J.T
+    moved = np.linalg.eigvalsh(held_inverse)
+    if moved[0] < 1e-10 * max(moved[-1], np.max(np.diag(a.M_inverse)) * 1e-6):
+        raise Undetermined("held rows that depend on each other, or that nothing moves")
+    forces = np.linalg.solve(held_inverse, wanted - J @ free)
     qdd = free + a.M_inverse @ (J.T @ forces)
     size = of_size(terms(np.abs(a.M) @ np.abs(qdd), a.h, v["tau"], np.abs(J.T) @ np.abs(forces)))
     weighed = [(lambda ours: a.M @ ours, a.M @ qdd, size)]
@@ -333,6 +337,8 @@ def supported_control_torque(f, case, v):
 def _nearest(A, b, levels):
     """x with A x = b that is nearest in the first level, and of these in the next."""
     scale = np.linalg.norm(A, axis=1)
+    if np.any(scale < 1e-9 * np.max(scale)):
+        raise Undetermined("rows that nothing moves")
     U, s, V = np.linalg.svd(A / scale[:, None])
     if len(A) > A.shape[1] or s[-1] < 1e-3 * s[0]:
         raise Undetermined("tasks and supports at a singularity")

@@ -8,6 +8,7 @@
 #include "check/fixture.hpp"
 #include "data/list_data.hpp"
 #include "interpreter/supported_cases.hpp"
+#include "limbed_robot.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/interpret.hpp"
 #include "oracle/reference.hpp"
@@ -32,7 +33,7 @@ constexpr double kByProgram = 1e-6;
 struct Sweep {
   const char* name;
   RandomOptions options;
-  int objects = 0, contacts = 0;
+  int contacts = 0;
   bool inputs = false;
 };
 
@@ -46,7 +47,6 @@ const std::vector<Sweep>& sweeps() {
         .operational_points = 2,
         .all_rows = false,
         .external_forces = 2},
-       0,
        2},
       {"balls_and_planes",
        {.joints = 3,
@@ -54,7 +54,6 @@ const std::vector<Sweep>& sweeps() {
         .operational_points = 2,
         .all_rows = false,
         .external_forces = 1},
-       0,
        1},
       {"mimics_and_drives",
        {.joints = 5,
@@ -65,12 +64,8 @@ const std::vector<Sweep>& sweeps() {
         .all_rows = false}},
       {"inputs",
        {.joints = 4, .floating_base = true, .operational_points = 2, .all_rows = false},
-       0,
        1,
        true},
-      {"object",
-       {.joints = 9, .branching = 0.7, .floating_base = true, .operational_points = 2},
-       1},
   };
   return kSweeps;
 }
@@ -93,7 +88,6 @@ Subjects draw_subjects(const Sweep& sweep, std::uint64_t seed) {
     made.scene.contacts.push_back(
         detail::random_point(rng, sweep.options, made.robot, "contact_" + std::to_string(i)));
   }
-  if (sweep.objects > 0) add_object(rng, made.scene);
   if (sweep.inputs) {
     const ScenePoint& tool = made.scene.operational_points.front();
     made.scene.inputs.gravity = true;
@@ -204,6 +198,17 @@ TEST_P(Equations, HoldForRandomRobots) {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     compare(draw_subjects(GetParam(), seed), seed, tally);
+  }
+}
+
+TEST(EquationsOfObjects, HoldForTwoHands) {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    LimbedRobot made = make_limbed_robot({.trunk = 2, .limbs = 2, .limb_links = 7, .hands = 2});
+    made.scene.base = seed % 2 == 0 ? Base::floating : Base::fixed;
+    Rng rng(seed);
+    add_object(rng, made.scene);
+    compare({made.robot, made.scene, {}}, seed, tally);
   }
 }
 
