@@ -13,9 +13,9 @@ namespace {
 
 constexpr const char* kSlides = R"(<robot name="slides">
 <link name="base"><collision><origin xyz="0 0 0.5"/><geometry><box size="0.2 0.2 0.2"/></geometry></collision></link>
-<link name="left_arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
+<link name="left_arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
   <collision><geometry><sphere radius="0.05"/></geometry></collision></link>
-<link name="left_hand"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
+<link name="left_hand"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
   <collision><origin xyz="0 0.3 0"/><geometry><sphere radius="0.1"/></geometry></collision></link>
 <joint name="x" type="prismatic"><parent link="base"/><child link="left_arm"/><origin xyz="0 0 0.5"/>
   <axis xyz="1 0 0"/><limit lower="-2" upper="2" effort="9" velocity="9"/></joint>
