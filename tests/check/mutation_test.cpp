@@ -129,7 +129,7 @@ class Mutations {
 
 TEST(Mutations, Puma560) {
   Mutations mutations(load("puma560"), 1);
-  mutations.run(10);
+  mutations.run(20);
   mutations.expect_all_seen();
 }
 
