@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "functions/function_table.hpp"
@@ -118,7 +119,9 @@ EquationSides along_one_direction(const EquationAt& at, const Vector50& u, const
   const Vector50 found = (f(at.q + way, at.qd + h * by_qd, u + h * by_u) -
                           f(at.q - way, at.qd - h * by_qd, u - h * by_u)) /
                          Digits50(2 * h);
-  return {stated, found, largest_of(here)};
+  // At rest a result may vanish with its derivatives: what it is nearby tells its size then.
+  const Vector50 nearby = f(at.q, at.qd + by_qd, u + by_u);
+  return {stated, found, std::max(largest_of(here), largest_of(nearby))};
 }
 
 /// `direction` . tau of joint forces that move the robot with accelerations qdd, by Lagrange's
