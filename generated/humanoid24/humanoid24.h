@@ -15,9 +15,11 @@
 // Compile without -ffast-math and its parts. With -ffp-contract=off (and -fno-tree-slp-vectorize
 // for GCC where the target has fused multiply-add) every compiler, level and target gives the same
 // bits; without it GCC (but for -std=c99) and Clang fuse products and sums where they can, within
-// all bounds below. Rounding is to nearest, and subnormal numbers are not flushed to zero. Where
-// there is no memcpy or memset, compile with -ffreestanding: then nothing is called but the
-// compiler's own arithmetic (libgcc, compiler-rt) for what the target has no instruction for.
+// all bounds below. That is said of these files: files made for another `target` may be by other
+// algorithms and have other bits, unless --choices names this manifest.json. Rounding is to
+// nearest, and subnormal numbers are not flushed to zero. Where there is no memcpy or memset,
+// compile with -ffreestanding: then nothing is called but the compiler's own arithmetic (libgcc,
+// compiler-rt) for what the target has no instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
 // row-major. Every argument is an array of at least the stated size; compilers warn of shorter ones
@@ -86,11 +88,16 @@ extern "C" {
 #endif
 
 typedef double humanoid24_real;
+// Stops -fsingle-precision-constant, which would round every constant to float.
+typedef char humanoid24_has_constants_of_double[(sizeof(1.0) == sizeof(double)) ? 1 : -1];
 enum {
   HUMANOID24_COORDINATES = 24,  // of q
   HUMANOID24_VELOCITIES = 24,  // of qd, qdd, tau
   HUMANOID24_TASK_ROWS = 12  // stacked over the operational points
 };
+
+/// "treeline VERSION humanoid24 sha256 DIGEST" in the binary.
+extern const char humanoid24_id[98];
 
 /// x_world = R x_point + p, for every operational point
 /// By outward recursion, alike limbs in lanes.

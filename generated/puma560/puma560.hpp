@@ -12,10 +12,12 @@
 //
 // Compile without -ffast-math and its parts. With -ffp-contract=off (and -fno-tree-slp-vectorize
 // for g++ where the target has fused multiply-add) every compiler, level and target gives the same
-// bits; without it g++ fuses products and sums where it can, within all bounds below. Rounding is
-// to nearest, and subnormal numbers are not flushed to zero. Where there is no memcpy or memset,
-// compile with -ffreestanding: then nothing is called but the compiler's own arithmetic (libgcc,
-// compiler-rt) for what the target has no instruction for.
+// bits; without it g++ fuses products and sums where it can, within all bounds below. That is said
+// of these files: files made for another `target` may be by other algorithms and have other bits,
+// unless --choices names this manifest.json. Rounding is to nearest, and subnormal numbers are not
+// flushed to zero. Where there is no memcpy or memset, compile with -ffreestanding: then nothing is
+// called but the compiler's own arithmetic (libgcc, compiler-rt) for what the target has no
+// instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
 // row-major. Arguments of one call must not overlap.
@@ -54,6 +56,7 @@
 namespace puma560 {
 
 using Real = double;
+static_assert(sizeof(1.0) == sizeof(Real), "compile without -fsingle-precision-constant");
 static_assert(sizeof(Real) == 8 && 1.0 + 0x1p-52 > 1.0 &&
                   !(1.0 + 0x1p-53 > 1.0) && 0x1p-1074 > 0.0,
               "Real is not binary64 of IEC 60559: choose another `real` in the scene, or a "
@@ -191,5 +194,8 @@ void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;
 
 }  // namespace puma560
+
+/// "treeline VERSION puma560 sha256 DIGEST" in the binary; see id.cpp.
+extern "C" const char puma560_id[95];
 
 #endif  // TREELINE_PUMA560_HPP

@@ -12,10 +12,12 @@
 //
 // Compile without -ffast-math and its parts. With -ffp-contract=off (and -fno-tree-slp-vectorize
 // for g++ where the target has fused multiply-add) every compiler, level and target gives the same
-// bits; without it g++ fuses products and sums where it can, within all bounds below. Rounding is
-// to nearest, and subnormal numbers are not flushed to zero. Where there is no memcpy or memset,
-// compile with -ffreestanding: then nothing is called but the compiler's own arithmetic (libgcc,
-// compiler-rt) for what the target has no instruction for.
+// bits; without it g++ fuses products and sums where it can, within all bounds below. That is said
+// of these files: files made for another `target` may be by other algorithms and have other bits,
+// unless --choices names this manifest.json. Rounding is to nearest, and subnormal numbers are not
+// flushed to zero. Where there is no memcpy or memset, compile with -ffreestanding: then nothing is
+// called but the compiler's own arithmetic (libgcc, compiler-rt) for what the target has no
+// instruction for.
 //
 // Conventions: SI units and radians; spatial vectors are linear over angular; matrices are
 // row-major. Arguments of one call must not overlap.
@@ -57,6 +59,7 @@
 namespace samm {
 
 using Real = double;
+static_assert(sizeof(1.0) == sizeof(Real), "compile without -fsingle-precision-constant");
 static_assert(sizeof(Real) == 8 && 1.0 + 0x1p-52 > 1.0 &&
                   !(1.0 + 0x1p-53 > 1.0) && 0x1p-1074 > 0.0,
               "Real is not binary64 of IEC 60559: choose another `real` in the scene, or a "
@@ -194,5 +197,8 @@ void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 
 }  // namespace samm
+
+/// "treeline VERSION samm sha256 DIGEST" in the binary; see id.cpp.
+extern "C" const char samm_id[92];
 
 #endif  // TREELINE_SAMM_HPP

@@ -6,6 +6,7 @@
 #include "emission/count_stack.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_identity.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/print_parts.hpp"
@@ -156,6 +157,7 @@ std::map<std::string, std::string> describe_contract(const EmissionContext& cont
           {"conventions", comment("//", describe_conventions(context))},
           {"target", comment("//", describe_target(context))},
           {"name", context.name},
+          {"id_size", std::to_string(size_of_identity(context))},
           {"real", number_type(context)},
           {"digits", single ? "24" : "53"},
           {"format", single ? "binary32" : "binary64"},

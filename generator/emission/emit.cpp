@@ -9,6 +9,7 @@
 #include "emission/comment.hpp"
 #include "emission/guard_headers.hpp"
 #include "emission/list_sources.hpp"
+#include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_prefetch.hpp"
 
@@ -46,6 +47,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   for (GeneratedFile& file : files) file.text = harmless(file.text);
   append(backend.print_runtime(context, programs, batch), files);
   guard_headers(context.name, files);
+  files.push_back(print_identity(context, files));
   files.push_back({kManifestName, print_manifest(context, programs, files)});
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& a, const GeneratedFile& b) { return a.name < b.name; });

@@ -11,6 +11,7 @@
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/limit_cost.hpp"
+#include "emission/print_identity.hpp"
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
@@ -187,6 +188,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},
        {"choices", print_list(context.choices, print_choice)},
+       {"digest", quote_json(digest_of_files(sorted))},
        {"outputs",
         print_list(sorted, [](const GeneratedFile& f) { return print_digest(f.name, f.text); })},
        {"files", print_list(names, [](const std::string& f) { return quote_json(f); })}});

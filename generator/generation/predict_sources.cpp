@@ -1,6 +1,7 @@
 #include "generation/predict_sources.hpp"
 
 #include "emission/c/hides_header.hpp"
+#include "emission/print_identity.hpp"
 #include "functions/function.hpp"
 #include "generation/generate_code.hpp"
 
@@ -38,6 +39,7 @@ std::vector<std::string> predict_sources(const Scene& scene) {
   } else if (scene.profile != Profile::misra && !c::hides_header(scene.name)) {
     stems.emplace_back("c_calls");
   }
+  stems.emplace_back(kIdentityStem);
   if (scene.prefetch) stems.emplace_back("prefetch");
   if (scene.controller) append_controller(scene, stems);
   return stems;

@@ -61,7 +61,7 @@ endfunction()
 
 # Sets RESULT to all sources that the program may make of a scene.
 function(treeline_possible_sources scene ending result)
-  set(sources ${TREELINE_FUNCTIONS})
+  set(sources ${TREELINE_FUNCTIONS} id)
   treeline_find_key("${scene}" batch batch)
   if(batch)
     list(TRANSFORM TREELINE_FUNCTIONS PREPEND batch_ OUTPUT_VARIABLE batch_sources)
@@ -190,6 +190,9 @@ function(treeline_generate target)
   add_dependencies(${target} ${target}_generate)
   target_include_directories(${target} PUBLIC ${folder})
   target_compile_features(${target} PUBLIC ${standard})
+  if(compiler MATCHES "GNU|Clang" AND NOT APPLE AND NOT MSVC)  # as in the emitted CMakeLists.txt
+    target_link_options(${target} INTERFACE "LINKER:--undefined=${arg_NAME}_id")
+  endif()
   if(NOT DEFINED CMAKE_POSITION_INDEPENDENT_CODE AND NOT CMAKE_SYSTEM_NAME STREQUAL "Generic")
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)  # for shared libraries
   endif()

@@ -43,7 +43,7 @@ TEST(Emit, MakesTheFolder) {
   EXPECT_EQ(names, (std::vector<std::string>{
                        "CMakeLists.txt", "arm.h", "arm.hpp", "arm_calls.hpp", "arm_eigen.hpp",
                        "arm_joints.h", "arm_joints.hpp", "c_calls.cpp", "corner_cases.cpp",
-                       "inverse_dynamics.cpp", "manifest.json", "sin_cos.hpp"}));
+                       "id.cpp", "inverse_dynamics.cpp", "manifest.json", "sin_cos.hpp"}));
   const std::string contract = text_of(files, "arm.hpp");
   for (const char* part :
        {"From arm.urdf and arm.yaml by", "treeline generate arm.urdf arm.yaml --output arm",
@@ -91,7 +91,7 @@ TEST(EmitInC, MakesTheFolder) {
   }
   EXPECT_EQ(names,
             (std::vector<std::string>{"CMakeLists.txt", "arm.h", "arm_joints.h", "corner_cases.c",
-                                      "inverse_dynamics.c", "manifest.json", "sin_cos.h"}));
+                                      "id.c", "inverse_dynamics.c", "manifest.json", "sin_cos.h"}));
   const std::string contract = text_of(files, "arm.h");
   for (const char* part :
        {"From arm.urdf and arm.yaml by", "shoulder (revolute): -3.1 .. 3.1 rad",

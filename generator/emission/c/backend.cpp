@@ -19,9 +19,20 @@ namespace {
 
 /// Names that the headers declare with the same prefix as functions.
 std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
-  return {"real",           "sin_cos",         "coordinate_joints", "coordinate_meanings",
-          "home",           "lower_limits",    "upper_limits",      "velocity_joints",
-          "velocity_names", "velocity_limits", "effort_limits",     "task_row_names"};
+  return {"real",
+          "sin_cos",
+          "coordinate_joints",
+          "coordinate_meanings",
+          "home",
+          "lower_limits",
+          "upper_limits",
+          "velocity_joints",
+          "velocity_names",
+          "velocity_limits",
+          "effort_limits",
+          "task_row_names",
+          "id",
+          "has_constants_of_double"};
 }
 
 /// Functions of several states at once, damped and limited control, tables of links.

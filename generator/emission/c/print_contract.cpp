@@ -26,6 +26,15 @@ std::string print_array_macro(const EmissionContext& context) {
       name_in_capitals(context));
 }
 
+/// A type whose size is negative where constants of double are rounded to float.
+std::string print_check_of_constants(const EmissionContext& context) {
+  if (context.single_precision) return {};
+  return fmt::format(
+      "\n// Stops -fsingle-precision-constant, which would round every constant to float.\n"
+      "typedef char {}_has_constants_of_double[(sizeof(1.0) == sizeof(double)) ? 1 : -1];",
+      context.name);
+}
+
 /// What the functions are made of.
 std::string describe_needs(const EmissionContext& context, std::span<const Program> programs) {
   if (context.language == Language::cpp) {
@@ -68,6 +77,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                                               : "straight-line code"},
                  {"needs", comment("//", describe_needs(context, programs))},
                  {"array", print_array_macro(context)},
+                 {"constants", print_check_of_constants(context)},
                  {"macros", single ? "FLT" : "DBL"},
                  {"exponent", single ? "128" : "1024"},
                  {"declarations", declarations}});

@@ -5,6 +5,7 @@
 #include "emission/c/print_loops.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/print_identity.hpp"
 #include "emission/print_optimize.hpp"
 #include "emission/print_target.hpp"
 
@@ -45,6 +46,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   if (context.limits) sources += "limited_control_torque.c\n";
   if (context.limits && !batch.empty()) sources += "batch_limited_control_torque.c\n";
   if (context.prefetch) sources += "prefetch.c\n";
+  sources += std::string(kIdentityStem) + ".c\n";
   return fill_template(
       templates::kCMakeLists,
       {{"robot", context.robot},

@@ -17,6 +17,10 @@ constexpr const char* kBeside =
     "{1}//   {0}_calls.hpp: the functions with named inputs, std::array and pointers\n"
     "//   {0}_eigen.hpp: the functions for Eigen\n";
 
+constexpr const char* kConstants =
+    "\nstatic_assert(sizeof(1.0) == sizeof(Real), \"compile without "
+    "-fsingle-precision-constant\");";
+
 std::string list_c_headers(const EmissionContext& context) {
   if (!has_c_calls(context)) return {};
   return fmt::format("//   {}.h: the functions for C\n", context.name);
@@ -47,6 +51,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
        {"fraction", single ? "23" : "52"},
        {"least", single ? "149" : "1074"},
        {"f", single ? "F" : ""},
+       {"constants", single ? "" : kConstants},
        {"declarations", declarations}});
   return fill_template(templates::kContract, values);
 }

@@ -1,0 +1,7 @@
+// What this code is, for whoever finds it in a binary: the version of Treeline, and the SHA-256 of
+// what `LC_ALL=C sha256sum` prints of all other files in order of their names, but manifest.json.
+// Generated.
+#include "puma560.hpp"
+
+const char puma560_id[95] =
+    "treeline 0.1.0 puma560 sha256 923355c32c63520d81f062d20922d911b3fe49b077c960c3442caf547779b0e0";

@@ -1,0 +1,7 @@
+// What this code is, for whoever finds it in a binary: the version of Treeline, and the SHA-256 of
+// what `LC_ALL=C sha256sum` prints of all other files in order of their names, but manifest.json.
+// Generated.
+#include "ur10e.hpp"
+
+const char ur10e_id[93] =
+    "treeline 0.1.0 ur10e sha256 47464abadce38a5f27fcef39f1828d59b7f0d6b83708a09743968462a089b620";

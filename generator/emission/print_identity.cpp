@@ -1,0 +1,54 @@
+#include "emission/print_identity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emission/backend/backend.hpp"
+#include "emission/digest.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/generator_version.hpp"
+#include "emission/print_manifest.hpp"
+#include "emission/templates.hpp"
+
+namespace treeline {
+namespace {
+
+std::string print_text_of_identity(const EmissionContext& context, const std::string& digest) {
+  return fmt::format("treeline {} {} sha256 {}", generator_version(), context.name, digest);
+}
+
+}  // namespace
+
+std::string digest_of_files(const std::vector<GeneratedFile>& files) {
+  std::vector<std::string> lines;
+  for (const GeneratedFile& file : files) {
+    const std::string stem = file.name.substr(0, file.name.find('.'));
+    if (file.name == kManifestName || stem == kIdentityStem) continue;
+    lines.push_back(fmt::format("{}  {}\n", digest(file.text), file.name));
+  }
+  constexpr std::size_t kDigits = 64;
+  std::sort(lines.begin(), lines.end(), [](const std::string& a, const std::string& b) {
+    return a.substr(kDigits) < b.substr(kDigits);
+  });
+  std::string list;
+  for (const std::string& line : lines) list += line;
+  return digest(list);
+}
+
+std::size_t size_of_identity(const EmissionContext& context) {
+  return print_text_of_identity(context, digest({})).size() + 1;
+}
+
+GeneratedFile print_identity(const EmissionContext& context,
+                             const std::vector<GeneratedFile>& files) {
+  const Backend& backend = backend_of(context.language);
+  return {kIdentityStem + std::string(backend.source),
+          fill_template(templates::kIdentity,
+                        {{"name", context.name},
+                         {"header", context.name + std::string(backend.header)},
+                         {"size", std::to_string(size_of_identity(context))},
+                         {"text", print_text_of_identity(context, digest_of_files(files))}})};
+}
+
+}  // namespace treeline
