@@ -209,9 +209,9 @@ void Driver::obey_line(const drive::Script::Line& line) {
   script_.close();
 }
 
-/// With a page, a script begins when somebody looks at it.
+/// With a page, a script begins when somebody looks at it who may command.
 void Driver::obey_script() {
-  awaited_ = awaited_ && server_->connections() == 0;
+  awaited_ = awaited_ && server_->commanders() == 0;
   if (awaited_) return;
   drive::Script::Line line;
   while (!ending_ && script_.next(time(), moving(), line)) obey_line(line);
@@ -293,12 +293,13 @@ drive::ServerHandlers Driver::handlers() {
   constexpr double kPerSecond = 200;
   constexpr double kBurst = 100;
   drive::ServerHandlers handlers;
-  handlers.join = [this](bool may_command, std::string& hello) {
+  handlers.join = [this](const drive::NewFrontEnd& joined, std::string& hello) {
     const std::lock_guard lock(mutex_);
     const int front_end = session_.join();
-    inboxes_.emplace(front_end, std::pair{drive::Inbox(front_end, may_command),
+    inboxes_.emplace(front_end, std::pair{drive::Inbox(front_end, joined.may_command),
                                           drive::RateLimit(kPerSecond, kBurst)});
-    hello = drive::print_hello(session_, settings_.rate, may_command, settings_.meshes);
+    hello = drive::print_hello(session_, settings_.rate, joined.may_command, settings_.meshes,
+                               joined.mesh_query);
     return front_end;
   };
   handlers.receive = [this](int front_end, std::string_view message) -> std::string {
@@ -323,7 +324,7 @@ bool Driver::open_server(Diagnostics& diagnostics) {
   server_ = serve_page({settings_.listen, settings_.port, session_.robot().urdf, settings_.meshes},
                        handlers(), diagnostics);
   awaited_ = server_ != nullptr && settings_.script.has_value();
-  if (awaited_) say("the script begins when the page is opened");
+  if (awaited_) say("the script begins when the page is opened with its token");
   return server_ != nullptr;
 }
 

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 std::atomic<bool> asked_to_close{false};
 
 /// What a front end hears first: a robot that it may only watch.
-std::string greeting(const Record& record, const PageSettings& page) {
+std::string greeting(const Record& record, const PageSettings& page, const std::string& query) {
   Json hello = Json::parse(record.hello);
   Json meshes = Json::object();
   Json missing = Json::array();
@@ -29,7 +29,7 @@ std::string greeting(const Record& record, const PageSettings& page) {
     if (page.meshes[i].path.empty()) {
       missing.push_back(page.meshes[i].uri);
     } else {
-      meshes[page.meshes[i].uri] = "/mesh/" + std::to_string(i);
+      meshes[page.meshes[i].uri] = "/mesh/" + std::to_string(i) + query;
     }
   }
   hello["may_command"] = false;
@@ -39,10 +39,11 @@ std::string greeting(const Record& record, const PageSettings& page) {
   return json_line(hello);
 }
 
-drive::ServerHandlers make_handlers(const std::string& hello, std::atomic<int>& last) {
+drive::ServerHandlers make_handlers(const Record& record, const PageSettings& page,
+                                    std::atomic<int>& last) {
   drive::ServerHandlers handlers;
-  handlers.join = [&hello, &last](bool, std::string& text) {
-    text = hello;
+  handlers.join = [&](const drive::NewFrontEnd& joined, std::string& hello) {
+    hello = greeting(record, page, joined.mesh_query);
     return ++last;
   };
   handlers.receive = [](int, std::string_view message) {
@@ -84,11 +85,10 @@ void play(const Record& record, drive::Server& server) {
 }  // namespace
 
 bool replay(const Record& record, const PageSettings& page, Diagnostics& diagnostics) {
-  const std::string hello = greeting(record, page);
   std::atomic<int> last{0};
   asked_to_close = false;
   answer_signals([] { asked_to_close = true; });
-  const auto server = serve_page(page, make_handlers(hello, last), diagnostics);
+  const auto server = serve_page(page, make_handlers(record, page, last), diagnostics);
   if (server) play(record, *server);
   answer_signals(nullptr);
   return server != nullptr;

@@ -21,16 +21,28 @@ struct ServerSettings {
   std::vector<ServedMesh> meshes;
 };
 
+/// Who has connected.
+struct NewFrontEnd {
+  bool may_command = false;  ///< it came with the token
+  std::string mesh_query;    ///< what stands behind the addresses of the meshes in its `hello`
+};
+
 /// What the server asks of the program. Called from the server's thread, one at a time.
 struct ServerHandlers {
   /// A front end has connected. Returns its number; `hello` is sent to it first.
-  std::function<int(bool may_command, std::string& hello)> join;
+  std::function<int(const NewFrontEnd& front_end, std::string& hello)> join;
   /// It has sent a message. Returns the reply; empty: none.
   std::function<std::string(int front_end, std::string_view message)> receive;
   std::function<void(int front_end)> leave;
 };
 
-/// HTTP and WebSocket for the page, in a thread of its own. It serves the page, the robot and its
+/// Places for front ends with the token, and as many for those without.
+inline constexpr int kMostFrontEnds = 32;
+/// Connections that ask for pages at a time. One more takes the place of the oldest that has not
+/// shown the token.
+inline constexpr std::size_t kMostVisitors = 32;
+
+/// HTTP and WebSocket for the page, in threads of its own. It serves the page, the robot and its
 /// meshes, and nothing else; see README.md for what it checks.
 class Server {
  public:
@@ -42,7 +54,9 @@ class Server {
   Server& operator=(const Server&) = delete;
 
   int port() const;
-  int connections() const;
+  int connections() const;     ///< front ends
+  int commanders() const;      ///< those among them that may command
+  int failed_accepts() const;  ///< for want of file descriptors; each is followed by a pause
   /// Sends every front end what `text` makes for it. A front end that still has an older state to
   /// be sent misses this one.
   void send_states(const std::function<std::string(int front_end)>& text);
@@ -60,6 +74,17 @@ class Server {
 bool is_own_host(std::string_view host, std::string_view address, int port);
 /// Whether an `Origin` is the page of the server that `host` names.
 bool is_own_origin(std::string_view origin, std::string_view host);
+
+/// What a browser says of a request: `Sec-Fetch-Site` and `Sec-Fetch-Mode`; empty: nothing.
+struct FetchMetadata {
+  std::string_view site, mode;
+};
+/// Whether a request may come from where the browser says. A link of another site may lead to the
+/// page, and nothing of that site may load anything from here.
+bool is_own_fetch(const FetchMetadata& metadata, std::string_view path);
+
+/// Compares in a time that tells nothing of where two texts differ.
+bool is_same_secret(std::string_view a, std::string_view b);
 
 /// 128 random bits, 32 hexadecimal digits. Throws std::system_error if the machine gives none.
 std::string make_token();

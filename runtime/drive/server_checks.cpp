@@ -46,6 +46,22 @@ bool is_own_origin(std::string_view origin, std::string_view host) {
   return origin.starts_with(kScheme) && origin.substr(kScheme.size()) == host;
 }
 
+bool is_own_fetch(const FetchMetadata& metadata, std::string_view path) {
+  if (metadata.site.empty() || metadata.site == "same-origin" || metadata.site == "none") {
+    return true;
+  }
+  return path == "/" && metadata.mode == "navigate";
+}
+
+bool is_same_secret(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference |= static_cast<unsigned>(a[i] ^ b[i]);
+  }
+  return difference == 0;
+}
+
 std::string make_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {

@@ -216,7 +216,7 @@ std::string Inbox::receive(std::string_view message, double now,
 }
 
 std::string print_hello(const Session& session, double rate, bool may_command,
-                        const std::vector<ServedMesh>& meshes) {
+                        const std::vector<ServedMesh>& meshes, const std::string& mesh_query) {
   const RobotDescription& robot = session.robot();
   Json served = Json::object();
   Json missing = Json::array();
@@ -224,7 +224,7 @@ std::string print_hello(const Session& session, double rate, bool may_command,
     if (meshes[i].path.empty()) {
       missing.push_back(meshes[i].uri);
     } else {
-      served[meshes[i].uri] = "/mesh/" + std::to_string(i);
+      served[meshes[i].uri] = "/mesh/" + std::to_string(i) + mesh_query;
     }
   }
   Json locked = Json::object();

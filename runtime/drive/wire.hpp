@@ -44,8 +44,9 @@ class Inbox {
   std::int64_t last_ = -1;
 };
 
+/// `mesh_query` stands behind the addresses of the meshes.
 std::string print_hello(const Session& session, double rate, bool may_command,
-                        const std::vector<ServedMesh>& meshes);
+                        const std::vector<ServedMesh>& meshes, const std::string& mesh_query = {});
 
 /// A state without what differs between front ends; `finish_state` adds that. `twin`: of the robot
 /// in a rehearsal.

@@ -1,16 +1,26 @@
 // Would catch: a page that another site or another name for this machine can reach, a watcher taken
-// for somebody with the token, a file of the machine that can be read, a flood that is obeyed.
+// for somebody with the token, a file of the machine that can be read, a flood that is obeyed; a
+// mesh that holds commands up, fills the memory or is given to everybody; those with the token shut
+// out by those without; a server that is busy with nothing but its want of file descriptors.
 #include "drive/server.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <thread>
+#include <vector>
 
 #include "../own_folder.hpp"
 #include "drive/find_meshes.hpp"
@@ -21,7 +31,9 @@ namespace {
 /// A connection of bytes to this machine.
 class Connection {
  public:
-  explicit Connection(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+  Connection() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {}
+  explicit Connection(int port) : Connection() { connect(port); }
+  void connect(int port) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -39,15 +51,23 @@ class Connection {
               static_cast<ssize_t>(bytes.size()));
   }
   /// What comes until `end` has come, the other side closes, or 5 s have passed.
-  std::string receive(const std::string& end) {
+  std::string receive(const std::string& end, const std::string& after = "") {
     std::string text;
     char bytes[4096];
-    while (end.empty() || text.find(end) == std::string::npos) {
+    const auto ended = [&] {
+      const std::size_t at = text.find(after);
+      return !end.empty() && at != std::string::npos && text.find(end, at) != std::string::npos;
+    };
+    while (!ended()) {
       const ssize_t count = ::recv(socket_, bytes, sizeof(bytes), 0);
       if (count <= 0) break;
       text.append(bytes, static_cast<std::size_t>(count));
     }
     return text;
+  }
+  std::size_t receive_some() {
+    char bytes[65536];
+    return static_cast<std::size_t>(std::max<ssize_t>(0, ::recv(socket_, bytes, sizeof(bytes), 0)));
   }
 
  private:
@@ -80,11 +100,15 @@ class ServerTest : public treeline::test::OwnFolder {
     settings.script = "script";
     settings.style = "style";
     settings.urdf = "<robot/>";
-    settings.meshes = {{"a.stl", mesh_ = (root_ / "a.stl").string()}, {"b.stl", ""}};
+    settings.meshes = {{"a.stl", mesh_ = (root_ / "a.stl").string()},
+                       {"b.stl", ""},
+                       {"large.stl", large_ = (root_ / "large.stl").string()},
+                       {"stalled.stl", stalled_ = (root_ / "stalled.stl").string()}};
     std::ofstream(mesh_) << "solid";
     ServerHandlers handlers;
-    handlers.join = [this](bool may_command, std::string& hello) {
-      hello = may_command ? "hello commander" : "hello watcher";
+    handlers.join = [this](const NewFrontEnd& front_end, std::string& hello) {
+      hello = front_end.may_command ? "hello commander" : "hello watcher";
+      hello += front_end.mesh_query + ".";
       return ++joined_;
     };
     handlers.receive = [](int, std::string_view message) { return "got " + std::string(message); };
@@ -115,7 +139,23 @@ class ServerTest : public treeline::test::OwnFolder {
            more + "\r\n";
   }
 
-  std::string mesh_, host_;
+  /// Joins on `connection` and returns what stands behind the addresses of its meshes.
+  std::string join(Connection& connection, const std::string& query = "") {
+    connection.send(upgrade(host_, query));
+    const std::string text = connection.receive(".", "hello");
+    const std::size_t at = text.find("?pass=");
+    return at == std::string::npos ? text : text.substr(at, text.find('.', at) - at);
+  }
+  /// A file of that many bytes without a place on the disk.
+  static void make_large(const std::string& path, std::size_t bytes) {
+    std::ofstream(path).close();
+    std::filesystem::resize_file(path, bytes);
+  }
+  std::string request(const std::string& target) const {
+    return "GET " + target + " HTTP/1.1\r\nHost: " + host_ + "\r\n\r\n";
+  }
+
+  std::string mesh_, large_, stalled_, host_;
   std::unique_ptr<Server> server_;
   std::atomic<int> joined_{0}, left_{0};
 };
@@ -124,15 +164,15 @@ TEST_F(ServerTest, ServesThePageTheRobotAndItsMeshes) {
   EXPECT_NE(get("/?token=secret", host_).find("<page>"), std::string::npos);
   EXPECT_NE(get("/page.js", host_).find("script"), std::string::npos);
   EXPECT_NE(get("/robot.urdf", host_).find("<robot/>"), std::string::npos);
-  EXPECT_NE(get("/mesh/0", host_).find("solid"), std::string::npos);
+  EXPECT_NE(get("/mesh/0?token=secret", host_).find("solid"), std::string::npos);
   EXPECT_NE(get("/", host_).find("Content-Security-Policy"), std::string::npos);
 }
 
 TEST_F(ServerTest, ServesNothingElse) {
-  for (const char* target :
-       {"/mesh/1", "/mesh/2", "/mesh/-1", "/mesh/0x0", "/mesh/", "/mesh/0/../../etc/passwd",
-        "/../../etc/passwd", "//etc/passwd", "/mesh/..%2f..%2fetc%2fpasswd", "/etc/passwd",
-        "/index.html", "/socket"}) {
+  for (const char* target : {"/mesh/1?token=secret", "/mesh/4", "/mesh/-1", "/mesh/0x0", "/mesh/",
+                             "/mesh/0/../../etc/passwd", "/../../etc/passwd", "//etc/passwd",
+                             "/mesh/..%2f..%2fetc%2fpasswd", "/etc/passwd", "/index.html",
+                             "/socket", "/mesh/2?token=secret"}) {
     EXPECT_EQ(status(get(target, host_)), "404") << target;
   }
   Connection connection(server_->port());
@@ -193,17 +233,149 @@ TEST_F(ServerTest, BoundsMessagesAndSurvivesGarbage) {
   EXPECT_NE(good.receive("got still").find("got still"), std::string::npos);
 }
 
-TEST_F(ServerTest, OnlySomeCanConnect) {
-  std::vector<std::unique_ptr<Connection>> many;
-  for (int i = 0; i < 40; ++i) many.push_back(std::make_unique<Connection>(server_->port()));
-  EXPECT_EQ(get("/", host_), "");
-  many.clear();
-  std::string page;
-  for (int i = 0; i < 50 && page.empty(); ++i) {
-    page = get("/", host_);
-    if (page.empty()) ::usleep(20000);
+// A picture in a page of another site asks as browsers do, from this machine.
+TEST_F(ServerTest, NoOtherSiteLoadsAnything) {
+  const std::string other = "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: no-cors\r\n";
+  for (const char* target : {"/", "/page.js", "/robot.urdf", "/mesh/0?token=secret"}) {
+    EXPECT_EQ(status(get(target, host_, other)), "403") << target;
+    EXPECT_EQ(status(get(target, host_, "Sec-Fetch-Site: same-site\r\n")), "403") << target;
+    EXPECT_EQ(status(get(target, host_, "Sec-Fetch-Site: same-origin\r\n")), "200") << target;
   }
-  EXPECT_NE(page.find("<page>"), std::string::npos);
+  const std::string link = "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\n";
+  EXPECT_EQ(status(get("/?token=secret", host_, link)), "200");
+  EXPECT_EQ(status(get("/mesh/0?token=secret", host_, link)), "403");
+}
+
+TEST_F(ServerTest, GivesMeshesWithTheTokenOrOnceToAFrontEnd) {
+  for (const char* target : {"/mesh/0", "/mesh/0?token=", "/mesh/0?token=secre", "/mesh/0?pass="}) {
+    EXPECT_EQ(status(get(target, host_)), "403") << target;
+  }
+  std::string withdrawn;
+  {
+    Connection watcher(server_->port());
+    const std::string query = withdrawn = join(watcher);
+    EXPECT_EQ(status(get("/mesh/0" + query, host_)), "200");
+    EXPECT_EQ(status(get("/mesh/0" + query, host_)), "403");
+  }
+  Connection commander(server_->port());
+  const std::string query = join(commander, "?token=secret");
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(status(get("/mesh/0" + query, host_)), "200");
+  while (left_ == 0) ::usleep(1000);
+  EXPECT_EQ(status(get("/mesh/1" + withdrawn, host_)), "403");
+}
+
+// Readers that take nothing have 16 times 256 MiB under way. Nothing of it is held, and a command
+// is answered before any has been sent whole.
+TEST_F(ServerTest, HoldsLittleOfMeshesThatNobodyTakes) {
+  constexpr std::size_t kBytes = 256U << 20U;
+  make_large(large_, kBytes);
+  const auto peak = [] {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;  // MiB
+  };
+  const long before = peak();
+  std::vector<std::unique_ptr<Connection>> readers;
+  for (int i = 0; i < 16; ++i) {
+    readers.push_back(std::make_unique<Connection>(server_->port()));
+    readers.back()->send(request("/mesh/2?token=secret"));
+  }
+  for (const auto& reader : readers) EXPECT_EQ(status(reader->receive("\r\n\r\n")), "200");
+  Connection commander(server_->port());
+  join(commander, "?token=secret");
+  commander.send(frame("stop"));
+  EXPECT_NE(commander.receive("got stop").find("got stop"), std::string::npos);
+  EXPECT_LT(peak() - before, 100) << "MiB: one of the meshes alone is 256";
+  readers.resize(1);
+  std::size_t taken = 0;
+  while (taken < 4U << 20U) {
+    const std::size_t count = readers[0]->receive_some();
+    if (count == 0) break;
+    taken += count;
+  }
+  EXPECT_GE(taken, 4U << 20U);
+}
+
+// Reading this mesh does not end, as on a disk that stalls.
+TEST_F(ServerTest, AFileThatCannotBeReadHoldsNothingElse) {
+  ASSERT_EQ(::mkfifo(stalled_.c_str(), 0600), 0);
+  {
+    Connection early(server_->port());
+    join(early, "?token=secret");
+    Connection reader(server_->port());
+    reader.send(request("/mesh/3?token=secret"));
+    early.send(frame("stop"));
+    EXPECT_NE(early.receive("got stop").find("got stop"), std::string::npos);
+    EXPECT_EQ(status(get("/", host_)), "200");
+    Connection late(server_->port());
+    join(late, "?token=secret");
+    late.send(frame("start"));
+    EXPECT_NE(late.receive("got start").find("got start"), std::string::npos);
+  }
+  int writer = -1;  // until somebody reads, nobody can write
+  for (int i = 0; i < 5000 && writer < 0; ++i) {
+    writer = ::open(stalled_.c_str(), O_WRONLY | O_NONBLOCK);
+    if (writer < 0) ::usleep(1000);
+  }
+  EXPECT_GE(writer, 0);
+  ::close(writer);
+}
+
+// Those who keep connections open and ask for nothing lose them to those who come.
+TEST_F(ServerTest, IdleConnectionsShutNobodyOut) {
+  std::vector<std::unique_ptr<Connection>> many;
+  for (int i = 0; i < 100; ++i) {
+    many.push_back(std::make_unique<Connection>(server_->port()));
+    if (i % 10 == 0) EXPECT_EQ(status(get("/", host_)), "200") << i;
+  }
+  EXPECT_EQ(many.front()->receive(""), "") << "the oldest has been closed";
+}
+
+TEST_F(ServerTest, WatchersTakeNoPlaceOfThoseWithTheToken) {
+  std::vector<std::unique_ptr<Connection>> watchers;
+  for (int i = 0; i < kMostFrontEnds; ++i) {
+    watchers.push_back(std::make_unique<Connection>(server_->port()));
+    EXPECT_TRUE(join(*watchers.back()).starts_with("?pass=")) << i;
+  }
+  Connection one_more(server_->port());
+  one_more.send(upgrade(host_, ""));
+  EXPECT_EQ(status(one_more.receive("\r\n\r\n")), "503");
+  EXPECT_EQ(server_->connections(), kMostFrontEnds);
+  EXPECT_EQ(server_->commanders(), 0);
+  std::vector<std::unique_ptr<Connection>> commanders;
+  for (int i = 0; i < kMostFrontEnds; ++i) {
+    commanders.push_back(std::make_unique<Connection>(server_->port()));
+    EXPECT_TRUE(join(*commanders.back(), "?token=secret").starts_with("?pass=")) << i;
+  }
+  EXPECT_EQ(server_->commanders(), kMostFrontEnds);
+  Connection too_many(server_->port());
+  too_many.send(upgrade(host_, "?token=secret"));
+  EXPECT_EQ(status(too_many.receive("\r\n\r\n")), "503");
+}
+
+// As many tries as pauses have passed, however fast or slow the machine is; then it goes on.
+TEST_F(ServerTest, WaitsWhereNoFileDescriptorsAreLeft) {
+  Connection early(server_->port());
+  join(early, "?token=secret");
+  Connection waiting;
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit few{std::min<rlim_t>(before.rlim_cur, 256), before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  std::vector<int> taken;
+  for (int fd = ::dup(0); fd >= 0; fd = ::dup(0)) taken.push_back(fd);
+  const auto begin = std::chrono::steady_clock::now();
+  waiting.connect(server_->port());
+  while (server_->failed_accepts() < 4) ::usleep(10000);
+  early.send(frame("stop"));
+  EXPECT_NE(early.receive("got stop").find("got stop"), std::string::npos);
+  const int failed = server_->failed_accepts();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  EXPECT_LE(failed, 1 + passed.count() / 0.1);
+  for (const int fd : taken) ::close(fd);
+  ::setrlimit(RLIMIT_NOFILE, &before);
+  waiting.send(request("/"));
+  EXPECT_NE(waiting.receive("<page>").find("<page>"), std::string::npos);
 }
 
 TEST(OwnHost, AcceptsNumbersWhereOthersMayConnect) {

@@ -61,19 +61,35 @@ function report_missing(files, report) {
     '--package NAME=DIR of treeline drive says where package://NAME/ lies.');
 }
 
-async function load_mesh(file, address, manager, material) {
+/** Fetches each mesh once: to those who only watch, the server gives it once. */
+function fetch_once(meshes) {
+  const fetched = new Map();
+  return (file) => {
+    if (!fetched.has(file)) fetched.set(file, fetch_bytes(meshes[file]));
+    return fetched.get(file);
+  };
+}
+
+async function fetch_bytes(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
+  return answer.arrayBuffer();
+}
+
+async function parse_mesh(file, bytes, manager, material) {
   const kind = file.split('.').at(-1).toLowerCase();
+  const text = () => new TextDecoder().decode(bytes);
   if (kind === 'stl') {
-    const shape = await new STLLoader(manager).loadAsync(address);
+    const shape = new STLLoader(manager).parse(bytes);
     shape.computeVertexNormals();  // many files have zeros for normals
     return new three.Mesh(shape, material);
   }
-  if (kind === 'dae') return (await new ColladaLoader(manager).loadAsync(address)).scene;
+  if (kind === 'dae') return new ColladaLoader(manager).parse(text(), '').scene;
   if (kind === 'glb' || kind === 'gltf') {
-    return (await new GLTFLoader(manager).loadAsync(address)).scene;
+    return (await new GLTFLoader(manager).parseAsync(bytes, '')).scene;
   }
   if (kind === 'obj') {
-    const shape = await new OBJLoader(manager).loadAsync(address);
+    const shape = new OBJLoader(manager).parse(text());
     shape.traverse((part) => { if (part.isMesh) part.material = material; });
     return shape;
   }
@@ -91,11 +107,12 @@ export function load_robot(urdf, meshes, report, changed) {
   const manager = new three.LoadingManager();
   manager.setURLModifier((url) =>
     (url.startsWith('/mesh/') || /^(data|blob):/.test(url) ? url : kWhitePixel));
+  const fetched = fetch_once(meshes);
   const loader = new URDFLoader(manager);
   // The name of a mesh is looked up as it stands in the URDF.
   loader.packages = (name) => `package://${name}`;
   loader.loadMeshCb = (file, _manager, material, done) => {
-    load_mesh(file, meshes[file], manager, material).then((mesh) => {
+    fetched(file).then((bytes) => parse_mesh(file, bytes, manager, material)).then((mesh) => {
       done(mesh);
       changed();
     }, (error) => report(`the mesh ${file} cannot be drawn: ${error.message}`));
