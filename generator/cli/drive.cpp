@@ -45,7 +45,7 @@ struct DriveOptions {
   std::vector<std::string> packages;
   bool headless = false;
   std::string robot = "simulated";
-  std::string act_as_robot;
+  std::string act_as_robot, robot_secret;
 };
 
 using Packages = std::map<std::string, std::filesystem::path>;
@@ -133,12 +133,20 @@ std::optional<Packages> read_packages(const std::vector<std::string>& given,
   return packages;
 }
 
+/// The secret that a robot over UDP shares, where there is one.
+bool read_secret(DriveOptions& options, Diagnostics& diagnostics) {
+  if (options.drive.udp_robot.empty() && options.act_as_robot.empty()) return true;
+  auto secret = read_robot_secret(options.robot_secret, diagnostics);
+  if (secret) options.drive.robot_secret = std::move(*secret);
+  return secret.has_value();
+}
+
 /// Warns where others than this machine can connect.
 void warn_of_listeners(const DriveSettings& drive, Diagnostics& diagnostics) {
   if (!drive.serves || drive.listen == "127.0.0.1" || drive.listen == "::1") return;
   diagnostics.add({Severity::warning, "", 0, "--listen",
-                   fmt::format("everybody who reaches {} can watch, and whoever has the token can "
-                               "command; nothing is encrypted",
+                   fmt::format("everybody who reaches {} can watch and stop, and whoever has the "
+                               "token can command; nothing is encrypted",
                                drive.listen),
                    "Without it only this machine can connect; `ssh -L` reaches it from others."});
 }
@@ -229,6 +237,7 @@ std::optional<LaunchedRobot> prepare(DriveOptions& options, Diagnostics& diagnos
   if (!packages || diagnostics.has_errors()) return std::nullopt;
   if (!read_script(options.script, drive, diagnostics)) return std::nullopt;
   if (!can_write_results(options, diagnostics)) return std::nullopt;
+  if (!read_secret(options, diagnostics)) return std::nullopt;
   auto robot = launch_from(options, *packages, diagnostics);
   if (!robot) return std::nullopt;
   choose_start(*robot, drive, diagnostics);
@@ -237,7 +246,7 @@ std::optional<LaunchedRobot> prepare(DriveOptions& options, Diagnostics& diagnos
 }
 
 ExitCode exit_code_of(const DriveOutcome& outcome) {
-  if (outcome.script_failed) return kBadInput;
+  if (outcome.script_failed || outcome.script_cut || outcome.record_failed) return kBadInput;
   return outcome.fault.empty() ? kOk : kMismatch;
 }
 
@@ -252,7 +261,7 @@ int run(DriveOptions options) {
   Diagnostics of_drive;
   if (!options.act_as_robot.empty()) {
     const bool acted = act_as_robot(*robot, drive.start, drive.rate, drive.simulation,
-                                    options.act_as_robot, of_drive);
+                                    {options.act_as_robot, drive.robot_secret}, of_drive);
     print_diagnostics(of_drive, options.inputs.warnings);
     return acted ? kOk : kBadInput;
   }
@@ -282,6 +291,9 @@ void add_robot_options(CLI::App& command, DriveOptions& options) {
                          given);
       })
       ->capture_default_str();
+  command.add_option("--robot-secret", options.robot_secret,
+                     "File of a secret that both sides of a robot over UDP share; else "
+                     "$TREELINE_ROBOT_SECRET");
   command
       .add_option("--act-as-robot", options.act_as_robot,
                   "HOST:PORT: be the simulated robot of a drive in another process")
@@ -363,8 +375,9 @@ void add_drive(CLI::App& app, int& exit_code) {
       "Commands (runtime/drive/README.md explains them): start, stop, brake, reset,\n"
       "mode joint|task|gravity, joint NAME to 45 deg in 2 s, move POINT by 0 0 -0.1 in 2 s,\n"
       "turn POINT by 0 0 90 deg, hold, wait, help, quit.\n"
-      "Ctrl-C brakes to rest and ends. Exit: 1 a line of the script was not obeyed, 3 the robot\n"
-      "ended in a fault. Compiled code is kept for the next drive of the same robot and scene, in\n"
+      "Ctrl-C brakes to rest and ends. Exit: 1 a line of the script was not obeyed, a signal came\n"
+      "before its end, or the record could not be written; 3 the robot ended in a fault. Compiled "
+      "code is kept for the next drive of the same robot and scene, in\n"
       "$TREELINE_CACHE, else ~/.cache/treeline; TREELINE_CACHE= keeps none.\n"
       "Examples:\n"
       "  treeline drive puma560.urdf scene.yaml\n"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <fstream>
+#include <csignal>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,6 +16,7 @@
 #include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
 #include "cli/page_server.hpp"
+#include "cli/record_writer.hpp"
 #include "cli/rehearsals.hpp"
 #include "cli/robot_elsewhere.hpp"
 #include "cli/write_output.hpp"
@@ -80,7 +81,8 @@ class Driver {
         rehearsals_(robot.library.functions(), session_, loop_, settings.rate, settings.real_time,
                     start),
         numbers_(static_cast<std::size_t>(session_.layout().size)),
-        local_(session_.join()) {
+        local_(session_.join()),
+        record_(settings.record) {
     if (settings.script) script_.append(*settings.script);
     if (!settings.reads_input) script_.close();
     session_.set_rehearsing({[this](Verb verb) { return rehearsals_.obey(verb); },
@@ -98,6 +100,7 @@ class Driver {
   void run_as_fast_as_possible();
   void run_in_real_time();
   void attend();
+  void tell(const drive::Note& note);
   void tell_front_ends();
   drive::ServerHandlers handlers();
   void receive();
@@ -106,7 +109,6 @@ class Driver {
   void obey_local(const drive::Command& command);
   void read_input();
   void record_state();
-  void record_line(const std::string& line, const drive::Answer& answer);
   void end();
   void watch_end();
   double now() const { return settings_.real_time ? machine_time() : time(); }
@@ -120,9 +122,8 @@ class Driver {
   std::vector<double> numbers_;
   int local_;
   drive::Script script_;
-  std::ofstream record_;
+  RecordWriter record_;
   std::int64_t state_number_ = 0;
-  double recorded_ = -1;
   bool input_open_ = true;
   bool ending_ = false;
   bool awaited_ = false;  ///< nobody has seen the page yet that a script is for
@@ -144,28 +145,15 @@ bool Driver::has_loop(Diagnostics& diagnostics) const {
 }
 
 bool Driver::open_record(Diagnostics& diagnostics) {
-  if (settings_.record.empty()) return true;
-  record_.open(settings_.record, std::ios::binary);
-  record_ << drive::print_hello(session_, settings_.rate, true, settings_.meshes) << '\n';
-  record_.flush();
-  if (record_) return true;
-  diagnostics.add({Severity::error, settings_.record, 0, "", "cannot be written",
-                   "name a file in a folder that exists and is yours to write"});
-  return false;
+  return record_.open(drive::print_hello(session_, settings_.rate, true, settings_.meshes),
+                      diagnostics);
 }
 
 void Driver::record_state() {
-  constexpr double kInterval = 0.01;  // s
-  if (settings_.record.empty() || time() < recorded_ + kInterval - 1e-9) return;
-  recorded_ = time();
-  record_ << drive::print_state(session_, state_number_++, 0, drive::Detail::plain,
-                                rehearsals_.twin())
-          << '\n';
-}
-
-void Driver::record_line(const std::string& line, const drive::Answer& answer) {
-  if (settings_.record.empty()) return;
-  record_ << drive::print_command(line, time(), answer) << '\n';
+  if (!record_.wants_state(time())) return;
+  record_.write(
+      drive::print_state(session_, state_number_++, 0, drive::Detail::plain, rehearsals_.twin()),
+      time());
 }
 
 void Driver::receive() {
@@ -200,7 +188,7 @@ void Driver::obey_line(const drive::Script::Line& line) {
     if (is_local(command->verb)) return obey_local(*command);
   }
   const drive::Answer answer = session_.obey(local_, true, line.text, now());
-  record_line(line.text, answer);
+  record_.write(drive::print_command(line.text, time(), answer), time());
   say(fmt::format("{:9.3f} s  {}{}", time(), answer.ok ? "" : fmt::format("line {}: ", line.number),
                   answer.text));
   if (answer.ok || settings_.reads_input) return;
@@ -233,13 +221,15 @@ void Driver::read_input() {
   }
 }
 
-/// The drive ends with the script unless browsers may go on, and with a fault under a script.
+/// The drive ends with the script unless browsers may go on, and with a fault under a script. A
+/// signal before the last line cuts the script.
 void Driver::watch_end() {
   const bool faulted = session_.report().head.mode == static_cast<int>(servo::Mode::faulted);
   if (faulted && settings_.script && !settings_.serves && outcome_.fault.empty()) {
     outcome_.fault = session_.fault();
   }
   const bool done = !settings_.serves && script_.ended(time(), moving());
+  if (asked_to_end && script_.has_more(time(), moving())) outcome_.script_cut = true;
   if (asked_to_end || done || !outcome_.fault.empty()) end();
 }
 
@@ -266,17 +256,20 @@ void Driver::attend() {
   tell_front_ends();
 }
 
+void Driver::tell(const drive::Note& note) {
+  const bool for_all = note.front_end == drive::Note::kEverybody;
+  if (for_all || note.front_end == local_) say(note.text);
+  for (const auto& [front_end, inbox] : inboxes_) {
+    if (!for_all && front_end != note.front_end) continue;
+    server_->send(front_end, drive::print_note(note.text));
+  }
+}
+
 /// States 30 times a second, and notes.
 void Driver::tell_front_ends() {
   constexpr double kInterval = 1.0 / 30.0;  // s
   constexpr double kKept = 5.0;             // s
-  for (const drive::Note& note : session_.take_notes()) {
-    if (note.front_end == local_) {
-      say(note.text);
-    } else if (server_) {
-      server_->send(note.front_end, drive::print_note(note.text));
-    }
-  }
+  for (const drive::Note& note : session_.take_notes()) tell(note);
   if (!server_ || now() < told_ + kInterval) return;
   told_ = now();
   sent_[++state_number_] = told_;
@@ -290,14 +283,12 @@ void Driver::tell_front_ends() {
 
 /// What the server's thread asks.
 drive::ServerHandlers Driver::handlers() {
-  constexpr double kPerSecond = 200;
-  constexpr double kBurst = 100;
   drive::ServerHandlers handlers;
   handlers.join = [this](const drive::NewFrontEnd& joined, std::string& hello) {
     const std::lock_guard lock(mutex_);
     const int front_end = session_.join();
     inboxes_.emplace(front_end, std::pair{drive::Inbox(front_end, joined.may_command),
-                                          drive::RateLimit(kPerSecond, kBurst)});
+                                          drive::rate_for(joined.may_command)});
     hello = drive::print_hello(session_, settings_.rate, joined.may_command, settings_.meshes,
                                joined.mesh_query);
     return front_end;
@@ -357,6 +348,10 @@ DriveOutcome Driver::run() {
     run_as_fast_as_possible();
   }
   receive();
+  if (session_.report().head.mode == static_cast<int>(servo::Mode::faulted)) {
+    outcome_.fault = session_.fault();
+  }
+  outcome_.record_failed = !record_.close(time());
   outcome_.state = drive::print_state(session_, state_number_, 0);
   return outcome_;
 }
@@ -379,12 +374,16 @@ std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSet
   if (start.empty()) return std::nullopt;
   std::unique_ptr<drive::UdpRobot> external;
   if (!settings.udp_robot.empty()) {
-    external = find_robot(robot, settings.udp_robot, diagnostics);
+    external = find_robot(robot, {settings.udp_robot, settings.robot_secret}, diagnostics);
     if (!external) return std::nullopt;
     std::copy_n(external->state().begin(), start.size(), start.begin());
   }
   warn_of_weight(robot, start);
   asked_to_end = false;
+  // Whoever reads what is said or recorded may go, and a file may reach its limit: the robot goes
+  // on.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   answer_signals([] { asked_to_end = true; });
   Driver driver(robot, settings, start, external ? external->functions() : drive::ExternalRobot{});
   std::optional<DriveOutcome> outcome;

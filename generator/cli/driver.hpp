@@ -28,11 +28,14 @@ struct DriveSettings {
   Reference reference;           ///< a motion to follow; empty: none
   SimulationNumbers simulation;  ///< of the simulated robot
   std::string udp_robot;         ///< HOST:PORT; empty: the robot is simulated
+  std::string robot_secret;      ///< shared with the robot over UDP; empty: none
 };
 
 /// How a drive ended.
 struct DriveOutcome {
   bool script_failed = false;  ///< a line was not obeyed
+  bool script_cut = false;     ///< a signal came before its end
+  bool record_failed = false;  ///< not all of it could be written
   std::string fault;           ///< of the loop, in words; empty: none
   std::string state;           ///< the last one, as front ends see it
 };

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstdlib>
 
 #include "cli/find_bent_start.hpp"
 #include "cli/find_start.hpp"
@@ -10,6 +13,7 @@
 #include "cli/write_output.hpp"
 #include "interruption/clean_up.hpp"
 #include "text/printable.hpp"
+#include "text/read_text_file.hpp"
 
 namespace treeline {
 namespace {
@@ -66,52 +70,116 @@ std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<doubl
   return closed(robot, given.empty() ? choose_start(robot) : given, diagnostics);
 }
 
-std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const std::string& address,
+std::optional<std::string> read_robot_secret(const std::string& file, Diagnostics& diagnostics) {
+  constexpr std::size_t kShortest = 16;
+  const char* const variable = std::getenv("TREELINE_ROBOT_SECRET");
+  std::string secret = file.empty() && variable != nullptr ? variable : "";
+  if (!file.empty()) {
+    const auto text = read_text_file(file, diagnostics);
+    if (!text) return std::nullopt;
+    secret = text->substr(0, text->find_last_not_of(" \t\r\n") + 1);
+  }
+  if (secret.size() >= kShortest) return secret;
+  if (file.empty() && secret.empty()) {
+    diagnostics.add({Severity::warning, "", 0, "--robot-secret",
+                     "neither side proves who it is: everybody who reaches the other can command "
+                     "the robot, or pretend to be it",
+                     "Give both the same secret, in a file or in TREELINE_ROBOT_SECRET."});
+    return secret;
+  }
+  diagnostics.add({Severity::error, file, 0, "--robot-secret",
+                   fmt::format("a secret of {} characters can be guessed", secret.size()),
+                   fmt::format("Give at least {}, as `openssl rand -hex 16` prints.", kShortest)});
+  return std::nullopt;
+}
+
+std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const Elsewhere& elsewhere,
                                             Diagnostics& diagnostics) {
   constexpr double kPatience = 5;  // s
   std::string error;
-  auto found = drive::UdpRobot::open(address, robot.description.checksum,
-                                     static_cast<int>(robot.description.coordinates.size()),
-                                     robot.description.velocities, error);
+  auto found = drive::UdpRobot::open(
+      {elsewhere.address, robot.description.checksum, elsewhere.secret},
+      static_cast<int>(robot.description.coordinates.size()), robot.description.velocities, error);
   if (found && found->wait_for_state(kPatience)) return found;
-  diagnostics.add({Severity::error, "", 0, "--robot",
-                   found ? fmt::format("no robot answers at {} within {} s", address, kPatience)
-                         : fmt::format("\"{}\": {}", address, error),
-                   "`treeline drive --act-as-robot HOST:PORT`, with the same URDF and scene, is a "
-                   "simulated one."});
+  diagnostics.add(
+      {Severity::error, "", 0, "--robot",
+       found
+           ? fmt::format(
+                 "no robot answers at {} within {} s{}", elsewhere.address, kPatience,
+                 found->counts().foreign > 0 ? ", or it is another one, or has another secret" : "")
+           : fmt::format("\"{}\": {}", elsewhere.address, error),
+       "`treeline drive --act-as-robot HOST:PORT`, with the same URDF, scene and secret, is a "
+       "simulated one."});
   return nullptr;
 }
 
+namespace {
+
+/// The simulated robot of another process's loop. Whatever it is commanded, its state stays finite:
+/// one that is not is left out, and the robot stands again where it last was.
+class LoneRobot {
+ public:
+  LoneRobot(const LaunchedRobot& robot, const drive::LoopOptions& options)
+      : library_(robot.library.functions()),
+        options_(options),
+        start_(options.start, options.start + library_.coordinates),
+        state_(static_cast<std::size_t>(library_.coordinates + library_.velocities)) {
+    stand();
+  }
+
+  void advance(const double* tau, double seconds) {
+    library_.advance_robot(robot_.get(), tau, seconds);
+    library_.read_robot(robot_.get(), state_.data());
+    if (std::all_of(state_.begin(), state_.end(), [](double x) { return std::isfinite(x); })) {
+      std::copy_n(state_.begin(), start_.size(), start_.begin());
+      return;
+    }
+    print_message("the robot's numbers were not finite any more: it stands where it last was\n");
+    stand();
+  }
+  void read(double* state) const { std::copy(state_.begin(), state_.end(), state); }
+
+ private:
+  void stand() {
+    options_.start = start_.data();
+    robot_ = {library_.create_robot(&options_), library_.destroy_robot};
+    library_.read_robot(robot_.get(), state_.data());
+  }
+
+  const drive::RobotLibrary& library_;
+  drive::LoopOptions options_;
+  std::vector<double> start_;
+  std::vector<double> state_;
+  std::unique_ptr<void, void (*)(void*)> robot_{nullptr, nullptr};
+};
+
+}  // namespace
+
 bool act_as_robot(const LaunchedRobot& robot, const std::vector<double>& given, double rate,
-                  const SimulationNumbers& simulation, const std::string& address,
+                  const SimulationNumbers& simulation, const Elsewhere& elsewhere,
                   Diagnostics& diagnostics) {
   const std::vector<double> start = start_of(robot, given, diagnostics);
   if (start.empty()) return false;
-  const drive::RobotLibrary& library = robot.library.functions();
   const LoopNumbers numbers(robot.description);
   drive::LoopOptions options = options_for(robot.description, numbers, start);
   options.rate = rate;
   options.simulation = simulation.options();
-  const std::unique_ptr<void, void (*)(void*)> simulated(library.create_robot(&options),
-                                                         library.destroy_robot);
+  LoneRobot simulated(robot, options);
   drive::RobotSide side;
-  side.address = address;
-  side.checksum = robot.description.checksum;
+  side.address = {elsewhere.address, robot.description.checksum, elsewhere.secret};
   side.rate = rate;
-  side.nq = library.coordinates;
-  side.nv = library.velocities;
-  side.advance = [&](const double* tau, double seconds) {
-    library.advance_robot(simulated.get(), tau, seconds);
-  };
-  side.read = [&](double* state) { library.read_robot(simulated.get(), state); };
+  side.nq = robot.library.functions().coordinates;
+  side.torque = numbers.torque;
+  side.advance = [&](const double* tau, double seconds) { simulated.advance(tau, seconds); };
+  side.read = [&](double* state) { simulated.read(state); };
   asked_to_rest = false;
   answer_signals([] { asked_to_rest = true; });
-  print_message("the simulated robot listens at " + printable(address) + "\n");
+  print_message("the simulated robot listens at " + printable(elsewhere.address) + "\n");
   const std::string error = drive::run_robot_side(side, asked_to_rest);
   answer_signals(nullptr);
   if (error.empty()) return true;
   diagnostics.add({Severity::error, "", 0, "--act-as-robot",
-                   fmt::format("{} cannot be listened on: {}", address, error),
+                   fmt::format("{} cannot be listened on: {}", elsewhere.address, error),
                    "Name an address of this machine as a number, and a free port."});
   return false;
 }

@@ -225,8 +225,8 @@ class DriveController {
   ReferenceMotion reference_;
   std::array<bool, room(kPoints)> led_{};  ///< whose x, y and z are all rows of the task
   Control control_ = Control::joint;
-  core::Gains<double> joint_gains_{225.0, 30.0};
-  core::Gains<double> task_gains_{225.0, 30.0};
+  core::Gains<double> joint_gains_{kStiffness, kDamping};
+  core::Gains<double> task_gains_{kStiffness, kDamping};
   core::Gains<double> posture_gains_{36.0, 12.0};
   std::array<SmoothNumber, room(nq)> joints_{};
   std::array<double, room(nq)> joint_leases_{};

@@ -28,6 +28,10 @@ enum class Instruction : int {
   follow,         ///< []: the reference; in `duration` to its beginning
 };
 
+/// Gains that a drive begins with, until `set_gains` changes them: 1/s^2 and 1/s.
+inline constexpr double kStiffness = 225.0;
+inline constexpr double kDamping = 30.0;
+
 /// Time for which a drag or a pull is obeyed, s.
 inline constexpr double kLease = 0.125;
 

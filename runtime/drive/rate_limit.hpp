@@ -29,4 +29,9 @@ class RateLimit {
   bool started_ = false;
 };
 
+/// How many messages a front end may send: drags are frequent, the stops of a watcher are not.
+inline RateLimit rate_for(bool may_command) noexcept {
+  return may_command ? RateLimit(200.0, 100.0) : RateLimit(10.0, 10.0);
+}
+
 }  // namespace treeline::drive

@@ -48,8 +48,12 @@ void Script::wait(double time, double seconds) {
   not_before_ = time + (seconds > 0.0 ? seconds : kUntilReported);
 }
 
+bool Script::has_more(double time, bool moving) const {
+  return !lines_.empty() || waits(time, moving);
+}
+
 bool Script::ended(double time, bool moving) const {
-  return closed_ && lines_.empty() && !waits(time, moving);
+  return closed_ && !has_more(time, moving);
 }
 
 }  // namespace treeline::drive

@@ -30,6 +30,8 @@ class Script {
   void wait(double time, double seconds);
   /// Whether all lines are obeyed and all waits are over.
   bool ended(double time, bool moving) const;
+  /// Whether a line has not been obeyed, or a wait is not over.
+  bool has_more(double time, bool moving) const;
 
  private:
   bool waits(double time, bool moving) const;

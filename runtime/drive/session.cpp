@@ -73,6 +73,29 @@ void Session::tell_holder(const std::string& text) {
   if (const auto holder = authority_.holder()) notes_.push_back({*holder, text});
 }
 
+/// Gains are of the one who chose them: whoever commands next, or after a reset, begins anew.
+void Session::restore_gains() {
+  if (!gains_from_) return;
+  constexpr double kBoth = 2;
+  servo::Message gains = make_message(Instruction::set_gains);
+  gains.values = {kBoth, kStiffness, kDamping};
+  if (send_(gains)) gains_from_.reset();
+}
+
+void Session::leave(int front_end, double now) {
+  authority_.leave(front_end, now);
+  if (gains_from_ == front_end) restore_gains();
+}
+
+void Session::note_sent(const Command& command, double now) {
+  const Verb verb = command.verb;
+  const bool goes_on = verb == Verb::start || needs_running(verb);
+  started_ = verb == Verb::start ? now : goes_on ? started_ : -1.0;
+  reset_ = verb == Verb::reset ? now : goes_on ? reset_ : -1.0;
+  if (verb == Verb::reset) restore_gains();
+  if (verb == Verb::gains) gains_from_ = authority_.holder();
+}
+
 Answer Session::send(const Command& command, double now) {
   if (rehearsing_.divert) {
     if (const auto taken = rehearsing_.divert(command.verb, message_for(command))) {
@@ -83,14 +106,32 @@ Answer Session::send(const Command& command, double now) {
   if (!send_(message_for(command))) {
     return refuse("too many commands at once: the loop's mailbox is full");
   }
-  started_ = command.verb == Verb::start ? now : needs_running(command.verb) ? started_ : -1.0;
+  note_sent(command, now);
   return {true, describe(command, robot_), -1};
 }
 
+namespace {
+
+constexpr double kUntilReported = 0.05;  // s
+
+}  // namespace
+
+bool Session::is_faulted(double now) const {
+  return static_cast<servo::Mode>(report_.head.mode) == servo::Mode::faulted &&
+         (reset_ < 0.0 || now - reset_ >= kUntilReported);
+}
+
 bool Session::runs(double now) const {
-  constexpr double kUntilReported = 0.05;
   return static_cast<servo::Mode>(report_.head.mode) == servo::Mode::running ||
          (started_ >= 0.0 && now - started_ < kUntilReported);
+}
+
+void Session::tell_of_stop(int front_end, bool may_command) {
+  const bool stopped = static_cast<servo::Mode>(report_.head.mode) == servo::Mode::faulted;
+  if (stopped || authority_.holder() == front_end) return;
+  notes_.push_back(
+      {Note::kEverybody, fmt::format("front end {}, which {}, stops the robot", front_end,
+                                     may_command ? "does not command" : "may only watch")});
 }
 
 Answer Session::obey(int front_end, bool may_command, std::string_view line, double now) {
@@ -104,16 +145,24 @@ Answer Session::obey(int front_end, bool may_command, std::string_view line, dou
 
 Answer Session::obey(int front_end, bool may_command, const Command& command, double now) {
   if (is_local(command.verb)) return refuse("this command is for scripts and standard input");
-  if (!may_command) return refuse("this front end may only watch: its address lacks the token");
+  if (command.verb == Verb::stop) {
+    tell_of_stop(front_end, may_command);
+    return send(command, now);
+  }
+  if (!may_command) {
+    return refuse("this front end may only watch and `stop`: its address lacks the token");
+  }
   if (command.verb == Verb::take || command.verb == Verb::give) {
-    return hand_over(front_end, command.verb, now);
+    Answer answer = hand_over(front_end, command.verb, now);
+    if (authority_.holder() != gains_from_) restore_gains();
+    return answer;
   }
   if (needs_authority(command.verb) && !authority_.obeys(front_end, now)) {
     return refuse("another front end commands: `take` asks for it");
   }
+  if (authority_.holder() != gains_from_) restore_gains();
   const auto mode = static_cast<servo::Mode>(report_.head.mode);
-  if (mode == servo::Mode::faulted &&
-      (needs_running(command.verb) || command.verb == Verb::start)) {
+  if (is_faulted(now) && (needs_running(command.verb) || command.verb == Verb::start)) {
     return refuse(fmt::format("the robot is faulted ({}): `reset` first", fault()));
   }
   if (!runs(now) && needs_running(command.verb)) {
@@ -123,6 +172,7 @@ Answer Session::obey(int front_end, bool may_command, const Command& command, do
     if (!rehearsing_.obey) return refuse("there are no rehearsals here");
     Answer answer = rehearsing_.obey(command.verb);
     refused_.refused += answer.ok ? 0 : 1;
+    if (answer.ok && command.verb == Verb::go) gains_from_ = front_end;  // it may bring gains
     return answer;
   }
   return send(command, now);

@@ -22,9 +22,10 @@ struct Answer {
   int at = -1;  ///< byte of the line where the fault is; -1: nowhere in the line
 };
 
-/// Told to one front end without being asked.
+/// Told without being asked.
 struct Note {
-  int front_end = 0;
+  static constexpr int kEverybody = 0;
+  int front_end = kEverybody;
   std::string text;
 };
 
@@ -47,7 +48,7 @@ class Session {
           std::function<bool(const servo::Message&)> send);
 
   /// Obeys one line of a front end, or says why not. `may_command`: it came with the token, or from
-  /// this machine's own standard input.
+  /// this machine's own standard input; without, `stop` alone is obeyed.
   Answer obey(int front_end, bool may_command, std::string_view line, double now);
   /// The same for a command that was understood.
   Answer obey(int front_end, bool may_command, const Command& command, double now);
@@ -63,7 +64,7 @@ class Session {
   void tell_holder(const std::string& text);
 
   int join() { return ++last_front_end_; }
-  void leave(int front_end, double now) { authority_.leave(front_end, now); }
+  void leave(int front_end, double now);
   /// Notes since the last call.
   std::vector<Note> take_notes();
 
@@ -83,7 +84,11 @@ class Session {
   Answer refuse(std::string text, int at = -1);
   Answer hand_over(int front_end, Verb verb, double now);
   Answer send(const Command& command, double now);
+  void note_sent(const Command& command, double now);
   bool runs(double now) const;
+  bool is_faulted(double now) const;
+  void tell_of_stop(int front_end, bool may_command);
+  void restore_gains();
 
   RobotDescription robot_;
   ReportLayout layout_;
@@ -96,7 +101,10 @@ class Session {
   std::vector<Note> notes_;
   Rehearsing rehearsing_;
   int last_front_end_ = 0;
-  double started_ = -1.0;  ///< when `start` was sent; the next reports do not show it yet
+  // When `start` and `reset` were sent; the next reports do not show it yet.
+  double started_ = -1.0;
+  double reset_ = -1.0;
+  std::optional<int> gains_from_;  ///< the front end that has changed the gains
 };
 
 }  // namespace treeline::drive

@@ -1,67 +1,30 @@
 #include "drive/udp_robot.hpp"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstring>
 #include <thread>
 
+#include "drive/udp_socket.hpp"
+
 namespace treeline::drive {
-namespace {
 
-double now() noexcept {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// The 16 hexadecimal digits of a robot's checksum as a number; others count as 0.
-std::uint64_t checksum_number(const std::string& digits) {
-  std::uint64_t number = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
-  return number;
-}
-
-bool read_address(const std::string& text, sockaddr_in& address) {
-  const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos) return false;
-  const std::string host = text.substr(0, colon);
-  const char* const begin = text.data() + colon + 1;
-  const char* const end = text.data() + text.size();
-  std::uint16_t port = 0;
-  const auto [stopped, error] = std::from_chars(begin, end, port);
-  address = {};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  return error == std::errc{} && stopped == end &&
-         inet_pton(AF_INET, host.c_str(), &address.sin_addr) == 1;
-}
-
-int open_socket() {
-  return socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-}
-
-bool all_finite(const std::vector<double>& numbers) noexcept {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-}
-
-}  // namespace
+using udp::now;
 
 bool is_udp_address(const std::string& text) {
   sockaddr_in address{};
-  return read_address(text, address);
+  return udp::read_address(text, address);
 }
 
-std::unique_ptr<UdpRobot> UdpRobot::open(const std::string& address, const std::string& checksum,
-                                         int nq, int nv, std::string& error) {
+std::unique_ptr<UdpRobot> UdpRobot::open(const RobotAddress& address, int nq, int nv,
+                                         std::string& error) {
   sockaddr_in to{};
-  if (!read_address(address, to)) {
+  if (!udp::read_address(address.address, to)) {
     error = "expected HOST:PORT with a number as HOST, as in 192.168.1.7:7000";
     return nullptr;
   }
@@ -69,14 +32,14 @@ std::unique_ptr<UdpRobot> UdpRobot::open(const std::string& address, const std::
     error = "the robot has too many joints for a packet";
     return nullptr;
   }
-  std::unique_ptr<UdpRobot> robot(new UdpRobot);
-  robot->socket_ = open_socket();
+  std::unique_ptr<UdpRobot> robot(new UdpRobot(address.secret));
+  robot->socket_ = udp::open_udp_socket();
   if (robot->socket_ < 0 ||
       connect(robot->socket_, reinterpret_cast<const sockaddr*>(&to), sizeof(to)) != 0) {
     error = std::strerror(errno);
     return nullptr;
   }
-  robot->robot_ = checksum_number(checksum);
+  robot->robot_ = udp::checksum_number(address.checksum);
   robot->nq_ = nq;
   robot->nv_ = nv;
   robot->state_.resize(static_cast<std::size_t>(nq + nv));
@@ -85,6 +48,7 @@ std::unique_ptr<UdpRobot> UdpRobot::open(const std::string& address, const std::
   robot->sent_ = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(
                                                 std::chrono::system_clock::now().time_since_epoch())
                                                 .count());
+  robot->first_ = robot->sent_ + 1;
   return robot;
 }
 
@@ -93,29 +57,44 @@ UdpRobot::~UdpRobot() {
 }
 
 void UdpRobot::receive() noexcept {
-  for (;;) {
+  constexpr int kMostAtOnce = 64;  // a flood is not to hold the cycle
+  for (int i = 0; i < kMostAtOnce; ++i) {
     const ssize_t size = recv(socket_, bytes_.data(), bytes_.size(), 0);
     if (size < 0) return;
+    const auto opened = seal_.open(bytes_, static_cast<std::size_t>(size));
     PacketHead head;
-    if (!read_packet(bytes_.data(), static_cast<std::size_t>(size), received_.size(), head,
-                     received_.data()) ||
-        head.kind != PacketKind::state || !all_finite(received_)) {
-      ++counts_.malformed;
-    } else if (head.robot != robot_) {
+    if (!opened) {
       ++counts_.foreign;
-    } else if (heard_ >= 0.0 && head.sequence <= newest_) {
-      ++counts_.repeated;
+    } else if (!read_packet(bytes_.data(), *opened, received_.size(), head, received_.data()) ||
+               head.kind != PacketKind::state || !udp::all_finite(received_)) {
+      ++counts_.malformed;
     } else {
-      newest_ = head.sequence;
-      heard_ = now();
-      std::copy(received_.begin(), received_.end(), state_.begin());
+      take(head);
     }
   }
 }
 
+/// Takes the state that was received, if it is of this robot, later than the last one, and an
+/// answer to this object: none that was recorded before.
+void UdpRobot::take(const PacketHead& head) noexcept {
+  const bool first = heard_ < 0.0;
+  const bool answers = head.answers >= first_ && head.answers <= sent_;
+  if (head.robot != robot_ || !answers || (!first && head.run != run_)) {
+    ++counts_.foreign;
+  } else if (!first && !is_next(head.sequence, newest_)) {
+    ++counts_.repeated;
+  } else {
+    newest_ = head.sequence;
+    run_ = head.run;
+    heard_ = now();
+    std::copy(received_.begin(), received_.end(), state_.begin());
+  }
+}
+
 void UdpRobot::send(PacketKind kind, const double* tau, int count) noexcept {
-  const PacketHead head{kind, robot_, ++sent_, 0};
-  const std::size_t size = write_packet(head, tau, static_cast<std::size_t>(count), bytes_);
+  const PacketHead head{kind, robot_, ++sent_, 0, kind == PacketKind::command ? run_ : 0};
+  const std::size_t size =
+      seal_.close(bytes_, write_packet(head, tau, static_cast<std::size_t>(count), bytes_));
   (void)::send(socket_, bytes_.data(), size, MSG_NOSIGNAL);  // the robot's silence tells of errors
 }
 
@@ -146,84 +125,6 @@ ExternalRobot UdpRobot::functions() {
     robot.send(PacketKind::command, tau, robot.nv_);
   };
   return functions;
-}
-
-namespace {
-
-/// What the robot's side knows of the one who commands it.
-struct Commander {
-  sockaddr_in address{};
-  std::uint64_t newest = 0;
-  double heard = -1.0;
-  double commanded = -1.0;
-};
-
-bool same(const sockaddr_in& a, const sockaddr_in& b) {
-  return a.sin_addr.s_addr == b.sin_addr.s_addr && a.sin_port == b.sin_port;
-}
-
-/// Takes the newest command that has come.
-void receive_commands(int socket, std::uint64_t robot, Commander& commander,
-                      std::vector<double>& tau, PacketBytes& bytes) {
-  constexpr double kRelieved = 1.0;  // s
-  std::vector<double> numbers = tau;
-  for (;;) {
-    sockaddr_in from{};
-    socklen_t length = sizeof(from);
-    const ssize_t size = recvfrom(socket, bytes.data(), bytes.size(), 0,
-                                  reinterpret_cast<sockaddr*>(&from), &length);
-    if (size < 0) return;
-    PacketHead head;
-    const auto count = static_cast<std::size_t>(size);
-    const bool asks =
-        read_packet(bytes.data(), count, 0, head, nullptr) && head.kind == PacketKind::request;
-    const bool commands = !asks &&
-                          read_packet(bytes.data(), count, numbers.size(), head, numbers.data()) &&
-                          head.kind == PacketKind::command && all_finite(numbers);
-    const bool good = (asks || commands) && head.robot == robot;
-    const bool known = commander.heard >= 0.0 && now() - commander.heard < kRelieved;
-    const bool next =
-        known ? same(from, commander.address) && head.sequence > commander.newest : true;
-    if (!good || !next) continue;
-    commander = {from, head.sequence, now(), commands ? now() : commander.commanded};
-    if (commands) tau = numbers;
-  }
-}
-
-}  // namespace
-
-std::string run_robot_side(const RobotSide& side, const std::atomic<bool>& ended) {
-  constexpr double kBrakes = 0.05;  // s without a command
-  sockaddr_in address{};
-  if (!read_address(side.address, address)) return "expected HOST:PORT with a number as HOST";
-  const int socket = open_socket();
-  if (socket < 0 ||
-      bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
-    const std::string error = std::strerror(errno);
-    if (socket >= 0) close(socket);
-    return error;
-  }
-  const std::uint64_t robot = checksum_number(side.checksum);
-  const auto period = std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 / side.rate));
-  std::vector<double> tau(static_cast<std::size_t>(side.nv));
-  std::vector<double> state(static_cast<std::size_t>(side.nq + side.nv));
-  PacketBytes bytes{};
-  Commander commander;
-  std::uint64_t sent = 0;
-  for (auto tick = std::chrono::steady_clock::now(); !ended; tick += period) {
-    std::this_thread::sleep_until(tick);
-    receive_commands(socket, robot, commander, tau, bytes);
-    const bool commanded = commander.commanded >= 0.0 && now() - commander.commanded < kBrakes;
-    side.advance(commanded ? tau.data() : nullptr, 1.0 / side.rate);
-    if (commander.heard < 0.0) continue;
-    side.read(state.data());
-    const PacketHead head{PacketKind::state, robot, ++sent, commander.newest};
-    const std::size_t size = write_packet(head, state.data(), state.size(), bytes);
-    (void)sendto(socket, bytes.data(), size, MSG_NOSIGNAL,  // a lost packet is followed by the next
-                 reinterpret_cast<const sockaddr*>(&commander.address), sizeof(sockaddr_in));
-  }
-  close(socket);
-  return {};
 }
 
 }  // namespace treeline::drive

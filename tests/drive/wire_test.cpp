@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -129,7 +130,7 @@ TEST_F(WireTest, RefusesLateLeases) {
 
 TEST_F(WireTest, WatchersOnlyWatch) {
   Inbox watcher(2, false);
-  for (const char* text : {"start", "stop", "take", "hold"}) {
+  for (const char* text : {"start", "brake", "reset", "take", "give", "hold"}) {
     static int seq = 0;
     const json reply =
         json::parse(watcher.receive(command(++seq, text).dump(), now_, states_, session_));
@@ -139,7 +140,7 @@ TEST_F(WireTest, WatchersOnlyWatch) {
   EXPECT_FALSE(session_.authority().holder());
 }
 
-// One commands, everybody with the token may stop.
+// One commands, everybody may stop.
 TEST_F(WireTest, OneCommandsAndAllMayStop) {
   Inbox other(2, true);
   int seq = 0;
@@ -152,8 +153,9 @@ TEST_F(WireTest, OneCommandsAndAllMayStop) {
   EXPECT_EQ(sent_.back().kind, servo::MessageKind::emergency_stop);
   EXPECT_FALSE(say("take")["ok"].get<bool>());
   const auto notes = session_.take_notes();
-  ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes[0].front_end, 1);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[0].text, "front end 2, which does not command, stops the robot");
+  EXPECT_EQ(notes[1].front_end, 1);
   EXPECT_TRUE(receive(command(2, "give"))["ok"].get<bool>());
   EXPECT_TRUE(say("hold")["ok"].get<bool>());
 }
@@ -186,6 +188,77 @@ TEST_F(WireTest, TellsTheStateAsJson) {
   EXPECT_EQ(state["points"].size(), 2U);
   EXPECT_TRUE(state["commanding"].get<bool>());
   EXPECT_EQ(state["mode"], "running");
+}
+
+// Before a report could tell of the reset.
+TEST_F(WireTest, StartsRightAfterAReset) {
+  report(servo::Mode::faulted);
+  EXPECT_FALSE(receive(command(1, "start"))["ok"].get<bool>());
+  EXPECT_TRUE(receive(command(2, "reset"))["ok"].get<bool>());
+  EXPECT_TRUE(receive(command(3, "start"))["ok"].get<bool>());
+  EXPECT_TRUE(receive(command(4, "hold"))["ok"].get<bool>());
+  EXPECT_EQ(sent_.size(), 3U);
+  EXPECT_TRUE(receive(command(5, "stop"))["ok"].get<bool>());
+  EXPECT_FALSE(receive(command(6, "start"))["ok"].get<bool>()) << "a stop ends what reset began";
+  receive(command(7, "reset"));
+  now_ += 1.0;
+  EXPECT_FALSE(receive(command(8, "start"))["ok"].get<bool>()) << "the reset has changed nothing";
+}
+
+TEST_F(WireTest, WatchersMayStop) {
+  Inbox watcher(2, false);
+  receive(command(1, "hold"));
+  sent_.clear();
+  const auto stop = [&](int seq) {
+    return json::parse(watcher.receive(command(seq, "stop").dump(), now_, states_, session_));
+  };
+  EXPECT_TRUE(stop(1)["ok"].get<bool>());
+  ASSERT_EQ(sent_.size(), 1U);
+  EXPECT_EQ(sent_[0].kind, servo::MessageKind::emergency_stop);
+  const auto notes = session_.take_notes();
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].front_end, Note::kEverybody);
+  EXPECT_EQ(notes[0].text, "front end 2, which may only watch, stops the robot");
+  receive(command(2, "stop"));
+  report(servo::Mode::faulted);
+  EXPECT_TRUE(stop(2)["ok"].get<bool>());
+  EXPECT_TRUE(session_.take_notes().empty()) << "who commands knows; then it is stopped already";
+  EXPECT_EQ(session_.authority().holder(), 1);
+}
+
+// Gains of 0 that one has left behind would let the robot of the next one sink.
+TEST_F(WireTest, GainsEndWithWhoChoseThem) {
+  Inbox other(2, true);
+  int seq = 0;
+  const auto restored = [&] {
+    const bool found = std::any_of(sent_.begin(), sent_.end(), [](const servo::Message& message) {
+      return message.index == static_cast<int>(Instruction::set_gains) && message.values[0] == 2 &&
+             message.values[1] == kStiffness && message.values[2] == kDamping;
+    });
+    sent_.clear();
+    return found;
+  };
+  const auto weaken = [&] {
+    const json reply = receive(command(++seq, "gains stiffness 0 damping 0"));
+    EXPECT_TRUE(reply["ok"].get<bool>()) << reply;
+    receive(command(++seq, "hold"));
+    EXPECT_FALSE(restored()) << "they last as long as the same one commands";
+  };
+  weaken();
+  receive(command(++seq, "reset"));
+  EXPECT_TRUE(restored());
+  weaken();
+  receive(command(++seq, "give"));
+  EXPECT_TRUE(restored());
+  weaken();
+  session_.leave(1, now_);
+  EXPECT_TRUE(restored());
+  weaken();
+  now_ += 60.0;
+  other.receive(command(1, "take").dump(), now_, states_, session_);
+  EXPECT_TRUE(restored());
+  other.receive(command(2, "hold").dump(), now_, states_, session_);
+  EXPECT_FALSE(restored());
 }
 
 }  // namespace
