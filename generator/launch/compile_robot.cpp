@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
+#include <utility>
 
 #include "compilation/compile_folder.hpp"
+#include "compilation/distrust_folder.hpp"
 #include "compilation/keep_library.hpp"
 #include "compilation/run_commands.hpp"
 #include "emission/describe_program.hpp"
@@ -98,7 +100,11 @@ fs::path compile_robot(const std::vector<CompiledPart>& parts, const fs::path& w
   }
   const fs::path library = work / "librobot.so";
   const Command linking = link_command(*compiler, sources, work, library);
-  const fs::path kept = folder_of_kept_libraries();
+  fs::path kept = folder_of_kept_libraries();
+  if (auto reason = reason_to_distrust(kept)) {
+    diagnostics.add(std::move(*reason));
+    kept.clear();
+  }
   std::string name;
   if (!kept.empty()) {
     name = identify_library(*compiler, commands, linking, work);

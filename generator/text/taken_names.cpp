@@ -1,5 +1,7 @@
 #include "text/taken_names.hpp"
 
+#include <algorithm>
+#include <array>
 #include <set>
 #include <sstream>
 #include <string>
@@ -138,32 +140,210 @@ constexpr const char* kGlobals =
     "wcstol wcstold wcstoll wcstombs wcstoul wcstoull wcstoumax wcsxfrm wctob wctomb wctrans "
     "wctrans_t wctype wctype_t wint_t wmemchr wmemcmp wmemcpy wmemmove wmemset wprintf write "
     "wscanf y0 y0f y0l y1 y1f y1l yn ynf ynl ";
+/// What the headers of POSIX, of threads and of Linux define beside, which g++ and clang++ show unless
+/// told otherwise; those of one family are told by their form.
+constexpr const char* kPosix =
+    "ACCESSPERMS ADJ_ESTERROR ADJ_FREQUENCY ADJ_MAXERROR ADJ_MICRO ADJ_NANO ADJ_OFFSET "
+    "ADJ_OFFSET_SINGLESHOT ADJ_OFFSET_SS_READ ADJ_SETOFFSET ADJ_STATUS ADJ_TAI ADJ_TICK "
+    "ADJ_TIMECONST AF_DECnet AIO_PRIO_DELTA_MAX ALLPERMS AT_EACCESS AT_EMPTY_PATH AT_FDCWD "
+    "AT_NO_AUTOMOUNT AT_RECURSIVE AT_REMOVEDIR AT_STATX_DONT_SYNC AT_STATX_FORCE_SYNC "
+    "AT_STATX_SYNC_AS_STAT AT_STATX_SYNC_TYPE AT_SYMLINK_FOLLOW AT_SYMLINK_NOFOLLOW BC_BASE_MAX "
+    "BC_DIM_MAX BC_SCALE_MAX BC_STRING_MAX BIG_ENDIAN BOOL_MAX BOOL_WIDTH BUS_ADRALN BUS_ADRERR "
+    "BUS_MCEERR_AO BUS_MCEERR_AR BUS_OBJERR BYTE_ORDER CHARCLASS_NAME_MAX CHAR_WIDTH CLD_CONTINUED "
+    "CLD_DUMPED CLD_EXITED CLD_KILLED CLD_STOPPED CLD_TRAPPED CLOSE_RANGE_CLOEXEC "
+    "CLOSE_RANGE_UNSHARE CMSG_ALIGN CMSG_DATA CMSG_FIRSTHDR CMSG_LEN CMSG_NXTHDR CMSG_SPACE "
+    "COLL_WEIGHTS_MAX CPU_ALLOC CPU_ALLOC_SIZE CPU_AND CPU_AND_S CPU_CLR CPU_CLR_S CPU_COUNT "
+    "CPU_COUNT_S CPU_EQUAL CPU_EQUAL_S CPU_FREE CPU_ISSET CPU_ISSET_S CPU_OR CPU_OR_S CPU_SET "
+    "CPU_SETSIZE CPU_SET_S CPU_XOR CPU_XOR_S CPU_ZERO CPU_ZERO_S CSIGNAL DEFFILEMODE "
+    "DELAYTIMER_MAX DN_ACCESS DN_ATTRIB DN_CREATE DN_DELETE DN_MODIFY DN_MULTISHOT DN_RENAME "
+    "EXPR_NEST_MAX FAPPEND FASYNC FD_CLOEXEC FD_CLR FD_ISSET FD_SET FD_SETSIZE FD_ZERO FE_DFL_MODE "
+    "FE_NOMASK_ENV FFSYNC FIOGETOWN FIOSETOWN FNDELAY FNONBLOCK FPE_CONDTRAP FPE_FLTDIV FPE_FLTINV "
+    "FPE_FLTOVF FPE_FLTRES FPE_FLTSUB FPE_FLTUND FPE_FLTUNK FPE_INTDIV FPE_INTOVF FP_INT_DOWNWARD "
+    "FP_INT_TONEAREST FP_INT_TONEARESTFROMZERO FP_INT_TOWARDZERO FP_INT_UPWARD FP_LLOGB0 "
+    "FP_LLOGBNAN FP_XSTATE_MAGIC1 FP_XSTATE_MAGIC2 FP_XSTATE_MAGIC2_SIZE F_ADD_SEALS F_DUPFD "
+    "F_DUPFD_CLOEXEC F_EXLCK F_GETFD F_GETFL F_GETLEASE F_GETLK F_GETOWN F_GETOWN_EX F_GETPIPE_SZ "
+    "F_GETSIG F_GET_FILE_RW_HINT F_GET_RW_HINT F_GET_SEALS F_LOCK F_NOTIFY F_OFD_GETLK F_OFD_SETLK "
+    "F_OFD_SETLKW F_OWNER_GID F_OWNER_PGRP F_OWNER_PID F_OWNER_TID F_RDLCK F_SEAL_FUTURE_WRITE "
+    "F_SEAL_GROW F_SEAL_SEAL F_SEAL_SHRINK F_SEAL_WRITE F_SETFD F_SETFL F_SETLEASE F_SETLK "
+    "F_SETLKW F_SETOWN F_SETOWN_EX F_SETPIPE_SZ F_SETSIG F_SET_FILE_RW_HINT F_SET_RW_HINT F_SHLCK "
+    "F_TEST F_TLOCK F_ULOCK F_UNLCK F_WRLCK HOST_NAME_MAX HUGE_VAL_F128 HUGE_VAL_F32 HUGE_VAL_F32X "
+    "HUGE_VAL_F64 HUGE_VAL_F64X ILL_BADIADDR ILL_BADSTK ILL_COPROC ILL_ILLADR ILL_ILLOPC "
+    "ILL_ILLOPN ILL_ILLTRP ILL_PRVOPC ILL_PRVREG ITIMER_PROF ITIMER_REAL ITIMER_VIRTUAL "
+    "LITTLE_ENDIAN LLONG_WIDTH LOCK_EX LOCK_MAND LOCK_NB LOCK_READ LOCK_RW LOCK_SH LOCK_UN "
+    "LOCK_WRITE LOGIN_NAME_MAX LONG_BIT LONG_LONG_MAX LONG_LONG_MIN LONG_WIDTH L_ctermid L_cuserid "
+    "MAP_32BIT MAP_ANON MAP_ANONYMOUS MAP_DENYWRITE MAP_EXECUTABLE MAP_FILE MAP_FIXED "
+    "MAP_FIXED_NOREPLACE MAP_GROWSDOWN MAP_HUGETLB MAP_HUGE_MASK MAP_HUGE_SHIFT MAP_LOCKED "
+    "MAP_NONBLOCK MAP_NORESERVE MAP_POPULATE MAP_PRIVATE MAP_SHARED MAP_SHARED_VALIDATE MAP_STACK "
+    "MAP_SYNC MAP_TYPE MAX_CANON MAX_HANDLE_SZ MAX_INPUT MCL_CURRENT MCL_FUTURE MCL_ONFAULT "
+    "MFD_ALLOW_SEALING MFD_CLOEXEC MFD_HUGETLB MINSIGSTKSZ MLOCK_ONFAULT MOD_CLKA MOD_CLKB "
+    "MOD_ESTERROR MOD_FREQUENCY MOD_MAXERROR MOD_MICRO MOD_NANO MOD_OFFSET MOD_STATUS MOD_TAI "
+    "MOD_TIMECONST MQ_PRIO_MAX MREMAP_DONTUNMAP MREMAP_FIXED MREMAP_MAYMOVE MSG_BATCH "
+    "MSG_CMSG_CLOEXEC MSG_CONFIRM MSG_CTRUNC MSG_DONTROUTE MSG_DONTWAIT MSG_EOR MSG_ERRQUEUE "
+    "MSG_FASTOPEN MSG_FIN MSG_MORE MSG_NOSIGNAL MSG_OOB MSG_PEEK MSG_PROXY MSG_RST MSG_SYN "
+    "MSG_TRUNC MSG_TRYHARD MSG_WAITALL MSG_WAITFORONE MSG_ZEROCOPY MS_ASYNC MS_INVALIDATE MS_SYNC "
+    "M_1_PIf M_2_PIf M_2_SQRTPIf M_ARENA_MAX M_ARENA_TEST M_CHECK_ACTION M_Ef M_GRAIN M_KEEP "
+    "M_LN10f M_LN2f M_LOG10Ef M_LOG2Ef M_MMAP_MAX M_MMAP_THRESHOLD M_MXFAST M_NLBLKS M_PERTURB "
+    "M_PI_2f M_PI_4f M_PIf M_SQRT1_2f M_SQRT2f M_TOP_PAD M_TRIM_THRESHOLD NAME_MAX NFDBITS NGREG "
+    "NGROUPS_MAX NL_ARGMAX NL_LANGMAX NL_MSGMAX NL_NMAX NL_SETMAX NL_TEXTMAX NSIG NZERO "
+    "ONCE_FLAG_INIT O_ACCMODE O_APPEND O_ASYNC O_CLOEXEC O_CREAT O_DIRECT O_DIRECTORY O_DSYNC "
+    "O_EXCL O_FSYNC O_LARGEFILE O_NDELAY O_NOATIME O_NOCTTY O_NOFOLLOW O_NONBLOCK O_PATH O_RDONLY "
+    "O_RDWR O_RSYNC O_SYNC O_TMPFILE O_TRUNC O_WRONLY PDP_ENDIAN PF_DECnet PIPE_BUF "
+    "PKEY_DISABLE_ACCESS PKEY_DISABLE_WRITE POLLERR POLLHUP POLLIN POLLMSG POLLNVAL POLLOUT "
+    "POLLPRI POLLRDBAND POLLRDHUP POLLRDNORM POLLREMOVE POLLWRBAND POLLWRNORM POLL_ERR POLL_HUP "
+    "POLL_IN POLL_MSG POLL_OUT POLL_PRI PRIO_MAX PRIO_MIN PRIO_PGRP PRIO_PROCESS PRIO_USER "
+    "PROT_EXEC PROT_GROWSDOWN PROT_GROWSUP PROT_NONE PROT_READ PROT_WRITE PTRDIFF_WIDTH P_tmpdir "
+    "REG_CR2 REG_CSGSFS REG_EFL REG_ERR REG_OLDMASK REG_R10 REG_R11 REG_R12 REG_R13 REG_R14 "
+    "REG_R15 REG_R8 REG_R9 REG_RAX REG_RBP REG_RBX REG_RCX REG_RDI REG_RDX REG_RIP REG_RSI REG_RSP "
+    "REG_TRAPNO RENAME_EXCHANGE RENAME_NOREPLACE RENAME_WHITEOUT RE_DUP_MAX RLIM64_INFINITY "
+    "RLIM_INFINITY RLIM_NLIMITS RLIM_SAVED_CUR RLIM_SAVED_MAX RTSIG_MAX RUSAGE_CHILDREN RUSAGE_LWP "
+    "RUSAGE_SELF RUSAGE_THREAD RWF_APPEND RWF_DSYNC RWF_HIPRI RWF_NOAPPEND RWF_NOWAIT RWF_SYNC "
+    "RWF_WRITE_LIFE_NOT_SET RWH_WRITE_LIFE_EXTREME RWH_WRITE_LIFE_LONG RWH_WRITE_LIFE_MEDIUM "
+    "RWH_WRITE_LIFE_NONE RWH_WRITE_LIFE_NOT_SET RWH_WRITE_LIFE_SHORT SA_INTERRUPT SA_NOCLDSTOP "
+    "SA_NOCLDWAIT SA_NODEFER SA_NOMASK SA_ONESHOT SA_ONSTACK SA_RESETHAND SA_RESTART SA_SIGINFO "
+    "SA_STACK SCHAR_WIDTH SCM_CREDENTIALS SCM_RIGHTS SCM_TIMESTAMP SCM_TIMESTAMPING "
+    "SCM_TIMESTAMPING_OPT_STATS SCM_TIMESTAMPING_PKTINFO SCM_TIMESTAMPNS SCM_TXTIME "
+    "SCM_WIFI_STATUS SEEK_DATA SEEK_HOLE SEGV_ACCADI SEGV_ACCERR SEGV_ADIDERR SEGV_ADIPERR "
+    "SEGV_BNDERR SEGV_MAPERR SEGV_MTEAERR SEGV_MTESERR SEGV_PKUERR SEM_FAILED SEM_VALUE_MAX "
+    "SHRT_WIDTH SHUT_RD SHUT_RDWR SHUT_WR SIGEV_NONE SIGEV_SIGNAL SIGEV_THREAD SIGEV_THREAD_ID "
+    "SIGSTKSZ SIG_ATOMIC_WIDTH SIG_BLOCK SIG_HOLD SIG_SETMASK SIG_UNBLOCK SIOCATMARK SIOCGPGRP "
+    "SIOCGSTAMPNS_OLD SIOCGSTAMP_OLD SIOCSPGRP SIZE_WIDTH SI_ASYNCIO SI_ASYNCNL SI_DETHREAD "
+    "SI_KERNEL SI_MESGQ SI_QUEUE SI_SIGIO SI_TIMER SI_TKILL SI_USER SNANF128 SNANF32 SNANF32X "
+    "SNANF64X SNANL SOCK_CLOEXEC SOCK_DCCP SOCK_DGRAM SOCK_NONBLOCK SOCK_PACKET SOCK_RAW SOCK_RDM "
+    "SOCK_SEQPACKET SOCK_STREAM SOMAXCONN SO_ACCEPTCONN SO_ATTACH_BPF SO_ATTACH_FILTER "
+    "SO_ATTACH_REUSEPORT_CBPF SO_ATTACH_REUSEPORT_EBPF SO_BINDTODEVICE SO_BINDTOIFINDEX "
+    "SO_BPF_EXTENSIONS SO_BROADCAST SO_BSDCOMPAT SO_BUF_LOCK SO_BUSY_POLL SO_BUSY_POLL_BUDGET "
+    "SO_CNX_ADVICE SO_COOKIE SO_DEBUG SO_DETACH_BPF SO_DETACH_FILTER SO_DETACH_REUSEPORT_BPF "
+    "SO_DOMAIN SO_DONTROUTE SO_ERROR SO_GET_FILTER SO_INCOMING_CPU SO_INCOMING_NAPI_ID "
+    "SO_KEEPALIVE SO_LINGER SO_LOCK_FILTER SO_MARK SO_MAX_PACING_RATE SO_MEMINFO SO_NETNS_COOKIE "
+    "SO_NOFCS SO_NO_CHECK SO_OOBINLINE SO_PASSCRED SO_PASSSEC SO_PEEK_OFF SO_PEERCRED "
+    "SO_PEERGROUPS SO_PEERNAME SO_PEERSEC SO_PREFER_BUSY_POLL SO_PRIORITY SO_PROTOCOL SO_RCVBUF "
+    "SO_RCVBUFFORCE SO_RCVLOWAT SO_RCVMARK SO_RCVTIMEO SO_RCVTIMEO_NEW SO_RCVTIMEO_OLD "
+    "SO_RESERVE_MEM SO_REUSEADDR SO_REUSEPORT SO_RXQ_OVFL SO_SECURITY_AUTHENTICATION "
+    "SO_SECURITY_ENCRYPTION_NETWORK SO_SECURITY_ENCRYPTION_TRANSPORT SO_SELECT_ERR_QUEUE SO_SNDBUF "
+    "SO_SNDBUFFORCE SO_SNDLOWAT SO_SNDTIMEO SO_SNDTIMEO_NEW SO_SNDTIMEO_OLD SO_TIMESTAMP "
+    "SO_TIMESTAMPING SO_TIMESTAMPING_NEW SO_TIMESTAMPING_OLD SO_TIMESTAMPNS SO_TIMESTAMPNS_NEW "
+    "SO_TIMESTAMPNS_OLD SO_TIMESTAMP_NEW SO_TIMESTAMP_OLD SO_TXREHASH SO_TXTIME SO_TYPE "
+    "SO_WIFI_STATUS SO_ZEROCOPY SPLICE_F_GIFT SPLICE_F_MORE SPLICE_F_MOVE SPLICE_F_NONBLOCK "
+    "SS_DISABLE SS_ONSTACK STA_CLK STA_CLOCKERR STA_DEL STA_FLL STA_FREQHOLD STA_INS STA_MODE "
+    "STA_NANO STA_PLL STA_PPSERROR STA_PPSFREQ STA_PPSJITTER STA_PPSSIGNAL STA_PPSTIME "
+    "STA_PPSWANDER STA_RONLY STA_UNSYNC STDERR_FILENO STDIN_FILENO STDOUT_FILENO "
+    "SYNC_FILE_RANGE_WAIT_AFTER SYNC_FILE_RANGE_WAIT_BEFORE SYNC_FILE_RANGE_WRITE "
+    "SYNC_FILE_RANGE_WRITE_AND_WAIT S_BLKSIZE S_IEXEC S_IFBLK S_IFCHR S_IFDIR S_IFIFO S_IFLNK "
+    "S_IFMT S_IFREG S_IFSOCK S_IREAD S_IRGRP S_IROTH S_IRUSR S_IRWXG S_IRWXO S_IRWXU S_ISBLK "
+    "S_ISCHR S_ISDIR S_ISFIFO S_ISGID S_ISLNK S_ISREG S_ISSOCK S_ISUID S_ISVTX S_IWGRP S_IWOTH "
+    "S_IWRITE S_IWUSR S_IXGRP S_IXOTH S_IXUSR S_TYPEISMQ S_TYPEISSEM S_TYPEISSHM "
+    "TEMP_FAILURE_RETRY TIMER_ABSTIME TIMESPEC_TO_TIMEVAL TIMEVAL_TO_TIMESPEC TRAP_BRANCH "
+    "TRAP_BRKPT TRAP_HWBKPT TRAP_TRACE TRAP_UNK TSS_DTOR_ITERATIONS TTY_NAME_MAX UCHAR_WIDTH "
+    "UIO_MAXIOV ULLONG_WIDTH ULONG_LONG_MAX ULONG_WIDTH USHRT_WIDTH UTIME_NOW UTIME_OMIT "
+    "WCHAR_WIDTH WCONTINUED WEXITED WEXITSTATUS WIFCONTINUED WIFEXITED WIFSIGNALED WIFSTOPPED "
+    "WINT_WIDTH WNOHANG WNOWAIT WORD_BIT WSTOPPED WSTOPSIG WTERMSIG WUNTRACED XATTR_LIST_MAX "
+    "XATTR_NAME_MAX XATTR_SIZE_MAX accept4 adjtime asprintf assert_perror basename be16toh be32toh "
+    "be64toh blkcnt64_t blkcnt_t blksize_t c8rtomb caddr_t call_once canonicalize "
+    "canonicalize_file_name canonicalizef canonicalizel carg cimag clock_adjtime clockid_t clone "
+    "close_range comparison_fn_t conj cookie_close_function_t cookie_io_functions_t "
+    "cookie_read_function_t cookie_seek_function_t cookie_write_function_t copy_file_range cproj "
+    "cpu_set_t creal cuserid daddl daddr_t ddivl denorm_absent denorm_indeterminate denorm_present "
+    "dev_t dfmal dmull drand48 drand48_data dsqrtl dsubl dup3 eaccess environ erand48 error_t "
+    "euidaccess execveat execvpe exp10 exp10f exp10l f_owner_ex fadd faddl fallocate fcloseall "
+    "fdiv fdivl fedisableexcept feenableexcept fegetexcept fegetmode femode_t fesetexcept "
+    "fesetmode fetestexceptflag ffma ffmal file_handle fmaximum fmaximum_mag fmaximum_mag_num "
+    "fmaximum_mag_numf fmaximum_mag_numl fmaximum_magf fmaximum_magl fmaximum_num fmaximum_numf "
+    "fmaximum_numl fmaximumf fmaximuml fmaxmag fmaxmagf fmaxmagl fminimum fminimum_mag "
+    "fminimum_mag_num fminimum_mag_numf fminimum_mag_numl fminimum_magf fminimum_magl fminimum_num "
+    "fminimum_numf fminimum_numl fminimumf fminimuml fminmag fminmagf fminmagl fmul fmull "
+    "fopencookie fpos64_t fpregset_t fromfp fromfpf fromfpl fromfpx fromfpxf fromfpxl fsblkcnt64_t "
+    "fsblkcnt_t fsfilcnt64_t fsfilcnt_t fsid_t fsqrt fsqrtl fsub fsubl futimes futimesat "
+    "get_current_dir_name getcpu getdate getdate_err getitimer getpayload getpayloadf getpayloadl "
+    "getpriority getpt getresgid getresuid getrlimit getrusage gettid gettimeofday getumask gid_t "
+    "grantpt greg_t gregset_t group_member htobe16 htobe32 htobe64 htole16 htole32 htole64 id_t "
+    "ino64_t ino_t iscanonical isctype iseqsig issignaling issubnormal iszero itimerval jrand48 "
+    "key_t lcong48 le16toh le32toh le64toh lgammaf128_r lgammaf32_r lgammaf32x_r lgammaf64_r "
+    "lgammaf64x_r llogb llogbf llogbl locale_t loff_t lrand48 lutimes mallinfo mallinfo2 "
+    "malloc_info malloc_stats malloc_trim malloc_usable_size mallopt mbrtoc8 mcontext_t memalign "
+    "memfd_create memfrob memmem mempcpy memrchr mkostemp mkostemps mlock2 mmsghdr mode_t mrand48 "
+    "mremap name_to_handle_at nextdown nextdownf nextdownl nextup nextupf nextupl nfds_t nlink_t "
+    "nrand48 nullptr_t obstack_printf obstack_vprintf off64_t off_t once_flag open_by_handle_at "
+    "pid_t pipe2 pkey_alloc pkey_free pkey_get pkey_mprotect pkey_set poll pollfd posix_openpt "
+    "ppoll preadv preadv2 preadv64v2 prlimit process_madvise process_mrelease process_vm_readv "
+    "process_vm_writev program_invocation_name program_invocation_short_name ptsname pvalloc "
+    "pwritev pwritev2 pwritev64v2 quad_t rawmemchr readahead readv recvmmsg register_t "
+    "remap_file_pages renameat2 rlim64_t rlim_t rlimit round_indeterminate round_to_nearest "
+    "round_toward_infinity round_toward_neg_infinity round_toward_zero roundeven roundevenf "
+    "roundevenl rusage sa_family_t sa_sigaction secure_getenv seed48 sendmmsg setitimer setns "
+    "setpayload setpayloadf setpayloadl setpayloadsig setpayloadsigf setpayloadsigl setpriority "
+    "setresgid setresuid setrlimit settimeofday si_addr si_addr_lsb si_arch si_band si_call_addr "
+    "si_fd si_int si_lower si_overrun si_pkey si_ptr si_status si_stime si_syscall si_timerid "
+    "si_upper si_utime sig_t sigabbrev_np sigandset sigdescr_np sigev_notify_attributes "
+    "sigev_notify_function sigevent_t sighandler_t sighold sigignore siginfo_t sigisemptyset "
+    "sigmask sigorset sigpause sigrelse sigset sigset_t sigsetjmp sigval_t sincos sincosf sincosl "
+    "socklen_t splice srand48 ssize_t stack_t statx statx_timestamp strcasestr strchrnul strdupa "
+    "strerrordesc_np strerrorname_np strfromd strfromf strfromf128 strfromf32 strfromf32x "
+    "strfromf64x strfroml strfry strndupa strptime strtof128 strtof32 strtof32x strtof64_l "
+    "strtof64x strverscmp suseconds_t swab sync_file_range syncfs sysv_signal tee tgkill timer_t "
+    "timeradd timerclear timercmp timerisset timersub timespec_getres timex totalorder totalorderf "
+    "totalorderl totalordermag totalordermagf totalordermagl u_int16_t u_int32_t u_int64_t "
+    "u_int8_t u_quad_t ucontext_t ucred ufromfp ufromfpf ufromfpl ufromfpx ufromfpxf ufromfpxl "
+    "uid_t unlockpt unshare useconds_t utimes vasprintf vmsplice wcschrnul wcstof128 wcstof32 "
+    "wcstof32x wcstof64_l wcstof64x wcstoq wcstouq wcswcs wcswidth wcwidth wmempcpy writev ";
 // clang-format on
 
-std::set<std::string, std::less<>> list_names() {
-  std::set<std::string, std::less<>> names;
-  for (const char* list : {kKeywords, kMacros, kGlobals}) {
+using Names = std::set<std::string, std::less<>>;
+
+Names list_names() {
+  Names names;
+  for (const char* list : {kKeywords, kMacros, kGlobals, kPosix}) {
     std::istringstream words(list);
     for (std::string word; words >> word;) names.insert(word);
   }
   return names;
 }
 
-/// `PRId64`, `SCNu8`, `INT_LEAST8_MAX`, `UINT64_C`, `LC_ALL`.
+/// `PRId64`, `SCNu8`, `INT_LEAST8_MAX`, `UINT64_C`, `LC_ALL`, `AF_INET`.
 bool is_of_macro_family(std::string_view name) {
   if (name.starts_with("PRI") || name.starts_with("SCN")) {
     return name.size() > 4 && std::string_view("bBdiouxX").find(name[3]) != std::string_view::npos;
   }
   const bool integer = name.starts_with("INT") || name.starts_with("UINT");
-  const bool limit = name.ends_with("_MAX") || name.ends_with("_MIN") || name.ends_with("_C");
-  return (integer && limit) || name.starts_with("LC_");
+  if (integer) {
+    constexpr std::array<std::string_view, 4> kEndings = {"_MAX", "_MIN", "_C", "_WIDTH"};
+    return std::ranges::any_of(kEndings, [name](auto end) { return name.ends_with(end); });
+  }
+  constexpr std::array<std::string_view, 13> kFamilies = {
+      "AF_",     "PF_",     "SOL_",   "PTHREAD_", "STATX_", "CLONE_", "MADV_",
+      "RLIMIT_", "FALLOC_", "SCHED_", "CLOCK_",   "POSIX_", "LC_"};
+  const bool capital = std::ranges::none_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
+  return capital &&
+         std::ranges::any_of(kFamilies, [name](auto begin) { return name.starts_with(begin); });
+}
+
+/// `pthread_create`, `cosf32x`, `f32addf64`, and variants as `qsort_r` of a name that is taken.
+bool is_of_function_family(std::string_view name, const Names& names) {
+  constexpr std::array<std::string_view, 7> kFamilies = {"pthread_", "sched_", "sem_", "mtx_",
+                                                         "cnd_",     "thrd_",  "tss_"};
+  if (std::ranges::any_of(kFamilies, [name](auto begin) { return name.starts_with(begin); })) {
+    return true;
+  }
+  constexpr std::array<std::string_view, 11> kVariants = {
+      "f16", "f32", "f32x", "f64", "f64x", "f128", "f128x", "_l", "_r", "_unlocked", "64"};
+  const bool narrows = name.starts_with("f32") || name.starts_with("f64");
+  return std::ranges::any_of(kVariants, [&](auto end) {
+    if (!name.ends_with(end)) return false;
+    std::string_view stem = name.substr(0, name.size() - end.size());
+    if (names.contains(stem)) return true;
+    if (!narrows) return false;
+    stem.remove_prefix(3);
+    if (stem.starts_with('x')) stem.remove_prefix(1);
+    constexpr std::array<std::string_view, 6> kOperations = {"add", "div",  "fma",
+                                                             "mul", "sqrt", "sub"};
+    return std::ranges::find(kOperations, stem) != kOperations.end();
+  });
 }
 
 }  // namespace
 
 bool is_taken_name(std::string_view name) {
   static const auto names = list_names();
-  return names.contains(name) || is_of_macro_family(name);
+  return names.contains(name) || is_of_macro_family(name) || is_of_function_family(name, names);
 }
 
 }  // namespace treeline

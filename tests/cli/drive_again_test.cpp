@@ -27,14 +27,16 @@ class DriveAgain : public DriveTest {
   }
 
   /// Number of sources that a drive compiles.
-  [[nodiscard]] std::size_t count_compiled() const {
+  [[nodiscard]] std::size_t count_compiled() {
     fs::remove(root_ / "compiled");
     const Outcome outcome = drive(kRobots + "/planar3r/planar3r.urdf scene.yaml", "start\n");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    said_ = outcome.err;
     return fs::exists(root_ / "compiled") ? fs::file_size(root_ / "compiled") : 0;
   }
 
   test::OwnEnvironment environment_;
+  std::string said_;
 };
 
 TEST_F(DriveAgain, CompilesOnlyWhatHasChanged) {
@@ -43,6 +45,16 @@ TEST_F(DriveAgain, CompilesOnlyWhatHasChanged) {
   write("scene.yaml",
         "operational_points: [{name: tool, link: link3, origin: {xyz: [0.1, 0, 0]}}]");
   EXPECT_GT(count_compiled(), 2U);
+}
+
+// Another user could have put there what would be loaded.
+TEST_F(DriveAgain, LoadsNothingThatOthersCouldHaveWritten) {
+  EXPECT_GT(count_compiled(), 2U);
+  EXPECT_EQ(said_.find("TREELINE_CACHE"), std::string::npos) << said_;
+  fs::permissions(root_ / "kept", fs::perms::all);
+  EXPECT_GT(count_compiled(), 2U);
+  EXPECT_NE(said_.find("others may write to it"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("chmod go-w"), std::string::npos) << said_;
 }
 
 TEST_F(DriveAgain, KeepsNothingWhereAskedTo) {

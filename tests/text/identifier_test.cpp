@@ -24,15 +24,52 @@ TEST(Identifier, RefusesReservedAndForeign) {
 
 // Would catch: a namespace that is a macro of a C header included before.
 TEST(Identifier, RefusesWhatHeadersOfCDefine) {
-  for (const char* name :
-       {"EOF",      "NULL",      "errno",    "stdin",  "stdout", "stderr", "M_PI",
-        "INFINITY", "NAN",       "HUGE_VAL", "assert", "EINVAL", "SIGINT", "RAND_MAX",
-        "INT_MAX",  "UINT8_MAX", "INT64_C",  "PRIu64", "SCNd8",  "LC_ALL", "FILE",
-        "printf",   "stat",      "open",     "select", "memcpy", "va_list"}) {
+  for (const char* name : {"EOF",
+                           "NULL",
+                           "errno",
+                           "stdin",
+                           "stdout",
+                           "stderr",
+                           "M_PI",
+                           "INFINITY",
+                           "NAN",
+                           "HUGE_VAL",
+                           "assert",
+                           "EINVAL",
+                           "SIGINT",
+                           "RAND_MAX",
+                           "INT_MAX",
+                           "UINT8_MAX",
+                           "INT64_C",
+                           "PRIu64",
+                           "SCNd8",
+                           "LC_ALL",
+                           "FILE",
+                           "printf",
+                           "stat",
+                           "open",
+                           "select",
+                           "memcpy",
+                           "va_list",
+                           "environ",
+                           "getopt",
+                           "poll",
+                           "pid_t",
+                           "strtok_r",
+                           "pthread_create",
+                           "AF_INET",
+                           "O_RDONLY",
+                           "sincos",
+                           "cosf128",
+                           "f32addf64",
+                           "lseek64",
+                           "sched_yield",
+                           "program_invocation_name"}) {
     EXPECT_FALSE(is_identifier(name)) << name;
     EXPECT_EQ(identifier_from(name), std::string(name) + "_");
   }
-  for (const char* name : {"PRINTER", "INT_arm", "Eof", "UR10", "PRI", "I2"}) {
+  for (const char* name : {"PRINTER", "INT_arm", "Eof", "UR10", "PRI", "I2", "environment",
+                           "AF_arm", "arm64", "AF1", "left_l", "hand_r"}) {
     EXPECT_TRUE(is_identifier(name)) << name;
   }
 }
