@@ -28,9 +28,12 @@ drive::LoopOptions options_for(const drive::RobotDescription& robot, const LoopN
                                const std::vector<double>& start) {
   constexpr double kPullPerMass = 10;   // 1/s^2: stiffness of a pull by mass
   constexpr double kHardestPull = 2.5;  // m/s^2: the most that a pull exerts, by mass
-  constexpr int kOverruns = 100;  // a machine that simulates beside a browser is late at times
+  // A machine that simulates beside a browser is late at times.
+  constexpr int kOverruns = 100;
+  constexpr double kLongestDelay = 0.1;  // s
   drive::LoopOptions options;
   options.overruns_in_a_row = kOverruns;
+  options.longest_delay = kLongestDelay;
   options.start = start.data();
   options.lower = numbers.lower.data();
   options.upper = numbers.upper.data();
@@ -55,6 +58,8 @@ LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDes
   options.rate = setup.rate;
   options.real_time = setup.real_time;
   options.robot = setup.external;
+  // A robot elsewhere has braked by itself after so long.
+  if (setup.external.connected != nullptr) options.longest_delay = 0.05;
   options.simulation = setup.simulation;
   options.reference = setup.reference;
   loop_.reset(library.create(&options));

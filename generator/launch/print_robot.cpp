@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "emission/fill_template.hpp"
 #include "launch/describe_robot.hpp"
@@ -16,6 +17,21 @@ namespace {
 std::string print_alias(const std::string& name, const std::string& from,
                         const std::string& function) {
   return fmt::format("  static constexpr auto& {} = {}::{};\n", name, from, function);
+}
+
+/// Of each velocity: whether its joint turns without end, and no other follows it.
+std::string print_turns(const Mechanism& mechanism) {
+  std::vector<std::string> turns(static_cast<std::size_t>(mechanism.nv()), "false");
+  for (const MovingLink& link : mechanism.links) {
+    if (link.kind != JointKind::revolute || link.mimics) continue;
+    const Coordinate& coordinate = mechanism.coordinates[static_cast<std::size_t>(link.q_index)];
+    const bool ends = std::isfinite(coordinate.lower) || std::isfinite(coordinate.upper);
+    const bool leads = std::any_of(
+        mechanism.links.begin(), mechanism.links.end(),
+        [&](const MovingLink& other) { return other.mimics && other.q_index == link.q_index; });
+    if (!ends && !leads) turns[static_cast<std::size_t>(link.v_index)] = "true";
+  }
+  return fmt::format("  static constexpr bool kTurns[] = {{{}}};\n", fmt::join(turns, ", "));
 }
 
 std::string print_rows(const Scene& scene) {
@@ -64,10 +80,11 @@ std::string print_closed(const Scene& control, const Generation& generation, con
 
 std::string print_functions(const Scene& control, const Generation& generation,
                             const Scene& links) {
-  std::string text = is_closed(control)
-                         ? print_closed(control, generation, links)
-                         : print_alias("inverse_dynamics", control.name, "inverse_dynamics") +
-                               print_alias("forward_dynamics", control.name, "forward_dynamics");
+  std::string text = print_turns(generation.mechanism);
+  text += is_closed(control)
+              ? print_closed(control, generation, links)
+              : print_alias("inverse_dynamics", control.name, "inverse_dynamics") +
+                    print_alias("forward_dynamics", control.name, "forward_dynamics");
   if (!control.operational_points.empty()) {
     text += print_rows(control) +
             print_alias("forward_kinematics", control.name, "forward_kinematics") +
@@ -122,14 +139,21 @@ std::vector<GeneratedFile> runtime_headers() {
     return GeneratedFile{name, std::string(text)};
   };
   return {file("core/command_laws.hpp", t::kCoreCommandLaws),
+          file("core/controller_braking.hpp", t::kCoreControllerBraking),
+          file("core/controller_laws.hpp", t::kCoreControllerLaws),
+          file("core/controller_measurement.hpp", t::kCoreControllerMeasurement),
+          file("core/controller_safety.hpp", t::kCoreControllerSafety),
+          file("core/coordinates.hpp", t::kCoreCoordinates),
           file("core/damped_solve.hpp", t::kCoreDampedSolve),
           file("core/ldlt.hpp", t::kCoreLdlt),
           file("core/message_queue.hpp", t::kCoreMessageQueue),
           file("core/mode.hpp", t::kCoreMode),
           file("core/orientation.hpp", t::kCoreOrientation),
+          file("core/quintic.hpp", t::kCoreQuintic),
           file("core/sin_cos.hpp", t::kCoreSinCos),
           file("core/square_root.hpp", t::kCoreSquareRoot),
           file("core/symmetric_eigen.hpp", t::kCoreSymmetricEigen),
+          file("core/turn_motion.hpp", t::kCoreTurnMotion),
           file("servo/clock.hpp", t::kServoClock),
           file("servo/cycle.hpp", t::kServoCycle),
           file("servo/integrate.hpp", t::kServoIntegrate),
@@ -137,10 +161,13 @@ std::vector<GeneratedFile> runtime_headers() {
           file("servo/joint_friction.hpp", t::kServoJointFriction),
           file("servo/loop.hpp", t::kServoLoop),
           file("servo/message.hpp", t::kServoMessage),
+          file("servo/motion_coordinates.hpp", t::kServoMotionCoordinates),
           file("servo/robot_proxy.hpp", t::kServoRobotProxy),
+          file("servo/safe_state.hpp", t::kServoSafeState),
           file("servo/safety.hpp", t::kServoSafety),
           file("servo/state_machine.hpp", t::kServoStateMachine),
           file("servo/statistics.hpp", t::kServoStatistics),
+          file("servo/watch_motion.hpp", t::kServoWatchMotion),
           file("drive/avoidance.hpp", t::kDriveAvoidance),
           file("drive/closed_loops.hpp", t::kDriveClosedLoops),
           file("drive/drive_bounds.hpp", t::kDriveBounds),

@@ -52,25 +52,27 @@ std::array<double, 2> DriveController<F>::speed_range(const JointBounds& bounds,
           2.0 * limit_rate() * (fastest - state.qd[iv])};
 }
 
-/// Bounds accelerations: each joint comes to rest before its limit of position, and stays below a
-/// share of its limit of speed. One that is beyond is not thrown back. Returns whether one was
-/// changed.
+/// Bounds accelerations: each joint comes to rest before its limit of position, so slowly that the
+/// share `brakes` of `limit_rate` is enough, and stays below a share of its limit of speed. One
+/// that is beyond is not thrown back. Returns whether one was changed.
 template <class F>
-bool DriveController<F>::stay_within(const JointBounds& bounds, const State& state,
+bool DriveController<F>::stay_within(const JointBounds& bounds, double brakes, const State& state,
                                      double (&qdd)[nv]) const noexcept {
   const double rate = limit_rate();
   bool changed = false;
   for_each_joint(
       [&](int iq, int iv) {
+        if (is_passive(iv)) return;
         const double range = settings_.upper[at(iq)] - settings_.lower[at(iq)];
         const double margin = std::fmin(bounds.margin, 0.1 * range);
         const double to_upper = std::fmax(settings_.upper[at(iq)] - margin - state.q[iq], -margin);
         const double to_lower = std::fmin(settings_.lower[at(iq)] + margin - state.q[iq], margin);
         const double stopping = 2.0 * rate * state.qd[iv];
+        const double stiffness = rate * rate * brakes;
         const auto [least, most] = speed_range(bounds, state, iv);
         const double bounded =
-            std::fmax(std::fmax(rate * rate * to_lower - stopping, least),
-                      std::fmin(std::fmin(rate * rate * to_upper - stopping, most), qdd[iv]));
+            std::fmax(std::fmax(stiffness * to_lower - stopping, least),
+                      std::fmin(std::fmin(stiffness * to_upper - stopping, most), qdd[iv]));
         changed = changed || bounded != qdd[iv];
         qdd[iv] = bounded;
       },
@@ -78,68 +80,137 @@ bool DriveController<F>::stay_within(const JointBounds& bounds, const State& sta
   return changed;
 }
 
-/// Bounds the accelerations that forces mean.
+/// How the robot brakes here: all joints alike, qdd = -rate qd, by as much of `limit_rate` as
+/// motors have torque for beside what bears its weight and speed. Floating joints, which ideal
+/// forces hold, go on as `wanted`. Motors too weak for the weight alone do not count.
 template <class F>
-void DriveController<F>::bound_joints(const State& state, double (&tau)[nv]) const noexcept {
+typename DriveController<F>::Braking DriveController<F>::find_braking(
+    const State& state, const double (&wanted)[nv]) const noexcept {
+  Braking braking;
   double qdd[nv];
-  F::forward_dynamics(state.q, state.qd, tau, qdd);
-  if (stay_within(kTaskBounds, state, qdd)) {
+  std::copy_n(wanted, nv, qdd);
+  const auto brake_by = [&](double rate, double(&tau)[nv]) {
+    for_each_joint([&](int, int iv) { qdd[iv] = -rate * state.qd[iv]; }, [](int, int, int) {});
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
+  };
+  find_weight(state.q, braking.weight);
+  double rest[nv];
+  brake_by(0.0, rest);
+  brake_by(limit_rate(), braking.tau);
+  for (int i = 0; i < nv; ++i) {
+    const double limit = settings_.torque[at(i)];
+    braking.bears[i] = !(std::fabs(braking.weight[i]) > limit);
+    if (!braking.bears[i]) continue;
+    braking.share = std::fmin(braking.share, share_within(-limit, limit, rest[i], braking.tau[i]));
   }
+  blend_numbers(braking.share, rest, braking.tau);
+  std::copy_n(qdd, nv, braking.qdd);
+  for_each_joint([&](int, int iv) { braking.qdd[iv] *= braking.share; }, [](int, int, int) {});
+  return braking;
 }
 
-/// Bounds what a task asks of the joints, so that no goal, singular or out of reach, makes a joint
-/// exceed a limit. Where one would be too fast, all give way to braking, as far as it takes: the
-/// robot then follows more slowly, on the way that the task means. If each were cut by itself,
-/// joints that are coupled would run away. Those that do not move the points, by the Jacobian `J`,
-/// are cut by themselves, as fingers are: the others need not wait for them.
+/// The torques that hold the robot at rest.
 template <class F>
-void DriveController<F>::bound_task(const State& state, const double* J,
-                                    double (&tau)[nv]) noexcept {
-  constexpr double kBraking = 10.0;  // 1/s
+void DriveController<F>::find_weight(const double (&q)[nq], double (&weight)[nv]) noexcept {
+  const double none[nv] = {};
+  F::inverse_dynamics(q, none, none, weight);
+}
+
+/// Which share of `qdd`, less braking, leads nowhere that motors cannot bear the robot's weight:
+/// they bear 95 % of their limit, or what they bear here, where the robot comes to rest if it is
+/// accelerated for a moment and then braked.
+template <class F>
+double DriveController<F>::share_that_is_borne(const State& state, const Braking& braking,
+                                               const double (&qdd)[nv]) const noexcept {
+  const double moment = 1.0 / limit_rate();
+  const double stop = moment / std::fmax(braking.share, 0.1);
+  double weights[2][nv];
+  for (int k = 0; k < 2; ++k) {
+    double way[nv];
+    for (int i = 0; i < nv; ++i) {
+      const double gained = k == 0 ? 0.0 : moment * qdd[i];
+      way[i] = stop * state.qd[i] + (stop + 0.5 * moment) * gained;
+    }
+    double q[nq];
+    servo::go_from<F>(state.q, way, q);
+    find_weight(q, weights[k]);
+  }
+  double share = 1.0;
+  for (int i = 0; i < nv; ++i) {
+    const double most = std::fmax(0.95 * settings_.torque[at(i)], std::fabs(braking.weight[i]));
+    share = std::fmin(share, share_within(-most, most, weights[0][i], weights[1][i]));
+  }
+  return share;
+}
+
+/// Brings the sum of all that was asked for within the limits. Where a joint that moves a point, by
+/// the Jacobian `J`, would be too fast, or lacks torque, all give way to braking, as far as it
+/// takes: the robot then follows more slowly, on the way that the task means. If each were cut by
+/// itself, joints that are coupled would run away. Those that move no point, as fingers are, are
+/// cut by themselves, and so are all where joints are led: `J` null. What then keeps limits of
+/// position and speed takes torque again: where that is not there, all brake.
+template <class F>
+void DriveController<F>::keep_limits(const State& state, const double* J,
+                                     double (&tau)[nv]) noexcept {
   double qdd[nv];
   F::forward_dynamics(state.q, state.qd, tau, qdd);
-  double braking[nv];
-  std::copy_n(qdd, nv, braking);
+  const Braking braking = find_braking(state, qdd);
   bool shares[nv] = {};
+  for (int i = 0; J != nullptr && i < task_rows() * nv; ++i) {
+    shares[i % nv] = shares[i % nv] || J[i] != 0.0;
+  }
+  share_torque(braking, shares, tau);
+  cut(tau);
+  F::forward_dynamics(state.q, state.qd, tau, qdd);
   double share = 1.0;
   for_each_joint(
       [&](int, int iv) {
-        for (int row = 0; row < F::kTaskRows; ++row) {
-          shares[iv] = shares[iv] || J[row * nv + iv] != 0.0;
-        }
-        const auto [least, most] = speed_range(kTaskBounds, state, iv);
-        braking[iv] = -kBraking * state.qd[iv];
-        qdd[iv] = std::isfinite(qdd[iv]) ? qdd[iv] : braking[iv];
-        if (shares[iv]) share = std::fmin(share, share_within(least, most, braking[iv], qdd[iv]));
+        const auto [least, most] = speed_range(kBounds, state, iv);
+        qdd[iv] = std::isfinite(qdd[iv]) ? qdd[iv] : braking.qdd[iv];
+        if (!shares[iv]) return;
+        share = std::fmin(share, share_within(least, most, braking.qdd[iv], qdd[iv]));
       },
       [](int, int, int) {});
-  blend_numbers(share, braking, qdd);
-  if (stay_within(kTaskBounds, state, qdd) || share < 1.0) {
+  share = std::fmin(share, share_that_is_borne(state, braking, qdd));
+  blend_numbers(share, braking.qdd, qdd);
+  if (stay_within(kBounds, braking.share, state, qdd) || share < 1.0) {
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
+    std::fill(std::begin(shares), std::end(shares), true);
+    share_torque(braking, shares, tau);
   }
-  share_torque(state, braking, shares, tau);
+  // Where braking is nearly all that there is torque for, it is all that is done.
+  constexpr double kLeast = 0.2;
+  constexpr double kEnough = 0.5;
+  const double left = (braking.share - kLeast) / (kEnough - kLeast);
+  if (left < 1.0) blend_numbers(std::fmax(left, 0.0), braking.tau, tau);
+  cut(tau);
 }
 
 /// Where one of the joints that share would need more than its limit of torque, all give way to
-/// `braking`, which are accelerations.
+/// braking.
 template <class F>
-void DriveController<F>::share_torque(const State& state, const double (&braking)[nv],
-                                      const bool (&shares)[nv], double (&tau)[nv]) noexcept {
-  for (int i = 0; i < nv; ++i) {
-    slowed_ = slowed_ || (shares[i] && std::fabs(tau[i]) > settings_.torque[at(i)]);
-  }
-  if (!slowed_) {
-    return;
-  }
-  double rest[nv];
-  F::inverse_dynamics(state.q, state.qd, braking, rest);
+void DriveController<F>::share_torque(const Braking& braking, const bool (&shares)[nv],
+                                      double (&tau)[nv]) noexcept {
   double share = 1.0;
   for (int i = 0; i < nv; ++i) {
     const double limit = settings_.torque[at(i)];
-    if (shares[i]) share = std::fmin(share, share_within(-limit, limit, rest[i], tau[i]));
+    if (!shares[i] || !braking.bears[i]) continue;
+    saturated_ = saturated_ || std::fabs(tau[i]) > limit;
+    share = std::fmin(share, share_within(-limit, limit, braking.tau[i], tau[i]));
   }
-  blend_numbers(share, rest, tau);
+  if (share < 1.0) blend_numbers(share, braking.tau, tau);
+}
+
+/// Cuts each torque to its limit.
+template <class F>
+void DriveController<F>::cut(double (&tau)[nv]) noexcept {
+  for (int i = 0; i < nv; ++i) {
+    const double limit = settings_.torque[at(i)];
+    if (std::fabs(tau[i]) > limit) {
+      saturated_ = true;
+      tau[i] = tau[i] > 0.0 ? limit : -limit;
+    }
+  }
 }
 
 }  // namespace treeline::drive

@@ -14,6 +14,7 @@
 #include "drive/reference_motion.hpp"
 #include "drive/smooth_reference.hpp"
 #include "servo/message.hpp"
+#include "servo/motion_coordinates.hpp"
 #include "servo/robot_proxy.hpp"
 
 namespace treeline::drive {
@@ -104,7 +105,8 @@ class DriveController {
   static constexpr double kPointSpeed = 0.25;    ///< m/s
   static constexpr double kTurnSpeed = 1.0;      ///< rad/s
   static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
-  static constexpr double kBlend = 0.25;         ///< s
+  static constexpr double kLead = 0.8;    ///< of a limit of speed, the most that goals move at
+  static constexpr double kBlend = 0.25;  ///< s
   static constexpr double kPostureRate =
       3.0;  ///< rad/s, of the joint with the largest inertia, by its spring
   static constexpr double kHandDamping = 2.0;  ///< 1/s, in gravity control
@@ -118,7 +120,7 @@ class DriveController {
     double fastest;  ///< what counts as the limit of joints that have none or a higher one
   };
   static constexpr JointBounds kHandBounds{0.03, 0.6, 5.0 * kSpeed};
-  static constexpr JointBounds kTaskBounds{0.0, 0.9, std::numeric_limits<double>::infinity()};
+  static constexpr JointBounds kBounds{0.0, 0.85, std::numeric_limits<double>::infinity()};
 
   /// Calls single(coordinate, velocity) or floating(which, coordinate, velocity) for each joint.
   template <class Single, class Floating>
@@ -138,12 +140,16 @@ class DriveController {
     }
   }
   /// Whether a joint has no motor: the loops of the robot lead it.
-  static constexpr bool is_passive(int velocity) noexcept {
-    if constexpr (requires { F::kPassive; }) {
-      return F::kPassive[velocity];
+  static constexpr bool is_passive(int velocity) noexcept { return !servo::has_motor<F>(velocity); }
+  /// How far a joint is from `from` to `to`: the short way round if it turns without end.
+  static double way(int velocity, double from, double to) noexcept {
+    return servo::turns_without_end<F>(velocity) ? core::shortest_turn(to - from) : to - from;
+  }
+  static constexpr int task_rows() noexcept {
+    if constexpr (kPoints > 0) {
+      return F::kTaskRows;
     } else {
-      (void)velocity;
-      return false;
+      return 0;
     }
   }
   /// Whether the posture is held by springs of one stiffness, see `accelerate_posture`.
@@ -202,18 +208,29 @@ class DriveController {
   double limit_rate() const noexcept { return std::fmin(30.0, 0.1 / settings_.period); }
   std::array<double, 2> speed_range(const JointBounds& bounds, const State& state,
                                     int iv) const noexcept;
-  bool stay_within(const JointBounds& bounds, const State& state, double (&qdd)[nv]) const noexcept;
-  void bound_joints(const State& state, double (&tau)[nv]) const noexcept;
-  void bound_task(const State& state, const double* J, double (&tau)[nv]) noexcept;
-  void share_torque(const State& state, const double (&braking)[nv], const bool (&shares)[nv],
-                    double (&tau)[nv]) noexcept;
+  bool stay_within(const JointBounds& bounds, double brakes, const State& state,
+                   double (&qdd)[nv]) const noexcept;
+  /// A motion that slows all joints down alike, and its torques.
+  struct Braking {
+    double share = 1.0;  ///< of `limit_rate` at which they slow down
+    double weight[nv];   ///< torques that hold the robot here
+    double qdd[nv];
+    double tau[nv];
+    bool bears[nv];  ///< motors that can hold the robot's weight
+  };
+  Braking find_braking(const State& state, const double (&wanted)[nv]) const noexcept;
+  static void find_weight(const double (&q)[nq], double (&weight)[nv]) noexcept;
+  double share_that_is_borne(const State& state, const Braking& braking,
+                             const double (&qdd)[nv]) const noexcept;
+  void keep_limits(const State& state, const double* J, double (&tau)[nv]) noexcept;
+  void share_torque(const Braking& braking, const bool (&shares)[nv], double (&tau)[nv]) noexcept;
   void yield_to_hand(const State& state, double (&tau)[nv]) noexcept;
   void measure_points(double time, const State& state, double* rotations, double* errors) noexcept;
   void find_turning(const State& state, double* turning) const noexcept;
   double command_row(int row, const double* rotations, const double* errors, const double* turning,
                      double velocity) const noexcept;
   void add_acceleration(const State& state, const double (&qdd)[nv], double (&tau)[nv]) noexcept;
-  void command_task(double time, const State& state, double (&tau)[nv]) noexcept;
+  void command_task(double time, const State& state, double* jacobian, double (&tau)[nv]) noexcept;
   void add_pull(const State& state, double (&tau)[nv]) noexcept;
   void leave_to_motors(const State& state, double (&tau)[nv]) const noexcept;
   void blend(double time, double (&tau)[nv]) noexcept;
@@ -240,7 +257,6 @@ class DriveController {
   double blend_start_ = -1.0;
   double blend_from_[nv] = {};
   bool saturated_ = false;
-  bool slowed_ = false;  ///< the task would have needed more torque than there is
   bool pulled_ = false;
   double pull_until_ = 0.0;
   int pull_link_ = 0;

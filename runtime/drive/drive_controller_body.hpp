@@ -229,7 +229,7 @@ void DriveController<F>::accelerate_joints(const core::Gains<double>& gains, con
       [&](int iq, int iv) {
         const SmoothNumber& goal = joints_[at(iq)];
         qdd[iv] = goal.acceleration() + gains.kv * (goal.velocity() - state.qd[iv]) +
-                  gains.kp * (goal.position() - state.q[iq]);
+                  gains.kp * way(iv, state.q[iq], goal.position());
       },
       [&](int k, int iq, int iv) {
         accelerate_floating(gains, floating_[at(k)], state.q + iq, state.qd + iv, qdd + iv);
@@ -249,7 +249,7 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
     F::forward_dynamics(state.q, state.qd, tau, qdd);
   }
   avoid_obstacles(state, qdd);
-  stay_within(kHandBounds, state, qdd);
+  stay_within(kHandBounds, 1.0, state, qdd);
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
 }
 
@@ -281,30 +281,18 @@ void DriveController<F>::blend(double time, double (&tau)[nv]) noexcept {
   for (int i = 0; i < nv; ++i) {
     tau[i] += share * blend_from_[i];
   }
-  bound_joints(state_, tau);
-}
-
-template <class F>
-void DriveController<F>::cut(double (&tau)[nv]) noexcept {
-  saturated_ = slowed_;
-  for (int i = 0; i < nv; ++i) {
-    const double limit = settings_.torque[at(i)];
-    if (std::fabs(tau[i]) > limit) {
-      saturated_ = true;
-      tau[i] = tau[i] > 0.0 ? limit : -limit;
-    }
-  }
 }
 
 template <class F>
 void DriveController<F>::control(double time, const State& state, double (&tau)[nv]) noexcept {
   state_ = state;
-  slowed_ = false;
+  saturated_ = false;
   advance(time);
+  double J[room(task_rows() * nv)];
   if (control_ == Control::gravity) {
     yield_to_hand(state, tau);
   } else if (control_ == Control::task) {
-    command_task(time, state, tau);
+    command_task(time, state, J, tau);
   } else {
     double qdd[nv];
     accelerate_joints(joint_gains_, state, qdd);
@@ -316,7 +304,7 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
     leave_to_motors(state, tau);
   }
   blend(time, tau);
-  cut(tau);
+  keep_limits(state, control_ == Control::task ? J : nullptr, tau);
 }
 
 }  // namespace treeline::drive

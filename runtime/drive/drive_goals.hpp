@@ -102,14 +102,19 @@ void DriveController<F>::begin_following(double time, double duration) noexcept 
   double longest = 0.0;
   for_each_joint(
       [&](int iq, int iv) {
-        const double distance = std::fabs(reference_.first(iq) - joints_[at(iq)].position());
+        const double distance =
+            std::fabs(way(iv, joints_[at(iq)].position(), reference_.first(iq)));
         longest =
             std::fmax(longest, guess_duration(distance, settings_.velocity[at(iv)], duration));
       },
       [](int, int, int) {});
   longest = longest > 0.0 ? longest : kShortestGuess;
-  for_each_joint([&](int iq, int) { joints_[at(iq)].move(time, reference_.first(iq), longest); },
-                 [&](int k, int, int) { floating_[at(k)].hold(time); });
+  for_each_joint(
+      [&](int iq, int iv) {
+        const double from = joints_[at(iq)].position();
+        joints_[at(iq)].move(time, from + way(iv, from, reference_.first(iq)), longest);
+      },
+      [&](int k, int, int) { floating_[at(k)].hold(time); });
   reference_.begin(time + longest);
 }
 
@@ -152,7 +157,7 @@ template <class F>
 double DriveController<F>::guess_duration(double distance, double limit,
                                           double asked) const noexcept {
   const bool limited = std::isfinite(limit);
-  const double fastest = limited ? 1.05 * kPeak * distance / limit : 0.0;
+  const double fastest = limited ? kPeak * distance / (kLead * limit) : 0.0;
   if (asked > 0.0) {
     return std::fmax(asked, std::fmax(fastest, 2.0 * settings_.period));
   }
@@ -168,8 +173,10 @@ void DriveController<F>::move_joint(double time, const servo::Message& message) 
     return;
   }
   SmoothNumber& joint = joints_[at(coordinate)];
-  const double from = message.values[1] != 0.0 ? joint.target() : 0.0;
-  const double to = std::fmin(std::fmax(from + message.values[2], settings_.lower[at(coordinate)]),
+  const bool relative = message.values[1] != 0.0;
+  const double wanted = relative ? joint.target() + message.values[2]
+                                 : joint.position() + way(iv, joint.position(), message.values[2]);
+  const double to = std::fmin(std::fmax(wanted, settings_.lower[at(coordinate)]),
                               settings_.upper[at(coordinate)]);
   const double distance = std::fabs(to - joint.position());
   joint.move(time, to, guess_duration(distance, settings_.velocity[at(iv)], message.duration));
@@ -180,21 +187,26 @@ void DriveController<F>::go_home(double time, double duration) noexcept {
   double longest = 0.0;
   for_each_joint(
       [&](int iq, int iv) {
-        const double distance = std::fabs(settings_.home[at(iq)] - joints_[at(iq)].position());
+        const double distance =
+            std::fabs(way(iv, joints_[at(iq)].position(), settings_.home[at(iq)]));
         longest =
             std::fmax(longest, guess_duration(distance, settings_.velocity[at(iv)], duration));
       },
       [](int, int, int) {});
   longest = longest > 0.0 ? longest : kShortestGuess;
-  for_each_joint([&](int iq, int) { joints_[at(iq)].move(time, settings_.home[at(iq)], longest); },
-                 [&](int k, int iq, int) {
-                   const double* home = settings_.home.data() + iq;
-                   const double quaternion[4] = {home[3], home[4], home[5], home[6]};
-                   double rotation[9];
-                   core::rotation_from_quaternion(quaternion, rotation);
-                   floating_[at(k)].move(time, {home[0], home[1], home[2]}, longest);
-                   floating_[at(k)].turn(time, rotation, longest);
-                 });
+  for_each_joint(
+      [&](int iq, int iv) {
+        const double from = joints_[at(iq)].position();
+        joints_[at(iq)].move(time, from + way(iv, from, settings_.home[at(iq)]), longest);
+      },
+      [&](int k, int iq, int) {
+        const double* home = settings_.home.data() + iq;
+        const double quaternion[4] = {home[3], home[4], home[5], home[6]};
+        double rotation[9];
+        core::rotation_from_quaternion(quaternion, rotation);
+        floating_[at(k)].move(time, {home[0], home[1], home[2]}, longest);
+        floating_[at(k)].turn(time, rotation, longest);
+      });
 }
 
 template <class F>
@@ -284,7 +296,9 @@ void DriveController<F>::drag_joint(double time, const servo::Message& message) 
   if (iv < 0) {
     return;
   }
-  const double to = std::fmin(std::fmax(message.values[1], settings_.lower[at(coordinate)]),
+  const double from = joints_[at(coordinate)].position();
+  const double wanted = from + way(iv, from, message.values[1]);
+  const double to = std::fmin(std::fmax(wanted, settings_.lower[at(coordinate)]),
                               settings_.upper[at(coordinate)]);
   const double limit = settings_.velocity[at(iv)];
   joints_[at(coordinate)].follow(to, std::isfinite(limit) ? 0.7 * limit : 2.0 * kSpeed);

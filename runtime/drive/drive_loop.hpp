@@ -135,6 +135,7 @@ class DriveLoop {
     std::copy_n(options.velocity, nv, limits.velocity.begin());
     std::copy_n(options.torque, nv, limits.torque.begin());
     limits.overruns_in_a_row = options.overruns_in_a_row;
+    limits.longest_delay = options.longest_delay;
     return limits;
   }
 
@@ -264,18 +265,20 @@ class LoneRobot {
  public:
   explicit LoneRobot(const LoopOptions& options) noexcept
       : robot_(start_of(options), options.substeps, F::kFloating, options.simulation,
-               options.surroundings, options.lower, options.upper) {
+               options.surroundings, options.lower, options.upper),
+        safe_({}, 1.0 / options.rate, limits_of(options)) {
     robot_.can_follow_gears(1.0 / options.rate);
-    std::copy_n(options.torque, F::kVelocities, limits_.torque.begin());
   }
   void advance(const double* tau, double seconds) noexcept {
     double torque[F::kVelocities];
     if (tau != nullptr) {
       std::copy_n(tau, F::kVelocities, torque);
+      safe_.release(torque);
     } else {
       servo::StateOf<F> state;
       robot_.read(state);
-      servo::brake<F>(limits_, state, kBraking, torque);
+      safe_.see(state);
+      safe_.brake(torque);
     }
     robot_.write(torque);
     robot_.pass_time(seconds);
@@ -288,14 +291,19 @@ class LoneRobot {
   }
 
  private:
-  static constexpr double kBraking = 20.0;  // 1/s
+  using Limits = servo::SafetyLimits<F::kCoordinates, F::kVelocities>;
+  static Limits limits_of(const LoopOptions& options) noexcept {
+    Limits limits;
+    std::copy_n(options.torque, F::kVelocities, limits.torque.begin());
+    return limits;
+  }
   static servo::StateOf<F> start_of(const LoopOptions& options) noexcept {
     servo::StateOf<F> state;
     std::copy_n(options.start, F::kCoordinates, state.q);
     return state;
   }
-  servo::SafetyLimits<F::kCoordinates, F::kVelocities> limits_;
   ImperfectRobot<F> robot_;
+  servo::SafeState<F> safe_;
 };
 
 /// Writes the Jacobian of the task, of the motions that are possible; null for robots without one.

@@ -134,7 +134,7 @@ void DriveController<F>::accelerate_by_springs(const State& state,
         double& inertia = A[iv * nv + iv];
         const double D = 2.0 * std::sqrt(K * inertia);
         f[iv] += D * (goal.velocity() - state.qd[iv]) +
-                 K * (goal.position() - state.q[iq] - h * state.qd[iv]);
+                 K * (way(iv, state.q[iq], goal.position()) - h * state.qd[iv]);
         inertia += h * D + h * h * K;
       },
       [](int, int, int) {});
@@ -145,13 +145,15 @@ void DriveController<F>::accelerate_by_springs(const State& state,
 }
 
 template <class F>
-void DriveController<F>::command_task(double time, const State& state, double (&tau)[nv]) noexcept {
+void DriveController<F>::command_task(double time, const State& state, double* jacobian,
+                                      double (&tau)[nv]) noexcept {
   if constexpr (kPoints > 0) {
     double rotations[9 * kPoints];
     double errors[6 * kPoints];
     measure_points(time, state, rotations, errors);
     double J[F::kTaskRows * nv];
     F::jacobian(state.q, J);
+    std::copy_n(J, F::kTaskRows * nv, jacobian);
     double aside[nv] = {};
     avoid_obstacles(state, aside);
     double turning[3 * kPoints];
@@ -170,7 +172,6 @@ void DriveController<F>::command_task(double time, const State& state, double (&
     if (avoidance_.pushes()) {
       add_acceleration(state, aside, tau);
     }
-    bound_task(state, J, tau);
   }
 }
 

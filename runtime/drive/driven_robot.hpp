@@ -42,6 +42,10 @@ class DrivenRobot {
       simulated_.pass_time(seconds);
     }
   }
+  /// Puts a simulated robot that was lost where it began.
+  void restore() noexcept {
+    if (is_simulated()) simulated_.restore();
+  }
   const ImperfectRobot<F>& simulated() const noexcept { return simulated_; }
   ImperfectRobot<F>& simulated() noexcept { return simulated_; }
   bool is_simulated() const noexcept { return external_.connected == nullptr; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -48,8 +49,8 @@ class Noise {
 /// `servo::gear_torque`. Where positions are measured with noise or in steps, speeds are their
 /// differences behind a low-pass filter with a time constant of 3 ms. Obstacles push guarded points
 /// out like springs with dampers, without friction. Joints end at `EndStops`. A motion whose
-/// numbers are not finite any more is measured as such once; then the robot rests where it last
-/// was.
+/// numbers are not finite any more, or beyond 1000 rad/s or m/s, is measured as such once; then the
+/// robot rests where it last was, until `restore` puts it where it began.
 template <class F>
 class ImperfectRobot {
  public:
@@ -61,7 +62,8 @@ class ImperfectRobot {
   ImperfectRobot(const State& start, int substeps, const Floating& floating,
                  const SimulationOptions& simulation, const Surroundings& surroundings,
                  const double* lower = nullptr, const double* upper = nullptr) noexcept
-      : links_(start),
+      : start_(start),
+        links_(start),
         motors_(start),
         substeps_(substeps),
         floating_(floating),
@@ -96,6 +98,16 @@ class ImperfectRobot {
     }
     feel(links_);
     if (has_sensors_) measure(seconds);
+  }
+
+  /// A robot whose motion was lost rests where it began; others stay where they are.
+  void restore() noexcept {
+    if (!broken_) return;
+    broken_ = lost_ = false;
+    links_ = motors_ = measured_ = start_;
+    for (auto& entry : line_) std::fill(std::begin(entry), std::end(entry), 0.0);
+    std::fill(std::begin(tau_), std::end(tau_), 0.0);
+    written_ = false;
   }
 
   /// Force (N, world axes) of the obstacles on a guarded point.
@@ -141,10 +153,12 @@ class ImperfectRobot {
   void integrate(double dt) noexcept;
   void accept(const State& links, const State& motors) noexcept;
 
+  State start_;
   State links_;
   State motors_;  ///< only where there are gears
   State measured_;
-  bool lost_ = false;  ///< the last step led to numbers that are not finite
+  bool lost_ = false;    ///< the last step led to numbers that are no motion
+  bool broken_ = false;  ///< one did since the last `restore`
   int substeps_;
   Floating floating_;
   HeldPlaces<F> places_;

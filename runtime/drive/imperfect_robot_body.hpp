@@ -201,13 +201,16 @@ void ImperfectRobot<F>::integrate(double dt) noexcept {
 /// Takes the state at the end of a step if it is one.
 template <class F>
 void ImperfectRobot<F>::accept(const State& links, const State& motors) noexcept {
-  const auto is_finite = [](const State& state) {
+  constexpr double kFastest = 1000.0;  // rad/s or m/s
+  const auto is_motion = [](const State& state) {
     double sum = 0.0;  // not finite if one is not: finite numbers times 0 are 0
+    bool slow = true;
     for (const double q : state.q) sum += 0.0 * q;
-    for (const double qd : state.qd) sum += 0.0 * qd;
-    return sum == 0.0;
+    for (const double qd : state.qd) slow = slow && std::fabs(qd) <= kFastest;
+    return sum == 0.0 && slow;
   };
-  lost_ = !is_finite(links) || (has_gears_ && !is_finite(motors));
+  lost_ = !is_motion(links) || (has_gears_ && !is_motion(motors));
+  broken_ = broken_ || lost_;
   if (lost_) {
     for (int i = 0; i < nv; ++i) links_.qd[i] = motors_.qd[i] = 0.0;
     return;

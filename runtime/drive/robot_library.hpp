@@ -10,7 +10,7 @@
 namespace treeline::drive {
 
 /// Grows whenever a struct below changes: the program refuses a library of another version.
-inline constexpr int kLibraryVersion = 3;
+inline constexpr int kLibraryVersion = 4;
 
 /// A robot outside the library, instead of the simulated one. None of the functions may wait.
 struct ExternalRobot {
@@ -52,6 +52,7 @@ struct LoopOptions {
   bool real_time = true;             ///< false: time passes as fast as cycles can be computed
   int substeps = 2;                  ///< integration steps of the simulated robot in a cycle
   int overruns_in_a_row = 3;         ///< late cycles that are no fault
+  double longest_delay = 0.05;       ///< s: a cycle that is later is one
   const double* start = nullptr;     ///< nq
   const double* home = nullptr;      ///< nq: where `go_home` leads; null: to the start
   const double* lower = nullptr;     ///< nq: goals stay within, rad or m

@@ -11,9 +11,11 @@
 #include "servo/cycle.hpp"
 #include "servo/message.hpp"
 #include "servo/robot_proxy.hpp"
+#include "servo/safe_state.hpp"
 #include "servo/safety.hpp"
 #include "servo/state_machine.hpp"
 #include "servo/statistics.hpp"
+#include "servo/watch_motion.hpp"
 
 namespace treeline::servo {
 
@@ -32,8 +34,7 @@ concept Controller = requires(C& controller, double time, const StateOf<F>& stat
 
 struct LoopSettings {
   double rate = 1000.0;          ///< Hz
-  double braking = 20.0;         ///< 1/s: qdd = -braking qd in every mode except running
-  double rest_speed = 1e-3;      ///< largest |qd| that counts as at rest, rad/s or m/s
+  BrakeSettings brake;           ///< in every mode except running
   double longest_braking = 5.0;  ///< s until the loop ends after a disconnect, even if not at rest
   double prepare_lead = 1e-4;    ///< s before a cycle at which its controller prepares for it
   int messages_per_cycle = 4;    ///< largest number of messages applied in one cycle
@@ -45,7 +46,8 @@ struct Report {
   std::int64_t cycle = 0;
   double time = 0.0;  ///< time of the measurement, s
   Mode mode = Mode::idle;
-  Fault fault;  ///< first fault since the last reset
+  Fault fault;          ///< first fault since the last reset
+  bool brakes = false;  ///< mechanical brakes should be closed now
   StateOf<F> state;
   double tau[F::kVelocities] = {};
   CycleTiming timing;
@@ -67,6 +69,8 @@ class ServoLoop {
       : settings_(settings),
         limits_(limits),
         admitted_(limits),
+        safe_(settings.brake, 1.0 / settings.rate, limits),
+        motion_(limits.jump),
         robot_(robot),
         controller_(controller),
         mailbox_(mailbox),
@@ -77,6 +81,8 @@ class ServoLoop {
   template <class Observer>
   bool step(Observer&& observe) {
     cycle_.begin_cycle();
+    count_time();
+    watch_delay(cycle_.timing().jitter);
     receive();
     if (!robot_.connected()) {
       raise({FaultKind::robot_gone});
@@ -90,15 +96,12 @@ class ServoLoop {
     robot_.write(report_.tau);
     fill_report();
     observe(report_);
-    const double period = 1e-9 * static_cast<double>(cycle_.period());
-    robot_.pass_time(period);
+    robot_.pass_time(period());
     wait();
-    const std::int64_t skipped = cycle_.timing().skipped;
-    if (skipped > 0) {
-      robot_.pass_time(period * static_cast<double>(skipped));
-    }
-    watch_deadline(skipped);
-    ticks_ += 1 + skipped;
+    skipped_ = cycle_.timing().skipped;
+    pass_skipped(skipped_);
+    watch_deadline(skipped_);
+    ticks_ += 1 + skipped_;
     return !(disconnecting_ && may_end());
   }
 
@@ -122,13 +125,38 @@ class ServoLoop {
   std::uint64_t dropped_messages() const noexcept { return dropped_; }
 
  private:
-  /// Reads the robot. A state that is not finite goes no further: the last one that was stays in
-  /// the report.
+  double period() const noexcept { return 1e-9 * static_cast<double>(cycle_.period()); }
+
+  /// Reads the robot. Numbers that are not finite go no further: the last ones that were, moved on,
+  /// stand for them.
   void read_robot() {
-    const StateOf<F> last = report_.state;
-    robot_.read(report_.state);
-    unreadable_ = check_finite(report_.state);
-    if (unreadable_) report_.state = last;
+    StateOf<F> state;
+    robot_.read(state);
+    unreadable_ = check_finite(state);
+    jumped_ = unreadable_ ? Fault{} : motion_.see(state, least_elapsed_, most_elapsed_);
+    if (!unreadable_) least_elapsed_ = most_elapsed_ = 0.0;
+    if (safe_.see(state)) report_.state = state;
+    for (int i = 0; jumped_ && i < F::kVelocities; ++i) {
+      if (motion_.leap(i) != 0.0) safe_.set_back(i, motion_.leap(i));
+    }
+  }
+
+  /// A robot that is simulated moves by ticks, another one by the machine's time.
+  void count_time() noexcept {
+    const double by_ticks = period() * static_cast<double>(1 + skipped_);
+    const double by_clock = 1e-9 * static_cast<double>(cycle_.timing().period);
+    least_elapsed_ += std::min(by_ticks, by_clock);
+    most_elapsed_ += std::max(by_ticks, by_clock);
+  }
+
+  /// Ticks that were missed pass for the robot one by one. After a stall they are dropped: no
+  /// simulation is to go on under a torque that long.
+  void pass_skipped(std::int64_t skipped) {
+    const auto most = static_cast<std::int64_t>(limits_.longest_delay / period());
+    const std::int64_t passed = std::min(skipped, most);
+    for (std::int64_t i = 0; i < passed; ++i) {
+      robot_.pass_time(period());
+    }
   }
 
   /// Waits for the next tick. A controller may prepare for it, a moment before.
@@ -180,9 +208,7 @@ class ServoLoop {
         break;
       case MessageKind::reset:
         report_.mode = next_mode(before, Event::reset);
-        if (before == Mode::faulted) {
-          admit(report_.state, admitted_);
-        }
+        if (before == Mode::faulted) believe_robot();
         report_.fault = report_.mode == Mode::faulted ? report_.fault : Fault{};
         break;
       case MessageKind::start:
@@ -196,6 +222,15 @@ class ServoLoop {
     }
   }
 
+  /// A reset takes the robot as it is; one that was lost is where it began.
+  void believe_robot() {
+    if constexpr (requires { robot_.restore(); }) robot_.restore();
+    motion_.forget();
+    safe_.believe();
+    read_robot();
+    admit(report_.state, admitted_);
+  }
+
   /// Controls if the state is safe; brakes if it is not, or if the loop is not running.
   void command_torque() {
     report_.control_nanoseconds = 0;
@@ -203,21 +238,36 @@ class ServoLoop {
       raise(unreadable_);
     } else if (const Fault fault = check_state(admitted_, report_.state)) {
       raise(fault);
+    } else if (jumped_) {
+      raise(jumped_);
     }
     follow_back(limits_, report_.state, admitted_);
     if (report_.mode == Mode::running) {
       control();
     }
-    if (report_.mode != Mode::running) {
-      if (unreadable_) {
-        std::fill(std::begin(report_.tau), std::end(report_.tau), 0.0);
-      } else {
-        brake<F>(limits_, report_.state, settings_.braking, report_.tau);
-      }
-      if (report_.mode == Mode::stopping && rests()) {
-        report_.mode = next_mode(report_.mode, Event::at_rest);
-      }
+    if (report_.mode == Mode::running) {
+      safe_.release(report_.tau);
+    } else {
+      brake();
     }
+    report_.brakes = wants_brakes();
+  }
+
+  void brake() noexcept {
+    if (safe_.brake(report_.tau)) {
+      raise({FaultKind::moved});
+    }
+    if (report_.mode == Mode::stopping && rests()) {
+      report_.mode = next_mode(report_.mode, Event::at_rest);
+    }
+  }
+
+  /// Torque alone cannot be trusted, or is not needed any more.
+  bool wants_brakes() const noexcept {
+    if (report_.mode != Mode::faulted) return false;
+    const FaultKind kind = report_.fault.kind;
+    return kind == FaultKind::state_not_finite || kind == FaultKind::torque_not_finite ||
+           kind == FaultKind::jump || kind == FaultKind::moved || unreadable_ || rests();
   }
 
   void control() {
@@ -233,15 +283,7 @@ class ServoLoop {
     }
   }
 
-  bool rests() const noexcept {
-    if (unreadable_) return false;
-    for (const double speed : report_.state.qd) {
-      if (!(std::fabs(speed) <= settings_.rest_speed)) {
-        return false;
-      }
-    }
-    return true;
-  }
+  bool rests() const noexcept { return !unreadable_ && safe_.rests(); }
 
   bool may_end() const noexcept {
     const bool stands = report_.mode == Mode::idle || (report_.mode == Mode::faulted && rests());
@@ -254,6 +296,17 @@ class ServoLoop {
       raise({FaultKind::deadline, -1, static_cast<double>(overruns_),
              static_cast<double>(limits_.overruns_in_a_row)});
     }
+    watch_delay(skipped * cycle_.period());
+  }
+
+  /// A robot that moves has been left alone for so long, ns.
+  void watch_delay(std::int64_t late) noexcept {
+    const double seconds = 1e-9 * static_cast<double>(late);
+    if (!(seconds > limits_.longest_delay)) return;
+    motion_.forget();
+    if (report_.mode == Mode::running || report_.mode == Mode::stopping) {
+      raise({FaultKind::stalled, -1, seconds, limits_.longest_delay});
+    }
   }
 
   void fill_report() noexcept {
@@ -265,6 +318,8 @@ class ServoLoop {
   LoopSettings settings_;
   Limits limits_;
   Limits admitted_;  ///< `limits_`, wider for a robot that was beyond them at a reset
+  SafeState<F> safe_;
+  MotionWatch<F> motion_;
   Proxy& robot_;
   ControllerType& controller_;
   Mailbox& mailbox_;
@@ -273,6 +328,11 @@ class ServoLoop {
   DurationStatistics control_times_;
   Report<F> report_;
   Fault unreadable_;  ///< a number of this cycle's measurement that is not finite
+  Fault jumped_;      ///< a coordinate of this cycle's that its velocity does not explain
+  /// Time since the last measurement whose numbers were finite, s.
+  double least_elapsed_ = 0.0;
+  double most_elapsed_ = 0.0;
+  std::int64_t skipped_ = 0;  ///< ticks that the last cycle missed
   std::int64_t ticks_ = 0;
   std::int64_t cycles_ = 0;
   std::uint64_t dropped_ = 0;

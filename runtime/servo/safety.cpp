@@ -37,6 +37,13 @@ std::string describe(const Fault& fault, const std::string& name) {
       return "the robot is no longer connected";
     case FaultKind::emergency_stop:
       return "emergency stop";
+    case FaultKind::stalled:
+      return "a cycle was " + std::to_string(std::lround(1e3 * fault.value)) + " ms late, " +
+             std::to_string(std::lround(1e3 * fault.limit)) + " ms are allowed";
+    case FaultKind::jump:
+      return beyond_limit(who, "moves otherwise than its velocity says, by", fault);
+    case FaultKind::moved:
+      return "the robot was dragged away while it should stand";
   }
   return {};
 }

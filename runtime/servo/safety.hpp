@@ -21,6 +21,9 @@ enum class FaultKind : std::uint8_t {
   deadline,        ///< too many consecutive cycles overran their tick
   robot_gone,      ///< the proxy is no longer connected
   emergency_stop,  ///< requested by the front end
+  stalled,         ///< a cycle was late by more than `SafetyLimits::longest_delay`, s
+  jump,            ///< q moves otherwise than qd says: rad or m
+  moved,           ///< dragged away while it should stand
 };
 
 /// The reason why the loop went to its safe state.
@@ -39,7 +42,9 @@ struct SafetyLimits {
   std::array<double, static_cast<std::size_t>(nq)> upper;
   std::array<double, static_cast<std::size_t>(nv)> velocity;
   std::array<double, static_cast<std::size_t>(nv)> torque;
-  int overruns_in_a_row = 3;  ///< allowed number; one more is a fault
+  int overruns_in_a_row = 3;    ///< allowed number; one more is a fault
+  double longest_delay = 0.05;  ///< s that a cycle may be late
+  double jump = 0.05;           ///< rad or m of q that qd need not explain
 
   SafetyLimits() noexcept {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -132,26 +137,6 @@ Fault check_torque(const SafetyLimits<nq, nv>& limits, const double (&tau)[nv]) 
     }
   }
   return {};
-}
-
-/// Torque of the safe state: holds gravity and damps motion, qdd = -damping qd (1/s), with each
-/// torque cut to its limit. If the state is not finite, no torque is right, and all are zero.
-template <RobotFunctions F>
-void brake(const SafetyLimits<F::kCoordinates, F::kVelocities>& limits, const StateOf<F>& state,
-           double damping, double (&tau)[F::kVelocities]) noexcept {
-  double qdd[F::kVelocities];
-  for (int i = 0; i < F::kVelocities; ++i) {
-    qdd[i] = -damping * state.qd[i];
-  }
-  F::inverse_dynamics(state.q, state.qd, qdd, tau);
-  bool finite = true;
-  for (const double torque : tau) {
-    finite = finite && std::isfinite(torque);
-  }
-  for (int i = 0; i < F::kVelocities; ++i) {
-    const double limit = limits.torque[static_cast<std::size_t>(i)];
-    tau[i] = finite ? std::fmin(std::fmax(tau[i], -limit), limit) : 0.0;
-  }
 }
 
 /// Describes the fault in words, with the coordinate's name if `name` is not empty. Allocates

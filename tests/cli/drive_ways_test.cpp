@@ -318,7 +318,7 @@ TEST_F(DriveWaysTest, AStandingRobotMovesAsAFixedOne) {
   for (const std::string& scene : {point, point + feet}) {
     write("scene.yaml", scene);
     const Outcome outcome = drive(kRobots + "/humanoid24/humanoid24.urdf scene.yaml",
-                                  "start\nmove hand by 0.03 0 0.03 in 1 s\nwait\n");
+                                  "start\nmove hand by 0.03 0 0.03 in 1 s\nwait\nwait 1 s\n");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     ends.push_back(json::parse(outcome.out));
   }

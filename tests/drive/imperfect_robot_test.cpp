@@ -63,6 +63,7 @@ class SlideRig {
     return state;
   }
   const ImperfectRobot<Slide>& robot() const { return robot_; }
+  void restore() { robot_.restore(); }
   bool can_follow() const { return can_follow_; }
 
  private:
@@ -289,6 +290,26 @@ TEST(ImperfectRobot, AWallPushesBack) {
   EXPECT_NEAR(rig.seen().qd[0], 0.0, 1e-6);
   rig.push(-10.0, 300);
   EXPECT_EQ(rig.robot().contact_force(0)[0], 0.0);
+}
+
+// Driven beyond all numbers, the robot is measured as lost once, rests, and is where it began after
+// `restore`; another one stays where it is.
+TEST(ImperfectRobot, IsRestoredWhereItWasLost) {
+  SlideRig lost({}, 0.5);
+  lost.push(1e308, 3);
+  EXPECT_TRUE(std::isfinite(lost.robot().links().q[0]));
+  lost.restore();
+  lost.push(0.0);
+  EXPECT_NEAR(lost.seen().q[0], 0.5 * kPeriod, 1e-12);
+  SlideRig thrown({});
+  thrown.push(1e6, 10);
+  thrown.restore();
+  EXPECT_EQ(thrown.seen().q[0], 0.0);
+  SlideRig moved({}, 0.5);
+  moved.push(1.0, 100);
+  const double q = moved.seen().q[0];
+  moved.restore();
+  EXPECT_EQ(moved.seen().q[0], q);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ constexpr int kFeet = 4;
 struct AnymalOnFeet {
   static constexpr int kCoordinates = anymal_simulated::kCoordinates;
   static constexpr int kVelocities = anymal_simulated::kVelocities;
+  static constexpr servo::FloatingJoints<kCoordinates, kVelocities> kFloating = {0};
   static constexpr int kGroundPoints = kFeet;
   using Vectors = servo::CompliantGround<kGroundPoints>::Vectors;
 

@@ -15,6 +15,7 @@ namespace treeline::experiments {
 struct HumanoidOnSoles {
   static constexpr int kCoordinates = humanoid24_push::kCoordinates;
   static constexpr int kVelocities = humanoid24_push::kVelocities;
+  static constexpr servo::FloatingJoints<kCoordinates, kVelocities> kFloating = {0};
   static constexpr int kGroundPoints = 8;
   using Vectors = servo::CompliantGround<kGroundPoints>::Vectors;
   static constexpr auto& inverse_dynamics = humanoid24_push::inverse_dynamics;

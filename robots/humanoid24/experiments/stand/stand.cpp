@@ -53,6 +53,7 @@ void measure_drift(const double (&q)[kPositions], double (&drift)[kHeldRows]) {
 struct Body {
   static constexpr int kCoordinates = kPositions;
   static constexpr int kVelocities = kRates;
+  static constexpr servo::FloatingJoints<kPositions, kRates> kFloating = {0};
   /// The loop brakes by the motors alone, as it controls.
   static void inverse_dynamics(const double (&q)[kPositions], const double (&qd)[kRates],
                                const double (&qdd)[kRates], double (&tau)[kRates]) noexcept {
@@ -185,7 +186,7 @@ StandRun run_stand() {
   const State start = initial_state();
   double place[3], rotation[9];
   robot::forward_kinematics(start.q, place, rotation);
-  servo::SimulatedRobot<Body> simulated(start, 4, {0});
+  servo::SimulatedRobot<Body> simulated(start, 4, Body::kFloating);
   const int cycles = static_cast<int>(std::lround(kDuration / kPeriod));
   StandRun run{report::Table(column_names(), static_cast<std::size_t>(cycles) + 1), {}};
   const auto law = [&](double time, const State& state, double(&tau)[kRates]) {
