@@ -8,6 +8,7 @@
 #include "check/judge_equations.hpp"
 #include "check/judge_function.hpp"
 #include "check/judge_limits.hpp"
+#include "check/judge_step.hpp"
 #include "compilation/generated_library.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
@@ -138,7 +139,7 @@ CheckReport judge(const Scene& scene, const Generation& generation,
 
 bool CheckReport::passed() const {
   return stale.empty() && (!limits || limits->passed()) &&
-         (!batch_limits || batch_limits->passed()) &&
+         (!batch_limits || batch_limits->passed()) && (!step || step->passed()) &&
          std::all_of(functions.begin(), functions.end(),
                      [](const FunctionReport& function) { return function.passed(); });
 }
@@ -165,6 +166,7 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
   if (!sources) return std::nullopt;
   CompileOptions compile = options.compile;
   compile.more = limited_sources(scene, generation);
+  compile = with_controller(scene, generation, std::move(compile));
   const auto libraries =
       build_libraries(*sources, scene, generation, compile, work->path(), diagnostics);
   if (!libraries) return std::nullopt;
@@ -182,6 +184,11 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
     };
     report.limits = judge_one(false);
     if (!generation.batch.empty()) report.batch_limits = judge_one(true);
+  }
+  if (generation.controller) {
+    report.step = judge_step(robot, scene, generation, options, libraries->compilation,
+                             work->path(), diagnostics);
+    if (!report.step) return std::nullopt;
   }
   report.robot = robot.name;
   report.reference_seconds = taken.count();

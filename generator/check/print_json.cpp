@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "check/report.hpp"
+#include "core/mode.hpp"
 #include "functions/matrix_symbol.hpp"
 #include "text/json_text.hpp"
 
@@ -165,6 +166,35 @@ Json to_json(const LimitsReport& limits) {
           {"compile_seconds", limits.compiled.seconds}};
 }
 
+Json to_json(const StepReport& step) {
+  Json modes = Json::object();
+  for (std::size_t i = 0; i < step.modes.size(); ++i) {
+    modes[core::mode_name(static_cast<core::Mode>(i))] = step.modes[i];
+  }
+  return {{"name", step.name},
+          {"passed", step.passed()},
+          {"motions", step.motions},
+          {"steps", step.steps},
+          {"modes", modes},
+          {"faults", step.faults},
+          {"refused", step.refused},
+          {"compared", step.compared},
+          {"ties", step.ties},
+          {"differ", step.differ},
+          {"first_difference", step.first_difference},
+          {"median", finite(step.median)},
+          {"percent_99", finite(step.percent_99)},
+          {"worst", finite(step.worst)},
+          {"of_bound", finite(step.of_bound)},
+          {"nearest_to_bound", step.worst_place},
+          {"beyond_bound", step.beyond_bound},
+          {"broken_rules", step.broken},
+          {"first_broken_rule", step.first_broken},
+          {"code_bytes", optional(step.code_bytes)},
+          {"stack_bytes", optional(step.stack_bytes)},
+          {"compile_seconds", step.compile_seconds}};
+}
+
 Json list_functions(const CheckReport& report) {
   Json json = Json::array();
   for (const FunctionReport& f : report.functions) {
@@ -202,6 +232,7 @@ std::string print_json(const CheckReport& report) {
       {"limited_control_torque", report.limits ? to_json(*report.limits) : Json(nullptr)},
       {"batch_limited_control_torque",
        report.batch_limits ? to_json(*report.batch_limits) : Json(nullptr)},
+      {"step", report.step ? to_json(*report.step) : Json(nullptr)},
       {"named_states", list(report.named_states)}};
   return json_text(json);
 }

@@ -5,6 +5,7 @@
 
 #include "check/list_names.hpp"
 #include "check/report.hpp"
+#include "core/mode.hpp"
 #include "emission/comment.hpp"
 #include "functions/matrix_symbol.hpp"
 #include "text/align_columns.hpp"
@@ -49,6 +50,27 @@ std::string print_bits(const FunctionReport& function) {
   return function.bits_differ == 0 ? "equal" : fmt::format("{} differ", function.bits_differ);
 }
 
+std::vector<std::string> print_step_row(const CheckReport& report, const StepReport& step) {
+  return {step.name,
+          number(step.median),
+          number(step.percent_99),
+          number(step.worst),
+          fmt::format("{:.1f}", digits_left(report, step.worst)),
+          "",
+          "",
+          "see below",
+          "see below",
+          fmt::format("{} %", number(100 * step.of_bound)),
+          "none",
+          "",
+          "",
+          step.differ == 0 ? "modes equal" : fmt::format("{} differ", step.differ),
+          "",
+          print_if_known(step.code_bytes),
+          print_if_known(step.stack_bytes),
+          fmt::format("{:.1f}", step.compile_seconds)};
+}
+
 std::string print_table(const CheckReport& report) {
   std::vector<std::vector<std::string>> rows;
   for (const FunctionReport& f : report.functions) {
@@ -67,6 +89,7 @@ std::string print_table(const CheckReport& report) {
          f.count ? fmt::format("{}", f.count->flops()) : "", print_if_known(f.code_bytes),
          print_if_known(f.stack_bytes), fmt::format("{:.1f}", f.compile_seconds)});
   }
+  if (report.step) rows.push_back(print_step_row(report, *report.step));
   return align_columns({{"function"},
                         {"median", true},
                         {"99 %", true},
@@ -205,6 +228,42 @@ std::string print_limits(const CheckReport& report, const LimitsReport& limits) 
   return text + "\n";
 }
 
+/// `idle 120, running 1503, stopping 12, faulted 900`
+std::string print_modes(const StepReport& step) {
+  std::string text;
+  for (std::size_t i = 0; i < step.modes.size(); ++i) {
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", core::mode_name(static_cast<core::Mode>(i)),
+                        step.modes[i]);
+  }
+  return text;
+}
+
+std::string print_step(const StepReport& step) {
+  std::string text = fmt::format(
+      "{}: {} steps in {} motions (in mode {}), with {} commands refused and faults 0x{:x}. {} "
+      "were "
+      "compared with the same laws in long double, with dynamics of 50 digits: at most {} % of "
+      "what "
+      "is allowed, in {}; {} hang on a comparison that a rounding decides.",
+      step.name, step.steps, step.motions, print_modes(step), step.refused, step.faults,
+      step.compared, number(100 * step.of_bound),
+      step.worst_place.empty() ? "none" : step.worst_place, step.ties);
+  text = wrap_text(text, 99) + "\n";
+  if (step.differ > 0) {
+    text += fmt::format("{}: not what the laws give in {} of {} steps, first {}\n", step.name,
+                        step.differ, step.compared, step.first_difference);
+  }
+  if (step.beyond_bound > 0) {
+    text += fmt::format("{}: beyond its bound in {} of {} steps, most in {}\n", step.name,
+                        step.beyond_bound, step.compared, step.worst_place);
+  }
+  if (step.broken > 0) {
+    text += fmt::format("{}: {}; so are {} of {} steps\n", step.name, step.first_broken,
+                        step.broken, step.steps);
+  }
+  return text + "\n";
+}
+
 const char* difference_name(Difference difference) {
   switch (difference) {
     case Difference::missing:
@@ -236,6 +295,10 @@ std::string print_text(const CheckReport& report) {
     text += print_limits(report, **limits);
     failed += (*limits)->passed() ? 0 : 1;
   }
+  if (report.step) {
+    text += print_step(*report.step);
+    failed += report.step->passed() ? 0 : 1;
+  }
   for (const FileDifference& file : report.stale) {
     text += fmt::format("{}/{}: {}\n", report.folder, file.name, difference_name(file.difference));
   }
@@ -247,14 +310,15 @@ std::string print_text(const CheckReport& report) {
     without_value += function.has_no_value() ? 1 : 0;
   }
   if (report.passed()) {
-    return text + fmt::format("passed: {} functions equal to the bit and within their bounds{}\n",
+    return text + fmt::format("passed: {} functions equal to the bit and within their bounds{}{}\n",
                               report.functions.size(),
+                              report.step ? ", and the controller's step" : "",
                               without_value == 0
                                   ? ""
                                   : fmt::format(", {} of them without a value", without_value));
   }
   return text + fmt::format("FAILED: {} of {} functions, {} files not up to date\n", failed,
-                            report.functions.size(), report.stale.size());
+                            report.functions.size() + (report.step ? 1 : 0), report.stale.size());
 }
 
 }  // namespace treeline

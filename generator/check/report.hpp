@@ -99,6 +99,32 @@ struct LimitsReport {
   }
 };
 
+/// Verdict on the step of an emitted controller.
+struct StepReport {
+  std::string name;            ///< of the function
+  int motions = 0, steps = 0;  ///< that were run
+  std::array<int, 4> modes{};  ///< steps that ended in each mode, in the order of `core::Mode`
+  std::uint32_t faults = 0;    ///< bits of the faults that occurred
+  int refused = 0;             ///< commands
+
+  int compared = 0;  ///< steps compared with the reference
+  int ties = 0;      ///< of these, those in which a comparison is decided by a rounding
+  int differ = 0;    ///< those with other modes, faults or counts than the reference
+  std::string first_difference = {};
+  double median = 0, percent_99 = 0, worst = 0;  ///< errors in ulp of the scale
+  std::string worst_place = {};                  ///< step and member
+  double of_bound = 0;                           ///< largest ratio of an error to what is allowed
+  int beyond_bound = 0;
+  int broken = 0;  ///< steps that do what no step may do
+  std::string first_broken = {};
+  std::optional<int> code_bytes = {}, stack_bytes = {};
+  double compile_seconds = 0;
+
+  [[nodiscard]] bool passed() const {
+    return compared > 0 && differ == 0 && beyond_bound == 0 && broken == 0;
+  }
+};
+
 /// Complete result of `treeline check`.
 struct CheckReport {
   std::string name, robot;
@@ -116,6 +142,7 @@ struct CheckReport {
   std::vector<FunctionReport> functions;
   std::optional<LimitsReport> limits;        ///< if the scene limits torques or forces
   std::optional<LimitsReport> batch_limits;  ///< if it has a batch besides
+  std::optional<StepReport> step;            ///< if it has a controller
   std::vector<State> named_states;  ///< states named in the reports of functions, each once
 
   [[nodiscard]] bool passed() const;

@@ -106,6 +106,9 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
     add(stem, fs::absolute(place / source_name(stem, options.language)),
         choose_flags(generated, options).flags);
   }
+  for (const std::string& stem : options.stems) {
+    add(stem, fs::absolute(folder / source_name(stem, options.language)), options.flags);
+  }
   for (const WorkSource& more : options.more) {
     add(more.stem, work / source_name(more.stem, options.language), options.flags);
   }

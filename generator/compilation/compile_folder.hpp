@@ -29,6 +29,8 @@ struct CompileOptions {
   std::string compiler = {};                    ///< empty: see `find_compiler`
   Language language = Language::cpp;            ///< of the sources
   std::vector<WorkSource> more = {};            ///< see `WorkSource`
+  /// Stems of further sources of the folder, such as those of a controller.
+  std::vector<std::string> stems = {};
 };
 
 /// Properties of one compiled function.

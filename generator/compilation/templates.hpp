@@ -15,5 +15,8 @@ extern const std::string_view kCLimited;
 extern const std::string_view kEntry;
 extern const std::string_view kFunction;
 extern const std::string_view kLimited;
+extern const std::string_view kStep;
+extern const std::string_view kStepDynamics;
+extern const std::string_view kStepNumbers;
 
 }  // namespace treeline::compilation_templates

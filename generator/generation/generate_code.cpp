@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "emission/backend/backend.hpp"
+#include "emission/cpp/print_controller.hpp"
+#include "emission/cpp/print_runtime.hpp"
 #include "emission/print_optimize.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
@@ -350,6 +352,23 @@ std::string describe_domain(const Generation& generation) {
   return describe(generation.domain, {arguments.begin(), arguments.end()});
 }
 
+namespace {
+
+void add_controller(const Robot& robot, const Scene& scene, EmissionContext& context,
+                    Generation& generation) {
+  generation.controller = std::make_shared<const ControllerUnit>(
+      compose_controller(robot, scene, generation.mechanism));
+  context.controller = generation.controller;
+  EmissionContext plain = context;
+  plain.misra = false;
+  generation.laws = cpp::print_controller(plain, *generation.controller);
+  for (GeneratedFile& file : cpp::print_controller_headers(plain)) {
+    generation.laws.push_back(std::move(file));
+  }
+}
+
+}  // namespace
+
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics,
                                         const Choices& choices, const TellFunction& tell) {
@@ -373,8 +392,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   context.input_costs = count_inputs(robot, scene, generation.functions);
   if (scene.controller) {
     if (tell) tell("the controller");
-    context.controller = std::make_shared<const ControllerUnit>(
-        compose_controller(robot, scene, generation.mechanism));
+    add_controller(robot, scene, context, generation);
   }
   const std::vector<Program> programs = programs_of(generation.functions);
   const std::vector<Program> batch = programs_of(generation.batch);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,8 @@ struct Generation {
   std::vector<GeneratedFunction>
       batch;  ///< functions for `Scene::batch` states, if the scene asks for them
   std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; only if the scene asks for it
+  std::shared_ptr<const ControllerUnit> controller;  ///< only if the scene asks for one
+  std::vector<GeneratedFile> laws;  ///< its step and laws in the profile `plain`, for references
   std::vector<GeneratedFile> files;
   std::vector<std::string> small_sources;  ///< of the files, see `list_small_sources`
 };

@@ -70,9 +70,8 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
     files.push_back({"sin_cos.hpp", misra::print_sin_cos(context)});
   }
   if (controlled) {
-    for (const GeneratedFile& file : list_controller_headers()) {
-      files.push_back(
-          {file.name, misra::follow_rules_in_header(context, print_header(context, file.text))});
+    for (const GeneratedFile& file : print_controller_headers(context)) {
+      files.push_back({file.name, misra::follow_rules_in_header(context, file.text)});
     }
     files.push_back({"controller_sizes.hpp", misra::print_controller_sizes(context)});
   }
@@ -97,6 +96,12 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
 
 }  // namespace
 
+std::vector<GeneratedFile> print_controller_headers(const EmissionContext& context) {
+  std::vector<GeneratedFile> files = list_controller_headers();
+  for (GeneratedFile& file : files) file.text = print_header(context, file.text);
+  return files;
+}
+
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,
                                          std::span<const Program> batch) {
@@ -116,9 +121,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     for (const Program* const program : context.controller->programs()) {
       lanes = lanes || uses_lanes(*program);
     }
-    for (const GeneratedFile& file : list_controller_headers()) {
-      files.push_back({file.name, print_header(context, file.text)});
-    }
+    for (GeneratedFile& file : print_controller_headers(context)) files.push_back(std::move(file));
   }
   if (lanes) {
     files.push_back({"lanes.hpp", print_header(context, templates::kLanes)});
