@@ -87,9 +87,12 @@ class Case:
         return rows
 
     def passive_velocities(self):
-        """The base's, where it floats, and those of joints without a motor."""
-        base = np.arange(6 if self.floating else 0)
-        return np.concatenate([base, [self.freedoms.at_v[joint] for joint in self.passive]]).astype(int)
+        """Those of a base that floats, of floating joints, and of joints that the scene names as passive."""
+        found = list(range(6)) if self.floating else []
+        for joint in self.robot.joints.values():
+            if joint.type == "floating":
+                found += range(self.freedoms.at_v[joint.name], self.freedoms.at_v[joint.name] + 6)
+        return np.array(found + [self.freedoms.at_v[joint] for joint in self.passive], dtype=int)
 
     def frames(self):
         """Of everything, by name, as judges take them."""
