@@ -99,6 +99,24 @@ TEST(KeepTried, TakesAnotherAlgorithmWhereTheCheapestLosesDigits) {
   EXPECT_TRUE(kept->choices.plain.contains(Function::lambda_inverse));
 }
 
+// Axes at 1.5708 rad leave a row 4e-6 of its length, and frames that differ by 1e-16 rad change it
+// in the tenth digit. Would catch that a function is refused because its numbers were taken as
+// exact.
+TEST(KeepTried, UsesNumbersAsWrittenWhereNoiseCounts) {
+  InputOptions options;
+  options.urdf = tests::data_file("published/barrett_hand.urdf");
+  options.scene = tests::data_file("written/barely_held_finger.yaml");
+  bool failed = true;
+  Diagnostics diagnostics;
+  const auto kept = keep_tried(options, make(options), failed, diagnostics);
+  EXPECT_FALSE(failed);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->inputs.scene.noise, 0);
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_EQ(diagnostics.list()[0].severity, Severity::note);
+  EXPECT_EQ(diagnostics.list()[0].element, "constrained_forward_dynamics");
+}
+
 TEST(KeepTried, LeavesOutWhatFailed) {
   const InputOptions options = planar3r();
   GeneratedInputs made = make(options);
