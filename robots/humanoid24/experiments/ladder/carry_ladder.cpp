@@ -38,9 +38,13 @@ constexpr double kStart[kJoints] = {0.3969,  -0.9523, 0.1667, 0,       0.6163,  
                                     -1.2661, -0.1319, 0.0595, -0.5180, 0.0329,  1.0512,
                                     0.1723,  -1.2662, 0.1319, -0.0594, -0.5180, -0.0330,
                                     1.0512,  -0.1723, 0,      0,       0,       0};
+constexpr int kLeftRoll = 7, kLeftYaw = 8, kRightRoll = 14, kRightYaw = 15;  ///< of a shoulder
+/// Turns of the shoulders that keep the upper arms off the chest, first and second, rad: the
+/// second's end of the ladder goes farther aside.
+constexpr double kElbowsOut[2] = {0.3, 0.35}, kArmsIn = 0.2;
 /// Springs of the posture, N m/rad: legs and waist, arms, head.
-constexpr double kSprings[kJoints] = {200, 200, 200, 200, 300, 200, 20, 55, 55, 27, 5, 5,
-                                      5,   20,  55,  55,  27,  5,   5,  5,  5,  5,  1, 1};
+constexpr double kSprings[kJoints] = {200, 200, 200, 10, 300, 10, 20, 55, 55, 27, 5, 5,
+                                      5,   20,  55,  55, 27,  5,  5,  5,  5,  5,  1, 1};
 
 enum Column : std::size_t {
   kSqueeze = kOwnColumns,
@@ -67,6 +71,13 @@ Controller make_controller(const LadderPlan& plan) {
 servo::StateOf<Humanoids> start_state() {
   servo::StateOf<Humanoids> state;
   for (int i = 0; i < Humanoids::kCoordinates; ++i) state.q[i] = kStart[i % kJoints];
+  for (int robot = 0; robot < 2; ++robot) {
+    double* q = state.q + robot * kJoints;
+    q[kLeftRoll] += kElbowsOut[robot];
+    q[kRightRoll] -= kElbowsOut[robot];
+    q[kLeftYaw] -= kArmsIn;
+    q[kRightYaw] += kArmsIn;
+  }
   close_grasp<Humanoids>(state.q);
   return state;
 }

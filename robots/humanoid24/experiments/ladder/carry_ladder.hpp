@@ -11,8 +11,8 @@ struct LadderPlan {
   double rate = 1000.0;                  ///< Hz
   double lead = 0.5;                     ///< at rest before and after, s
   double duration = 3.0;                 ///< of the motion, s
-  double shift[3] = {0.03, 0.06, 0.08};  ///< m
-  double turn = 0.06;                    ///< about the vertical, rad
+  double shift[3] = {0.03, 0.04, 0.08};  ///< m
+  double turn = 0.04;                    ///< about the vertical, rad
   double stiffness = 400;                ///< for the ladder's pose, 1/s^2
   double damping = 40;                   ///< 1/s
   double squeeze = 20;                   ///< between the hands of each, N

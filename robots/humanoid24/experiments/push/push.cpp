@@ -30,7 +30,9 @@ constexpr const char* kColumns[] = {"time",       "com_x",     "com_y",      "pr
                                     "torque",     "push",      "tilt",       "iterations"};
 
 // Joints in the generated code's order.
-constexpr int kAnkle = 0, kKnee = 1, kHip = 2, kLeftElbow = 9, kRightElbow = 16;
+constexpr int kAnkle = 0, kKnee = 1, kHip = 2, kLeftRoll = 7, kLeftElbow = 9, kRightRoll = 14,
+              kRightElbow = 16;
+constexpr double kSpread = 0.3;  ///< of the arms, which hips would touch in leaning, rad
 
 HumanoidState initial_state() {
   HumanoidState state{};
@@ -41,6 +43,8 @@ HumanoidState initial_state() {
   joints[kKnee] = -0.45;
   joints[kHip] = 0.2;
   joints[kLeftElbow] = joints[kRightElbow] = -0.8;
+  joints[kLeftRoll] = kSpread;
+  joints[kRightRoll] = -kSpread;
   return state;
 }
 

@@ -29,7 +29,9 @@ constexpr double kWeight = 75.0 * 9.81;  ///< N (README.md)
 constexpr double kFeet[2][3] = {{0.064, 0.09, 0.0}, {0.064, -0.09, 0.0}};  ///< scene_stand.yaml
 constexpr double kStabilisation[2] = {200.0, 10000.0};
 // Joints in the generated code's order, after the six velocities of the base.
-constexpr int kAnkle = 0, kKnee = 1, kHip = 2, kWaistRoll = 5, kLeftElbow = 9, kRightElbow = 16;
+constexpr int kAnkle = 0, kKnee = 1, kHip = 2, kWaistRoll = 5, kLeftRoll = 7, kLeftElbow = 9,
+              kRightRoll = 14, kRightElbow = 16;
+constexpr double kSpread = 0.3;  ///< of the arms, which hips would touch in leaning, rad
 
 /// Distance of both feet, which the root link carries, from where they were put, in their own
 /// axes: positions and the sine of the turn.
@@ -92,6 +94,8 @@ State initial_state() {
   joints[kKnee] = -0.45;
   joints[kHip] = 0.2;
   joints[kLeftElbow] = joints[kRightElbow] = -0.8;
+  joints[kLeftRoll] = kSpread;
+  joints[kRightRoll] = -kSpread;
   return state;
 }
 
