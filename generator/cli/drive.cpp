@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string_view>
 #include <utility>
 
 #include "cli/driver.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/find_all_meshes.hpp"
 #include "cli/find_start.hpp"
 #include "cli/latency.hpp"
 #include "cli/loop_handle.hpp"
@@ -25,7 +25,6 @@
 #include "cli/write_output.hpp"
 #include "description/read_surroundings.hpp"
 #include "drawing/show_held_objects.hpp"
-#include "drive/find_meshes.hpp"
 #include "launch/launch.hpp"
 #include "launch/split_ball_joints.hpp"
 #include "text/read_text_file.hpp"
@@ -42,33 +41,11 @@ struct DriveOptions {
   LatencySettings latency;
   bool measures_latency = false;
   std::string script, reference, replay;
-  std::vector<std::string> packages;
+  MeshOptions meshes;
   bool headless = false;
   std::string robot = "simulated";
   std::string act_as_robot, robot_secret;
 };
-
-using Packages = std::map<std::string, std::filesystem::path>;
-
-/// The meshes of all robots. Those of several are named as `print_joined_urdf` names them.
-std::vector<drive::ServedMesh> find_all_meshes(const RobotFiles& files, const Packages& packages) {
-  const auto folder = [](const std::string& path) {
-    return std::filesystem::path(path).parent_path();
-  };
-  if (!files.urdf.empty()) {
-    return drive::find_meshes(files.urdf_text, folder(files.urdf), packages);
-  }
-  const SceneRobots& listed = files.scene_robots;
-  std::vector<drive::ServedMesh> meshes;
-  for (std::size_t i = 0; i < listed.robots.size(); ++i) {
-    const InputFile& file = listed.files[listed.file_of_robot[i]];
-    for (auto& mesh : drive::find_meshes(file.text, folder(file.path), packages)) {
-      mesh.uri.insert(0, listed.robots[i].name + "/");
-      meshes.push_back(std::move(mesh));
-    }
-  }
-  return meshes;
-}
 
 /// What is driven, and shown: a ball joint is three hinges.
 std::string driven_urdf(const RobotFiles& files) {
@@ -91,14 +68,15 @@ bool read_motion_and_robot(DriveOptions& options, const drive::RobotDescription&
 }
 
 /// The robot of the options' files, ready to be driven; sets the meshes that pictures of it need.
-std::optional<LaunchedRobot> launch_from(DriveOptions& options, const Packages& packages,
+std::optional<LaunchedRobot> launch_from(DriveOptions& options, const drive::MeshPlaces& places,
                                          Diagnostics& diagnostics) {
   auto inputs = read_inputs(options.inputs, diagnostics);
   if (!inputs || !is_none_of(options.drive.record, list_paths(inputs->files), diagnostics)) {
     return std::nullopt;
   }
   split_ball_joints(inputs->robot, inputs->scene, diagnostics);
-  options.drive.meshes = find_all_meshes(inputs->files, packages);
+  options.drive.meshes = find_all_meshes(inputs->files, places);
+  if (options.drive.serves) warn_of_missing(options.drive.meshes, diagnostics);
   const auto tell = [](const std::string& what) {
     if (is_watched()) show_progress("  " + what);
   };
@@ -113,24 +91,6 @@ std::optional<LaunchedRobot> launch_from(DriveOptions& options, const Packages& 
   if (is_watched()) show_progress("");
   if (robot) robot->description.has_reference = !options.reference.empty();
   return robot;
-}
-
-/// `--package NAME=DIR`, each.
-std::optional<Packages> read_packages(const std::vector<std::string>& given,
-                                      Diagnostics& diagnostics) {
-  Packages packages;
-  for (const std::string& package : given) {
-    const std::size_t equals = package.find('=');
-    if (equals != std::string::npos && std::filesystem::is_directory(package.substr(equals + 1))) {
-      packages[package.substr(0, equals)] = package.substr(equals + 1);
-      continue;
-    }
-    diagnostics.add({Severity::error, "", 0, "--package",
-                     fmt::format("\"{}\" is not NAME=DIR with a folder that exists", package),
-                     "Name the folder that package://NAME/ stands for."});
-  }
-  if (diagnostics.has_errors()) return std::nullopt;
-  return packages;
 }
 
 /// The secret that a robot over UDP shares, where there is one.
@@ -174,8 +134,8 @@ void refuse_record_of_input(const DriveOptions& options, Diagnostics& diagnostic
 /// What is shown again needs no loop, and so no code: only the files that it was made with.
 int run_replay(const DriveOptions& options) {
   Diagnostics diagnostics;
-  const auto packages = read_packages(options.packages, diagnostics);
-  const auto inputs = packages ? read_inputs(options.inputs, diagnostics) : std::nullopt;
+  const auto places = read_mesh_places(options.meshes, diagnostics);
+  const auto inputs = places ? read_inputs(options.inputs, diagnostics) : std::nullopt;
   bool shown = false;
   if (inputs) {
     std::string urdf = driven_urdf(inputs->files);
@@ -186,7 +146,7 @@ int run_replay(const DriveOptions& options) {
     const auto shapes = surroundings_of(inputs->files.scene_text, inputs->robot).shapes;
     if (is_table(options.replay)) urdf = show_held_objects(urdf, inputs->scene, shapes);
     const PageSettings page{options.drive.listen, options.drive.port, urdf,
-                            find_all_meshes(inputs->files, *packages)};
+                            find_all_meshes(inputs->files, *places)};
     warn_of_listeners(options.drive, diagnostics);
     shown = record && replay(*record, page, diagnostics);
   }
@@ -231,14 +191,14 @@ bool can_write_results(const DriveOptions& options, Diagnostics& diagnostics) {
 std::optional<LaunchedRobot> prepare(DriveOptions& options, Diagnostics& diagnostics) {
   DriveSettings& drive = options.drive;
   warn_of_listeners(drive, diagnostics);
-  const auto packages = read_packages(options.packages, diagnostics);
+  const auto places = read_mesh_places(options.meshes, diagnostics);
   refuse_imperfect_hardware(options, diagnostics);
   refuse_record_of_input(options, diagnostics);
-  if (!packages || diagnostics.has_errors()) return std::nullopt;
+  if (!places || diagnostics.has_errors()) return std::nullopt;
   if (!read_script(options.script, drive, diagnostics)) return std::nullopt;
   if (!can_write_results(options, diagnostics)) return std::nullopt;
   if (!read_secret(options, diagnostics)) return std::nullopt;
-  auto robot = launch_from(options, *packages, diagnostics);
+  auto robot = launch_from(options, *places, diagnostics);
   if (!robot) return std::nullopt;
   choose_start(*robot, drive, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
@@ -279,7 +239,7 @@ int run(DriveOptions options) {
 }
 
 void add_robot_options(CLI::App& command, DriveOptions& options) {
-  command.add_option("--package", options.packages, "NAME=DIR: where package://NAME/ lies");
+  add_mesh_options(command, options.meshes);
   command.add_option("--robot", options.robot, "simulated, or udp:HOST:PORT")
       ->check([](const std::string& given) {
         return given == "simulated" ||

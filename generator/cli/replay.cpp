@@ -21,21 +21,13 @@ using namespace std::chrono_literals;
 std::atomic<bool> asked_to_close{false};
 
 /// What a front end hears first: a robot that it may only watch.
-std::string greeting(const Record& record, const PageSettings& page, const std::string& query) {
+std::string greeting(const Record& record, const PageSettings& page,
+                     const drive::NewFrontEnd& joined) {
   Json hello = Json::parse(record.hello);
-  Json meshes = Json::object();
-  Json missing = Json::array();
-  for (std::size_t i = 0; i < page.meshes.size(); ++i) {
-    if (page.meshes[i].path.empty()) {
-      missing.push_back(page.meshes[i].uri);
-    } else {
-      meshes[page.meshes[i].uri] = "/mesh/" + std::to_string(i) + query;
-    }
-  }
   hello["may_command"] = false;
   hello["replay"] = true;
-  hello["meshes"] = meshes;
-  hello["missing_meshes"] = missing;
+  hello.update(
+      Json::parse(drive::print_meshes(page.meshes, joined.mesh_query, joined.may_command)));
   return json_line(hello);
 }
 
@@ -43,7 +35,7 @@ drive::ServerHandlers make_handlers(const Record& record, const PageSettings& pa
                                     std::atomic<int>& last) {
   drive::ServerHandlers handlers;
   handlers.join = [&](const drive::NewFrontEnd& joined, std::string& hello) {
-    hello = greeting(record, page, joined.mesh_query);
+    hello = greeting(record, page, joined);
     return ++last;
   };
   handlers.receive = [](int, std::string_view message) {

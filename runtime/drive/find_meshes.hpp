@@ -10,11 +10,20 @@
 
 namespace treeline::drive {
 
+/// Where meshes may lie beside the URDF's own folder, all by somebody's consent.
+struct MeshPlaces {
+  std::map<std::string, std::filesystem::path> packages;  ///< where package://NAME/ lies
+  std::vector<std::filesystem::path> folders;             ///< meshes below them may be shown
+  /// Folders of installed packages (PREFIX/share/NAME), and of the sources of packages.
+  std::vector<std::filesystem::path> prefixes, sources;
+};
+
 /// Finds the meshes that a URDF names, each once, in its order. `package://NAME/FILE` lies in the
-/// folder that `packages` gives to NAME, else in the nearest folder NAME beside or above the URDF;
-/// other names are relative to the URDF's folder. A mesh that is no file, whose name does not end
-/// in stl, dae, obj, glb or gltf, or that lies outside of its folder (`..`, links), is not found.
+/// package that `find_package` finds; other names, `file://` too, are relative to the URDF's folder
+/// or absolute. A mesh is not found, with a problem and a remedy, if it is no file, if its name
+/// does not end in stl, dae, obj, glb or gltf, if an STL is cut short, or if it lies, by `..` or
+/// links, outside of its package, of the URDF's folder and of the folders of `places`.
 std::vector<ServedMesh> find_meshes(std::string_view urdf, const std::filesystem::path& folder,
-                                    const std::map<std::string, std::filesystem::path>& packages);
+                                    const MeshPlaces& places);
 
 }  // namespace treeline::drive

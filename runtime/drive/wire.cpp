@@ -170,6 +170,21 @@ Json describe_twin(const Session* twin) {
           {"fault", twin->fault()}};
 }
 
+Json describe_meshes(const std::vector<ServedMesh>& meshes, const std::string& query,
+                     bool may_command) {
+  Json served = Json::object();
+  Json missing = Json::object();
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const ServedMesh& mesh = meshes[i];
+    if (mesh.path.empty()) {
+      missing[mesh.uri] = may_command ? mesh.problem + ". " + mesh.remedy : "";
+    } else {
+      served[mesh.uri] = "/mesh/" + std::to_string(i) + query;
+    }
+  }
+  return {{"meshes", served}, {"missing_meshes", missing}};
+}
+
 constexpr const char* kControlNames[] = {"joint", "task", "gravity"};
 
 }  // namespace
@@ -215,18 +230,14 @@ std::string Inbox::receive(std::string_view message, double now,
   return print_reply(seq, session.obey(front_end_, may_command_, *command, now));
 }
 
+std::string print_meshes(const std::vector<ServedMesh>& meshes, const std::string& query,
+                         bool may_command) {
+  return print(describe_meshes(meshes, query, may_command));
+}
+
 std::string print_hello(const Session& session, double rate, bool may_command,
                         const std::vector<ServedMesh>& meshes, const std::string& mesh_query) {
   const RobotDescription& robot = session.robot();
-  Json served = Json::object();
-  Json missing = Json::array();
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (meshes[i].path.empty()) {
-      missing.push_back(meshes[i].uri);
-    } else {
-      served[meshes[i].uri] = "/mesh/" + std::to_string(i) + mesh_query;
-    }
-  }
   Json locked = Json::object();
   for (const auto& [joint, value] : robot.locked) locked[joint] = value;
   Json commands = Json::array();
@@ -235,7 +246,7 @@ std::string print_hello(const Session& session, double rate, bool may_command,
   }
   Json controls = {"joint", "gravity"};
   if (!robot.points.empty()) controls.insert(controls.begin() + 1, "task");
-  return print({{"type", "hello"},
+  Json hello = {{"type", "hello"},
                 {"version", kWireVersion},
                 {"robot", robot.checksum},
                 {"name", robot.name},
@@ -251,9 +262,9 @@ std::string print_hello(const Session& session, double rate, bool may_command,
                 {"locked", locked},
                 {"controls", controls},
                 {"obstacles", describe_obstacles(robot)},
-                {"meshes", served},
-                {"missing_meshes", missing},
-                {"commands", commands}});
+                {"commands", commands}};
+  hello.update(describe_meshes(meshes, mesh_query, may_command));
+  return print(hello);
 }
 
 std::string print_state(const Session& session, std::int64_t seq, int watchers, Detail detail,

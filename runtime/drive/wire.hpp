@@ -18,10 +18,11 @@ inline constexpr std::size_t kLargestMessage = 4096;
 /// Oldest state that a front end may have seen when it drags or pulls, s.
 inline constexpr double kOldestSeen = 0.5;
 
-/// The meshes that a URDF names, in its order: where each is served, or that it was not found.
+/// A mesh that a URDF names: its file, or why there is none to serve.
 struct ServedMesh {
-  std::string uri;   ///< as the URDF has it
-  std::string path;  ///< of the file on this machine; empty: not found, or not permitted
+  std::string uri;              ///< as the URDF has it
+  std::string path;             ///< of the file on this machine; empty: not found, or not permitted
+  std::string problem, remedy;  ///< why, and what to do; empty with a path
 };
 
 /// What one connection has sent so far: its messages have to grow in number.
@@ -44,6 +45,10 @@ class Inbox {
   std::int64_t last_ = -1;
 };
 
+/// Where meshes are served, and why others are not, which is for those who may command: an object
+/// with `meshes` and `missing_meshes`. `query` stands behind the addresses.
+std::string print_meshes(const std::vector<ServedMesh>& meshes, const std::string& query,
+                         bool may_command);
 /// `mesh_query` stands behind the addresses of the meshes.
 std::string print_hello(const Session& session, double rate, bool may_command,
                         const std::vector<ServedMesh>& meshes, const std::string& mesh_query = {});

@@ -23,7 +23,6 @@
 #include <vector>
 
 #include "../own_folder.hpp"
-#include "drive/find_meshes.hpp"
 
 namespace treeline::drive {
 namespace {
@@ -100,10 +99,10 @@ class ServerTest : public treeline::test::OwnFolder {
     settings.script = "script";
     settings.style = "style";
     settings.urdf = "<robot/>";
-    settings.meshes = {{"a.stl", mesh_ = (root_ / "a.stl").string()},
-                       {"b.stl", ""},
-                       {"large.stl", large_ = (root_ / "large.stl").string()},
-                       {"stalled.stl", stalled_ = (root_ / "stalled.stl").string()}};
+    settings.meshes = {{"a.stl", mesh_ = (root_ / "a.stl").string(), "", ""},
+                       {"b.stl", "", "", ""},
+                       {"large.stl", large_ = (root_ / "large.stl").string(), "", ""},
+                       {"stalled.stl", stalled_ = (root_ / "stalled.stl").string(), "", ""}};
     std::ofstream(mesh_) << "solid";
     ServerHandlers handlers;
     handlers.join = [this](const NewFrontEnd& front_end, std::string& hello) {
@@ -384,39 +383,6 @@ TEST(OwnHost, AcceptsNumbersWhereOthersMayConnect) {
   EXPECT_FALSE(is_own_host("robot.example:80", "0.0.0.0", 80));
   EXPECT_FALSE(is_own_host("10.1.2.3:80", "127.0.0.1", 80));
   EXPECT_NE(make_token(), make_token());
-}
-
-class MeshTest : public treeline::test::OwnFolder {};
-
-// A URDF can name any file; only meshes inside of its own folder or package are found.
-TEST_F(MeshTest, FindsOnlyMeshesBelowTheirFolder) {
-  namespace fs = std::filesystem;
-  fs::create_directories(root_ / "arm/urdf");
-  fs::create_directories(root_ / "arm/meshes");
-  for (const char* name :
-       {"arm/meshes/a.stl", "arm/urdf/b.DAE", "secret.stl", "arm/urdf/key.txt"}) {
-    std::ofstream(root_ / name) << "x";
-  }
-  fs::create_symlink(root_ / "secret.stl", root_ / "arm/urdf/link.stl");
-  const std::string urdf =
-      "<mesh filename=\"package://arm/meshes/a.stl\"/><mesh scale='1 1 1' filename='b.DAE'/>"
-      "<mesh filename='../../secret.stl'/><mesh filename='link.stl'/><mesh filename='key.txt'/>"
-      "<mesh filename='/etc/passwd'/><mesh filename='package://arm/../secret.stl'/>"
-      "<mesh filename='package://other/c.stl'/><mesh filename='package://../secret.stl'/>"
-      "<mesh filename=\"package://arm/meshes/a.stl\"/>";
-  const auto meshes = find_meshes(urdf, root_ / "arm/urdf", {});
-  ASSERT_EQ(meshes.size(), 9U);
-  for (const ServedMesh& mesh : meshes) {
-    const bool wanted = mesh.uri == "package://arm/meshes/a.stl" || mesh.uri == "b.DAE";
-    EXPECT_EQ(!mesh.path.empty(), wanted) << mesh.uri << ": " << mesh.path;
-  }
-  const auto given = find_meshes("<mesh filename='package://other/c.stl'/>", root_,
-                                 {{"other", root_ / "arm/meshes"}});
-  EXPECT_TRUE(given[0].path.empty());
-  std::ofstream(root_ / "arm/meshes/c.stl") << "x";
-  EXPECT_FALSE(find_meshes("<mesh filename='package://other/c.stl'/>", root_,
-                           {{"other", root_ / "arm/meshes"}})[0]
-                   .path.empty());
 }
 
 }  // namespace

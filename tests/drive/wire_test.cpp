@@ -176,12 +176,15 @@ TEST_F(WireTest, KnowsWhatTheLoopCanDo) {
 }
 
 TEST_F(WireTest, TellsTheStateAsJson) {
-  const json hello =
-      json::parse(print_hello(session_, 1000, true, {{"a.stl", "/x"}, {"b.stl", ""}}));
+  const json hello = json::parse(print_hello(
+      session_, 1000, true, {{"a.stl", "/x", "", ""}, {"b.stl", "", "it is cut", "Copy it."}}));
   EXPECT_EQ(hello["coordinates"].size(), 13U);
   EXPECT_TRUE(hello["coordinates"][9]["upper"].is_null());
   EXPECT_EQ(hello["meshes"]["a.stl"], "/mesh/0");
-  EXPECT_EQ(hello["missing_meshes"][0], "b.stl");
+  EXPECT_EQ(hello["missing_meshes"]["b.stl"], "it is cut. Copy it.");
+  const json watched = json::parse(
+      print_hello(session_, 1000, false, {{"b.stl", "", "it is cut", "Copy it."}}, "?pass=1"));
+  EXPECT_EQ(watched["missing_meshes"]["b.stl"], "") << "paths of this machine are for few";
   const json state = json::parse(finish_state(print_state(session_, 5, 1), true));
   EXPECT_EQ(state["q"].size(), 13U);
   EXPECT_EQ(state["qd"].size(), 12U);

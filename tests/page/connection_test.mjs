@@ -1,5 +1,6 @@
 // Would catch: a page that does not say that the connection is lost, does not come back by itself,
-// goes on leading the robot from before, or shows an old state as if it were new.
+// goes on leading the robot from before, or shows an old state as if it were new; a watcher's page
+// whose stop is dead or whose other controls look alive; a drag of an idle robot that does nothing.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 
@@ -86,4 +87,40 @@ test('another robot behind the same address is shown', async (t) => {
   assert.equal(await page.locator('[aria-label="joint1, value"]').count(), 0);
   assert.ok((await page.evaluate(() => window.treeline.handles())).includes('disk:waist'));
   assert.deepEqual(page.faults, []);
+});
+
+test('a watcher can stop, and nothing else', async (t) => {
+  const {server, page} = await begin(t);
+  await type_line(page, 'start');
+  const watcher = await open_page(browser, server.watching_address);
+  t.after(() => watcher.close());
+  for (const tab of ['Joints', 'Points', 'Control']) {
+    await watcher.click(`#tab-${tab}`);
+    const alive = await watcher.evaluate((name) => [...document.querySelectorAll(
+      `#panel-${name} :is(button, input, select):enabled`)].map((one) => one.textContent), tab);
+    assert.deepEqual(alive, tab === 'Joints' ? ['Degrees'] : [], tab);
+  }
+  for (const control of ['#command', '#duration', 'button:text-is("Start")',
+    'button:text-is("Take command")', 'button:text-is("Pull links")']) {
+    assert.ok(await watcher.isDisabled(control), control);
+  }
+  server.received = [];
+  await watcher.click('.stop');
+  await wait_for_state(page, (state) => state.mode === 'faulted');
+  await type_line(page, 'reset');
+  await watcher.keyboard.press('Space');
+  await wait_for_state(page, (state) => state.mode === 'faulted');
+  assert.deepEqual(watcher.faults, []);
+});
+
+test('a drag of an idle robot leads to Start', async (t) => {
+  const {page} = await begin(t);
+  await page.waitForTimeout(500);  // until it is drawn, it cannot be dragged
+  await drag(page, 'disk:joint1', straight([40, 4], 4));
+  await page.waitForSelector('button.offered:text-is("Start")');
+  assert.match(await page.textContent('#fault'), /idle: press Start/);
+  await page.click('button:text-is("Start")');
+  await wait_for_state(page, (state) => state.mode === 'running');
+  await page.waitForFunction(() => !document.querySelector('.offered'));
+  assert.equal(await page.textContent('#fault'), '');
 });

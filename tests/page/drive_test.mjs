@@ -1,6 +1,8 @@
 // Would catch: a page and a program that do not understand each other. All gestures with generated
 // code in the loop, a floating base, meshes that are missing, and a program that goes away.
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
 
@@ -8,6 +10,7 @@ import {drag, launch_browser, open_page, read_tip, state_of, straight, type_line
   from './browser.mjs';
 import {DriveServer} from './drive_server.mjs';
 import {kGestures} from './gestures.mjs';
+import {kSource} from './packages.mjs';
 
 let browser;
 before(async () => { browser = await launch_browser(); });
@@ -106,6 +109,40 @@ test('a published robot whose meshes are missing is a stick figure', async (t) =
   await wait_for_state(page, (state) => Math.abs(state.q[0] - 40 * Math.PI / 180) < 0.01);
   await keep(page, 'ur5_without_meshes');
   assert.deepEqual(page.faults, []);
+});
+
+test('meshes are for those who command and for those who watch, as far as they may', async (t) => {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'treeline_meshes'));
+  t.after(() => fs.rmSync(folder, {recursive: true}));
+  const stl = 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n' +
+    'endloop\nendfacet\nendsolid t\n';
+  const link = (name, mesh) => `<link name="${name}"><inertial><mass value="1"/><inertia ixx="1"
+    iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial><visual><geometry>
+    <mesh filename="${mesh}"/></geometry></visual></link>`;
+  fs.mkdirSync(path.join(folder, 'arm'));
+  fs.writeFileSync(path.join(folder, 'arm/near.stl'), stl);
+  fs.writeFileSync(path.join(folder, 'far.stl'), stl);
+  fs.writeFileSync(path.join(folder, 'arm/arm.urdf'), `<robot name="arm"><link name="base"/>
+    ${link('one', 'near.stl')}${link('two', '../far.stl')}${['one', 'two'].map((name, i) =>
+    `<joint name="j${i}" type="revolute"><parent link="${i ? 'one' : 'base'}"/><child link="${name}"/>
+    <origin xyz="0 0 1"/><axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="99" velocity="1"/>
+    </joint>`).join('')}</robot>`);
+  const urdf = path.relative(kSource, path.join(folder, 'arm/arm.urdf'));
+  const server = await start(t, [urdf]);
+  for (const [address, told] of [[server.address, true], [server.watching_address, false]]) {
+    const page = await open_page(browser, address);
+    t.after(() => page.close());
+    const note = await page.textContent('.log .note');
+    assert.match(note, /^\.\.\/far\.stl is missing/);
+    assert.equal(note.includes(`--mesh-folder ${folder}`), told, note);
+    assert.equal(await page.locator('.log .note').count(), 1, 'the other one is drawn');
+    assert.deepEqual(page.faults, []);
+  }
+  assert.match(server.said, /far\.stl.*lies outside of/);
+  const free = await start(t, [urdf], ['--mesh-folder', folder]);
+  const page = await open_page(browser, free.address);
+  t.after(() => page.close());
+  assert.equal(await page.locator('.log .note').count(), 0);
 });
 
 test('the page says that the program has gone', async (t) => {

@@ -189,10 +189,12 @@ async function stops(browser, server, t, press) {
 async function watches(browser, server, t) {
   const {page, observer} = await begin(browser, server, t);
   const watcher = await open_page(browser, server.watching_address);
-  assert.match(await watcher.textContent('[aria-label="command"]'), /Watching only/);
+  assert.match(await watcher.textContent('[aria-label="command"].chip'), /Watching, may stop/);
   const before = [...observer.state.q];
-  await type_line(watcher, 'joint joint1 to 0 in 0.5 s');
-  assert.equal(await watcher.locator('.log .bad').count(), 1);
+  for (const control of ['#command', '[aria-label="joint1, slider"]', '#duration',
+    '[aria-label="joint1, value"]', 'button:text-is("Start")', 'button:text-is("Home")']) {
+    assert.ok(await watcher.isDisabled(control), control);
+  }
   await drag(watcher, 'disk:joint1', straight([60, 6], 10));
   await watcher.waitForTimeout(700);
   assert.ok(distance(observer.state.q, before) < kSettled, 'a watcher moves nothing');
@@ -202,6 +204,12 @@ async function watches(browser, server, t) {
   await watcher.waitForTimeout(300);
   assert.ok(distance((await state_of(watcher)).q, observer.state.q) < kSettled,
     'a watcher sees the robot move');
+  await type_line(page, 'joint joint1 by -20 deg in 6 s');
+  await observer.wait_until((state) => state.moving);
+  await watcher.click('.stop');
+  await observer.wait_until((state) => state.mode === 'faulted');
+  await page.waitForFunction(() =>
+    /which may only watch, stops the robot/.test(document.querySelector('.log').textContent));
   assert.deepEqual(watcher.faults, []);
   await watcher.close();
   assert.deepEqual(page.faults, []);

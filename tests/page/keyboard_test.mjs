@@ -101,7 +101,7 @@ test('history goes back and forth', async () => {
   assert.equal(await page.inputValue('#command'), '');
 });
 
-test('Tab completes a word, and leaves the line where there is nothing to complete', async () => {
+test('Tab completes a word, and does not leave a line that has been begun', async () => {
   await page.focus('#command');
   await page.keyboard.type('mov');
   await page.keyboard.press('Tab');
@@ -112,9 +112,23 @@ test('Tab completes a word, and leaves the line where there is nothing to comple
   await page.keyboard.press('Tab');
   await page.keyboard.type('0 0 0.01');
   assert.equal(await page.inputValue('#command'), 'move tool by 0 0 0.01');
+  server.received = [];
+  for (let i = 0; i < 3; ++i) {
+    await page.keyboard.press('Tab');
+    assert.equal((await focused()).name, 'command');
+  }
+  await page.keyboard.type(' ');
+  assert.match(await page.inputValue('#command'), /^move tool by 0 0 0\.01 .* $/);
+  await page.fill('#command', 'move tool');
   await page.keyboard.press('Tab');
-  assert.notEqual((await focused()).name, 'command');
+  assert.equal(await page.inputValue('#command'), 'move tool ', 'a complete word gets its blank');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Tab');
+  assert.notEqual((await focused()).name, 'command', 'Escape lets go');
+  assert.deepEqual(server.received, [], 'nothing was stopped');
   await page.fill('#command', '');
+  await page.keyboard.press('Tab');
+  assert.notEqual((await focused()).name, 'command', 'an empty line lets go');
 });
 
 test('arrow keys on a slider move the joint', async () => {

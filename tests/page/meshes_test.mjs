@@ -1,5 +1,6 @@
 // Would catch: meshes of a kind that are not loaded, without their colour, scale or origin; links
-// that vanish where a mesh is missing or broken; a mesh that takes others with it.
+// that vanish where a mesh is missing or broken; a mesh that takes others with it, or that is asked
+// for twice, which watchers may not; a reason that is kept back; frames drawn as balls.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 
@@ -38,7 +39,7 @@ const kFiles = {'package://arm/red.stl': kStl, 'green.obj': kObj, 'meshes/yellow
 const kColors = {'package://arm/red.stl': '1 0 0 1', 'green.obj': '0 0.8 0 1'};
 
 /** Links that slide apart, each with a mesh half a metre long, and with `collision` each. */
-function write_urdf(files, collision) {
+function write_urdf(files, collision, frames = '') {
   const links = files.map((file, i) => `<link name="l${i}"><visual><geometry>
     <mesh filename="${file}" scale="0.5 0.5 0.5"/></geometry>
     <material name="m${i}"><color rgba="${kColors[file] ?? '1 1 1 1'}"/></material></visual>${collision}</link>
@@ -47,7 +48,7 @@ function write_urdf(files, collision) {
     <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>`);
   return `<robot name="puma560"><link name="base"/>${links.join('')}<link name="tool"/>
     <joint name="end" type="fixed"><parent link="l${files.length - 1}"/><child link="tool"/>
-    <origin xyz="0.7 0 0"/></joint></robot>`;
+    <origin xyz="0.7 0 0"/></joint>${frames}</robot>`;
 }
 
 /** Counts pixels by hue in the picture: {red, green, yellow}. */
@@ -74,8 +75,8 @@ before(async () => { browser = await launch_browser(); });
 after(() => browser.close());
 
 /** The page of a robot with all meshes of kFiles, of which `served` are there. */
-async function show(t, served, collision = '') {
-  const server = new MockServer(write_urdf(Object.keys(kFiles), collision),
+async function show(t, served, collision = '', files = Object.keys(kFiles), frames = '') {
+  const server = new MockServer(write_urdf(files, collision, frames),
     Object.fromEntries(served.map((file) => [file, kFiles[file]])));
   server.robot.q = server.robot.q.map(() => 0);
   await server.listen();
@@ -90,6 +91,7 @@ async function show(t, served, collision = '') {
     await page.click(`button:text-is("${name}")`);
   }
   await page.waitForTimeout(500);
+  page.fetched = server.fetched;
   return page;
 }
 
@@ -104,6 +106,7 @@ test('STL, OBJ and COLLADA are drawn, in their colours and sizes', async (t) => 
   // The fourth is not served: nothing else is said to be missing.
   assert.equal(await page.locator('.log .note').count(), 1);
   assert.match(await page.textContent('.log .note'), /broken\.stl is missing/);
+  assert.match(await page.textContent('.log .note'), /3 triangles take 234 bytes.*Copy it again/);
   assert.deepEqual(page.faults, []);
 });
 
@@ -124,4 +127,40 @@ test('a broken mesh is said, and leaves the others', async (t) => {
   const page = await show(t, ['broken.stl', 'green.obj']);
   assert.ok((await count_hues(page)).green > 800);
   assert.match(await page.textContent('.log'), /broken\.stl cannot be drawn/);
+});
+
+test('a mesh of many links is fetched once', async (t) => {
+  const page = await show(t, ['green.obj'], '', ['green.obj', 'green.obj', 'green.obj']);
+  assert.ok((await count_hues(page)).green > 2000);
+  assert.deepEqual(page.fetched, ['mesh/0']);
+});
+
+/** Pixels of the colour of balls, and of what is around. */
+function count_balls(page) {
+  return page.evaluate(async () => {
+    const picture = await (await fetch(window.treeline.picture())).blob();
+    const image = await createImageBitmap(picture);
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const {data} = context.getImageData(0, 0, image.width, image.height);
+    let dark = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = data.slice(i, i + 3);
+      if (r < 90 && b > r + 15 && b < r + 80 && g > r && g < b) ++dark;
+    }
+    return dark;
+  });
+}
+
+test('frames that weigh nothing are no balls beside meshes', async (t) => {
+  const frame = (mass) => ['a', 'b'].map((name, i) => `<link name="${name}">${mass}</link>
+    <joint name="to_${name}" type="fixed"><parent link="l2"/><child link="${name}"/>
+    <origin xyz="0.4 ${i - 0.5} 0.4"/></joint>`).join('');
+  const files = ['green.obj', 'green.obj', 'green.obj'];
+  const heavy = '<inertial><mass value="1"/></inertial>';
+  const without = await count_balls(await show(t, ['green.obj'], '', files));
+  const frames = await count_balls(await show(t, ['green.obj'], '', files, frame('')));
+  const masses = await count_balls(await show(t, ['green.obj'], '', files, frame(heavy)));
+  assert.ok(masses > without + 50, `${masses} dark pixels with balls, ${without} without`);
+  assert.ok(frames < without + 10, `${frames} dark pixels with frames, ${without} without`);
 });

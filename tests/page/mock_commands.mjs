@@ -118,7 +118,7 @@ export function obey(robot, line) {
   for (const [pattern, act] of kMotions) {
     const words = line.match(pattern);
     if (!words) continue;
-    return robot.mode === 'running' ? act(robot, words) : refused('not running: say `start` first');
+    return robot.mode === 'running' ? act(robot, words) : refused(`the robot is ${robot.mode}: \`start\` first`);
   }
   return refused(`expected a command, found \`${line.split(' ')[0]}\``);
 }

@@ -12,6 +12,7 @@ import {kPage, kSource, load_package} from './packages.mjs';
 
 const kToken = 'mock';
 const kLease = 0.125;  // s
+const kMissing = {'broken.stl': 'it is cut short: 3 triangles take 234 bytes, it has 100. Copy it again.'};
 const kTypes = {html: 'text/html', js: 'text/javascript', css: 'text/css'};
 
 function write_hello({robot, checksum, meshes}, may_command) {
@@ -22,7 +23,7 @@ function write_hello({robot, checksum, meshes}, may_command) {
     points: [{name: 'tool', link: 'tool', origin: [0, 0, 0, 0, 0, 0, 1],
       rows: ['x', 'y', 'z', 'rx', 'ry', 'rz'], axes: 'world'}],
     links: robot.moving.map((joint) => joint.child), locked: {},
-    controls: ['joint', 'task', 'gravity'], missing_meshes: [],
+    controls: ['joint', 'task', 'gravity'], missing_meshes: kMissing,
     meshes: Object.fromEntries(Object.keys(meshes).map((name, i) => [name, `/mesh/${i}`])),
     commands: kCommands};
 }
@@ -48,7 +49,9 @@ function write_state(robot, client, clients) {
 
 /** Who may, and who has the command; then what the line says. */
 function answer(robot, client, clients, text) {
-  if (!client.may_command) return {ok: false, text: 'this page may only watch'};
+  if (!client.may_command && text !== 'stop') {
+    return {ok: false, text: 'this page may only watch and `stop`'};
+  }
   if (text === 'take' || (clients.commander === null && text !== 'stop')) {
     if (clients.commander !== null && clients.commander !== client) {
       return {ok: false, text: 'another front end has the command'};
@@ -69,6 +72,8 @@ function answer(robot, client, clients, text) {
 export class MockServer {
   /** Newest lines that were obeyed or refused: {text, ok, time}. */
   received = [];
+  /** Names of meshes as they were asked for. */
+  fetched = [];
   silent = false;
   checksum = 'c0ffee';
   #sockets = new Set();
@@ -116,6 +121,7 @@ export class MockServer {
     const name = pathname === '/' ? 'index.html' : pathname.slice(1);
     const type = kTypes[name.split('.').at(-1)];
     const mesh = Object.values(this.meshes)[Number(name.match(/^mesh\/(\d+)$/)?.[1])];
+    if (mesh) this.fetched.push(name);
     if (name === 'robot.urdf' || mesh) {
       response.end(mesh ?? this.urdf);
     } else if (type && !name.includes('/') && fs.existsSync(path.join(kPage, name))) {

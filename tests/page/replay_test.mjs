@@ -7,7 +7,7 @@ import os from 'node:os';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {launch_browser, open_page, state_of, type_line, wait_for_state} from './browser.mjs';
+import {launch_browser, open_page, state_of, wait_for_state} from './browser.mjs';
 import {DriveServer} from './drive_server.mjs';
 
 let browser;
@@ -53,8 +53,10 @@ test('a table is shown', async (t) => {
   assert.ok(Math.abs(Math.atan2(y, x) - state.q[0]) < 1e-9, `${x} ${y} at ${state.q[0]}`);
   assert.equal(state.mode, 'replay');
   assert.equal(await page.textContent('.chip.mode'), 'Replay');
-  await type_line(page, 'start');
-  await page.waitForSelector('text=nothing can be commanded');
+  for (const control of ['.stop', '#command', 'button:text-is("Start")']) {
+    assert.ok(await page.isDisabled(control), control);
+  }
+  assert.match(await page.getAttribute('#command', 'placeholder'), /nothing can be commanded/);
   await keep(page, 'replay_planar3r');
   assert.deepEqual(page.faults, []);
 });
@@ -88,12 +90,15 @@ test('a robot that goes away stays in the picture', async (t) => {
   assert.deepEqual(page.faults, []);
 });
 
-test('a script waits until somebody looks', async (t) => {
+test('a script waits until somebody looks who may command', async (t) => {
   const script = write('script.txt', 'start\njoint joint1 to 0.5 in 10 s\nwait\n');
   const server = new DriveServer();
   t.after(() => server.close());
   await server.start(['robots/planar3r/planar3r.urdf'], ['--script', script]);
-  await new Promise((resolve) => setTimeout(resolve, 1000));
+  const watcher = await open_page(browser, server.watching_address);
+  t.after(() => watcher.close());
+  await watcher.waitForTimeout(1000);
+  assert.equal((await state_of(watcher)).mode, 'idle', 'whoever may only watch starts nothing');
   const page = await open_page(browser, server.address);
   t.after(() => page.close());
   assert.ok((await state_of(page)).q[0] < 0.4);

@@ -31,13 +31,21 @@ async function run(line) {
   command_line.say(line, 'sent');
   const reply = await connection.send(line);
   command_line.say(reply.text, reply.ok ? 'good' : 'bad');
+  offer_what_is_missing(reply);
   return reply;
+}
+
+/** A motion that is refused because the robot does not run leads to the button that is missing. */
+function offer_what_is_missing({ok, text}) {
+  const missing = ok ? null : text.match(/`(start|reset)` first/)?.[1];
+  if (missing) status.offer(missing === 'start' ? 'Start' : 'Reset');
 }
 
 /** Sends a line of a drag. Only a refusal is shown, and only once. */
 async function send_drag(line) {
   const reply = await connection.send(line);
   if (reply.ok || reply.text === refusal) return;
+  offer_what_is_missing(reply);
   refusal = reply.text;
   command_line.say(`${line}: ${reply.text}`, 'bad');
 }
@@ -73,6 +81,16 @@ const pull = toggle('Pull links',
   (yes) => { view.gestures.pulls_links = yes; });
 find('#view-tools').append(pull);
 
+/** Whoever only watches sees that nothing but the stop is for him. */
+function enable_commands(may_command) {
+  for (const part of [tabs.Joints, tabs.Points, tabs.Control]) {
+    for (const control of part.querySelectorAll('button, input, select')) {
+      control.disabled = !may_command && control !== joint_panel.units;
+    }
+  }
+  find('#duration').disabled = !may_command;
+}
+
 async function greet(message) {
   const same = hello !== null && hello.robot === message.robot;
   hello = message;
@@ -80,6 +98,8 @@ async function greet(message) {
   pull.disabled = !message.may_command || message.links.length === 0;
   if (same) {
     status.greet(message);
+    command_line.greet(message);
+    enable_commands(message.may_command);
     return;
   }
   recorder.clear();
@@ -91,6 +111,7 @@ async function greet(message) {
   view.load(await answer.text(), message);
   view_panel.apply(view);
   for (const panel of panels) panel.greet?.(message);
+  enable_commands(message.may_command);
 }
 
 function show_link(link) {

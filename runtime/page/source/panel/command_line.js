@@ -20,6 +20,7 @@ export class CommandLine {
   #place = this.#history.length;
   #offers = [];
   #chosen = -1;
+  #left = false;  // Escape was pressed: Tab goes on to the next control
 
   /** `run(line)` sends a line and shows the reply. */
   constructor(root, run) {
@@ -35,7 +36,10 @@ export class CommandLine {
     root.append(this.log, element('div', {className: 'prompt'},
       element('span', {'aria-hidden': 'true'}, '>'), this.input, this.list));
     this.input.addEventListener('keydown', (event) => this.#press(event));
-    this.input.addEventListener('input', () => this.#offer());
+    this.input.addEventListener('input', () => {
+      this.#left = false;
+      this.#offer();
+    });
     this.input.addEventListener('blur', () => this.#close());
     addEventListener('keydown', (event) => this.#focus_on_slash(event));
   }
@@ -48,6 +52,9 @@ export class CommandLine {
     else if (joint?.unit === 'm') this.input.placeholder = `joint ${joint.name} by 0.01 in 2 s`;
     else if (joint) this.input.placeholder = `joint ${joint.name} to 20 deg in 2 s`;
     else if (hello.base === 'floating') this.input.placeholder = 'move base by 0 0 0.1 in 2 s';
+    this.input.disabled = !hello.may_command;
+    if (hello.replay) this.input.placeholder = 'a recorded motion: nothing can be commanded';
+    else if (!hello.may_command) this.input.placeholder = 'without the token: watch, and STOP';
   }
 
   /** Shows a line of text; `kind` is `sent`, `good`, `bad` or `note`. */
@@ -66,8 +73,8 @@ export class CommandLine {
 
   #press(event) {
     if (event.key === 'Enter') this.#submit();
-    else if (event.key === 'Tab' && !event.shiftKey && this.#offers.length > 0) this.#complete();
-    else if (event.key === 'Escape') this.#close();
+    else if (event.key === 'Tab' && !event.shiftKey && this.#is_begun()) this.#complete();
+    else if (event.key === 'Escape') this.#leave();
     else if (event.key === 'ArrowUp') this.#step(-1);
     else if (event.key === 'ArrowDown') this.#step(1);
     else return;
@@ -101,7 +108,22 @@ export class CommandLine {
     this.run(line);
   }
 
+  /** A line that is begun keeps the focus: outside of it the next blank would stop the robot. */
+  #is_begun() {
+    return this.input.value.trim() !== '' && !this.#left;
+  }
+
+  #leave() {
+    this.#left = true;
+    this.#close();
+  }
+
   #complete() {
+    if (this.#offers.length === 0) {
+      if (!this.input.value.endsWith(' ')) this.input.value += ' ';
+      this.#offer();
+      return;
+    }
     if (this.#chosen >= 0 || this.#offers.length === 1) {
       this.#take(this.#offers[Math.max(this.#chosen, 0)]);
       return;

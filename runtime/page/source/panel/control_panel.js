@@ -44,6 +44,7 @@ export class ControlPanel {
     });
     this.buttons.replaceChildren(...this.choices);
     this.rate = hello.rate;
+    this.may_command = hello.may_command;
   }
 
   update(state) {
@@ -51,7 +52,7 @@ export class ControlPanel {
       choice.setAttribute('aria-pressed', String(choice.dataset.control === state.control));
     }
     const [, go, discard] = this.rehearsal;
-    go.disabled = discard.disabled = !state.twin;
+    go.disabled = discard.disabled = !state.twin || !this.may_command;
     const rows = {'Rate': `${this.rate} Hz`, 'Time': `${state.time.toFixed(1)} s`,
       'Cycles': state.cycles ?? '–', 'Overruns': state.overruns ?? '–',
       ...Object.fromEntries(Object.entries(state.counts ?? {}).map(([name, count]) =>

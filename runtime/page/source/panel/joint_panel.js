@@ -104,14 +104,14 @@ export class JointPanel {
     Object.assign(this, {run, send, duration});
     this.rows = [];
     this.list = element('div', {className: 'joints'});
-    const units = toggle('Degrees', 'Show angles in degrees, or in radians', true, (yes) => {
+    this.units = toggle('Degrees', 'Show angles in degrees, or in radians', true, (yes) => {
       show_degrees(yes);
       for (const row of this.rows) row.paint_unit();
     });
     const posture = toggle('As posture',
       'Numbers become goals of the posture, in the null space of the task', false,
       (yes) => { this.sets_posture = yes; });
-    root.append(element('div', {className: 'tools'}, units, posture,
+    root.append(element('div', {className: 'tools'}, this.units, posture,
       button('Home', 'All joints to where the robot began',
         () => run(`posture home${duration() > 0 ? ` in ${duration()} s` : ''}`))), this.list,
     this.hint = element('p', {className: 'hint'}));

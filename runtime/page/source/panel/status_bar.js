@@ -18,8 +18,9 @@ function takes_blanks(target) {
   return target instanceof HTMLInputElement && target.type === 'text' && target.value.trim() !== '';
 }
 
-/** What is wrong, and what to do; empty if nothing is. */
-function words_of(state) {
+/** What is wrong, and what to do; empty if nothing is. `offered`: a motion was tried before. */
+function words_of(state, offered) {
+  if (offered && state.mode === 'idle') return 'The robot is idle: press Start, then try again';
   if (state.mode === 'faulted') return `${state.fault || 'stopped'}: press Reset, then Start`;
   return state.fault || (state.saturated ? 'a torque is at its limit' : '');
 }
@@ -28,6 +29,9 @@ export class StatusBar {
   #may_command = true;
   #commanding = false;
   #open = false;
+  #replays = false;
+  #offered = null;
+  #offered_in = '';  // the mode
 
   /** `fault` is where faults are said; `run(line)` sends a line and shows the reply. */
   constructor(root, fault, run) {
@@ -44,8 +48,8 @@ export class StatusBar {
       control('hold', 'Stop all motions and hold'),
       control('brake', 'Brake to rest, then idle'),
       control('reset', 'Leave the fault or the emergency stop')];
-    this.stop = button('STOP', 'Emergency stop. The space bar does the same, except inside a text.',
-      () => run('stop'), 'stop');
+    this.stop = button('STOP', 'Emergency stop, for everybody who watches too. The space bar does ' +
+      'the same, except in a command that has been begun.', () => run('stop'), 'stop');
     this.stop.setAttribute('aria-keyshortcuts', 'Space');
     this.stop.append(element('small', {}, 'space'));
     root.append(this.name, element('div', {className: 'chips'}, this.link, this.mode, this.role),
@@ -61,6 +65,7 @@ export class StatusBar {
     this.name.title = `${hello.name}, ${hello.base} base, ${hello.rate} Hz`;
     document.title = `${hello.name} – treeline drive`;
     this.#may_command = hello.may_command;
+    this.#replays = Boolean(hello.replay);
     this.#enable_buttons();
     this.#paint_role();
   }
@@ -78,23 +83,40 @@ export class StatusBar {
     const tone = {running: 'good', faulted: 'bad', stopping: 'warn'}[state.mode] ?? 'quiet';
     const control = state.mode === 'running' && state.control ? ` (${state.control})` : '';
     show(this.mode, (kModes[state.mode] ?? state.mode) + control, tone);
-    set_text(this.fault, words_of(state));
+    if (state.mode !== this.#offered_in) this.#withdraw();
+    set_text(this.fault, words_of(state, this.#offered !== null));
     this.fault.dataset.tone = state.fault ? 'bad' : 'warn';
     this.state = state;
     this.#commanding = state.commanding;
     this.#paint_role();
   }
 
+  /** Shows which button has to be pressed before what was tried: `Start` or `Reset`. */
+  offer(label) {
+    this.#withdraw();
+    this.#offered = this.controls.find((one) => one.textContent === label) ?? null;
+    this.#offered_in = this.state?.mode;
+    this.#offered?.classList.add('offered');
+    if (this.state) this.update(this.state);
+  }
+
+  #withdraw() {
+    this.#offered?.classList.remove('offered');
+    this.#offered = null;
+  }
+
   #enable_buttons() {
     for (const one of [this.hand_over, ...this.controls]) {
       one.disabled = !this.#open || !this.#may_command;
     }
+    this.stop.disabled = this.#replays;
   }
 
   #paint_role() {
     const count = (this.state?.watchers ?? 1) - 1;  // without this page
     const others = count > 0 ? `, ${count} watching` : '';
-    if (!this.#may_command) show(this.role, 'Watching only', 'quiet');
+    if (this.#replays) show(this.role, 'Watching only', 'quiet');
+    else if (!this.#may_command) show(this.role, 'Watching, may stop', 'quiet');
     else if (this.#commanding) show(this.role, `In command${others}`, 'good');
     else if (this.state?.commander) show(this.role, 'Another commands', 'warn');
     else show(this.role, 'Nobody commands', 'quiet');
@@ -104,6 +126,7 @@ export class StatusBar {
   #stop_on_space(event) {
     if (event.key !== ' ' || event.repeat || takes_blanks(event.target)) return;
     event.preventDefault();
+    if (this.#replays) return;
     this.run('stop');
     this.stop.classList.add('pressed');
     setTimeout(() => this.stop.classList.remove('pressed'), 300);

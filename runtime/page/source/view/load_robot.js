@@ -54,11 +54,19 @@ function drop_unreadable(robot, meshes) {
   return [...missing];
 }
 
-function report_missing(files, report) {
+/** Says which meshes are missing, and why the first of them is, where the server says that. */
+function report_missing(files, reasons, report) {
   if (files.length === 0) return;
   const others = files.length > 1 ? ` and ${files.length - 1} other meshes are` : ' is';
-  report(`${files[0]}${others} missing; simple shapes or sticks stand in. The option ` +
-    '--package NAME=DIR of treeline drive says where package://NAME/ lies.');
+  const why = reasons[files[0]] ? ` ${files[0]}: ${reasons[files[0]]}` : '';
+  report(`${files[0]}${others} missing; simple shapes or sticks stand in.${why}`);
+}
+
+/** Names of links that weigh nothing and show nothing: frames, such as that of a tool. */
+function frames_of(robot) {
+  return [...robot.querySelectorAll('link')].filter((link) => !link.querySelector('visual') &&
+    !(Number(link.querySelector('mass')?.getAttribute('value')) > 0))
+    .map((link) => link.getAttribute('name'));
 }
 
 /** Fetches each mesh once: to those who only watch, the server gives it once. */
@@ -84,7 +92,11 @@ async function parse_mesh(file, bytes, manager, material) {
     shape.computeVertexNormals();  // many files have zeros for normals
     return new three.Mesh(shape, material);
   }
-  if (kind === 'dae') return new ColladaLoader(manager).parse(text(), '').scene;
+  if (kind === 'dae') {
+    const collada = new ColladaLoader(manager).parse(text(), '');
+    if (!collada) throw new Error('this is no whole COLLADA file');
+    return collada.scene;
+  }
   if (kind === 'glb' || kind === 'gltf') {
     return (await new GLTFLoader(manager).parseAsync(bytes, '')).scene;
   }
@@ -97,13 +109,15 @@ async function parse_mesh(file, bytes, manager, material) {
 }
 
 /**
- * Builds the model of a URDF. `meshes` is that of the server's hello: the name in the URDF to the
- * address. `report(text)` hears of what cannot be drawn; `changed()` is called as meshes arrive.
+ * Builds the model of a URDF. Of the server's hello it takes `meshes`, from the name in the URDF to
+ * the address, and `missing_meshes`, to the reason. `report(text)` hears of what cannot be drawn;
+ * `changed()` is called as meshes arrive.
  */
-export function load_robot(urdf, meshes, report, changed) {
+export function load_robot(urdf, {meshes = {}, missing_meshes = {}}, report, changed) {
   const robot = new DOMParser().parseFromString(urdf, 'text/xml');
   trim_numbers(robot);
-  report_missing(drop_unreadable(robot, meshes), report);
+  const frames = frames_of(robot);
+  report_missing(drop_unreadable(robot, meshes), missing_meshes, report);
   const manager = new three.LoadingManager();
   manager.setURLModifier((url) =>
     (url.startsWith('/mesh/') || /^(data|blob):/.test(url) ? url : kWhitePixel));
@@ -115,7 +129,8 @@ export function load_robot(urdf, meshes, report, changed) {
     fetched(file).then((bytes) => parse_mesh(file, bytes, manager, material)).then((mesh) => {
       done(mesh);
       changed();
-    }, (error) => report(`the mesh ${file} cannot be drawn: ${error.message}`));
+    }, (error) => report(`the mesh ${file} cannot be drawn: ${
+      error instanceof RangeError ? 'it is cut short' : error.message}`));
   };
   const model = loader.parse(robot);
   for (const joint of Object.values(model.joints)) {
@@ -123,6 +138,6 @@ export function load_robot(urdf, meshes, report, changed) {
     joint.origQuaternion = joint.quaternion.clone();
     joint.ignoreLimits = true;
   }
-  add_stick_figure(model);
+  add_stick_figure(model, frames);
   return model;
 }

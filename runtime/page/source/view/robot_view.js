@@ -55,7 +55,7 @@ export class RobotView {
     this.#clear();
     this.hello = hello;
     this.points = points_of(hello);
-    this.model = load_robot(urdf, hello.meshes ?? {}, this.report, () => {
+    this.model = load_robot(urdf, hello, this.report, () => {
       this.overlays?.renew_ghost();
       this.stage.redraw();
     });

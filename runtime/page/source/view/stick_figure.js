@@ -18,13 +18,18 @@ function make_stick(end, radius, material) {
   return stick;
 }
 
-/** Adds sticks and balls to the links of `model` that have no visual. */
-export function add_stick_figure(model) {
+/**
+ * Adds sticks and balls to the links of `model` that have no visual. Where others have one, `frames`
+ * get nothing: they would hide what is there, as fingertips.
+ */
+export function add_stick_figure(model, frames) {
   const radius = Math.min(0.07 * typical_length(model), 0.03);
   const sticks = new three.MeshPhongMaterial({color: 0x7d8ba1});
   const balls = new three.MeshPhongMaterial({color: 0x44536a});
+  const has_visual = (link) => link.children.some((child) => child.isURDFVisual);
+  const is_drawn = Object.values(model.links).some(has_visual);
   for (const link of Object.values(model.links)) {
-    if (link.children.some((child) => child.isURDFVisual)) continue;
+    if (has_visual(link) || (is_drawn && frames.includes(link.urdfName))) continue;
     const joints = link.children.filter((child) => child.isURDFJoint);
     const parts = joints.filter((joint) => joint.position.length() > 1e-6)
       .map((joint) => make_stick(joint.position, radius, sticks));

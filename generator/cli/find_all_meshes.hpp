@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/read_inputs.hpp"
+#include "drive/find_meshes.hpp"
+#include "text/diagnostic.hpp"
+
+namespace treeline {
+
+/// What the command line says of meshes.
+struct MeshOptions {
+  std::vector<std::string> packages;  ///< NAME=DIR, each
+  std::vector<std::string> folders;
+};
+
+/// Adds `--package` and `--mesh-folder`.
+void add_mesh_options(CLI::App& command, MeshOptions& options);
+
+/// Where meshes may lie: as the options say, and as AMENT_PREFIX_PATH and ROS_PACKAGE_PATH do.
+/// Errors: what is no folder.
+std::optional<drive::MeshPlaces> read_mesh_places(const MeshOptions& options,
+                                                  Diagnostics& diagnostics);
+
+/// The meshes of all robots. Those of several are named as `print_joined_urdf` names them.
+std::vector<drive::ServedMesh> find_all_meshes(const RobotFiles& files,
+                                               const drive::MeshPlaces& places);
+
+/// Tells of meshes that cannot be shown: the first, and how many others.
+void warn_of_missing(const std::vector<drive::ServedMesh>& meshes, Diagnostics& diagnostics);
+
+}  // namespace treeline
