@@ -195,29 +195,47 @@ class SafeState {
     }
   }
 
-  /// What joints without a limit of torque are held by; those without a motor are not.
-  void find_strengths() noexcept {
-    constexpr double kAcceleration = 100.0;  // rad/s^2
+  /// Torque (N m or N) that holds each joint, and torque by which its inertia accelerates at 1
+  /// rad/s^2.
+  void measure_joints(double (&weight)[nv], double (&inertia)[nv]) const noexcept {
     typename Robot::Measured still = at_;
     std::fill(std::begin(still.qd), std::end(still.qd), 0.0);
     double qdd[nv] = {};
-    double weight[nv];
     Robot::joint_torque(input_, still, qdd, weight);
     for (int i = 0; i < nv; ++i) {
-      strengths_.torque[i] = config_.torque[i];
-      if (config_.torque[i] >= kLargest) {
-        double moved[nv];
-        qdd[i] = kAcceleration;
-        Robot::joint_torque(input_, still, qdd, moved);
-        qdd[i] = 0.0;
-        strengths_.torque[i] = 2.0 * std::fabs(weight[i]) + std::fabs(moved[i] - weight[i]);
-      }
-      if (!has_motor<F>(i) || !std::isfinite(strengths_.torque[i])) strengths_.torque[i] = 0.0;
-      strengths_.torque_rate[i] = kInfinity;
-      if (strengths_.torque[i] > 0.0 && config_.torque[i] < kLargest) {
-        strengths_.torque_rate[i] = config_.torque_rate[i];
-      }
+      double moved[nv];
+      qdd[i] = 1.0;
+      Robot::joint_torque(input_, still, qdd, moved);
+      qdd[i] = 0.0;
+      inertia[i] = std::fabs(moved[i] - weight[i]);
     }
+  }
+
+  /// What joints without a limit of torque are held by; those without a motor are not. Motors that
+  /// are weak for what they move would swing about a stiff reference, torque always at its limits:
+  /// they are led so softly that 0.02 rad or m beside it need no more torque, nor a faster change
+  /// of it, than there is.
+  void find_strengths() noexcept {
+    constexpr double kAcceleration = 100.0;  // rad/s^2
+    constexpr double kSwing = 0.02;          // rad or m
+    constexpr double kSoftest = 5.0;         // rad/s
+    double weight[nv];
+    double inertia[nv];
+    measure_joints(weight, inertia);
+    double frequency = config_.hold_frequency;
+    for (int i = 0; i < nv; ++i) {
+      const double limit = config_.torque[i];
+      const double free = 2.0 * std::fabs(weight[i]) + kAcceleration * inertia[i];
+      const double strength = limit < kLargest ? limit : free;
+      const bool holds = has_motor<F>(i) && std::isfinite(strength) && strength > 0.0;
+      strengths_.torque[i] = holds ? strength : 0.0;
+      strengths_.torque_rate[i] = holds && limit < kLargest ? config_.torque_rate[i] : kInfinity;
+      const double room = limit - std::fabs(weight[i]);
+      if (!holds || !(room > 0.0) || !(inertia[i] > 0.0)) continue;
+      frequency = std::fmin(frequency, std::sqrt(room / (kSwing * inertia[i])));
+      frequency = std::fmin(frequency, std::cbrt(config_.torque_rate[i] / (kSwing * inertia[i])));
+    }
+    strengths_.hold_frequency = std::fmax(frequency, kSoftest);
   }
 
   typename Robot::Config config_;

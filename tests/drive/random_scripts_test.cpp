@@ -1,6 +1,6 @@
 // Would catch: commands that are accepted and end in a fault, or that lead a joint beyond 90 % of
 // its limit of speed, whoever asks: goals out of reach, motions that are too short, pulls, drags,
-// changes of the control in full swing.
+// changes of the control in full swing. Ten thousand scripts take three quarters of an hour.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -52,12 +52,12 @@ std::string path_of(const char* name) {
   return std::string(TREELINE_SOURCES) + "/" + name;
 }
 
-/// The scene's file; a proposed one is written into this folder.
+/// The scene's file; a proposed one is written.
 std::string scene_file(const Tried& tried, Diagnostics& diagnostics) {
   if (*tried.scene != '\0') return path_of(tried.scene);
   const auto robot = read_urdf(path_of(tried.urdf), diagnostics);
   const SceneProposal proposal = propose_scene(*robot, Base::fixed);
-  const std::string file = std::string(tried.name) + "_proposed.yaml";
+  const std::string file = testing::TempDir() + tried.name + "_proposed.yaml";
   std::ofstream(file) << print_scene(*robot, proposal, tried.urdf, {});
   return file;
 }

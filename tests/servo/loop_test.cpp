@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "allocation_counter.hpp"
 #include "servo/run_for.hpp"
@@ -296,6 +297,77 @@ TEST(ServoLoop, OneLateCycleIsForgivenFourInARowAreNot) {
   EXPECT_EQ(rig.loop.mode(), Mode::faulted);
   EXPECT_EQ(rig.loop.fault().kind, FaultKind::deadline);
   EXPECT_EQ(rig.loop.cycle().skips(), 7U);
+}
+
+// The process is stopped for 1.5 s, for instance in a debugger, while it waits or within a cycle.
+// The arm would pass 360 rad under a torque that stays, and its limits within a second.
+TEST(ServoLoop, AStallIsAFaultAndMovesNoSimulatedRobotForLong) {
+  for (const bool within : {false, true}) {
+    Rig rig;
+    rig.send(MessageKind::start);
+    rig.cycles(1000);
+    const RobotState<2, 2> before = rig.state();
+    if (!within) rig.clock.advance(1'500'000'000);
+    ASSERT_TRUE(rig.loop.step([&](const Report<TwoLink>&) {
+      if (within) rig.clock.advance(1'500'000'000);
+    }));
+    EXPECT_EQ(rig.loop.mode(), Mode::faulted);
+    EXPECT_EQ(rig.loop.fault().kind, FaultKind::stalled);
+    EXPECT_NEAR(rig.loop.fault().value, 1.5, 2e-3);
+    rig.cycles(1000);
+    for (int i = 0; i < 2; ++i) {  // 50 ms pass, and then it brakes
+      EXPECT_NEAR(rig.state().q[i], before.q[i], 0.1) << i;
+      EXPECT_LT(std::fabs(rig.state().qd[i]), 1e-3) << i;
+    }
+  }
+}
+
+/// A robot that can be put back, as simulated ones can that were lost.
+struct Restored : SimulatedRobot<TwoLink> {
+  using SimulatedRobot::SimulatedRobot;
+  void restore() { set_state({{0.5, 0.5}, {0.0, 0.0}}); }
+};
+
+TEST(ServoLoop, AResetRestoresARobotThatOffersIt) {
+  Rig rig;
+  Restored robot({{2.5, 0.4}, {0.0, 0.0}});
+  ServoLoop<TwoLink, Restored, Swing, SimulatedClock> loop{
+      {}, Rig::make_limits(), robot, rig.controller, rig.clock, rig.mailbox};
+  loop.step(nobody);
+  EXPECT_EQ(loop.fault().kind, FaultKind::position_limit);
+  rig.send(MessageKind::reset);
+  for (int i = 0; i < 100; ++i) loop.step(nobody);
+  EXPECT_EQ(loop.mode(), Mode::idle);
+  RobotState<2, 2> now;
+  robot.read(now);
+  EXPECT_NEAR(now.q[0], 0.5, 0.02);  // what was borne elsewhere is not what is borne here
+}
+
+// Motors that bear little more than the weight swing for ever about a reference that is too stiff
+// for them, where torques may change so fast only.
+TEST(ServoLoop, WeakArmsComeToRestToo) {
+  std::mt19937 rng(5);
+  const auto between = [&rng](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(rng);
+  };
+  for (int draw = 0; draw < 200; ++draw) {
+    SCOPED_TRACE(draw);
+    const double strength = std::exp(between(std::log(1.3), std::log(20.0)));
+    SafetyLimits<2, 2> limits;
+    limits.torque = {29.5 * strength, 9.81 * strength};
+    SimulatedRobot<TwoLink> robot(
+        {{between(-3, 3), between(-3, 3)}, {between(-1, 1), between(-1, 1)}});
+    Swing controller;
+    SimulatedClock clock;
+    Mailbox mailbox;
+    ServoLoop<TwoLink, SimulatedRobot<TwoLink>, Swing, SimulatedClock> loop{
+        {}, limits, robot, controller, clock, mailbox};
+    for (int i = 0; i < 3000; ++i) loop.step(nobody);
+    RobotState<2, 2> now;
+    robot.read(now);
+    EXPECT_LT(std::fabs(now.qd[0]), 0.01) << strength;
+    EXPECT_LT(std::fabs(now.qd[1]), 0.01) << strength;
+  }
 }
 
 TEST(ServoLoop, EndsWhenTheRobotIsGone) {
