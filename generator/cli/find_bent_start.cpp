@@ -117,19 +117,22 @@ void put_highest_first(const drive::RobotLibrary& library, const drive::RobotDes
 
 std::optional<std::vector<double>> find_bent_start(const drive::RobotLibrary& library,
                                                    const drive::RobotDescription& robot,
-                                                   const std::vector<double>& start) {
+                                                   const std::vector<double>& start,
+                                                   const AdmitsStart& admits) {
   constexpr double kSingular = 0.05;  // below it, goals may ask for twenty times the usual speed
   constexpr double kFine = 0.1;
   if (library.jacobian == nullptr) return std::nullopt;
   Task task(library, robot);
   if (task.at(start).least >= kSingular) return std::nullopt;
+  constexpr double kEasily = 0.7;
   const bool must_hold = holds_weight(library, robot, start);
+  const double share = holds_weight(library, robot, start, kEasily) ? kEasily : 1.0;
   std::vector<double> best = start;
   for (std::size_t i = 0; i < 2 * start.size() && task.at(best).least < kFine; ++i) {
     std::vector<Step> steps = list_steps(task, robot, start, best);
     put_highest_first(library, robot, steps);
     const auto step = std::find_if(steps.begin(), steps.end(), [&](const Step& each) {
-      return !must_hold || holds_weight(library, robot, each.q);
+      return (!must_hold || holds_weight(library, robot, each.q, share)) && admits(each.q);
     });
     if (step == steps.end()) break;
     best = step->q;

@@ -95,8 +95,8 @@ std::vector<double> candidates(const drive::DrivenCoordinate& coordinate) {
 }  // namespace
 
 bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
-                  const std::vector<double>& q) {
-  return !(Overload(library, robot)(q, 1.0) > 0);
+                  const std::vector<double>& q, double share) {
+  return !(Overload(library, robot)(q, share) > 0);
 }
 
 double height_of_points(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
@@ -139,7 +139,8 @@ std::string free_weak_robot(const drive::RobotLibrary& library, drive::RobotDesc
 
 std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary& library,
                                                        const drive::RobotDescription& robot,
-                                                       const std::vector<double>& start) {
+                                                       const std::vector<double>& start,
+                                                       const AdmitsStart& admits) {
   constexpr int kSweeps = 3;
   Overload overload(library, robot);
   if (!(overload(start, 1.0) > 0)) return std::nullopt;
@@ -152,7 +153,7 @@ std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary
       for (const double place : candidates(robot.coordinates[i])) {
         q[i] = place;
         const double now = overload(q);
-        if (!(now < least)) continue;
+        if (!(now < least) || !admits(q)) continue;
         least = now;
         best = q;
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,9 +10,9 @@
 
 namespace treeline {
 
-/// Whether the robot can hold its weight at rest at `q`.
+/// Whether the robot can hold its weight at rest at `q` with this share of its effort limits.
 bool holds_weight(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
-                  const std::vector<double>& q);
+                  const std::vector<double>& q, double share = 1.0);
 
 /// z of the operational points together, m.
 double height_of_points(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
@@ -30,11 +31,15 @@ std::string describe_overload(const drive::RobotLibrary& library,
 std::string free_weak_robot(const drive::RobotLibrary& library, drive::RobotDescription& robot,
                             const std::vector<double>& q);
 
+/// Whether a robot may start there.
+using AdmitsStart = std::function<bool(const std::vector<double>& q)>;
+
 /// Where a robot can hold its weight with 70 % of its effort limits, found by moving one joint
 /// after the other from `start`, from the base on; the best that was found where there is no such
 /// place. Nothing if it can hold its weight at `start`.
 std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary& library,
                                                        const drive::RobotDescription& robot,
-                                                       const std::vector<double>& start);
+                                                       const std::vector<double>& start,
+                                                       const AdmitsStart& admits);
 
 }  // namespace treeline

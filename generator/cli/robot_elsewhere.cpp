@@ -10,6 +10,7 @@
 #include "cli/find_bent_start.hpp"
 #include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
+#include "cli/robot_shapes.hpp"
 #include "cli/write_output.hpp"
 #include "interruption/clean_up.hpp"
 #include "text/printable.hpp"
@@ -33,22 +34,39 @@ std::vector<double> closed(const LaunchedRobot& robot, std::vector<double> start
   return {};
 }
 
-/// Where all joints are at 0, or as near as the robot can hold its weight and move its points.
+/// Puts a robot whose base floats upon the ground: z = 0 of the world.
+void stand_on_ground(const LaunchedRobot& robot, const RobotShapes& shapes,
+                     std::vector<double>& start) {
+  const auto& coordinates = robot.description.coordinates;
+  const auto z = std::find_if(coordinates.begin(), coordinates.end(), [](const auto& each) {
+    return each.joint == "base" && each.measure == drive::Measure::z;
+  });
+  if (z == coordinates.end()) return;
+  start[static_cast<std::size_t>(z - coordinates.begin())] -= shapes.lowest(start);
+}
+
+/// Where all joints are at 0, or as near as the robot can hold its weight and move its points, and
+/// no link is in another.
 std::vector<double> choose_start(const LaunchedRobot& robot) {
   const drive::RobotLibrary& library = robot.library.functions();
   std::vector<double> start = default_start(robot.description);
-  if (const auto better = find_holdable_start(library, robot.description, start)) {
+  const RobotShapes shapes(robot);
+  const AdmitsStart is_clear = [&shapes, first = start](const std::vector<double>& q) {
+    return shapes.is_clear(q, first);
+  };
+  if (const auto better = find_holdable_start(library, robot.description, start, is_clear)) {
     print_message(
         "with all joints at 0 the robot cannot hold its weight: it starts elsewhere; --q "
         "chooses the place\n");
     start = *better;
   }
-  if (const auto better = find_bent_start(library, robot.description, start)) {
+  if (const auto better = find_bent_start(library, robot.description, start, is_clear)) {
     print_message(
         "with its joints near 0 the robot cannot move its points in every direction: it "
         "starts bent; --q chooses the place\n");
     start = *better;
   }
+  stand_on_ground(robot, shapes, start);
   return start;
 }
 

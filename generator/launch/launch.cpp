@@ -106,7 +106,8 @@ std::optional<LaunchedRobot> launch(
   if (path.empty()) return std::nullopt;
   auto library = DrivenLibrary::load(path, diagnostics);
   if (!library) return std::nullopt;
-  return LaunchedRobot{std::move(*description), std::move(folder), std::move(*library)};
+  return LaunchedRobot{std::move(*description), std::move(folder), std::move(*library), input.robot,
+                       parts->control};
 }
 
 }  // namespace treeline

@@ -31,6 +31,8 @@ struct LaunchedRobot {
   drive::RobotDescription description;
   std::unique_ptr<TemporaryFolder> folder;  ///< of the library; outlives it
   DrivenLibrary library;
+  Robot robot;
+  Scene scene;  ///< that it is driven by
 };
 
 /// Generates a robot's code, compiles it together with the control loop, and loads it. `accepts` is

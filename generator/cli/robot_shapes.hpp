@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drawing/place_links.hpp"
+#include "drawing/read_visuals.hpp"
+#include "launch/launch.hpp"
+
+namespace treeline {
+
+/// The boxes, cylinders and spheres by which a robot collides, where it has any.
+class RobotShapes {
+ public:
+  explicit RobotShapes(const LaunchedRobot& robot);
+
+  /// Whether no two links come nearer to each other than 5 mm, or than they are at `other`. Links
+  /// that at most two joints connect may: shapes meet where joints turn.
+  [[nodiscard]] bool is_clear(const std::vector<double>& q, const std::vector<double>& other) const;
+  /// z of the lowest shape, or of the lowest frame of a link, m.
+  [[nodiscard]] double lowest(const std::vector<double>& q) const;
+
+ private:
+  [[nodiscard]] std::vector<Visual> place(const std::vector<double>& q) const;
+  [[nodiscard]] double least_distance(const std::vector<double>& q) const;
+
+  LinkPlacer placer_;
+  std::vector<Visual> shapes_;
+  std::vector<std::size_t> links_;  ///< of each shape
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;
+};
+
+}  // namespace treeline
