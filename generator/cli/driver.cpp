@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,6 +14,7 @@
 
 #include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
+#include "cli/outlast_others.hpp"
 #include "cli/page_server.hpp"
 #include "cli/record_writer.hpp"
 #include "cli/rehearsals.hpp"
@@ -205,20 +205,17 @@ void Driver::obey_script() {
   while (!ending_ && script_.next(time(), moving(), line)) obey_line(line);
 }
 
-/// Takes what people have typed. Its end ends the drive if nobody else can command.
+/// Takes what people have typed, as far as there is room for it: others wait meanwhile. Its end
+/// ends the drive if nobody else can command.
 void Driver::read_input() {
-  if (!settings_.reads_input || !input_open_) return;
+  if (!settings_.reads_input || !input_open_ || script_.is_full()) return;
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  while (poll(&input, 1, 0) > 0) {
-    char bytes[512];
-    const ssize_t count = read(STDIN_FILENO, bytes, sizeof(bytes));
-    if (count <= 0) {
-      input_open_ = false;
-      script_.close();
-      return;
-    }
-    script_.append({bytes, static_cast<std::size_t>(count)});
-  }
+  if (poll(&input, 1, 0) <= 0) return;
+  char bytes[512];
+  const ssize_t count = read(STDIN_FILENO, bytes, sizeof(bytes));
+  if (count > 0) return script_.append({bytes, static_cast<std::size_t>(count)});
+  input_open_ = false;
+  script_.close();
 }
 
 /// The drive ends with the script unless browsers may go on, and with a fault under a script. A
@@ -380,10 +377,7 @@ std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSet
   }
   warn_of_weight(robot, start);
   asked_to_end = false;
-  // Whoever reads what is said or recorded may go, and a file may reach its limit: the robot goes
-  // on.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+  outlast_others();
   answer_signals([] { asked_to_end = true; });
   Driver driver(robot, settings, start, external ? external->functions() : drive::ExternalRobot{});
   std::optional<DriveOutcome> outcome;

@@ -14,9 +14,10 @@ bool says_something(const std::string& line) {
 }  // namespace
 
 void Script::append(std::string_view text) {
+  constexpr std::size_t kLongestKept = 4096;  // bytes: longer than any command
   for (const char c : text) {
     if (c != '\n') {
-      rest_ += c;
+      if (rest_.size() < kLongestKept) rest_ += c;
       continue;
     }
     ++numbers_;

@@ -19,8 +19,11 @@ class Script {
   Script() = default;
   explicit Script(std::string_view text) { append(text); }
 
-  /// Adds lines at the end; all but the last are complete.
+  /// Adds lines at the end; all but the last are complete. A line that has no end is cut, and then
+  /// longer than any command.
   void append(std::string_view text);
+  /// Whether more should wait until some of what was added has been obeyed.
+  bool is_full() const { return lines_.size() >= 1000; }
   /// No more lines will come: what is left of the last one is a line.
   void close();
 

@@ -106,5 +106,19 @@ TEST_F(DriveEnds, ARecordThatIsNotWholeHasFailed) {
   EXPECT_NEAR(state["q"][0].get<double>(), 0.5, 1e-2) << "the robot goes on without its record";
 }
 
+// Would catch: a drive that is busy with nothing but its input, so that nothing else is heard.
+TEST_F(DriveEnds, AnInputWithoutEndHoldsNothing) {
+  const std::string command =
+      "cd " + root_.string() +
+      " && mkfifo go && { yes hold > go 2>/dev/null & } && { '" TREELINE_PROGRAM "' drive " +
+      kPlanar +
+      " --headless --real-time --warnings none <go >end.json 2>end.txt & } && drive=$!; i=0; until "
+      "grep -qs 'start. first' end.txt || [ $i -gt 1200 ]; do sleep 0.05; i=$((i+1)); done; kill "
+      "-TERM "
+      "$drive; wait $drive";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << "lines are left";
+  EXPECT_EQ(json::parse(test::read_file(root_ / "end.json"))["mode"], "idle");
+}
+
 }  // namespace
 }  // namespace treeline

@@ -41,5 +41,21 @@ TEST(Script, WaitsForATime) {
   EXPECT_EQ(line.text, "cd");
 }
 
+// Would catch: memory that an input without end fills, of one line or of many.
+TEST(Script, TakesNoMoreThanItHasRoomFor) {
+  Script script;
+  for (int i = 0; i < 1000; ++i) script.append(std::string(10000, 'x'));
+  script.append("\n");
+  Script::Line line;
+  ASSERT_TRUE(script.next(1.0, false, line));
+  EXPECT_GT(line.text.size(), 400U) << "it is refused as too long";
+  EXPECT_LE(line.text.size(), 4096U);
+  int lines = 0;
+  for (; !script.is_full() && lines < 100000; ++lines) script.append("hold\n");
+  EXPECT_LE(lines, 1000);
+  EXPECT_TRUE(script.next(2.0, false, line));
+  EXPECT_FALSE(script.is_full());
+}
+
 }  // namespace
 }  // namespace treeline::drive
