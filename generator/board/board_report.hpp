@@ -46,6 +46,7 @@ struct BoardFunction {
 /// Result of `treeline check --target`.
 struct BoardReport {
   std::string name, robot;
+  std::string digest;  ///< of the files that the generator makes, see `digest_of_files`
   const Target* target = nullptr;
   bool single_precision = false;
   bool contracted = false;  ///< flags let the compiler fuse products and sums

@@ -13,6 +13,7 @@
 #include "check/find_sources.hpp"
 #include "compilation/choose_flags.hpp"
 #include "compilation/temporary_folder.hpp"
+#include "emission/print_identity.hpp"
 #include "oracle/reference_maker.hpp"
 
 namespace treeline {
@@ -147,6 +148,7 @@ std::optional<BoardReport> check_on_board(const Robot& robot, const Scene& scene
   BoardReport report = begin_board_report(robot, scene, target, options);
   report.compiler = tools->compiler_version;
   report.simulator = fmt::format("{}", fmt::join(tools->simulator, " "));
+  report.digest = digest_of_files(generation.files);
   if (!options.folder.empty()) report.stale = compare_files(options.folder, generation.files);
   BoardSelection selection = select_functions(generation);
   report.not_run = std::move(selection.left_out);

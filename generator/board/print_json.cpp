@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "board/board_report.hpp"
+#include "emission/generator_version.hpp"
 #include "text/json_text.hpp"
 
 namespace treeline {
@@ -62,6 +63,8 @@ std::string print_json(const BoardReport& report) {
   for (const FileDifference& file : report.stale) stale.push_back(file.name);
   const Json json{{"name", report.name},
                   {"robot", report.robot},
+                  {"generator", generator_version()},
+                  {"digest", report.digest},
                   {"target", report.target->name},
                   {"passed", report.passed()},
                   {"real", report.single_precision ? "float" : "double"},

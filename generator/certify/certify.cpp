@@ -9,6 +9,7 @@
 #include "certify/write_proofs.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "compilation/write_work_file.hpp"
+#include "emission/print_identity.hpp"
 
 namespace treeline {
 namespace {
@@ -128,6 +129,7 @@ std::optional<Certificate> certify(const Scene& scene, const Generation& generat
   const auto coq = options.coq ? find_coq(work->path(), diagnostics) : std::string();
   if (!gappa || !coq) return std::nullopt;
   certificate.name = scene.name;
+  certificate.digest = digest_of_files(generation.files);
   certificate.gappa = *gappa;
   certificate.coq = *coq;
   certificate.domain = describe_domain(generation);

@@ -44,6 +44,7 @@ struct CertifiedFunction {
 
 struct Certificate {
   std::string name, gappa, coq;  ///< scene, versions of the programs
+  std::string digest;            ///< of the files that the generator makes, see `digest_of_files`
   std::string domain;            ///< ranges of inputs
   bool single_precision = false;
   double within = 2;

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/certify.hpp"
+#include "emission/generator_version.hpp"
 #include "text/json_text.hpp"
 
 namespace treeline {
@@ -32,7 +33,8 @@ std::string print_json(const Certificate& certificate) {
     functions.push_back(one);
   }
   ordered_json json{
-      {"name", certificate.name},       {"real", certificate.single_precision ? "float" : "double"},
+      {"name", certificate.name},       {"generator", generator_version()},
+      {"digest", certificate.digest},   {"real", certificate.single_precision ? "float" : "double"},
       {"gappa", certificate.gappa},     {"coq", certificate.coq},
       {"domain", certificate.domain},   {"within", certificate.within},
       {"passed", certificate.passed()}, {"functions", functions}};

@@ -13,6 +13,7 @@
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "emission/backend/backend.hpp"
+#include "emission/print_identity.hpp"
 #include "emission/write_files.hpp"
 
 namespace treeline {
@@ -122,6 +123,7 @@ CheckReport judge(const Scene& scene, const Generation& generation,
                   const std::vector<StateReference>& references, const CheckOptions& options,
                   const Libraries& libraries) {
   CheckReport report = begin_report(scene, options, libraries);
+  report.digest = digest_of_files(generation.files);
   if (!options.folder.empty()) report.stale = compare_files(options.folder, generation.files);
   report.domain = describe_domain(generation);
   const std::vector<GeneratedFunction> functions = all_callable(generation);

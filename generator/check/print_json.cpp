@@ -4,6 +4,7 @@
 
 #include "check/report.hpp"
 #include "core/mode.hpp"
+#include "emission/generator_version.hpp"
 #include "functions/matrix_symbol.hpp"
 #include "text/json_text.hpp"
 
@@ -211,6 +212,8 @@ std::string print_json(const CheckReport& report) {
   const Json json{
       {"name", report.name},
       {"robot", report.robot},
+      {"generator", generator_version()},
+      {"digest", report.digest},
       {"passed", report.passed()},
       {"real", report.single_precision ? "float" : "double"},
       {"states", report.states},

@@ -128,6 +128,7 @@ struct StepReport {
 /// Complete result of `treeline check`.
 struct CheckReport {
   std::string name, robot;
+  std::string digest;  ///< of the files that the generator makes, see `digest_of_files`
   bool single_precision = false;
   int states = 0, first_state = 0;
   std::uint64_t seed = 1;

@@ -18,6 +18,7 @@
 #include "cli/print_summary.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/write_output.hpp"
+#include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "generation/predict_sources.hpp"
 #include "program/print.hpp"
@@ -172,8 +173,9 @@ std::optional<std::vector<Evidence>> read_all_evidence(const GenerateOptions& op
                                                        const GeneratedInputs& made,
                                                        Diagnostics& diagnostics) {
   std::vector<Evidence> evidence;
+  const EvidenceSubject subject{made.inputs.scene.name, digest_of_files(made.generation.files)};
   for (const std::string& file : options.evidence) {
-    auto read = read_evidence(file, made.inputs.scene.name, diagnostics);
+    auto read = read_evidence(file, subject, diagnostics);
     if (!read) return std::nullopt;
     evidence.push_back(std::move(*read));
   }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "emission/controller_unit.hpp"
 #include "emission/count_stack.hpp"
 #include "emission/damped_cost.hpp"
+#include "emission/describe_controller.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
 #include "emission/fill_template.hpp"
@@ -139,6 +141,19 @@ std::string print_choice(const EmissionContext::ChoiceRow& choice) {
                      quote_json(choice.function), print_method(choice.chosen), rejected);
 }
 
+/// Of NAME_step: what a program compiles, and the estimate of its stack.
+std::string print_controller_entry(const EmissionContext& context) {
+  if (!context.controller) return {};
+  std::string sources;
+  for (const std::string& source : list_controller_sources(*context.controller)) {
+    sources += (sources.empty() ? "" : ", ") + quote_json(source);
+  }
+  return fmt::format(
+      "  \"controller\": {{\"step\": {}, \"stack_bytes_estimate\": {}, \"sources\": [{}]}},\n",
+      quote_json(context.name + "_step"),
+      count_step_stack(*context.controller, context.misra, number_bytes(context)), sources);
+}
+
 }  // namespace
 
 std::string quote_json(std::string_view text) {
@@ -184,6 +199,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
             (context.effective_mass_limits.empty() ? ""
                                                    : print_damped_function(context, programs)) +
             (context.limits ? print_limited_function(context, programs) : "")},
+       {"controller", print_controller_entry(context)},
        {"measured", context.measured.empty()
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},

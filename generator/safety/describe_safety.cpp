@@ -6,22 +6,32 @@
 
 #include "bounds/bound_rounding.hpp"
 #include "description/follow_target.hpp"
+#include "emission/controller_unit.hpp"
 #include "emission/count_stack.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/digest.hpp"
 #include "emission/generator_version.hpp"
+#include "emission/print_identity.hpp"
 #include "safety/describe_deviations.hpp"
+#include "safety/describe_step.hpp"
 
 namespace treeline {
 namespace {
 
+/// What is said of the functions alone where there is a controller too.
 constexpr const char* kBehaviour =
-    "- Straight-line code: no loop, no branch on data, no recursion, no heap, no exception, no\n"
+    "- {0}traight-line code: no loop, no branch on data, no recursion, no heap, no exception, no\n"
     "  global or static variable, no call but of sine and cosine, which are part of the code.\n"
-    "- The same inputs give the same bits. On targets with instructions for `Real` a call takes "
-    "the\n"
-    "  same instructions whatever its inputs.\n"
-    "- Functions are reentrant and keep no state.\n";
+    "- The same inputs give the same bits{1}. On targets with instructions for `Real` a call of a\n"
+    "  straight-line function takes the same instructions whatever its inputs.\n"
+    "- {2} reentrant and keep no state.\n";
+
+std::string print_behaviour(const Scene& scene, bool stepping) {
+  return stepping ? fmt::format(fmt::runtime(kBehaviour),
+                                "The functions of `" + scene.name + ".hpp` are s",
+                                ", those of the step from the same state", "These functions are")
+                  : fmt::format(fmt::runtime(kBehaviour), "S", "", "Functions are");
+}
 
 constexpr const char* kLooping =
     "- Functions by loops over a table of links are not straight-line: they have loops of "
@@ -41,11 +51,21 @@ constexpr const char* kLimited =
 constexpr const char* kNotCovered =
     "- Whether URDF and scene describe the real robot: masses, limits, frames, gravity.\n"
     "- Friction, flexible links, contact and closed chains beyond what the scene names.\n"
-    "- Reading of sensors, range checks of inputs, limits on commands, reactions to faults: the\n"
-    "  code has none of them. The caller has to supply them.\n"
+    "- Reading of sensors, and the wiring of motors and brakes.\n"
+    "- {}\n"
     "- Compiler, linker, processor, interrupts, caches, and time on the target.\n"
     "- Qualification of Treeline as a tool. It is not qualified. Its output has to be verified, "
     "for\n  which the evidence above is meant.\n";
+
+std::string print_not_covered(bool stepping) {
+  return fmt::format(
+      fmt::runtime(kNotCovered),
+      stepping
+          ? "Range checks of inputs, limits and reactions to faults in the functions: only the\n"
+            "  controller's step has those that its section names. The caller has to supply others."
+          : "Range checks of inputs, limits on commands, reactions to faults: the code has none "
+            "of\n  them. The caller has to supply them.");
+}
 
 std::string print_files(const Generation& generation, const Provenance& provenance) {
   std::string text = "| file | role | SHA-256 |\n|---|---|---|\n";
@@ -62,7 +82,7 @@ std::string print_files(const Generation& generation, const Provenance& provenan
 std::string print_assumptions(const Scene& scene, const Generation& generation) {
   const bool single = scene.real == Real::float32;
   return fmt::format(
-      "1. Inputs are finite. A NaN or an infinity makes NaN or infinite what depends on it; "
+      "1. Inputs{} are finite. A NaN or an infinity makes NaN or infinite what depends on it; "
       "nothing "
       "is trapped or replaced. Results have to be tested by the caller.\n"
       "2. Bounds of errors hold for {}. Beyond, results stay finite while squares and sums fit "
@@ -76,6 +96,7 @@ std::string print_assumptions(const Scene& scene, const Generation& generation) 
       "everywhere, and for proofs of `certify`: `-ffp-contract=off`, with g++ also "
       "`-fno-tree-slp-vectorize`.\n"
       "7. Arguments of one call do not overlap and have at least the stated sizes.\n",
+      generation.controller ? " of functions (those of the step may be anything)" : "",
       describe_domain(generation).empty() ? "no range of inputs" : describe_domain(generation),
       single ? "4000" : "1e5", single ? "2^20" : "2^32", single ? "binary32" : "binary64");
 }
@@ -108,6 +129,14 @@ std::string print_functions(const Scene& scene, const Generation& generation) {
                     describe(function.rounding, program, single ? 0x1p-24 : 0x1p-53),
                     word_of(function.rounding));
   }
+  if (generation.controller) {
+    const auto bytes = static_cast<std::size_t>(bytes_of(scene.real));
+    for (const Program* const program : generation.controller->programs()) {
+      text += fmt::format("| `{}` | {} | {} bytes | none is stated | none |\n", program->name,
+                          describe_cost(*program),
+                          count_stack_values(*program, scene.profile == Profile::misra) * bytes);
+    }
+  }
   for (const GeneratedFunction& function : generation.functions) {
     if (function.program.singular.empty()) continue;
     text += fmt::format("\nAt singularities `{}` is {}\n", function.program.name,
@@ -123,8 +152,16 @@ std::string print_evidence(const std::vector<Evidence>& all) {
   }
   std::string text;
   for (const Evidence& evidence : all) {
+    const char* const verdict = !evidence.stale.empty() ? "stale"
+                                : evidence.passed       ? "passed"
+                                                        : "FAILED";
     text += fmt::format("### {}\n\n{}: **{}**. SHA-256 `{}`.\n\n", evidence.file, evidence.kind,
-                        evidence.passed ? "passed" : "FAILED", evidence.digest);
+                        verdict, evidence.digest);
+    if (!evidence.stale.empty()) {
+      text +=
+          fmt::format("It was made for {}. It says nothing of these files.\n\n", evidence.stale);
+      continue;
+    }
     for (const std::string& fact : evidence.facts) text += "- " + fact + "\n";
     text += fmt::format("\n| function | {} |\n|---", fmt::join(evidence.columns, " | "));
     for (std::size_t i = 0; i < evidence.columns.size(); ++i) text += "|---";
@@ -145,9 +182,10 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
                             const Provenance& provenance, const std::vector<Evidence>& evidence) {
   const bool is_c = scene.language == Language::c;
   std::string text = fmt::format(
-      "# {}: notes for a safety review\n\nGenerated by Treeline {}. Options that override the "
+      "# {}: notes for a safety review\n\nGenerated by Treeline {}. Digest of the files, as in "
+      "`manifest.json`: `{}`. Options that override the "
       "scene: {}. Language: {}. Number type: {}. Target: {}.\n",
-      scene.name, generator_version(),
+      scene.name, generator_version(), digest_of_files(generation.files),
       provenance.options.empty() ? "none" : "`" + provenance.options.substr(1) + "`",
       is_c ? "C99" : "C++17", scene.real == Real::float32 ? "float" : "double", scene.target);
   const auto section = [&text](const char* title, const std::string& body) {
@@ -157,7 +195,9 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
   const bool loops = std::any_of(
       generation.files.begin(), generation.files.end(),
       [](const GeneratedFile& file) { return file.name.starts_with("link_functions."); });
-  section("Behaviour of the code", std::string(kBehaviour) + (loops ? kLooping : "") +
+  const bool stepping = generation.controller != nullptr;
+  section("Behaviour of the code", print_behaviour(scene, stepping) + (loops ? kLooping : "") +
+                                       (stepping ? describe_step_behaviour(scene.name) : "") +
                                        (generation.damped ? kDamped : "") +
                                        (scene.has_limits() ? kLimited : ""));
   section("Assumptions that the surrounding program has to meet",
@@ -168,9 +208,10 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
               "estimate, the values that live at once; compilers take more. Measured figures are "
               "below, where a report has them. \"Searched\" bounds are four times the worst that a "
               "search met.\n");
+  if (stepping) section("The controller's step", describe_step(scene, generation));
   section("Coding rules", describe_deviations(scene));
   section("Evidence", print_evidence(evidence));
-  section("Not covered", kNotCovered);
+  section("Not covered", print_not_covered(stepping));
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "emission/digest.hpp"
+#include "emission/generator_version.hpp"
 #include "safety/evidence.hpp"
 #include "text/read_text_file.hpp"
 
@@ -20,6 +21,20 @@ std::string whole(const json& value) {
   return value.is_number() ? fmt::format("{}", value.get<long long>()) : "unknown";
 }
 
+/// The controller's step, as `check` compares it.
+void read_step(const json& step, Evidence& evidence) {
+  evidence.rows.push_back({step.at("name"),
+                           {number(step.at("worst"), "{:.2f}"), "by rounding, see the facts",
+                            fmt::format("modes or faults: {}", whole(step.at("differ"))),
+                            whole(step.at("code_bytes")), whole(step.at("stack_bytes"))}});
+  evidence.facts.push_back(fmt::format(
+      "The step: {} steps in {} motions, {} compared with the same laws in long double and "
+      "dynamics "
+      "in 50 digits, the worst at {:.0f} % of what rounding explains; {} steps break a rule.",
+      whole(step.at("steps")), whole(step.at("motions")), whole(step.at("compared")),
+      100 * step.at("of_bound").get<double>(), whole(step.at("broken_rules"))));
+}
+
 void read_check(const json& report, Evidence& evidence) {
   evidence.kind = "`treeline check`: results compared with an interpreter in 50 digits";
   evidence.facts = {
@@ -33,6 +48,9 @@ void read_check(const json& report, Evidence& evidence) {
         {f.at("name"),
          {number(f.at("worst").at("error"), "{:.2f}"), number(f.at("worst").at("bound"), "{:.1f}"),
           whole(f.at("bits_differ")), whole(f.at("code_bytes")), whole(f.at("stack_bytes"))}});
+  }
+  if (report.contains("step") && !report.at("step").is_null()) {
+    read_step(report.at("step"), evidence);
   }
 }
 
@@ -78,6 +96,18 @@ void read_certificate(const json& report, Evidence& evidence) {
   }
 }
 
+/// What else than these files the report is about; empty: it is about them.
+std::string find_other_subject(const json& report, const EvidenceSubject& subject) {
+  if (!report.contains("digest") || !report.contains("generator")) {
+    return "code that it does not name, for it has no digest";
+  }
+  const std::string version = report.at("generator");
+  if (version != generator_version()) return "code of Treeline " + version;
+  const std::string made_for = report.at("digest");
+  if (made_for == subject.digest) return {};
+  return fmt::format("other code, of digest {}: the inputs or the options differ", made_for);
+}
+
 /// Fills in what the report says. Throws json::exception if it is none of these reports.
 void read(const json& report, Evidence& evidence) {
   evidence.passed = report.at("passed");
@@ -92,19 +122,22 @@ void read(const json& report, Evidence& evidence) {
 
 }  // namespace
 
-std::optional<Evidence> read_evidence(const std::string& path, const std::string& name,
+std::optional<Evidence> read_evidence(const std::string& path, const EvidenceSubject& subject,
                                       Diagnostics& diagnostics) {
   const auto text = read_text_file(path, diagnostics);
   if (!text) return std::nullopt;
   Evidence evidence{
-      std::filesystem::path(path).filename().string(), digest(*text), {}, {}, {}, {}, {}};
+      std::filesystem::path(path).filename().string(), digest(*text), {}, {}, {}, {}, {}, {}};
   std::string fault = "is no report of check or certify";
   try {
     const json report = json::parse(*text);
     read(report, evidence);
     const std::string of = report.at("name");
-    if (of == name) return evidence;
-    fault = fmt::format("is a report about {}, not {}", of, name);
+    if (of == subject.name) {
+      evidence.stale = find_other_subject(report, subject);
+      return evidence;
+    }
+    fault = fmt::format("is a report about {}, not {}", of, subject.name);
   } catch (const json::exception&) {
   }
   diagnostics.add({Severity::error, path, 0, "", fault,

@@ -111,12 +111,10 @@ inline void mode_torque(const typename Robot::Config& config, const typename Rob
 template <class Robot>
 inline bool wants_brakes(const typename Robot::Config& config, const Measured<Robot>& at,
                          bool known, const typename Robot::State& state) noexcept {
-  constexpr uint32_t kUntrusted =
-      kFaultMeasurement | kFaultTorque | kFaultMoved | kFaultJump | kFaultConfig;
   if (mode_of<Robot>(state) != Mode::faulted) {
     return false;
   }
-  return (state.brakes != 0) || ((state.faults & kUntrusted) != 0) || !known ||
+  return (state.brakes != 0) || ((state.faults & kFaultsUntrusted) != 0) || !known ||
          rests<Robot>(config, at, state);
 }
 

@@ -27,6 +27,9 @@ inline constexpr uint32_t kFaultMoved = 64U;       ///< dragged away while it sh
 inline constexpr uint32_t kFaultJump = 128U;       ///< q moves otherwise than qd says
 inline constexpr uint32_t kFaultFollowing = 256U;  ///< the reference is not followed
 inline constexpr uint32_t kFaultConfig = 512U;     ///< a number of the configuration is not sound
+/// Faults after which torque alone cannot be trusted.
+inline constexpr uint32_t kFaultsUntrusted =
+    kFaultMeasurement | kFaultTorque | kFaultMoved | kFaultJump | kFaultConfig;
 
 /// What a controller computes with: the type that its functions take.
 template <class Robot>

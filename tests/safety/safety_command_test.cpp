@@ -121,6 +121,80 @@ TEST_F(SafetyNotes, TakeReportsAsTheyAre) {
   EXPECT_NE(text.find(cells, passed), std::string::npos) << cells;
 }
 
+/// The notes' word about a report, and whether any of its figures are shown.
+void expect_stale(const std::string& text, const std::string& file, const std::string& why) {
+  const std::string part = text.substr(text.find("### " + file));
+  EXPECT_NE(part.find("**stale**"), std::string::npos) << part;
+  EXPECT_EQ(part.find("**passed**"), std::string::npos) << part;
+  EXPECT_NE(part.find(why), std::string::npos) << part;
+  EXPECT_EQ(part.find("| function |"), std::string::npos) << part;
+}
+
+// Would catch: a report of another number type, of other masses, of another version, or without a
+// digest, passed off as evidence for these files.
+TEST_F(SafetyNotes, TakeNoReportOfOtherFiles) {
+  const auto in_float =
+      test::run_program(folder_.path(), "check " + kPuma + "--states 20 --real float --json");
+  ASSERT_EQ(in_float.exit_code, 0) << in_float.err;
+  write("float.json", in_float.out);
+  std::string urdf = test::read_file(TREELINE_ROBOTS_DIR "/puma560/puma560.urdf");
+  const std::size_t mass = urdf.find("<mass value=\"");
+  ASSERT_NE(mass, std::string::npos);
+  write("heavier.urdf", urdf.insert(mass + 13, "1"));
+  const auto heavier = test::run_program(
+      folder_.path(),
+      "check heavier.urdf '" TREELINE_ROBOTS_DIR
+      "/puma560/scene.yaml' --functions gravity,forward_dynamics --states 20 --json");
+  ASSERT_EQ(heavier.exit_code, 0) << heavier.err;
+  write("heavier.json", heavier.out);
+  auto report = nlohmann::json::parse(in_float.out);
+  report["generator"] = "0.0.1";
+  write("older.json", report.dump());
+  report.erase("digest");
+  write("bare.json", report.dump());
+  ASSERT_EQ(generate("--evidence float.json --evidence heavier.json --evidence older.json "
+                     "--evidence bare.json")
+                .exit_code,
+            0);
+  const std::string text = notes();
+  expect_stale(text, "float.json", "the inputs or the options differ");
+  expect_stale(text, "heavier.json", "the inputs or the options differ");
+  expect_stale(text, "older.json", "code of Treeline 0.0.1");
+  expect_stale(text, "bare.json", "it has no digest");
+  ASSERT_EQ(generate("--real float --evidence float.json").exit_code, 0);
+  EXPECT_NE(notes().find("**passed**"), std::string::npos);
+}
+
+// Would catch: notes that say of a controller what holds for functions alone, that leave out a
+// fault which the header has, or a protection that the scene takes away.
+TEST_F(SafetyNotes, TellOfTheControllersStep) {
+  write("scene.yaml",
+        "name: arm\nfunctions: [gravity]\ncontroller:\n  laws: joint_impedance\n  stale_ticks: 0\n "
+        " limits:\n"
+        "    joint2: {torque: none}\n");
+  const auto made = test::run_program(
+      folder_.path(), "generate '" TREELINE_ROBOTS_DIR
+                      "/puma560/puma560.urdf' scene.yaml --output code --safety SAFETY.md");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string text = notes();
+  for (const char* is_false : {"- Straight-line code: no loop", "the code has none of",
+                               "- Functions are reentrant and keep no state"}) {
+    EXPECT_EQ(text.find(is_false), std::string::npos) << is_false;
+  }
+  const std::string header = test::read_file(folder_.path() / "code" / "arm_controller.h");
+  const std::regex fault(R"(ARM_FAULT_(\w+) = (\d+))");
+  int faults = 0;
+  for (std::sregex_iterator at(header.begin(), header.end(), fault), end; at != end; ++at) {
+    const std::string row = "| " + (*at)[2].str() + " | `" + (*at)[1].str() + "` |";
+    EXPECT_NE(text.find(row), std::string::npos) << row;
+    ++faults;
+  }
+  EXPECT_EQ(faults, 10);
+  EXPECT_NE(text.find("| `stale_ticks` | 0 steps: **unsafe** |"), std::string::npos) << text;
+  EXPECT_EQ(text.find("| `jump` | 0.05 rad, m: **unsafe** |"), std::string::npos) << text;
+  EXPECT_NE(text.find("- `joint2`: torque\n"), std::string::npos) << text;
+}
+
 TEST_F(SafetyNotes, RefuseOtherFilesAsEvidence) {
   write("none.json", "{}");
   write("other.json", R"({"name": "ur10e", "passed": true, "states": 1, "seed": 1,

@@ -1,15 +1,18 @@
 #include "emission/cpp/print_controller.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
+#include "emission/controller_faults.hpp"
 #include "emission/cpp/controller_numbers.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
+#include "emission/describe_controller.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/misra/follow_rules.hpp"
@@ -233,6 +236,29 @@ std::string list_joint_names(const ControllerUnit& unit) {
   return text + ".";
 }
 
+/// Enumerators of the faults, each with its meaning.
+std::string print_faults(const EmissionContext& context) {
+  std::string text;
+  for (const ControllerFault& fault : kControllerFaults) {
+    const bool last = fault.bit == kControllerFaults.back().bit;
+    text += print_commented(fmt::format("{}_FAULT_{} = {}{}", name_in_capitals(context), fault.name,
+                                        fault.bit, last ? "" : ","),
+                            fault.meaning);
+  }
+  return text;
+}
+
+std::string describe_files(const ControllerUnit& unit) {
+  return fmt::format("Files to compile, as C++17: {}. No other source of this folder is needed.",
+                     fmt::join(list_controller_sources(unit), ", "));
+}
+
+std::string describe_stack(const EmissionContext& context, const ControllerUnit& unit) {
+  return fmt::format(
+      " Stack, an estimate: {} bytes. `treeline check --target` measures stack and instructions.",
+      count_step_stack(unit, context.misra, number_bytes(context)));
+}
+
 std::string print_header(const EmissionContext& context, const ControllerUnit& unit) {
   Holes holes = {{"robot", in_comment(printable(context.robot))},
                  {"name", context.name},
@@ -240,7 +266,10 @@ std::string print_header(const EmissionContext& context, const ControllerUnit& u
                  {"real", number_type(context)},
                  {"laws", in_comment("Laws: " + describe_laws(unit))},
                  {"fade", "config.fade"},
-                 {"cost", in_comment("Cost of a step, at most: " + describe_step_cost(unit))},
+                 {"cost", in_comment("Cost of a step, at most: " + describe_step_cost(unit) +
+                                     describe_stack(context, unit))},
+                 {"files", in_comment(describe_files(unit))},
+                 {"faults", print_faults(context)},
                  {"joints", std::to_string(unit.joints.size())},
                  {"points", std::to_string(unit.points.size())},
                  {"joint_list", in_comment(list_joint_names(unit))},
@@ -337,6 +366,7 @@ std::vector<GeneratedFile> list_controller_headers() {
           {"controller_commands.hpp", text(templates::kControllerCommands)},
           {"controller_config.hpp", text(templates::kControllerConfig)},
           {"controller_laws.hpp", text(templates::kControllerLaws)},
+          {"controller_mailbox.hpp", text(templates::kControllerMailbox)},
           {"controller_measurement.hpp", text(templates::kControllerMeasurement)},
           {"controller_safety.hpp", text(templates::kControllerSafety)},
           {"mode.hpp", text(templates::kMode)},

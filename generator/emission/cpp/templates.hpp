@@ -24,6 +24,7 @@ extern const std::string_view kControllerConfig;
 extern const std::string_view kControllerFunctions;
 extern const std::string_view kControllerHeader;
 extern const std::string_view kControllerLaws;
+extern const std::string_view kControllerMailbox;
 extern const std::string_view kControllerMeasurement;
 extern const std::string_view kControllerSafety;
 extern const std::string_view kControllerSource;
