@@ -52,6 +52,7 @@ const std::vector<NumberKey> kNumbers = {
     {"hold_reach", &SceneController::hold_reach, 1e-6, 10, "rad or m, such as 0.05"},
     {"jump", &SceneController::jump, 1e-6, 1e9, "rad or m, such as 0.05"},
     {"following", &SceneController::following, 1e-6, 1e9, "rad or m, such as 0.3"},
+    {"speed_rise", &SceneController::speed_rise, 0, 10, "seconds, such as 0.15"},
     {"torque_rise", &SceneController::torque_rise, 1e-6, 10, "seconds, such as 0.025"},
     {"point_speed", &SceneController::point_speed, 1e-6, 1e3, "m/s, such as 0.25"},
     {"point_turn", &SceneController::point_turn, 1e-6, 1e3, "rad/s, such as 1"},

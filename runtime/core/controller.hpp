@@ -5,11 +5,6 @@
 #include "core/controller_commands.hpp"
 #include "core/controller_config.hpp"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
-
 namespace treeline::core {
 
 /// tau += J^T n force, which bears the reaction to `force` along the direction n of the point that
@@ -57,18 +52,25 @@ inline void law_torque(const typename Robot::Config& config, const typename Robo
   Robot::joint_torque(input, at, qdd, tau);
 }
 
+/// How the law of a step takes over from that of the step before.
+enum class Switch : int32_t {
+  none,
+  fades,    ///< what it lacks of the old torque fades
+  at_once,  ///< the old torque is not trusted any more
+};
+
 /// Adds what a switch of laws has left over: the torque has no step at the switch, and what it
-/// lacks there fades. Where the old torque is not `trusted` nothing is left over.
+/// lacks there fades.
 template <class Robot>
-inline void fade_switch(const typename Robot::Config& config, bool switched, bool trusted,
+inline void fade_switch(const typename Robot::Config& config, Switch how,
                         typename Robot::State& state,
                         RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   using Real = RealOf<Robot>;
   const Real rate = (config.fade > Real(0)) ? (Real(1) / config.fade) : Real(0);
-  if (switched) {
+  if (how != Switch::none) {
     state.fade_ticks = 0;
     for (int i = 0; i < Robot::kJoints; ++i) {
-      const bool fades = trusted && (rate > Real(0)) && (state.known != 0);
+      const bool fades = (how == Switch::fades) && (rate > Real(0)) && (state.known != 0);
       state.left_over[i] = fades ? (state.tau[i] - tau[i]) : Real(0);
     }
   }
@@ -83,12 +85,12 @@ inline void fade_switch(const typename Robot::Config& config, bool switched, boo
 /// becomes faulted, and brakes.
 template <class Robot>
 inline void mode_torque(const typename Robot::Config& config, const typename Robot::Input& input,
-                        const Measured<Robot>& at, bool switched, typename Robot::State& state,
+                        const Measured<Robot>& at, Switch how, typename Robot::State& state,
                         typename Robot::Output& output,
                         RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   if (mode_of<Robot>(state) == Mode::running) {
     law_torque<Robot>(config, input, at, state, output, tau);
-    fade_switch<Robot>(config, switched, true, state, tau);
+    fade_switch<Robot>(config, how, state, tau);
     const bool finite = all_finite(tau);
     if (finite && follows<Robot>(config, state, output)) {
       return;
@@ -100,7 +102,8 @@ inline void mode_torque(const typename Robot::Config& config, const typename Rob
     raise_fault<Robot>(kFaultMoved, state);
   }
   const bool by_command = (state.faults & ~kFaultEmergency) == 0;
-  fade_switch<Robot>(config, begins, by_command, state, tau);
+  const Switch braked = by_command ? Switch::fades : Switch::at_once;
+  fade_switch<Robot>(config, begins ? braked : Switch::none, state, tau);
   if ((mode_of<Robot>(state) == Mode::stopping) && rests<Robot>(config, at, state)) {
     apply_event<Robot>(Event::at_rest, state);
   }
@@ -155,11 +158,11 @@ inline void find_faults(const typename Robot::Config& config, bool sound, bool s
 /// Torque of a step, within its limits and their rates.
 template <class Robot>
 inline void step_torque(const typename Robot::Config& config, const typename Robot::Input& input,
-                        const Measured<Robot>& at, bool known, bool switched,
+                        const Measured<Robot>& at, bool known, Switch how,
                         typename Robot::State& state, typename Robot::Output& output) noexcept {
   bool finite = false;
   if (known) {
-    mode_torque<Robot>(config, input, at, switched, state, output, output.tau);
+    mode_torque<Robot>(config, input, at, how, state, output, output.tau);
     finite = all_finite(output.tau);
   }
   if (finite) {
@@ -191,8 +194,15 @@ inline void controller_step(const typename Robot::Config& given, typename Robot:
     hold_gravity<Robot>(config, at, state);
   }
   const bool switched = take_command<Robot>(config, input, at, seen, state, output);
+  Switch how = switched ? Switch::fades : Switch::none;
+  if constexpr (Robot::kTask) {
+    if (known && (mode_of<Robot>(state) == Mode::running) && (state.law == Robot::kTaskLaw)) {
+      how = tend_task<Robot>(config, input, at, state) ? Switch::at_once : how;
+    }
+    output.unmet = state.unmet;
+  }
   find_faults<Robot>(config, sound, seen, input, state);
-  step_torque<Robot>(config, input, at, known, switched, state, output);
+  step_torque<Robot>(config, input, at, known, how, state, output);
   state.brakes = wants_brakes<Robot>(config, at, known, state) ? 1 : 0;
   output.brakes = state.brakes;
   output.saturated = state.cut;
@@ -202,7 +212,3 @@ inline void controller_step(const typename Robot::Config& given, typename Robot:
 }
 
 }  // namespace treeline::core
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

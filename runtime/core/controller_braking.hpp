@@ -4,11 +4,6 @@
 
 #include "core/controller_laws.hpp"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
-
 namespace treeline::core {
 
 /// Begins to brake from the present motion.
@@ -192,7 +187,3 @@ inline void blind_torque(const typename Robot::Config& config, typename Robot::S
 }
 
 }  // namespace treeline::core
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

@@ -3,30 +3,22 @@
 // fixed size.
 
 #include "core/controller_braking.hpp"
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
+#include "core/controller_pace.hpp"
 
 namespace treeline::core {
 
-template <class Robot>
-inline Mode mode_of(const typename Robot::State& state) noexcept {
-  return static_cast<Mode>(state.mode);
-}
-
-template <class Robot>
-inline void apply_event(Event event, typename Robot::State& state) noexcept {
-  state.mode = static_cast<int32_t>(next_mode(mode_of<Robot>(state), event));
-}
-
-template <class Robot>
-inline void raise_fault(uint32_t faults, typename Robot::State& state) noexcept {
-  state.reason = (state.faults == 0) ? faults : state.reason;
-  state.faults |= faults;
-  apply_event<Robot>(Event::fault, state);
-}
+/// Why a command was refused.
+enum class Refusal : int32_t {
+  none,
+  kind,         ///< there is no such command
+  mode,         ///< not in this mode
+  measurement,  ///< while something is not measured
+  duration,     ///< shorter than a step, longer than an hour, or it would have to be
+  limits,       ///< the goal is beyond a joint's limits, or the way there is
+  point,        ///< there is no such point
+  numbers,      ///< a position that is not finite, or what is no rotation or no direction
+  force,        ///< larger than `largest_force`
+};
 
 /// Counts the steps without a command while running; whether there were too many.
 template <class Robot>
@@ -60,12 +52,6 @@ inline bool is_within_limits(const typename Robot::Config& config,
   return within_all;
 }
 
-/// Whether the duration is finite, and a step at the least.
-template <class Real>
-constexpr bool is_duration(Real duration, Real period) noexcept {
-  return is_finite(duration) && (duration >= period);
-}
-
 /// Whether a vector is of length 1 to a hundredth.
 template <class Real>
 constexpr bool is_unit(Real x, Real y, Real z) noexcept {
@@ -82,11 +68,11 @@ constexpr bool is_rotation(const Real (&R)[9]) noexcept {
          (magnitude((x * R[6]) + (y * R[7]) + (z * R[8]) - Real(1)) < Real(0.03));
 }
 
-/// Joints to a posture, from the reference if they were following one. Returns whether the law
-/// becomes another.
+/// Joints to a posture, from the reference if they were following one.
 template <class Robot>
-inline bool begin_posture(const typename Robot::Config& config, const typename Robot::Input& input,
-                          typename Robot::State& state) noexcept {
+inline Refusal begin_posture(const typename Robot::Config& config,
+                             const typename Robot::Input& input,
+                             typename Robot::State& state) noexcept {
   using Real = RealOf<Robot>;
   const bool switched = state.law != Robot::kJointLaw;
   Real p[Robot::kJoints];
@@ -98,18 +84,17 @@ inline bool begin_posture(const typename Robot::Config& config, const typename R
     v[i] = switched ? input.qd[i] : v[i];
     a[i] = switched ? Real(0) : a[i];
   }
-  state.law = Robot::kJointLaw;
-  move_joints<Robot>(config, p, v, a, input.command.goal, input.command.duration, state);
-  return switched;
-}
-
-/// Whether the point exerts a force in place of moving.
-template <class Robot>
-inline bool is_pressing(const typename Robot::State& state, int point) noexcept {
-  if constexpr (Robot::kForce) {
-    return (state.pressing != 0) && (state.press_point == point);
+  if (!is_within_limits<Robot>(config, input.command.goal)) {
+    return Refusal::limits;
   }
-  return false;
+  if (!is_duration(input.command.duration, config.period)) {
+    return Refusal::duration;
+  }
+  if (!move_joints<Robot>(config, p, v, a, input.command.goal, input.command.duration, state)) {
+    return Refusal::limits;
+  }
+  state.law = Robot::kJointLaw;
+  return Refusal::none;
 }
 
 template <class Robot>
@@ -145,29 +130,35 @@ inline bool enter_task(const typename Robot::Config& config, const Measured<Robo
 
 /// A point to a pose: from its reference, or from where it is if it was not following one.
 template <class Robot>
-inline bool begin_pose(const typename Robot::Config& config, const typename Robot::Input& input,
-                       const Measured<Robot>& at, typename Robot::State& state) noexcept {
-  const int point = input.command.point;
+inline Refusal begin_pose(const typename Robot::Config& config, const typename Robot::Input& input,
+                          const Measured<Robot>& at, typename Robot::State& state,
+                          bool& switched) noexcept {
+  const typename Robot::Command& command = input.command;
+  const int32_t before = state.law;
   const bool entered = enter_task<Robot>(config, at, state);
-  const bool pressed = is_pressing<Robot>(state, point);
+  const bool pressed = is_pressing<Robot>(state, command.point);
   PointMotion<RealOf<Robot>> now;
   if (entered || pressed) {
-    measured_motion<Robot>(at, point, now);
+    measured_motion<Robot>(at, command.point, now);
   } else {
-    point_reference<Robot>(config, state, point, now);
+    point_reference<Robot>(config, state, command.point, now);
+  }
+  if (!move_point<Robot>(config, now, command.position, command.rotation, command.duration,
+                         command.point, state)) {
+    state.law = before;
+    return Refusal::duration;
   }
   if (pressed) {
     stop_pressing<Robot>(state);
   }
-  move_point<Robot>(config, now, input.command.position, input.command.rotation,
-                    input.command.duration, point, state);
-  return entered || pressed;
+  switched = entered || pressed;
+  return Refusal::none;
 }
 
 /// Force along a direction, reached by and by.
 template <class Robot>
-inline bool begin_press(const typename Robot::Config& config, const typename Robot::Input& input,
-                        const Measured<Robot>& at, typename Robot::State& state) noexcept {
+inline Refusal begin_press(const typename Robot::Config& config, const typename Robot::Input& input,
+                           const Measured<Robot>& at, typename Robot::State& state) noexcept {
   enter_task<Robot>(config, at, state);
   state.pressing = 1;
   state.press_point = input.command.point;
@@ -175,106 +166,135 @@ inline bool begin_press(const typename Robot::Config& config, const typename Rob
   state.press_rate = RealOf<Robot>(1) / input.command.duration;
   state.press_ticks = 0;
   state.force_integral = RealOf<Robot>(0);
+  state.contact_ticks = 0;
   copy_numbers(&input.command.direction[0], state.direction);
-  return true;
+  return Refusal::none;
 }
 
-/// Whether a command of motion makes sense.
+/// What of a command for a point makes no sense.
 template <class Robot>
-inline bool is_sound(const typename Robot::Config& config,
-                     const typename Robot::Command& command) noexcept {
-  const auto kind = static_cast<MessageKind>(command.kind);
+inline Refusal check_point_command(const typename Robot::Config& config,
+                                   const typename Robot::Command& command) noexcept {
+  if ((command.point < 0) || (command.point >= Robot::kPoints)) {
+    return Refusal::point;
+  }
   if (!is_duration(command.duration, config.period)) {
-    return false;
+    return Refusal::duration;
   }
-  if (kind == MessageKind::set_posture) {
-    return is_within_limits<Robot>(config, command.goal);
-  }
-  const bool of_point = (command.point >= 0) && (command.point < Robot::kPoints);
+  bool sound = true;
   if constexpr (Robot::kTask) {
-    if (kind == MessageKind::move_point) {
-      return of_point && all_finite(command.position) && is_rotation(command.rotation);
+    if (static_cast<MessageKind>(command.kind) == MessageKind::move_point) {
+      sound = all_finite(command.position) && is_rotation(command.rotation);
     }
   }
   if constexpr (Robot::kForce) {
-    if (kind == MessageKind::press) {
-      return of_point && (magnitude(command.force) <= config.largest_force) &&
-             is_unit(command.direction[0], command.direction[1], command.direction[2]);
+    if (static_cast<MessageKind>(command.kind) == MessageKind::press) {
+      sound = is_unit(command.direction[0], command.direction[1], command.direction[2]);
+      if (!(magnitude(command.force) <= config.largest_force)) {
+        return Refusal::force;
+      }
     }
   }
-  return false;
+  return sound ? Refusal::none : Refusal::numbers;
 }
 
-/// Begins a motion, or refuses to. Returns whether the law becomes another.
+/// Begins a motion, or refuses to. `switched` becomes whether the law becomes another.
 template <class Robot>
-inline bool begin_motion(const typename Robot::Config& config, const typename Robot::Input& input,
-                         const Measured<Robot>& at, typename Robot::State& state,
-                         typename Robot::Output& output) noexcept {
-  if ((mode_of<Robot>(state) != Mode::running) || !is_sound<Robot>(config, input.command)) {
-    output.refused = 1;
-    return false;
-  }
+inline Refusal begin_motion(const typename Robot::Config& config,
+                            const typename Robot::Input& input, const Measured<Robot>& at,
+                            typename Robot::State& state, bool& switched) noexcept {
   const auto kind = static_cast<MessageKind>(input.command.kind);
+  if (kind == MessageKind::set_posture) {
+    const int32_t before = state.law;
+    const Refusal refusal = begin_posture<Robot>(config, input, state);
+    switched = state.law != before;
+    return refusal;
+  }
   if constexpr (Robot::kTask) {
+    const bool presses = Robot::kForce && (kind == MessageKind::press);
+    if (presses || (kind == MessageKind::move_point)) {
+      const Refusal refusal = check_point_command<Robot>(config, input.command);
+      if (refusal != Refusal::none) {
+        return refusal;
+      }
+    }
     if (kind == MessageKind::move_point) {
-      return begin_pose<Robot>(config, input, at, state);
+      return begin_pose<Robot>(config, input, at, state, switched);
     }
   }
   if constexpr (Robot::kForce) {
     if (kind == MessageKind::press) {
+      switched = true;
       return begin_press<Robot>(config, input, at, state);
     }
   }
-  return begin_posture<Robot>(config, input, state);
+  return Refusal::kind;
 }
 
-/// Commands of the loop: `seen` says whether the state was measured.
+/// Leaves the mode faulted.
 template <class Robot>
-inline bool apply_command(const typename Robot::Config& config, const typename Robot::Input& input,
-                          const Measured<Robot>& at, bool seen, typename Robot::State& state,
-                          typename Robot::Output& output) noexcept {
-  const Mode before = mode_of<Robot>(state);
+inline void leave_faults(const typename Robot::Config& config, const typename Robot::Input& input,
+                         typename Robot::State& state) noexcept {
+  admit<Robot>(config, input, state);
+  clear_drift<Robot>(state);
+  state.faults = 0;
+  state.reason = 0;
+  apply_event<Robot>(Event::reset, state);
+}
+
+/// The mode that a command needs, if it needs one.
+template <class Robot>
+inline Refusal check_mode(MessageKind kind, bool seen,
+                          const typename Robot::State& state) noexcept {
+  Mode needed = Mode::running;
+  if (kind == MessageKind::reset) {
+    needed = Mode::faulted;
+  }
+  if (kind == MessageKind::start) {
+    needed = Mode::idle;
+  }
+  if (mode_of<Robot>(state) != needed) {
+    return Refusal::mode;
+  }
+  return seen ? Refusal::none : Refusal::measurement;
+}
+
+/// Commands of the loop: `seen` says whether the state was measured. `switched` becomes whether the
+/// law becomes another.
+template <class Robot>
+inline Refusal apply_command(const typename Robot::Config& config,
+                             const typename Robot::Input& input, const Measured<Robot>& at,
+                             bool seen, typename Robot::State& state, bool& switched) noexcept {
   if (!is_message_kind(input.command.kind)) {
-    output.refused = 1;
-    return false;
+    return Refusal::kind;
   }
-  switch (static_cast<MessageKind>(input.command.kind)) {
-    case MessageKind::emergency_stop:
-      raise_fault<Robot>(kFaultEmergency, state);
-      return false;
-    case MessageKind::disconnect:
-    case MessageKind::stop:
-      apply_event<Robot>(Event::stop, state);
-      return false;
-    case MessageKind::instruction:  // only tells that whoever commands is there
-      return false;
-    case MessageKind::reset:
-      output.refused = (seen && (before == Mode::faulted)) ? 0 : 1;
-      if (output.refused != 0) {
-        return false;
-      }
-      admit<Robot>(config, input, state);
-      clear_drift<Robot>(state);
-      state.faults = 0;
-      state.reason = 0;
-      apply_event<Robot>(Event::reset, state);
-      return false;
-    case MessageKind::start:
-      output.refused = (seen && (before == Mode::idle)) ? 0 : 1;
-      if (output.refused != 0) {
-        return false;
-      }
-      apply_event<Robot>(Event::start, state);
-      start_holding<Robot>(config, input, state);
-      return true;
-    default:
-      break;
+  const auto kind = static_cast<MessageKind>(input.command.kind);
+  if (kind == MessageKind::emergency_stop) {
+    raise_fault<Robot>(kFaultEmergency, state);
+    return Refusal::none;
   }
-  if (seen) {
-    return begin_motion<Robot>(config, input, at, state, output);
+  if ((kind == MessageKind::disconnect) || (kind == MessageKind::stop)) {
+    apply_event<Robot>(Event::stop, state);
+    return Refusal::none;
   }
-  output.refused = 1;
-  return false;
+  if (kind == MessageKind::instruction) {  // only tells that whoever commands is there
+    return Refusal::none;
+  }
+  const Refusal refusal = check_mode<Robot>(kind, seen, state);
+  if (refusal != Refusal::none) {
+    return refusal;
+  }
+  if (kind == MessageKind::reset) {
+    leave_faults<Robot>(config, input, state);
+    return Refusal::none;
+  }
+  if (kind == MessageKind::start) {
+    apply_event<Robot>(Event::start, state);
+    start_holding<Robot>(config, input, state);
+    switched = true;
+    return Refusal::none;
+  }
+  return begin_motion<Robot>(config, input, at, state, switched);
 }
 
 /// Takes the command if it is a new one. Returns whether the law becomes another.
@@ -287,11 +307,14 @@ inline bool take_command(const typename Robot::Config& config, const typename Ro
   }
   state.sequence = input.command.sequence;
   state.command_ticks = 0;
-  return apply_command<Robot>(config, input, at, seen, state, output);
+  bool switched = false;
+  const Refusal refusal = apply_command<Robot>(config, input, at, seen, state, switched);
+  output.refused = static_cast<int32_t>(refusal);
+  if constexpr (Robot::kTask) {
+    const bool moves = input.command.kind != static_cast<int32_t>(MessageKind::instruction);
+    state.unmet = (moves && (refusal == Refusal::none)) ? 0 : state.unmet;
+  }
+  return switched;
 }
 
 }  // namespace treeline::core
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

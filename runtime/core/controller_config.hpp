@@ -38,6 +38,7 @@ enum class ConfigField : int32_t {
   saturation,
   stale_ticks,
   blind_ticks,
+  speed_rise,
 };
 
 /// The first member that is not sound, and which of its numbers; 0 and 0 where all are.
@@ -170,6 +171,9 @@ inline ConfigFault check_safety_config(const typename Robot::Config& config,
   }
   if (!((config.saturation == Robot::kScale) || (config.saturation == Robot::kClamp))) {
     return not_sound(ConfigField::saturation, 0);
+  }
+  if (!is_from(config.speed_rise, RealOf<Robot>(0), RealOf<Robot>(10))) {
+    return not_sound(ConfigField::speed_rise, 0);
   }
   if (!(config.stale_ticks >= 0)) {
     return not_sound(ConfigField::stale_ticks, 0);

@@ -5,11 +5,6 @@
 
 #include "core/controller_safety.hpp"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
-
 namespace treeline::core {
 
 /// State of the robot as the functions of a step find it: coordinates and velocities, each joint's
@@ -123,7 +118,3 @@ inline bool complete_state(const typename Robot::Config& config, const typename 
 }
 
 }  // namespace treeline::core
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

@@ -9,11 +9,6 @@
 
 #include "core/mode.hpp"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
-
 namespace treeline::core {
 
 /// Bits of a controller's faults.
@@ -76,6 +71,23 @@ constexpr Real shortest_turn(Real x) noexcept {
 template <class Robot>
 inline RealOf<Robot> way_to(int i, RealOf<Robot> from, RealOf<Robot> to) noexcept {
   return Robot::kTurns[i] ? shortest_turn(to - from) : (to - from);
+}
+
+template <class Robot>
+inline Mode mode_of(const typename Robot::State& state) noexcept {
+  return static_cast<Mode>(state.mode);
+}
+
+template <class Robot>
+inline void apply_event(Event event, typename Robot::State& state) noexcept {
+  state.mode = static_cast<int32_t>(next_mode(mode_of<Robot>(state), event));
+}
+
+template <class Robot>
+inline void raise_fault(uint32_t faults, typename Robot::State& state) noexcept {
+  state.reason = (state.faults == 0) ? faults : state.reason;
+  state.faults |= faults;
+  apply_event<Robot>(Event::fault, state);
 }
 
 /// How far a coordinate is beyond its limits, rad or m; negative within them.
@@ -167,7 +179,3 @@ inline bool limit_rate(const typename Robot::Config& config, typename Robot::Sta
 }
 
 }  // namespace treeline::core
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif

@@ -63,6 +63,7 @@ TEST(ControllerRows, ReachThePoseUnderKnownForcesAndPayload) {
   mobile.run(8000);
   EXPECT_EQ(mobile.output.mode, SAMM_ARM_RUNNING);
   EXPECT_EQ(mobile.output.refused, 0);
+  EXPECT_EQ(mobile.output.unmet, 0);
   double reached[3], R_reached[9];
   samm_arm::forward_kinematics(mobile.input.q, reached, R_reached);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(reached[i], command.position[i], 1e-4) << i;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 
@@ -73,5 +75,14 @@ class SimulatedArm {
   puma_arm_input input{};
   puma_arm_output output{};
 };
+
+/// Holds the joints for some time already.
+inline SimulatedArm running() {
+  SimulatedArm arm;
+  arm.send(PUMA_ARM_START);
+  arm.run(0.2);
+  EXPECT_EQ(arm.output.mode, PUMA_ARM_RUNNING);
+  return arm;
+}
 
 }  // namespace treeline::tests

@@ -1,6 +1,6 @@
 // Would catch, of the emitted controller with a simulated PUMA: laws that do not arrive, steps of
 // torque where laws change, torque beyond a limit or in another direction, faults that are not
-// seen or not braked, commands that should be refused, torque that is not finite.
+// seen or not braked, torque that is not finite.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,14 +26,6 @@ double fastest(const SimulatedArm& arm) {
   double most = 0;
   for (const double qd : arm.input.qd) most = std::max(most, std::fabs(qd));
   return most;
-}
-
-SimulatedArm running() {
-  SimulatedArm arm;
-  arm.send(PUMA_ARM_START);
-  arm.run(0.2);
-  EXPECT_EQ(arm.output.mode, PUMA_ARM_RUNNING);
-  return arm;
 }
 
 /// Lets torques change as fast as a law asks, to see the law itself.
@@ -286,47 +278,6 @@ TEST(Controller, AJointBeyondItsLimitCanBeLedBackAfterAReset) {
   arm.input.q[2] = arm.config.upper[2] + 0.3;  // what was admitted is not any more
   arm.step();
   EXPECT_EQ(arm.output.mode, PUMA_ARM_FAULTED);
-}
-
-TEST(Controller, RefusesWhatMakesNoSense) {
-  const auto refuses = [](SimulatedArm arm) {
-    arm.step();
-    return arm.output.refused == 1 && arm.output.mode == PUMA_ARM_RUNNING;
-  };
-  SimulatedArm arm = running();
-  arm.config.jump = 1e9;
-  arm.config.following = 1e9;
-  SimulatedArm far = arm, timeless = arm, wild = arm, tilted = arm, strong = arm, nowhere = arm,
-               unknown = arm, twice = arm;
-  far.move_joints({0, 0, 10, 0, 0, 0}, 1);
-  EXPECT_TRUE(refuses(far));
-  timeless.move_joints({0, 0, 0.5, 0, 0.1, 0}, 0);
-  EXPECT_TRUE(refuses(timeless));
-  wild.move_joints({0, 0, kNaN, 0, 0.1, 0}, 1);
-  EXPECT_TRUE(refuses(wild));
-  tilted.move_point({0.5, 0, 0.5}, {1, 0, 0, 0, 1, 0, 0, 0, -1}, 1);
-  EXPECT_TRUE(refuses(tilted));
-  strong.press({0, 0, 1}, 1000, 1);
-  EXPECT_TRUE(refuses(strong));
-  strong = arm;
-  strong.press({0, 0, 2}, 10, 1);
-  EXPECT_TRUE(refuses(strong));
-  nowhere.input.command.point = 1;
-  nowhere.press({0, 0, 1}, 10, 1);
-  EXPECT_TRUE(refuses(nowhere));
-  unknown.send(static_cast<puma_arm_kind>(7));
-  EXPECT_TRUE(refuses(unknown));
-  unknown = arm;
-  unknown.send(PUMA_ARM_START);
-  unknown.input.command.kind = 256;  // whose lowest eight bits are those of an emergency stop
-  EXPECT_TRUE(refuses(unknown));
-  twice.send(PUMA_ARM_START);
-  EXPECT_TRUE(refuses(twice));
-  SimulatedArm idle;
-  idle.move_joints({0, 0, 0.5, 0, 0.1, 0}, 1);
-  idle.step();
-  EXPECT_EQ(idle.output.refused, 1);
-  EXPECT_EQ(idle.output.mode, PUMA_ARM_IDLE);
 }
 
 /// Pushes the arm against a wall of springs below it; returns the force, N, after some time.

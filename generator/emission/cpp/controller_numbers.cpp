@@ -65,6 +65,7 @@ void add_default_holes(const EmissionContext& context, const ControllerUnit& uni
   holes["hold_reach"] = literal(own.hold_reach);
   holes["jump"] = literal(own.jump);
   holes["following"] = literal(own.following);
+  holes["speed_rise"] = literal(own.speed_rise);
   constexpr double kRestSpeed = 1e-3;
   holes["rest_speed"] = literal(kRestSpeed);
   holes["fade"] = literal(own.fade);

@@ -159,12 +159,21 @@ void add_task_holes(const EmissionContext& context, const ControllerUnit& unit, 
   fill("task_command", {{"position[3]", "m, world"}, {"rotation[9]", "of the point's axes"}});
   fill("task_output",
        {{"task_error[6 * " + points + "]", "m, rad: reference less measured, world axes"}});
+  holes["task_output"] +=
+      fmt::format("int32_t unmet; /* of {}_unmet, until another command */\n", context.name);
   fill("task_state",
        {{"posture[" + name_in_capitals(context) + "_JOINTS]", "where joints were led last"},
         {"point_motion[24 * " + points + "]", ""},
         {"point_from[9 * " + points + "]", "rotation at the motion's begin"},
-        {"point_rate[" + points + "]", "1/s"}});
-  holes["task_state"] += fmt::format("int32_t point_ticks[{}];\n", points);
+        {"point_rate[" + points + "]", "1/s"},
+        {"point_lag[" + points + "]", "s, by which its clock is behind the steps"},
+        {"point_slow[" + points + "]", "0: its clock runs with them, 1: it stands"},
+        {"point_slow_rate[" + points + "]", "1/s"},
+        {"away", "m, rad: the largest error of a point"},
+        {"fastest", "share of a limit of speed, smoothed"}});
+  holes["task_state"] += fmt::format(
+      "int32_t point_ticks[{}];\nint32_t stuck_ticks;\nint32_t cut_ticks;\nint32_t unmet;\n",
+      points);
 }
 
 void add_force_holes(const EmissionContext& context, const ControllerUnit& unit, Holes& holes) {
@@ -184,11 +193,13 @@ void add_force_holes(const EmissionContext& context, const ControllerUnit& unit,
   holes["force_input"] =
       declare(name, {{"force[3]", "N, measured: that the pressing point exerts, world"}});
   holes["force_output"] = declare(name, {{"force_error", "N, wanted less measured"}});
-  holes["force_state"] = "int32_t pressing;\nint32_t press_point;\nint32_t press_ticks;\n" +
-                         declare(name, {{"press_rate", "1/s"},
-                                        {"press_force", "N"},
-                                        {"force_integral", "N"},
-                                        {"direction[3]", ""}});
+  holes["force_state"] =
+      "int32_t pressing;\nint32_t press_point;\nint32_t press_ticks;\n"
+      "int32_t contact_ticks; /* 0: none yet; more than 1: since it was lost */\n" +
+      declare(name, {{"press_rate", "1/s"},
+                     {"press_force", "N"},
+                     {"force_integral", "N"},
+                     {"direction[3]", ""}});
 }
 
 std::string describe_laws(const ControllerUnit& unit) {
@@ -368,6 +379,8 @@ std::vector<GeneratedFile> list_controller_headers() {
           {"controller_laws.hpp", text(templates::kControllerLaws)},
           {"controller_mailbox.hpp", text(templates::kControllerMailbox)},
           {"controller_measurement.hpp", text(templates::kControllerMeasurement)},
+          {"controller_pace.hpp", text(templates::kControllerPace)},
+          {"controller_references.hpp", text(templates::kControllerReferences)},
           {"controller_safety.hpp", text(templates::kControllerSafety)},
           {"mode.hpp", text(templates::kMode)},
           {"orientation.hpp", text(templates::kOrientation)},

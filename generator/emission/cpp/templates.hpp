@@ -26,6 +26,8 @@ extern const std::string_view kControllerHeader;
 extern const std::string_view kControllerLaws;
 extern const std::string_view kControllerMailbox;
 extern const std::string_view kControllerMeasurement;
+extern const std::string_view kControllerPace;
+extern const std::string_view kControllerReferences;
 extern const std::string_view kControllerSafety;
 extern const std::string_view kControllerSource;
 extern const std::string_view kDamped;
