@@ -20,7 +20,7 @@ inline void add_push(const typename Robot::Input& input, const Measured<Robot>& 
     f[i] = ((axis >= 0) && (axis < 3)) ? (-force * state.direction[axis]) : Real(0);
   }
   Real push[Robot::kJoints];
-  Robot::push_torque(input, at, f, push);
+  Robot::push_torque(input, state, at, f, push);
   for (int i = 0; i < Robot::kJoints; ++i) {
     tau[i] += push[i];
   }
@@ -38,7 +38,7 @@ inline void law_torque(const typename Robot::Config& config, const typename Robo
       Real xdd_cmd[Robot::kRows];
       Real force = Real(0);
       task_law<Robot>(config, input, at, state, output, qdd_0, xdd_cmd, force);
-      Robot::task_torque(input, at, qdd_0, xdd_cmd, tau);
+      Robot::task_torque(input, state, at, qdd_0, xdd_cmd, tau);
       if constexpr (Robot::kForce) {
         if (state.pressing != 0) {
           add_push<Robot>(input, at, state, force, tau);
@@ -49,7 +49,7 @@ inline void law_torque(const typename Robot::Config& config, const typename Robo
   }
   Real qdd[Robot::kJoints];
   joint_law<Robot>(config, input, state, output, qdd);
-  Robot::joint_torque(input, at, qdd, tau);
+  Robot::joint_torque(input, state, at, qdd, tau);
 }
 
 /// How the law of a step takes over from that of the step before.

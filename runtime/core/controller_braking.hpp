@@ -143,7 +143,7 @@ inline bool brake_torque(const typename Robot::Config& config, const typename Ro
       dragged = dragged || (moved > (Real(2) * config.hold_reach));
     }
   }
-  Robot::joint_torque(input, at, qdd, tau);
+  Robot::joint_torque(input, state, at, qdd, tau);
   for (int i = 0; i < Robot::kJoints; ++i) {
     tau[i] = (at.lost[i] && !lately) ? Real(0) : (tau[i] + held[i]);
   }

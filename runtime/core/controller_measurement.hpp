@@ -89,12 +89,30 @@ inline void complete_joint(const typename Robot::Config& config, const typename 
   at.q[i] = has_q ? input.q[i] : (state.sound_q[i] + onward);
 }
 
+/// Leads numbers that describe the robot a share nearer to what they have become.
+template <size_t N, class Real>
+inline void lead_to(const Real (&now)[N], Real share, Real (&led)[N]) noexcept {
+  for (size_t i = 0; i < N; ++i) {
+    led[i] = (share < Real(1)) ? (led[i] + (share * (now[i] - led[i]))) : now[i];
+  }
+}
+
+/// The share of a change of the robot, such as a payload, that a step takes over: 98 % of it are
+/// there after `fade`, so that the torque has no step.
+template <class Robot>
+inline RealOf<Robot> adopted_share(const typename Robot::Config& config) noexcept {
+  using Real = RealOf<Robot>;
+  const Real part = Real(4) * config.period;
+  return (part < config.fade) ? (part / config.fade) : Real(1);
+}
+
 /// Fills in the state to compute with: what was measured, where all of it was `seen`. Returns
 /// whether there is one: every coordinate has been measured, now or before, and the arguments that
 /// change the robot are finite.
 template <class Robot>
 inline bool complete_state(const typename Robot::Config& config, const typename Robot::Input& input,
                            bool seen, Measured<Robot>& at, typename Robot::State& state) noexcept {
+  using Real = RealOf<Robot>;
   if (!seen && (((state.posed == 0) && !all_finite(input.q)) || !Robot::finite(input))) {
     return false;
   }
@@ -111,9 +129,10 @@ inline bool complete_state(const typename Robot::Config& config, const typename 
     state.sound_q[i] = at.q[i];
     state.sound_qd[i] = at.qd[i];
   }
+  Robot::adopt(input, (state.posed == 0) ? Real(1) : adopted_share<Robot>(config), state);
   state.posed = 1;
   state.blind_ticks = lost ? state.blind_ticks : 0;
-  Robot::measure(input, at);
+  Robot::measure(input, state, at);
   return true;
 }
 

@@ -1,8 +1,9 @@
 // Would catch: a controller of a task with some rows, in the point's own axes, that does not reach
-// the pose; known forces or a payload that it does not compensate; sliding joints that it takes for
-// hinges.
+// the pose; known forces or a payload that it does not compensate, or that makes torques jump;
+// sliding joints that it takes for hinges.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "samm_arm.hpp"
@@ -81,6 +82,34 @@ TEST(ControllerRows, HoldsTheRobotUnderKnownForcesAndPayload) {
   mobile.run(1000);
   const double home[n] = {0.1, -0.2, 0.4, 0.3, -0.9, 0.6, 0.2, 0.8, -0.4};
   for (int i = 0; i < n; ++i) EXPECT_NEAR(mobile.input.q[i], home[i], 1e-9) << i;
+}
+
+// A payload that is told in the midst of holding changes no torque by more than its share of a
+// step, and is compensated in the end.
+TEST(ControllerRows, LeadTheTorqueToAnotherPayload) {
+  Mobile mobile;
+  mobile.input.command.kind = SAMM_ARM_START;
+  mobile.input.command.sequence = 1;
+  mobile.run(100);
+  double before[n], worst = 0, whole = 0, first[n];
+  for (int i = 0; i < n; ++i) before[i] = first[i] = mobile.output.tau[i];
+  mobile.input.payload[0] = 6;
+  mobile.input.payload[3] = 0.9;
+  for (int k = 0; k < 300; ++k) {
+    samm_arm_step(&mobile.config, &mobile.state, &mobile.input, &mobile.output);
+    for (int i = 0; i < n; ++i) {
+      worst = std::max(worst, std::fabs(mobile.output.tau[i] - before[i]));
+      whole = std::max(whole, std::fabs(mobile.output.tau[i] - first[i]));
+      before[i] = mobile.output.tau[i];
+    }
+  }
+  EXPECT_GT(whole, 5);
+  EXPECT_LE(worst, 0.0401 * whole);
+  Mobile told;
+  for (int i = 0; i < 10; ++i) told.input.payload[i] = mobile.input.payload[i];
+  for (int i = 0; i < n; ++i) told.input.q[i] = mobile.input.q[i];
+  told.run(1);
+  EXPECT_LT(std::fabs(told.state.held[4] - mobile.state.held[4]), 1e-3);
 }
 
 }  // namespace

@@ -43,13 +43,21 @@ std::string variable_of(const std::string& argument) {
   return found == kVariables.end() ? std::string() : found->second;
 }
 
+/// Whether an argument describes the robot: the step leads it to what it becomes, so that torques
+/// have no step. Places of tools and known forces are taken as they are.
+bool is_led(const std::string& argument) {
+  return argument == "gravity" || argument == "payload" || argument == "parameters" ||
+         argument == "base_parameters";
+}
+
 /// The call of a function in the step; `forces` are the law's own in place of known ones.
 std::string print_step_call(const Program& program, const std::string& forces = {}) {
   std::string list;
   const auto append = [&](const Argument& argument) {
     std::string variable = variable_of(argument.name);
     if (variable.empty()) {
-      variable = argument.name == "f_ext" && !forces.empty() ? forces : "input." + argument.name;
+      const std::string from = is_led(argument.name) ? "state." : "input.";
+      variable = argument.name == "f_ext" && !forces.empty() ? forces : from + argument.name;
     }
     list += (list.empty() ? "" : ", ") + variable;
   };
@@ -107,6 +115,17 @@ std::string print_commented(const std::string& declaration, const std::string& m
   return fits ? declaration + " " + commented + "\n" : commented + "\n" + declaration + "\n";
 }
 
+/// What the state keeps of the inputs.
+std::string print_led_inputs(const EmissionContext& context, const ControllerUnit& unit) {
+  std::string text;
+  for (const Argument& argument : list_inputs(unit)) {
+    if (!is_led(argument.name)) continue;
+    text += fmt::format("{}_number {}[{}]; /* led to the input's */\n", context.name, argument.name,
+                        argument.rows * argument.cols);
+  }
+  return text;
+}
+
 std::string print_inputs(const EmissionContext& context, const ControllerUnit& unit) {
   std::string text;
   for (const Argument& argument : list_inputs(unit)) {
@@ -126,6 +145,17 @@ std::string print_finite(const std::vector<Argument>& inputs) {
                         argument.name);
   }
   return text + ";";
+}
+
+/// Statements that lead what describes the robot to what it has become.
+std::string print_adopt(const std::vector<Argument>& inputs) {
+  std::string text;
+  for (const Argument& argument : inputs) {
+    if (!is_led(argument.name)) continue;
+    text += fmt::format("{0}detail::lead_to(input.{1}, share, state.{1});",
+                        text.empty() ? "" : "\n", argument.name);
+  }
+  return text;
 }
 
 /// `names` with the prefix of the robot: a declaration a line.
@@ -286,7 +316,8 @@ std::string print_header(const EmissionContext& context, const ControllerUnit& u
                  {"joint_list", in_comment(list_joint_names(unit))},
                  {"task", unit.task_torque ? "true" : "false"},
                  {"force", unit.settings.force ? "true" : "false"},
-                 {"model_inputs", print_inputs(context, unit)}};
+                 {"model_inputs", print_inputs(context, unit)},
+                 {"model_state", print_led_inputs(context, unit)}};
   add_task_holes(context, unit, holes);
   add_force_holes(context, unit, holes);
   return fill_template(templates::kControllerHeader, holes);
@@ -296,7 +327,8 @@ std::string print_task_functions(const ControllerUnit& unit) {
   std::string text;
   if (unit.task_torque) {
     text +=
-        "static void task_torque([[maybe_unused]] const Input& input, const Measured<Robot>& at,\n"
+        "static void task_torque([[maybe_unused]] const Input& input,\n"
+        "                        [[maybe_unused]] const State& state, const Measured<Robot>& at,\n"
         "                        const Real (&qdd_0)[kJoints], const Real (&xdd_cmd)[kRows],\n"
         "                        Real (&tau)[kJoints]) noexcept {\n  " +
         print_step_call(*unit.task_torque) + "\n}\n";
@@ -304,7 +336,8 @@ std::string print_task_functions(const ControllerUnit& unit) {
   if (unit.push_torque) {
     text +=
         "\n/// Joint forces against [force; moment] on the points.\n"
-        "static void push_torque([[maybe_unused]] const Input& input, const Measured<Robot>& at,\n"
+        "static void push_torque([[maybe_unused]] const Input& input,\n"
+        "                        [[maybe_unused]] const State& state, const Measured<Robot>& at,\n"
         "                        const Real (&f)[6 * kPoints], Real (&tau)[kJoints]) noexcept {\n "
         " " +
         print_step_call(*unit.push_torque, "f") + "\n}\n";
@@ -349,6 +382,7 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                  {"task", unit.task_torque ? "true" : "false"},
                  {"force", unit.settings.force ? "true" : "false"},
                  {"finite", print_finite(inputs)},
+                 {"adopt", print_adopt(inputs)},
                  {"kinematics_call", print_kinematics_calls(unit)},
                  {"joint_call", print_step_call(unit.joint_torque)},
                  {"task_functions", print_task_functions(unit)}};
