@@ -98,12 +98,12 @@ inline void lead_to(const Real (&now)[N], Real share, Real (&led)[N]) noexcept {
 }
 
 /// The share of a change of the robot, such as a payload, that a step takes over: 98 % of it are
-/// there after `fade`, so that the torque has no step.
+/// there after `fade`, so that the torque has no step. All of it in the first.
 template <class Robot>
-inline RealOf<Robot> adopted_share(const typename Robot::Config& config) noexcept {
+inline RealOf<Robot> adopted_share(const typename Robot::Config& config, bool first) noexcept {
   using Real = RealOf<Robot>;
   const Real part = Real(4) * config.period;
-  return (part < config.fade) ? (part / config.fade) : Real(1);
+  return (!first && (part < config.fade)) ? (part / config.fade) : Real(1);
 }
 
 /// Fills in the state to compute with: what was measured, where all of it was `seen`. Returns
@@ -112,7 +112,6 @@ inline RealOf<Robot> adopted_share(const typename Robot::Config& config) noexcep
 template <class Robot>
 inline bool complete_state(const typename Robot::Config& config, const typename Robot::Input& input,
                            bool seen, Measured<Robot>& at, typename Robot::State& state) noexcept {
-  using Real = RealOf<Robot>;
   if (!seen && (((state.posed == 0) && !all_finite(input.q)) || !Robot::finite(input))) {
     return false;
   }
@@ -129,7 +128,7 @@ inline bool complete_state(const typename Robot::Config& config, const typename 
     state.sound_q[i] = at.q[i];
     state.sound_qd[i] = at.qd[i];
   }
-  Robot::adopt(input, (state.posed == 0) ? Real(1) : adopted_share<Robot>(config), state);
+  Robot::adopt(config, input, state.posed == 0, state);
   state.posed = 1;
   state.blind_ticks = lost ? state.blind_ticks : 0;
   Robot::measure(input, state, at);

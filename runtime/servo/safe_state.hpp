@@ -58,9 +58,10 @@ struct SafeRobot {
   using Measured = core::Measured<SafeRobot>;
 
   static bool finite(const Input&) noexcept { return true; }
-  static void measure(const Input&, Measured&) noexcept {}
-  static void joint_torque(const Input& input, const Measured& at, const double (&qdd)[kJoints],
-                           double (&tau)[kJoints]) noexcept {
+  static void adopt(const Config&, const Input&, bool, State&) noexcept {}
+  static void measure(const Input&, const State&, Measured&) noexcept {}
+  static void joint_torque(const Input& input, const State&, const Measured& at,
+                           const double (&qdd)[kJoints], double (&tau)[kJoints]) noexcept {
     double q[F::kCoordinates];
     go_from<F>(input.anchor, at.q, q);
     F::inverse_dynamics(q, at.qd, qdd, tau);
@@ -201,11 +202,11 @@ class SafeState {
     typename Robot::Measured still = at_;
     std::fill(std::begin(still.qd), std::end(still.qd), 0.0);
     double qdd[nv] = {};
-    Robot::joint_torque(input_, still, qdd, weight);
+    Robot::joint_torque(input_, state_, still, qdd, weight);
     for (int i = 0; i < nv; ++i) {
       double moved[nv];
       qdd[i] = 1.0;
-      Robot::joint_torque(input_, still, qdd, moved);
+      Robot::joint_torque(input_, state_, still, qdd, moved);
       qdd[i] = 0.0;
       inertia[i] = std::fabs(moved[i] - weight[i]);
     }

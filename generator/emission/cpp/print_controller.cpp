@@ -152,8 +152,10 @@ std::string print_adopt(const std::vector<Argument>& inputs) {
   std::string text;
   for (const Argument& argument : inputs) {
     if (!is_led(argument.name)) continue;
-    text += fmt::format("{0}detail::lead_to(input.{1}, share, state.{1});",
-                        text.empty() ? "" : "\n", argument.name);
+    if (text.empty()) {
+      text = "const Real share = detail::adopted_share<Robot>(config, first);";
+    }
+    text += fmt::format("\ndetail::lead_to(input.{0}, share, state.{0});", argument.name);
   }
   return text;
 }

@@ -113,8 +113,8 @@ class Run {
     if constexpr (Robot::kTask) {
       for (auto& x : command.position) x = static_cast<Number>(bytes.number(0.8));
       const double angle = 3.2 * bytes.share();
-      const double turn[9] = {std::cos(angle), -std::sin(angle), 0, std::sin(angle),
-                              std::cos(angle), 0,                0, 0, 1};
+      const double turn[9] = {
+          std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1};
       for (int i = 0; i < 9; ++i) command.rotation[i] = static_cast<Number>(turn[i]);
       if (kind > 200) command.rotation[kind % 9] = static_cast<Number>(bytes.number(1));
     }

@@ -5,12 +5,13 @@
 # minute or so from a fixed seed; with SECONDS as long, from a new seed, which is printed. Inputs
 # that break something stay in FOLDER. Exit 77 (skipped) where clang or its fuzzer is missing.
 set -euo pipefail
-treeline=$1 source_dir=$2 folder=$3 seconds=${4:-}
+treeline=$(realpath "$1") source_dir=$(realpath "$2") folder=$(realpath -m "$3") seconds=${4:-}
 clang=$(command -v clang++ || command -v clang++-14 || true)
 if [ -z "$clang" ]; then
   echo "skipped: clang++ is missing (Debian package clang)"
   exit 77
 fi
+rm -rf "$folder/corpus"
 mkdir -p "$folder/corpus"
 cd "$folder"
 if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
@@ -19,6 +20,7 @@ if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned 
   exit 77
 fi
 tests=$source_dir/tests/controller
+rm -rf puma_arm gantry
 "$treeline" generate "$source_dir/robots/puma560/puma560.urdf" "$tests/puma.yaml" --output puma_arm
 "$treeline" generate "$tests/safe_state/turning_gantry.urdf" "$tests/safe_state/gantry.yaml" \
   --name gantry --output gantry
@@ -29,5 +31,5 @@ tests=$source_dir/tests/controller
 length=(-runs=60000 -seed=1)
 [ -z "$seconds" ] || length=(-max_total_time="$seconds" -seed="$(date +%s)")
 echo "fuzz_step ${length[*]}"
-./fuzz_step corpus "${length[@]}" -max_len=4096 -len_control=20 -timeout=20 -artifact_prefix="$folder/" \
-  -print_final_stats=1 2>&1 | tail -40
+./fuzz_step corpus "${length[@]}" -max_len=4096 -len_control=20 -timeout=20 \
+  -artifact_prefix="$folder/" -print_final_stats=1 2>&1 | tail -40
