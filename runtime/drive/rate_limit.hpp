@@ -34,4 +34,10 @@ inline RateLimit rate_for(bool may_command) noexcept {
   return may_command ? RateLimit(200.0, 100.0) : RateLimit(10.0, 10.0);
 }
 
+/// How many front ends without the token may join: each costs its `hello` in the thread that serves
+/// those who command.
+inline RateLimit rate_of_watchers() noexcept {
+  return {20.0, 64.0};
+}
+
 }  // namespace treeline::drive

@@ -36,6 +36,8 @@ void Server::Inside::run() {
 }
 
 bool Server::Inside::take_place(bool may_command) {
+  const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+  if (!may_command && !joins.admits(now.count())) return false;
   std::atomic<int>& taken = may_command ? commanders : watchers;
   if (++taken <= kMostFrontEnds) return true;
   --taken;

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "drive/mesh_passes.hpp"
+#include "drive/rate_limit.hpp"
 #include "drive/server.hpp"
 
 namespace treeline::drive {
@@ -39,6 +40,7 @@ struct Server::Inside {
   std::atomic<int> joined{0}, joined_commanders{0};
   std::atomic<int> failed_accepts{0};
   std::list<std::weak_ptr<Visitor>> visitors;  // the oldest first; only in the thread of pages
+  RateLimit joins = rate_of_watchers();        // only in the thread of pages
   int port = 0;
 
   boost::asio::io_context front_ends{1};
@@ -52,7 +54,8 @@ struct Server::Inside {
   /// Begins to accept and to run, in threads of its own.
   void run();
   void accept();
-  /// Takes a place of a front end for as long as its socket lives. False: there is none left.
+  /// Takes a place of a front end for as long as its socket lives. False: there is none left, or
+  /// too many come without the token.
   bool take_place(bool may_command);
   void leave_place(bool may_command);
 

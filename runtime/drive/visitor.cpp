@@ -68,7 +68,7 @@ void Visitor::respond() {
     if (server_.take_place(may_command)) return become_front_end(may_command);
     reply_ = {http::status::service_unavailable,
               "text/plain",
-              "All places of front ends are taken.\n",
+              "All places of front ends are taken, or too many come at once.\n",
               {}};
   } else {
     reply_ = find(path, target);

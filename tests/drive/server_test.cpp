@@ -352,6 +352,20 @@ TEST_F(ServerTest, WatchersTakeNoPlaceOfThoseWithTheToken) {
   EXPECT_EQ(status(too_many.receive("\r\n\r\n")), "503");
 }
 
+// Joining costs the thread that serves who commands: it is rationed to those without the token.
+TEST_F(ServerTest, WatchersJoinNoFasterThanTheyMay) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 200; ++i) {
+    Connection watcher(server_->port());
+    watcher.send(upgrade(host_, ""));
+    watcher.receive("\r\n\r\n");
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  EXPECT_LE(joined_, 64 + 20.0 * passed.count() + 1);
+  Connection commander(server_->port());
+  EXPECT_TRUE(join(commander, "?token=secret").starts_with("?pass="));
+}
+
 // As many tries as pauses have passed, however fast or slow the machine is; then it goes on.
 TEST_F(ServerTest, WaitsWhereNoFileDescriptorsAreLeft) {
   Connection early(server_->port());
