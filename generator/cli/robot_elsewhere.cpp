@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "cli/find_bent_start.hpp"
 #include "cli/find_start.hpp"
@@ -152,7 +153,9 @@ class LoneRobot {
       std::copy_n(state_.begin(), start_.size(), start_.begin());
       return;
     }
-    print_message("the robot's numbers were not finite any more: it stands where it last was\n");
+    if (!std::exchange(told_, true)) {
+      print_message("the robot's numbers were not finite any more: it stands where it last was\n");
+    }
     stand();
   }
   void read(double* state) const { std::copy(state_.begin(), state_.end(), state); }
@@ -169,6 +172,7 @@ class LoneRobot {
   std::vector<double> start_;
   std::vector<double> state_;
   std::unique_ptr<void, void (*)(void*)> robot_{nullptr, nullptr};
+  bool told_ = false;
 };
 
 }  // namespace
