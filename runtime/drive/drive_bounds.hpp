@@ -81,17 +81,16 @@ bool DriveController<F>::stay_within(const JointBounds& bounds, double brakes, c
 }
 
 /// How the robot brakes here: all joints alike, qdd = -rate qd, by as much of `limit_rate` as
-/// motors have torque for beside what bears its weight and speed. Floating joints, which ideal
-/// forces hold, go on as `wanted`. Motors too weak for the weight alone do not count.
+/// motors have torque for beside what bears its weight and speed; with them floating joints, which
+/// ideal forces hold, since they take their limbs along. Motors too weak for the weight alone do
+/// not count.
 template <class F>
 typename DriveController<F>::Braking DriveController<F>::find_braking(
-    const State& state, const double (&wanted)[nv]) const noexcept {
+    const State& state) const noexcept {
   Braking braking;
-  double qdd[nv];
-  std::copy_n(wanted, nv, qdd);
   const auto brake_by = [&](double rate, double(&tau)[nv]) {
-    for_each_joint([&](int, int iv) { qdd[iv] = -rate * state.qd[iv]; }, [](int, int, int) {});
-    F::inverse_dynamics(state.q, state.qd, qdd, tau);
+    for (int i = 0; i < nv; ++i) braking.qdd[i] = -rate * state.qd[i];
+    F::inverse_dynamics(state.q, state.qd, braking.qdd, tau);
   };
   find_weight(state.q, braking.weight);
   double rest[nv];
@@ -104,8 +103,7 @@ typename DriveController<F>::Braking DriveController<F>::find_braking(
     braking.share = std::fmin(braking.share, share_within(-limit, limit, rest[i], braking.tau[i]));
   }
   blend_numbers(braking.share, rest, braking.tau);
-  std::copy_n(qdd, nv, braking.qdd);
-  for_each_joint([&](int, int iv) { braking.qdd[iv] *= braking.share; }, [](int, int, int) {});
+  for (double& each : braking.qdd) each *= braking.share;
   return braking;
 }
 
@@ -154,7 +152,7 @@ void DriveController<F>::keep_limits(const State& state, const double* J,
                                      double (&tau)[nv]) noexcept {
   double qdd[nv];
   F::forward_dynamics(state.q, state.qd, tau, qdd);
-  const Braking braking = find_braking(state, qdd);
+  const Braking braking = find_braking(state);
   bool shares[nv] = {};
   for (int i = 0; J != nullptr && i < task_rows() * nv; ++i) {
     shares[i % nv] = shares[i % nv] || J[i] != 0.0;

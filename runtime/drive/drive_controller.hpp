@@ -218,7 +218,7 @@ class DriveController {
     double tau[nv];
     bool bears[nv];  ///< motors that can hold the robot's weight
   };
-  Braking find_braking(const State& state, const double (&wanted)[nv]) const noexcept;
+  Braking find_braking(const State& state) const noexcept;
   static void find_weight(const double (&q)[nq], double (&weight)[nv]) noexcept;
   double share_that_is_borne(const State& state, const Braking& braking,
                              const double (&qdd)[nv]) const noexcept;
