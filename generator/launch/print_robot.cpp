@@ -142,6 +142,7 @@ std::vector<GeneratedFile> runtime_headers() {
           file("core/controller_braking.hpp", t::kCoreControllerBraking),
           file("core/controller_laws.hpp", t::kCoreControllerLaws),
           file("core/controller_measurement.hpp", t::kCoreControllerMeasurement),
+          file("core/controller_references.hpp", t::kCoreControllerReferences),
           file("core/controller_safety.hpp", t::kCoreControllerSafety),
           file("core/coordinates.hpp", t::kCoreCoordinates),
           file("core/damped_solve.hpp", t::kCoreDampedSolve),

@@ -10,6 +10,7 @@ extern const std::string_view kCoreCommandLaws;
 extern const std::string_view kCoreControllerBraking;
 extern const std::string_view kCoreControllerLaws;
 extern const std::string_view kCoreControllerMeasurement;
+extern const std::string_view kCoreControllerReferences;
 extern const std::string_view kCoreControllerSafety;
 extern const std::string_view kCoreCoordinates;
 extern const std::string_view kCoreDampedSolve;
