@@ -29,6 +29,13 @@ struct BoardFunction {
   std::uint64_t least = 0, most = 0;    ///< instructions of a call, over all states
   double cycles = 0;                    ///< estimate of the longest call by `Target::cycles`
 
+  /// Instructions of a controller's steps that ended in a mode.
+  struct Mode {
+    int steps = 0;  ///< that were counted
+    std::uint64_t least = 0, most = 0;
+  };
+  std::vector<Mode> modes = {};  ///< in the order of `core::Mode`; empty: no controller's step
+
   int states = 0;
   int bits_differ = 0;  ///< states whose results are not the host's to the bit
   std::optional<int> first_bits_differ;

@@ -10,8 +10,11 @@
 #include "board/judge_calls.hpp"
 #include "board/measure_objects.hpp"
 #include "board/run_board.hpp"
+#include "board/step_on_board.hpp"
 #include "check/find_sources.hpp"
+#include "check/judge_step.hpp"
 #include "compilation/choose_flags.hpp"
+#include "compilation/print_step_entry.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "emission/print_identity.hpp"
 #include "oracle/reference_maker.hpp"
@@ -85,7 +88,9 @@ BoardReport begin_board_report(const Robot& robot, const Scene& scene, const Tar
 
 /// What a run needs beside the robot.
 struct BoardJob {
+  const Robot& robot;
   const Scene& scene;
+  const Generation& generation;
   const Target& target;
   const Tools& tools;
   const CheckOptions& options;
@@ -98,11 +103,23 @@ bool run_job(const BoardJob& job, const BoardSelection& selection,
              Diagnostics& diagnostics) {
   const Real real = job.scene.real;
   const auto& functions = selection.functions;
-  if (!write_harness(functions, states_of(references), job.scene, job.target, job.work,
-                     diagnostics)) {
+  std::optional<StepTape> tape;
+  std::string step_entry;
+  CompileOptions stepping = job.options.compile;
+  if (job.generation.controller) {
+    tape = record_steps(job.robot, job.scene, job.generation, job.options, job.sources, job.work,
+                        diagnostics);
+    if (!tape) return false;
+    stepping = with_controller(job.scene, job.generation, stepping);
+    step_entry = print_step_entry(
+        job.scene.name, find_controller_header(job.scene.name, job.generation.files), "double");
+  }
+  const StepTape* const steps = tape ? &*tape : nullptr;
+  if (!write_harness(functions, states_of(references), job.scene, job.target, steps, step_entry,
+                     job.work, diagnostics)) {
     return false;
   }
-  CompileOptions compile = job.options.compile;
+  CompileOptions compile = stepping;
   compile.language = job.scene.language;
   compile.optimize = job.scene.optimize;
   compile.target = job.scene.target;
@@ -118,12 +135,18 @@ bool run_job(const BoardJob& job, const BoardSelection& selection,
   report.compile_seconds = objects->seconds;
   report.functions = measure_objects(*objects, job.scene.name, functions, job.target, job.tools);
   const auto start = Clock::now();
-  const auto calls =
-      run_board(*program, functions, references.size(), real, job.tools, job.work, diagnostics);
+  const auto calls = run_board(*program, functions, references.size(), real, steps, job.tools,
+                               job.work, diagnostics);
   report.run_seconds = seconds_since(start);
   for (std::size_t i = 0; calls && i < functions.size(); ++i) {
-    judge_calls(selection.indices[i], functions[i], (*calls)[i], references, real,
+    judge_calls(selection.indices[i], functions[i], calls->functions[i], references, real,
                 report.contracted, report.functions[i]);
+  }
+  if (calls && tape) {
+    BoardFunction step =
+        measure_step(*objects, job.scene.name, functions.size(), job.target, job.tools);
+    judge_steps(*tape, calls->steps, step);
+    report.functions.push_back(std::move(step));
   }
   return calls.has_value();
 }
@@ -155,7 +178,7 @@ std::optional<BoardReport> check_on_board(const Robot& robot, const Scene& scene
   const auto references = refer(robot, scene, generation, options.references, report.contracted);
   const fs::path place = work->path() / "board";
   fs::create_directory(place);
-  const BoardJob job{scene, target, *tools, options, *sources, place};
+  const BoardJob job{robot, scene, generation, target, *tools, options, *sources, place};
   if (!run_job(job, selection, references, report, diagnostics)) return std::nullopt;
   return report;
 }

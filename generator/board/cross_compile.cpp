@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "compilation/print_step_entry.hpp"
 #include "emission/backend/backend.hpp"
 
 namespace treeline {
@@ -65,9 +66,14 @@ Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction
     sources.add(in_header ? work : folder, source_stem(generated), options.language,
                 choose_flags(generated, options).flags + " -fstack-usage -fcallgraph-info=su");
   }
+  for (const std::string& stem : options.stems) {
+    sources.add(folder, stem, options.language,
+                options.flags + " -fstack-usage -fcallgraph-info=su");
+  }
   for (const char* stem : {kMainStem, kEmptyStem, kStartStem}) {
     sources.add(work, stem, Language::cpp, "-O2");
   }
+  if (!options.stems.empty()) sources.add(work, kStepStem, Language::cpp, "-O2");
   return sources;
 }
 
@@ -98,7 +104,8 @@ std::optional<BoardObjects> cross_compile(const fs::path& sources,
   objects.folder = work;
   objects.language = options.language;
   for (std::size_t i = 0; i < list.stems.size(); ++i) {
-    (i < functions.size() ? objects.stems : objects.harness).push_back(list.stems[i]);
+    (i < functions.size() + options.stems.size() ? objects.stems : objects.harness)
+        .push_back(list.stems[i]);
   }
   const std::string compiler = compiler_for(options.language, target, tools) + " ";
   objects.command = compiler + options.flags;

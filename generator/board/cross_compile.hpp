@@ -15,7 +15,7 @@ namespace treeline {
 /// Object files of a program for a board, all in one folder.
 struct BoardObjects {
   std::filesystem::path folder;
-  std::vector<std::string> stems;     ///< of the functions, in their order
+  std::vector<std::string> stems;     ///< of the functions, in their order, then a controller's
   std::vector<std::string> harness;   ///< of all others
   Language language = Language::cpp;  ///< of the functions
   std::string command;                ///< compiler and flags

@@ -30,4 +30,8 @@ std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const st
                                            const std::vector<GeneratedFunction>& functions,
                                            const Target& target, const Tools& tools);
 
+/// Measures the controller's step, whose objects are those from index `first` on.
+BoardFunction measure_step(const BoardObjects& objects, const std::string& name, std::size_t first,
+                           const Target& target, const Tools& tools);
+
 }  // namespace treeline

@@ -191,6 +191,9 @@ std::string print_main(const std::string& name, const std::vector<GeneratedFunct
                         {"state_size", std::to_string(places.back().at + places.back().size)},
                         {"most_outputs", std::to_string(most)},
                         {"cases", cases},
+                        {"step_head", files.step_head},
+                        {"step", files.step_part},
+                        {"run_steps", files.step_part.empty() ? "" : "run_steps();"},
                         {"rows", rows}});
 }
 

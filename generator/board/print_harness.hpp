@@ -22,6 +22,7 @@ std::vector<StatePlace> place_arguments(const std::vector<GeneratedFunction>& fu
 struct HarnessFiles {
   std::string states, results;
   int count = 0;
+  std::string step_head = {}, step_part = {};  ///< of a controller's steps; empty: it has none
 };
 
 /// Header that declares the functions to call, and their namesakes that do nothing.

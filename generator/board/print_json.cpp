@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "board/board_report.hpp"
+#include "core/mode.hpp"
 #include "emission/generator_version.hpp"
 #include "text/json_text.hpp"
 
@@ -16,6 +17,17 @@ Json if_known(const std::optional<T>& x) {
 
 Json if_any(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json describe_modes(const BoardFunction& f) {
+  if (f.modes.empty()) return nullptr;
+  Json modes = Json::object();
+  for (std::size_t i = 0; i < f.modes.size(); ++i) {
+    modes[core::mode_name(static_cast<core::Mode>(i))] = {{"steps", f.modes[i].steps},
+                                                          {"least_instructions", f.modes[i].least},
+                                                          {"most_instructions", f.modes[i].most}};
+  }
+  return modes;
 }
 
 Json describe_function(const BoardFunction& f, bool contracted) {
@@ -34,6 +46,7 @@ Json describe_function(const BoardFunction& f, bool contracted) {
           {"most_instructions", f.most},
           {"constant_time", f.takes_constant_time()},
           {"cycles_estimate", f.cycles},
+          {"modes", describe_modes(f)},
           {"states", f.states},
           {"bits_differ", f.bits_differ},
           {"first_bits_differ", if_known(f.first_bits_differ)},

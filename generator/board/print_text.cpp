@@ -4,6 +4,7 @@
 
 #include "board/board_report.hpp"
 #include "check/list_names.hpp"
+#include "core/mode.hpp"
 #include "emission/comment.hpp"
 #include "text/align_columns.hpp"
 
@@ -53,6 +54,18 @@ std::string print_costs(const CycleCosts& c) {
                   c.memory, c.branch, c.arithmetic, c.fused, c.divide_float, c.divide_double,
                   c.other, c.source),
       kColumns);
+}
+
+/// Instructions of a controller's step by the mode that it ended in.
+std::string print_modes(const BoardFunction& f) {
+  std::string text;
+  for (std::size_t i = 0; i < f.modes.size(); ++i) {
+    const BoardFunction::Mode& mode = f.modes[i];
+    if (mode.steps == 0) continue;
+    text += fmt::format("{}{} {}..{}", text.empty() ? "" : ", ",
+                        core::mode_name(static_cast<core::Mode>(i)), mode.least, mode.most);
+  }
+  return text.empty() ? text : fmt::format("{}: instructions by mode: {}\n", f.name, text);
 }
 
 std::string print_board_faults(const BoardReport& report, const BoardFunction& f) {
@@ -113,6 +126,7 @@ std::string print_text(const BoardReport& report) {
                               "of more than 12000 operations; --flags compiles all alike");
   text += wrap_text(report.simulator, kColumns) + "\n\n";
   text += print_board_table(report) + "\n" + print_costs(report.target->cycles) + "\n\n";
+  for (const BoardFunction& f : report.functions) text += print_modes(f);
   for (const std::string& name : report.not_run) {
     text += fmt::format("{}: not run, it takes several states at once\n", name);
   }

@@ -7,6 +7,7 @@
 
 #include "board/print_harness.hpp"
 #include "board/templates.hpp"
+#include "compilation/print_step_entry.hpp"
 #include "compilation/write_work_file.hpp"
 #include "oracle/graph_run.hpp"
 
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStatesFile = "states.bin";
 constexpr const char* kResultsFile = "results.bin";
+constexpr const char* kTapeFile = "steps.bin";
 
 /// Seconds that a program may take. It ends by itself much earlier.
 constexpr const char* kPatience = "900";
@@ -84,6 +86,19 @@ BoardCalls read_calls(int outputs, std::size_t states, Real real, Reader& reader
   return calls;
 }
 
+StepCalls read_steps(const StepTape& tape, Reader& reader) {
+  StepCalls calls;
+  for (std::size_t step = 0; step < tape.results.size(); ++step) {
+    calls.instructions.push_back(reader.take<std::uint64_t>());
+    std::vector<double>& results = calls.results.emplace_back();
+    for (std::size_t i = 0; i < tape.output_size + tape.state_size; ++i) {
+      results.push_back(reader.take<double>());
+    }
+  }
+  calls.stack_seen = reader.take<std::uint64_t>();
+  return calls;
+}
+
 std::nullopt_t fail_run(const Command& command, std::string fault, Diagnostics& diagnostics) {
   diagnostics.add({Severity::error, "", 0, command.front(), std::move(fault),
                    "Look at the flags; try --functions with one at a time to find which it is."});
@@ -94,11 +109,15 @@ std::nullopt_t fail_run(const Command& command, std::string fault, Diagnostics& 
 
 bool write_harness(const std::vector<GeneratedFunction>& functions,
                    const std::vector<State>& states, const Scene& scene, const Target& target,
-                   const fs::path& work, Diagnostics& diagnostics) {
+                   const StepTape* tape, const std::string& step_entry, const fs::path& work,
+                   Diagnostics& diagnostics) {
   const std::string& name = scene.name;
   const bool c = scene.language == Language::c;
-  const HarnessFiles files{work / kStatesFile, work / kResultsFile,
-                           static_cast<int>(states.size())};
+  HarnessFiles files{work / kStatesFile, work / kResultsFile, static_cast<int>(states.size())};
+  if (tape != nullptr) {
+    files.step_head = print_step_head(name, work / kTapeFile);
+    files.step_part = print_step_part(name, *tape);
+  }
   const auto write = [&](const std::string& file, const std::string& text) {
     return write_work_file(work / file, text, diagnostics);
   };
@@ -111,6 +130,9 @@ bool write_harness(const std::vector<GeneratedFunction>& functions,
                  write(source(kMainStem), print_main(name, functions, files)) &&
                  write(source(kEmptyStem), print_empty_functions(functions)) &&
                  write(source(kStartStem), print_start(target.board));
+  if (tape != nullptr) {
+    written = written && write(kTapeFile, tape->bytes) && write(source(kStepStem), step_entry);
+  }
   for (const GeneratedFunction& generated : functions) {
     if (c || !is_composed(generated)) continue;
     written =
@@ -119,10 +141,11 @@ bool write_harness(const std::vector<GeneratedFunction>& functions,
   return written;
 }
 
-std::optional<std::vector<BoardCalls>> run_board(const fs::path& program,
-                                                 const std::vector<GeneratedFunction>& functions,
-                                                 std::size_t states, Real real, const Tools& tools,
-                                                 const fs::path& work, Diagnostics& diagnostics) {
+std::optional<BoardRun> run_board(const fs::path& program,
+                                  const std::vector<GeneratedFunction>& functions,
+                                  std::size_t states, Real real, const StepTape* tape,
+                                  const Tools& tools, const fs::path& work,
+                                  Diagnostics& diagnostics) {
   Command command{"timeout", kPatience};
   command.insert(command.end(), tools.simulator.begin(), tools.simulator.end());
   command.insert(command.end(), {"-kernel", program});
@@ -144,10 +167,11 @@ std::optional<std::vector<BoardCalls>> run_board(const fs::path& program,
                     fmt::format("{} instructions were counted where {} were spent", spent, kSpent),
                     diagnostics);
   }
-  std::vector<BoardCalls> calls;
+  BoardRun calls;
   for (const GeneratedFunction& generated : functions) {
-    calls.push_back(read_calls(count_outputs(generated), states, real, reader));
+    calls.functions.push_back(read_calls(count_outputs(generated), states, real, reader));
   }
+  if (tape != nullptr) calls.steps = read_steps(*tape, reader);
   if (!reader.read_all()) {
     return fail_run(tools.simulator, "the program has written less than it should", diagnostics);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "board/cross_compile.hpp"
+#include "board/step_on_board.hpp"
 #include "oracle/draw_state.hpp"
 
 namespace treeline {
@@ -16,18 +17,25 @@ struct BoardCalls {
   std::vector<std::vector<double>> results;  ///< by state
 };
 
+/// Everything that a program has written.
+struct BoardRun {
+  std::vector<BoardCalls> functions;
+  StepCalls steps;  ///< of a controller, if there is one
+};
+
 /// Writes the sources of the program that calls the functions at the states, and the states, to
 /// `work`. Returns false and reports an error if that fails.
 bool write_harness(const std::vector<GeneratedFunction>& functions,
                    const std::vector<State>& states, const Scene& scene, const Target& target,
+                   const StepTape* tape, const std::string& step_entry,
                    const std::filesystem::path& work, Diagnostics& diagnostics);
 
 /// Runs the linked program and reads what it has written. Errors: QEMU fails, the program stops
 /// with a fault or does not end, its clock does not count instructions.
-std::optional<std::vector<BoardCalls>> run_board(const std::filesystem::path& program,
-                                                 const std::vector<GeneratedFunction>& functions,
-                                                 std::size_t states, Real real, const Tools& tools,
-                                                 const std::filesystem::path& work,
-                                                 Diagnostics& diagnostics);
+std::optional<BoardRun> run_board(const std::filesystem::path& program,
+                                  const std::vector<GeneratedFunction>& functions,
+                                  std::size_t states, Real real, const StepTape* tape,
+                                  const Tools& tools, const std::filesystem::path& work,
+                                  Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -273,5 +273,32 @@ TEST(OnBoard, NamesCallsAndVariables) {
   EXPECT_EQ(report.functions[0].bits_differ, 0);
 }
 
+// Would catch: a controller that is passed without running on the board, other bits there than on
+// the host, modes that are not measured, and a changed law that passes.
+TEST(StepOnBoard, RunsInEveryMode) {
+  Subjects subjects = load_unmade("puma560", "firmware/scene.yaml");
+  subjects.scene.target = "cortex-m4f";
+  subjects.scene.real = Real::float32;
+  subjects.scene.functions = {Function::gravity};
+  follow_target(subjects.scene);
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  const BoardReport report = run_on_board(subjects, board_options(20));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  ASSERT_EQ(report.functions.size(), 2U);
+  const BoardFunction& step = report.functions.back();
+  EXPECT_EQ(step.name, subjects.scene.name + "_step");
+  EXPECT_EQ(step.states, 1000);
+  EXPECT_EQ(step.bits_differ, 0);
+  EXPECT_GT(step.text_bytes, 5000);
+  ASSERT_TRUE(step.stack_bytes);
+  EXPECT_LE(step.stack_seen, static_cast<std::uint64_t>(*step.stack_bytes) + 64);
+  ASSERT_EQ(step.modes.size(), 4U);
+  for (const BoardFunction::Mode& mode : step.modes) {
+    EXPECT_GT(mode.steps, 1);
+    EXPECT_GT(mode.least, 500U);
+    EXPECT_LE(mode.most, step.most);
+  }
+}
+
 }  // namespace
 }  // namespace treeline::tests
