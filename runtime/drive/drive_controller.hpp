@@ -120,7 +120,7 @@ class DriveController {
     double fastest;  ///< what counts as the limit of joints that have none or a higher one
   };
   static constexpr JointBounds kHandBounds{0.03, 0.6, 5.0 * kSpeed};
-  static constexpr JointBounds kBounds{0.0, 0.85, std::numeric_limits<double>::infinity()};
+  static constexpr JointBounds kBounds{0.0, 0.85, 20.0 * kSpeed};
 
   /// Calls single(coordinate, velocity) or floating(which, coordinate, velocity) for each joint.
   template <class Single, class Floating>
