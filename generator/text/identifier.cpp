@@ -25,10 +25,11 @@ constexpr std::array<std::string_view, 17> kTargets = {
     "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
 /// Headers of the runtime that are emitted, in C++ or in C, without their ending.
-constexpr std::array<std::string_view, 44> kHeaders = {"active_row_factors",
+constexpr std::array<std::string_view, 45> kHeaders = {"active_row_factors",
                                                        "controller",
                                                        "controller_braking",
                                                        "controller_commands",
+                                                       "controller_compliance",
                                                        "controller_config",
                                                        "controller_laws",
                                                        "controller_measurement",

@@ -3,6 +3,7 @@
 // torque of the safe state. C++17, freestanding, fixed size, no state but what it is given.
 
 #include "core/controller_commands.hpp"
+#include "core/controller_compliance.hpp"
 #include "core/controller_config.hpp"
 
 namespace treeline::core {
@@ -32,6 +33,10 @@ inline void law_torque(const typename Robot::Config& config, const typename Robo
                        typename Robot::Output& output,
                        RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   using Real = RealOf<Robot>;
+  if (state.law == Robot::kComplianceLaw) {
+    compliant_torque<Robot>(config, input, at, state, tau);
+    return;
+  }
   if constexpr (Robot::kTask) {
     if (state.law == Robot::kTaskLaw) {
       Real qdd_0[Robot::kJoints];

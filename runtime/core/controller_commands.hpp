@@ -171,6 +171,19 @@ inline Refusal begin_press(const typename Robot::Config& config, const typename 
   return Refusal::none;
 }
 
+/// Joints and points comply about where they are.
+template <class Robot>
+inline Refusal begin_compliance(const typename Robot::Config& config,
+                                const typename Robot::Input& input, const Measured<Robot>& at,
+                                typename Robot::State& state) noexcept {
+  start_holding<Robot>(config, input, state);
+  if constexpr (Robot::kTask) {
+    enter_task<Robot>(config, at, state);
+  }
+  state.law = Robot::kComplianceLaw;
+  return Refusal::none;
+}
+
 /// What of a command for a point makes no sense.
 template <class Robot>
 inline Refusal check_point_command(const typename Robot::Config& config,
@@ -209,6 +222,10 @@ inline Refusal begin_motion(const typename Robot::Config& config,
     const Refusal refusal = begin_posture<Robot>(config, input, state);
     switched = state.law != before;
     return refusal;
+  }
+  if (kind == MessageKind::comply) {
+    switched = true;
+    return begin_compliance<Robot>(config, input, at, state);
   }
   if constexpr (Robot::kTask) {
     const bool presses = Robot::kForce && (kind == MessageKind::press);

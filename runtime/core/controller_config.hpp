@@ -39,6 +39,11 @@ enum class ConfigField : int32_t {
   stale_ticks,
   blind_ticks,
   speed_rise,
+  comply_damping,
+  joint_stiffness,
+  joint_viscosity,
+  point_stiffness,
+  point_viscosity,
 };
 
 /// The first member that is not sound, and which of its numbers; 0 and 0 where all are.
@@ -184,6 +189,40 @@ inline ConfigFault check_safety_config(const typename Robot::Config& config,
   return {0, 0};
 }
 
+/// Whether `x` is finite and not negative.
+template <class Real>
+constexpr bool is_not_negative(Real x) noexcept {
+  return is_finite(x) && (x >= Real(0));
+}
+
+/// Springs and dampers of compliance.
+template <class Robot>
+inline ConfigFault check_compliance_config(const typename Robot::Config& config,
+                                           RealOf<Robot> fastest) noexcept {
+  if (!is_from(config.comply_damping, RealOf<Robot>(0), fastest)) {
+    return not_sound(ConfigField::comply_damping, 0);
+  }
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    if (!is_not_negative(config.joint_stiffness[i])) {
+      return not_sound(ConfigField::joint_stiffness, i);
+    }
+    if (!is_not_negative(config.joint_viscosity[i])) {
+      return not_sound(ConfigField::joint_viscosity, i);
+    }
+  }
+  if constexpr (Robot::kForce) {
+    for (int i = 0; i < (6 * Robot::kPoints); ++i) {
+      if (!is_not_negative(config.point_stiffness[i])) {
+        return not_sound(ConfigField::point_stiffness, i);
+      }
+      if (!is_not_negative(config.point_viscosity[i])) {
+        return not_sound(ConfigField::point_viscosity, i);
+      }
+    }
+  }
+  return {0, 0};
+}
+
 /// The first member of the configuration that cannot be used.
 template <class Robot>
 inline ConfigFault check_config(const typename Robot::Config& config) noexcept {
@@ -198,6 +237,7 @@ inline ConfigFault check_config(const typename Robot::Config& config) noexcept {
   if constexpr (Robot::kForce) {
     fault = (fault.field == 0) ? check_force_config<Robot>(config, fastest) : fault;
   }
+  fault = (fault.field == 0) ? check_compliance_config<Robot>(config, fastest) : fault;
   return (fault.field == 0) ? check_safety_config<Robot>(config, fastest) : fault;
 }
 

@@ -69,12 +69,13 @@ enum class MessageKind : uint8_t {
   set_gains,       ///< values: kp, kv
   instruction,     ///< for controllers with messages of their own; index: which
   press,           ///< index: point; values: direction (3), force; duration until it is reached
+  comply,          ///< yield like springs and dampers about the present pose
 };
 
 /// Whether a number that came from outside is a kind. A message kind has eight bits: without this
 /// question, 256 would be taken for an emergency stop and 260 for a start.
 constexpr bool is_message_kind(int32_t kind) noexcept {
-  return (kind >= 0) && (kind <= static_cast<int32_t>(MessageKind::press));
+  return (kind >= 0) && (kind <= static_cast<int32_t>(MessageKind::comply));
 }
 
 /// Urgency of a message. Of two waiting messages the more urgent one is applied first. The order is

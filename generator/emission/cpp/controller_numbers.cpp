@@ -86,7 +86,10 @@ void add_default_holes(const EmissionContext& context, const ControllerUnit& uni
   holes["force_defaults"] = own.force
                                 ? fmt::format(
                                       "config.force_gain = {};\nconfig.force_rate = {};\n"
-                                      "config.force_damping = {};\nconfig.largest_force = {};\n",
+                                      "config.force_damping = {};\nconfig.largest_force = {};\n"
+                                      "for (int i = 0; i < (6 * Robot::kPoints); ++i) {{\n"
+                                      "  config.point_stiffness[i] = Real(0);\n"
+                                      "  config.point_viscosity[i] = Real(0);\n}}\n",
                                       literal(own.force_gain), literal(own.force_rate),
                                       literal(own.force_damping), literal(own.largest_force))
                                 : "";

@@ -215,11 +215,14 @@ void add_force_holes(const EmissionContext& context, const ControllerUnit& unit,
     holes[hole] = "";
   }
   if (!unit.settings.force) return;
+  const std::string points = name_in_capitals(context) + "_POINTS";
   holes["force_config"] =
       declare(name, {{"force_gain", "1/kg, of the force that is missing"},
                      {"force_rate", "1/s, of its integral; below force_damping"},
                      {"force_damping", "1/s, of motion along the direction"},
-                     {"largest_force", "N, that is commanded, compensated, integrated"}});
+                     {"largest_force", "N, that is commanded, compensated, integrated"},
+                     {"point_stiffness[6 * " + points + "]", "N/m, N m/rad, of COMPLY"},
+                     {"point_viscosity[6 * " + points + "]", "N s/m, N m s/rad"}});
   holes["force_command"] = declare(
       name, {{"direction[3]", "of length 1, world"}, {"force", "N, that the point shall exert"}});
   holes["force_input"] =
@@ -254,7 +257,13 @@ std::string describe_laws(const ControllerUnit& unit) {
         "measured force f is compensated, tau += J^T n f. The integral rests while the torque is "
         "cut. The other directions follow their task. ";
   }
-  text.pop_back();
+  text += "COMPLY: springs and dampers, tau = g + K (p - q) - D qd - c M qd";
+  text += unit.settings.force ? " + sum J^T (K e - D xd)" : "";
+  text +=
+      ", about the pose where it was told, with joint_stiffness in N m/rad and so on; it is "
+      "passive, "
+      "and without stiffness the robot is led by hand. At the ends of their range springs turn "
+      "joints back.";
   return text;
 }
 
@@ -411,6 +420,7 @@ std::vector<GeneratedFile> list_controller_headers() {
   return {{"controller.hpp", text(templates::kController)},
           {"controller_braking.hpp", text(templates::kControllerBraking)},
           {"controller_commands.hpp", text(templates::kControllerCommands)},
+          {"controller_compliance.hpp", text(templates::kControllerCompliance)},
           {"controller_config.hpp", text(templates::kControllerConfig)},
           {"controller_laws.hpp", text(templates::kControllerLaws)},
           {"controller_mailbox.hpp", text(templates::kControllerMailbox)},

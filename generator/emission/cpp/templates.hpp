@@ -20,6 +20,7 @@ extern const std::string_view kContract;
 extern const std::string_view kController;
 extern const std::string_view kControllerBraking;
 extern const std::string_view kControllerCommands;
+extern const std::string_view kControllerCompliance;
 extern const std::string_view kControllerConfig;
 extern const std::string_view kControllerFunctions;
 extern const std::string_view kControllerHeader;
