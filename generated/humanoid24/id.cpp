@@ -4,4 +4,5 @@
 #include "humanoid24.hpp"
 
 const char humanoid24_id[98] =
-    "treeline 0.1.0 humanoid24 sha256 2d4fb50f4dbc28b37d3a747846dfb64b11280a944f5c6cbf9c1f0c899b1aa42f";
+    "treeline 0.1.0 humanoid24 sha256 "
+    "2d4fb50f4dbc28b37d3a747846dfb64b11280a944f5c6cbf9c1f0c899b1aa42f";

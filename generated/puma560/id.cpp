@@ -4,4 +4,5 @@
 #include "puma560.hpp"
 
 const char puma560_id[95] =
-    "treeline 0.1.0 puma560 sha256 923355c32c63520d81f062d20922d911b3fe49b077c960c3442caf547779b0e0";
+    "treeline 0.1.0 puma560 sha256 "
+    "923355c32c63520d81f062d20922d911b3fe49b077c960c3442caf547779b0e0";

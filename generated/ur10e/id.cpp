@@ -4,4 +4,5 @@
 #include "ur10e.hpp"
 
 const char ur10e_id[93] =
-    "treeline 0.1.0 ur10e sha256 47464abadce38a5f27fcef39f1828d59b7f0d6b83708a09743968462a089b620";
+    "treeline 0.1.0 ur10e sha256 "
+    "47464abadce38a5f27fcef39f1828d59b7f0d6b83708a09743968462a089b620";

@@ -137,6 +137,20 @@ void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagn
        "Choose `size`, or set -Os yourself for the files that src/CMakeLists.txt lists."});
 }
 
+/// Packages for microcontrollers without a target: lanes that no such core has take stack, and more
+/// of it than the header says.
+void warn_of_lanes(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
+  const bool is_small = package != PackageKind::none && package != PackageKind::cmake;
+  if (!is_small || scene.target != "generic" || scene.lanes == 1) return;
+  diagnostics.add(
+      {Severity::warning, "", 0, "target",
+       fmt::format("none is named, so that the code computes up to {} numbers together: "
+                   "a microcontroller has no such registers, and takes more stack than "
+                   "the header says",
+                   scene.lanes),
+       "Name the processor, such as --target cortex-m4f, or write lanes: 1."});
+}
+
 ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
                  const std::optional<Tuning>& tuning, Diagnostics& diagnostics) {
   const Generation& generation = made.generation;
@@ -147,6 +161,7 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
   const auto folders =
       make_package(options.package, made.inputs.robot, made.inputs.scene, generation);
   note_lost_flags(options.package, made.inputs.scene, diagnostics);
+  warn_of_lanes(options.package, made.inputs.scene, diagnostics);
   const auto differences = compare_folders(output, folders);
   if (!options.compare &&
       !((options.has_output || may_write_to_default(output, options.package, diagnostics)) &&

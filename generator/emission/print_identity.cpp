@@ -14,8 +14,9 @@
 namespace treeline {
 namespace {
 
-std::string print_text_of_identity(const EmissionContext& context, const std::string& digest) {
-  return fmt::format("treeline {} {} sha256 {}", generator_version(), context.name, digest);
+/// What stands before the digest.
+std::string print_what_it_is(const EmissionContext& context) {
+  return fmt::format("treeline {} {} sha256 ", generator_version(), context.name);
 }
 
 }  // namespace
@@ -37,18 +38,19 @@ std::string digest_of_files(const std::vector<GeneratedFile>& files) {
 }
 
 std::size_t size_of_identity(const EmissionContext& context) {
-  return print_text_of_identity(context, digest({})).size() + 1;
+  return print_what_it_is(context).size() + digest({}).size() + 1;
 }
 
 GeneratedFile print_identity(const EmissionContext& context,
                              const std::vector<GeneratedFile>& files) {
   const Backend& backend = backend_of(context.language);
-  return {kIdentityStem + std::string(backend.source),
-          fill_template(templates::kIdentity,
-                        {{"name", context.name},
-                         {"header", context.name + std::string(backend.header)},
-                         {"size", std::to_string(size_of_identity(context))},
-                         {"text", print_text_of_identity(context, digest_of_files(files))}})};
+  return {
+      kIdentityStem + std::string(backend.source),
+      fill_template(templates::kIdentity, {{"name", context.name},
+                                           {"header", context.name + std::string(backend.header)},
+                                           {"size", std::to_string(size_of_identity(context))},
+                                           {"what", print_what_it_is(context)},
+                                           {"digest", digest_of_files(files)}})};
 }
 
 }  // namespace treeline

@@ -69,6 +69,22 @@ std::string describe_c(const Scene& scene) {
   return text;
 }
 
+/// What the controller has by `profile: misra` beside the functions.
+void add_controller(std::vector<Deviation>& deviations) {
+  deviations.push_back(
+      {"4.1.1 (required), 19.0.2 (required)",
+       "controller_mailbox.hpp reads and writes shared numbers by builtins of GCC and Clang, "
+       "with `<atomic>` for other compilers",
+       "toolchains for microcontrollers that have no library of C++ lack `<atomic>`"});
+  deviations.push_back(
+      {"10.2.1 (required), 10.2.2 (advisory)",
+       "enumerations of NAME_controller.h are unscoped and have no underlying type",
+       "the header is for C as well"});
+  deviations.push_back({"10.2.3 (required)",
+                        "controller.cpp compares their values with those of the controller's own",
+                        "while it is compiled, so that both agree"});
+}
+
 std::string describe_cpp(const Scene& scene) {
   const bool misra = scene.profile == Profile::misra;
   std::vector<Deviation> deviations = {
@@ -98,21 +114,7 @@ std::string describe_cpp(const Scene& scene) {
          "g++ warns of the sign of array bounds that are template parameters"}};
     deviations.insert(deviations.end(), plain.begin(), plain.end());
   }
-  if (misra && scene.controller) {
-    deviations.push_back(
-        {"4.1.1 (required), 19.0.2 (required)",
-         "controller_mailbox.hpp reads and writes shared numbers by builtins of GCC and Clang, "
-         "with "
-         "`<atomic>` for other compilers",
-         "toolchains for microcontrollers that have no library of C++ lack `<atomic>`"});
-    deviations.push_back(
-        {"10.2.1 (required), 10.2.2 (advisory)",
-         "enumerations of NAME_controller.h are unscoped and have no underlying type",
-         "the header is for C as well"});
-    deviations.push_back({"10.2.3 (required)",
-                          "controller.cpp compares their values with those of the controller's own",
-                          "while it is compiled, so that both agree"});
-  }
+  if (misra && scene.controller) add_controller(deviations);
   std::string text = misra ? describe_profile() : std::string();
   text +=
       "Compared by hand with the rules of MISRA C++:2023: no free tool checks them. What rules say "

@@ -139,6 +139,18 @@ TEST_F(PackageTest, SaysWhereFlagsOfSingleFunctionsAreLost) {
   }
 }
 
+// Would catch: code in eight lanes for a core that has none, without a word.
+TEST_F(PackageTest, SmallCoresWithoutATargetWarn) {
+  constexpr const char* kSays = "target: none is named";
+  for (const char* tool : {"platformio", "zephyr", "arduino", "cmsis"}) {
+    const std::string package = std::string("--package ") + tool;
+    EXPECT_NE(generate(package).err.find(kSays), std::string::npos) << tool;
+    EXPECT_EQ(generate(package + " --target cortex-m7").err.find(kSays), std::string::npos) << tool;
+    EXPECT_EQ(generate(package + " --language c").err.find(kSays), std::string::npos) << tool;
+  }
+  EXPECT_EQ(generate("--package cmake").err.find(kSays), std::string::npos);
+}
+
 TEST_F(PackageTest, PlatformioHasItsManifest) {
   ASSERT_EQ(generate("--package platformio").exit_code, 0);
   const auto library = nlohmann::json::parse(read("lib/library.json"));
@@ -194,7 +206,7 @@ TEST_F(PackageTest, CmsisPackListsItsFiles) {
     EXPECT_TRUE(fs::exists(root_ / "lib" / file->Attribute("name"))) << file->Attribute("name");
     sources += file->Attribute("category") == std::string("source") ? 1 : 0;
   }
-  EXPECT_EQ(sources, 3);  // two functions, and calls from C
+  EXPECT_EQ(sources, 4);  // two functions, calls from C, the digest
 }
 
 // Would catch: sources of C that have the loops once each, or twice where a tool compiles them
