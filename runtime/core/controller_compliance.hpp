@@ -62,10 +62,13 @@ inline void compliant_torque(const typename Robot::Config& config,
                              const typename Robot::State& state,
                              RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
   using Real = RealOf<Robot>;
-  Measured<Robot> still = at;
+  Measured<Robot> still;  // as far as joint_torque reads it: a copy of all would call memcpy
   Real qdd[Robot::kJoints];
   for (int i = 0; i < Robot::kJoints; ++i) {
-    still.qd[i] = Real(0);
+    still.q[i] = at.q[i] + Real(0);
+    still.sin_q[i] = at.sin_q[i] + Real(0);
+    still.cos_q[i] = at.cos_q[i] + Real(0);
+    still.qd[i] = Real(0) * at.qd[i];
     qdd[i] = -config.comply_damping * at.qd[i];
   }
   Robot::joint_torque(input, state, still, qdd, tau);
