@@ -1,6 +1,7 @@
 #include "allegro_apart.hpp"
 #include "allegro_apart_joints.hpp"
 #include "allegro_ball.hpp"
+#include "servo/integrate.hpp"
 #include "turn_ball_with.hpp"
 
 namespace treeline::experiments {
@@ -12,6 +13,7 @@ struct AllegroHand {
   static constexpr const char* kName = "Allegro";
   static constexpr int kCoordinates = apart::kCoordinates;
   static constexpr int kVelocities = apart::kVelocities;
+  static constexpr servo::FloatingJoints<kCoordinates, kVelocities> kFloating = {kCoordinates - 7};
   static constexpr int kFingers = 3;
   static constexpr std::array<double, 3> kTipRadii = {0.012, 0.012, 0.012};
   static constexpr double kBallRadius = 0.035;

@@ -1,3 +1,4 @@
+#include "servo/integrate.hpp"
 #include "shadow_apart.hpp"
 #include "shadow_apart_joints.hpp"
 #include "shadow_ball.hpp"
@@ -12,6 +13,7 @@ struct ShadowHand {
   static constexpr const char* kName = "Shadow";
   static constexpr int kCoordinates = apart::kCoordinates;
   static constexpr int kVelocities = apart::kVelocities;
+  static constexpr servo::FloatingJoints<kCoordinates, kVelocities> kFloating = {kCoordinates - 7};
   static constexpr int kFingers = 5;
   static constexpr std::array<double, 5> kTipRadii = {0.0075, 0.0075, 0.0075, 0.0075, 0.009};
   static constexpr double kBallRadius = 0.035;
