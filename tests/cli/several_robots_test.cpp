@@ -67,7 +67,8 @@ TEST_F(SeveralRobots, SameBytesFromAnywhere) {
   for (const auto& entry : fs::directory_iterator(root_ / "pair")) {
     const fs::path name = entry.path().filename();
     EXPECT_EQ(read_file(entry.path()), read_file(root_ / "elsewhere/other" / name)) << name;
-    if (name.extension() != ".cpp") continue;  // headers name standard input as a file
+    // Headers name standard input as a file, and id.cpp has their digest.
+    if (name.extension() != ".cpp" || name == "id.cpp") continue;
     EXPECT_EQ(read_file(entry.path()), read_file(root_ / "elsewhere/pair" / name)) << name;
   }
 }
