@@ -20,6 +20,7 @@
 #include "cli/rehearsals.hpp"
 #include "cli/robot_elsewhere.hpp"
 #include "cli/write_output.hpp"
+#include "drive/machine_time.hpp"
 #include "drive/rate_limit.hpp"
 #include "drive/script.hpp"
 #include "drive/server.hpp"
@@ -34,13 +35,10 @@ namespace treeline {
 namespace {
 
 using namespace std::chrono_literals;
+using drive::machine_time;
 using drive::Verb;
 
 std::atomic<bool> asked_to_end{false};
-
-double machine_time() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 double unix_milliseconds() {
   using Milliseconds = std::chrono::duration<double, std::milli>;

@@ -20,11 +20,7 @@ inline void add_push(const typename Robot::Input& input, const Measured<Robot>& 
     const int axis = i - (6 * state.press_point);
     f[i] = ((axis >= 0) && (axis < 3)) ? (-force * state.direction[axis]) : Real(0);
   }
-  Real push[Robot::kJoints];
-  Robot::push_torque(input, state, at, f, push);
-  for (int i = 0; i < Robot::kJoints; ++i) {
-    tau[i] += push[i];
-  }
+  add_push_torque<Robot>(input, at, state, f, tau);
 }
 
 template <class Robot>

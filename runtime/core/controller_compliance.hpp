@@ -39,20 +39,14 @@ inline void add_point_springs(const typename Robot::Config& config,
     PointMotion<Real> wanted;
     PointMotion<Real> now;
     Real error[6];
-    point_reference<Robot>(config, state, point, wanted);
-    measured_motion<Robot>(at, point, now);
-    pose_error(now.position, now.rotation, wanted.position, wanted.rotation, error);
+    compare_point<Robot>(config, at, state, point, wanted, now, error);
     for (int i = 0; i < 6; ++i) {
       const int row = (6 * point) + i;
       against[row] = (config.point_viscosity[row] * now.velocity[i]) -
                      (config.point_stiffness[row] * error[i]);
     }
   }
-  Real push[Robot::kJoints];
-  Robot::push_torque(input, state, at, against, push);
-  for (int i = 0; i < Robot::kJoints; ++i) {
-    tau[i] += push[i];
-  }
+  add_push_torque<Robot>(input, at, state, against, tau);
 }
 
 /// Torque of a robot that complies.

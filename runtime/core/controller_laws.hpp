@@ -40,6 +40,29 @@ constexpr bool is_whole(int row) noexcept {
 template <class Real>
 inline constexpr Real kUnbounded = Real(1e15);
 
+/// How a point should move and does, and the way from one pose to the other, m and rad, world axes.
+template <class Robot>
+inline void compare_point(const typename Robot::Config& config, const Measured<Robot>& at,
+                          const typename Robot::State& state, int point,
+                          PointMotion<RealOf<Robot>>& wanted, PointMotion<RealOf<Robot>>& now,
+                          RealOf<Robot> (&error)[6]) noexcept {
+  point_reference<Robot>(config, state, point, wanted);
+  measured_motion<Robot>(at, point, now);
+  pose_error(now.position, now.rotation, wanted.position, wanted.rotation, error);
+}
+
+/// Adds the torque against forces and moments on the points, which `Robot::push_torque` gives.
+template <class Robot, size_t N>
+inline void add_push_torque(const typename Robot::Input& input, const Measured<Robot>& at,
+                            const typename Robot::State& state, const RealOf<Robot> (&f)[N],
+                            RealOf<Robot> (&tau)[Robot::kJoints]) noexcept {
+  RealOf<Robot> push[Robot::kJoints];
+  Robot::push_torque(input, state, at, f, push);
+  for (int i = 0; i < Robot::kJoints; ++i) {
+    tau[i] += push[i];
+  }
+}
+
 /// Acceleration, world axes, that leads a point along its reference. What leads a point back is
 /// bounded where all three directions are controlled: it brings it nearer with half of its limit of
 /// speed, by twice the acceleration of references. So errors that are large make no torque that is.
@@ -51,9 +74,7 @@ inline void point_law(const typename Robot::Config& config, const Measured<Robot
   PointMotion<Real> wanted;
   PointMotion<Real> now;
   Real error[6];
-  point_reference<Robot>(config, state, point, wanted);
-  measured_motion<Robot>(at, point, now);
-  pose_error(now.position, now.rotation, wanted.position, wanted.rotation, error);
+  compare_point<Robot>(config, at, state, point, wanted, now, error);
   const Real rise = (config.speed_rise > config.period) ? config.speed_rise : config.period;
   for (int i = 0; i < 6; ++i) {
     const int row = (6 * point) + i;

@@ -23,12 +23,10 @@ namespace treeline::drive {
 ///           24..31  of a state: sequence number of the newest packet of the one it is sent to that
 ///                   was obeyed; else 0
 ///           32..39  of a state: a number that the robot's process has drawn; of a command: the
-///           same
-///                   number, so that none is obeyed that was recorded before; else 0
+///                   same one, so that none is obeyed that was recorded before; else 0
 ///           40..    numbers in double, N m or N; rad, m, rad/s, m/s
-///     the last 16   with a shared secret: the first half of HMAC-SHA256 (RFC 2104) under the
-///     secret
-///                   of all bytes before; without one they are not there
+///     the last 16   with a shared secret: the first half of HMAC-SHA256 (RFC 2104) of all bytes
+///                   before, under the secret; without one they are not there
 enum class PacketKind : std::uint16_t { command = 1, state = 2, request = 3 };
 
 inline constexpr std::size_t kPacketHead = 40;

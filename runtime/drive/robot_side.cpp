@@ -10,13 +10,12 @@
 #include <random>
 #include <thread>
 
+#include "drive/machine_time.hpp"
 #include "drive/udp_robot.hpp"
 #include "drive/udp_socket.hpp"
 
 namespace treeline::drive {
 namespace {
-
-using udp::now;
 
 /// Who has sent packets that were obeyed.
 struct Peer {
@@ -28,7 +27,7 @@ struct Peer {
 constexpr double kRemembered = 1.0;  // s
 
 bool is_present(const Peer& peer) {
-  return peer.heard >= 0.0 && now() - peer.heard < kRemembered;
+  return peer.heard >= 0.0 && machine_time() - peer.heard < kRemembered;
 }
 
 bool is_at(const Peer& peer, const sockaddr_in& address) {
@@ -69,7 +68,7 @@ class RobotPeers {
   /// The torque that is commanded; null: nobody has commanded for 50 ms.
   const double* torque() const {
     constexpr double kBrakes = 0.05;  // s
-    const bool commanded = commander_.heard >= 0.0 && now() - commander_.heard < kBrakes;
+    const bool commanded = commander_.heard >= 0.0 && machine_time() - commander_.heard < kBrakes;
     return commanded ? tau_.data() : nullptr;
   }
 
@@ -105,7 +104,7 @@ class RobotPeers {
   }
 
   void command(const sockaddr_in& from, const PacketHead& head) {
-    commander_ = {from, head.sequence, now()};
+    commander_ = {from, head.sequence, machine_time()};
     for (std::size_t i = 0; i < tau_.size(); ++i) {
       tau_[i] = std::clamp(numbers_[i], -limits_[i], limits_[i]);
     }
@@ -122,7 +121,7 @@ class RobotPeers {
       }
       if (listener.heard < place->heard) place = &listener;
     }
-    *place = {from, head.sequence, now()};
+    *place = {from, head.sequence, machine_time()};
   }
 
   void send_to(const Peer& peer, const std::vector<double>& state) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "drive/front_end_socket.hpp"
+#include "drive/machine_time.hpp"
 #include "drive/server_inside.hpp"
 #include "drive/visitor.hpp"
 #include "servo/realtime.hpp"
@@ -36,8 +37,7 @@ void Server::Inside::run() {
 }
 
 bool Server::Inside::take_place(bool may_command) {
-  const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
-  if (!may_command && !joins.admits(now.count())) return false;
+  if (!may_command && !joins.admits(machine_time())) return false;
   std::atomic<int>& taken = may_command ? commanders : watchers;
   if (++taken <= kMostFrontEnds) return true;
   --taken;

@@ -10,11 +10,10 @@
 #include <cstring>
 #include <thread>
 
+#include "drive/machine_time.hpp"
 #include "drive/udp_socket.hpp"
 
 namespace treeline::drive {
-
-using udp::now;
 
 bool is_udp_address(const std::string& text) {
   sockaddr_in address{};
@@ -86,7 +85,7 @@ void UdpRobot::take(const PacketHead& head) noexcept {
   } else {
     newest_ = head.sequence;
     run_ = head.run;
-    heard_ = now();
+    heard_ = machine_time();
     std::copy(received_.begin(), received_.end(), state_.begin());
   }
 }
@@ -99,7 +98,7 @@ void UdpRobot::send(PacketKind kind, const double* tau, int count) noexcept {
 }
 
 bool UdpRobot::wait_for_state(double seconds) {
-  for (const double end = now() + seconds; now() < end && heard_ < 0.0;) {
+  for (const double end = machine_time() + seconds; machine_time() < end && heard_ < 0.0;) {
     send(PacketKind::request, nullptr, 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     receive();
@@ -113,7 +112,7 @@ ExternalRobot UdpRobot::functions() {
   functions.connected = [](void* self) {
     auto& robot = *static_cast<UdpRobot*>(self);
     robot.receive();
-    return now() - robot.heard_ < kSilence;
+    return machine_time() - robot.heard_ < kSilence;
   };
   functions.read = [](void* self, double* q, double* qd) {
     const auto& robot = *static_cast<UdpRobot*>(self);

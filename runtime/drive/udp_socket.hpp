@@ -7,18 +7,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace treeline::drive::udp {
-
-/// Time of the machine's steady clock, s.
-inline double now() noexcept {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// The 16 hexadecimal digits of a robot's checksum as a number; others count as 0.
 inline std::uint64_t checksum_number(const std::string& digits) {
