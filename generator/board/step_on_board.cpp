@@ -33,22 +33,16 @@ void append_doubles(const StepNumbers& numbers, std::string& bytes) {
 }
 
 void record_motion(const StepLibrary& library, StepMotion motion, StepTape& tape) {
-  StepNumbers state = library.zeros(StepPart::state);
-  StepNumbers output = library.zeros(StepPart::output);
-  for (int step = 0; step < StepMotion::kSteps; ++step) {
-    motion.prepare();
-    const long double mode = output[tape.mode_at];
-    library.step(motion.config(), state, motion.input(), output);
-    const bool switches = output[tape.mode_at] != mode;
-    tape.counted.push_back(motion.is_special() || switches || step % kCountStride == 0);
-    append_doubles({step == 0 ? 1.0L : 0.0L, tape.counted.back() ? 1.0L : 0.0L}, tape.bytes);
+  run_steps(library, motion, [&](const MadeStep& made) {
+    const bool counted = made.stands_out || made.index % kCountStride == 0;
+    tape.counted.push_back(counted);
+    append_doubles({made.index == 0 ? 1.0L : 0.0L, counted ? 1.0L : 0.0L}, tape.bytes);
     append_doubles(motion.config(), tape.bytes);
     append_doubles(motion.input(), tape.bytes);
-    StepNumbers result = output;
-    result.insert(result.end(), state.begin(), state.end());
+    StepNumbers result = made.result.output;
+    result.insert(result.end(), made.result.state.begin(), made.result.state.end());
     tape.results.push_back(std::move(result));
-    motion.move(output);
-  }
+  });
 }
 
 bool are_same_steps(const StepNumbers& host, const std::vector<double>& board) {

@@ -90,11 +90,6 @@ std::optional<References> compile_references(const Scene& scene, const Generatio
   return References{std::move(*in_long_double), std::move(*in_real)};
 }
 
-/// What a step leaves.
-struct StepResult {
-  StepNumbers state, output;
-};
-
 class StepJudge {
  public:
   StepJudge(const StepLibrary& emitted, const References& references, StepDynamics& dynamics,
@@ -102,6 +97,7 @@ class StepJudge {
       : emitted_(emitted),
         references_(references),
         dynamics_(dynamics),
+        defaults_(emitted.default_config()),
         rng_(seed),
         seed_(seed),
         report_(report) {}
@@ -127,6 +123,7 @@ class StepJudge {
   const StepLibrary& emitted_;
   const References& references_;
   StepDynamics& dynamics_;
+  StepNumbers defaults_;
   Rng rng_;
   std::uint64_t seed_;
   StepReport& report_;
@@ -242,8 +239,8 @@ void StepJudge::compare(const StepMotion& motion, const StepNumbers& before,
 
 void StepJudge::note_rules(const StepMotion& motion, const StepNumbers& before,
                            const StepResult& made) {
-  const SeenStep seen{emitted_,    emitted_.default_config(), before,          motion.input(),
-                      made.output, motion.has_reset(),        dynamics_.unit()};
+  const SeenStep seen{emitted_,    defaults_,          before,          motion.input(),
+                      made.output, motion.has_reset(), dynamics_.unit()};
   const auto mode = static_cast<std::size_t>(seen.number(StepPart::output, "mode"));
   ++report_.modes[std::min(mode, report_.modes.size() - 1)];
   report_.faults |= seen.bits(StepPart::output, "faults");
@@ -255,21 +252,14 @@ void StepJudge::note_rules(const StepMotion& motion, const StepNumbers& before,
 
 void StepJudge::run_motion(int index) {
   StepMotion motion(emitted_, dynamics_, index, seed_);
-  StepResult made{emitted_.zeros(StepPart::state), emitted_.zeros(StepPart::output)};
-  const std::size_t mode = emitted_.find(StepPart::output, "mode")->at;
   motion_ = index;
   ++report_.motions;
-  for (step_ = 0; step_ < StepMotion::kSteps; ++step_) {
-    motion.prepare();
-    const StepNumbers before = made.state;
-    const long double mode_before = made.output[mode];
-    emitted_.step(motion.config(), made.state, motion.input(), made.output);
+  run_steps(emitted_, motion, [&](const MadeStep& made) {
+    step_ = made.index;
     ++report_.steps;
-    note_rules(motion, before, made);
-    const bool switches = made.output[mode] != mode_before;
-    if (motion.is_special() || switches || step_ % kStride == 0) compare(motion, before, made);
-    motion.move(made.output);
-  }
+    note_rules(motion, made.before, made.result);
+    if (made.stands_out || step_ % kStride == 0) compare(motion, made.before, made.result);
+  });
 }
 
 void add_measures(const Generation& generation, const Compilation& compilation,

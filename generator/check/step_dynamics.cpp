@@ -28,27 +28,6 @@ std::vector<GeneratedFunction> list_functions(const ControllerUnit& unit) {
   return functions;
 }
 
-/// Where the state has an argument.
-std::vector<double>& place_of(Quantity quantity, State& state) {
-  switch (quantity) {
-    case Quantity::q:
-      return state.q;
-    case Quantity::qd:
-      return state.qd;
-    case Quantity::qdd:
-    case Quantity::qdd_0:
-      return state.qdd;
-    case Quantity::tau:
-      return state.tau;
-    case Quantity::xdd_cmd:
-      return state.xdd_cmd;
-    case Quantity::f_ext:
-      return state.f_ext;
-    default:
-      return state.others[quantity];
-  }
-}
-
 State state_of(const Program& program, const long double* const* in, std::size_t velocities) {
   State state;
   state.qd.assign(velocities, 0);
@@ -58,7 +37,7 @@ State state_of(const Program& program, const long double* const* in, std::size_t
     const auto quantity = find_quantity(argument.name);
     const bool is_sine = quantity && (*quantity == Quantity::sin_q || *quantity == Quantity::cos_q);
     if (!quantity || is_sine) continue;  // sines follow from q
-    std::vector<double>& place = place_of(*quantity, state);
+    std::vector<double>& place = place_of(state, *quantity);
     place.clear();
     for (int k = 0; k < argument.rows * argument.cols; ++k) {
       place.push_back(static_cast<double>(in[i][k]));

@@ -8,13 +8,12 @@
 namespace treeline {
 namespace {
 
-using ListMembers = int (*)(int part, const char** names, int* counts);
-
 template <class Entry>
-Entry find_symbol(void* handle, const char* name) {
-  return reinterpret_cast<Entry>(dlsym(handle, name));
+void find_symbol(void* handle, const char* name, Entry& entry) {
+  entry = reinterpret_cast<Entry>(dlsym(handle, name));
 }
 
+template <class ListMembers>
 std::vector<StepMember> list_members(ListMembers list, StepPart part) {
   constexpr std::size_t kMost = 128;
   std::array<const char*, kMost> names{};
@@ -40,16 +39,20 @@ std::optional<StepLibrary> StepLibrary::load(const std::filesystem::path& path,
                                              Diagnostics& diagnostics) {
   StepLibrary library;
   library.handle_.reset(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL));
-  const auto list = library.handle_ ? find_symbol<ListMembers>(library.handle_.get(),
-                                                               "treeline_check_step_members")
-                                    : nullptr;
-  if (list == nullptr) {
+  Entries& entries = library.entries_;
+  if (void* const handle = library.handle_.get(); handle != nullptr) {
+    find_symbol(handle, "treeline_check_step_members", entries.list);
+    find_symbol(handle, "treeline_check_step_defaults", entries.write_defaults);
+    find_symbol(handle, "treeline_check_step", entries.step);
+    find_symbol(handle, "treeline_check_step_connect", entries.connect);
+  }
+  if (entries.list == nullptr || entries.write_defaults == nullptr || entries.step == nullptr) {
     diagnostics.add({Severity::error, path, 0, "", "has no entries of the controller's step",
                      "When the folder is an old one, generate it again."});
     return std::nullopt;
   }
   for (const StepPart part : kStepParts) {
-    library.members_[static_cast<std::size_t>(part)] = list_members(list, part);
+    library.members_[static_cast<std::size_t>(part)] = list_members(entries.list, part);
   }
   return library;
 }
@@ -68,20 +71,17 @@ StepNumbers StepLibrary::zeros(StepPart part) const {
 
 StepNumbers StepLibrary::default_config() const {
   StepNumbers config = zeros(StepPart::config);
-  find_symbol<void (*)(long double*)>(handle_.get(), "treeline_check_step_defaults")(config.data());
+  entries_.write_defaults(config.data());
   return config;
 }
 
 void StepLibrary::step(const StepNumbers& config, StepNumbers& state, const StepNumbers& input,
                        StepNumbers& output) const {
-  using Step = void (*)(const long double*, long double*, const long double*, long double*);
-  find_symbol<Step>(handle_.get(), "treeline_check_step")(config.data(), state.data(), input.data(),
-                                                          output.data());
+  entries_.step(config.data(), state.data(), input.data(), output.data());
 }
 
 void StepLibrary::connect(Compute compute, void* with) const {
-  find_symbol<void (*)(Compute, void*)>(handle_.get(), "treeline_check_step_connect")(compute,
-                                                                                      with);
+  entries_.connect(compute, with);
 }
 
 }  // namespace treeline

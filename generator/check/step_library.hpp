@@ -15,6 +15,11 @@ namespace treeline {
 /// are exact in it.
 using StepNumbers = std::vector<long double>;
 
+/// What a step leaves.
+struct StepResult {
+  StepNumbers state, output;
+};
+
 /// Structs that a step takes.
 enum class StepPart { config, state, input, output };
 inline constexpr std::array kStepParts = {StepPart::config, StepPart::state, StepPart::input,
@@ -57,7 +62,16 @@ class StepLibrary {
   struct Closer {
     void operator()(void* handle) const;
   };
+  /// Functions of `print_step_entry`.
+  struct Entries {
+    int (*list)(int part, const char** names, int* counts);
+    void (*write_defaults)(long double* config);
+    void (*step)(const long double* config, long double* state, const long double* input,
+                 long double* output);
+    void (*connect)(Compute compute, void* with);  ///< null in emitted code
+  };
   std::unique_ptr<void, Closer> handle_;
+  Entries entries_{};
   std::array<std::vector<StepMember>, kStepParts.size()> members_;
 };
 

@@ -182,4 +182,19 @@ void StepMotion::move(const StepNumbers& output) {
   }
 }
 
+void run_steps(const StepLibrary& library, StepMotion& motion,
+               const std::function<void(const MadeStep&)>& show) {
+  StepResult made{library.zeros(StepPart::state), library.zeros(StepPart::output)};
+  const std::size_t mode = library.find(StepPart::output, "mode")->at;
+  for (int step = 0; step < StepMotion::kSteps; ++step) {
+    motion.prepare();
+    const StepNumbers before = made.state;
+    const long double mode_before = made.output[mode];
+    library.step(motion.config(), made.state, motion.input(), made.output);
+    const bool switches = made.output[mode] != mode_before;
+    show({step, before, made, motion.is_special() || switches});
+    motion.move(made.output);
+  }
+}
+
 }  // namespace treeline

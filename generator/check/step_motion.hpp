@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,17 @@ class StepMotion {
   long double sequence_ = 0;
   bool special_ = false, reset_ = false;
 };
+
+/// A step of a motion that was made.
+struct MadeStep {
+  int index = 0;              ///< in the motion
+  const StepNumbers& before;  ///< the state that it was given
+  const StepResult& result;
+  bool stands_out = false;  ///< a command, another mode, or anything else that is worth a look
+};
+
+/// Makes all steps of a motion, and shows each before the robot moves on.
+void run_steps(const StepLibrary& library, StepMotion& motion,
+               const std::function<void(const MadeStep&)>& show);
 
 }  // namespace treeline

@@ -70,8 +70,7 @@ bool misses_lost_sensor(const SeenStep& seen) {
 }
 
 bool lacks_brakes(const SeenStep& seen) {
-  constexpr std::uint32_t kUntrusted = core::kFaultMeasurement | core::kFaultConfig;
-  return (seen.bits(StepPart::output, "faults") & kUntrusted) != 0 &&
+  return (seen.bits(StepPart::output, "faults") & core::kFaultsUntrusted) != 0 &&
          seen.number(StepPart::output, "brakes") == 0;
 }
 

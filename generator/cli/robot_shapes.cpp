@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kClear = 0.005;  // m
 
-/// Of each link, itself and all links that at most two joints connect with it; fixed joints do not
-/// count.
+/// Marks for each link itself and all links that at most two joints connect with it; fixed joints
+/// do not count.
 std::vector<std::vector<bool>> find_near(const Robot& robot) {
   const std::size_t count = robot.links.size();
   std::vector<std::vector<int>> joints(count, std::vector<int>(count, 3));
@@ -39,7 +39,7 @@ std::vector<std::vector<bool>> find_near(const Robot& robot) {
   return near;
 }
 
-/// Of a ball about a shape's middle.
+/// Radius of a ball about a shape's middle that holds it, m.
 double reach_of(const Visual& shape) {
   if (shape.kind == VisualKind::box) return 0.5 * shape.size.norm();
   if (shape.kind == VisualKind::sphere) return shape.size.x();

@@ -1,9 +1,14 @@
 #include "emission/describe_controller.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "emission/controller_unit.hpp"
 #include "emission/count_stack.hpp"
+#include "passes/count_operations.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 
@@ -24,6 +29,68 @@ std::size_t count_step_stack(const ControllerUnit& unit, bool misra, int bytes_o
   values += kOfAJoint * unit.joints.size();
   if (!unit.points.empty()) values += (kOfAPoint * unit.points.size()) + kOfTheLaw;
   return values * static_cast<std::size_t>(bytes_of_number);
+}
+
+std::string describe_laws(const ControllerUnit& unit) {
+  std::string text =
+      "MOVE_JOINTS and START: joint impedance with computed torque, tau = M qdd + b + g with qdd = "
+      "a + 2 z w (v - qd) + w^2 (p - q) for a reference p, v, a, frequency w and ratio z; gravity "
+      "is compensated, and every joint behaves alike whatever its inertia. ";
+  if (unit.task_torque) {
+    text +=
+        "MOVE_POINT: task impedance (Khatib 1987), xdd = a + 2 z w (v - xd) + w^2 e with the pose "
+        "error e, a rotation vector in its angular part, through the operational-space inertia; "
+        "the posture is where joints were led last. Rows that a singularity leaves immovable "
+        "yield, "
+        "see control_torque; the torque stays finite. ";
+  }
+  if (unit.settings.force) {
+    text +=
+        "PRESS: along a direction n the point moves as a damped mass under the force that is "
+        "missing, xdd . n = force_gain (f_wanted - f + integral) - force_damping xd . n, and the "
+        "measured force f is compensated, tau += J^T n f. The integral rests while the torque is "
+        "cut. The other directions follow their task. ";
+  }
+  text += "COMPLY: springs and dampers, tau = g + K (p - q) - D qd - c M qd";
+  text += unit.settings.force ? " + sum J^T (K e - D xd)" : "";
+  text +=
+      ", about the pose where it was told, with joint_stiffness in N m/rad and so on; it is "
+      "passive, "
+      "and without stiffness the robot is led by hand. At the ends of their range springs turn "
+      "joints back.";
+  return text;
+}
+
+std::string describe_step_cost(const ControllerUnit& unit) {
+  std::string text;
+  for (const Program* const program : unit.programs()) {
+    text += fmt::format("{}{} {} flops", text.empty() ? "" : ", ", program->name,
+                        count_operations(*program).flops());
+  }
+  return fmt::format("{}; sine and cosine of {} angles, and the law's own.", text,
+                     unit.joints.size());
+}
+
+std::string list_joint_names(const ControllerUnit& unit) {
+  std::string text = "Joints:";
+  for (std::size_t i = 0; i < unit.joints.size(); ++i) {
+    text += fmt::format("{} {} {}", i == 0 ? "" : ",", i, printable(unit.joints[i].name));
+  }
+  for (std::size_t i = 0; i < unit.points.size(); ++i) {
+    text += fmt::format("{} {} {}", i == 0 ? ". Points:" : ",", i, printable(unit.points[i].name));
+  }
+  return text + ".";
+}
+
+std::string describe_files(const ControllerUnit& unit) {
+  return fmt::format("Files to compile, as C++17: {}. No other source of this folder is needed.",
+                     fmt::join(list_controller_sources(unit), ", "));
+}
+
+std::string describe_step_stack(const ControllerUnit& unit, bool misra, int bytes_of_number) {
+  return fmt::format(
+      "Stack, an estimate: {} bytes. `treeline check --target` measures stack and instructions.",
+      count_step_stack(unit, misra, bytes_of_number));
 }
 
 }  // namespace treeline

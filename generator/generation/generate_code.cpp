@@ -10,13 +10,11 @@
 #include <utility>
 
 #include "emission/backend/backend.hpp"
-#include "emission/cpp/print_controller.hpp"
-#include "emission/cpp/print_runtime.hpp"
 #include "emission/print_optimize.hpp"
+#include "generation/add_controller.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
 #include "generation/choose_loops.hpp"
-#include "generation/compose_controller.hpp"
 #include "generation/compose_damped.hpp"
 #include "generation/count_inputs.hpp"
 #include "generation/describe_limits.hpp"
@@ -351,23 +349,6 @@ std::string describe_domain(const Generation& generation) {
   }
   return describe(generation.domain, {arguments.begin(), arguments.end()});
 }
-
-namespace {
-
-void add_controller(const Robot& robot, const Scene& scene, EmissionContext& context,
-                    Generation& generation) {
-  generation.controller = std::make_shared<const ControllerUnit>(
-      compose_controller(robot, scene, generation.mechanism));
-  context.controller = generation.controller;
-  EmissionContext plain = context;
-  plain.misra = false;
-  generation.laws = cpp::print_controller(plain, *generation.controller);
-  for (GeneratedFile& file : cpp::print_controller_headers(plain)) {
-    generation.laws.push_back(std::move(file));
-  }
-}
-
-}  // namespace
 
 std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
                                         const Provenance& provenance, Diagnostics& diagnostics,

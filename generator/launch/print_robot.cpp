@@ -19,7 +19,7 @@ std::string print_alias(const std::string& name, const std::string& from,
   return fmt::format("  static constexpr auto& {} = {}::{};\n", name, from, function);
 }
 
-/// Of each velocity: whether its joint turns without end, and no other follows it.
+/// Tells for each velocity whether its joint turns without end, and no other follows it.
 std::string print_turns(const Mechanism& mechanism) {
   std::vector<std::string> turns(static_cast<std::size_t>(mechanism.nv()), "false");
   for (const MovingLink& link : mechanism.links) {

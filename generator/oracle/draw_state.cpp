@@ -193,26 +193,29 @@ const char* state_class_name(StateClass kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-const std::vector<double>& values_of(const State& state, Quantity quantity) {
-  static const std::vector<double> kNone;
+namespace {
+
+/// The member of a state that has a quantity; null for those among `State::others`.
+template <class AnyState>
+auto find_member(AnyState& state, Quantity quantity) -> decltype(&state.q) {
   switch (quantity) {
     case Quantity::q:
-      return state.q;
+      return &state.q;
     case Quantity::sin_q:
-      return state.sin_q;
+      return &state.sin_q;
     case Quantity::cos_q:
-      return state.cos_q;
+      return &state.cos_q;
     case Quantity::qd:
-      return state.qd;
+      return &state.qd;
     case Quantity::qdd:
     case Quantity::qdd_0:
-      return state.qdd;
+      return &state.qdd;
     case Quantity::tau:
-      return state.tau;
+      return &state.tau;
     case Quantity::xdd_cmd:
-      return state.xdd_cmd;
+      return &state.xdd_cmd;
     case Quantity::f_ext:
-      return state.f_ext;
+      return &state.f_ext;
     case Quantity::impulse:
     case Quantity::internal:
     case Quantity::normals:
@@ -230,8 +233,21 @@ const std::vector<double>& values_of(const State& state, Quantity quantity) {
     case Quantity::step:
       break;
   }
+  return nullptr;
+}
+
+}  // namespace
+
+const std::vector<double>& values_of(const State& state, Quantity quantity) {
+  static const std::vector<double> kNone;
+  if (const std::vector<double>* const member = find_member(state, quantity)) return *member;
   const auto found = state.others.find(quantity);
   return found == state.others.end() ? kNone : found->second;
+}
+
+std::vector<double>& place_of(State& state, Quantity quantity) {
+  std::vector<double>* const member = find_member(state, quantity);
+  return member != nullptr ? *member : state.others[quantity];
 }
 
 StateClass class_of_state(int index) {

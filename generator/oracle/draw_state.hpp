@@ -40,6 +40,9 @@ struct State {
 /// What the state has for a quantity; empty where it has nothing.
 const std::vector<double>& values_of(const State& state, Quantity quantity);
 
+/// Where the state has a quantity; empty where it had nothing.
+std::vector<double>& place_of(State& state, Quantity quantity);
+
 /// Where states are drawn from.
 struct StateSpace {
   Subject<double> subject;

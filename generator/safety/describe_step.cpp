@@ -19,11 +19,24 @@ constexpr const char* kSafeState =
     "faulted alike. All torques are within `torque` and change by at most `torque_rate`. A spring "
     "up to three fifths of a motor's torque bears loads that the model does not know. It is a safe "
     "state only while measurements, motors and this computer work.\n\n"
+    "The spring knows no inertias: a joint that is much lighter in the model than it is with its "
+    "rotor can swing about the reference. State rotors in the scene by `armature`.\n\n"
     "`output.brakes` = 1 asks the surrounding program to close mechanical brakes in this step, and "
     "stays until RESET. It is set where torque cannot be trusted (\"at once\" below) and where a "
     "faulted robot has come to rest. Nothing is known of the brakes' own time and strength; a "
     "robot "
     "without brakes falls where torque cannot hold it.\n\n";
+
+constexpr const char* kCommands =
+    "A command that makes no sense is refused: the motion before goes on, and `output.refused` "
+    "says why in that step. A motion of a joint takes as much longer as its limits of speed ask "
+    "for.";
+constexpr const char* kPoints =
+    " A motion of a point slows down where the robot stays behind, and is given up where nothing "
+    "leads to its goal: the joints come to rest and hold, without a fault, and `output.unmet` says "
+    "why until another command. The way is not looked at before it is begun.";
+constexpr const char* kCompliance =
+    " While the robot complies (COMPLY) it yields: a blocked joint is then no fault.\n\n";
 
 constexpr const char* kReactions =
     "Every fault is looked for in every step, and the torque of the step that finds it brakes "
@@ -134,7 +147,9 @@ std::string describe_step(const Scene& scene, const Generation& generation) {
   const ControllerUnit& unit = *generation.controller;
   std::string text = kSafeState;
   text += fmt::format(fmt::runtime(kReactions), unit.settings.period) + print_reactions();
-  text += "\n### What settings guard\n\nThe defaults come from the scene; `" + scene.name +
+  text += std::string("\n### Commands that cannot be met\n\n") + kCommands +
+          (unit.task_torque ? kPoints : "") + kCompliance;
+  text += "### What settings guard\n\nThe defaults come from the scene; `" + scene.name +
           "_config` may have others at run time.\n\n" + print_guards(unit.settings);
   const std::string missing = list_missing_limits(unit);
   text += "\n### Limits that there are not\n\n" +
