@@ -50,7 +50,7 @@ constexpr Tried kTried[] = {
     {"nextage", "tests/data/published/nextage.urdf", ""},
     {"fetch", "tests/data/published/fetch.urdf", ""},
     {"anymal_c", "tests/data/published/anymal_c.urdf", ""},  // its base floats
-    // Its legs have loops, which take joints along: at most 1 % beyond a limit of speed.
+    // Legs with loops, which take joints along: at most 1 % beyond a limit of speed.
     {"cassie", "tests/data/published/cassie_v4.urdf", "", 1.0, 3},
 };
 

@@ -391,13 +391,5 @@ TEST_F(ServerTest, WaitsWhereNoFileDescriptorsAreLeft) {
   EXPECT_NE(waiting.receive("<page>").find("<page>"), std::string::npos);
 }
 
-TEST(OwnHost, AcceptsNumbersWhereOthersMayConnect) {
-  EXPECT_TRUE(is_own_host("10.1.2.3:80", "0.0.0.0", 80));
-  EXPECT_TRUE(is_own_host("[fe80::1]:80", "::", 80));
-  EXPECT_FALSE(is_own_host("robot.example:80", "0.0.0.0", 80));
-  EXPECT_FALSE(is_own_host("10.1.2.3:80", "127.0.0.1", 80));
-  EXPECT_NE(make_token(), make_token());
-}
-
 }  // namespace
 }  // namespace treeline::drive

@@ -87,7 +87,7 @@ class Case:
         return rows
 
     def passive_velocities(self):
-        """Those of a base that floats, of floating joints, and of joints that the scene names as passive."""
+        """Velocities of a base that floats, of floating joints, and of joints that the scene names as passive."""
         found = list(range(6)) if self.floating else []
         for joint in self.robot.joints.values():
             if joint.type == "floating":

@@ -10,75 +10,12 @@
 #include <random>
 
 #include "allocation_counter.hpp"
-#include "servo/run_for.hpp"
-#include "servo/simulated_robot.hpp"
-#include "test_robots.hpp"
+#include "loop_rig.hpp"
 
 namespace {
 
 using namespace treeline::servo;  // NOLINT: all of it is under test
-using treeline::test::TwoLink;
-
-/// Follows a sinusoid about its initial state by computed torque.
-struct Swing {
-  double begin = 0.0;
-  double centre[2] = {};
-  double spoil = 0.0;  ///< added to the first torque
-  int applied = 0;
-  int prepared = 0;
-  void prepare() { ++prepared; }
-  void start(double time, const RobotState<2, 2>& state) {
-    begin = time;
-    centre[0] = state.q[0];
-    centre[1] = state.q[1];
-  }
-  void apply(double, const Message&) { ++applied; }
-  void control(double time, const RobotState<2, 2>& state, double (&tau)[2]) const {
-    const double wanted = 0.2 * (1.0 - std::cos(time - begin));
-    double qdd[2];
-    for (int i = 0; i < 2; ++i) {
-      qdd[i] = 0.2 * std::cos(time - begin) + 20.0 * (0.2 * std::sin(time - begin) - state.qd[i]) +
-               100.0 * (centre[i] + wanted - state.q[i]);
-    }
-    TwoLink::inverse_dynamics(state.q, state.qd, qdd, tau);
-    tau[0] += spoil;
-  }
-};
-
-const auto nobody = [](const Report<TwoLink>&) {};
-
-/// An arm, its loop and its front end.
-struct Rig {
-  RobotState<2, 2> initial{{0.2, 0.4}, {0.0, 0.0}};
-  SimulatedRobot<TwoLink> robot{initial};
-  Swing controller;
-  SimulatedClock clock;
-  Mailbox mailbox;
-  SafetyLimits<2, 2> limits;
-  LoopSettings settings;
-  ServoLoop<TwoLink, SimulatedRobot<TwoLink>, Swing, SimulatedClock> loop{
-      settings, make_limits(), robot, controller, clock, mailbox};
-
-  static SafetyLimits<2, 2> make_limits() {
-    SafetyLimits<2, 2> limits;
-    limits.lower = {-2.0, -2.0};
-    limits.upper = {2.0, 2.0};
-    limits.velocity = {5.0, 5.0};
-    limits.torque = {60.0, 30.0};
-    return limits;
-  }
-  void send(MessageKind kind) { ASSERT_TRUE(mailbox.push(message_of(kind))); }
-  void cycles(int count) {
-    for (int i = 0; i < count; ++i) {
-      ASSERT_TRUE(loop.step(nobody));
-    }
-  }
-  RobotState<2, 2> state() const {
-    RobotState<2, 2> now;
-    robot.read(now);
-    return now;
-  }
-};
+using namespace treeline::test;   // NOLINT: what it is tested with
 
 TEST(ServoLoop, ControllerPreparesForEveryCycle) {
   Rig rig;
@@ -391,43 +328,6 @@ TEST(ServoLoop, AllocatesNothing) {
     rig.loop.step(nobody);
   }
   EXPECT_EQ(treeline::test::allocation_count(), before);
-}
-
-// Would catch: a first or a last cycle too many, at rates whose period is no whole number of
-// nanoseconds too; a fault that is lost or does not end the run.
-TEST(RunFor, ControlsForTheGivenTime) {
-  for (const double rate : {1000.0, 300.0}) {
-    Rig rig;
-    LoopSettings settings;
-    settings.rate = rate;
-    int count = 0;
-    double first = -1.0;
-    double last = 0.0;
-    const RunEnd end =
-        run_for<TwoLink>(0.5, settings, Rig::make_limits(), rig.robot, rig.controller, rig.clock,
-                         rig.mailbox, [&](const Report<TwoLink>& report) {
-                           EXPECT_EQ(report.mode, Mode::running);
-                           first = count == 0 ? report.time : first;
-                           last = report.time;
-                           ++count;
-                         });
-    EXPECT_EQ(count, std::lround(0.5 * rate) + 1);
-    EXPECT_EQ(first, 0.0);
-    EXPECT_NEAR(last, 0.5, 1e-6);
-    EXPECT_EQ(end.control.count(), static_cast<std::size_t>(count));
-    EXPECT_FALSE(end.fault);
-  }
-}
-
-TEST(RunFor, EndsAtAFault) {
-  Rig rig;
-  rig.controller.spoil = 1e3;
-  int count = 0;
-  const RunEnd end =
-      run_for<TwoLink>(1.0, rig.settings, Rig::make_limits(), rig.robot, rig.controller, rig.clock,
-                       rig.mailbox, [&count](const Report<TwoLink>&) { ++count; });
-  EXPECT_EQ(end.fault.kind, FaultKind::torque_limit);
-  EXPECT_EQ(count, 0);
 }
 
 }  // namespace
