@@ -217,8 +217,8 @@ TEST(ContactFunctions, AgreeInFiftyDigitsWithUnroundedConstants) {
     expect(impulse_response_by_factors(run.tree, run.X, on_links), dqd);
     const auto omegas = all_omegas(drawn, position);
     expect(link_inverse_inertias_by_factors(run.tree, run.X, run.poses), omegas);
+    if (find_clusters(run.tree)) expect(impulse_response(run.tree, run.X, on_links), dqd);
     if (run.tree.has_mimics) continue;
-    expect(impulse_response(run.tree, run.X, on_links), dqd);
     expect(link_inverse_inertias(run.tree, run.X), omegas);
   }
 }

@@ -119,8 +119,9 @@ class TemplateRun {
     for (std::size_t i = 0; i < net.size(); ++i) net[i] = net[i] - h[i];
     std::vector<RouteResults<Scalar>> runs{
         {"factors", {solve(factor_ltdl(mass_matrix(tree_, X_)), net)}}};
-    if (!tree_.has_mimics) {
-      runs.push_back({"articulated", {solve_articulated(tree_, X_, articulate(tree_, X_), net)}});
+    if (find_clusters(tree_)) {
+      runs.push_back({tree_.has_mimics ? "articulated, with followers" : "articulated",
+                      {solve_articulated(tree_, X_, articulate(tree_, X_), net)}});
     }
     return runs;
   }

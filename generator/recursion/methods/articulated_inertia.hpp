@@ -1,10 +1,12 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "recursion/algebra/dense_matrix.hpp"
 #include "recursion/algebra/factor_ldlt.hpp"
 #include "recursion/methods/inverse_dynamics.hpp"
+#include "recursion/methods/joint_clusters.hpp"
 
 namespace treeline {
 
@@ -46,25 +48,42 @@ struct JointProjection {
   Scalar held{};
 };
 
+/// I S, the wrench that accelerates a joint of one degree of freedom by one unit.
+template <class Scalar>
+Wrench<Scalar> along_joint(JointKind kind, const ArticulatedInertia<Scalar>& I) {
+  switch (kind) {
+    case JointKind::revolute:
+      return {{I.B.row_x.z, I.B.row_y.z, I.B.row_z.z}, {I.C.xz, I.C.yz, I.C.zz}};
+    case JointKind::prismatic:
+      return {{I.A.xz, I.A.yz, I.A.zz}, I.B.row_z};
+    case JointKind::floating:
+      break;
+  }
+  return {};
+}
+
 template <class Scalar>
 JointProjection<Scalar> joint_projection(JointKind kind, const ArticulatedInertia<Scalar>& I,
                                          const Scalar& rotor) {
   JointProjection<Scalar> joint;
-  switch (kind) {
-    case JointKind::revolute:
-      joint.U = {{I.B.row_x.z, I.B.row_y.z, I.B.row_z.z}, {I.C.xz, I.C.yz, I.C.zz}};
-      break;
-    case JointKind::prismatic:
-      joint.U = {{I.A.xz, I.A.yz, I.A.zz}, I.B.row_z};
-      break;
-    case JointKind::floating:
-      return joint;
-  }
+  if (kind == JointKind::floating) return joint;
+  joint.U = along_joint(kind, I);
   joint.inverse_D = Scalar(1.0) / (along_axis(kind, joint.U.f, joint.U.n) + rotor);
   joint.u = {joint.U.f * joint.inverse_D, joint.U.n * joint.inverse_D};
   joint.held = rotor * joint.inverse_D;
   if (rotor == Scalar(0.0)) along_axis(kind, joint.u.f, joint.u.n) = Scalar(1.0);
   return joint;
+}
+
+/// I - U u^T, which is symmetric.
+template <class Scalar>
+ArticulatedInertia<Scalar> without_share(const ArticulatedInertia<Scalar>& I,
+                                         const Wrench<Scalar>& U, const Wrench<Scalar>& u) {
+  return {{I.A.xx - U.f.x * u.f.x, I.A.xy - U.f.x * u.f.y, I.A.xz - U.f.x * u.f.z,
+           I.A.yy - U.f.y * u.f.y, I.A.yz - U.f.y * u.f.z, I.A.zz - U.f.z * u.f.z},
+          {I.B.row_x - U.n * u.f.x, I.B.row_y - U.n * u.f.y, I.B.row_z - U.n * u.f.z},
+          {I.C.xx - U.n.x * u.n.x, I.C.xy - U.n.x * u.n.y, I.C.xz - U.n.x * u.n.z,
+           I.C.yy - U.n.y * u.n.y, I.C.yz - U.n.y * u.n.z, I.C.zz - U.n.z * u.n.z}};
 }
 
 /// IA - U D^-1 U^T, the inertia that the joint passes on. Of the joint's own row and column the
@@ -96,12 +115,7 @@ ArticulatedInertia<Scalar> without_joint(JointKind kind, const ArticulatedInerti
     case JointKind::floating:  // passes no inertia
       return {};
   }
-  left.A = {left.A.xx - U.f.x * u.f.x, left.A.xy - U.f.x * u.f.y, left.A.xz - U.f.x * u.f.z,
-            left.A.yy - U.f.y * u.f.y, left.A.yz - U.f.y * u.f.z, left.A.zz - U.f.z * u.f.z};
-  left.B = {left.B.row_x - U.n * u.f.x, left.B.row_y - U.n * u.f.y, left.B.row_z - U.n * u.f.z};
-  left.C = {left.C.xx - U.n.x * u.n.x, left.C.xy - U.n.x * u.n.y, left.C.xz - U.n.x * u.n.z,
-            left.C.yy - U.n.y * u.n.y, left.C.yz - U.n.y * u.n.z, left.C.zz - U.n.z * u.n.z};
-  return left;
+  return without_share(left, U, u);
 }
 
 /// Inertia at the origin of a frame in which its own frame has origin p, with the same axes. With
@@ -162,40 +176,119 @@ DenseMatrix<Scalar> dense(const ArticulatedInertia<Scalar>& I) {
   return matrix;
 }
 
+/// What a cluster of joints does to its anchor. With J the motion of its links for one unit of
+/// their coordinate: D = J^T I J + rotors, U = I J, u = U / D, where I is the inertia of the links
+/// with the bodies that they carry, at the anchor.
+template <class Scalar>
+struct ClusterProjection {
+  ArticulatedInertia<Scalar> I;
+  Wrench<Scalar> U, u;
+  Scalar D{}, inverse_D{};
+};
+
 /// Result of the inward recursion of Chang table 4.2, which all articulated-body methods share.
 template <class Scalar>
 struct ArticulatedTree {
   std::vector<JointProjection<Scalar>> joints;  ///< for joints of one degree of freedom
   std::vector<LdltFactor<Scalar>> floating;     ///< of IA at floating joints; otherwise empty
+  /// By velocity, of coordinates that several joints share.
+  std::vector<ClusterProjection<Scalar>> clusters;
+  std::vector<JointCluster> shapes;  ///< by velocity
+};
+
+/// The inward recursion of Chang table 4.2.
+template <class Scalar>
+class Articulation {
+ public:
+  Articulation(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+               std::vector<JointCluster> shapes)
+      : tree_(tree), X_(X), column_(tree.links.size()) {
+    const std::size_t n = tree.links.size(), nv = shapes.size();
+    result_ = {std::vector<JointProjection<Scalar>>(n), std::vector<LdltFactor<Scalar>>(n),
+               std::vector<ClusterProjection<Scalar>>(nv), std::move(shapes)};
+    for (const TreeLink<Scalar>& link : tree.links) {
+      IA_.push_back(articulated_inertia(link.inertia));
+    }
+  }
+
+  ArticulatedTree<Scalar> run() {
+    for (std::size_t i = tree_.links.size(); i-- > 0;) {
+      const TreeLink<Scalar>& link = tree_.links[i];
+      section(link, i, "articulated inertia");
+      if (link.is_floating()) {
+        result_.floating[i] = factor_ldlt(dense(IA_[i]));
+      } else if (shape_of(link).joints == 1) {
+        project_joint(i);
+      } else {
+        add_to_cluster(i);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const JointCluster& shape_of(const TreeLink<Scalar>& link) const {
+    return result_.shapes[static_cast<std::size_t>(link.v_index)];
+  }
+
+  void project_joint(std::size_t i) {
+    const TreeLink<Scalar>& link = tree_.links[i];
+    JointProjection<Scalar>& joint = result_.joints[i];
+    joint = joint_projection(link.kind, IA_[i], link.drive.inertia);
+    label(joint.inverse_D, "inverse_D", i);
+    if (link.parent < 0) return;
+    auto& parent = IA_[static_cast<std::size_t>(link.parent)];
+    parent = parent + to_parent(X_[i], without_joint(link.kind, IA_[i], joint));
+  }
+
+  /// Inward through a cluster its links are as if they were fixed to each other.
+  void add_to_cluster(std::size_t i) {
+    const TreeLink<Scalar>& link = tree_.links[i];
+    const JointCluster& shape = shape_of(link);
+    auto& cluster = result_.clusters[static_cast<std::size_t>(link.v_index)];
+    const Wrench<Scalar> along = along_joint(link.kind, IA_[i]);
+    const Wrench<Scalar> own{along.f * link.multiplier, along.n * link.multiplier};
+    const Wrench<Scalar>& behind = column_[i];
+    const Scalar resisted = along_axis(link.kind, own.f, own.n) +
+                            Scalar(2.0) * along_axis(link.kind, behind.f, behind.n);
+    cluster.D = cluster.D + (link.multiplier * resisted + link.drive.inertia);
+    if (link.parent >= 0) {
+      const auto parent = static_cast<std::size_t>(link.parent);
+      const bool at_anchor = link.parent == shape.anchor;
+      Wrench<Scalar>& U = at_anchor ? cluster.U : column_[parent];
+      U = U + to_parent(X_[i], behind + own);
+      ArticulatedInertia<Scalar>& I = at_anchor ? cluster.I : IA_[parent];
+      I = I + to_parent(X_[i], IA_[i]);
+    }
+    if (static_cast<int>(i) == shape.first) project_cluster(i, cluster);
+  }
+
+  void project_cluster(std::size_t i, ClusterProjection<Scalar>& cluster) {
+    cluster.inverse_D = Scalar(1.0) / cluster.D;
+    label(cluster.inverse_D, "inverse_D", i);
+    const int anchor = shape_of(tree_.links[i]).anchor;
+    if (anchor < 0) return;
+    cluster.u = {cluster.U.f * cluster.inverse_D, cluster.U.n * cluster.inverse_D};
+    auto& carrier = IA_[static_cast<std::size_t>(anchor)];
+    carrier = carrier + without_share(cluster.I, cluster.U, cluster.u);
+  }
+
+  const Tree<Scalar>& tree_;
+  const std::vector<JointTransform<Scalar>>& X_;
+  std::vector<ArticulatedInertia<Scalar>> IA_;
+  /// By link, what moving the links behind it in its cluster by one unit takes.
+  std::vector<Wrench<Scalar>> column_;
+  ArticulatedTree<Scalar> result_;
 };
 
 /// Computes articulated-body inertias inward (Chang table 4.2). A floating joint passes no inertia
-/// to its parent: IA - IA IA^-1 IA = 0.
+/// to its parent: IA - IA IA^-1 IA = 0. Joints that share a coordinate are one joint of the link
+/// that carries them (constraint embedding: Jain, Robot and Multibody Dynamics, 2011, chapter 15).
+/// The tree must have clusters, see `find_clusters`.
 template <class Scalar>
 ArticulatedTree<Scalar> articulate(const Tree<Scalar>& tree,
                                    const std::vector<JointTransform<Scalar>>& X) {
-  const std::size_t n = tree.links.size();
-  ArticulatedTree<Scalar> result{std::vector<JointProjection<Scalar>>(n),
-                                 std::vector<LdltFactor<Scalar>>(n)};
-  std::vector<ArticulatedInertia<Scalar>> IA;
-  for (const TreeLink<Scalar>& link : tree.links) {
-    IA.push_back(articulated_inertia(link.inertia));
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    const TreeLink<Scalar>& link = tree.links[i];
-    section(link, i, "articulated inertia");
-    if (link.is_floating()) {
-      result.floating[i] = factor_ldlt(dense(IA[i]));
-      continue;
-    }
-    result.joints[i] = joint_projection(link.kind, IA[i], link.drive.inertia);
-    label(result.joints[i].inverse_D, "inverse_D", i);
-    if (link.parent >= 0) {
-      auto& parent = IA[static_cast<std::size_t>(link.parent)];
-      parent = parent + to_parent(X[i], without_joint(link.kind, IA[i], result.joints[i]));
-    }
-  }
-  return result;
+  return Articulation<Scalar>(tree, X, find_clusters(tree).value()).run();
 }
 
 }  // namespace treeline

@@ -108,28 +108,35 @@ std::vector<Wrench<Scalar>> impulses_on_links(const Tree<Scalar>& tree,
 
 /// Jump dqd of the velocities by impulse propagation (Chang table 8.2): inward y_h = L y_i, where
 /// the component along the joint is an exact zero, then outward like accelerations. Links beside
-/// the struck paths receive no impulse inward, which costs nothing in a trace.
+/// the struck paths receive no impulse inward, which costs nothing in a trace. A cluster of joints
+/// takes its part at its anchor.
 template <class Scalar>
 std::vector<Scalar> impulse_response(const Tree<Scalar>& tree,
                                      const std::vector<JointTransform<Scalar>>& X,
                                      std::vector<Wrench<Scalar>> y) {
   const ArticulatedTree<Scalar> bodies = articulate(tree, X);
-  std::vector<Scalar> along(static_cast<std::size_t>(tree.nv));
+  std::vector<Scalar> along(static_cast<std::size_t>(tree.nv), Scalar(0.0));
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "impulse");
     const auto at = static_cast<std::size_t>(link.v_index);
+    const JointCluster& shape = bodies.shapes[at];
     if (link.is_floating()) {
       const Scalar parts[6] = {y[i].f.x, y[i].f.y, y[i].f.z, y[i].n.x, y[i].n.y, y[i].n.z};
-      for (std::size_t k = 0; k < 6; ++k) {
-        along[at + k] = parts[k];
-      }
+      for (std::size_t k = 0; k < 6; ++k) along[at + k] = parts[k];
       continue;
     }
-    along[at] = along_axis(link.kind, y[i].f, y[i].n);
+    along[at] = along[at] + link.multiplier * along_axis(link.kind, y[i].f, y[i].n);
+    const bool is_alone = shape.joints == 1;
     if (link.parent >= 0) {
       Wrench<Scalar>& parent = y[static_cast<std::size_t>(link.parent)];
-      parent = parent + to_parent(X[i], without_work(link.kind, bodies.joints[i], y[i]));
+      parent = parent +
+               to_parent(X[i], is_alone ? without_work(link.kind, bodies.joints[i], y[i]) : y[i]);
+    }
+    if (!is_alone && static_cast<int>(i) == shape.first && shape.anchor >= 0) {
+      const Wrench<Scalar>& u = bodies.clusters[at].u;
+      Wrench<Scalar>& anchor = y[static_cast<std::size_t>(shape.anchor)];
+      anchor = anchor - Wrench<Scalar>{u.f * along[at], u.n * along[at]};
     }
   }
   return accelerate_outward(tree, X, bodies, along);

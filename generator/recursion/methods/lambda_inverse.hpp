@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
 #include "recursion/methods/articulated_inertia.hpp"
@@ -101,15 +102,47 @@ void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
   }
 }
 
-/// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K), where K are the unit forces of the rows,
-/// propagated inward (PV-OSIM: Sathya et al. 2023).
+/// What unit forces do in clusters of joints: by velocity and row, the work along the coordinate.
 template <class Scalar>
-DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
-                                                  const std::vector<JointTransform<Scalar>>& X,
-                                                  const std::vector<TaskPoint<Scalar>>& tasks,
-                                                  std::size_t rows) {
-  const ArticulatedTree<Scalar> bodies = articulate(tree, X);
-  std::vector<std::vector<PropagatedForce<Scalar>>> forces(tree.links.size());
+using ClusterWork = std::vector<std::map<std::size_t, Scalar>>;
+
+/// Adds the work of the forces at a link of a cluster, which they pass unchanged.
+template <class Scalar>
+void work_in_cluster(const TreeLink<Scalar>& link,
+                     const std::vector<PropagatedForce<Scalar>>& forces,
+                     std::map<std::size_t, Scalar>& work) {
+  for (const PropagatedForce<Scalar>& force : forces) {
+    Scalar& own = work.try_emplace(force.row, Scalar(0.0)).first->second;
+    own = own + link.multiplier * along_axis(link.kind, force.K.f, force.K.n);
+  }
+}
+
+/// Removes from unit forces at the anchor of a cluster the part that moves it, and adds its work to
+/// Lambda^-1.
+template <class Scalar>
+void absorb_in_cluster(const ClusterProjection<Scalar>& cluster,
+                       const std::map<std::size_t, Scalar>& work,
+                       std::vector<PropagatedForce<Scalar>>& at_anchor,
+                       DenseMatrix<Scalar>& Lambda_inv) {
+  std::vector<PropagatedForce<Scalar>> rows;
+  std::vector<Scalar> works;
+  for (const auto& [row, own] : work) {
+    rows.push_back({row, {}});
+    works.push_back(own);
+  }
+  add_outer_product(rows, works, cluster.inverse_D, Lambda_inv);
+  for (PropagatedForce<Scalar>& force : at_anchor) {
+    const auto own = work.find(force.row);
+    if (own == work.end()) continue;
+    force.K = force.K - Wrench<Scalar>{cluster.u.f * own->second, cluster.u.n * own->second};
+  }
+}
+
+/// The unit forces of all rows at the links where their points are.
+template <class Scalar>
+std::vector<std::vector<PropagatedForce<Scalar>>> unit_forces_on_links(
+    const std::vector<TaskPoint<Scalar>>& tasks, std::size_t links) {
+  std::vector<std::vector<PropagatedForce<Scalar>>> forces(links);
   std::size_t row = 0;
   for (const TaskPoint<Scalar>& task : tasks) {
     for (const TaskRow<Scalar>& direction : task.rows) {
@@ -119,21 +152,45 @@ DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
       ++row;
     }
   }
+  return forces;
+}
+
+/// Lambda^-1 = sum over joints of (S^T K)^T D^-1 (S^T K), where K are the unit forces of the rows,
+/// propagated inward (PV-OSIM: Sathya et al. 2023). A cluster of joints counts as one joint of its
+/// anchor.
+template <class Scalar>
+DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
+                                                  const std::vector<JointTransform<Scalar>>& X,
+                                                  const std::vector<TaskPoint<Scalar>>& tasks,
+                                                  std::size_t rows) {
+  const ArticulatedTree<Scalar> bodies = articulate(tree, X);
+  auto forces = unit_forces_on_links(tasks, tree.links.size());
+  ClusterWork<Scalar> work(bodies.shapes.size());
+  std::vector<PropagatedForce<Scalar>> on_world;
   DenseMatrix<Scalar> Lambda_inv(rows, rows);
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
+    const auto at = static_cast<std::size_t>(link.v_index);
+    const JointCluster& shape = bodies.shapes[at];
     section(link, i, "force propagation");
     align_lanes(forces[i], rows);
     if (link.is_floating()) {
       absorb_in_floating_joint(bodies.floating[i], forces[i], Lambda_inv);
-    } else {
+    } else if (shape.joints == 1) {
       absorb_in_joint(link.kind, bodies.joints[i], forces[i], Lambda_inv);
+    } else {
+      work_in_cluster(link, forces[i], work[at]);
     }
     if (link.parent >= 0) {
       for (const PropagatedForce<Scalar>& force : forces[i]) {
         forces[static_cast<std::size_t>(link.parent)].push_back(
             {force.row, to_parent(X[i], force.K)});
       }
+    }
+    if (shape.joints > 1 && static_cast<int>(i) == shape.first) {
+      auto& at_anchor =
+          shape.anchor < 0 ? on_world : forces[static_cast<std::size_t>(shape.anchor)];
+      absorb_in_cluster(bodies.clusters[at], work[at], at_anchor, Lambda_inv);
     }
     align_lower_columns(Lambda_inv, 0);
   }

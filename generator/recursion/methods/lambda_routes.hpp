@@ -35,14 +35,19 @@ struct LambdaChoice {
   LambdaRoute route = LambdaRoute::unit_forces;
 };
 
-/// Whether `route` applies to the tree. Articulated-body recursions do not apply if joints share a
-/// coordinate. Jacobians from poses apply to the axes from which the poses are seen, the world's or
-/// a link's.
+/// Whether a route applies to what shares coordinates in the tree. Unit forces pass clusters of
+/// joints; the other recursions of articulated bodies do not.
+template <class Scalar>
+bool permits_followers(const Tree<Scalar>& tree, LambdaRoute route) {
+  if (!tree.has_mimics || uses_factors(route)) return true;
+  return route == LambdaRoute::unit_forces && find_clusters(tree).has_value();
+}
+
+/// Whether `route` applies to the tree. Jacobians from poses apply to the axes from which the poses
+/// are seen, the world's or a link's.
 template <class Scalar>
 bool permits(const Tree<Scalar>& tree, TaskBasis basis, LambdaRoute route) {
-  if (!permits(tree, basis) || (tree.has_mimics && !uses_factors(route))) {
-    return false;
-  }
+  if (!permits(tree, basis) || !permits_followers(tree, route)) return false;
   if (route == LambdaRoute::inertia_propagation) {
     return permits_inertia_propagation(tree);
   }

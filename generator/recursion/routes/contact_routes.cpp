@@ -60,7 +60,7 @@ std::vector<Route> mass_routes(const Mechanism& mechanism, const TracedTree& tre
              trace.rule);
        },
        law}};
-  if (tree.has_mimics) return routes;
+  if (!find_clusters(tree)) return routes;
   routes.push_back(
       {{"unit-forces", "a unit force along each normal propagated inward"},
        [](const Trace& t) {
@@ -69,6 +69,7 @@ std::vector<Route> mass_routes(const Mechanism& mechanism, const TracedTree& tre
                        t.rule);
        },
        law});
+  if (tree.has_mimics) return routes;
   routes.push_back({{"link-inertias", "inverse inertias of the links, Chang eq. 8.2"},
                     [](const Trace& t) {
                       const auto tasks =
@@ -92,7 +93,7 @@ std::vector<Route> impulse_routes(const TracedTree& tree) {
              impulses_on_links<Expression>(trace.tree, trace.poses(),
                                            trace.in[Quantity::impulse])));
        }}};
-  if (!tree.has_mimics) {
+  if (find_clusters(tree)) {
     routes.push_back(
         {{"impulse-propagation", "impulse propagation, Chang table 8.2"}, [](const Trace& trace) {
            return velocity_changes(

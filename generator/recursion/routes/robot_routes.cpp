@@ -71,13 +71,17 @@ std::vector<Route> forward_dynamics_routes(const Tree<Expression>& tree) {
          return vector_output("qdd", trace.with_unit("joint accelerations", Quantity::qdd),
                               solve(factor, net_forces(trace)));
        }}};
-  if (!tree.has_mimics) {
-    routes.push_back({{"aba", "articulated bodies, Chang table 4.2"}, [](const Trace& trace) {
-                        return vector_output(
-                            "qdd", trace.with_unit("joint accelerations", Quantity::qdd),
-                            solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
-                                              net_forces(trace)));
-                      }});
+  if (find_clusters(tree)) {
+    routes.push_back(
+        {{"aba", tree.has_mimics ? "articulated bodies, followers one joint with their "
+                                   "leader (Chang table 4.2)"
+                                 : "articulated bodies, Chang table 4.2"},
+         [](const Trace& trace) {
+           return vector_output(
+               "qdd", trace.with_unit("joint accelerations", Quantity::qdd),
+               solve_articulated(trace.tree, trace.X, articulate(trace.tree, trace.X),
+                                 net_forces(trace)));
+         }});
   }
   return routes;
 }
