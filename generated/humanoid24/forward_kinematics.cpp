@@ -18,6 +18,14 @@ template <int count>
 using Lanes = detail::Pack<Real, count>;
 void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
     Real (&TREELINE_RESTRICT position)[6], Real (&TREELINE_RESTRICT rotation)[18]) noexcept {
+  // constants
+  const Real minus_link1_to_2_y = 0.434;
+  const Real minus_link2_to_3_y = 0.422;
+  const Real link4_to_5_z = 0.21799999999999997;
+  const Real minus_link5_to_6_y = 0.072;
+  const Real base_to_1_z = 0.07;
+
+  // sines and cosines
   const Real angles[20] = {q[0], q[1], q[2], q[4], q[3], q[5], q[7], q[6], q[9], q[8], q[12], q[11],
       q[10], q[14], q[13], q[16], q[15], q[19], q[18], q[17]};
   Real sines[20];
@@ -65,241 +73,185 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[24],
   const Real s20 = sines[17];
 
   // link 5 (chest2), pose
-  const Real rotation_5_p1 = s5 * s4;
-  const Real rotation_5_p2 = c5 * s4;
-  const Real p2_x = 0.434 * s1;
-  const Real rotation_2_p1 = s1 * s2 - c1 * c2;
-  const Real rotation_2_p2 = s1 * c2 + c1 * s2;
+  const Real t1 = s5 * s4;
+  const Real t2 = c5 * s4;
+  const Real p2_x = minus_link1_to_2_y * s1;
+  const Real minus_c1_plus_2 = s1 * s2 - c1 * c2;
+  const Real s1_plus_2 = s1 * c2 + c1 * s2;
 
-  // link 6 (chest3), pose
-  const Real p6_y = 0.072 * rotation_5_p1;
-  const Real rotation_5_p5 = s6 * c4 - c6 * rotation_5_p1;
-  const Real rotation_5_p6 = s6 * rotation_5_p1 + c6 * c4;
-  const Real rotation_2_p3 = rotation_2_p1 * c3 + rotation_2_p2 * s3;
-  const Real rotation_8_p1 = rotation_2_p1 * s3 - rotation_2_p2 * c3;
+  // links 3 (hip) and 6 (chest3), pose
+  const Real p6_y = minus_link5_to_6_y * t1;
+  const Real t5 = s6 * c4 - c6 * t1;
+  const Real t6 = s6 * t1 + c6 * c4;
+  const Real minus_c1_plus_2_plus_3 = minus_c1_plus_2 * c3 + s1_plus_2 * s3;
+  const Real minus_s1_plus_2_plus_3 = minus_c1_plus_2 * s3 - s1_plus_2 * c3;
+  const Real p3_x = p2_x + minus_link2_to_3_y * s1_plus_2;
 
-  // link 3 (hip), pose
-  const Real p3_x = p2_x + 0.422 * rotation_2_p2;
+  // links 4, 7, 14, pose
+  const Real t12 = c4 * minus_c1_plus_2_plus_3;
+  const Real t13 = c4 * minus_s1_plus_2_plus_3;
+  const Real t14 = s4 * minus_c1_plus_2_plus_3;
+  const Real t15 = s4 * minus_s1_plus_2_plus_3;
+  const Lanes<2> t16_lanes = detail::make_pack<Real>(c7, c14) * t5 -
+      detail::make_pack<Real>(s7, s14) * t2;
+  const Lanes<2> t17_lanes = detail::make_pack<Real>(s7, s14) * t5 +
+      detail::make_pack<Real>(c7, c14) * t2;
 
-  // link 4 (chest1), pose
-  const Real rotation_2_p4 = c4 * rotation_2_p3;
-  const Real rotation_8_p2 = c4 * rotation_8_p1;
-  const Real rotation_2_p5 = s4 * rotation_2_p3;
-  const Real rotation_8_p3 = s4 * rotation_8_p1;
+  // links 5 (chest2) and 24 (right_eye), pose
+  const Real t18 = p6_y - 0.226 * t5;
+  const Real p5_x = p3_x - link4_to_5_z * minus_s1_plus_2_plus_3;
+  const Real t24 = s5 * t12 + c5 * minus_s1_plus_2_plus_3;
+  const Real t25 = c5 * minus_c1_plus_2_plus_3 - s5 * t13;
+  const Real t26 = s5 * minus_s1_plus_2_plus_3 - c5 * t12;
+  const Real t27 = c5 * t13 + s5 * minus_c1_plus_2_plus_3;
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_5_p11_lanes = detail::make_pack<Real>(c7, c14) * rotation_5_p5 -
-      detail::make_pack<Real>(s7, s14) * rotation_5_p2;
-  const Lanes<2> rotation_5_p12_lanes = detail::make_pack<Real>(s7, s14) * rotation_5_p5 +
-      detail::make_pack<Real>(c7, c14) * rotation_5_p2;
+  // links 2, 6, 8, 15, pose
+  const Lanes<2> t28_lanes = detail::make_pack<Real>(c8, c15) * t6 -
+      detail::make_pack<Real>(s8, s15) * t16_lanes;
+  const Lanes<2> t29_lanes = detail::make_pack<Real>(c8, c15) * t16_lanes +
+      detail::make_pack<Real>(s8, s15) * t6;
+  const Real p2_z = base_to_1_z + minus_link1_to_2_y * c1;
+  const Real t39 = c6 * t24 + s6 * t14;
+  const Real t40 = c6 * t25 - s6 * t15;
+  const Real t41 = c6 * t14 - s6 * t24;
 
-  // link 24 (right_eye), pose
-  const Real position_1_p2 = p6_y - 0.226 * rotation_5_p5;
+  // links 3, 5 and 6, 9, 16, pose
+  const Real t42 = s6 * t25 + c6 * t15;
+  const Lanes<2> t43_lanes = detail::make_pack<Real>(s9, s16) * t28_lanes +
+      detail::make_pack<Real>(c9, c16) * t17_lanes;
+  const Lanes<2> t44_lanes = detail::make_pack<Real>(c9, c16) * t28_lanes -
+      detail::make_pack<Real>(s9, s16) * t17_lanes;
+  const Real p3_z = p2_z - minus_link2_to_3_y * minus_c1_plus_2;
+  const Real p5_z = p3_z - link4_to_5_z * minus_c1_plus_2_plus_3;
 
-  // link 5 (chest2), pose
-  const Real p5_x = p3_x - 0.21799999999999997 * rotation_8_p1;
-  const Real rotation_2_p6 = s5 * rotation_2_p4 + c5 * rotation_8_p1;
-  const Real rotation_8_p4 = c5 * rotation_2_p3 - s5 * rotation_8_p2;
-  const Real rotation_2_p7 = s5 * rotation_8_p1 - c5 * rotation_2_p4;
-  const Real rotation_8_p5 = c5 * rotation_8_p2 + s5 * rotation_2_p3;
+  // links 6 and 7, 14, pose
+  const Real p6_x = p5_x - minus_link5_to_6_y * t24;
+  const Lanes<2> t57_lanes = detail::make_pack<Real>(c7, c14) * t39 -
+      detail::make_pack<Real>(s7, s14) * t26;
+  const Lanes<2> t58_lanes = detail::make_pack<Real>(c7, c14) * t40 -
+      detail::make_pack<Real>(s7, s14) * t27;
+  const Lanes<2> t59_lanes = detail::make_pack<Real>(s7, s14) * t39 +
+      detail::make_pack<Real>(c7, c14) * t26;
+  const Lanes<2> t61_lanes = detail::make_pack<Real>(s7, s14) * t40 +
+      detail::make_pack<Real>(c7, c14) * t27;
 
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_5_p17_lanes = detail::make_pack<Real>(c8, c15) * rotation_5_p6 -
-      detail::make_pack<Real>(s8, s15) * rotation_5_p11_lanes;
-  const Lanes<2> rotation_5_p18_lanes = detail::make_pack<Real>(c8, c15) * rotation_5_p11_lanes +
-      detail::make_pack<Real>(s8, s15) * rotation_5_p6;
+  // links 6, 10, 17, 24, pose
+  const Lanes<2> t64_lanes = detail::make_pack<Real>(c10, c17) * t43_lanes +
+      detail::make_pack<Real>(s10, s17) * t29_lanes;
+  const Lanes<2> t65_lanes = detail::make_pack<Real>(c10, c17) * t29_lanes -
+      detail::make_pack<Real>(s10, s17) * t43_lanes;
+  const Real p6_z = p5_z - minus_link5_to_6_y * t25;
+  const Real t77 = p6_x - 0.226 * t39;
+  const Real t78 = p6_z - 0.226 * t40;
 
-  // link 2 (thigh), pose
-  const Real p2_z = 0.07 + 0.434 * c1;
+  // links 8, 11, 15, 18, pose
+  const Lanes<2> t81_lanes = detail::make_pack<Real>(c8, c15) * t41 -
+      detail::make_pack<Real>(s8, s15) * t57_lanes;
+  const Lanes<2> t82_lanes = detail::make_pack<Real>(s8, s15) * t58_lanes +
+      detail::make_pack<Real>(c8, c15) * t42;
+  const Lanes<2> t83_lanes = detail::make_pack<Real>(c8, c15) * t57_lanes +
+      detail::make_pack<Real>(s8, s15) * t41;
+  const Lanes<2> t84_lanes = detail::make_pack<Real>(c8, c15) * t58_lanes -
+      detail::make_pack<Real>(s8, s15) * t42;
+  const Lanes<2> t86_lanes = detail::make_pack<Real>(c11, c18) * t64_lanes +
+      detail::make_pack<Real>(s11, s18) * t44_lanes;
+  const Lanes<2> t87_lanes = detail::make_pack<Real>(c11, c18) * t44_lanes -
+      detail::make_pack<Real>(s11, s18) * t64_lanes;
 
-  // link 6 (chest3), pose
-  const Real rotation_2_p10 = c6 * rotation_2_p6 + s6 * rotation_2_p5;
-  const Real rotation_8_p8 = c6 * rotation_8_p4 - s6 * rotation_8_p3;
-  const Real rotation_2_p11 = c6 * rotation_2_p5 - s6 * rotation_2_p6;
-  const Real rotation_8_p9 = s6 * rotation_8_p4 + c6 * rotation_8_p3;
+  // links 9, 16, 24, pose
+  const Lanes<2> t103_lanes = t18 + detail::make_pack<Real>(0.18, (-0.18)) * t6 + 0.282 *
+      t29_lanes + 0.269 * t65_lanes;
+  const Lanes<2> t104_lanes = detail::make_pack<Real>(s9, s16) * t81_lanes +
+      detail::make_pack<Real>(c9, c16) * t59_lanes;
+  const Lanes<2> t105_lanes = detail::make_pack<Real>(c9, c16) * t61_lanes -
+      detail::make_pack<Real>(s9, s16) * t82_lanes;
+  const Lanes<2> t106_lanes = detail::make_pack<Real>(c9, c16) * t81_lanes -
+      detail::make_pack<Real>(s9, s16) * t59_lanes;
+  const Lanes<2> t107_lanes = detail::make_pack<Real>(c9, c16) * t82_lanes +
+      detail::make_pack<Real>(s9, s16) * t61_lanes;
 
-  // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_5_p23_lanes = detail::make_pack<Real>(s9, s16) * rotation_5_p17_lanes +
-      detail::make_pack<Real>(c9, c16) * rotation_5_p12_lanes;
-  const Lanes<2> rotation_5_p24_lanes = detail::make_pack<Real>(c9, c16) * rotation_5_p17_lanes -
-      detail::make_pack<Real>(s9, s16) * rotation_5_p12_lanes;
+  // links 10, 12, 17, 19, pose
+  const Lanes<2> t108_lanes = detail::make_pack<Real>(c12, c19) * t65_lanes -
+      detail::make_pack<Real>(s12, s19) * t86_lanes;
+  const Lanes<2> rotation_3_12_lanes = detail::make_pack<Real>(c12, c19) * t86_lanes +
+      detail::make_pack<Real>(s12, s19) * t65_lanes;
+  rotation[3] = rotation_3_12_lanes[0];
+  rotation[12] = rotation_3_12_lanes[1];
+  const Lanes<2> t121_lanes = detail::make_pack<Real>(c10, c17) * t104_lanes +
+      detail::make_pack<Real>(s10, s17) * t83_lanes;
+  const Lanes<2> t122_lanes = detail::make_pack<Real>(c10, c17) * t105_lanes +
+      detail::make_pack<Real>(s10, s17) * t84_lanes;
+  const Lanes<2> t123_lanes = detail::make_pack<Real>(c10, c17) * t83_lanes -
+      detail::make_pack<Real>(s10, s17) * t104_lanes;
+  const Lanes<2> t124_lanes = detail::make_pack<Real>(c10, c17) * t84_lanes -
+      detail::make_pack<Real>(s10, s17) * t105_lanes;
 
-  // link 3 (hip), pose
-  const Real p3_z = p2_z - 0.422 * rotation_2_p1;
+  // links 13 (left_hand) and 20 (right_hand), pose
+  const Lanes<2> rotation_5_14_lanes = detail::make_pack<Real>(c13, c20) * t108_lanes +
+      detail::make_pack<Real>(s13, s20) * t87_lanes;
+  rotation[5] = -rotation_5_14_lanes[0];
+  rotation[14] = -rotation_5_14_lanes[1];
+  const Lanes<2> rotation_4_13_lanes = detail::make_pack<Real>(c13, c20) * t87_lanes -
+      detail::make_pack<Real>(s13, s20) * t108_lanes;
+  rotation[4] = rotation_4_13_lanes[0];
+  rotation[13] = rotation_4_13_lanes[1];
 
-  // link 5 (chest2), pose
-  const Real p5_z = p3_z - 0.21799999999999997 * rotation_2_p3;
+  // links 11, 18, 24, pose
+  const Lanes<2> t136_lanes = detail::make_pack<Real>(c11, c18) * t121_lanes +
+      detail::make_pack<Real>(s11, s18) * t106_lanes;
+  const Lanes<2> t137_lanes = detail::make_pack<Real>(c11, c18) * t122_lanes -
+      detail::make_pack<Real>(s11, s18) * t107_lanes;
+  const Lanes<2> t138_lanes = detail::make_pack<Real>(c11, c18) * t106_lanes -
+      detail::make_pack<Real>(s11, s18) * t121_lanes;
+  const Lanes<2> t139_lanes = detail::make_pack<Real>(s11, s18) * t122_lanes +
+      detail::make_pack<Real>(c11, c18) * t107_lanes;
+  const Lanes<2> t140_lanes = t77 + detail::make_pack<Real>(0.18, (-0.18)) * t41 + 0.282 *
+      t83_lanes + 0.269 * t123_lanes;
+  const Lanes<2> t141_lanes = t78 - detail::make_pack<Real>(0.18, (-0.18)) * t42 + 0.282 *
+      t84_lanes + 0.269 * t124_lanes;
+  const Lanes<2> position_1_4_lanes = t103_lanes + 0.086 * rotation_5_14_lanes;
+  position[1] = position_1_4_lanes[0];
+  position[4] = position_1_4_lanes[1];
 
-  // link 6 (chest3), pose
-  const Real p6_x = p5_x - 0.072 * rotation_2_p6;
+  // links 12 (left_wrist2) and 19 (right_wrist2), pose
+  const Lanes<2> t150_lanes = detail::make_pack<Real>(c12, c19) * t123_lanes -
+      detail::make_pack<Real>(s12, s19) * t136_lanes;
+  const Lanes<2> t151_lanes = detail::make_pack<Real>(c12, c19) * t124_lanes -
+      detail::make_pack<Real>(s12, s19) * t137_lanes;
+  const Lanes<2> rotation_0_9_lanes = detail::make_pack<Real>(c12, c19) * t136_lanes +
+      detail::make_pack<Real>(s12, s19) * t123_lanes;
+  rotation[0] = rotation_0_9_lanes[0];
+  rotation[9] = rotation_0_9_lanes[1];
+  const Lanes<2> rotation_6_15_lanes = detail::make_pack<Real>(c12, c19) * t137_lanes +
+      detail::make_pack<Real>(s12, s19) * t124_lanes;
+  rotation[6] = rotation_6_15_lanes[0];
+  rotation[15] = rotation_6_15_lanes[1];
 
-  // link 7 (left_shoulder1), pose
-  const Lanes<2> rotation_2_p16_lanes = detail::make_pack<Real>(c7, c14) * rotation_2_p10 -
-      detail::make_pack<Real>(s7, s14) * rotation_2_p7;
-  const Lanes<2> rotation_8_p14_lanes = detail::make_pack<Real>(c7, c14) * rotation_8_p8 -
-      detail::make_pack<Real>(s7, s14) * rotation_8_p5;
-  const Lanes<2> rotation_2_p17_lanes = detail::make_pack<Real>(s7, s14) * rotation_2_p10 +
-      detail::make_pack<Real>(c7, c14) * rotation_2_p7;
-  const Lanes<2> rotation_8_p15_lanes = detail::make_pack<Real>(s7, s14) * rotation_8_p8 +
-      detail::make_pack<Real>(c7, c14) * rotation_8_p5;
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_5_p29_lanes = detail::make_pack<Real>(c10, c17) * rotation_5_p23_lanes +
-      detail::make_pack<Real>(s10, s17) * rotation_5_p18_lanes;
-  const Lanes<2> rotation_5_p30_lanes = detail::make_pack<Real>(c10, c17) * rotation_5_p18_lanes -
-      detail::make_pack<Real>(s10, s17) * rotation_5_p23_lanes;
-
-  // link 6 (chest3), pose
-  const Real p6_z = p5_z - 0.072 * rotation_8_p4;
-
-  // link 24 (right_eye), pose
-  const Real position_0_p2 = p6_x - 0.226 * rotation_2_p10;
-  const Real position_2_p2 = p6_z - 0.226 * rotation_8_p8;
-
-  // link 8 (left_shoulder2), pose
-  const Lanes<2> rotation_2_p22_lanes = detail::make_pack<Real>(c8, c15) * rotation_2_p11 -
-      detail::make_pack<Real>(s8, s15) * rotation_2_p16_lanes;
-  const Lanes<2> rotation_8_p20_lanes = detail::make_pack<Real>(s8, s15) * rotation_8_p14_lanes +
-      detail::make_pack<Real>(c8, c15) * rotation_8_p9;
-  const Lanes<2> rotation_2_p23_lanes = detail::make_pack<Real>(c8, c15) * rotation_2_p16_lanes +
-      detail::make_pack<Real>(s8, s15) * rotation_2_p11;
-  const Lanes<2> rotation_8_p21_lanes = detail::make_pack<Real>(c8, c15) * rotation_8_p14_lanes -
-      detail::make_pack<Real>(s8, s15) * rotation_8_p9;
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_5_p34_lanes = detail::make_pack<Real>(c11, c18) * rotation_5_p29_lanes +
-      detail::make_pack<Real>(s11, s18) * rotation_5_p24_lanes;
-  const Lanes<2> rotation_5_p35_lanes = detail::make_pack<Real>(c11, c18) * rotation_5_p24_lanes -
-      detail::make_pack<Real>(s11, s18) * rotation_5_p29_lanes;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_1_p7_lanes = position_1_p2 + detail::make_pack<Real>(0.18, (-0.18)) *
-      rotation_5_p6 + 0.282 * rotation_5_p18_lanes + 0.269 * rotation_5_p30_lanes;
-
-  // link 9 (left_upperarm), pose
-  const Lanes<2> rotation_2_p28_lanes = detail::make_pack<Real>(s9, s16) * rotation_2_p22_lanes +
-      detail::make_pack<Real>(c9, c16) * rotation_2_p17_lanes;
-  const Lanes<2> rotation_8_p26_lanes = detail::make_pack<Real>(c9, c16) * rotation_8_p15_lanes -
-      detail::make_pack<Real>(s9, s16) * rotation_8_p20_lanes;
-  const Lanes<2> rotation_2_p29_lanes = detail::make_pack<Real>(c9, c16) * rotation_2_p22_lanes -
-      detail::make_pack<Real>(s9, s16) * rotation_2_p17_lanes;
-  const Lanes<2> rotation_8_p27_lanes = detail::make_pack<Real>(c9, c16) * rotation_8_p20_lanes +
-      detail::make_pack<Real>(s9, s16) * rotation_8_p15_lanes;
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_5_p38_lanes = detail::make_pack<Real>(c12, c19) * rotation_5_p30_lanes -
-      detail::make_pack<Real>(s12, s19) * rotation_5_p34_lanes;
-  const Lanes<2> rotation_3_lanes = detail::make_pack<Real>(c12, c19) * rotation_5_p34_lanes +
-      detail::make_pack<Real>(s12, s19) * rotation_5_p30_lanes;
-  rotation[3] = rotation_3_lanes[0];
-
-  // link 19 (right_wrist2), pose
-  rotation[12] = rotation_3_lanes[1];
-
-  // link 10 (left_lowerarm), pose
-  const Lanes<2> rotation_2_p34_lanes = detail::make_pack<Real>(c10, c17) * rotation_2_p28_lanes +
-      detail::make_pack<Real>(s10, s17) * rotation_2_p23_lanes;
-  const Lanes<2> rotation_8_p32_lanes = detail::make_pack<Real>(c10, c17) * rotation_8_p26_lanes +
-      detail::make_pack<Real>(s10, s17) * rotation_8_p21_lanes;
-  const Lanes<2> rotation_2_p35_lanes = detail::make_pack<Real>(c10, c17) * rotation_2_p23_lanes -
-      detail::make_pack<Real>(s10, s17) * rotation_2_p28_lanes;
-  const Lanes<2> rotation_8_p33_lanes = detail::make_pack<Real>(c10, c17) * rotation_8_p21_lanes -
-      detail::make_pack<Real>(s10, s17) * rotation_8_p26_lanes;
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_5_lanes = detail::make_pack<Real>(c13, c20) * rotation_5_p38_lanes +
-      detail::make_pack<Real>(s13, s20) * rotation_5_p35_lanes;
-  rotation[5] = -rotation_5_lanes[0];
-
-  // link 20 (right_hand), pose
-  rotation[14] = -rotation_5_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_4_lanes = detail::make_pack<Real>(c13, c20) * rotation_5_p35_lanes -
-      detail::make_pack<Real>(s13, s20) * rotation_5_p38_lanes;
-  rotation[4] = rotation_4_lanes[0];
-
-  // link 20 (right_hand), pose
-  rotation[13] = rotation_4_lanes[1];
-
-  // link 11 (left_wrist1), pose
-  const Lanes<2> rotation_2_p39_lanes = detail::make_pack<Real>(c11, c18) * rotation_2_p34_lanes +
-      detail::make_pack<Real>(s11, s18) * rotation_2_p29_lanes;
-  const Lanes<2> rotation_8_p37_lanes = detail::make_pack<Real>(c11, c18) * rotation_8_p32_lanes -
-      detail::make_pack<Real>(s11, s18) * rotation_8_p27_lanes;
-  const Lanes<2> rotation_2_p40_lanes = detail::make_pack<Real>(c11, c18) * rotation_2_p29_lanes -
-      detail::make_pack<Real>(s11, s18) * rotation_2_p34_lanes;
-  const Lanes<2> rotation_8_p38_lanes = detail::make_pack<Real>(s11, s18) * rotation_8_p32_lanes +
-      detail::make_pack<Real>(c11, c18) * rotation_8_p27_lanes;
-
-  // link 24 (right_eye), pose
-  const Lanes<2> position_0_p7_lanes = position_0_p2 + detail::make_pack<Real>(0.18, (-0.18)) *
-      rotation_2_p11 + 0.282 * rotation_2_p23_lanes + 0.269 * rotation_2_p35_lanes;
-  const Lanes<2> position_2_p7_lanes = position_2_p2 - detail::make_pack<Real>(0.18, (-0.18)) *
-      rotation_8_p9 + 0.282 * rotation_8_p21_lanes + 0.269 * rotation_8_p33_lanes;
-  const Lanes<2> position_1_lanes = position_1_p7_lanes + 0.086 * rotation_5_lanes;
-  position[1] = position_1_lanes[0];
-  position[4] = position_1_lanes[1];
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_2_p43_lanes = detail::make_pack<Real>(c12, c19) * rotation_2_p35_lanes -
-      detail::make_pack<Real>(s12, s19) * rotation_2_p39_lanes;
-  const Lanes<2> rotation_8_p41_lanes = detail::make_pack<Real>(c12, c19) * rotation_8_p33_lanes -
-      detail::make_pack<Real>(s12, s19) * rotation_8_p37_lanes;
-  const Lanes<2> rotation_0_lanes = detail::make_pack<Real>(c12, c19) * rotation_2_p39_lanes +
-      detail::make_pack<Real>(s12, s19) * rotation_2_p35_lanes;
-  rotation[0] = rotation_0_lanes[0];
-
-  // link 19 (right_wrist2), pose
-  rotation[9] = rotation_0_lanes[1];
-
-  // link 12 (left_wrist2), pose
-  const Lanes<2> rotation_6_lanes = detail::make_pack<Real>(c12, c19) * rotation_8_p37_lanes +
-      detail::make_pack<Real>(s12, s19) * rotation_8_p33_lanes;
-  rotation[6] = rotation_6_lanes[0];
-
-  // link 19 (right_wrist2), pose
-  rotation[15] = rotation_6_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_2_lanes = detail::make_pack<Real>(c13, c20) * rotation_2_p43_lanes +
-      detail::make_pack<Real>(s13, s20) * rotation_2_p40_lanes;
-  rotation[2] = -rotation_2_lanes[0];
-
-  // link 20 (right_hand), pose
-  rotation[11] = -rotation_2_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_8_lanes = detail::make_pack<Real>(c13, c20) * rotation_8_p41_lanes -
-      detail::make_pack<Real>(s13, s20) * rotation_8_p38_lanes;
-  rotation[8] = -rotation_8_lanes[0];
-
-  // link 20 (right_hand), pose
-  rotation[17] = -rotation_8_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_1_lanes = detail::make_pack<Real>(c13, c20) * rotation_2_p40_lanes -
-      detail::make_pack<Real>(s13, s20) * rotation_2_p43_lanes;
-  rotation[1] = rotation_1_lanes[0];
-
-  // link 20 (right_hand), pose
-  rotation[10] = rotation_1_lanes[1];
-
-  // link 13 (left_hand), pose
-  const Lanes<2> rotation_7_lanes = detail::make_pack<Real>(s13, s20) * rotation_8_p41_lanes +
-      detail::make_pack<Real>(c13, c20) * rotation_8_p38_lanes;
-  rotation[7] = -rotation_7_lanes[0];
-
-  // link 20 (right_hand), pose
-  rotation[16] = -rotation_7_lanes[1];
+  // links 13 (left_hand) and 20 (right_hand), pose
+  const Lanes<2> rotation_2_11_lanes = detail::make_pack<Real>(c13, c20) * t150_lanes +
+      detail::make_pack<Real>(s13, s20) * t138_lanes;
+  rotation[2] = -rotation_2_11_lanes[0];
+  rotation[11] = -rotation_2_11_lanes[1];
+  const Lanes<2> rotation_8_17_lanes = detail::make_pack<Real>(c13, c20) * t151_lanes -
+      detail::make_pack<Real>(s13, s20) * t139_lanes;
+  rotation[8] = -rotation_8_17_lanes[0];
+  rotation[17] = -rotation_8_17_lanes[1];
+  const Lanes<2> rotation_1_10_lanes = detail::make_pack<Real>(c13, c20) * t138_lanes -
+      detail::make_pack<Real>(s13, s20) * t150_lanes;
+  rotation[1] = rotation_1_10_lanes[0];
+  rotation[10] = rotation_1_10_lanes[1];
+  const Lanes<2> rotation_7_16_lanes = detail::make_pack<Real>(s13, s20) * t151_lanes +
+      detail::make_pack<Real>(c13, c20) * t139_lanes;
+  rotation[7] = -rotation_7_16_lanes[0];
+  rotation[16] = -rotation_7_16_lanes[1];
 
   // link 24 (right_eye), pose
-  const Lanes<2> position_0_lanes = position_0_p7_lanes + 0.086 * rotation_2_lanes;
-  position[0] = position_0_lanes[0];
-  position[3] = position_0_lanes[1];
-  const Lanes<2> position_2_lanes = position_2_p7_lanes + 0.086 * rotation_8_lanes;
-  position[2] = position_2_lanes[0];
-  position[5] = position_2_lanes[1];
+  const Lanes<2> position_0_3_lanes = t140_lanes + 0.086 * rotation_2_11_lanes;
+  position[0] = position_0_3_lanes[0];
+  position[3] = position_0_3_lanes[1];
+  const Lanes<2> position_2_5_lanes = t141_lanes + 0.086 * rotation_8_17_lanes;
+  position[2] = position_2_5_lanes[0];
+  position[5] = position_2_5_lanes[1];
 }
 
 }  // namespace humanoid24

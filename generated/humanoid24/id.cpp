@@ -5,4 +5,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.1.0 humanoid24 sha256 "
-    "2d4fb50f4dbc28b37d3a747846dfb64b11280a944f5c6cbf9c1f0c899b1aa42f";
+    "cd0d127dc6f94dcb85900e02bbc2c4bfbe1b85f004a84988c51eab8c89a05769";

@@ -229,10 +229,44 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   M[570] = 0.0;
   M[571] = 0.0;
   M[574] = 0.0;
-  const Real c20_p1 = 0.17435661841416683 + q[19];
-  const Real c13_p1 = (-0.17435661841416683) + q[12];
-  const Real angles[23] = {q[3], q[23], q[22], q[21], q[20], q[18], c20_p1, q[17], q[16], q[15],
-      q[14], q[13], q[11], c13_p1, q[10], q[9], q[8], q[7], q[6], q[5], q[4], q[1], q[2]};
+
+  // constants
+  const Real J_22_xy = 0.0074;
+  const Real h_22_x = 0.072575;
+  const Real minus_h_22_y = 0.43200000000000005;
+  const Real J_21_xx = 0.005513625;
+  const Real J_21_yy = 0.000703125;
+  const Real link21_to_22_z = 0.394;
+  const Real minus_J_21_xz = 0.0016155;
+  const Real J_6_xz = 0.0187369177636143;
+  const Real h_21_x = 0.0045000000000000005;
+  const Real minus_h_6_x = 6.1665928899999995;
+  const Real minus_link5_to_6_y = 0.072;
+  const Real J_5_xy = 0.005678398088837119;
+  const Real J_5_yy = 0.04675382692737882;
+  const Real J_5_xx = 0.15637308509675518;
+  const Real J_5_zz = 0.203126912024134;
+  const Real minus_h_5_y = 2.2194301519999997;
+  const Real h_5_x = 0.069699984375;
+  const Real minus_h_3_x = 0.02999999505;
+  const Real minus_h_4_x = 0.0300000063;
+  const Real minus_h_3_y = 8.419374554;
+  const Real minus_link2_to_3_y = 0.422;
+  const Real h_2_x = 0.031999971599999996;
+  const Real minus_h_2_y = 24.5839218;
+  const Real J_2_zz = 9.885744550888212;
+  const Real minus_link1_to_2_y = 0.434;
+  const Real J_1_zz = 13.049859506913753;
+  const Real J_4_xz = 0.005880002159562879;
+  const Real link4_to_5_z = 0.21799999999999997;
+  const Real J_21_zz = 0.006216750000000001;
+  const Real J_4_zz = 0.060169103246295166;
+  const Real t1 = 0.17435661841416683 + q[19];
+  const Real t2 = (-0.17435661841416683) + q[12];
+
+  // sines and cosines
+  const Real angles[23] = {q[3], q[23], q[22], q[21], q[20], q[18], t1, q[17], q[16], q[15], q[14],
+      q[13], q[11], t2, q[10], q[9], q[8], q[7], q[6], q[5], q[4], q[1], q[2]};
   Real sines[23];
   Real cosines[23];
   detail::sin_cos(angles, sines, cosines);
@@ -283,1794 +317,1216 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Real c3 = cosines[22];
   const Real s3 = sines[22];
 
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p9_lanes = 0.0165153994048813 * detail::make_pack<Real>(c13, c20);
-  const Lanes<2> M_2_2_p17_lanes = 0.0165153994048813 * detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_2_2_p19_lanes = detail::make_pack<Real>((-2.0630162081277884e-05),
+  // links 13 (left_hand) and 20 (right_hand), composite inertia
+  const Lanes<2> t7_lanes = 0.0165153994048813 * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> t13_lanes = 0.0165153994048813 * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> t14_lanes = detail::make_pack<Real>((-2.0630162081277884e-05),
       2.0630162081277884e-05) * detail::make_pack<Real>(c13, c20) - 0.0007965395222188762 *
       detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_2_2_p21_lanes = 0.00011422720754895356 * detail::make_pack<Real>(c13, c20) +
+  const Lanes<2> t15_lanes = 0.00011422720754895356 * detail::make_pack<Real>(c13, c20) +
       detail::make_pack<Real>(2.4414671283021662e-05, (-2.4414671283021662e-05)) *
       detail::make_pack<Real>(s13, s20);
-  const Lanes<2> M_2_2_p23_lanes = 0.0006000000000000001 + M_2_2_p9_lanes;
-  const Lanes<2> M_11_12_lanes = detail::make_pack<Real>(2.4414671283021662e-05,
+  const Lanes<2> t16_lanes = 0.0006000000000000001 + t7_lanes;
+  const Lanes<2> t17_lanes = detail::make_pack<Real>(2.4414671283021662e-05,
       (-2.4414671283021662e-05)) * detail::make_pack<Real>(c13, c20) - 0.00011422720754895356 *
       detail::make_pack<Real>(s13, s20);
-  M[276] = M_11_12_lanes[0];
-  M[299] = M_11_12_lanes[0];
+  M[276] = t17_lanes[0];
+  M[299] = t17_lanes[0];
+  M[451] = t17_lanes[1];
+  M[474] = t17_lanes[1];
 
-  // link 20 (right_hand), composite inertia
-  M[451] = M_11_12_lanes[1];
-  M[474] = M_11_12_lanes[1];
+  // links 12 and 13, 19 and 20, composite inertia
+  const Lanes<2> t18_lanes = detail::make_pack<Real>(0.001, (-0.001)) + t13_lanes;
+  const Lanes<2> t19_lanes = detail::make_pack<Real>(s13, s20) * t14_lanes;
+  const Lanes<2> t20_lanes = detail::make_pack<Real>(c12, c19) * t15_lanes;
+  const Lanes<2> t30_lanes = detail::make_pack<Real>(7.915081040638941e-06,
+      (-7.915081040638941e-06)) + detail::make_pack<Real>(c13, c20) * t14_lanes;
+  const Lanes<2> t31_lanes = 0.0010744132275664366 + t19_lanes;
+  M[275] = t31_lanes[0];
+  M[450] = t31_lanes[1];
+  const Lanes<2> t32_lanes = 0.0025100003499999995 * detail::make_pack<Real>(s12, s19) +
+      detail::make_pack<Real>(c12, c19) * t16_lanes;
+  const Lanes<2> t33_lanes = detail::make_pack<Real>(s12, s19) * t16_lanes - 0.0025100003499999995 *
+      detail::make_pack<Real>(c12, c19);
 
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p25_lanes = detail::make_pack<Real>(0.001, (-0.001)) + M_2_2_p17_lanes;
-
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p27_lanes = detail::make_pack<Real>(s13, s20) * M_2_2_p19_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p29_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p21_lanes;
-
-  // link 13 (left_hand), composite inertia
-  const Lanes<2> M_2_2_p47_lanes = detail::make_pack<Real>(7.915081040638941e-06,
-      (-7.915081040638941e-06)) + detail::make_pack<Real>(c13, c20) * M_2_2_p19_lanes;
-  const Lanes<2> M_11_11_lanes = 0.0010744132275664366 + M_2_2_p27_lanes;
-  M[275] = M_11_11_lanes[0];
-
-  // link 20 (right_hand), composite inertia
-  M[450] = M_11_11_lanes[1];
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p49_lanes = 0.0025100003499999995 * detail::make_pack<Real>(s12, s19) +
-      detail::make_pack<Real>(c12, c19) * M_2_2_p23_lanes;
-  const Lanes<2> M_2_2_p51_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p23_lanes -
-      0.0025100003499999995 * detail::make_pack<Real>(c12, c19);
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p63_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p65_lanes = 0.538 * M_2_2_p49_lanes;
-  const Lanes<2> M_2_2_p69_lanes = 6e-04 - M_2_2_p51_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p71_lanes = 0.28049749700000004 + M_2_2_p49_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p73_lanes = 2.375e-05 * detail::make_pack<Real>(c23, c24) +
+  // links 11 and 12, 18 and 19, 23 and 24, composite inertia
+  const Lanes<2> t40_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> t41_lanes = 0.538 * t32_lanes;
+  const Lanes<2> t43_lanes = 6e-04 - t33_lanes;
+  const Lanes<2> t44_lanes = 0.28049749700000004 + t32_lanes;
+  const Lanes<2> t45_lanes = 2.375e-05 * detail::make_pack<Real>(c23, c24) +
       detail::make_pack<Real>(8e-06, (-8e-06)) * detail::make_pack<Real>(s23, s24);
-  const Lanes<2> M_2_2_p75_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
+  const Lanes<2> t46_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
 
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p77_lanes = 2.0 * M_2_2_p29_lanes - detail::make_pack<Real>(s12, s19) *
-      (0.0006839579030517506 + M_2_2_p27_lanes);
-  const Lanes<2> M_2_2_p79_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p47_lanes -
-      detail::make_pack<Real>(c12, c19) * M_11_12_lanes;
-  const Lanes<2> M_10_11_lanes = detail::make_pack<Real>(s12, s19) * M_11_12_lanes +
-      detail::make_pack<Real>(c12, c19) * M_2_2_p47_lanes;
-  M[251] = -M_10_11_lanes[0];
-  M[274] = -M_10_11_lanes[0];
+  // links 12 (left_wrist2) and 19 (right_wrist2), composite inertia
+  const Lanes<2> t47_lanes = 2.0 * t20_lanes - detail::make_pack<Real>(s12, s19) *
+      (0.0006839579030517506 + t19_lanes);
+  const Lanes<2> t48_lanes = detail::make_pack<Real>(s12, s19) * t30_lanes -
+      detail::make_pack<Real>(c12, c19) * t17_lanes;
+  const Lanes<2> t49_lanes = detail::make_pack<Real>(s12, s19) * t17_lanes +
+      detail::make_pack<Real>(c12, c19) * t30_lanes;
+  M[251] = -t49_lanes[0];
+  M[274] = -t49_lanes[0];
+  M[426] = -t49_lanes[1];
 
-  // link 19 (right_wrist2), composite inertia
-  M[426] = -M_10_11_lanes[1];
-  M[449] = -M_10_11_lanes[1];
+  // links 12, 19, 23 and 24, composite inertia
+  M[449] = -t49_lanes[1];
+  const Lanes<2> t55_lanes = detail::make_pack<Real>(s23, s24) * t40_lanes;
+  const Lanes<2> t56_lanes = detail::make_pack<Real>(s12, s19) * t47_lanes;
+  const Lanes<2> t58_lanes = detail::make_pack<Real>((-6e-06), 6e-06) - t48_lanes;
+  const Lanes<2> t60_lanes = 0.0001098 + (t31_lanes + t41_lanes);
 
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p91_lanes = detail::make_pack<Real>(s23, s24) * M_2_2_p63_lanes;
+  // links 11 and 12, 18 and 19, 23, composite inertia
+  const Lanes<2> t61_lanes = detail::make_pack<Real>(c11, c18) * t43_lanes -
+      detail::make_pack<Real>(s11, s18) * t18_lanes;
+  const Lanes<2> t62_lanes = detail::make_pack<Real>(s11, s18) * t43_lanes +
+      detail::make_pack<Real>(c11, c18) * t18_lanes;
+  const Lanes<2> t64_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
+      (0.00444264243991307 * detail::make_pack<Real>(s13, s20) - t49_lanes);
+  const Real t65 = t55_lanes[1] + t55_lanes[0];
+  const Lanes<2> t68_lanes = 0.00026627370534756023 - t19_lanes - t56_lanes;
 
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p93_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p77_lanes;
-  const Lanes<2> M_2_2_p97_lanes = detail::make_pack<Real>((-6e-06), 6e-06) - M_2_2_p79_lanes;
-  const Lanes<2> M_2_2_p101_lanes = 0.0001098 + (M_11_11_lanes + M_2_2_p65_lanes);
+  // links 10 and 11, 17 and 18, 23 and 24, composite inertia
+  const Lanes<2> t69_lanes = 0.0014999985000000002 + t61_lanes;
+  const Real t71 = J_22_xy + t46_lanes[1] + t46_lanes[0];
+  const Lanes<2> t72_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) + t62_lanes;
+  const Lanes<2> t73_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
+  const Real t76 = 0.009457125 + 2.0 * (t45_lanes[1] + t45_lanes[0]);
 
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p103_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p69_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p25_lanes;
-  const Lanes<2> M_2_2_p105_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p69_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p25_lanes;
+  // links 10 to 12, 17 to 19, composite inertia
+  const Lanes<2> t77_lanes = 0.0010696316083993109 + t56_lanes + t41_lanes;
+  const Lanes<2> t80_lanes = 0.00051019984685315 + t68_lanes;
+  const Lanes<2> t85_lanes = 0.000144 - (t15_lanes - detail::make_pack<Real>(c12, c19) * t47_lanes +
+      0.269 * t33_lanes);
+  const Lanes<2> t87_lanes = detail::make_pack<Real>(s10, s17) * t69_lanes +
+      detail::make_pack<Real>(c10, c17) * t44_lanes;
+  const Lanes<2> t88_lanes = detail::make_pack<Real>(s10, s17) * t44_lanes -
+      detail::make_pack<Real>(c10, c17) * t69_lanes;
 
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p109_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
-      (0.00444264243991307 * detail::make_pack<Real>(s13, s20) - M_10_11_lanes);
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p111 = M_2_2_p91_lanes[1] + M_2_2_p91_lanes[0];
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p116_lanes = 0.00026627370534756023 - M_2_2_p27_lanes - M_2_2_p93_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p118_lanes = 0.0014999985000000002 + M_2_2_p103_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p122 = 0.0074 + M_2_2_p75_lanes[1] + M_2_2_p75_lanes[0];
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_6_p1_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) +
-      M_2_2_p105_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_2_2_p124_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
-  const Real M_2_2_p128 = 0.009457125 + 2.0 * (M_2_2_p73_lanes[1] + M_2_2_p73_lanes[0]);
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p129_lanes = 0.0010696316083993109 + M_2_2_p93_lanes + M_2_2_p65_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p135_lanes = 0.00051019984685315 + M_2_2_p116_lanes;
-
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_2_2_p144_lanes = 0.000144 - (M_2_2_p21_lanes -
-      detail::make_pack<Real>(c12, c19) * M_2_2_p77_lanes + 0.269 * M_2_2_p51_lanes);
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p148_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p118_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p71_lanes;
-  const Lanes<2> M_2_2_p150_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p71_lanes -
-      detail::make_pack<Real>(c10, c17) * M_2_2_p118_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p152 = 0.05451070000000001 + M_2_2_p111 + (-1.6e-05) * s24 + 1.6e-05 * s23;
-  const Real M_2_2_p157 = 0.072575 + M_2_2_p124_lanes[1] + M_2_2_p124_lanes[0];
-  const Lanes<2> M_2_2_p158_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + M_2_2_p63_lanes) *
+  // links 23 (left_eye) and 24 (right_eye), composite inertia
+  const Real t89 = 0.05451070000000001 + t65 + (-1.6e-05) * s24 + 1.6e-05 * s23;
+  const Real t93 = h_22_x + t73_lanes[1] + t73_lanes[0];
+  const Lanes<2> t94_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + t40_lanes) *
       detail::make_pack<Real>(c23, c24);
-  const Lanes<2> M_21_22_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(s23, s24);
-  M[526] = -M_21_22_lanes[0];
-  M[549] = -M_21_22_lanes[0];
+  const Lanes<2> t95_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(s23, s24);
+  M[526] = -t95_lanes[0];
+  M[549] = -t95_lanes[0];
+  M[527] = -t95_lanes[1];
+  M[573] = -t95_lanes[1];
 
-  // link 24 (right_eye), composite inertia
-  M[527] = -M_21_22_lanes[1];
-  M[573] = -M_21_22_lanes[1];
+  // links 9 to 11, 16 to 18, composite inertia
+  const Lanes<2> t96_lanes = 0.564 * t87_lanes;
+  const Lanes<2> t98_lanes = 0.0022500062 + t88_lanes;
+  const Lanes<2> t99_lanes = 0.7139200499999999 + t87_lanes;
+  const Lanes<2> t100_lanes = detail::make_pack<Real>(s11, s18) * (t77_lanes - t60_lanes) +
+      detail::make_pack<Real>(c11, c18) * (2.0 * t58_lanes);
+  const Lanes<2> t101_lanes = detail::make_pack<Real>(c11, c18) * t85_lanes -
+      detail::make_pack<Real>(s11, s18) * t64_lanes;
 
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p160_lanes = 0.564 * M_2_2_p148_lanes;
-  const Lanes<2> M_2_6_p3_lanes = 0.0022500062 + M_2_2_p150_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_6_p4_lanes = 0.7139200499999999 + M_2_2_p148_lanes;
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p166_lanes = detail::make_pack<Real>(s11, s18) *
-      (M_2_2_p129_lanes - M_2_2_p101_lanes) + detail::make_pack<Real>(c11, c18) *
-      (2.0 * M_2_2_p97_lanes);
-  const Lanes<2> M_2_2_p168_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p144_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p109_lanes;
-  const Lanes<2> M_9_10_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p144_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p109_lanes;
-  M[226] = M_9_10_lanes[0];
-  M[249] = M_9_10_lanes[0];
-
-  // link 18 (right_wrist1), composite inertia
-  M[401] = M_9_10_lanes[1];
-  M[424] = M_9_10_lanes[1];
-
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p172 = M_21_22_lanes[1] + M_21_22_lanes[0];
-  const Real M_21_21 = 0.063951825 - M_2_2_p111 + 4.75e-05 * (c24 + c23);
+  // links 11, 18, 23, composite inertia
+  const Lanes<2> t102_lanes = detail::make_pack<Real>(s11, s18) * t85_lanes +
+      detail::make_pack<Real>(c11, c18) * t64_lanes;
+  M[226] = t102_lanes[0];
+  M[249] = t102_lanes[0];
+  M[401] = t102_lanes[1];
+  M[424] = t102_lanes[1];
+  const Real t105 = t95_lanes[1] + t95_lanes[0];
+  const Real M_21_21 = 0.063951825 - t65 + 4.75e-05 * (c24 + c23);
   M[525] = M_21_21;
+  const Lanes<2> t109_lanes = detail::make_pack<Real>(s11, s18) * t100_lanes;
+  const Lanes<2> t110_lanes = 0.0001499998887063 + t101_lanes;
+  const Lanes<2> t112_lanes = detail::make_pack<Real>((-0.0001499998887063), 0.0001499998887063) -
+      t102_lanes;
 
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p177_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p166_lanes;
-  const Lanes<2> M_2_2_p179_lanes = 0.0001499998887063 + M_2_2_p168_lanes;
-  const Lanes<2> M_2_2_p183_lanes = detail::make_pack<Real>((-0.0001499998887063),
-      0.0001499998887063) - M_9_10_lanes;
+  // links 9, 16, 22 to 24, composite inertia
+  const Real t113 = minus_h_22_y * c22 - s22 * t93;
+  const Real t114 = t94_lanes[0] + 2.375e-05 * (s24 + s23) + t94_lanes[1];
+  const Real t115 = s22 * (t89 - t76) + c22 * (2.0 * t71);
+  const Lanes<2> t116_lanes = detail::make_pack<Real>(s9, s16) * t98_lanes -
+      detail::make_pack<Real>(c9, c16) * t72_lanes;
+  const Lanes<2> t120_lanes = detail::make_pack<Real>(c9, c16) * t98_lanes +
+      detail::make_pack<Real>(s9, s16) * t72_lanes;
+  const Real t124 = 0.788 * t113;
+  const Real t125 = s22 * t115;
+  const Lanes<2> t126_lanes = detail::make_pack<Real>(0.0017499999999999998,
+      (-0.0017499999999999998)) - t116_lanes;
+  const Lanes<2> t127_lanes = 0.00025 * detail::make_pack<Real>(s23, s24);
 
-  // link 22 (head), composite inertia
-  const Real M_2_2_p185 = 0.43200000000000005 * c22 - s22 * M_2_2_p157;
+  // links 11 (left_wrist1) and 18 (right_wrist1), composite inertia
+  const Lanes<2> t128_lanes = 0.06060754126741261 + (t77_lanes - t109_lanes);
+  const Lanes<2> t130_lanes = detail::make_pack<Real>((-2.249994685315e-05), 2.249994685315e-05) +
+      (detail::make_pack<Real>(c11, c18) * t100_lanes - t58_lanes);
+  const Lanes<2> t131_lanes = 0.060888541114265754 + (t60_lanes + t109_lanes);
+  M[225] = t131_lanes[0];
+  M[400] = t131_lanes[1];
 
-  // link 23 (left_eye), composite inertia
-  const Real M_2_2_p186 = M_2_2_p158_lanes[0] + 2.375e-05 * (s24 + s23) + M_2_2_p158_lanes[1];
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p187 = s22 * (M_2_2_p152 - M_2_2_p128) + c22 * (2.0 * M_2_2_p122);
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_6_p9_lanes = detail::make_pack<Real>(s9, s16) * M_2_6_p3_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_6_p1_lanes;
-  const Lanes<2> M_2_6_p10_lanes = detail::make_pack<Real>(c9, c16) * M_2_6_p3_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_6_p1_lanes;
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p198 = 0.788 * M_2_2_p185;
-  const Real M_2_2_p199 = s22 * M_2_2_p187;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_6_p11_lanes = detail::make_pack<Real>(0.0017499999999999998,
-      (-0.0017499999999999998)) - M_2_6_p9_lanes;
-
-  // link 23 (left_eye), composite inertia
-  const Lanes<2> M_5_20_p1_lanes = 0.00025 * detail::make_pack<Real>(s23, s24);
-
-  // link 11 (left_wrist1), composite inertia
-  const Lanes<2> M_2_2_p201_lanes = 0.06060754126741261 + (M_2_2_p129_lanes - M_2_2_p177_lanes);
-  const Lanes<2> M_2_2_p205_lanes = detail::make_pack<Real>((-2.249994685315e-05),
-      2.249994685315e-05) + (detail::make_pack<Real>(c11, c18) * M_2_2_p166_lanes -
-      M_2_2_p97_lanes);
-  const Lanes<2> M_9_9_lanes = 0.060888541114265754 + (M_2_2_p101_lanes + M_2_2_p177_lanes);
-  M[225] = M_9_9_lanes[0];
-
-  // link 18 (right_wrist1), composite inertia
-  M[400] = M_9_9_lanes[1];
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p208 = M_21_21 + M_2_2_p198;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_6_p13_lanes = 0.0017499999999999998 - M_2_6_p10_lanes;
-
-  // link 22 (head), composite inertia
-  const Real M_5_20_p3 = c22 * M_2_2_p157 + 0.43200000000000005 * s22;
-  const Real M_2_2_p210 = M_2_2_p128 + M_2_2_p199;
-  const Real M_2_2_p219 = c22 * M_2_2_p186 + s22 * M_2_2_p172;
-
-  // link 23 (left_eye), composite inertia
-  const Real M_5_20_p4 = M_5_20_p1_lanes[1] + M_5_20_p1_lanes[0];
-
-  // link 22 (head), composite inertia
-  const Real M_2_2_p220 = M_2_2_p152 - M_2_2_p199 + M_2_2_p198;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_6_p14_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p4_lanes -
-      detail::make_pack<Real>(s8, s15) * M_2_6_p11_lanes;
-
-  // link 22 (head), composite inertia
-  const Real M_20_21 = s22 * M_2_2_p186 - c22 * M_2_2_p172;
+  // links 8, 15, 22 and 23, composite inertia
+  const Real t133 = M_21_21 + t124;
+  const Lanes<2> t134_lanes = 0.0017499999999999998 - t120_lanes;
+  const Real t135 = c22 * t93 + minus_h_22_y * s22;
+  const Real t136 = t76 + t125;
+  const Real t142 = c22 * t114 + s22 * t105;
+  const Real t143 = t127_lanes[1] + t127_lanes[0];
+  const Real t144 = t89 - t125 + t124;
+  const Lanes<2> t145_lanes = detail::make_pack<Real>(c8, c15) * t99_lanes -
+      detail::make_pack<Real>(s8, s15) * t126_lanes;
+  const Real M_20_21 = s22 * t114 - c22 * t105;
   M[501] = M_20_21;
   M[524] = M_20_21;
 
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p224_lanes = 0.0008177492704690715 + (M_9_9_lanes + M_2_2_p160_lanes);
-  const Lanes<2> M_2_2_p227_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p183_lanes -
-      detail::make_pack<Real>(c10, c17) * M_2_2_p205_lanes;
-  const Lanes<2> M_8_9_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p205_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p183_lanes;
-  M[201] = -M_8_9_lanes[0];
-  M[224] = -M_8_9_lanes[0];
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), composite inertia
+  const Lanes<2> t147_lanes = 0.0008177492704690715 + (t131_lanes + t96_lanes);
+  const Lanes<2> t149_lanes = detail::make_pack<Real>(s10, s17) * t112_lanes -
+      detail::make_pack<Real>(c10, c17) * t130_lanes;
+  const Lanes<2> t150_lanes = detail::make_pack<Real>(s10, s17) * t130_lanes +
+      detail::make_pack<Real>(c10, c17) * t112_lanes;
+  M[201] = -t150_lanes[0];
+  M[224] = -t150_lanes[0];
 
-  // link 17 (right_lowerarm), composite inertia
-  M[376] = -M_8_9_lanes[1];
-  M[399] = -M_8_9_lanes[1];
+  // links 8, 10, 15, 17, 21, composite inertia
+  M[376] = -t150_lanes[1];
+  M[399] = -t150_lanes[1];
+  const Real t151 = s21 * t142;
+  const Lanes<2> t152_lanes = t145_lanes - 0.0017499999999999998;
+  const Lanes<2> t153_lanes = detail::make_pack<Real>(s8, s15) * t99_lanes +
+      detail::make_pack<Real>(c8, c15) * t126_lanes;
 
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p229 = s21 * M_2_2_p219;
+  // links 10, 17, 22, composite inertia
+  const Real t154 = h_21_x + t135;
+  const Lanes<2> t156_lanes = detail::make_pack<Real>(c10, c17) * (2.0 * t110_lanes) -
+      detail::make_pack<Real>(s10, s17) * (t128_lanes - t80_lanes);
+  const Lanes<2> t157_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
+      (-4.4999986458742003e-05)) - t149_lanes;
+  const Real t160 = M_20_21 - link21_to_22_z * t143;
+  const Real t161 = minus_J_21_xz + (c22 * t115 - t71 + link21_to_22_z * t135);
 
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_6_p16_lanes = M_2_6_p14_lanes - 0.0017499999999999998;
-  const Lanes<2> M_2_2_p231_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p4_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_6_p11_lanes;
+  // links 7, 10, 14, 17, composite inertia
+  const Real t163 = t153_lanes[1] + t153_lanes[0];
+  const Lanes<2> t164_lanes = detail::make_pack<Real>(s10, s17) * t156_lanes;
+  const Lanes<2> t167_lanes = detail::make_pack<Real>(0.0012089992423205001,
+      (-0.0012089992423205001)) + (0.282 * t62_lanes - t150_lanes);
+  const Lanes<2> t168_lanes = detail::make_pack<Real>(s7, s14) * t134_lanes +
+      detail::make_pack<Real>(c7, c14) * t152_lanes;
+  const Lanes<2> t171_lanes = detail::make_pack<Real>(c7, c14) * t134_lanes -
+      detail::make_pack<Real>(s7, s14) * t152_lanes;
+  const Lanes<2> t175_lanes = t80_lanes - t164_lanes;
 
-  // link 22 (head), composite inertia
-  const Real M_2_2_p233 = 0.0045000000000000005 + M_5_20_p3;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p234_lanes = detail::make_pack<Real>(c10, c17) * (2.0 * M_2_2_p179_lanes) -
-      detail::make_pack<Real>(s10, s17) * (M_2_2_p201_lanes - M_2_2_p135_lanes);
-  const Lanes<2> M_2_2_p236_lanes = detail::make_pack<Real>(4.4999986458742003e-05,
-      (-4.4999986458742003e-05)) - M_2_2_p227_lanes;
-
-  // link 22 (head), composite inertia
-  const Real M_5_20_p5 = M_20_21 - 0.394 * M_5_20_p4;
-  const Real M_5_20_p6 = 0.0016155 + (c22 * M_2_2_p187 - M_2_2_p122 + 0.394 * M_5_20_p3);
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p241 = M_2_2_p231_lanes[1] + M_2_2_p231_lanes[0];
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p242_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p234_lanes;
-  const Lanes<2> M_2_2_p248_lanes = detail::make_pack<Real>(0.0012089992423205001,
-      (-0.0012089992423205001)) + (0.282 * M_2_2_p105_lanes - M_8_9_lanes);
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_6_p18_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p13_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_6_p16_lanes;
-  const Lanes<2> M_5_6_p3_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p13_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_6_p16_lanes;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p259_lanes = M_2_2_p135_lanes - M_2_2_p242_lanes;
-
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p261 = c21 * (0.005513625 + M_2_2_p220 - (0.000703125 + M_2_2_p208)) + 2.0 *
-      M_2_2_p229;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p263 = M_2_6_p18_lanes[1] + M_2_6_p18_lanes[0];
-
-  // link 21 (neck), composite inertia
-  const Real M_5_20 = c21 * M_5_20_p6 + s21 * M_5_20_p5;
+  // links 7 (left_shoulder1) and 21 (neck), composite inertia
+  const Real t176 = c21 * (J_21_xx + t144 - (J_21_yy + t133)) + 2.0 * t151;
+  const Real t178 = t168_lanes[1] + t168_lanes[0];
+  const Real M_5_20 = c21 * t161 + s21 * t160;
   M[140] = -M_5_20;
   M[485] = -M_5_20;
-  const Real M_2_2_p264 = s21 * M_5_20_p6 - c21 * M_5_20_p5;
 
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p265 = M_5_6_p3_lanes[1] + M_5_6_p3_lanes[0];
+  // links 7, 9, 16, 21, composite inertia
+  const Real t179 = s21 * t161 - c21 * t160;
+  const Real t181 = t171_lanes[1] + t171_lanes[0];
+  const Lanes<2> t184_lanes = 0.0028970433559338655 + t175_lanes;
+  const Real t185 = s21 * t154 + c21 * t143;
+  const Real t186 = c21 * t176;
 
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p270_lanes = 0.0028970433559338655 + M_2_2_p259_lanes;
+  // links 7, 10, 14, 17, 21, composite inertia
+  const Lanes<2> t188_lanes = 0.226 * t168_lanes;
+  const Lanes<2> t189_lanes = 0.0019585440854647937 + (t128_lanes + t164_lanes + t96_lanes);
+  const Lanes<2> t190_lanes = 0.0005895000784280001 +
+      (t110_lanes - detail::make_pack<Real>(c10, c17) * t156_lanes + 0.282 * t88_lanes);
+  const Real t191 = t178 - minus_h_6_x - t113;
+  const Real t192 = t185 + t163;
+  const Lanes<2> t196_lanes = detail::make_pack<Real>(0.18, (-0.18)) * t153_lanes - t188_lanes;
+  const Real t197 = c21 * t154 - s21 * t143;
 
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p272 = s21 * M_2_2_p233 + c21 * M_5_20_p4;
-  const Real M_2_2_p273 = c21 * M_2_2_p261;
+  // links 7, 9, 16, composite inertia
+  const Lanes<2> t199_lanes = detail::make_pack<Real>(s9, s16) * t190_lanes -
+      detail::make_pack<Real>(c9, c16) * t167_lanes;
+  const Lanes<2> t200_lanes = detail::make_pack<Real>(c9, c16) * t190_lanes +
+      detail::make_pack<Real>(s9, s16) * t167_lanes;
+  M[176] = -t200_lanes[0];
+  M[199] = -t200_lanes[0];
+  M[351] = -t200_lanes[1];
+  M[374] = -t200_lanes[1];
+  const Real t201 = t197 + t181;
 
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_5_5_p3_lanes = 0.226 * M_2_6_p18_lanes;
+  // links 6, 9, 16, composite inertia
+  const Real t202 = c6 * t191 - s6 * t192;
+  const Real t203 = s6 * t191 + c6 * t192;
+  const Lanes<2> t204_lanes = detail::make_pack<Real>(c9, c16) * (t189_lanes - t147_lanes) -
+      detail::make_pack<Real>(s9, s16) * (2.0 * t157_lanes);
+  const Lanes<2> t205_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
+      5.2499999999999995e-05) + t199_lanes;
+  const Lanes<2> t206_lanes = t200_lanes - 0.00010499999999999999;
+  const Real t207 = 0.144 * t202;
+  const Real t208 = t202 - minus_h_5_y;
+  const Real t209 = h_5_x + t201;
+  const Lanes<2> t210_lanes = detail::make_pack<Real>(c9, c16) * t204_lanes;
+  const Real t215 = minus_link2_to_3_y * s2;
+  const Real t216 = minus_link2_to_3_y * c2;
+  const Real c2_plus_3 = c2 * c3 - s2 * s3;
+  const Lanes<2> t220_lanes = t147_lanes + t210_lanes;
 
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_2_2_p274_lanes = 0.0019585440854647937 +
-      (M_2_2_p201_lanes + M_2_2_p242_lanes + M_2_2_p160_lanes);
-  const Lanes<2> M_2_2_p276_lanes = 0.0005895000784280001 +
-      (M_2_2_p179_lanes - detail::make_pack<Real>(c10, c17) * M_2_2_p234_lanes + 0.282 *
-      M_2_2_p150_lanes);
+  // links 5, 9, 16, composite inertia
+  const Real t221 = s5 * t208 - c5 * t209;
+  const Real t222 = s5 * t209 + c5 * t208;
+  const Real s2_plus_3 = s2 * c3 + c2 * s3;
+  const Lanes<2> t223_lanes = 0.18113119219699997 + (t189_lanes - t210_lanes);
+  const Lanes<2> t224_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
+      (detail::make_pack<Real>(s9, s16) * t204_lanes + t157_lanes);
 
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p278 = M_2_2_p263 - 6.1665928899999995 - M_2_2_p185;
-  const Real M_2_2_p279 = M_2_2_p272 + M_2_2_p241;
-  const Lanes<2> M_5_5_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_2_p231_lanes -
-      M_5_5_p3_lanes;
+  // links 4 and 5, 8, 15, composite inertia
+  const Lanes<2> t225_lanes = 0.18140244219699997 + t220_lanes;
+  const Real t226 = t222 - minus_h_3_y;
+  const Real t230 = c4 * t203;
+  const Lanes<2> t232_lanes = detail::make_pack<Real>(c8, c15) * t206_lanes -
+      detail::make_pack<Real>(s8, s15) * t224_lanes;
+  const Lanes<2> t233_lanes = detail::make_pack<Real>(s8, s15) * t206_lanes +
+      detail::make_pack<Real>(c8, c15) * t224_lanes;
+  M[151] = t233_lanes[0];
+  M[174] = t233_lanes[0];
+  M[326] = t233_lanes[1];
+  M[349] = t233_lanes[1];
+  const Real t234 = minus_h_3_x + s4 * t203 + (minus_h_4_x + t221) * c4;
+  const Real t235 = t230 - s4 * t221;
+  const Lanes<2> t236_lanes = detail::make_pack<Real>(s8, s15) * (t184_lanes - t223_lanes) +
+      detail::make_pack<Real>(c8, c15) * (2.0 * t205_lanes);
+  const Lanes<2> t237_lanes = t232_lanes - 8.75e-06;
+  const Lanes<2> t238_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + t233_lanes;
+  const Real t239 = t235 - minus_h_4_x * s4;
 
-  // link 21 (neck), composite inertia
-  const Real M_2_2_p284 = c21 * M_2_2_p233 - s21 * M_5_20_p4;
+  // links 4 (chest1) and 5 (chest2), mass matrix; links 3, 8, 15, composite inertia
+  const Real t240 = c4 * t222;
+  const Lanes<2> t241_lanes = detail::make_pack<Real>(s8, s15) * t236_lanes;
+  const Real t246 = c2_plus_3 * t226 - s2_plus_3 * t234;
+  const Real t247 = c2_plus_3 * t239;
+  const Real t252 = s2_plus_3 * t221 - c2_plus_3 * t240;
+  const Real t253 = h_2_x * s2 - minus_h_2_y * c2 + t246;
 
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p287_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p276_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_2_p248_lanes;
-  const Lanes<2> M_7_8_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p276_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_2_p248_lanes;
-  M[176] = -M_7_8_lanes[0];
-  M[199] = -M_7_8_lanes[0];
+  // links 8 (left_shoulder2) and 15 (right_shoulder2), composite inertia
+  const Lanes<2> t254_lanes = 0.0002975 + (t184_lanes - t241_lanes);
+  const Lanes<2> t255_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
+      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * t236_lanes - t205_lanes);
+  const Lanes<2> t256_lanes = 0.000448 + (t223_lanes + t241_lanes);
+  M[150] = t256_lanes[0];
+  M[325] = t256_lanes[1];
 
-  // link 16 (right_upperarm), composite inertia
-  M[351] = -M_7_8_lanes[1];
-  M[374] = -M_7_8_lanes[1];
+  // links 6 and 7, 14, mass matrix; link 3 (hip), composite inertia
+  const Real t257 = c5 * t203;
+  const Real t258 = t215 * (c2_plus_3 * t234 + s2_plus_3 * t226) + t216 * t246;
+  const Lanes<2> t262_lanes = t256_lanes - t188_lanes;
+  const Lanes<2> t263_lanes = s6 * t171_lanes;
+  const Real t264 = t230 * s5 - s4 * t202;
+  const Lanes<2> t271_lanes = c6 * t171_lanes;
 
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p289 = M_2_2_p284 + M_2_2_p265;
+  // links 7 (left_shoulder1) and 14 (right_shoulder1), composite inertia
+  const Real t274 = 1.67475326092404 + t144 - t186 + t256_lanes[1] + t256_lanes[0] - 0.452 * t178;
+  const Lanes<2> t276_lanes = detail::make_pack<Real>(c7, c14) * (t225_lanes - t254_lanes) -
+      detail::make_pack<Real>(s7, s14) * (2.0 * t237_lanes);
+  const Lanes<2> t277_lanes = detail::make_pack<Real>(s7, s14) * t238_lanes +
+      detail::make_pack<Real>(c7, c14) * t255_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      t168_lanes;
+  const Lanes<2> t278_lanes = detail::make_pack<Real>(c7, c14) * t238_lanes -
+      detail::make_pack<Real>(s7, s14) * t255_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      t171_lanes;
+  M[126] = t278_lanes[0];
+  M[149] = t278_lanes[0];
+  M[133] = t278_lanes[1];
+  M[317] = t278_lanes[1];
+  const Lanes<2> t282_lanes = detail::make_pack<Real>(c7, c14) * t276_lanes;
+  const Lanes<2> t283_lanes = detail::make_pack<Real>(s7, s14) * t276_lanes;
 
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p290 = c6 * M_2_2_p278 - s6 * M_2_2_p279;
-  const Real M_2_2_p291 = s6 * M_2_2_p278 + c6 * M_2_2_p279;
+  // links 6 and 7, 14, mass matrix; links 9 (left_upperarm) and 16 (right_upperarm), composite
+  //   inertia
+  const Lanes<2> t285_lanes = t278_lanes - minus_link5_to_6_y * t263_lanes;
+  const Lanes<2> t287_lanes = 0.18125194219699997 + t220_lanes;
+  M[175] = t287_lanes[0];
+  M[350] = t287_lanes[1];
+  const Real t289 = c2_plus_3 * t264 + s2_plus_3 * t257;
 
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p292_lanes = detail::make_pack<Real>(c9, c16) *
-      (M_2_2_p274_lanes - M_2_2_p224_lanes) - detail::make_pack<Real>(s9, s16) *
-      (2.0 * M_2_2_p236_lanes);
-  const Lanes<2> M_2_2_p294_lanes = detail::make_pack<Real>((-5.2499999999999995e-05),
-      5.2499999999999995e-05) + M_2_2_p287_lanes;
-  const Lanes<2> M_2_2_p296_lanes = M_7_8_lanes - 0.00010499999999999999;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p298 = 0.144 * M_2_2_p290;
-  const Real M_1_1_p1 = M_2_2_p290 - 2.2194301519999997;
-  const Real M_1_1_p2 = 0.069699984375 + M_2_2_p289;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p299_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p292_lanes;
-  const Real M_1_1_p3 = 0.422 * s2;
-  const Real M_1_1_p4 = 0.422 * c2;
-  const Real M_1_1_p5 = c2 * c3 - s2 * s3;
-  const Lanes<2> M_2_2_p313_lanes = M_2_2_p224_lanes + M_2_2_p299_lanes;
-
-  // link 5 (chest2), composite inertia
-  const Real M_1_1_p6 = s5 * M_1_1_p1 - c5 * M_1_1_p2;
-  const Real M_1_1_p7 = s5 * M_1_1_p2 + c5 * M_1_1_p1;
-  const Real M_1_1_p8 = s2 * c3 + c2 * s3;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_2_2_p315_lanes = 0.18113119219699997 + (M_2_2_p274_lanes - M_2_2_p299_lanes);
-  const Lanes<2> M_2_2_p317_lanes = detail::make_pack<Real>((-1.75e-05), 1.75e-05) +
-      (detail::make_pack<Real>(s9, s16) * M_2_2_p292_lanes + M_2_2_p236_lanes);
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p319_lanes = 0.18140244219699997 + M_2_2_p313_lanes;
-
-  // link 4 (chest1), composite inertia
-  const Real M_1_1_p9 = M_1_1_p7 - 8.419374554;
-
-  // link 5 (chest2), composite inertia
-  const Real M_1_3_p1 = c4 * M_2_2_p291;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p327_lanes = detail::make_pack<Real>(c8, c15) * M_2_2_p296_lanes -
-      detail::make_pack<Real>(s8, s15) * M_2_2_p317_lanes;
-  const Lanes<2> M_6_7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p296_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p317_lanes;
-  M[151] = M_6_7_lanes[0];
-  M[174] = M_6_7_lanes[0];
-
-  // link 15 (right_shoulder2), composite inertia
-  M[326] = M_6_7_lanes[1];
-  M[349] = M_6_7_lanes[1];
-
-  // link 4 (chest1), composite inertia
-  const Real M_1_1_p10 = 0.02999999505 + s4 * M_2_2_p291 + (0.0300000063 + M_1_1_p6) * c4;
-
-  // link 5 (chest2), composite inertia
-  const Real M_1_3_p2 = M_1_3_p1 - s4 * M_1_1_p6;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p329_lanes = detail::make_pack<Real>(s8, s15) *
-      (M_2_2_p270_lanes - M_2_2_p315_lanes) + detail::make_pack<Real>(c8, c15) *
-      (2.0 * M_2_2_p294_lanes);
-  const Lanes<2> M_2_2_p331_lanes = M_2_2_p327_lanes - 8.75e-06;
-  const Lanes<2> M_2_6_p20_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + M_6_7_lanes;
-
-  // link 5 (chest2), composite inertia
-  const Real M_1_3_p3 = M_1_3_p2 - 0.0300000063 * s4;
-
-  // link 5 (chest2), mass matrix
-  const Real M_1_4_p1 = c4 * M_1_1_p7;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p334_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p329_lanes;
-
-  // link 3 (hip), composite inertia
-  const Real M_1_1_p11 = M_1_1_p5 * M_1_1_p9 - M_1_1_p8 * M_1_1_p10;
-
-  // link 4 (chest1), mass matrix
-  const Real M_1_3_p4 = M_1_1_p5 * M_1_3_p3;
-
-  // link 5 (chest2), mass matrix
-  const Real M_1_4_p2 = M_1_1_p8 * M_1_1_p6 - M_1_1_p5 * M_1_4_p1;
-
-  // link 3 (hip), composite inertia
-  const Real M_0_0_p1 = 0.031999971599999996 * s2 - 24.5839218 * c2 + M_1_1_p11;
-
-  // link 8 (left_shoulder2), composite inertia
-  const Lanes<2> M_2_2_p345_lanes = 0.0002975 + (M_2_2_p270_lanes - M_2_2_p334_lanes);
-  const Lanes<2> M_2_6_p24_lanes = detail::make_pack<Real>((-2.6249999999999998e-05),
-      2.6249999999999998e-05) + (detail::make_pack<Real>(c8, c15) * M_2_2_p329_lanes -
-      M_2_2_p294_lanes);
-  const Lanes<2> M_6_6_lanes = 0.000448 + (M_2_2_p315_lanes + M_2_2_p334_lanes);
-  M[150] = M_6_6_lanes[0];
-
-  // link 15 (right_shoulder2), composite inertia
-  M[325] = M_6_6_lanes[1];
-
-  // link 6 (chest3), mass matrix
-  const Real M_1_5_p1 = c5 * M_2_2_p291;
-
-  // link 3 (hip), composite inertia
-  const Real M_1_1_p12 = M_1_1_p3 * (M_1_1_p5 * M_1_1_p10 + M_1_1_p8 * M_1_1_p9) + M_1_1_p4 *
-      M_1_1_p11;
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p26_lanes = M_6_6_lanes - M_5_5_p3_lanes;
-  const Lanes<2> M_2_6_p27_lanes = s6 * M_5_6_p3_lanes;
-
-  // link 6 (chest3), mass matrix
-  const Real M_1_5_p2 = M_1_3_p1 * s5 - s4 * M_2_2_p290;
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_p2_lanes = c6 * M_5_6_p3_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p354 = 1.67475326092404 + M_2_2_p220 - M_2_2_p273 + M_6_6_lanes[1] +
-      M_6_6_lanes[0] - 0.452 * M_2_2_p263;
-  const Lanes<2> M_2_2_p355_lanes = detail::make_pack<Real>(c7, c14) *
-      (M_2_2_p319_lanes - M_2_2_p345_lanes) - detail::make_pack<Real>(s7, s14) *
-      (2.0 * M_2_2_p331_lanes);
-  const Lanes<2> M_2_6_p31_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p20_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_6_p24_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_6_p18_lanes;
-  const Lanes<2> M_5_6_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p20_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_6_p24_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_5_6_p3_lanes;
-  M[126] = M_5_6_lanes[0];
-  M[149] = M_5_6_lanes[0];
-
-  // link 14 (right_shoulder1), composite inertia
-  M[133] = M_5_6_lanes[1];
-  M[317] = M_5_6_lanes[1];
-
-  // link 7 (left_shoulder1), composite inertia
-  const Lanes<2> M_2_2_p358_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p355_lanes;
-  const Lanes<2> M_2_2_p360_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p355_lanes;
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p33_lanes = M_5_6_lanes - 0.072 * M_2_6_p27_lanes;
-
-  // link 9 (left_upperarm), composite inertia
-  const Lanes<2> M_7_7_lanes = 0.18125194219699997 + M_2_2_p313_lanes;
-  M[175] = M_7_7_lanes[0];
-
-  // link 16 (right_upperarm), composite inertia
-  M[350] = M_7_7_lanes[1];
-
-  // link 6 (chest3), mass matrix
-  const Real M_1_5_p3 = M_1_1_p5 * M_1_5_p2 + M_1_1_p8 * M_1_5_p1;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p2_lanes = detail::make_pack<Real>(s7, s14) * M_2_2_p231_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p362 = M_5_6_lanes[1] - (M_2_2_p219 - s21 * M_2_2_p261) + M_5_6_lanes[0];
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_p8_lanes = s5 * M_2_6_p18_lanes - c5 * M_1_6_p2_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p363 = M_2_2_p358_lanes[1] + M_2_2_p358_lanes[0];
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p35_lanes = c6 * M_2_6_p31_lanes - s6 * M_2_6_p26_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p364 = M_2_2_p264 + M_2_6_p31_lanes[1] + M_2_6_p31_lanes[0] + 0.226 * M_2_2_p241;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p1_lanes = detail::make_pack<Real>(c7, c14) * M_2_2_p231_lanes;
-  const Lanes<2> M_2_7_p9_lanes = detail::make_pack<Real>(s7, s14) * M_7_7_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_2_p327_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_7_p2_lanes;
-  const Lanes<2> M_2_7_p10_lanes = M_6_7_lanes + 0.226 * M_2_7_p2_lanes;
-
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_5_5 = 2.07035776092404 + M_2_2_p208 + M_2_2_p273 + M_2_2_p345_lanes[1] + M_2_2_p363 +
-      M_2_2_p345_lanes[0] + 2.0 * (M_5_5_p5_lanes[1] + M_5_5_p5_lanes[0]);
+  // links 7 and 8, 14 and 15, mass matrix; link 7 (left_shoulder1), composite inertia
+  const Lanes<2> t290_lanes = detail::make_pack<Real>(s7, s14) * t153_lanes;
+  const Real t291 = t278_lanes[1] - (t142 - s21 * t176) + t278_lanes[0];
+  const Lanes<2> t293_lanes = s5 * t168_lanes - c5 * t271_lanes;
+  const Real t294 = t282_lanes[1] + t282_lanes[0];
+  const Lanes<2> t297_lanes = c6 * t277_lanes - s6 * t262_lanes;
+  const Real t298 = t179 + t277_lanes[1] + t277_lanes[0] + 0.226 * t163;
+  const Lanes<2> t300_lanes = detail::make_pack<Real>(c7, c14) * t153_lanes;
+  const Lanes<2> t314_lanes = detail::make_pack<Real>(s7, s14) * t287_lanes +
+      detail::make_pack<Real>(c7, c14) * t232_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      t290_lanes;
+  const Lanes<2> t315_lanes = t233_lanes + 0.226 * t290_lanes;
+  const Real M_5_5 = 2.07035776092404 + t133 + t186 + t254_lanes[1] + t294 + t254_lanes[0] + 2.0 *
+      (t196_lanes[1] + t196_lanes[0]);
   M[125] = M_5_5;
+  const Lanes<2> t319_lanes = s4 * t263_lanes + c4 * (c5 * t168_lanes + s5 * t271_lanes);
+  const Lanes<2> t321_lanes = c6 * t300_lanes + s6 * t145_lanes;
+  const Lanes<2> t322_lanes = c6 * t145_lanes - s6 * t300_lanes;
+  const Lanes<2> t323_lanes = detail::make_pack<Real>(0.18, (-0.18)) * t300_lanes - 0.226 *
+      t145_lanes;
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_p10_lanes = s4 * M_2_6_p27_lanes + c4 *
-      (c5 * M_2_6_p18_lanes + s5 * M_1_6_p2_lanes);
+  // links 7, 10, 17, composite inertia; link 6 (chest3), mass matrix
+  const Real t325 = 0.40663174999999996 + t136 + t225_lanes[1] - t294 + (-0.36) * t153_lanes[1] +
+      t225_lanes[0] + 0.36 * t153_lanes[0];
+  const Real t326 = J_6_xz + M_5_20 + t283_lanes[1] + t237_lanes[1] + t283_lanes[0] +
+      t237_lanes[0] + 0.226 * t181;
+  const Real t328 = M_5_5 - minus_link5_to_6_y * t202;
+  const Lanes<2> t331_lanes = 0.0027762933559338653 + t175_lanes;
+  M[200] = t331_lanes[0];
+  M[375] = t331_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p6_lanes = c6 * M_1_7_p1_lanes + s6 * M_2_6_p14_lanes;
-  const Lanes<2> M_2_7_p11_lanes = c6 * M_2_6_p14_lanes - s6 * M_1_7_p1_lanes;
-  const Lanes<2> M_5_7_p6_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_1_7_p1_lanes - 0.226 *
-      M_2_6_p14_lanes;
+  // links 8 (left_shoulder2) and 15 (right_shoulder2), mass matrix
+  const Lanes<2> t334_lanes = detail::make_pack<Real>(c7, c14) * t287_lanes -
+      detail::make_pack<Real>(s7, s14) * t232_lanes + t323_lanes;
+  M[127] = t334_lanes[0];
+  M[173] = t334_lanes[0];
+  M[134] = t334_lanes[1];
+  M[341] = t334_lanes[1];
 
-  // link 7 (left_shoulder1), composite inertia
-  const Real M_2_2_p365 = 0.40663174999999996 + M_2_2_p210 + M_2_2_p319_lanes[1] - M_2_2_p363 +
-      (-0.36) * M_2_2_p231_lanes[1] + M_2_2_p319_lanes[0] + 0.36 * M_2_2_p231_lanes[0];
-  const Real M_2_2_p366 = 0.0187369177636143 + M_5_20 + M_2_2_p360_lanes[1] + M_2_2_p331_lanes[1] +
-      M_2_2_p360_lanes[0] + M_2_2_p331_lanes[0] + 0.226 * M_2_2_p265;
-
-  // link 6 (chest3), mass matrix
-  const Real M_2_5_p1 = M_5_5 - 0.072 * M_2_2_p290;
-
-  // link 10 (left_lowerarm), composite inertia
-  const Lanes<2> M_8_8_lanes = 0.0027762933559338653 + M_2_2_p259_lanes;
-  M[200] = M_8_8_lanes[0];
-
-  // link 17 (right_lowerarm), composite inertia
-  M[375] = M_8_8_lanes[1];
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_5_7_lanes = detail::make_pack<Real>(c7, c14) * M_7_7_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_2_p327_lanes + M_5_7_p6_lanes;
-  M[127] = M_5_7_lanes[0];
-  M[173] = M_5_7_lanes[0];
-
-  // link 15 (right_shoulder2), mass matrix
-  M[134] = M_5_7_lanes[1];
-  M[341] = M_5_7_lanes[1];
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p367 = 0.15637308509675518 + (M_5_5 - M_2_2_p298);
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p3_lanes = detail::make_pack<Real>(s8, s15) * M_2_6_p10_lanes;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p15_lanes = c6 * M_2_7_p9_lanes - s6 * M_2_7_p10_lanes;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p368 = c6 * M_2_2_p366 - s6 * M_2_2_p362;
-  const Real M_4_5 = s6 * M_2_2_p366 + c6 * M_2_2_p362;
+  // link 6 (chest3), composite inertia; links 8 and 9, 15 and 16, mass matrix
+  const Real t336 = J_5_xx + (M_5_5 - t207);
+  const Lanes<2> t337_lanes = detail::make_pack<Real>(s8, s15) * t120_lanes;
+  const Lanes<2> t346_lanes = c6 * t314_lanes - s6 * t315_lanes;
+  const Real t348 = c6 * t326 - s6 * t291;
+  const Real M_4_5 = s6 * t326 + c6 * t291;
   M[101] = M_4_5;
   M[124] = M_4_5;
+  const Lanes<2> t352_lanes = detail::make_pack<Real>(s8, s15) * t199_lanes -
+      detail::make_pack<Real>(c8, c15) * t331_lanes;
+  const Lanes<2> t353_lanes = detail::make_pack<Real>(c8, c15) * t120_lanes;
+  const Lanes<2> t354_lanes = t334_lanes - minus_link5_to_6_y * t322_lanes;
+  const Lanes<2> t355_lanes = detail::make_pack<Real>(s8, s15) * t331_lanes +
+      detail::make_pack<Real>(c8, c15) * t199_lanes;
+  M[152] = -t355_lanes[0];
+  M[198] = -t355_lanes[0];
+  M[327] = -t355_lanes[1];
+  M[373] = -t355_lanes[1];
+  const Real t358 = s6 * (t325 - t274) + c6 * (2.0 * t298);
+  const Lanes<2> t359_lanes = c5 * t321_lanes - s5 * t290_lanes;
+  const Lanes<2> t360_lanes = detail::make_pack<Real>(s7, s14) * t116_lanes +
+      detail::make_pack<Real>(c7, c14) * t337_lanes;
+  const Lanes<2> t362_lanes = detail::make_pack<Real>(c7, c14) * t116_lanes -
+      detail::make_pack<Real>(s7, s14) * t337_lanes;
+  const Real t366 = s6 * t358;
+  const Real t367 = J_5_xy + (t348 + minus_link5_to_6_y * t201);
+  const Lanes<2> t377_lanes = detail::make_pack<Real>(c7, c14) * t200_lanes +
+      detail::make_pack<Real>(s7, s14) * t352_lanes;
+  const Lanes<2> t379_lanes = c4 * (c5 * t290_lanes + s5 * t321_lanes) - s4 * t322_lanes;
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p7_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p287_lanes -
-      detail::make_pack<Real>(c8, c15) * M_8_8_lanes;
-  const Lanes<2> M_2_8_p8_lanes = detail::make_pack<Real>(c8, c15) * M_2_6_p10_lanes;
+  // links 9 (left_upperarm) and 16 (right_upperarm), mass matrix; link 6 (chest3), composite
+  //   inertia
+  const Lanes<2> t381_lanes = c6 * t360_lanes + s6 * t353_lanes;
+  const Lanes<2> t382_lanes = detail::make_pack<Real>(0.18, (-0.18)) * t362_lanes -
+      (detail::make_pack<Real>(s7, s14) * t200_lanes - detail::make_pack<Real>(c7, c14) *
+      t352_lanes);
+  const Lanes<2> t383_lanes = 0.226 * t362_lanes - t355_lanes;
+  const Lanes<2> t384_lanes = s6 * t360_lanes - c6 * t353_lanes;
+  const Real t391 = J_5_yy + (t325 - t366);
+  const Real t392 = c6 * t358 - t298 + minus_link5_to_6_y * t203;
+  const Real t393 = t274 + t366 - t207;
+  const Lanes<2> t399_lanes = 0.226 * t353_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      t360_lanes - t377_lanes;
+  M[128] = t399_lanes[0];
+  M[197] = t399_lanes[0];
+  M[135] = t399_lanes[1];
+  M[365] = t399_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p16_lanes = M_5_7_lanes - 0.072 * M_2_7_p11_lanes;
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_6_8_lanes = detail::make_pack<Real>(s8, s15) * M_8_8_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_2_p287_lanes;
-  M[152] = -M_6_8_lanes[0];
-  M[198] = -M_6_8_lanes[0];
-
-  // link 16 (right_upperarm), mass matrix
-  M[327] = -M_6_8_lanes[1];
-  M[373] = -M_6_8_lanes[1];
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p369 = s6 * (M_2_2_p365 - M_2_2_p354) + c6 * (2.0 * M_2_2_p364);
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p12_lanes = c5 * M_1_7_p6_lanes - s5 * M_2_7_p2_lanes;
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p3_lanes = detail::make_pack<Real>(s7, s14) * M_2_6_p9_lanes +
-      detail::make_pack<Real>(c7, c14) * M_2_8_p3_lanes;
-  const Lanes<2> M_2_8_p10_lanes = detail::make_pack<Real>(c7, c14) * M_2_6_p9_lanes -
-      detail::make_pack<Real>(s7, s14) * M_2_8_p3_lanes;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p370 = s6 * M_2_2_p369;
-  const Real M_2_2_p371 = 0.005678398088837119 + (M_2_2_p368 + 0.072 * M_2_2_p289);
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_5_8_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_8_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_8_p7_lanes;
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p13_lanes = c4 * (c5 * M_2_7_p2_lanes + s5 * M_1_7_p6_lanes) - s4 *
-      M_2_7_p11_lanes;
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p8_lanes = c6 * M_1_8_p3_lanes + s6 * M_2_8_p8_lanes;
-  const Lanes<2> M_2_8_p16_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_8_p10_lanes -
-      (detail::make_pack<Real>(s7, s14) * M_7_8_lanes - detail::make_pack<Real>(c7, c14) *
-      M_2_8_p7_lanes);
-  const Lanes<2> M_2_8_p17_lanes = 0.226 * M_2_8_p10_lanes - M_6_8_lanes;
-  const Lanes<2> M_2_8_p18_lanes = s6 * M_1_8_p3_lanes - c6 * M_2_8_p8_lanes;
-
-  // link 6 (chest3), composite inertia
-  const Real M_2_2_p372 = 0.04675382692737882 + (M_2_2_p365 - M_2_2_p370);
-  const Real M_2_2_p373 = c6 * M_2_2_p369 - M_2_2_p364 + 0.072 * M_2_2_p291;
-  const Real M_4_4_p1 = M_2_2_p354 + M_2_2_p370 - M_2_2_p298;
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_5_8_lanes = 0.226 * M_2_8_p8_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_1_8_p3_lanes - M_5_8_p5_lanes;
-  M[128] = M_5_8_lanes[0];
-  M[197] = M_5_8_lanes[0];
-
-  // link 16 (right_upperarm), mass matrix
-  M[135] = M_5_8_lanes[1];
-  M[365] = M_5_8_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p1_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p148_lanes;
-  const Lanes<2> M_2_9_p4_lanes = M_9_9_lanes + 0.282 * M_2_2_p148_lanes;
-  const Lanes<2> M_2_9_p5_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p148_lanes;
-
-  // link 6 (chest3), composite inertia
-  const Real M_4_4 = 0.203126912024134 + M_4_4_p1;
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix; link 6 (chest3), composite
+  //   inertia
+  const Lanes<2> t400_lanes = detail::make_pack<Real>(s9, s16) * t87_lanes;
+  const Lanes<2> t403_lanes = t131_lanes + 0.282 * t87_lanes;
+  const Lanes<2> t404_lanes = detail::make_pack<Real>(c9, c16) * t87_lanes;
+  const Real M_4_4 = J_5_zz + t393;
   M[100] = M_4_4;
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p22_lanes = c6 * M_2_8_p16_lanes - s6 * M_2_8_p17_lanes;
-  const Lanes<2> M_2_8_p23_lanes = M_5_8_lanes - 0.072 * M_2_8_p18_lanes;
+  // links 9 (left_upperarm) and 16 (right_upperarm), mass matrix; link 5 (chest2), composite
+  //   inertia
+  const Lanes<2> t410_lanes = c6 * t382_lanes - s6 * t383_lanes;
+  const Lanes<2> t411_lanes = t399_lanes - minus_link5_to_6_y * t384_lanes;
+  const Real t416 = s5 * t392 - c5 * M_4_5;
+  const Lanes<2> t422_lanes = s5 * t362_lanes + c5 * t381_lanes;
+  const Real t424 = s5 * (t336 - t391) + c5 * (2.0 * t367);
 
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p374 = s5 * M_2_2_p373 - c5 * M_4_5;
+  // links 9 and 10, 16 and 17, mass matrix
+  const Lanes<2> t426_lanes = detail::make_pack<Real>(s8, s15) * t400_lanes -
+      detail::make_pack<Real>(c8, c15) * t88_lanes;
+  const Lanes<2> t427_lanes = detail::make_pack<Real>(s9, s16) * t149_lanes -
+      detail::make_pack<Real>(c9, c16) * t403_lanes;
+  const Lanes<2> t428_lanes = detail::make_pack<Real>(c9, c16) * t149_lanes +
+      detail::make_pack<Real>(s9, s16) * t403_lanes;
+  M[177] = -t428_lanes[0];
+  M[223] = -t428_lanes[0];
+  M[352] = -t428_lanes[1];
+  M[398] = -t428_lanes[1];
+  const Lanes<2> t429_lanes = c4 * (s5 * t381_lanes - c5 * t362_lanes) + s4 * t384_lanes;
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p14_lanes = s5 * M_2_8_p10_lanes + c5 * M_1_8_p8_lanes;
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p375 = s5 * (M_2_2_p367 - M_2_2_p372) + c5 * (2.0 * M_2_2_p371);
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p7_lanes = detail::make_pack<Real>(s8, s15) * M_1_9_p1_lanes -
-      detail::make_pack<Real>(c8, c15) * M_2_2_p150_lanes;
-  const Lanes<2> M_2_9_p8_lanes = detail::make_pack<Real>(s9, s16) * M_2_2_p227_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_9_p4_lanes;
-  const Lanes<2> M_7_9_lanes = detail::make_pack<Real>(c9, c16) * M_2_2_p227_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_9_p4_lanes;
-  M[177] = -M_7_9_lanes[0];
-  M[223] = -M_7_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[352] = -M_7_9_lanes[1];
-  M[398] = -M_7_9_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p15_lanes = c4 * (s5 * M_1_8_p8_lanes - c5 * M_2_8_p10_lanes) + s4 *
-      M_2_8_p18_lanes;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p8_lanes = detail::make_pack<Real>(s8, s15) * M_2_2_p150_lanes +
-      detail::make_pack<Real>(c8, c15) * M_1_9_p1_lanes;
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_2_p376 = s5 * M_2_2_p375;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p11_lanes = detail::make_pack<Real>(s7, s14) * M_2_9_p5_lanes -
-      detail::make_pack<Real>(c7, c14) * M_1_9_p7_lanes;
-  const Lanes<2> M_2_9_p13_lanes = detail::make_pack<Real>(c8, c15) * M_8_9_lanes +
-      detail::make_pack<Real>(s8, s15) * M_2_9_p8_lanes;
-  const Lanes<2> M_2_9_p14_lanes = detail::make_pack<Real>(c7, c14) * M_2_9_p5_lanes +
-      detail::make_pack<Real>(s7, s14) * M_1_9_p7_lanes;
-  const Lanes<2> M_6_9_lanes = detail::make_pack<Real>(s8, s15) * M_8_9_lanes -
-      detail::make_pack<Real>(c8, c15) * M_2_9_p8_lanes;
-  M[153] = M_6_9_lanes[0];
-  M[222] = M_6_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[328] = M_6_9_lanes[1];
-  M[397] = M_6_9_lanes[1];
-
-  // link 5 (chest2), composite inertia
-  const Real M_3_4 = s5 * M_4_5 + c5 * M_2_2_p373;
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix; link 5 (chest2), composite
+  //   inertia
+  const Lanes<2> t433_lanes = detail::make_pack<Real>(s8, s15) * t88_lanes +
+      detail::make_pack<Real>(c8, c15) * t400_lanes;
+  const Real t434 = s5 * t424;
+  const Lanes<2> t450_lanes = detail::make_pack<Real>(s7, s14) * t404_lanes -
+      detail::make_pack<Real>(c7, c14) * t426_lanes;
+  const Lanes<2> t451_lanes = detail::make_pack<Real>(c8, c15) * t150_lanes +
+      detail::make_pack<Real>(s8, s15) * t427_lanes;
+  const Lanes<2> t452_lanes = detail::make_pack<Real>(c7, c14) * t404_lanes +
+      detail::make_pack<Real>(s7, s14) * t426_lanes;
+  const Lanes<2> t454_lanes = detail::make_pack<Real>(s8, s15) * t150_lanes -
+      detail::make_pack<Real>(c8, c15) * t427_lanes;
+  M[153] = t454_lanes[0];
+  M[222] = t454_lanes[0];
+  M[328] = t454_lanes[1];
+  M[397] = t454_lanes[1];
+  const Real M_3_4 = s5 * M_4_5 + c5 * t392;
   M[76] = -M_3_4;
   M[99] = -M_3_4;
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_4_6_lanes = s6 * M_2_6_p31_lanes + c6 * M_2_6_p26_lanes - 0.072 *
-      M_2_6_p18_lanes;
-  M[102] = M_4_6_lanes[0];
-  M[148] = M_4_6_lanes[0];
+  // links 7 (left_shoulder1) and 14 (right_shoulder1), mass matrix
+  const Lanes<2> t457_lanes = s6 * t277_lanes + c6 * t262_lanes - minus_link5_to_6_y * t168_lanes;
+  M[102] = t457_lanes[0];
+  M[148] = t457_lanes[0];
+  M[109] = t457_lanes[1];
+  M[316] = t457_lanes[1];
 
-  // link 14 (right_shoulder1), mass matrix
-  M[109] = M_4_6_lanes[1];
-  M[316] = M_4_6_lanes[1];
+  // links 12 (left_wrist2) and 19 (right_wrist2), composite inertia; links 10 and 11, 17 and 18,
+  //   mass matrix
+  const Lanes<2> t461_lanes = 0.00022920000000000001 + t68_lanes;
+  M[250] = t461_lanes[0];
+  M[425] = t461_lanes[1];
+  const Lanes<2> t467_lanes = detail::make_pack<Real>(c10, c17) * t62_lanes;
+  const Lanes<2> t473_lanes = s6 * t433_lanes - c6 * t450_lanes;
 
-  // link 12 (left_wrist2), composite inertia
-  const Lanes<2> M_10_10_lanes = 0.00022920000000000001 + M_2_2_p116_lanes;
-  M[250] = M_10_10_lanes[0];
+  // links 8 (left_shoulder2) and 15 (right_shoulder2), mass matrix
+  const Lanes<2> t475_lanes = s6 * t314_lanes + c6 * t315_lanes + minus_link5_to_6_y * t290_lanes;
+  M[103] = t475_lanes[0];
+  M[172] = t475_lanes[0];
+  M[110] = t475_lanes[1];
+  M[340] = t475_lanes[1];
 
-  // link 19 (right_wrist2), composite inertia
-  M[425] = M_10_10_lanes[1];
+  // links 10 and 11, 17 and 18, mass matrix
+  const Lanes<2> t478_lanes = t454_lanes - 0.226 * t452_lanes;
+  const Lanes<2> t479_lanes = s6 * t450_lanes + c6 * t433_lanes;
+  const Lanes<2> t482_lanes = detail::make_pack<Real>(c7, c14) * t428_lanes +
+      detail::make_pack<Real>(s7, s14) * t451_lanes;
+  const Lanes<2> t489_lanes = detail::make_pack<Real>(s7, s14) * t428_lanes -
+      detail::make_pack<Real>(c7, c14) * t451_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      t452_lanes;
+  const Lanes<2> t491_lanes = detail::make_pack<Real>(s10, s17) * t62_lanes;
 
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p3_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p105_lanes;
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t493_lanes = detail::make_pack<Real>(c10, c17) * t461_lanes -
+      detail::make_pack<Real>(s10, s17) * t101_lanes;
+  M[202] = t493_lanes[0];
+  M[248] = t493_lanes[0];
+  M[377] = t493_lanes[1];
+  M[423] = t493_lanes[1];
+  const Lanes<2> t497_lanes = detail::make_pack<Real>(c10, c17) * t101_lanes +
+      detail::make_pack<Real>(s10, s17) * t461_lanes + 0.282 * t61_lanes;
+  const Lanes<2> t498_lanes = t102_lanes + 0.282 * t467_lanes;
+  const Lanes<2> t499_lanes = detail::make_pack<Real>(c9, c16) * t467_lanes +
+      detail::make_pack<Real>(s9, s16) * t61_lanes;
+  const Lanes<2> t501_lanes = detail::make_pack<Real>(s9, s16) * t467_lanes -
+      detail::make_pack<Real>(c9, c16) * t61_lanes;
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p15_lanes = s6 * M_1_9_p8_lanes - c6 * M_1_9_p11_lanes;
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix
+  const Lanes<2> t504_lanes = 0.226 * t433_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      t450_lanes - t482_lanes;
+  M[129] = t504_lanes[0];
+  M[221] = t504_lanes[0];
+  M[136] = t504_lanes[1];
+  M[389] = t504_lanes[1];
+  const Lanes<2> t518_lanes = c6 * t489_lanes + s6 * t478_lanes;
+  const Lanes<2> t520_lanes = t504_lanes + minus_link5_to_6_y * t479_lanes;
+  const Lanes<2> t521_lanes = s5 * t452_lanes - c5 * t473_lanes;
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_4_7_lanes = s6 * M_2_7_p9_lanes + c6 * M_2_7_p10_lanes + 0.072 * M_2_7_p2_lanes;
-  M[103] = M_4_7_lanes[0];
-  M[172] = M_4_7_lanes[0];
+  // links 9, 11, 16, 18, mass matrix
+  const Lanes<2> t524_lanes = detail::make_pack<Real>(s9, s16) * t497_lanes +
+      detail::make_pack<Real>(c9, c16) * t498_lanes;
+  const Lanes<2> t525_lanes = s6 * t382_lanes + c6 * t383_lanes + minus_link5_to_6_y * t362_lanes;
+  M[104] = t525_lanes[0];
+  M[196] = t525_lanes[0];
+  M[111] = t525_lanes[1];
+  M[364] = t525_lanes[1];
 
-  // link 15 (right_shoulder2), mass matrix
-  M[110] = M_4_7_lanes[1];
-  M[340] = M_4_7_lanes[1];
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t526_lanes = detail::make_pack<Real>(s8, s15) * t501_lanes -
+      detail::make_pack<Real>(c8, c15) * t491_lanes;
+  const Lanes<2> t527_lanes = detail::make_pack<Real>(s8, s15) * t491_lanes +
+      detail::make_pack<Real>(c8, c15) * t501_lanes;
+  const Lanes<2> t528_lanes = detail::make_pack<Real>(c9, c16) * t497_lanes -
+      detail::make_pack<Real>(s9, s16) * t498_lanes;
+  M[178] = t528_lanes[0];
+  M[247] = t528_lanes[0];
+  M[353] = t528_lanes[1];
+  M[422] = t528_lanes[1];
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p20_lanes = M_6_9_lanes - 0.226 * M_2_9_p14_lanes;
-  const Lanes<2> M_2_9_p21_lanes = s6 * M_1_9_p11_lanes + c6 * M_1_9_p8_lanes;
-  const Lanes<2> M_5_9_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_9_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_9_p13_lanes;
-  const Lanes<2> M_2_9_p22_lanes = detail::make_pack<Real>(s7, s14) * M_7_9_lanes -
-      detail::make_pack<Real>(c7, c14) * M_2_9_p13_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_9_p14_lanes;
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix; link 4 (chest1), composite
+  //   inertia
+  const Lanes<2> t531_lanes = s4 * t479_lanes - c4 * (c5 * t452_lanes + s5 * t473_lanes);
+  const Real t532 = 0.03561389675370483 * s4 - (c4 * (2.0 * t416) - s4 * (t336 - t434 - M_4_4));
+  const Lanes<2> t537_lanes = c6 * t478_lanes - s6 * t489_lanes - minus_link5_to_6_y * t452_lanes;
+  M[105] = t537_lanes[0];
+  M[220] = t537_lanes[0];
+  M[112] = t537_lanes[1];
+  M[388] = t537_lanes[1];
 
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p5_lanes = detail::make_pack<Real>(s10, s17) * M_2_2_p105_lanes;
-  const Lanes<2> M_8_10_lanes = detail::make_pack<Real>(c10, c17) * M_10_10_lanes -
-      detail::make_pack<Real>(s10, s17) * M_2_2_p168_lanes;
-  M[202] = M_8_10_lanes[0];
-  M[248] = M_8_10_lanes[0];
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t548_lanes = detail::make_pack<Real>(c8, c15) * t493_lanes +
+      detail::make_pack<Real>(s8, s15) * t524_lanes;
+  const Lanes<2> t549_lanes = detail::make_pack<Real>(c8, c15) * t524_lanes -
+      detail::make_pack<Real>(s8, s15) * t493_lanes;
+  M[154] = t549_lanes[0];
+  M[246] = t549_lanes[0];
+  M[329] = t549_lanes[1];
+  M[421] = t549_lanes[1];
+  const Lanes<2> t550_lanes = detail::make_pack<Real>(s7, s14) * t499_lanes -
+      detail::make_pack<Real>(c7, c14) * t526_lanes;
 
-  // link 18 (right_wrist1), mass matrix
-  M[377] = M_8_10_lanes[1];
-  M[423] = M_8_10_lanes[1];
+  // links 7, 11 and 12, 14, 18 and 19, mass matrix
+  const Lanes<2> t551_lanes = detail::make_pack<Real>(c7, c14) * t499_lanes +
+      detail::make_pack<Real>(s7, s14) * t526_lanes;
+  const Lanes<2> t559_lanes = s2_plus_3 * t293_lanes - c2_plus_3 * t319_lanes;
+  const Lanes<2> t560_lanes = detail::make_pack<Real>(s11, s18) * t32_lanes;
+  const Lanes<2> t567_lanes = detail::make_pack<Real>(c11, c18) * t32_lanes;
+  const Lanes<2> t568_lanes = t31_lanes + 0.269 * t32_lanes;
 
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p7_lanes = detail::make_pack<Real>(c10, c17) * M_2_2_p168_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_10_lanes + 0.282 * M_2_2_p103_lanes;
-  const Lanes<2> M_2_10_p8_lanes = M_9_10_lanes + 0.282 * M_2_10_p3_lanes;
-  const Lanes<2> M_1_10_p6_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p3_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_2_p103_lanes;
-  const Lanes<2> M_1_10_p7_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p3_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_2_p103_lanes;
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t577_lanes = s6 * t527_lanes - c6 * t550_lanes;
+  const Lanes<2> t578_lanes = s6 * t550_lanes + c6 * t527_lanes;
+  const Lanes<2> t584_lanes = detail::make_pack<Real>(c7, c14) * t548_lanes -
+      detail::make_pack<Real>(s7, s14) * t528_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      t551_lanes;
+  const Lanes<2> t585_lanes = t549_lanes - 0.226 * t551_lanes;
+  const Lanes<2> t586_lanes = 0.226 * t527_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
+      t550_lanes;
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_5_9_lanes = 0.226 * M_1_9_p8_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_1_9_p11_lanes - M_5_9_p5_lanes;
-  M[129] = M_5_9_lanes[0];
-  M[221] = M_5_9_lanes[0];
+  // links 12 (left_wrist2) and 19 (right_wrist2), mass matrix
+  const Lanes<2> t596_lanes = detail::make_pack<Real>(c11, c18) * t48_lanes +
+      detail::make_pack<Real>(s11, s18) * t568_lanes;
+  const Lanes<2> t597_lanes = detail::make_pack<Real>(c10, c17) * t567_lanes -
+      detail::make_pack<Real>(s10, s17) * t33_lanes;
+  const Lanes<2> t598_lanes = detail::make_pack<Real>(c11, c18) * t568_lanes -
+      detail::make_pack<Real>(s11, s18) * t48_lanes;
+  M[227] = t598_lanes[0];
+  M[273] = t598_lanes[0];
+  M[402] = t598_lanes[1];
+  M[448] = t598_lanes[1];
 
-  // link 17 (right_lowerarm), mass matrix
-  M[136] = M_5_9_lanes[1];
-  M[389] = M_5_9_lanes[1];
+  // links 8, 11, 15, 18, mass matrix
+  const Lanes<2> t602_lanes = detail::make_pack<Real>(c7, c14) * t528_lanes +
+      detail::make_pack<Real>(s7, s14) * t548_lanes + t586_lanes;
+  M[130] = t602_lanes[0];
+  M[245] = t602_lanes[0];
+  M[137] = t602_lanes[1];
+  M[413] = t602_lanes[1];
+  const Lanes<2> t606_lanes = c2_plus_3 * t379_lanes + s2_plus_3 * t359_lanes;
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p26_lanes = c6 * M_2_9_p22_lanes + s6 * M_2_9_p20_lanes;
-  const Lanes<2> M_2_9_p27_lanes = M_5_9_lanes + 0.072 * M_2_9_p21_lanes;
-  const Lanes<2> M_1_9_p21_lanes = s5 * M_2_9_p14_lanes - c5 * M_1_9_p15_lanes;
+  // links 9, 11 and 12, 16, 18 and 19, mass matrix
+  const Lanes<2> t611_lanes = detail::make_pack<Real>(s10, s17) * t567_lanes +
+      detail::make_pack<Real>(c10, c17) * t33_lanes;
+  const Lanes<2> t614_lanes = t602_lanes + minus_link5_to_6_y * t578_lanes;
+  const Lanes<2> t615_lanes = s5 * t551_lanes - c5 * t577_lanes;
+  const Lanes<2> t617_lanes = c6 * t584_lanes + s6 * t585_lanes;
+  const Lanes<2> t623_lanes = c2_plus_3 * t429_lanes + s2_plus_3 * t422_lanes;
 
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p13_lanes = detail::make_pack<Real>(s9, s16) * M_2_10_p7_lanes +
-      detail::make_pack<Real>(c9, c16) * M_2_10_p8_lanes;
+  // links 12 (left_wrist2) and 19 (right_wrist2), mass matrix
+  const Lanes<2> t625_lanes = detail::make_pack<Real>(s9, s16) * t597_lanes +
+      detail::make_pack<Real>(c9, c16) * t560_lanes;
+  const Lanes<2> t626_lanes = t598_lanes + 0.282 * t597_lanes;
+  const Lanes<2> t628_lanes = detail::make_pack<Real>(s9, s16) * t560_lanes -
+      detail::make_pack<Real>(c9, c16) * t597_lanes;
+  const Lanes<2> t629_lanes = detail::make_pack<Real>(s10, s17) * t596_lanes -
+      detail::make_pack<Real>(c10, c17) * t49_lanes;
+  M[203] = t629_lanes[0];
+  M[272] = t629_lanes[0];
+  M[378] = t629_lanes[1];
+  M[447] = t629_lanes[1];
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_4_8_lanes = s6 * M_2_8_p16_lanes + c6 * M_2_8_p17_lanes + 0.072 *
-      M_2_8_p10_lanes;
-  M[104] = M_4_8_lanes[0];
-  M[196] = M_4_8_lanes[0];
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t632_lanes = s4 * t578_lanes - c4 * (c5 * t551_lanes + s5 * t577_lanes);
+  const Lanes<2> t634_lanes = c6 * t585_lanes - s6 * t584_lanes - minus_link5_to_6_y * t551_lanes;
+  M[106] = t634_lanes[0];
+  M[244] = t634_lanes[0];
+  M[113] = t634_lanes[1];
+  M[412] = t634_lanes[1];
 
-  // link 16 (right_upperarm), mass matrix
-  M[111] = M_4_8_lanes[1];
-  M[364] = M_4_8_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p13_lanes = detail::make_pack<Real>(s8, s15) * M_1_10_p7_lanes -
-      detail::make_pack<Real>(c8, c15) * M_1_10_p5_lanes;
-  const Lanes<2> M_1_10_p14_lanes = detail::make_pack<Real>(s8, s15) * M_1_10_p5_lanes +
-      detail::make_pack<Real>(c8, c15) * M_1_10_p7_lanes;
-  const Lanes<2> M_7_10_lanes = detail::make_pack<Real>(c9, c16) * M_2_10_p7_lanes -
-      detail::make_pack<Real>(s9, s16) * M_2_10_p8_lanes;
-  M[178] = M_7_10_lanes[0];
-  M[247] = M_7_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[353] = M_7_10_lanes[1];
-  M[422] = M_7_10_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p22_lanes = s4 * M_2_9_p21_lanes - c4 *
-      (c5 * M_2_9_p14_lanes + s5 * M_1_9_p15_lanes);
-
-  // link 4 (chest1), composite inertia
-  const Real M_2_2_p377 = 0.03561389675370483 * s4 -
-      (c4 * (2.0 * M_2_2_p374) - s4 * (M_2_2_p367 - M_2_2_p376 - M_4_4));
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_4_9_lanes = c6 * M_2_9_p20_lanes - s6 * M_2_9_p22_lanes - 0.072 *
-      M_2_9_p14_lanes;
-  M[105] = M_4_9_lanes[0];
-  M[220] = M_4_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[112] = M_4_9_lanes[1];
-  M[388] = M_4_9_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p18_lanes = detail::make_pack<Real>(c8, c15) * M_8_10_lanes +
-      detail::make_pack<Real>(s8, s15) * M_2_10_p13_lanes;
-  const Lanes<2> M_6_10_lanes = detail::make_pack<Real>(c8, c15) * M_2_10_p13_lanes -
-      detail::make_pack<Real>(s8, s15) * M_8_10_lanes;
-  M[154] = M_6_10_lanes[0];
-  M[246] = M_6_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[329] = M_6_10_lanes[1];
-  M[421] = M_6_10_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p17_lanes = detail::make_pack<Real>(s7, s14) * M_1_10_p6_lanes -
-      detail::make_pack<Real>(c7, c14) * M_1_10_p13_lanes;
-  const Lanes<2> M_2_10_p19_lanes = detail::make_pack<Real>(c7, c14) * M_1_10_p6_lanes +
-      detail::make_pack<Real>(s7, s14) * M_1_10_p13_lanes;
-
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_p15_lanes = M_1_1_p8 * M_1_6_p8_lanes - M_1_1_p5 * M_1_6_p10_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p4_lanes = detail::make_pack<Real>(s11, s18) * M_2_2_p49_lanes;
-  const Lanes<2> M_1_11_p1_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p49_lanes;
-  const Lanes<2> M_2_11_p5_lanes = M_11_11_lanes + 0.269 * M_2_2_p49_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p21_lanes = s6 * M_1_10_p14_lanes - c6 * M_1_10_p17_lanes;
-  const Lanes<2> M_2_10_p25_lanes = s6 * M_1_10_p17_lanes + c6 * M_1_10_p14_lanes;
-  const Lanes<2> M_2_10_p26_lanes = detail::make_pack<Real>(c7, c14) * M_2_10_p18_lanes -
-      detail::make_pack<Real>(s7, s14) * M_7_10_lanes + detail::make_pack<Real>(0.18, (-0.18)) *
-      M_2_10_p19_lanes;
-  const Lanes<2> M_2_10_p27_lanes = M_6_10_lanes - 0.226 * M_2_10_p19_lanes;
-  const Lanes<2> M_5_10_p6_lanes = 0.226 * M_1_10_p14_lanes +
-      detail::make_pack<Real>(0.18, (-0.18)) * M_1_10_p17_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p8_lanes = detail::make_pack<Real>(c11, c18) * M_2_2_p79_lanes +
-      detail::make_pack<Real>(s11, s18) * M_2_11_p5_lanes;
-  const Lanes<2> M_1_11_p7_lanes = detail::make_pack<Real>(c10, c17) * M_1_11_p1_lanes -
-      detail::make_pack<Real>(s10, s17) * M_2_2_p51_lanes;
-  const Lanes<2> M_9_11_lanes = detail::make_pack<Real>(c11, c18) * M_2_11_p5_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p79_lanes;
-  M[227] = M_9_11_lanes[0];
-  M[273] = M_9_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[402] = M_9_11_lanes[1];
-  M[448] = M_9_11_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_5_10_lanes = detail::make_pack<Real>(c7, c14) * M_7_10_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_10_p18_lanes + M_5_10_p6_lanes;
-  M[130] = M_5_10_lanes[0];
-  M[245] = M_5_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[137] = M_5_10_lanes[1];
-  M[413] = M_5_10_lanes[1];
-
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p19_lanes = M_1_1_p5 * M_1_7_p13_lanes + M_1_1_p8 * M_1_7_p12_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p10_lanes = detail::make_pack<Real>(s10, s17) * M_1_11_p1_lanes +
-      detail::make_pack<Real>(c10, c17) * M_2_2_p51_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p31_lanes = M_5_10_lanes + 0.072 * M_2_10_p25_lanes;
-  const Lanes<2> M_1_10_p26_lanes = s5 * M_2_10_p19_lanes - c5 * M_1_10_p21_lanes;
-  const Lanes<2> M_2_10_p32_lanes = c6 * M_2_10_p26_lanes + s6 * M_2_10_p27_lanes;
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p21_lanes = M_1_1_p5 * M_1_8_p15_lanes + M_1_1_p8 * M_1_8_p14_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p14_lanes = detail::make_pack<Real>(s9, s16) * M_1_11_p7_lanes +
-      detail::make_pack<Real>(c9, c16) * M_2_11_p4_lanes;
-  const Lanes<2> M_2_11_p12_lanes = M_9_11_lanes + 0.282 * M_1_11_p7_lanes;
-  const Lanes<2> M_1_11_p15_lanes = detail::make_pack<Real>(s9, s16) * M_2_11_p4_lanes -
-      detail::make_pack<Real>(c9, c16) * M_1_11_p7_lanes;
-  const Lanes<2> M_8_11_lanes = detail::make_pack<Real>(s10, s17) * M_2_11_p8_lanes -
-      detail::make_pack<Real>(c10, c17) * M_10_11_lanes;
-  M[203] = M_8_11_lanes[0];
-  M[272] = M_8_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[378] = M_8_11_lanes[1];
-  M[447] = M_8_11_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p29_lanes = s4 * M_2_10_p25_lanes - c4 *
-      (c5 * M_2_10_p19_lanes + s5 * M_1_10_p21_lanes);
-  const Lanes<2> M_4_10_lanes = c6 * M_2_10_p27_lanes - s6 * M_2_10_p26_lanes - 0.072 *
-      M_2_10_p19_lanes;
-  M[106] = M_4_10_lanes[0];
-  M[244] = M_4_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[113] = M_4_10_lanes[1];
-  M[412] = M_4_10_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p13_lanes = detail::make_pack<Real>(c10, c17) * M_2_11_p8_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_11_lanes + 0.282 * M_2_11_p4_lanes;
-  const Lanes<2> M_1_11_p19_lanes = detail::make_pack<Real>(s8, s15) * M_1_11_p14_lanes -
-      detail::make_pack<Real>(c8, c15) * M_1_11_p10_lanes;
-  const Lanes<2> M_1_11_p20_lanes = detail::make_pack<Real>(s8, s15) * M_1_11_p10_lanes +
-      detail::make_pack<Real>(c8, c15) * M_1_11_p14_lanes;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p28_lanes = M_1_1_p5 * M_1_9_p22_lanes + M_1_1_p8 * M_1_9_p21_lanes;
-
-  // link 4 (chest1), composite inertia
-  const Real M_2_2 = 1.9978863071791395 + M_4_4_p1 - 0.43599999999999994 * M_1_1_p7 + M_2_2_p377 *
-      s4;
+  // links 10 to 12, 17 to 19, mass matrix; link 4 (chest1), composite inertia
+  const Lanes<2> t636_lanes = detail::make_pack<Real>(c10, c17) * t596_lanes +
+      detail::make_pack<Real>(s10, s17) * t49_lanes + 0.282 * t560_lanes;
+  const Lanes<2> t652_lanes = detail::make_pack<Real>(s8, s15) * t625_lanes -
+      detail::make_pack<Real>(c8, c15) * t611_lanes;
+  const Lanes<2> t653_lanes = detail::make_pack<Real>(s8, s15) * t611_lanes +
+      detail::make_pack<Real>(c8, c15) * t625_lanes;
+  const Lanes<2> t654_lanes = c2_plus_3 * t531_lanes + s2_plus_3 * t521_lanes;
+  const Real M_2_2 = 1.9978863071791395 + t393 - 0.43599999999999994 * t222 + t532 * s4;
   M[50] = M_2_2;
+  const Lanes<2> t659_lanes = c2_plus_3 * t632_lanes + s2_plus_3 * t615_lanes;
 
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p34_lanes = M_1_1_p5 * M_1_10_p29_lanes + M_1_1_p8 * M_1_10_p26_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p18_lanes = detail::make_pack<Real>(s9, s16) * M_2_11_p13_lanes -
-      detail::make_pack<Real>(c9, c16) * M_2_11_p12_lanes;
-
-  // link 20 (right_hand), mass matrix
+  // links 12 (left_wrist2) and 19 (right_wrist2), mass matrix
+  const Lanes<2> t662_lanes = detail::make_pack<Real>(s9, s16) * t636_lanes -
+      detail::make_pack<Real>(c9, c16) * t626_lanes;
   M[300] = 0.0009386316083993107;
   M[475] = 0.0009386316083993107;
+  const Lanes<2> t667_lanes = detail::make_pack<Real>(c9, c16) * t636_lanes +
+      detail::make_pack<Real>(s9, s16) * t626_lanes;
+  M[179] = -t667_lanes[0];
+  M[271] = -t667_lanes[0];
+  M[354] = -t667_lanes[1];
+  M[446] = -t667_lanes[1];
 
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_7_11_lanes = detail::make_pack<Real>(c9, c16) * M_2_11_p13_lanes +
-      detail::make_pack<Real>(s9, s16) * M_2_11_p12_lanes;
-  M[179] = -M_7_11_lanes[0];
-  M[271] = -M_7_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[354] = -M_7_11_lanes[1];
-  M[446] = -M_7_11_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p4_lanes = detail::make_pack<Real>(s12, s19) * M_2_2_p17_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p23_lanes = detail::make_pack<Real>(s7, s14) * M_1_11_p15_lanes +
-      detail::make_pack<Real>(c7, c14) * M_1_11_p19_lanes;
-  const Lanes<2> M_2_11_p23_lanes = detail::make_pack<Real>(c7, c14) * M_1_11_p15_lanes -
-      detail::make_pack<Real>(s7, s14) * M_1_11_p19_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_10_12_lanes = M_2_2_p29_lanes - 0.0009386316083993107 *
-      detail::make_pack<Real>(s12, s19);
-  M[252] = M_10_12_lanes[0];
-  M[298] = M_10_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[427] = M_10_12_lanes[1];
-  M[473] = M_10_12_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p24_lanes = detail::make_pack<Real>(s8, s15) * M_2_11_p18_lanes -
-      detail::make_pack<Real>(c8, c15) * M_8_11_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p9_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
-      detail::make_pack<Real>(s12, s19) * M_2_2_p21_lanes + 0.00444264243991307 *
+  // links 12 and 13, 19 and 20, mass matrix
+  const Lanes<2> t671_lanes = detail::make_pack<Real>(s12, s19) * t13_lanes;
+  const Lanes<2> t678_lanes = detail::make_pack<Real>(s7, s14) * t628_lanes +
+      detail::make_pack<Real>(c7, c14) * t652_lanes;
+  const Lanes<2> t680_lanes = detail::make_pack<Real>(c7, c14) * t628_lanes -
+      detail::make_pack<Real>(s7, s14) * t652_lanes;
+  const Lanes<2> t692_lanes = t20_lanes - 0.0009386316083993107 * detail::make_pack<Real>(s12, s19);
+  M[252] = t692_lanes[0];
+  M[298] = t692_lanes[0];
+  M[427] = t692_lanes[1];
+  M[473] = t692_lanes[1];
+  const Lanes<2> t693_lanes = detail::make_pack<Real>(s8, s15) * t662_lanes -
+      detail::make_pack<Real>(c8, c15) * t629_lanes;
+  const Lanes<2> t694_lanes = 0.0009386316083993107 * detail::make_pack<Real>(c12, c19) +
+      detail::make_pack<Real>(s12, s19) * t15_lanes + 0.00444264243991307 *
       detail::make_pack<Real>(c13, c20);
-  const Lanes<2> M_1_12_p3_lanes = detail::make_pack<Real>(c12, c19) * M_2_2_p17_lanes;
+  const Lanes<2> t695_lanes = detail::make_pack<Real>(c12, c19) * t13_lanes;
+  const Lanes<2> t700_lanes = detail::make_pack<Real>(s8, s15) * t629_lanes +
+      detail::make_pack<Real>(c8, c15) * t662_lanes;
+  M[155] = -t700_lanes[0];
+  M[270] = -t700_lanes[0];
+  M[330] = -t700_lanes[1];
+  M[445] = -t700_lanes[1];
+  const Lanes<2> t702_lanes = t17_lanes - 0.269 * t671_lanes;
+  const Lanes<2> t703_lanes = detail::make_pack<Real>(s11, s18) * t671_lanes +
+      detail::make_pack<Real>(c11, c18) * t7_lanes;
+  const Lanes<2> t706_lanes = detail::make_pack<Real>(c11, c18) * t671_lanes -
+      detail::make_pack<Real>(s11, s18) * t7_lanes;
+  const Lanes<2> t711_lanes = c6 * t678_lanes + s6 * t653_lanes;
+  const Lanes<2> t720_lanes = 0.226 * t680_lanes - t700_lanes;
+  const Lanes<2> t725_lanes = s6 * t678_lanes - c6 * t653_lanes;
+  const Lanes<2> t726_lanes = detail::make_pack<Real>(c7, c14) * t667_lanes +
+      detail::make_pack<Real>(s7, s14) * t693_lanes;
+  const Lanes<2> t730_lanes = detail::make_pack<Real>(c11, c18) * t694_lanes -
+      detail::make_pack<Real>(s11, s18) * t702_lanes;
+  const Lanes<2> t731_lanes = detail::make_pack<Real>(s11, s18) * t694_lanes +
+      detail::make_pack<Real>(c11, c18) * t702_lanes;
+  M[228] = t731_lanes[0];
+  M[297] = t731_lanes[0];
+  M[403] = t731_lanes[1];
+  M[472] = t731_lanes[1];
+  const Lanes<2> t734_lanes = detail::make_pack<Real>(c10, c17) * t706_lanes +
+      detail::make_pack<Real>(s10, s17) * t695_lanes;
+  const Lanes<2> t735_lanes = detail::make_pack<Real>(0.18, (-0.18)) * t680_lanes -
+      (detail::make_pack<Real>(s7, s14) * t667_lanes - detail::make_pack<Real>(c7, c14) *
+      t693_lanes);
+  const Lanes<2> t738_lanes = detail::make_pack<Real>(c10, c17) * t695_lanes -
+      detail::make_pack<Real>(s10, s17) * t706_lanes;
 
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_6_11_lanes = detail::make_pack<Real>(s8, s15) * M_8_11_lanes +
-      detail::make_pack<Real>(c8, c15) * M_2_11_p18_lanes;
-  M[155] = -M_6_11_lanes[0];
-  M[270] = -M_6_11_lanes[0];
+  // links 12 (left_wrist2) and 19 (right_wrist2), mass matrix
+  const Lanes<2> t740_lanes = 0.226 * t653_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
+      t678_lanes - t726_lanes;
+  M[131] = t740_lanes[0];
+  M[269] = t740_lanes[0];
+  M[138] = t740_lanes[1];
+  M[437] = t740_lanes[1];
+  const Lanes<2> t744_lanes = s5 * t680_lanes + c5 * t711_lanes;
+  const Lanes<2> t752_lanes = t740_lanes - minus_link5_to_6_y * t725_lanes;
 
-  // link 19 (right_wrist2), mass matrix
-  M[330] = -M_6_11_lanes[1];
-  M[445] = -M_6_11_lanes[1];
+  // links 13 (left_hand) and 20 (right_hand), mass matrix
+  const Lanes<2> t759_lanes = detail::make_pack<Real>(c10, c17) * t692_lanes -
+      detail::make_pack<Real>(s10, s17) * t730_lanes;
+  M[204] = t759_lanes[0];
+  M[296] = t759_lanes[0];
+  M[379] = t759_lanes[1];
+  M[471] = t759_lanes[1];
+  const Lanes<2> t762_lanes = detail::make_pack<Real>(s9, s16) * t734_lanes +
+      detail::make_pack<Real>(c9, c16) * t703_lanes;
+  const Lanes<2> t763_lanes = t731_lanes - 0.282 * t734_lanes;
+  const Lanes<2> t764_lanes = detail::make_pack<Real>(c9, c16) * t734_lanes -
+      detail::make_pack<Real>(s9, s16) * t703_lanes;
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p10_lanes = M_11_12_lanes - 0.269 * M_2_12_p4_lanes;
-  const Lanes<2> M_2_12_p11_lanes = detail::make_pack<Real>(s11, s18) * M_2_12_p4_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_2_p9_lanes;
-  const Lanes<2> M_1_12_p4_lanes = detail::make_pack<Real>(c11, c18) * M_2_12_p4_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_2_p9_lanes;
+  // links 12 and 13, 19 and 20, mass matrix
+  const Lanes<2> t765_lanes = c6 * t735_lanes - s6 * t720_lanes;
+  const Lanes<2> t767_lanes = c4 * (s5 * t711_lanes - c5 * t680_lanes) + s4 * t725_lanes;
+  const Lanes<2> t770_lanes = detail::make_pack<Real>(c10, c17) * t730_lanes +
+      detail::make_pack<Real>(s10, s17) * t692_lanes + 0.282 * t703_lanes;
+  const Lanes<2> t785_lanes = s6 * t735_lanes + c6 * t720_lanes + minus_link5_to_6_y * t680_lanes;
+  M[107] = t785_lanes[0];
+  M[268] = t785_lanes[0];
+  M[114] = t785_lanes[1];
+  M[436] = t785_lanes[1];
 
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p25_lanes = c6 * M_1_11_p23_lanes + s6 * M_1_11_p20_lanes;
-  const Lanes<2> M_2_11_p29_lanes = 0.226 * M_2_11_p23_lanes - M_6_11_lanes;
-  const Lanes<2> M_2_11_p31_lanes = s6 * M_1_11_p23_lanes - c6 * M_1_11_p20_lanes;
-  const Lanes<2> M_5_11_p5_lanes = detail::make_pack<Real>(c7, c14) * M_7_11_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_11_p24_lanes;
+  // links 13, 20 and 21, mass matrix
+  const Lanes<2> t787_lanes = detail::make_pack<Real>(c8, c15) * t738_lanes +
+      detail::make_pack<Real>(s8, s15) * t762_lanes;
+  const Lanes<2> t788_lanes = detail::make_pack<Real>(c8, c15) * t762_lanes -
+      detail::make_pack<Real>(s8, s15) * t738_lanes;
+  const Real t789 = s6 * t197;
+  const Lanes<2> t793_lanes = detail::make_pack<Real>(s9, s16) * t770_lanes +
+      detail::make_pack<Real>(c9, c16) * t763_lanes;
+  const Lanes<2> t794_lanes = detail::make_pack<Real>(c9, c16) * t770_lanes -
+      detail::make_pack<Real>(s9, s16) * t763_lanes;
+  M[180] = t794_lanes[0];
+  M[295] = t794_lanes[0];
+  M[355] = t794_lanes[1];
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p16_lanes = detail::make_pack<Real>(c11, c18) * M_2_12_p9_lanes -
-      detail::make_pack<Real>(s11, s18) * M_2_12_p10_lanes;
-  const Lanes<2> M_9_12_lanes = detail::make_pack<Real>(s11, s18) * M_2_12_p9_lanes +
-      detail::make_pack<Real>(c11, c18) * M_2_12_p10_lanes;
-  M[228] = M_9_12_lanes[0];
-  M[297] = M_9_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[403] = M_9_12_lanes[1];
-  M[472] = M_9_12_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p11_lanes = detail::make_pack<Real>(c10, c17) * M_1_12_p4_lanes +
-      detail::make_pack<Real>(s10, s17) * M_1_12_p3_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p33_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_11_p23_lanes -
-      (detail::make_pack<Real>(s7, s14) * M_7_11_lanes - detail::make_pack<Real>(c7, c14) *
-      M_2_11_p24_lanes);
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p12_lanes = detail::make_pack<Real>(c10, c17) * M_1_12_p3_lanes -
-      detail::make_pack<Real>(s10, s17) * M_1_12_p4_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_5_11_lanes = 0.226 * M_1_11_p20_lanes - detail::make_pack<Real>(0.18, (-0.18)) *
-      M_1_11_p23_lanes - M_5_11_p5_lanes;
-  M[131] = M_5_11_lanes[0];
-  M[269] = M_5_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[138] = M_5_11_lanes[1];
-  M[437] = M_5_11_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p32_lanes = s5 * M_2_11_p23_lanes + c5 * M_1_11_p25_lanes;
-  const Lanes<2> M_2_11_p36_lanes = M_5_11_lanes - 0.072 * M_2_11_p31_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_8_12_lanes = detail::make_pack<Real>(c10, c17) * M_10_12_lanes -
-      detail::make_pack<Real>(s10, s17) * M_2_12_p16_lanes;
-  M[204] = M_8_12_lanes[0];
-  M[296] = M_8_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[379] = M_8_12_lanes[1];
-  M[471] = M_8_12_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p17_lanes = detail::make_pack<Real>(s9, s16) * M_1_12_p11_lanes +
-      detail::make_pack<Real>(c9, c16) * M_2_12_p11_lanes;
-  const Lanes<2> M_2_12_p20_lanes = M_9_12_lanes - 0.282 * M_1_12_p11_lanes;
-  const Lanes<2> M_1_12_p18_lanes = detail::make_pack<Real>(c9, c16) * M_1_12_p11_lanes -
-      detail::make_pack<Real>(s9, s16) * M_2_12_p11_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p37_lanes = c6 * M_2_11_p33_lanes - s6 * M_2_11_p29_lanes;
-  const Lanes<2> M_1_11_p36_lanes = c4 * (s5 * M_1_11_p25_lanes - c5 * M_2_11_p23_lanes) + s4 *
-      M_2_11_p31_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p21_lanes = detail::make_pack<Real>(c10, c17) * M_2_12_p16_lanes +
-      detail::make_pack<Real>(s10, s17) * M_10_12_lanes + 0.282 * M_2_12_p11_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_4_11_lanes = s6 * M_2_11_p33_lanes + c6 * M_2_11_p29_lanes + 0.072 *
-      M_2_11_p23_lanes;
-  M[107] = M_4_11_lanes[0];
-  M[268] = M_4_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[114] = M_4_11_lanes[1];
-  M[436] = M_4_11_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p22_lanes = detail::make_pack<Real>(c8, c15) * M_1_12_p12_lanes +
-      detail::make_pack<Real>(s8, s15) * M_1_12_p17_lanes;
-  const Lanes<2> M_1_12_p23_lanes = detail::make_pack<Real>(c8, c15) * M_1_12_p17_lanes -
-      detail::make_pack<Real>(s8, s15) * M_1_12_p12_lanes;
-
-  // link 21 (neck), mass matrix
-  const Real M_1_20_p1 = s6 * M_2_2_p284;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p26_lanes = detail::make_pack<Real>(s9, s16) * M_2_12_p21_lanes +
-      detail::make_pack<Real>(c9, c16) * M_2_12_p20_lanes;
-  const Lanes<2> M_7_12_lanes = detail::make_pack<Real>(c9, c16) * M_2_12_p21_lanes -
-      detail::make_pack<Real>(s9, s16) * M_2_12_p20_lanes;
-  M[180] = M_7_12_lanes[0];
-  M[295] = M_7_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[355] = M_7_12_lanes[1];
-  M[470] = M_7_12_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p40_lanes = M_1_1_p5 * M_1_11_p36_lanes + M_1_1_p8 * M_1_11_p32_lanes;
-
-  // link 21 (neck), mass matrix
-  const Real M_2_20_p1 = c6 * M_2_2_p284;
-
-  // link 22 (head), composite inertia
-  const Real M_20_20 = 0.006216750000000001 + M_2_2_p210;
+  // links 12 and 13, 19 to 21, mass matrix; link 22 (head), composite inertia
+  M[470] = t794_lanes[1];
+  const Lanes<2> t795_lanes = c2_plus_3 * t767_lanes + s2_plus_3 * t744_lanes;
+  const Real t801 = c6 * t197;
+  const Real M_20_20 = J_21_zz + t136;
   M[500] = M_20_20;
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p26_lanes = detail::make_pack<Real>(c7, c14) * M_1_12_p22_lanes -
-      detail::make_pack<Real>(s7, s14) * M_1_12_p18_lanes;
-  const Lanes<2> M_2_12_p31_lanes = detail::make_pack<Real>(c7, c14) * M_1_12_p18_lanes +
-      detail::make_pack<Real>(s7, s14) * M_1_12_p22_lanes;
+  // links 7 and 8, 13 to 15, 20, mass matrix
+  const Lanes<2> t808_lanes = detail::make_pack<Real>(c7, c14) * t787_lanes -
+      detail::make_pack<Real>(s7, s14) * t764_lanes;
+  const Lanes<2> t809_lanes = detail::make_pack<Real>(c7, c14) * t764_lanes +
+      detail::make_pack<Real>(s7, s14) * t787_lanes;
+  const Lanes<2> t811_lanes = c4 * t457_lanes - s4 * (s5 * t297_lanes - c5 * t285_lanes);
+  const Lanes<2> t812_lanes = c4 * t475_lanes - s4 * (s5 * t346_lanes - c5 * t354_lanes);
+  const Lanes<2> t813_lanes = detail::make_pack<Real>(c8, c15) * t759_lanes +
+      detail::make_pack<Real>(s8, s15) * t793_lanes;
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_p41_lanes = c4 * M_4_6_lanes - s4 *
-      (s5 * M_2_6_p35_lanes - c5 * M_2_6_p33_lanes);
+  // links 13 (left_hand) and 20 (right_hand), mass matrix
+  const Lanes<2> t814_lanes = detail::make_pack<Real>(c8, c15) * t793_lanes -
+      detail::make_pack<Real>(s8, s15) * t759_lanes;
+  M[156] = t814_lanes[0];
+  M[294] = t814_lanes[0];
+  M[331] = t814_lanes[1];
+  M[469] = t814_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_p23_lanes = c4 * M_4_7_lanes - s4 *
-      (s5 * M_2_7_p15_lanes - c5 * M_2_7_p16_lanes);
+  // links 13, 20 to 22, mass matrix
+  const Real t820 = s21 * t113;
+  const Real t824 = c21 * t113;
+  const Real t826 = s6 * t179 - c6 * M_20_20;
+  const Real t827 = minus_link5_to_6_y * t801 + M_5_20;
+  const Lanes<2> t828_lanes = c6 * t808_lanes + s6 * t788_lanes;
+  const Lanes<2> t829_lanes = t814_lanes + 0.226 * t809_lanes;
+  const Lanes<2> t830_lanes = c6 * t788_lanes - s6 * t808_lanes;
+  const Lanes<2> t832_lanes = detail::make_pack<Real>(0.18, (-0.18)) * t808_lanes - 0.226 *
+      t788_lanes;
+  const Real t841 = c6 * t135 - s6 * t820;
+  const Lanes<2> t842_lanes = detail::make_pack<Real>(0.18, (-0.18)) * t809_lanes -
+      (detail::make_pack<Real>(c7, c14) * t813_lanes - detail::make_pack<Real>(s7, s14) *
+      t794_lanes);
+  const Real t843 = s6 * t135 + c6 * t820;
+  const Lanes<2> t844_lanes = detail::make_pack<Real>(c7, c14) * t794_lanes +
+      detail::make_pack<Real>(s7, s14) * t813_lanes + t832_lanes;
+  M[132] = t844_lanes[0];
+  M[293] = t844_lanes[0];
+  M[139] = t844_lanes[1];
+  M[461] = t844_lanes[1];
+  const Real t845 = s5 * t185 + c5 * t789;
+  const Real t846 = s4 * t801 + c4 * (c5 * t185 - s5 * t789);
+  const Real t848 = M_21_21 + link21_to_22_z * t113;
+  const Lanes<2> t851_lanes = t844_lanes - minus_link5_to_6_y * t830_lanes;
+  const Lanes<2> t853_lanes = c5 * t828_lanes - s5 * t809_lanes;
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p32_lanes = detail::make_pack<Real>(c8, c15) * M_8_12_lanes +
-      detail::make_pack<Real>(s8, s15) * M_2_12_p26_lanes;
-  const Lanes<2> M_6_12_lanes = detail::make_pack<Real>(c8, c15) * M_2_12_p26_lanes -
-      detail::make_pack<Real>(s8, s15) * M_8_12_lanes;
-  M[156] = M_6_12_lanes[0];
-  M[294] = M_6_12_lanes[0];
+  // links 13, 20, 22 to 24, mass matrix
+  const Lanes<2> t854_lanes = c22 * t127_lanes;
+  const Lanes<2> t857_lanes = c6 * t842_lanes - s6 * t829_lanes;
+  const Lanes<2> t859_lanes = s22 * t127_lanes;
+  const Real t860 = s5 * t824 + c5 * t841;
+  const Lanes<2> t865_lanes = c4 * (c5 * t809_lanes + s5 * t828_lanes) - s4 * t830_lanes;
 
-  // link 20 (right_hand), mass matrix
-  M[331] = M_6_12_lanes[1];
-  M[469] = M_6_12_lanes[1];
-
-  // link 22 (head), mass matrix
-  const Real M_1_21_p1 = s21 * M_2_2_p185;
-  const Real M_1_21_p2 = c21 * M_2_2_p185;
-
-  // link 21 (neck), mass matrix
-  const Real M_2_20_p2 = s6 * M_2_2_p264 - c6 * M_20_20;
-  const Real M_2_20_p3 = 0.072 * M_2_20_p1 + M_5_20;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p30_lanes = c6 * M_1_12_p26_lanes + s6 * M_1_12_p23_lanes;
-  const Lanes<2> M_2_12_p37_lanes = M_6_12_lanes + 0.226 * M_2_12_p31_lanes;
-  const Lanes<2> M_2_12_p38_lanes = c6 * M_1_12_p23_lanes - s6 * M_1_12_p26_lanes;
-  const Lanes<2> M_5_12_p5_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_1_12_p26_lanes -
-      0.226 * M_1_12_p23_lanes;
-
-  // link 22 (head), mass matrix
-  const Real M_1_21_p3 = c6 * M_5_20_p3 - s6 * M_1_21_p1;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p42_lanes = detail::make_pack<Real>(0.18, (-0.18)) * M_2_12_p31_lanes -
-      (detail::make_pack<Real>(c7, c14) * M_2_12_p32_lanes - detail::make_pack<Real>(s7, s14) *
-      M_7_12_lanes);
-
-  // link 22 (head), mass matrix
-  const Real M_2_21_p1 = s6 * M_5_20_p3 + c6 * M_1_21_p1;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_5_12_lanes = detail::make_pack<Real>(c7, c14) * M_7_12_lanes +
-      detail::make_pack<Real>(s7, s14) * M_2_12_p32_lanes + M_5_12_p5_lanes;
-  M[132] = M_5_12_lanes[0];
-  M[293] = M_5_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[139] = M_5_12_lanes[1];
-  M[461] = M_5_12_lanes[1];
-
-  // link 21 (neck), mass matrix
-  const Real M_1_20_p2 = s5 * M_2_2_p272 + c5 * M_1_20_p1;
-  const Real M_1_20_p3 = s4 * M_2_20_p1 + c4 * (c5 * M_2_2_p272 - s5 * M_1_20_p1);
-
-  // link 22 (head), mass matrix
-  const Real M_2_21_p2 = M_21_21 + 0.394 * M_2_2_p185;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p44_lanes = M_5_12_lanes - 0.072 * M_2_12_p38_lanes;
-  const Lanes<2> M_1_12_p36_lanes = c5 * M_1_12_p30_lanes - s5 * M_2_12_p31_lanes;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p1_lanes = c22 * M_5_20_p1_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p45_lanes = c6 * M_2_12_p42_lanes - s6 * M_2_12_p37_lanes;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p4_lanes = s22 * M_5_20_p1_lanes;
-
-  // link 22 (head), mass matrix
-  const Real M_1_21_p4 = s5 * M_1_21_p2 + c5 * M_1_21_p3;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p38_lanes = c4 * (c5 * M_2_12_p31_lanes + s5 * M_1_12_p30_lanes) - s4 *
-      M_2_12_p38_lanes;
-
-  // link 22 (head), mass matrix
-  const Real M_2_21_p3 = M_2_2_p229 - c21 * M_2_21_p2;
-  const Real M_5_21 = c21 * M_2_2_p219 + s21 * M_2_21_p2;
+  // links 22 to 24, mass matrix
+  const Real t867 = t151 - c21 * t848;
+  const Real M_5_21 = c21 * t142 + s21 * t848;
   M[141] = -M_5_21;
   M[509] = -M_5_21;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p8_lanes = s21 * M_1_22_p1_lanes - c21 * M_2_2_p124_lanes;
-  const Lanes<2> M_1_22_p9_lanes = c21 * M_1_22_p1_lanes + s21 * M_2_2_p124_lanes;
-
-  // link 22 (head), mass matrix
+  const Lanes<2> t873_lanes = s21 * t854_lanes - c21 * t73_lanes;
+  const Lanes<2> t874_lanes = c21 * t854_lanes + s21 * t73_lanes;
   M[550] = 9.25e-06;
   M[575] = 9.25e-06;
+  const Lanes<2> t875_lanes = 9.25e-06 + t45_lanes;
+  const Real t876 = M_5_21 + minus_link5_to_6_y * t843;
+  const Real t879 = c4 * (s5 * t841 - c5 * t824) + s4 * t843;
+  const Real t888 = s6 * t867 - c6 * M_20_21;
+  const Lanes<2> t889_lanes = t95_lanes + link21_to_22_z * t854_lanes;
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p2_lanes = 9.25e-06 + M_2_2_p73_lanes;
+  // links 13 (left_hand) and 20 (right_hand), mass matrix
+  const Lanes<2> t890_lanes = s6 * t842_lanes + c6 * t829_lanes + minus_link5_to_6_y * t809_lanes;
+  M[108] = t890_lanes[0];
+  M[292] = t890_lanes[0];
+  M[115] = t890_lanes[1];
+  M[460] = t890_lanes[1];
 
-  // link 22 (head), mass matrix
-  const Real M_2_21_p4 = M_5_21 + 0.072 * M_2_21_p1;
-  const Real M_1_21_p5 = c4 * (s5 * M_1_21_p3 - c5 * M_1_21_p2) + s4 * M_2_21_p1;
-  const Real M_2_21_p5 = s6 * M_2_21_p3 - c6 * M_20_21;
+  // links 23 (left_eye) and 24 (right_eye), mass matrix
+  const Lanes<2> t893_lanes = s6 * t873_lanes - c6 * t859_lanes;
+  const Lanes<2> t894_lanes = s6 * t859_lanes + c6 * t873_lanes;
+  const Lanes<2> t895_lanes = s22 * t46_lanes + c22 * t875_lanes;
+  M[502] = t895_lanes[0];
+  M[548] = t895_lanes[0];
+  M[503] = t895_lanes[1];
+  M[572] = t895_lanes[1];
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p8_lanes = M_21_22_lanes + 0.394 * M_1_22_p1_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_4_12_lanes = s6 * M_2_12_p42_lanes + c6 * M_2_12_p37_lanes + 0.072 *
-      M_2_12_p31_lanes;
-  M[108] = M_4_12_lanes[0];
-  M[292] = M_4_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[115] = M_4_12_lanes[1];
-  M[460] = M_4_12_lanes[1];
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p13_lanes = s6 * M_1_22_p8_lanes - c6 * M_1_22_p4_lanes;
-  const Lanes<2> M_2_22_p10_lanes = s6 * M_1_22_p4_lanes + c6 * M_1_22_p8_lanes;
-  const Lanes<2> M_20_22_lanes = s22 * M_2_2_p75_lanes + c22 * M_2_22_p2_lanes;
-  M[502] = M_20_22_lanes[0];
-  M[548] = M_20_22_lanes[0];
-
-  // link 24 (right_eye), mass matrix
-  M[503] = M_20_22_lanes[1];
-  M[572] = M_20_22_lanes[1];
-
-  // link 21 (neck), mass matrix
-  const Real M_4_20 = s6 * M_20_20 + c6 * M_2_2_p264 + 0.072 * M_2_2_p272;
+  // links 21 (neck) and 22 (head), mass matrix
+  const Real M_4_20 = s6 * M_20_20 + c6 * t179 + minus_link5_to_6_y * t185;
   M[116] = -M_4_20;
   M[484] = -M_4_20;
-
-  // link 22 (head), mass matrix
-  const Real M_4_21 = s6 * M_20_21 + c6 * M_2_21_p3 - 0.072 * M_1_21_p2;
+  const Real M_4_21 = s6 * M_20_21 + c6 * t867 - minus_link5_to_6_y * t824;
   M[117] = -M_4_21;
   M[508] = -M_4_21;
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p12_lanes = c22 * M_2_2_p75_lanes - s22 * M_2_22_p2_lanes +
-      9.850000000000001e-05 * detail::make_pack<Real>(c23, c24);
+  // links 13, 20 to 24, mass matrix
+  const Lanes<2> t901_lanes = c22 * t46_lanes - s22 * t875_lanes + 9.850000000000001e-05 *
+      detail::make_pack<Real>(c23, c24);
+  const Lanes<2> t909_lanes = c2_plus_3 * t865_lanes + s2_plus_3 * t853_lanes;
+  const Real t910 = s2_plus_3 * t845 - c2_plus_3 * t846;
+  const Real t914 = s2_plus_3 * t860 + c2_plus_3 * t879;
+  const Lanes<2> t915_lanes = s5 * t874_lanes - c5 * t893_lanes;
+  const Lanes<2> t919_lanes = s21 * t901_lanes + c21 * t889_lanes;
+  const Lanes<2> t920_lanes = s21 * t889_lanes - c21 * t901_lanes;
+  M[142] = t920_lanes[0];
 
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p43_lanes = M_1_1_p5 * M_1_12_p38_lanes + M_1_1_p8 * M_1_12_p36_lanes;
+  // links 9 and 10, 16 and 17, 23 and 24, mass matrix
+  M[533] = t920_lanes[0];
+  M[143] = t920_lanes[1];
+  M[557] = t920_lanes[1];
+  const Lanes<2> t924_lanes = c4 * t525_lanes - s4 * (s5 * t410_lanes - c5 * t411_lanes);
+  const Lanes<2> t925_lanes = s4 * (c5 * t520_lanes + s5 * t518_lanes) + c4 * t537_lanes;
 
-  // link 21 (neck), mass matrix
-  const Real M_1_20_p4 = M_1_1_p8 * M_1_20_p2 - M_1_1_p5 * M_1_20_p3;
+  // links 11 to 13, 18 to 20, 23 and 24, mass matrix
+  const Lanes<2> t926_lanes = s4 * (c5 * t614_lanes + s5 * t617_lanes) + c4 * t634_lanes;
+  const Lanes<2> t927_lanes = c4 * t785_lanes - s4 * (s5 * t765_lanes - c5 * t752_lanes);
+  const Lanes<2> t929_lanes = t920_lanes + minus_link5_to_6_y * t894_lanes;
+  const Lanes<2> t931_lanes = c4 * t890_lanes - s4 * (s5 * t857_lanes - c5 * t851_lanes);
+  const Lanes<2> t932_lanes = s4 * t894_lanes - c4 * (c5 * t874_lanes + s5 * t893_lanes);
 
-  // link 22 (head), mass matrix
-  const Real M_1_21_p6 = M_1_1_p8 * M_1_21_p4 + M_1_1_p5 * M_1_21_p5;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p18_lanes = s5 * M_1_22_p9_lanes - c5 * M_1_22_p13_lanes;
-  const Lanes<2> M_2_22_p16_lanes = s21 * M_2_22_p12_lanes + c21 * M_2_22_p8_lanes;
-  const Lanes<2> M_5_22_lanes = s21 * M_2_22_p8_lanes - c21 * M_2_22_p12_lanes;
-  M[142] = M_5_22_lanes[0];
-  M[533] = M_5_22_lanes[0];
-
-  // link 24 (right_eye), mass matrix
-  M[143] = M_5_22_lanes[1];
-  M[557] = M_5_22_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_p30_lanes = c4 * M_4_8_lanes - s4 *
-      (s5 * M_2_8_p22_lanes - c5 * M_2_8_p23_lanes);
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_p34_lanes = s4 * (c5 * M_2_9_p27_lanes + s5 * M_2_9_p26_lanes) + c4 *
-      M_4_9_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_p39_lanes = s4 * (c5 * M_2_10_p31_lanes + s5 * M_2_10_p32_lanes) + c4 *
-      M_4_10_lanes;
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_p44_lanes = c4 * M_4_11_lanes - s4 *
-      (s5 * M_2_11_p37_lanes - c5 * M_2_11_p36_lanes);
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p18_lanes = M_5_22_lanes + 0.072 * M_2_22_p10_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_p52_lanes = c4 * M_4_12_lanes - s4 *
-      (s5 * M_2_12_p45_lanes - c5 * M_2_12_p44_lanes);
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p22_lanes = s4 * M_2_22_p10_lanes - c4 *
-      (c5 * M_1_22_p9_lanes + s5 * M_1_22_p13_lanes);
-
-  // link 3 (hip), composite inertia
-  const Real M_1_1 = 9.885744550888212 + (M_2_2 - 2.0 * M_1_1_p12);
+  // links 3 (hip) and 5 (chest2), composite inertia
+  const Real M_1_1 = J_2_zz + (M_2_2 - 2.0 * t258);
   M[25] = M_1_1;
-
-  // link 5 (chest2), composite inertia
-  const Real M_2_3 = (0.005880002159562879 - (c5 * M_2_2_p375 - M_2_2_p371)) * s4 -
-      (c4 * M_3_4 + 0.21799999999999997 * M_1_3_p2);
+  const Real M_2_3 = (J_4_xz - (c5 * t424 - t367)) * s4 - (c4 * M_3_4 + link4_to_5_z * t235);
   M[51] = M_2_3;
   M[74] = M_2_3;
 
-  // link 5 (chest2), mass matrix
-  const Real M_2_4 = c4 * M_4_4 - s4 * M_2_2_p374 - 0.21799999999999997 * M_1_4_p1;
+  // links 5 (chest2) and 6 (chest3), mass matrix
+  const Real M_2_4 = c4 * M_4_4 - s4 * t416 - link4_to_5_z * t240;
   M[52] = M_2_4;
   M[98] = M_2_4;
-
-  // link 6 (chest3), mass matrix
-  const Real M_2_5 = c4 * M_4_5 - s4 * (s5 * M_2_2_p368 - c5 * M_2_5_p1) + 0.21799999999999997 *
-      M_1_5_p2;
+  const Real M_2_5 = c4 * M_4_5 - s4 * (s5 * t348 - c5 * t328) + link4_to_5_z * t264;
   M[53] = M_2_5;
   M[122] = M_2_5;
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_2_6_lanes = M_2_6_p41_lanes - 0.21799999999999997 * M_1_6_p10_lanes;
-  M[54] = M_2_6_lanes[0];
-  M[146] = M_2_6_lanes[0];
+  // links 7 (left_shoulder1) and 14 (right_shoulder1), mass matrix
+  const Lanes<2> t934_lanes = t811_lanes - link4_to_5_z * t319_lanes;
+  M[54] = t934_lanes[0];
+  M[146] = t934_lanes[0];
+  M[61] = t934_lanes[1];
+  M[314] = t934_lanes[1];
+  const Lanes<2> t935_lanes = t216 * t559_lanes - t215 *
+      (s2_plus_3 * t319_lanes + c2_plus_3 * t293_lanes);
 
-  // link 14 (right_shoulder1), mass matrix
-  M[61] = M_2_6_lanes[1];
-  M[314] = M_2_6_lanes[1];
+  // links 8, 15, 23 and 24, mass matrix
+  const Lanes<2> t936_lanes = t812_lanes + link4_to_5_z * t379_lanes;
+  M[55] = t936_lanes[0];
+  M[170] = t936_lanes[0];
+  M[62] = t936_lanes[1];
+  M[338] = t936_lanes[1];
+  const Lanes<2> t937_lanes = s6 * t919_lanes - c6 * t895_lanes;
+  const Lanes<2> t942_lanes = t215 * (s2_plus_3 * t379_lanes - c2_plus_3 * t359_lanes) + t216 *
+      t606_lanes;
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_p19_lanes = M_1_1_p4 * M_1_6_p15_lanes - M_1_1_p3 *
-      (M_1_1_p8 * M_1_6_p10_lanes + M_1_1_p5 * M_1_6_p8_lanes);
+  // links 9 (left_upperarm) and 16 (right_upperarm), mass matrix
+  const Lanes<2> t943_lanes = t924_lanes - link4_to_5_z * t429_lanes;
+  M[56] = t943_lanes[0];
+  M[194] = t943_lanes[0];
+  M[63] = t943_lanes[1];
+  M[362] = t943_lanes[1];
+  const Lanes<2> t944_lanes = t215 * (c2_plus_3 * t422_lanes - s2_plus_3 * t429_lanes) - t216 *
+      t623_lanes;
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_2_7_lanes = M_2_7_p23_lanes + 0.21799999999999997 * M_1_7_p13_lanes;
-  M[55] = M_2_7_lanes[0];
-  M[170] = M_2_7_lanes[0];
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix
+  const Lanes<2> t945_lanes = t925_lanes + link4_to_5_z * t531_lanes;
+  M[57] = t945_lanes[0];
+  M[218] = t945_lanes[0];
+  M[64] = t945_lanes[1];
+  M[386] = t945_lanes[1];
+  const Lanes<2> t946_lanes = t215 * (s2_plus_3 * t531_lanes - c2_plus_3 * t521_lanes) + t216 *
+      t654_lanes;
 
-  // link 15 (right_shoulder2), mass matrix
-  M[62] = M_2_7_lanes[1];
-  M[338] = M_2_7_lanes[1];
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t947_lanes = t926_lanes + link4_to_5_z * t632_lanes;
+  M[58] = t947_lanes[0];
+  M[242] = t947_lanes[0];
+  M[65] = t947_lanes[1];
+  M[410] = t947_lanes[1];
+  const Lanes<2> t948_lanes = t215 * (s2_plus_3 * t632_lanes - c2_plus_3 * t615_lanes) + t216 *
+      t659_lanes;
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_p20_lanes = s6 * M_2_22_p16_lanes - c6 * M_20_22_lanes;
+  // links 23 (left_eye) and 24 (right_eye), mass matrix
+  const Lanes<2> t950_lanes = s6 * t895_lanes + c6 * t919_lanes + minus_link5_to_6_y * t874_lanes;
+  M[118] = -t950_lanes[0];
+  M[532] = -t950_lanes[0];
+  M[119] = -t950_lanes[1];
+  M[556] = -t950_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_p22_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_7_p13_lanes - M_1_1_p5 *
-      M_1_7_p12_lanes) + M_1_1_p4 * M_1_7_p19_lanes;
+  // links 12, 19, 23 and 24, mass matrix
+  const Lanes<2> t951_lanes = t927_lanes - link4_to_5_z * t767_lanes;
+  M[59] = t951_lanes[0];
+  M[266] = t951_lanes[0];
+  M[66] = t951_lanes[1];
+  M[434] = t951_lanes[1];
+  const Lanes<2> t952_lanes = t215 * (c2_plus_3 * t744_lanes - s2_plus_3 * t767_lanes) - t216 *
+      t795_lanes;
+  const Lanes<2> t954_lanes = c2_plus_3 * t932_lanes + s2_plus_3 * t915_lanes;
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_2_8_lanes = M_2_8_p30_lanes - 0.21799999999999997 * M_1_8_p15_lanes;
-  M[56] = M_2_8_lanes[0];
-  M[194] = M_2_8_lanes[0];
+  // links 13 (left_hand) and 20 (right_hand), mass matrix
+  const Lanes<2> t955_lanes = t931_lanes + link4_to_5_z * t865_lanes;
+  M[60] = t955_lanes[0];
+  M[290] = t955_lanes[0];
+  M[67] = t955_lanes[1];
+  M[458] = t955_lanes[1];
+  const Lanes<2> t956_lanes = t215 * (s2_plus_3 * t865_lanes - c2_plus_3 * t853_lanes) + t216 *
+      t909_lanes;
 
-  // link 16 (right_upperarm), mass matrix
-  M[63] = M_2_8_lanes[1];
-  M[362] = M_2_8_lanes[1];
-
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_p24_lanes = M_1_1_p3 * (M_1_1_p5 * M_1_8_p14_lanes - M_1_1_p8 *
-      M_1_8_p15_lanes) - M_1_1_p4 * M_1_8_p21_lanes;
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_2_9_lanes = M_2_9_p34_lanes + 0.21799999999999997 * M_1_9_p22_lanes;
-  M[57] = M_2_9_lanes[0];
-  M[218] = M_2_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[64] = M_2_9_lanes[1];
-  M[386] = M_2_9_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_p31_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_9_p22_lanes - M_1_1_p5 *
-      M_1_9_p21_lanes) + M_1_1_p4 * M_1_9_p28_lanes;
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_2_10_lanes = M_2_10_p39_lanes + 0.21799999999999997 * M_1_10_p29_lanes;
-  M[58] = M_2_10_lanes[0];
-  M[242] = M_2_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[65] = M_2_10_lanes[1];
-  M[410] = M_2_10_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_p37_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_10_p29_lanes - M_1_1_p5 *
-      M_1_10_p26_lanes) + M_1_1_p4 * M_1_10_p34_lanes;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_4_22_lanes = s6 * M_20_22_lanes + c6 * M_2_22_p16_lanes + 0.072 *
-      M_1_22_p9_lanes;
-  M[118] = -M_4_22_lanes[0];
-  M[532] = -M_4_22_lanes[0];
-
-  // link 24 (right_eye), mass matrix
-  M[119] = -M_4_22_lanes[1];
-  M[556] = -M_4_22_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_2_11_lanes = M_2_11_p44_lanes - 0.21799999999999997 * M_1_11_p36_lanes;
-  M[59] = M_2_11_lanes[0];
-  M[266] = M_2_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[66] = M_2_11_lanes[1];
-  M[434] = M_2_11_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_p43_lanes = M_1_1_p3 * (M_1_1_p5 * M_1_11_p32_lanes - M_1_1_p8 *
-      M_1_11_p36_lanes) - M_1_1_p4 * M_1_11_p40_lanes;
-
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p26_lanes = M_1_1_p5 * M_1_22_p22_lanes + M_1_1_p8 * M_1_22_p18_lanes;
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_2_12_lanes = M_2_12_p52_lanes + 0.21799999999999997 * M_1_12_p38_lanes;
-  M[60] = M_2_12_lanes[0];
-  M[290] = M_2_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[67] = M_2_12_lanes[1];
-  M[458] = M_2_12_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_p46_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_12_p38_lanes - M_1_1_p5 *
-      M_1_12_p36_lanes) + M_1_1_p4 * M_1_12_p43_lanes;
-
-  // link 21 (neck), mass matrix
-  const Real M_2_20 = 0.21799999999999997 * M_1_20_p3 +
-      (s4 * (s5 * M_2_20_p2 + c5 * M_2_20_p3) + c4 * M_4_20);
+  // links 21 (neck) and 22 (head), mass matrix
+  const Real M_2_20 = link4_to_5_z * t846 + (s4 * (s5 * t826 + c5 * t827) + c4 * M_4_20);
   M[68] = -M_2_20;
   M[482] = -M_2_20;
-
-  // link 22 (head), mass matrix
-  const Real M_2_21 = s4 * (c5 * M_2_21_p4 + s5 * M_2_21_p5) + c4 * M_4_21 + 0.21799999999999997 *
-      M_1_21_p5;
+  const Real M_2_21 = s4 * (c5 * t876 + s5 * t888) + c4 * M_4_21 + link4_to_5_z * t879;
   M[69] = -M_2_21;
   M[506] = -M_2_21;
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_p29_lanes = M_1_1_p3 * (M_1_1_p8 * M_1_22_p22_lanes - M_1_1_p5 *
-      M_1_22_p18_lanes) + M_1_1_p4 * M_1_22_p26_lanes;
-  const Lanes<2> M_2_22_p26_lanes = s4 * (s5 * M_2_22_p20_lanes - c5 * M_2_22_p18_lanes) + c4 *
-      M_4_22_lanes;
-
-  // link 3 (hip), mass matrix
-  const Real M_1_2 = M_2_2 - M_1_1_p12;
+  // links 3, 23 and 24, mass matrix
+  const Lanes<2> t973_lanes = t215 * (s2_plus_3 * t932_lanes - c2_plus_3 * t915_lanes) + t216 *
+      t954_lanes;
+  const Lanes<2> t985_lanes = s4 * (s5 * t937_lanes - c5 * t929_lanes) + c4 * t950_lanes;
+  const Real M_1_2 = M_2_2 - t258;
   M[26] = M_1_2;
   M[49] = M_1_2;
 
-  // link 4 (chest1), mass matrix
-  const Real M_1_3 = M_2_3 - (M_1_1_p3 * (M_1_1_p8 * M_1_3_p3) + M_1_1_p4 * M_1_3_p4);
+  // links 4 (chest1) and 5 (chest2), mass matrix
+  const Real M_1_3 = M_2_3 - (t215 * (s2_plus_3 * t239) + t216 * t247);
   M[27] = M_1_3;
   M[73] = M_1_3;
-
-  // link 5 (chest2), mass matrix
-  const Real M_1_4 = M_2_4 + (M_1_1_p4 * M_1_4_p2 - M_1_1_p3 *
-      (M_1_1_p8 * M_1_4_p1 + M_1_1_p5 * M_1_1_p6));
+  const Real M_1_4 = M_2_4 + (t216 * t252 - t215 * (s2_plus_3 * t240 + c2_plus_3 * t221));
   M[28] = M_1_4;
   M[97] = M_1_4;
 
-  // link 6 (chest3), mass matrix
-  const Real M_1_5 = M_2_5 + (M_1_1_p3 * (M_1_1_p8 * M_1_5_p2 - M_1_1_p5 * M_1_5_p1) + M_1_1_p4 *
-      M_1_5_p3);
+  // links 6, 23 and 24, mass matrix
+  const Real M_1_5 = M_2_5 + (t215 * (s2_plus_3 * t264 - c2_plus_3 * t257) + t216 * t289);
   M[29] = M_1_5;
   M[121] = M_1_5;
+  const Lanes<2> t988_lanes = link4_to_5_z * t932_lanes - t985_lanes;
+  M[70] = t988_lanes[0];
+  M[530] = t988_lanes[0];
+  M[71] = t988_lanes[1];
+  M[554] = t988_lanes[1];
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_2_22_lanes = 0.21799999999999997 * M_1_22_p22_lanes - M_2_22_p26_lanes;
-  M[70] = M_2_22_lanes[0];
-  M[530] = M_2_22_lanes[0];
+  // links 7 (left_shoulder1) and 14 (right_shoulder1), mass matrix
+  const Lanes<2> t989_lanes = t934_lanes + t935_lanes;
+  M[30] = t989_lanes[0];
+  M[145] = t989_lanes[0];
+  M[37] = t989_lanes[1];
+  M[313] = t989_lanes[1];
 
-  // link 24 (right_eye), mass matrix
-  M[71] = M_2_22_lanes[1];
-  M[554] = M_2_22_lanes[1];
+  // links 8 (left_shoulder2) and 15 (right_shoulder2), mass matrix
+  const Lanes<2> t990_lanes = t936_lanes + t942_lanes;
+  M[31] = t990_lanes[0];
+  M[169] = t990_lanes[0];
+  M[38] = t990_lanes[1];
+  M[337] = t990_lanes[1];
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_1_6_lanes = M_2_6_lanes + M_1_6_p19_lanes;
-  M[30] = M_1_6_lanes[0];
-  M[145] = M_1_6_lanes[0];
+  // links 9 (left_upperarm) and 16 (right_upperarm), mass matrix
+  const Lanes<2> t991_lanes = t943_lanes + t944_lanes;
+  M[32] = t991_lanes[0];
+  M[193] = t991_lanes[0];
+  M[39] = t991_lanes[1];
+  M[361] = t991_lanes[1];
 
-  // link 14 (right_shoulder1), mass matrix
-  M[37] = M_1_6_lanes[1];
-  M[313] = M_1_6_lanes[1];
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix
+  const Lanes<2> t992_lanes = t945_lanes + t946_lanes;
+  M[33] = t992_lanes[0];
+  M[217] = t992_lanes[0];
+  M[40] = t992_lanes[1];
+  M[385] = t992_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_1_7_lanes = M_2_7_lanes + M_1_7_p22_lanes;
-  M[31] = M_1_7_lanes[0];
-  M[169] = M_1_7_lanes[0];
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t993_lanes = t947_lanes + t948_lanes;
+  M[34] = t993_lanes[0];
+  M[241] = t993_lanes[0];
+  M[41] = t993_lanes[1];
+  M[409] = t993_lanes[1];
 
-  // link 15 (right_shoulder2), mass matrix
-  M[38] = M_1_7_lanes[1];
-  M[337] = M_1_7_lanes[1];
+  // links 12 (left_wrist2) and 19 (right_wrist2), mass matrix
+  const Lanes<2> t994_lanes = t951_lanes + t952_lanes;
+  M[35] = t994_lanes[0];
+  M[265] = t994_lanes[0];
+  M[42] = t994_lanes[1];
+  M[433] = t994_lanes[1];
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_1_8_lanes = M_2_8_lanes + M_1_8_p24_lanes;
-  M[32] = M_1_8_lanes[0];
-  M[193] = M_1_8_lanes[0];
+  // links 13 (left_hand) and 20 (right_hand), mass matrix
+  const Lanes<2> t995_lanes = t955_lanes + t956_lanes;
+  M[36] = t995_lanes[0];
+  M[289] = t995_lanes[0];
+  M[43] = t995_lanes[1];
+  M[457] = t995_lanes[1];
 
-  // link 16 (right_upperarm), mass matrix
-  M[39] = M_1_8_lanes[1];
-  M[361] = M_1_8_lanes[1];
-
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_1_9_lanes = M_2_9_lanes + M_1_9_p31_lanes;
-  M[33] = M_1_9_lanes[0];
-  M[217] = M_1_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[40] = M_1_9_lanes[1];
-  M[385] = M_1_9_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_1_10_lanes = M_2_10_lanes + M_1_10_p37_lanes;
-  M[34] = M_1_10_lanes[0];
-  M[241] = M_1_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[41] = M_1_10_lanes[1];
-  M[409] = M_1_10_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_1_11_lanes = M_2_11_lanes + M_1_11_p43_lanes;
-  M[35] = M_1_11_lanes[0];
-  M[265] = M_1_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[42] = M_1_11_lanes[1];
-  M[433] = M_1_11_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_1_12_lanes = M_2_12_lanes + M_1_12_p46_lanes;
-  M[36] = M_1_12_lanes[0];
-  M[289] = M_1_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[43] = M_1_12_lanes[1];
-  M[457] = M_1_12_lanes[1];
-
-  // link 21 (neck), mass matrix
-  const Real M_1_20 = M_1_1_p4 * M_1_20_p4 - M_1_1_p3 *
-      (M_1_1_p8 * M_1_20_p3 + M_1_1_p5 * M_1_20_p2) - M_2_20;
+  // links 21 (neck) and 22 (head), mass matrix
+  const Real M_1_20 = t216 * t910 - t215 * (s2_plus_3 * t846 + c2_plus_3 * t845) - M_2_20;
   M[44] = M_1_20;
   M[481] = M_1_20;
-
-  // link 22 (head), mass matrix
-  const Real M_1_21 = M_1_1_p4 * M_1_21_p6 + M_1_1_p3 *
-      (M_1_1_p8 * M_1_21_p5 - M_1_1_p5 * M_1_21_p4) + M_2_21;
+  const Real M_1_21 = t216 * t914 + t215 * (s2_plus_3 * t879 - c2_plus_3 * t860) + M_2_21;
   M[45] = -M_1_21;
   M[505] = -M_1_21;
 
-  // link 2 (thigh), composite inertia
-  M[0] = 13.049859506913753 + (M_1_1 - 0.868 * M_0_0_p1);
+  // link 2 (thigh), composite inertia; links 23 (left_eye) and 24 (right_eye), mass matrix
+  M[0] = J_1_zz + (M_1_1 - 0.868 * t253);
+  const Lanes<2> t996_lanes = t988_lanes + t973_lanes;
+  M[46] = t996_lanes[0];
+  M[529] = t996_lanes[0];
+  M[47] = t996_lanes[1];
+  M[553] = t996_lanes[1];
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_1_22_lanes = M_2_22_lanes + M_1_22_p29_lanes;
-  M[46] = M_1_22_lanes[0];
-  M[529] = M_1_22_lanes[0];
-
-  // link 24 (right_eye), mass matrix
-  M[47] = M_1_22_lanes[1];
-  M[553] = M_1_22_lanes[1];
-
-  // link 2 (thigh), mass matrix
-  const Real M_0_1 = M_1_1 - 0.434 * M_0_0_p1;
+  // links 2 (thigh) and 3 (hip), mass matrix
+  const Real M_0_1 = M_1_1 - minus_link1_to_2_y * t253;
   M[1] = M_0_1;
   M[24] = M_0_1;
-
-  // link 3 (hip), mass matrix
-  const Real M_0_2 = M_1_2 - 0.434 * M_1_1_p11;
+  const Real M_0_2 = M_1_2 - minus_link1_to_2_y * t246;
   M[2] = M_0_2;
   M[48] = M_0_2;
 
-  // link 4 (chest1), mass matrix
-  const Real M_0_3 = M_1_3 - 0.434 * M_1_3_p4;
+  // links 4 (chest1) and 5 (chest2), mass matrix
+  const Real M_0_3 = M_1_3 - minus_link1_to_2_y * t247;
   M[3] = M_0_3;
   M[72] = M_0_3;
-
-  // link 5 (chest2), mass matrix
-  const Real M_0_4 = M_1_4 + 0.434 * M_1_4_p2;
+  const Real M_0_4 = M_1_4 + minus_link1_to_2_y * t252;
   M[4] = M_0_4;
   M[96] = M_0_4;
 
-  // link 6 (chest3), mass matrix
-  const Real M_0_5 = M_1_5 + 0.434 * M_1_5_p3;
+  // links 6 and 7, 14, mass matrix
+  const Real M_0_5 = M_1_5 + minus_link1_to_2_y * t289;
   M[5] = M_0_5;
   M[120] = M_0_5;
+  const Lanes<2> t997_lanes = t989_lanes + minus_link1_to_2_y * t559_lanes;
+  M[6] = t997_lanes[0];
+  M[144] = t997_lanes[0];
+  M[13] = t997_lanes[1];
+  M[312] = t997_lanes[1];
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_0_6_lanes = M_1_6_lanes + 0.434 * M_1_6_p15_lanes;
-  M[6] = M_0_6_lanes[0];
-  M[144] = M_0_6_lanes[0];
+  // links 8 (left_shoulder2) and 15 (right_shoulder2), mass matrix
+  const Lanes<2> t998_lanes = t990_lanes + minus_link1_to_2_y * t606_lanes;
+  M[7] = t998_lanes[0];
+  M[168] = t998_lanes[0];
+  M[14] = t998_lanes[1];
+  M[336] = t998_lanes[1];
 
-  // link 14 (right_shoulder1), mass matrix
-  M[13] = M_0_6_lanes[1];
-  M[312] = M_0_6_lanes[1];
+  // links 9 (left_upperarm) and 16 (right_upperarm), mass matrix
+  const Lanes<2> t999_lanes = t991_lanes - minus_link1_to_2_y * t623_lanes;
+  M[8] = t999_lanes[0];
+  M[192] = t999_lanes[0];
+  M[15] = t999_lanes[1];
+  M[360] = t999_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_0_7_lanes = M_1_7_lanes + 0.434 * M_1_7_p19_lanes;
-  M[7] = M_0_7_lanes[0];
-  M[168] = M_0_7_lanes[0];
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix
+  const Lanes<2> t1000_lanes = t992_lanes + minus_link1_to_2_y * t654_lanes;
+  M[9] = t1000_lanes[0];
+  M[216] = t1000_lanes[0];
+  M[16] = t1000_lanes[1];
+  M[384] = t1000_lanes[1];
 
-  // link 15 (right_shoulder2), mass matrix
-  M[14] = M_0_7_lanes[1];
-  M[336] = M_0_7_lanes[1];
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t1001_lanes = t993_lanes + minus_link1_to_2_y * t659_lanes;
+  M[10] = t1001_lanes[0];
+  M[240] = t1001_lanes[0];
+  M[17] = t1001_lanes[1];
+  M[408] = t1001_lanes[1];
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_0_8_lanes = M_1_8_lanes - 0.434 * M_1_8_p21_lanes;
-  M[8] = M_0_8_lanes[0];
-  M[192] = M_0_8_lanes[0];
+  // links 12 (left_wrist2) and 19 (right_wrist2), mass matrix
+  const Lanes<2> t1002_lanes = t994_lanes - minus_link1_to_2_y * t795_lanes;
+  M[11] = t1002_lanes[0];
+  M[264] = t1002_lanes[0];
+  M[18] = t1002_lanes[1];
+  M[432] = t1002_lanes[1];
 
-  // link 16 (right_upperarm), mass matrix
-  M[15] = M_0_8_lanes[1];
-  M[360] = M_0_8_lanes[1];
+  // links 13 (left_hand) and 20 (right_hand), mass matrix
+  const Lanes<2> t1003_lanes = t995_lanes + minus_link1_to_2_y * t909_lanes;
+  M[12] = t1003_lanes[0];
+  M[288] = t1003_lanes[0];
+  M[19] = t1003_lanes[1];
+  M[456] = t1003_lanes[1];
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_0_9_lanes = M_1_9_lanes + 0.434 * M_1_9_p28_lanes;
-  M[9] = M_0_9_lanes[0];
-  M[216] = M_0_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[16] = M_0_9_lanes[1];
-  M[384] = M_0_9_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_0_10_lanes = M_1_10_lanes + 0.434 * M_1_10_p34_lanes;
-  M[10] = M_0_10_lanes[0];
-  M[240] = M_0_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[17] = M_0_10_lanes[1];
-  M[408] = M_0_10_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_0_11_lanes = M_1_11_lanes - 0.434 * M_1_11_p40_lanes;
-  M[11] = M_0_11_lanes[0];
-  M[264] = M_0_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[18] = M_0_11_lanes[1];
-  M[432] = M_0_11_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_0_12_lanes = M_1_12_lanes + 0.434 * M_1_12_p43_lanes;
-  M[12] = M_0_12_lanes[0];
-  M[288] = M_0_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[19] = M_0_12_lanes[1];
-  M[456] = M_0_12_lanes[1];
-
-  // link 21 (neck), mass matrix
-  const Real M_0_20 = M_1_20 + 0.434 * M_1_20_p4;
+  // links 21 (neck) and 22 (head), mass matrix
+  const Real M_0_20 = M_1_20 + minus_link1_to_2_y * t910;
   M[20] = M_0_20;
   M[480] = M_0_20;
-
-  // link 22 (head), mass matrix
-  const Real M_0_21 = M_1_21 + 0.434 * M_1_21_p6;
+  const Real M_0_21 = M_1_21 + minus_link1_to_2_y * t914;
   M[21] = -M_0_21;
   M[504] = -M_0_21;
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_0_22_lanes = M_1_22_lanes + 0.434 * M_1_22_p26_lanes;
-  M[22] = M_0_22_lanes[0];
-  M[528] = M_0_22_lanes[0];
+  // links 23 (left_eye) and 24 (right_eye), mass matrix; link 5 (chest2), composite inertia
+  const Lanes<2> t1004_lanes = t996_lanes + minus_link1_to_2_y * t954_lanes;
+  M[22] = t1004_lanes[0];
+  M[528] = t1004_lanes[0];
+  M[23] = t1004_lanes[1];
+  M[552] = t1004_lanes[1];
+  M[75] = J_4_zz + (t391 + t434);
 
-  // link 24 (right_eye), mass matrix
-  M[23] = M_0_22_lanes[1];
-  M[552] = M_0_22_lanes[1];
-
-  // link 5 (chest2), composite inertia
-  M[75] = 0.060169103246295166 + (M_2_2_p372 + M_2_2_p376);
-
-  // link 6 (chest3), mass matrix
-  const Real M_3_5 = s5 * M_2_5_p1 + c5 * M_2_2_p368;
+  // links 6 and 7, 14, mass matrix
+  const Real M_3_5 = s5 * t328 + c5 * t348;
   M[77] = -M_3_5;
   M[123] = -M_3_5;
+  const Lanes<2> t1005_lanes = s5 * t285_lanes + c5 * t297_lanes;
+  M[78] = -t1005_lanes[0];
+  M[147] = -t1005_lanes[0];
+  M[85] = -t1005_lanes[1];
+  M[315] = -t1005_lanes[1];
 
-  // link 7 (left_shoulder1), mass matrix
-  const Lanes<2> M_3_6_lanes = s5 * M_2_6_p33_lanes + c5 * M_2_6_p35_lanes;
-  M[78] = -M_3_6_lanes[0];
-  M[147] = -M_3_6_lanes[0];
+  // links 8 (left_shoulder2) and 15 (right_shoulder2), mass matrix
+  const Lanes<2> t1006_lanes = s5 * t354_lanes + c5 * t346_lanes;
+  M[79] = -t1006_lanes[0];
+  M[171] = -t1006_lanes[0];
+  M[86] = -t1006_lanes[1];
+  M[339] = -t1006_lanes[1];
 
-  // link 14 (right_shoulder1), mass matrix
-  M[85] = -M_3_6_lanes[1];
-  M[315] = -M_3_6_lanes[1];
+  // links 9 (left_upperarm) and 16 (right_upperarm), mass matrix
+  const Lanes<2> t1007_lanes = s5 * t411_lanes + c5 * t410_lanes;
+  M[80] = -t1007_lanes[0];
+  M[195] = -t1007_lanes[0];
+  M[87] = -t1007_lanes[1];
+  M[363] = -t1007_lanes[1];
 
-  // link 8 (left_shoulder2), mass matrix
-  const Lanes<2> M_3_7_lanes = s5 * M_2_7_p16_lanes + c5 * M_2_7_p15_lanes;
-  M[79] = -M_3_7_lanes[0];
-  M[171] = -M_3_7_lanes[0];
+  // links 10 (left_lowerarm) and 17 (right_lowerarm), mass matrix
+  const Lanes<2> t1008_lanes = c5 * t518_lanes - s5 * t520_lanes;
+  M[81] = t1008_lanes[0];
+  M[219] = t1008_lanes[0];
+  M[88] = t1008_lanes[1];
+  M[387] = t1008_lanes[1];
 
-  // link 15 (right_shoulder2), mass matrix
-  M[86] = -M_3_7_lanes[1];
-  M[339] = -M_3_7_lanes[1];
+  // links 11 (left_wrist1) and 18 (right_wrist1), mass matrix
+  const Lanes<2> t1009_lanes = c5 * t617_lanes - s5 * t614_lanes;
+  M[82] = t1009_lanes[0];
+  M[243] = t1009_lanes[0];
+  M[89] = t1009_lanes[1];
+  M[411] = t1009_lanes[1];
 
-  // link 9 (left_upperarm), mass matrix
-  const Lanes<2> M_3_8_lanes = s5 * M_2_8_p23_lanes + c5 * M_2_8_p22_lanes;
-  M[80] = -M_3_8_lanes[0];
-  M[195] = -M_3_8_lanes[0];
+  // links 12 (left_wrist2) and 19 (right_wrist2), mass matrix
+  const Lanes<2> t1010_lanes = s5 * t752_lanes + c5 * t765_lanes;
+  M[83] = -t1010_lanes[0];
+  M[267] = -t1010_lanes[0];
+  M[90] = -t1010_lanes[1];
+  M[435] = -t1010_lanes[1];
 
-  // link 16 (right_upperarm), mass matrix
-  M[87] = -M_3_8_lanes[1];
-  M[363] = -M_3_8_lanes[1];
+  // links 13 (left_hand) and 20 (right_hand), mass matrix
+  const Lanes<2> t1011_lanes = s5 * t851_lanes + c5 * t857_lanes;
+  M[84] = -t1011_lanes[0];
+  M[291] = -t1011_lanes[0];
+  M[91] = -t1011_lanes[1];
+  M[459] = -t1011_lanes[1];
 
-  // link 10 (left_lowerarm), mass matrix
-  const Lanes<2> M_3_9_lanes = c5 * M_2_9_p26_lanes - s5 * M_2_9_p27_lanes;
-  M[81] = M_3_9_lanes[0];
-  M[219] = M_3_9_lanes[0];
-
-  // link 17 (right_lowerarm), mass matrix
-  M[88] = M_3_9_lanes[1];
-  M[387] = M_3_9_lanes[1];
-
-  // link 11 (left_wrist1), mass matrix
-  const Lanes<2> M_3_10_lanes = c5 * M_2_10_p32_lanes - s5 * M_2_10_p31_lanes;
-  M[82] = M_3_10_lanes[0];
-  M[243] = M_3_10_lanes[0];
-
-  // link 18 (right_wrist1), mass matrix
-  M[89] = M_3_10_lanes[1];
-  M[411] = M_3_10_lanes[1];
-
-  // link 12 (left_wrist2), mass matrix
-  const Lanes<2> M_3_11_lanes = s5 * M_2_11_p36_lanes + c5 * M_2_11_p37_lanes;
-  M[83] = -M_3_11_lanes[0];
-  M[267] = -M_3_11_lanes[0];
-
-  // link 19 (right_wrist2), mass matrix
-  M[90] = -M_3_11_lanes[1];
-  M[435] = -M_3_11_lanes[1];
-
-  // link 13 (left_hand), mass matrix
-  const Lanes<2> M_3_12_lanes = s5 * M_2_12_p44_lanes + c5 * M_2_12_p45_lanes;
-  M[84] = -M_3_12_lanes[0];
-  M[291] = -M_3_12_lanes[0];
-
-  // link 20 (right_hand), mass matrix
-  M[91] = -M_3_12_lanes[1];
-  M[459] = -M_3_12_lanes[1];
-
-  // link 21 (neck), mass matrix
-  const Real M_3_20 = c5 * M_2_20_p2 - s5 * M_2_20_p3;
+  // links 21 (neck) and 22 (head), mass matrix
+  const Real M_3_20 = c5 * t826 - s5 * t827;
   M[92] = -M_3_20;
   M[483] = -M_3_20;
-
-  // link 22 (head), mass matrix
-  const Real M_3_21 = s5 * M_2_21_p4 - c5 * M_2_21_p5;
+  const Real M_3_21 = s5 * t876 - c5 * t888;
   M[93] = M_3_21;
   M[507] = M_3_21;
 
-  // link 23 (left_eye), mass matrix
-  const Lanes<2> M_3_22_lanes = s5 * M_2_22_p18_lanes + c5 * M_2_22_p20_lanes;
-  M[94] = -M_3_22_lanes[0];
-  M[531] = -M_3_22_lanes[0];
-
-  // link 24 (right_eye), mass matrix
-  M[95] = -M_3_22_lanes[1];
-  M[555] = -M_3_22_lanes[1];
+  // links 23 (left_eye) and 24 (right_eye), mass matrix
+  const Lanes<2> t1012_lanes = s5 * t929_lanes + c5 * t937_lanes;
+  M[94] = -t1012_lanes[0];
+  M[531] = -t1012_lanes[0];
+  M[95] = -t1012_lanes[1];
+  M[555] = -t1012_lanes[1];
 }
 
 }  // namespace humanoid24

@@ -15,6 +15,14 @@ namespace puma560 {
 
 void bias_acceleration(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_RESTRICT qd)[6],
     Real (&TREELINE_RESTRICT bias)[6]) noexcept {
+  // constants
+  const Real minus_link3_to_4_x = 0.0203;
+  const Real minus_link3_to_4_y = 0.4331;
+  const Real link2_to_3_x = 0.4318;
+  const Real link2_to_3_z = 0.1501;
+  const Real link6_to_tool_z = 0.05625;
+
+  // sines and cosines
   const Real angles[5] = {q[3], q[1], q[2], q[0], q[4]};
   Real sines[5];
   Real cosines[5];
@@ -30,127 +38,83 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELI
   const Real s5 = sines[4];
   const Real c5 = cosines[4];
 
-  // link 3 (link3), outward
+  // links 1 to 3, outward
   const Real w3_z = qd[1] + qd[2];
-
-  // link 1 (link1), outward
-  const Real a3_x_p1 = qd[0] * qd[0];
-
-  // link 2 (link2), outward
-  const Real a3_x_p2 = qd[1] * qd[1];
-  const Real a3_y_p1 = 0.4318 * s2;
+  const Real t1 = qd[0] * qd[0];
+  const Real t2 = qd[1] * qd[1];
+  const Real t3 = link2_to_3_x * s2;
   const Real wd2_x = qd[0] * qd[1];
-  const Real w4_y_p1 = s2 * c3 + c2 * s3;
-  const Real a4_x_p1 = s2 * s3 - c2 * c3;
 
-  // link 3 (link3), outward
-  const Real a4_x_p2 = w3_z * w3_z;
+  // links 3 (link3) and 4 (link4), outward
+  const Real s23 = s2 * c3 + c2 * s3;
+  const Real minus_c23 = s2 * s3 - c2 * c3;
+  const Real t4 = w3_z * w3_z;
   const Real wd3_x = qd[0] * w3_z;
-  const Real a3_y = a3_x_p2 * a3_y_p1;
+  const Real a3_y = t2 * t3;
+  const Real t5 = s23 * qd[0];
+  const Real t6 = minus_c23 * wd3_x;
+  const Real a3_x = (t1 + t2) * (link2_to_3_x * c2);
+  const Real minus_wd4_z = s23 * wd3_x;
 
-  // link 4 (link4), outward
-  const Real w4_y_p2 = w4_y_p1 * qd[0];
-  const Real wd4_x_p1 = a4_x_p1 * wd3_x;
+  // link 4 (link4), pose and outward
+  const Real t7 = minus_c23 * c1;
+  const Real t8 = minus_c23 * s1;
+  const Real t9 = s23 * c1;
+  const Real t10 = s23 * s1;
+  const Real t11 = c4 * s23;
+  const Real t12 = s4 * s23;
+  const Real t13 = minus_link3_to_4_x * s23 - minus_link3_to_4_y * minus_c23;
+  const Real w4_z = qd[3] - minus_c23 * qd[0];
+  const Real w4_y = s4 * t5 + c4 * w3_z;
+  const Real w4_x = s4 * w3_z - c4 * t5;
+  const Real t14 = c4 * t7 + s4 * s1;
+  const Real t15 = s4 * c1 - c4 * t8;
+  const Real t16 = a3_x + (t1 + t4) * (minus_link3_to_4_x * minus_c23 + minus_link3_to_4_y * s23);
+  const Real t17 = a3_y - t4 * t13;
 
-  // link 3 (link3), outward
-  const Real a3_x = (a3_x_p1 + a3_x_p2) * (0.4318 * c2);
-
-  // link 4 (link4), outward
-  const Real minus_wd4_z = w4_y_p1 * wd3_x;
-
-  // link 4 (link4), pose
-  const Real bias_3_p1 = a4_x_p1 * c1;
-  const Real bias_4_p1 = a4_x_p1 * s1;
-  const Real bias_3_p2 = w4_y_p1 * c1;
-  const Real bias_4_p2 = w4_y_p1 * s1;
-  const Real bias_5_p1 = c4 * w4_y_p1;
-  const Real bias_5_p2 = s4 * w4_y_p1;
-  const Real a4_x_p3 = 0.0203 * w4_y_p1 - 0.4331 * a4_x_p1;
-
-  // link 4 (link4), outward
-  const Real w4_z = qd[3] - a4_x_p1 * qd[0];
-  const Real w4_y = s4 * w4_y_p2 + c4 * w3_z;
-  const Real w4_x = s4 * w3_z - c4 * w4_y_p2;
-
-  // link 4 (link4), pose
-  const Real bias_3_p3 = c4 * bias_3_p1 + s4 * s1;
-  const Real bias_4_p3 = s4 * c1 - c4 * bias_4_p1;
-
-  // link 4 (link4), outward
-  const Real a4_x_p4 = a3_x + (a3_x_p1 + a4_x_p2) * (0.0203 * a4_x_p1 + 0.4331 * w4_y_p1);
-  const Real a4_x_p5 = a3_y - a4_x_p2 * a4_x_p3;
-
-  // link 5 (link5), outward
+  // links 4 (link4) and 5 (link5), outward
   const Real w5_z = w4_y + qd[4];
-
-  // link 4 (link4), outward
-  const Real wd4_x = c4 * wd4_x_p1 + w4_y * qd[3];
-
-  // link 5 (link5), outward
+  const Real wd4_x = c4 * t6 + w4_y * qd[3];
   const Real minus_w5_y = s5 * w4_x + c5 * w4_z;
   const Real w5_x = c5 * w4_x - s5 * w4_z;
+  const Real minus_wd4_y = s4 * t6 + w4_x * qd[3];
 
-  // link 4 (link4), outward
-  const Real minus_wd4_y = s4 * wd4_x_p1 + w4_x * qd[3];
-
-  // link 5 (link5), pose
-  const Real bias_3_p4 = c5 * bias_3_p3 + s5 * bias_3_p2;
-
-  // link 4 (link4), pose
-  const Real bias_3_p5 = s4 * bias_3_p1 - c4 * s1;
-
-  // link 5 (link5), pose
-  const Real bias_4_p4 = c5 * bias_4_p3 - s5 * bias_4_p2;
-
-  // link 6 (link6), outward
+  // links 4 (link4) and 5 (link5), pose; links 4 (link4) and 6 (link6), outward
+  const Real t18 = c5 * t14 + s5 * t9;
+  const Real t19 = s4 * t7 - c4 * s1;
+  const Real t20 = c5 * t15 - s5 * t10;
   const Real w6_z = minus_w5_y + qd[5];
+  const Real t21 = minus_c23 * t16 - s23 * t17;
+  const Real t22 = 2.0 * (wd3_x * t13 - wd2_x * t3) - link2_to_3_z * t1;
+  const Real minus_a4_z = s23 * t16 + minus_c23 * t17;
+  const Real t23 = s4 * t8 + c4 * c1;
 
-  // link 4 (link4), outward
-  const Real a4_x_p6 = a4_x_p1 * a4_x_p4 - w4_y_p1 * a4_x_p5;
-  const Real a4_x_p7 = 2.0 * (wd3_x * a4_x_p3 - wd2_x * a3_y_p1) - 0.1501 * a3_x_p1;
-  const Real minus_a4_z = w4_y_p1 * a4_x_p4 + a4_x_p1 * a4_x_p5;
-
-  // link 4 (link4), pose
-  const Real bias_4_p5 = s4 * bias_4_p1 + c4 * c1;
-
-  // link 5 (link5), pose
-  const Real bias_5_p3 = s5 * a4_x_p1 - c5 * bias_5_p1;
-  const Real bias_3_p6 = s5 * bias_3_p3 - c5 * bias_3_p2;
-  const Real bias_4_p6 = s5 * bias_4_p3 + c5 * bias_4_p2;
-
-  // link 6 (link6), outward
+  // link 5 (link5), pose; link 6 (link6), outward
+  const Real t24 = s5 * minus_c23 - c5 * t11;
+  const Real t25 = s5 * t14 - c5 * t9;
+  const Real t26 = s5 * t15 + c5 * t10;
   const Real minus_wd6_y = minus_wd4_y + w5_x * qd[5];
+  const Real t27 = s5 * t11 + c5 * minus_c23;
 
-  // link 5 (link5), pose
-  const Real bias_5_p4 = s5 * bias_5_p1 + c5 * a4_x_p1;
-
-  // link 5 (link5), outward
+  // links 4 to 6, outward
   const Real wd5_x = c5 * wd4_x + s5 * minus_wd4_z - minus_w5_y * qd[4];
-
-  // link 4 (link4), outward
-  const Real a4_x = c4 * a4_x_p6 + s4 * a4_x_p7;
-  const Real a4_y = c4 * a4_x_p7 - s4 * a4_x_p6;
-
-  // link 5 (link5), outward
+  const Real a4_x = c4 * t21 + s4 * t22;
+  const Real a4_y = c4 * t22 - s4 * t21;
   const Real wd5_y = c5 * minus_wd4_z - s5 * wd4_x - w5_x * qd[4];
-
-  // link 6 (link6), outward
   const Real wd6_x = wd5_x + w5_z * qd[5];
-
-  // link 5 (link5), outward
   const Real a5_x = c5 * a4_x + s5 * minus_a4_z;
   const Real a5_y = c5 * minus_a4_z - s5 * a4_x;
 
   // link 6 (link6), outward
-  const Real bias_0_p1 = a5_x + 0.05625 * (w5_x * w6_z - minus_wd6_y);
-  const Real bias_0_p2 = a5_y + 0.05625 * (w5_x * w5_x + w5_z * w5_z);
-  const Real bias_0_p3 = a4_y + 0.05625 * (w5_z * w6_z - wd6_x);
-  bias[3] = bias_3_p6 * wd5_y - (bias_3_p4 * wd6_x + bias_3_p5 * minus_wd6_y);
-  bias[4] = bias_4_p4 * wd6_x - bias_4_p5 * minus_wd6_y - bias_4_p6 * wd5_y;
-  bias[5] = bias_5_p3 * wd6_x - bias_5_p2 * minus_wd6_y + bias_5_p4 * wd5_y;
-  bias[0] = bias_3_p5 * bias_0_p3 - bias_3_p4 * bias_0_p1 + bias_3_p6 * bias_0_p2;
-  bias[1] = bias_4_p4 * bias_0_p1 + bias_4_p5 * bias_0_p3 - bias_4_p6 * bias_0_p2;
-  bias[2] = bias_5_p3 * bias_0_p1 + bias_5_p2 * bias_0_p3 + bias_5_p4 * bias_0_p2;
+  const Real t28 = a5_x + link6_to_tool_z * (w5_x * w6_z - minus_wd6_y);
+  const Real t29 = a5_y + link6_to_tool_z * (w5_x * w5_x + w5_z * w5_z);
+  const Real t30 = a4_y + link6_to_tool_z * (w5_z * w6_z - wd6_x);
+  bias[3] = t25 * wd5_y - (t18 * wd6_x + t19 * minus_wd6_y);
+  bias[4] = t20 * wd6_x - t23 * minus_wd6_y - t26 * wd5_y;
+  bias[5] = t24 * wd6_x - t12 * minus_wd6_y + t27 * wd5_y;
+  bias[0] = t19 * t30 - t18 * t28 + t25 * t29;
+  bias[1] = t20 * t28 + t23 * t30 - t26 * t29;
+  bias[2] = t24 * t28 + t12 * t30 + t27 * t29;
 }
 
 }  // namespace puma560

@@ -15,6 +15,33 @@ namespace puma560 {
 
 void forward_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_RESTRICT qd)[6],
     const Real (&TREELINE_RESTRICT tau)[6], Real (&TREELINE_RESTRICT qdd)[6]) noexcept {
+  // constants
+  const Real minus_h_5_y = 0.0028799999999999997;
+  const Real J_6_zz = 4e-05;
+  const Real minus_link3_to_4_x = 0.0203;
+  const Real minus_link3_to_4_y = 0.4331;
+  const Real link2_to_3_x = 0.4318;
+  const Real minus_gravity_z = 9.81;
+  const Real link2_to_3_z = 0.1501;
+  const Real J_5_xx = 0.00042216;
+  const Real J_5_yy = 2e-04;
+  const Real J_5_zz = 0.00062216;
+  const Real J_4_xx = 0.0007499999999999999;
+  const Real J_4_yy = 0.00065;
+  const Real minus_h_3_x = 0.025374999999999998;
+  const Real minus_h_3_y = 0.861795;
+  const Real minus_J_3_xy = 0.010673638499999999;
+  const Real h_2_y = 0.10439999999999999;
+  const Real h_2_x = 3.79559;
+  const Real J_3_zz = 0.312455249;
+  const Real J_3_yz = 0.004704000000000001;
+  const Real J_2_zz = 1.7481140020000001;
+  const Real minus_J_2_xz = 0.690314699;
+  const Real minus_J_2_yz = 0.023750999999999998;
+  const Real J_4_zz = 0.0014;
+  const Real minus_J_2_xy = 0.0070992;
+
+  // sines and cosines
   const Real angles[4] = {q[1], q[2], q[3], q[4]};
   Real sines[4];
   Real cosines[4];
@@ -28,379 +55,215 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
   const Real s5 = sines[3];
   const Real c5 = cosines[3];
 
-  // link 3 (link3), outward
+  // links 1 to 3, outward
   const Real w3_z = qd[1] + qd[2];
-
-  // link 1 (link1), outward
-  const Real a3_x_p1 = qd[0] * qd[0];
-
-  // link 2 (link2), outward
-  const Real a3_x_p2 = qd[1] * qd[1];
-  const Real a3_y_p1 = 0.4318 * s2;
-  const Real a3_x_p3 = 0.4318 * c2;
+  const Real t1 = qd[0] * qd[0];
+  const Real t2 = qd[1] * qd[1];
+  const Real t3 = link2_to_3_x * s2;
+  const Real t4 = link2_to_3_x * c2;
   const Real wd2_x = qd[0] * qd[1];
-  const Real a4_y_p1 = s2 * c3 + c2 * s3;
-  const Real a4_y_p2 = s2 * s3 - c2 * c3;
-
-  // link 3 (link3), outward
-  const Real a4_y_p3 = w3_z * w3_z;
+  const Real s23 = s2 * c3 + c2 * s3;
+  const Real minus_c23 = s2 * s3 - c2 * c3;
+  const Real t5 = w3_z * w3_z;
   const Real wd3_x = qd[0] * w3_z;
+  const Real t6 = 2.0 * wd2_x;
 
-  // link 2 (link2), outward
-  const Real minus_a3_z_p1 = 2.0 * wd2_x;
+  // links 3 (link3) and 4 (link4), outward
+  const Real t7 = s23 * qd[0];
+  const Real t8 = t1 + t5;
+  const Real a3_x = (t1 + t2) * t4;
+  const Real t9 = minus_c23 * wd3_x;
+  const Real a3_y = minus_gravity_z + t2 * t3;
+  const Real t10 = 2.0 * wd3_x;
+  const Real minus_wd4_z = s23 * wd3_x;
+  const Real t11 = minus_link3_to_4_x * minus_c23 + minus_link3_to_4_y * s23;
+  const Real t12 = minus_link3_to_4_x * s23 - minus_link3_to_4_y * minus_c23;
 
-  // link 4 (link4), outward
-  const Real w4_x_p1 = a4_y_p1 * qd[0];
-
-  // link 3 (link3), outward
-  const Real a4_y_p4 = a3_x_p1 + a4_y_p3;
-  const Real a3_x = (a3_x_p1 + a3_x_p2) * a3_x_p3;
-
-  // link 4 (link4), outward
-  const Real wd5_y_p1 = a4_y_p2 * wd3_x;
-
-  // link 3 (link3), outward
-  const Real a3_y = 9.81 + a3_x_p2 * a3_y_p1;
-  const Real a4_y_p5 = 2.0 * wd3_x;
-
-  // link 4 (link4), outward
-  const Real minus_wd4_z = a4_y_p1 * wd3_x;
-  const Real a4_y_p6 = 0.0203 * a4_y_p2 + 0.4331 * a4_y_p1;
-  const Real a4_y_p7 = 0.0203 * a4_y_p1 - 0.4331 * a4_y_p2;
-  const Real w4_z = qd[3] - a4_y_p2 * qd[0];
-
-  // link 6 (link6), mass matrix
-  const Real qdd_0_p1 = 4e-05 * s5;
-
-  // link 3 (link3), outward
-  const Real minus_a3_z = minus_a3_z_p1 * a3_y_p1 + 0.1501 * a3_x_p1;
-  const Real n3_z_p1 = 0.025374999999999998 * a4_y_p2 + 0.861795 * a4_y_p1;
-
-  // link 6 (link6), mass matrix
-  const Real qdd_0_p2 = s4 * qdd_0_p1;
+  // links 3 (link3) and 4 (link4), outward; link 6 (link6), mass matrix
+  const Real w4_z = qd[3] - minus_c23 * qd[0];
+  const Real t13 = J_6_zz * s5;
+  const Real minus_a3_z = t6 * t3 + link2_to_3_z * t1;
+  const Real t14 = minus_h_3_x * minus_c23 + minus_h_3_y * s23;
+  const Real t15 = s4 * t13;
 
   // link 4 (link4), outward
-  const Real w4_x = s4 * w3_z - c4 * w4_x_p1;
-  const Real w4_y = s4 * w4_x_p1 + c4 * w3_z;
-  const Real qdd_0_p3 = 0.025374999999999998 * a4_y_p1 - 0.861795 * a4_y_p2;
-  const Real qdd_0_p4 = 0.298925024 * a4_y_p1 + 0.021347276999999998 * a4_y_p2;
-  const Real a4_y_p8 = a3_x + a4_y_p4 * a4_y_p6;
-  const Real a4_y_p9 = a3_y - a4_y_p3 * a4_y_p7;
-  const Real a4_y_p10 = a4_y_p5 * a4_y_p7 - minus_a3_z;
-  const Real wd5_y_p2 = w4_x * w4_y;
+  const Real w4_x = s4 * w3_z - c4 * t7;
+  const Real w4_y = s4 * t7 + c4 * w3_z;
+  const Real t16 = minus_h_3_x * s23 - minus_h_3_y * minus_c23;
+  const Real t17 = 0.298925024 * s23 + 0.021347276999999998 * minus_c23;
+  const Real t18 = a3_x + t8 * t11;
+  const Real t19 = a3_y - t5 * t12;
+  const Real t20 = t10 * t12 - minus_a3_z;
+  const Real t21 = w4_x * w4_y;
 
-  // link 5 (link5), composite inertia
-  const Real qdd_0_p5 = 0.0028799999999999997 * s5;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p6 = 24999.999999999996 * qdd_0_p2;
-
-  // link 5 (link5), composite inertia
-  const Real qdd_0_p7 = 0.0028799999999999997 * c5;
-
-  // link 5 (link5), outward
+  // link 5 (link5), composite inertia; link 1 (link1), mass matrix; link 5 (link5), outward
+  const Real t22 = minus_h_5_y * s5;
+  const Real t23 = 24999.999999999996 * t15;
+  const Real t24 = minus_h_5_y * c5;
   const Real w5_z = w4_y + qd[4];
   const Real w5_x = c5 * w4_x - s5 * w4_z;
   const Real minus_w5_y = s5 * w4_x + c5 * w4_z;
 
-  // link 5 (link5), mass matrix
-  const Real qdd_0_p8 = c4 * qdd_0_p7;
+  // link 5 (link5), mass matrix; links 4 (link4) and 5 (link5), outward
+  const Real t25 = c4 * t24;
+  const Real t26 = t21 + minus_wd4_z;
+  const Real t27 = c4 * t9 + (w4_z + qd[3]) * w4_y;
+  const Real t28 = 2.0 * w5_z;
+  const Real minus_wd4_y = s4 * t9 + w4_x * qd[3];
+  const Real t29 = minus_c23 * t18 - s23 * t19;
 
-  // link 4 (link4), outward
-  const Real wd5_y_p3 = wd5_y_p2 + minus_wd4_z;
-  const Real wd5_y_p4 = c4 * wd5_y_p1 + (w4_z + qd[3]) * w4_y;
-
-  // link 5 (link5), outward
-  const Real n5_x_p1 = 2.0 * w5_z;
-
-  // link 4 (link4), outward
-  const Real minus_wd4_y = s4 * wd5_y_p1 + w4_x * qd[3];
-  const Real a4_y_p11 = a4_y_p2 * a4_y_p8 - a4_y_p1 * a4_y_p9;
-
-  // link 5 (link5), outward
-  const Real minus_f5_x_p1 = w5_x * minus_w5_y;
-  const Real wd5_y_p5 = w5_x * w5_z;
-
-  // link 6 (link6), outward
+  // links 5 (link5) and 6 (link6), outward; link 1 (link1), mass matrix; link 4 (link4), composite
+  //   inertia
+  const Real t30 = w5_x * minus_w5_y;
+  const Real t31 = w5_x * w5_z;
   const Real w6_z = minus_w5_y + qd[5];
+  const Real t32 = 0.9999999999999999 * c5;
+  const Real t33 = s4 * t22;
 
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p9 = 0.9999999999999999 * c5;
+  // link 5 (link5), composite inertia; links 4 (link4) and 5 (link5), outward; link 4 (link4),
+  //   mass matrix
+  const Real t34 = 0.00020215999999999998 * s5;
+  const Real t35 = minus_wd4_y - t30;
+  const Real minus_a4_z = s23 * t18 + minus_c23 * t19;
+  const Real t36 = minus_c23 * t33;
+  const Real t37 = s23 * t33;
 
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p10 = s4 * qdd_0_p5;
+  // links 5 (link5) and 6 (link6), mass matrix; link 5 (link5), inertial wrench
+  const Real t38 = J_6_zz * c5;
+  const Real t39 = minus_c23 * t22 - s23 * t25;
+  const Real t40 = minus_c23 * t25 + s23 * t22;
+  const Real minus_f5_x = minus_h_5_y * t35;
+  const Real f5_y = minus_h_5_y * (w5_x * w5_x + w5_z * w5_z);
 
-  // link 5 (link5), composite inertia
-  const Real qdd_0_p11 = 0.00020215999999999998 * s5;
+  // links 4 (link4) and 5 (link5), composite inertia and outward
+  const Real t41 = s5 * t34;
+  const Real t42 = c5 * t34;
+  const Real wd5_y = c5 * t26 - s5 * t27 - t31;
+  const Real a4_y = c4 * t20 - s4 * t29;
+  const Real a4_x = c4 * t29 + s4 * t20;
+  const Real t43 = c4 * t22;
+  const Real t44 = 0.00164 + t41;
 
-  // link 5 (link5), outward
-  const Real minus_f5_x_p2 = minus_wd4_y - minus_f5_x_p1;
+  // link 4 (link4), composite inertia; link 5 (link5), outward and mass matrix and inertial wrench
+  const Real t45 = s4 * t42;
+  const Real t46 = s5 * t26 + c5 * t27 - t28 * minus_w5_y;
+  const Real t47 = s4 * (0.00010000000000000026 + t41);
+  const Real t48 = 0.00064216 * c4 - (t11 * t39 + t12 * t40);
+  const Real minus_f5_z = minus_h_5_y * t46;
 
-  // link 4 (link4), outward
-  const Real minus_a4_z = a4_y_p1 * a4_y_p8 + a4_y_p2 * a4_y_p9;
-
-  // link 4 (link4), mass matrix
-  const Real qdd_0_p12 = a4_y_p2 * qdd_0_p10;
-  const Real qdd_0_p13 = a4_y_p1 * qdd_0_p10;
-
-  // link 6 (link6), mass matrix
-  const Real qdd_0_p14 = 4e-05 * c5;
-
-  // link 5 (link5), mass matrix
-  const Real qdd_0_p15 = a4_y_p2 * qdd_0_p5 - a4_y_p1 * qdd_0_p8;
-  const Real qdd_0_p16 = a4_y_p2 * qdd_0_p8 + a4_y_p1 * qdd_0_p5;
-
-  // link 5 (link5), inertial wrench
-  const Real minus_f5_x = 0.0028799999999999997 * minus_f5_x_p2;
-  const Real f5_y = 0.0028799999999999997 * (w5_x * w5_x + w5_z * w5_z);
-
-  // link 5 (link5), composite inertia
-  const Real qdd_0_p17 = s5 * qdd_0_p11;
-  const Real qdd_0_p18 = c5 * qdd_0_p11;
-
-  // link 5 (link5), outward
-  const Real wd5_y = c5 * wd5_y_p3 - s5 * wd5_y_p4 - wd5_y_p5;
-
-  // link 4 (link4), outward
-  const Real a4_y = c4 * a4_y_p10 - s4 * a4_y_p11;
-  const Real a4_x = c4 * a4_y_p11 + s4 * a4_y_p10;
-
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p19 = c4 * qdd_0_p5;
-
-  // link 5 (link5), composite inertia
-  const Real qdd_0_p20 = 0.00164 + qdd_0_p17;
-
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p21 = s4 * qdd_0_p18;
-
-  // link 5 (link5), outward
-  const Real n5_x_p2 = s5 * wd5_y_p3 + c5 * wd5_y_p4 - n5_x_p1 * minus_w5_y;
-
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p22 = s4 * (0.00010000000000000026 + qdd_0_p17);
-
-  // link 5 (link5), mass matrix
-  const Real qdd_0_p23 = 0.00064216 * c4 - (a4_y_p6 * qdd_0_p15 + a4_y_p7 * qdd_0_p16);
-
-  // link 5 (link5), inertial wrench
-  const Real minus_f5_z = 0.0028799999999999997 * n5_x_p2;
-
-  // link 6 (link6), inertial wrench
-  const Real minus_n6_z = 4e-05 * wd5_y;
-
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p24 = a4_y_p2 * qdd_0_p19 - a4_y_p1 * qdd_0_p7;
-  const Real qdd_0_p25 = a4_y_p1 * qdd_0_p19 + a4_y_p2 * qdd_0_p7;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p26 = 1.0 / (qdd_0_p20 - qdd_0_p9 * qdd_0_p14);
-
-  // link 6 (link6), inertial wrench
-  const Real n6_x = 2e-05 * (n5_x_p2 + n5_x_p1 * w6_z);
-
-  // link 5 (link5), inward
+  // link 6 (link6), inertial wrench; link 4 (link4), composite inertia; link 1 (link1), mass
+  //   matrix; link 5 (link5), inward
+  const Real minus_n6_z = J_6_zz * wd5_y;
+  const Real t49 = minus_c23 * t43 - s23 * t24;
+  const Real t50 = s23 * t43 + minus_c23 * t24;
+  const Real t51 = 1.0 / (t44 - t32 * t38);
+  const Real n6_x = 2e-05 * (t46 + t28 * w6_z);
   const Real minus_f4_x = c5 * minus_f5_x + s5 * f5_y;
 
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p27 = s4 * qdd_0_p22;
+  // link 4 (link4), composite inertia; links 1 (link1) and 5 (link5), mass matrix
+  const Real t52 = s4 * t47;
+  const Real t53 = 1557.24430048586 * t48;
+  const Real t54 = t48 + (t3 * t40 - t4 * t39);
+  const Real t55 = t11 * t49;
+  const Real t56 = t12 * t36 - t11 * t37 - t45 - t32 * t15;
+  const Real t57 = t16 - t50;
 
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p28 = 1557.24430048586 * qdd_0_p23;
-
-  // link 5 (link5), mass matrix
-  const Real qdd_0_p29 = qdd_0_p23 + (a3_y_p1 * qdd_0_p16 - a3_x_p3 * qdd_0_p15);
-
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p30 = a4_y_p6 * qdd_0_p24;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p31 = a4_y_p7 * qdd_0_p12 - a4_y_p6 * qdd_0_p13 - qdd_0_p21 - qdd_0_p9 *
-      qdd_0_p2;
-
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p32 = qdd_0_p3 - qdd_0_p25;
-
-  // link 5 (link5), outward
+  // link 5 (link5), outward; links 1 (link1) and 6 (link6), mass matrix; link 3 (link3), composite
+  //   inertia
   const Real a5_x = c5 * a4_x + s5 * minus_a4_z;
+  const Real t58 = 1557.24430048586 * t54;
+  const Real t59 = t4 * (t49 - t14);
+  const Real t60 = s23 * c4;
+  const Real t61 = t56 - t4 * t37 - t3 * t36;
 
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p33 = 1557.24430048586 * qdd_0_p29;
+  // link 6 (link6), inward; links 3 (link3) and 4 (link4), composite inertia; link 5 (link5), mass
+  //   matrix
+  const Real n5_y = minus_n6_z - J_5_yy * (t31 - wd5_y);
+  const Real n5_x = J_5_xx * t46 - minus_h_5_y * a4_y + n6_x;
+  const Real t62 = c4 * t42;
+  const Real t63 = t59 + t3 * t57;
+  const Real t64 = t11 + t4;
 
-  // link 3 (link3), composite inertia
-  const Real qdd_0_p34 = a3_x_p3 * (qdd_0_p24 - n3_z_p1);
-
-  // link 6 (link6), mass matrix
-  const Real qdd_0_p35 = a4_y_p1 * c4;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p36 = qdd_0_p31 - a3_x_p3 * qdd_0_p13 - a3_y_p1 * qdd_0_p12;
-
-  // link 6 (link6), inward
-  const Real n5_y = minus_n6_z - 2e-04 * (wd5_y_p5 - wd5_y);
-  const Real n5_x = 0.00042216 * n5_x_p2 - 0.0028799999999999997 * a4_y + n6_x;
-
-  // link 4 (link4), composite inertia
-  const Real qdd_0_p37 = c4 * qdd_0_p18;
-
-  // link 3 (link3), composite inertia
-  const Real qdd_0_p38 = qdd_0_p34 + a3_y_p1 * qdd_0_p32;
-
-  // link 5 (link5), mass matrix
-  const Real qdd_0_p39 = a4_y_p6 + a3_x_p3;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p40 = qdd_0_p31 * qdd_0_p26;
-  const Real qdd_0_p41 = qdd_0_p36 * qdd_0_p26;
-
-  // link 6 (link6), mass matrix
-  const Real qdd_0_p42 = qdd_0_p35 * qdd_0_p1 + a4_y_p2 * qdd_0_p14;
-
-  // link 6 (link6), inertial wrench
-  const Real minus_n6_y = 2e-05 * (minus_f5_x_p2 + 2.0 * (w5_x * w6_z));
-
-  // link 4 (link4), inward
-  const Real n3_z_p2 = s4 * minus_f5_z - c4 * minus_f4_x;
-
-  // link 5 (link5), inward
+  // links 1 (link1) and 6 (link6), mass matrix; link 6 (link6), inertial wrench; links 4 (link4)
+  //   and 5 (link5), inward
+  const Real t65 = t56 * t51;
+  const Real t66 = t61 * t51;
+  const Real t67 = t60 * t13 + minus_c23 * t38;
+  const Real minus_n6_y = 2e-05 * (t35 + 2.0 * (w5_x * w6_z));
+  const Real t68 = s4 * minus_f5_z - c4 * minus_f4_x;
   const Real f4_z = s5 * minus_f5_x - c5 * f5_y;
+  const Real t69 = J_3_zz + (0.00129216 - t52 - 2.0 * (t55 + t12 * t50)) - t23 * t15;
 
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p43 = 0.312455249 + (0.00129216 - qdd_0_p27 - 2.0 *
-      (qdd_0_p30 + a4_y_p7 * qdd_0_p25)) - qdd_0_p6 * qdd_0_p2;
+  // links 3 (link3) and 5 (link5), mass matrix; link 6 (link6), inward
+  const Real t70 = t60 * t47 - t12 * t33 + (J_3_yz + t45) * minus_c23 - link2_to_3_z * t57;
+  const Real n5_z = 0.00022215999999999997 * t30 - J_5_zz * minus_wd4_y + minus_h_5_y * a5_x -
+      minus_n6_y;
+  const Real t71 = 0.00064216 * s23 * s4 + link2_to_3_z * t40 + t64 * (s4 * t24);
+  const Real t72 = minus_c23 * t17 - minus_J_3_xy;
+  const Real t73 = 1.601861202 * s2 + 0.0141984 * c2;
 
-  // link 3 (link3), mass matrix
-  const Real qdd_0_p44 = qdd_0_p35 * qdd_0_p22 - a4_y_p7 * qdd_0_p10 +
-      (0.004704000000000001 + qdd_0_p21) * a4_y_p2 - 0.1501 * qdd_0_p32;
-
-  // link 6 (link6), inward
-  const Real n5_z = 0.00022215999999999997 * minus_f5_x_p1 - 0.00062216 * minus_wd4_y +
-      0.0028799999999999997 * a5_x - minus_n6_y;
-
-  // link 5 (link5), mass matrix
-  const Real qdd_0_p45 = 0.00064216 * a4_y_p1 * s4 + 0.1501 * qdd_0_p16 + qdd_0_p39 *
-      (s4 * qdd_0_p7);
-  const Real qdd_0_p46 = a4_y_p2 * qdd_0_p4 - 0.010673638499999999;
-  const Real qdd_0_p47 = 1.601861202 * s2 + 0.0141984 * c2;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p48 = qdd_0_p44 + qdd_0_p6 * qdd_0_p42;
-
-  // link 5 (link5), inward
-  const Real n4_x = 0.0007499999999999999 * wd5_y_p4 - (s5 * n5_y - c5 * n5_x);
-  const Real n4_y = n5_z - 0.00065 * (w4_x * w4_z + minus_wd4_y);
-
-  // link 4 (link4), inward
-  const Real n3_z_p3 = a4_y_p1 * n3_z_p2 + a4_y_p2 * f4_z;
-  const Real n3_z_p4 = a4_y_p2 * n3_z_p2 - a4_y_p1 * f4_z;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p49 = 1.0 / (qdd_0_p43 - qdd_0_p28 * qdd_0_p23 - qdd_0_p40 * qdd_0_p31);
-  const Real qdd_0_p50 = qdd_0_p43 - qdd_0_p38 - qdd_0_p28 * qdd_0_p29 - qdd_0_p40 * qdd_0_p36;
-  const Real qdd_0_p51 = a4_y_p1 * qdd_0_p37 - a4_y_p2 * qdd_0_p20 - 0.1501 * qdd_0_p12 + qdd_0_p9 *
-      qdd_0_p42 + qdd_0_p39 * qdd_0_p19;
-
-  // link 5 (link5), inward
-  const Real minus_n4_z = 9.999999999999994e-05 * wd5_y_p2 + 0.0014 * minus_wd4_z +
+  // link 1 (link1), mass matrix; links 4 (link4) and 5 (link5), inward
+  const Real t74 = t70 + t23 * t67;
+  const Real n4_x = J_4_xx * t27 - (s5 * n5_y - c5 * n5_x);
+  const Real n4_y = n5_z - J_4_yy * (w4_x * w4_z + minus_wd4_y);
+  const Real t75 = s23 * t68 + minus_c23 * f4_z;
+  const Real t76 = minus_c23 * t68 - s23 * f4_z;
+  const Real t77 = 1.0 / (t69 - t53 * t48 - t65 * t56);
+  const Real t78 = t69 - t63 - t53 * t54 - t65 * t61;
+  const Real t79 = s23 * t62 - minus_c23 * t44 - link2_to_3_z * t36 + t32 * t67 + t64 * t43;
+  const Real minus_n4_z = 9.999999999999994e-05 * t21 + J_4_zz * minus_wd4_z +
       (s5 * n5_x + c5 * n5_y);
+  const Real t80 = 24999.999999999996 * t67;
+  const Real t81 = c2 * t73 - minus_J_2_xy;
+  const Real t82 = t74 - t53 * t71 - t65 * t79;
+  const Real t83 = s4 * minus_f4_x + c4 * minus_f5_z;
+  const Real t84 = minus_J_2_xz * s2 + minus_J_2_yz * c2 + t74 + t3 * t33 - t58 * t71;
+  const Real t85 = 1557.24430048586 * t71;
 
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p52 = 24999.999999999996 * qdd_0_p42;
-  const Real qdd_0_p53 = c2 * qdd_0_p47 - 0.0070992;
-  const Real qdd_0_p54 = qdd_0_p48 - qdd_0_p28 * qdd_0_p45 - qdd_0_p40 * qdd_0_p51;
+  // links 1 (link1) and 4 (link4), inward; link 1 (link1), mass matrix
+  const Real t86 = tau[5] + minus_n6_z;
+  const Real f3_x = t8 * t14 + t76;
+  const Real t87 = t78 * t77;
+  const Real t88 = t79 * t51;
+  const Real n3_z = t1 * t72 - (t14 * a3_y + t16 * a3_x) +
+      (s4 * n4_x + c4 * n4_y + (t11 * t75 - t12 * t76));
+  const Real f3_z = t10 * t16 - t83;
+  const Real t89 = t82 * t77;
+  const Real t90 = tau[0] + t10 * t72 + t14 * minus_a3_z - minus_c23 * minus_n4_z + t11 * t83;
+  const Real minus_f3_y = t5 * t16 + t75;
 
-  // link 4 (link4), inward
-  const Real qdd_0_p55 = s4 * minus_f4_x + c4 * minus_f5_z;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p56 = 0.690314699 * s2 + 0.023750999999999998 * c2 + qdd_0_p48 + a3_y_p1 *
-      qdd_0_p10 - qdd_0_p33 * qdd_0_p45;
-  const Real qdd_0_p57 = 1557.24430048586 * qdd_0_p45;
-
-  // link 1 (link1), inward
-  const Real qdd_0_p58 = tau[5] + minus_n6_z;
-
-  // link 4 (link4), inward
-  const Real f3_x = a4_y_p4 * n3_z_p1 + n3_z_p4;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p59 = qdd_0_p50 * qdd_0_p49;
-  const Real qdd_0_p60 = qdd_0_p51 * qdd_0_p26;
-
-  // link 4 (link4), inward
-  const Real n3_z = a3_x_p1 * qdd_0_p46 - (n3_z_p1 * a3_y + qdd_0_p3 * a3_x) +
-      (s4 * n4_x + c4 * n4_y + (a4_y_p6 * n3_z_p3 - a4_y_p7 * n3_z_p4));
-  const Real f3_z = a4_y_p5 * qdd_0_p3 - qdd_0_p55;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p61 = qdd_0_p54 * qdd_0_p49;
-
-  // link 1 (link1), inward
-  const Real qdd_0_p62 = tau[0] + a4_y_p5 * qdd_0_p46 + n3_z_p1 * minus_a3_z - a4_y_p2 *
-      minus_n4_z + a4_y_p6 * qdd_0_p55;
-
-  // link 4 (link4), inward
-  const Real minus_f3_y = a4_y_p3 * qdd_0_p3 + n3_z_p3;
-
-  // link 1 (link1), inward
-  const Real qdd_0_p63 = n3_z + qdd_0_p6 * qdd_0_p58;
-  const Real qdd_0_p64 = tau[4] - n5_z;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p65 = 1.7481140020000001 + qdd_0_p43 - 2.0 * qdd_0_p38 - qdd_0_p33 * qdd_0_p29 -
-      qdd_0_p41 * qdd_0_p36 - qdd_0_p59 * qdd_0_p50;
-  const Real qdd_0_p66 = qdd_0_p56 - qdd_0_p41 * qdd_0_p51 - qdd_0_p59 * qdd_0_p54;
+  // link 1 (link1), inward and mass matrix
+  const Real t91 = n3_z + t23 * t86;
+  const Real t92 = tau[4] - n5_z;
+  const Real t93 = J_2_zz + t69 - 2.0 * t63 - t58 * t54 - t66 * t61 - t87 * t78;
+  const Real t94 = t84 - t66 * t79 - t87 * t82;
+  const Real t95 = tau[1] - t1 * t81 - minus_gravity_z * (h_2_y * s2 - h_2_x * c2) - t91;
+  const Real t96 = 3.153482265 - s2 * t73 + t44 - t80 * t67 - t85 * t71 - t88 * t79;
+  const Real t97 = 1.0 / t93;
+  const Real t98 = tau[3] + minus_n4_z - t32 * t86;
+  const Real t99 = t17 - (minus_c23 * (2.0 * t62) - s23 *
+      (0.0011921599999999998 - t41 + t52 - t44));
+  const Real t100 = t90 - link2_to_3_z * f3_x - t4 * f3_z + t6 * t81 + t2 *
+      (minus_J_2_yz * s2 - minus_J_2_xz * c2);
+  const Real t101 = tau[2] - t91 - t53 * t92 - t65 * t98;
+  const Real t102 = t95 - t4 * minus_f3_y - t3 * f3_x - t58 * t92 - t66 * t98;
+  const Real t103 = t94 * t97;
+  const Real t104 = t102 - t87 * t101;
+  const Real t105 = t100 + t80 * t86 - t85 * t92 - t88 * t98 - t89 * t101;
+  const Real t106 = t96 - t89 * t82 - t103 * t94 + 2.0 * (link2_to_3_z * t33 - t59 - t55);
 
   // link 1 (link1), inward
-  const Real qdd_0_p67 = tau[1] - a3_x_p1 * qdd_0_p53 - 9.81 *
-      (0.10439999999999999 * s2 - 3.79559 * c2) - qdd_0_p63;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p68 = 3.153482265 - s2 * qdd_0_p47 + qdd_0_p20 - qdd_0_p52 * qdd_0_p42 -
-      qdd_0_p57 * qdd_0_p45 - qdd_0_p60 * qdd_0_p51;
-  const Real qdd_0_p69 = 1.0 / qdd_0_p65;
-
-  // link 1 (link1), inward
-  const Real qdd_0_p70 = tau[3] + minus_n4_z - qdd_0_p9 * qdd_0_p58;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p71 = qdd_0_p4 - (a4_y_p2 * (2.0 * qdd_0_p37) - a4_y_p1 *
-      (0.0011921599999999998 - qdd_0_p17 + qdd_0_p27 - qdd_0_p20));
-
-  // link 1 (link1), inward
-  const Real qdd_0_p72 = qdd_0_p62 - 0.1501 * f3_x - a3_x_p3 * f3_z + minus_a3_z_p1 * qdd_0_p53 +
-      a3_x_p2 * (0.023750999999999998 * s2 - 0.690314699 * c2);
-  const Real qdd_0_p73 = tau[2] - qdd_0_p63 - qdd_0_p28 * qdd_0_p64 - qdd_0_p40 * qdd_0_p70;
-  const Real qdd_0_p74 = qdd_0_p67 - a3_x_p3 * minus_f3_y - a3_y_p1 * f3_x - qdd_0_p33 * qdd_0_p64 -
-      qdd_0_p41 * qdd_0_p70;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p75 = qdd_0_p66 * qdd_0_p69;
-
-  // link 1 (link1), inward
-  const Real qdd_0_p76 = qdd_0_p74 - qdd_0_p59 * qdd_0_p73;
-  const Real qdd_0_p77 = qdd_0_p72 + qdd_0_p52 * qdd_0_p58 - qdd_0_p57 * qdd_0_p64 - qdd_0_p60 *
-      qdd_0_p70 - qdd_0_p61 * qdd_0_p73;
-
-  // link 1 (link1), mass matrix
-  const Real qdd_0_p78 = qdd_0_p68 - qdd_0_p61 * qdd_0_p54 - qdd_0_p75 * qdd_0_p66 + 2.0 *
-      (0.1501 * qdd_0_p10 - qdd_0_p34 - qdd_0_p30);
-
-  // link 1 (link1), inward
-  const Real qdd_0_p79 = qdd_0_p77 - qdd_0_p75 * qdd_0_p76 +
-      (c4 * n4_x - s4 * n4_y - 0.004704000000000001 * a4_y_p3) * a4_y_p1;
-  const Real qdd_0 = qdd_0_p79 * (1.0 / (qdd_0_p78 + qdd_0_p71 * a4_y_p1));
+  const Real t107 = t105 - t103 * t104 + (c4 * n4_x - s4 * n4_y - J_3_yz * t5) * s23;
+  const Real qdd_0 = t107 * (1.0 / (t106 + t99 * s23));
   qdd[0] = qdd_0;
-  const Real qdd_1 = qdd_0_p76 * qdd_0_p69 - qdd_0_p75 * qdd_0;
+  const Real qdd_1 = t104 * t97 - t103 * qdd_0;
   qdd[1] = qdd_1;
-  const Real qdd_2 = qdd_0_p73 * qdd_0_p49 - qdd_0_p61 * qdd_0 - qdd_0_p59 * qdd_1;
+  const Real qdd_2 = t101 * t77 - t89 * qdd_0 - t87 * qdd_1;
   qdd[2] = qdd_2;
-  const Real qdd_3 = qdd_0_p70 * qdd_0_p26 - qdd_0_p60 * qdd_0 - qdd_0_p41 * qdd_1 - qdd_0_p40 *
-      qdd_2;
+  const Real qdd_3 = t98 * t51 - t88 * qdd_0 - t66 * qdd_1 - t65 * qdd_2;
   qdd[3] = qdd_3;
-  qdd[4] = 1557.24430048586 * qdd_0_p64 - qdd_0_p57 * qdd_0 - qdd_0_p33 * qdd_1 - qdd_0_p28 * qdd_2;
-  qdd[5] = 24999.999999999996 * qdd_0_p58 + qdd_0_p52 * qdd_0 - qdd_0_p9 * qdd_3 - (qdd_1 + qdd_2) *
-      qdd_0_p6;
+  qdd[4] = 1557.24430048586 * t92 - t85 * qdd_0 - t58 * qdd_1 - t53 * qdd_2;
+  qdd[5] = 24999.999999999996 * t86 + t80 * qdd_0 - t32 * qdd_3 - (qdd_1 + qdd_2) * t23;
 }
 
 }  // namespace puma560

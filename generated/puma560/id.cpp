@@ -5,4 +5,4 @@
 
 const char puma560_id[95] =
     "treeline 0.1.0 puma560 sha256 "
-    "923355c32c63520d81f062d20922d911b3fe49b077c960c3442caf547779b0e0";
+    "e17fd33a358e009dfcd5e3d48927a37d694e50ebdca513c3590bb02a426d8ad4";

@@ -22,6 +22,15 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT J)[
   J[24] = 0.0;
   J[31] = 0.0;
   J[32] = 0.0;
+
+  // constants
+  const Real link6_to_tool_z = 0.05625;
+  const Real minus_link3_to_4_x = 0.0203;
+  const Real minus_link3_to_4_y = 0.4331;
+  const Real link2_to_3_x = 0.4318;
+  const Real link2_to_3_z = 0.1501;
+
+  // sines and cosines
   const Real angles[5] = {q[1], q[2], q[3], q[4], q[0]};
   Real sines[5];
   Real cosines[5];
@@ -42,89 +51,61 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT J)[
   J[26] = c1;
 
   // link 6 (link6), Jacobian
-  const Real J_2_2_p1 = 0.05625 * s5;
-  const Real J_2_2_p2 = 0.05625 * c5;
-
-  // link 4 (link4), pose
+  const Real t1 = link6_to_tool_z * s5;
+  const Real t2 = link6_to_tool_z * c5;
   J[30] = 1.0;
-  const Real J_5_3 = s2 * s3 - c2 * c3;
-  J[33] = -J_5_3;
-  const Real J_2_2_p3 = s2 * c3 + c2 * s3;
+  const Real minus_c23 = s2 * s3 - c2 * c3;
+  J[33] = -minus_c23;
+  const Real s23 = s2 * c3 + c2 * s3;
 
-  // link 4 (link4), Jacobian
-  const Real J_2_2_p4 = 0.4331 + J_2_2_p2;
-
-  // link 4 (link4), pose
-  const Real J_0_4_p1 = J_5_3 * c1;
-  const Real J_1_4_p1 = J_5_3 * s1;
-
-  // link 4 (link4), Jacobian
-  const Real J_2_2_p5 = c4 * J_2_2_p1 - 0.0203;
-
-  // link 4 (link4), pose
-  const Real J_3_3 = J_2_2_p3 * c1;
+  // link 4 (link4), Jacobian and pose
+  const Real t3 = minus_link3_to_4_y + t2;
+  const Real t4 = minus_c23 * c1;
+  const Real t5 = minus_c23 * s1;
+  const Real t6 = c4 * t1 - minus_link3_to_4_x;
+  const Real J_3_3 = s23 * c1;
   J[21] = J_3_3;
-  const Real J_4_3 = J_2_2_p3 * s1;
+  const Real J_4_3 = s23 * s1;
   J[27] = J_4_3;
-  const Real J_2_4_p1 = c4 * J_2_2_p3;
+  const Real t7 = c4 * s23;
 
-  // link 3 (link3), Jacobian
-  const Real J_0_0_p1 = 0.1501 + s4 * J_2_2_p1;
-
-  // link 4 (link4), pose
-  const Real J_5_4 = s4 * J_2_2_p3;
+  // links 3 (link3) and 4 (link4), Jacobian; link 4 (link4), pose
+  const Real t8 = link2_to_3_z + s4 * t1;
+  const Real J_5_4 = s4 * s23;
   J[34] = J_5_4;
-
-  // link 4 (link4), Jacobian
-  J[15] = J_2_2_p1 * J_5_4;
-  const Real J_2_2 = J_2_2_p5 * J_5_3 - J_2_2_p4 * J_2_2_p3;
+  J[15] = t1 * J_5_4;
+  const Real J_2_2 = t6 * minus_c23 - t3 * s23;
   J[14] = J_2_2;
-  const Real J_0_1_p1 = J_2_2_p4 * J_5_3 + J_2_2_p5 * J_2_2_p3;
+  const Real t9 = t3 * minus_c23 + t6 * s23;
 
-  // link 4 (link4), pose
-  const Real J_0_4_p2 = c4 * J_0_4_p1 + s4 * s1;
-  const Real J_1_4_p2 = s4 * c1 - c4 * J_1_4_p1;
-  const Real J_3_4 = s4 * J_0_4_p1 - c4 * s1;
+  // link 4 (link4), pose; link 5 (link5), Jacobian
+  const Real t10 = c4 * t4 + s4 * s1;
+  const Real t11 = s4 * c1 - c4 * t5;
+  const Real J_3_4 = s4 * t4 - c4 * s1;
   J[22] = J_3_4;
-  const Real J_4_4 = s4 * J_1_4_p1 + c4 * c1;
+  const Real J_4_4 = s4 * t5 + c4 * c1;
   J[28] = J_4_4;
+  J[16] = t1 * minus_c23 - t2 * t7;
 
-  // link 5 (link5), Jacobian
-  J[16] = J_2_2_p1 * J_5_3 - J_2_2_p2 * J_2_4_p1;
-
-  // link 3 (link3), Jacobian
-  const Real J_2_1 = J_2_2 - 0.4318 * c2;
+  // links 3 (link3) and 4 (link4), Jacobian
+  const Real J_2_1 = J_2_2 - link2_to_3_x * c2;
   J[13] = J_2_1;
-  const Real J_0_1_p2 = J_0_1_p1 + 0.4318 * s2;
-  J[2] = -(J_0_1_p1 * c1);
+  const Real t12 = t9 + link2_to_3_x * s2;
+  J[2] = -(t9 * c1);
+  J[3] = t1 * J_3_4;
+  J[8] = -(t9 * s1);
+  J[9] = t1 * J_4_4;
 
-  // link 4 (link4), Jacobian
-  J[3] = J_2_2_p1 * J_3_4;
-
-  // link 3 (link3), Jacobian
-  J[8] = -(J_0_1_p1 * s1);
-
-  // link 4 (link4), Jacobian
-  J[9] = J_2_2_p1 * J_4_4;
-
-  // link 6 (link6), pose
-  J[35] = -(s5 * J_2_4_p1 + c5 * J_5_3);
-
-  // link 2 (link2), Jacobian
-  J[1] = -(J_0_1_p2 * c1);
-  J[7] = -(J_0_1_p2 * s1);
-
-  // link 5 (link5), Jacobian
-  J[4] = -(J_2_2_p1 * J_3_3 + J_2_2_p2 * J_0_4_p2);
-  J[10] = J_2_2_p2 * J_1_4_p2 - J_2_2_p1 * J_4_3;
-
-  // link 6 (link6), pose
-  J[23] = -(s5 * J_0_4_p2 - c5 * J_3_3);
-  J[29] = s5 * J_1_4_p2 + c5 * J_4_3;
-
-  // link 1 (link1), Jacobian
-  J[0] = J_2_1 * s1 - J_0_0_p1 * c1;
-  J[6] = -(J_2_1 * c1 + J_0_0_p1 * s1);
+  // link 6 (link6), pose; links 1 and 2, 5, Jacobian
+  J[35] = -(s5 * t7 + c5 * minus_c23);
+  J[1] = -(t12 * c1);
+  J[7] = -(t12 * s1);
+  J[4] = -(t1 * J_3_3 + t2 * t10);
+  J[10] = t2 * t11 - t1 * J_4_3;
+  J[23] = -(s5 * t10 - c5 * J_3_3);
+  J[29] = s5 * t11 + c5 * J_4_3;
+  J[0] = J_2_1 * s1 - t8 * c1;
+  J[6] = -(J_2_1 * c1 + t8 * s1);
 }
 
 }  // namespace puma560

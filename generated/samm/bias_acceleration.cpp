@@ -15,6 +15,14 @@ namespace samm {
 
 void bias_acceleration(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_RESTRICT qd)[9],
     Real (&TREELINE_RESTRICT bias)[6]) noexcept {
+  // constants
+  const Real minus_link6_to_7_x = 0.0203;
+  const Real minus_link6_to_7_y = 0.4331;
+  const Real link5_to_6_x = 0.4318;
+  const Real link5_to_6_z = 0.1501;
+  const Real link9_to_tool_z = 0.05625;
+
+  // sines and cosines
   const Real angles[6] = {q[6], q[4], q[5], q[2], q[3], q[7]};
   Real sines[6];
   Real cosines[6];
@@ -32,140 +40,90 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELI
   const Real s8 = sines[5];
   const Real c8 = cosines[5];
 
-  // link 4 (link1), outward
+  // links 4 to 6, outward
   const Real w4_z = qd[2] + qd[3];
-
-  // link 6 (link3), outward
   const Real w6_z = qd[4] + qd[5];
-
-  // link 5 (link2), outward
-  const Real a6_y_p1 = qd[4] * qd[4];
-  const Real a6_y_p2 = 0.4318 * s5;
-  const Real w7_y_p1 = s5 * c6 + c5 * s6;
-  const Real a7_x_p1 = s5 * s6 - c5 * c6;
-
-  // link 4 (link1), outward
-  const Real a7_x_p2 = w4_z * w4_z;
-
-  // link 6 (link3), outward
-  const Real a7_x_p3 = w6_z * w6_z;
+  const Real t1 = qd[4] * qd[4];
+  const Real t2 = link5_to_6_x * s5;
+  const Real s56 = s5 * c6 + c5 * s6;
+  const Real minus_c56 = s5 * s6 - c5 * c6;
+  const Real t3 = w4_z * w4_z;
+  const Real t4 = w6_z * w6_z;
   const Real wd6_x = w4_z * w6_z;
-
-  // link 5 (link2), outward
   const Real wd5_x = w4_z * qd[4];
 
-  // link 6 (link3), outward
-  const Real a6_y = a6_y_p1 * a6_y_p2;
-  const Real bias_3_p1 = c3 * c4 - s3 * s4;
+  // links 6 (link3) and 7 (link4), outward
+  const Real a6_y = t1 * t2;
+  const Real c34 = c3 * c4 - s3 * s4;
+  const Real t5 = s56 * w4_z;
+  const Real t6 = minus_c56 * wd6_x;
+  const Real minus_wd7_z = s56 * wd6_x;
 
-  // link 7 (link4), outward
-  const Real w7_y_p2 = w7_y_p1 * w4_z;
-  const Real wd7_x_p1 = a7_x_p1 * wd6_x;
-  const Real minus_wd7_z = w7_y_p1 * wd6_x;
-  const Real bias_4_p1 = s3 * c4 + c3 * s4;
+  // link 7 (link4), pose; link 6 (link3), outward
+  const Real s34 = s3 * c4 + c3 * s4;
+  const Real t7 = minus_c56 * c34;
+  const Real t8 = s56 * c34;
+  const Real a6_x = (t3 + t1) * (link5_to_6_x * c5);
+  const Real t9 = minus_link6_to_7_x * s56 - minus_link6_to_7_y * minus_c56;
 
-  // link 7 (link4), pose
-  const Real bias_3_p2 = a7_x_p1 * bias_3_p1;
-  const Real bias_3_p3 = w7_y_p1 * bias_3_p1;
+  // link 7 (link4), outward and pose
+  const Real w7_z = qd[6] - minus_c56 * w4_z;
+  const Real t10 = c7 * s56;
+  const Real t11 = minus_c56 * s34;
+  const Real t12 = s56 * s34;
+  const Real w7_y = s7 * t5 + c7 * w6_z;
+  const Real w7_x = s7 * w6_z - c7 * t5;
+  const Real t13 = a6_x + (t3 + t4) * (minus_link6_to_7_x * minus_c56 + minus_link6_to_7_y * s56);
+  const Real t14 = a6_y - t4 * t9;
 
-  // link 6 (link3), outward
-  const Real a6_x = (a7_x_p2 + a6_y_p1) * (0.4318 * c5);
-  const Real a7_x_p4 = 0.0203 * w7_y_p1 - 0.4331 * a7_x_p1;
-
-  // link 7 (link4), outward
-  const Real w7_z = qd[6] - a7_x_p1 * w4_z;
-
-  // link 7 (link4), pose
-  const Real bias_5_p1 = c7 * w7_y_p1;
-  const Real bias_4_p2 = a7_x_p1 * bias_4_p1;
-  const Real bias_4_p3 = w7_y_p1 * bias_4_p1;
-
-  // link 7 (link4), outward
-  const Real w7_y = s7 * w7_y_p2 + c7 * w6_z;
-  const Real w7_x = s7 * w6_z - c7 * w7_y_p2;
-  const Real a7_x_p5 = a6_x + (a7_x_p2 + a7_x_p3) * (0.0203 * a7_x_p1 + 0.4331 * w7_y_p1);
-  const Real a7_x_p6 = a6_y - a7_x_p3 * a7_x_p4;
-
-  // link 8 (link5), outward
+  // links 7 (link4) and 8 (link5), outward; link 7 (link4), pose
   const Real w8_z = w7_y + qd[7];
-
-  // link 7 (link4), pose
-  const Real bias_3_p4 = c7 * bias_3_p2 + s7 * bias_4_p1;
-  const Real bias_4_p4 = s7 * bias_3_p1 - c7 * bias_4_p2;
-
-  // link 7 (link4), outward
-  const Real wd7_x = c7 * wd7_x_p1 + w7_y * qd[6];
-
-  // link 8 (link5), outward
+  const Real t15 = c7 * t7 + s7 * s34;
+  const Real t16 = s7 * c34 - c7 * t11;
+  const Real wd7_x = c7 * t6 + w7_y * qd[6];
   const Real minus_w8_y = s8 * w7_x + c8 * w7_z;
   const Real w8_x = c8 * w7_x - s8 * w7_z;
+  const Real minus_wd7_y = s7 * t6 + w7_x * qd[6];
 
-  // link 7 (link4), outward
-  const Real minus_wd7_y = s7 * wd7_x_p1 + w7_x * qd[6];
-
-  // link 9 (link6), outward
+  // links 7 (link4) and 9 (link6), outward; link 7 (link4), pose
   const Real w9_z = minus_w8_y + qd[8];
-
-  // link 7 (link4), outward
-  const Real a7_x_p7 = a7_x_p1 * a7_x_p5 - w7_y_p1 * a7_x_p6;
-  const Real a7_x_p8 = 2.0 * (wd6_x * a7_x_p4 - wd5_x * a6_y_p2) - 0.1501 * a7_x_p2;
-  const Real minus_a7_z = w7_y_p1 * a7_x_p5 + a7_x_p1 * a7_x_p6;
-
-  // link 7 (link4), pose
-  const Real bias_5_p2 = s7 * w7_y_p1;
-
-  // link 9 (link6), outward
+  const Real t17 = minus_c56 * t13 - s56 * t14;
+  const Real t18 = 2.0 * (wd6_x * t9 - wd5_x * t2) - link5_to_6_z * t3;
+  const Real minus_a7_z = s56 * t13 + minus_c56 * t14;
+  const Real t19 = s7 * s56;
   const Real minus_wd9_y = minus_wd7_y + w8_x * qd[8];
 
-  // link 8 (link5), pose
-  const Real bias_3_p5 = c8 * bias_3_p4 + s8 * bias_3_p3;
-
-  // link 7 (link4), pose
-  const Real bias_3_p6 = s7 * bias_3_p2 - c7 * bias_4_p1;
-
-  // link 8 (link5), outward
+  // links 7 (link4) and 8 (link5), pose; link 8 (link5), outward
+  const Real t20 = c8 * t15 + s8 * t8;
+  const Real t21 = s7 * t7 - c7 * s34;
   const Real wd8_x = c8 * wd7_x + s8 * minus_wd7_z - minus_w8_y * qd[7];
+  const Real t22 = c8 * t16 - s8 * t12;
+  const Real t23 = s7 * t11 + c7 * c34;
 
-  // link 8 (link5), pose
-  const Real bias_4_p5 = c8 * bias_4_p4 - s8 * bias_4_p3;
+  // link 8 (link5), pose; link 7 (link4), outward
+  const Real t24 = s8 * minus_c56 - c8 * t10;
+  const Real a7_x = c7 * t17 + s7 * t18;
+  const Real t25 = s8 * t15 - c8 * t8;
+  const Real a7_y = c7 * t18 - s7 * t17;
+  const Real t26 = s8 * t16 + c8 * t12;
+  const Real t27 = s8 * t10 + c8 * minus_c56;
 
-  // link 7 (link4), pose
-  const Real bias_4_p6 = s7 * bias_4_p2 + c7 * bias_3_p1;
-
-  // link 8 (link5), pose
-  const Real bias_5_p3 = s8 * a7_x_p1 - c8 * bias_5_p1;
-
-  // link 7 (link4), outward
-  const Real a7_x = c7 * a7_x_p7 + s7 * a7_x_p8;
-
-  // link 8 (link5), pose
-  const Real bias_3_p7 = s8 * bias_3_p4 - c8 * bias_3_p3;
-
-  // link 7 (link4), outward
-  const Real a7_y = c7 * a7_x_p8 - s7 * a7_x_p7;
-
-  // link 8 (link5), pose
-  const Real bias_4_p7 = s8 * bias_4_p4 + c8 * bias_4_p3;
-  const Real bias_5_p4 = s8 * bias_5_p1 + c8 * a7_x_p1;
-
-  // link 9 (link6), outward
+  // links 8 (link5) and 9 (link6), outward
   const Real wd9_x = wd8_x + w8_z * qd[8];
-
-  // link 8 (link5), outward
   const Real wd8_y = c8 * minus_wd7_z - s8 * wd7_x - w8_x * qd[7];
   const Real a8_x = c8 * a7_x + s8 * minus_a7_z;
   const Real a8_y = c8 * minus_a7_z - s8 * a7_x;
+  const Real t28 = a8_x + link9_to_tool_z * (w8_x * w9_z - minus_wd9_y);
 
   // link 9 (link6), outward
-  const Real bias_0_p1 = a8_x + 0.05625 * (w8_x * w9_z - minus_wd9_y);
-  const Real bias_0_p2 = a8_y + 0.05625 * (w8_x * w8_x + w8_z * w8_z);
-  const Real bias_0_p3 = a7_y + 0.05625 * (w8_z * w9_z - wd9_x);
-  bias[3] = bias_3_p7 * wd8_y - (bias_3_p5 * wd9_x + bias_3_p6 * minus_wd9_y);
-  bias[4] = bias_4_p5 * wd9_x - bias_4_p6 * minus_wd9_y - bias_4_p7 * wd8_y;
-  bias[5] = bias_5_p3 * wd9_x - bias_5_p2 * minus_wd9_y + bias_5_p4 * wd8_y;
-  bias[0] = bias_3_p6 * bias_0_p3 - bias_3_p5 * bias_0_p1 + bias_3_p7 * bias_0_p2;
-  bias[1] = bias_4_p5 * bias_0_p1 + bias_4_p6 * bias_0_p3 - bias_4_p7 * bias_0_p2;
-  bias[2] = bias_5_p3 * bias_0_p1 + bias_5_p2 * bias_0_p3 + bias_5_p4 * bias_0_p2;
+  const Real t29 = a8_y + link9_to_tool_z * (w8_x * w8_x + w8_z * w8_z);
+  const Real t30 = a7_y + link9_to_tool_z * (w8_z * w9_z - wd9_x);
+  bias[3] = t25 * wd8_y - (t20 * wd9_x + t21 * minus_wd9_y);
+  bias[4] = t22 * wd9_x - t23 * minus_wd9_y - t26 * wd8_y;
+  bias[5] = t24 * wd9_x - t19 * minus_wd9_y + t27 * wd8_y;
+  bias[0] = t21 * t30 - t20 * t28 + t25 * t29;
+  bias[1] = t22 * t28 + t23 * t30 - t26 * t29;
+  bias[2] = t24 * t28 + t19 * t30 + t27 * t29;
 }
 
 }  // namespace samm

@@ -5,4 +5,4 @@
 
 const char samm_id[92] =
     "treeline 0.1.0 samm sha256 "
-    "b5cad8b1b6126c2e1d76fba0709c86b46272bdb3ae622a822e5b62ca41132de0";
+    "61aa53c9ad90549270f96bbd0918b0ac31c9dfc48c7134dd0c4f857c1164694d";

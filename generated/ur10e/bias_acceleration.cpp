@@ -15,6 +15,14 @@ namespace ur10e {
 
 void bias_acceleration(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_RESTRICT qd)[6],
     Real (&TREELINE_RESTRICT bias)[6]) noexcept {
+  // constants
+  const Real minus_link3_to_4_x = 0.57155;
+  const Real minus_link2_to_3_x = 0.6127;
+  const Real link4_to_5_z = 0.17415;
+  const Real link5_to_6_z = 0.11985;
+  const Real link6_to_tool_z = 0.11655;
+
+  // sines and cosines
   const Real angles[5] = {q[4], q[1], q[2], q[3], q[0]};
   Real sines[5];
   Real cosines[5];
@@ -30,103 +38,77 @@ void bias_acceleration(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELI
   const Real s5 = sines[0];
   const Real s1 = sines[4];
 
-  // link 3 (forearm), outward
+  // links 1 to 3, outward
   const Real w3_z = qd[1] + qd[2];
-  const Real a5_x_p1 = 0.6127 * s2;
+  const Real t1 = minus_link2_to_3_x * s2;
+  const Real t2 = qd[0] * qd[0];
+  const Real t3 = qd[1] * qd[1];
+  const Real c23 = c2 * c3 - s2 * s3;
 
-  // link 1 (shoulder), outward
-  const Real a3_x_p1 = qd[0] * qd[0];
-
-  // link 2 (upper_arm), outward
-  const Real a3_x_p2 = qd[1] * qd[1];
-  const Real w4_x_p1 = c2 * c3 - s2 * s3;
-  const Real w4_x_p2 = s2 * c3 + c2 * s3;
-
-  // link 3 (forearm), outward
-  const Real a4_x_p1 = w3_z * w3_z;
-
-  // link 4 (wrist_1), outward
+  // links 3 (forearm) and 4 (wrist_1), outward
+  const Real s23 = s2 * c3 + c2 * s3;
+  const Real t4 = w3_z * w3_z;
   const Real w4_z = w3_z + qd[3];
+  const Real a3_y = t3 * t1;
+  const Real t5 = minus_link3_to_4_x * s23;
+  const Real a3_x = (t2 + t3) * (minus_link2_to_3_x * c2);
+  const Real s234 = s23 * c4 + c23 * s4;
+  const Real c234 = c23 * c4 - s23 * s4;
+  const Real w4_x = s234 * qd[0];
+  const Real w4_y = c234 * qd[0];
 
-  // link 3 (forearm), outward
-  const Real a3_y = a3_x_p2 * a5_x_p1;
-  const Real a5_x_p2 = 0.57155 * w4_x_p2;
-  const Real a3_x = (a3_x_p1 + a3_x_p2) * (0.6127 * c2);
-  const Real w4_x_p3 = w4_x_p2 * c4 + w4_x_p1 * s4;
-  const Real w4_y_p1 = w4_x_p1 * c4 - w4_x_p2 * s4;
+  // links 4 (wrist_1) and 5 (wrist_2), pose
+  const Real t6 = c234 * c1;
+  const Real t7 = c234 * s1;
+  const Real t8 = s234 * c1;
+  const Real t9 = s234 * s1;
+  const Real t10 = c5 * s234;
+  const Real t11 = s5 * s234;
 
-  // link 4 (wrist_1), outward
-  const Real w4_x = w4_x_p3 * qd[0];
-  const Real w4_y = w4_y_p1 * qd[0];
-
-  // link 4 (wrist_1), pose
-  const Real bias_3_p1 = w4_y_p1 * c1;
-  const Real bias_4_p1 = w4_y_p1 * s1;
-  const Real bias_3_p2 = w4_x_p3 * c1;
-  const Real bias_4_p2 = w4_x_p3 * s1;
-
-  // link 5 (wrist_2), pose
-  const Real bias_5_p1 = c5 * w4_x_p3;
-  const Real bias_5_p2 = s5 * w4_x_p3;
-
-  // link 4 (wrist_1), outward
-  const Real a4_x_p2 = a3_x + (a3_x_p1 + a4_x_p1) * (0.57155 * w4_x_p1);
-  const Real a4_x_p3 = a3_y + a4_x_p1 * a5_x_p2;
+  // links 4 (wrist_1) and 5 (wrist_2), outward
+  const Real t12 = a3_x + (t2 + t4) * (minus_link3_to_4_x * c23);
+  const Real t13 = a3_y + t4 * t5;
   const Real wd4_x = w4_y * w4_z;
-
-  // link 5 (wrist_2), outward
   const Real w5_z = qd[4] - w4_y;
-
-  // link 4 (wrist_1), outward
   const Real minus_wd4_y = w4_x * w4_z;
-
-  // link 5 (wrist_2), outward
   const Real w5_x = c5 * w4_x + s5 * w4_z;
   const Real w5_y = c5 * w4_z - s5 * w4_x;
+  const Real a4_x = c234 * t12 + s234 * t13;
+  const Real a4_y = c234 * t13 - s234 * t12;
 
-  // link 4 (wrist_1), outward
-  const Real a4_x = w4_y_p1 * a4_x_p2 + w4_x_p3 * a4_x_p3;
-  const Real a4_y = w4_y_p1 * a4_x_p3 - w4_x_p3 * a4_x_p2;
-
-  // link 5 (wrist_2), pose
-  const Real bias_3_p3 = c5 * bias_3_p1 + s5 * s1;
-  const Real bias_4_p3 = c5 * bias_4_p1 - s5 * c1;
-
-  // link 5 (wrist_2), outward
-  const Real minus_a6_y_p1 = w5_x * w5_x;
-  const Real bias_0_p1 = w5_y * w5_z;
-  const Real a5_x_p3 = 0.17415 * a3_x_p1 + 2.0 * ((qd[1] * a5_x_p1 + w3_z * a5_x_p2) * qd[0]);
-
-  // link 6 (wrist_3), outward
+  // link 5 (wrist_2), pose; links 5 (wrist_2) and 6 (wrist_3), outward
+  const Real t14 = c5 * t6 + s5 * s1;
+  const Real t15 = c5 * t7 - s5 * c1;
+  const Real t16 = w5_x * w5_x;
+  const Real t17 = w5_y * w5_z;
+  const Real t18 = link4_to_5_z * t2 + 2.0 * ((qd[1] * t1 + w3_z * t5) * qd[0]);
   const Real w6_z = w5_y + qd[5];
-
-  // link 5 (wrist_2), pose
-  const Real bias_3_p4 = c5 * s1 - s5 * bias_3_p1;
-  const Real bias_4_p4 = s5 * bias_4_p1 + c5 * c1;
+  const Real t19 = c5 * s1 - s5 * t6;
+  const Real t20 = s5 * t7 + c5 * c1;
 
   // link 5 (wrist_2), outward
   const Real minus_wd5_y = s5 * wd4_x + w5_x * qd[4];
   const Real wd5_x = c5 * wd4_x + w5_y * qd[4];
-  const Real bias_0_p2 = w5_x * w5_y - minus_wd4_y;
-  const Real bias_0_p3 = bias_0_p1 + wd5_x;
-  const Real a5_x = c5 * a4_x - s5 * a5_x_p3;
-  const Real minus_a5_y = s5 * a4_x + c5 * a5_x_p3;
+  const Real t21 = w5_x * w5_y - minus_wd4_y;
+  const Real t22 = t17 + wd5_x;
+  const Real a5_x = c5 * a4_x - s5 * t18;
+  const Real minus_a5_y = s5 * a4_x + c5 * t18;
 
   // link 6 (wrist_3), outward
-  const Real wd6_y = w5_x * w6_z - bias_0_p2;
-  const Real minus_a6_y = a4_y + 0.11985 * (minus_a6_y_p1 + w5_y * w5_y);
-  const Real wd6_x = w5_z * w6_z - bias_0_p3;
-  const Real minus_a6_x = a5_x + 0.11985 * (w5_x * w5_z - minus_wd5_y);
-  const Real bias_0_p4 = 0.11655 * bias_0_p3 - minus_a6_y;
-  const Real a6_z = 0.11985 * (bias_0_p1 - wd5_x) - minus_a5_y;
-  const Real bias_0_p5 = minus_a6_x + 0.11655 * bias_0_p2;
-  const Real bias_0_p6 = a6_z - 0.11655 * (minus_a6_y_p1 + w5_z * w5_z);
-  bias[3] = bias_3_p2 * wd6_y - bias_3_p3 * wd6_x - bias_3_p4 * minus_wd5_y;
-  bias[4] = bias_4_p2 * wd6_y - bias_4_p3 * wd6_x + bias_4_p4 * minus_wd5_y;
-  bias[5] = bias_5_p2 * minus_wd5_y - (bias_5_p1 * wd6_x + w4_y_p1 * wd6_y);
-  bias[0] = bias_3_p3 * bias_0_p5 + bias_3_p2 * bias_0_p4 + bias_3_p4 * bias_0_p6;
-  bias[1] = bias_4_p3 * bias_0_p5 + bias_4_p2 * bias_0_p4 - bias_4_p4 * bias_0_p6;
-  bias[2] = bias_5_p1 * bias_0_p5 - w4_y_p1 * bias_0_p4 - bias_5_p2 * bias_0_p6;
+  const Real wd6_y = w5_x * w6_z - t21;
+  const Real minus_a6_y = a4_y + link5_to_6_z * (t16 + w5_y * w5_y);
+  const Real wd6_x = w5_z * w6_z - t22;
+  const Real minus_a6_x = a5_x + link5_to_6_z * (w5_x * w5_z - minus_wd5_y);
+  const Real t23 = link6_to_tool_z * t22 - minus_a6_y;
+  const Real a6_z = link5_to_6_z * (t17 - wd5_x) - minus_a5_y;
+  const Real t24 = minus_a6_x + link6_to_tool_z * t21;
+  const Real t25 = a6_z - link6_to_tool_z * (t16 + w5_z * w5_z);
+  bias[3] = t8 * wd6_y - t14 * wd6_x - t19 * minus_wd5_y;
+  bias[4] = t9 * wd6_y - t15 * wd6_x + t20 * minus_wd5_y;
+  bias[5] = t11 * minus_wd5_y - (t10 * wd6_x + c234 * wd6_y);
+  bias[0] = t14 * t24 + t8 * t23 + t19 * t25;
+  bias[1] = t15 * t24 + t9 * t23 - t20 * t25;
+  bias[2] = t10 * t24 - c234 * t23 - t11 * t25;
 }
 
 }  // namespace ur10e

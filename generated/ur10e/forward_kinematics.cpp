@@ -15,6 +15,15 @@ namespace ur10e {
 
 void forward_kinematics(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT position)[3],
     Real (&TREELINE_RESTRICT rotation)[9]) noexcept {
+  // constants
+  const Real minus_link2_to_3_x = 0.6127;
+  const Real minus_link3_to_4_x = 0.57155;
+  const Real link5_to_6_z = 0.11985;
+  const Real link4_to_5_z = 0.17415;
+  const Real base_to_1_z = 0.1807;
+  const Real link6_to_tool_z = 0.11655;
+
+  // sines and cosines
   const Real angles[6] = {q[0], q[1], q[2], q[3], q[4], q[5]};
   Real sines[6];
   Real cosines[6];
@@ -31,50 +40,44 @@ void forward_kinematics(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RE
   const Real s5 = sines[4];
   const Real c6 = cosines[5];
   const Real s6 = sines[5];
-  const Real rotation_2_p1 = s2 * c3 + c2 * s3;
-  const Real rotation_2_p2 = c2 * c3 - s2 * s3;
+  const Real s23 = s2 * c3 + c2 * s3;
 
-  // link 3 (forearm), pose
-  const Real p3_z = 0.1807 - 0.6127 * s2;
-  const Real rotation_2_p3 = rotation_2_p2 * c4 - rotation_2_p1 * s4;
-  const Real position_0_p1 = rotation_2_p1 * c4 + rotation_2_p2 * s4;
-
-  // link 6 (wrist_3), pose
-  const Real position_0_p2 = 0.6127 * c2 + 0.57155 * rotation_2_p2;
+  // links 3 (forearm) and 6 (wrist_3), pose
+  const Real c23 = c2 * c3 - s2 * s3;
+  const Real p3_z = base_to_1_z - minus_link2_to_3_x * s2;
+  const Real c234 = c23 * c4 - s23 * s4;
+  const Real s234 = s23 * c4 + c23 * s4;
+  const Real t1 = minus_link2_to_3_x * c2 + minus_link3_to_4_x * c23;
 
   // link 4 (wrist_1), pose
-  const Real p4_z = p3_z - 0.57155 * rotation_2_p1;
-  const Real rotation_2_p4 = rotation_2_p3 * c1;
-  const Real rotation_5_p1 = rotation_2_p3 * s1;
-  const Real position_0_p3 = position_0_p1 * c1;
-  const Real position_1_p1 = position_0_p1 * s1;
+  const Real p4_z = p3_z - minus_link3_to_4_x * s23;
+  const Real t2 = c234 * c1;
+  const Real t3 = c234 * s1;
+  const Real t4 = s234 * c1;
+  const Real t5 = s234 * s1;
 
-  // link 5 (wrist_2), pose
-  const Real rotation_8 = s5 * position_0_p1;
+  // links 5 (wrist_2) and 6 (wrist_3), pose
+  const Real rotation_8 = s5 * s234;
   rotation[8] = -rotation_8;
-  const Real rotation_6_p1 = c5 * position_0_p1;
-
-  // link 6 (wrist_3), pose
-  const Real p6_z = p4_z - 0.11985 * rotation_2_p3;
-
-  // link 5 (wrist_2), pose
-  const Real rotation_2 = c5 * s1 - s5 * rotation_2_p4;
+  const Real t6 = c5 * s234;
+  const Real p6_z = p4_z - link5_to_6_z * c234;
+  const Real rotation_2 = c5 * s1 - s5 * t2;
   rotation[2] = rotation_2;
-  const Real rotation_5 = s5 * rotation_5_p1 + c5 * c1;
+  const Real rotation_5 = s5 * t3 + c5 * c1;
   rotation[5] = -rotation_5;
-  const Real rotation_0_p1 = c5 * rotation_2_p4 + s5 * s1;
-  const Real rotation_3_p1 = c5 * rotation_5_p1 - s5 * c1;
+  const Real t7 = c5 * t2 + s5 * s1;
+  const Real t8 = c5 * t3 - s5 * c1;
 
   // link 6 (wrist_3), pose
-  position[2] = p6_z - 0.11655 * rotation_8;
-  rotation[6] = c6 * rotation_6_p1 + s6 * rotation_2_p3;
-  rotation[7] = c6 * rotation_2_p3 - s6 * rotation_6_p1;
-  rotation[0] = c6 * rotation_0_p1 - s6 * position_0_p3;
-  rotation[1] = -(s6 * rotation_0_p1 + c6 * position_0_p3);
-  rotation[3] = c6 * rotation_3_p1 - s6 * position_1_p1;
-  rotation[4] = -(s6 * rotation_3_p1 + c6 * position_1_p1);
-  position[0] = 0.17415 * s1 + 0.11985 * position_0_p3 + 0.11655 * rotation_2 - position_0_p2 * c1;
-  position[1] = 0.11985 * position_1_p1 - 0.17415 * c1 - 0.11655 * rotation_5 - position_0_p2 * s1;
+  position[2] = p6_z - link6_to_tool_z * rotation_8;
+  rotation[6] = c6 * t6 + s6 * c234;
+  rotation[7] = c6 * c234 - s6 * t6;
+  rotation[0] = c6 * t7 - s6 * t4;
+  rotation[1] = -(s6 * t7 + c6 * t4);
+  rotation[3] = c6 * t8 - s6 * t5;
+  rotation[4] = -(s6 * t8 + c6 * t5);
+  position[0] = link4_to_5_z * s1 + link5_to_6_z * t4 + link6_to_tool_z * rotation_2 - t1 * c1;
+  position[1] = link5_to_6_z * t5 - link4_to_5_z * c1 - link6_to_tool_z * rotation_5 - t1 * s1;
 }
 
 }  // namespace ur10e

@@ -15,6 +15,8 @@ namespace ur10e {
 
 void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6]) noexcept {
   g[5] = 0.0;
+
+  // sines and cosines
   const Real angles[4] = {q[1], q[2], q[3], q[4]};
   Real sines[4];
   Real cosines[4];
@@ -27,28 +29,24 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
   const Real s4 = sines[2];
   const Real c5 = cosines[3];
   const Real s5 = sines[3];
-  const Real minus_n5_x_p1 = c2 * c3 - s2 * s3;
-  const Real minus_n5_x_p2 = s2 * c3 + c2 * s3;
-  const Real minus_n5_x_p3 = minus_n5_x_p1 * c4 - minus_n5_x_p2 * s4;
-  const Real minus_n5_z_p1 = minus_n5_x_p2 * c4 + minus_n5_x_p1 * s4;
+  const Real c23 = c2 * c3 - s2 * s3;
+  const Real s23 = s2 * c3 + c2 * s3;
+  const Real c234 = c23 * c4 - s23 * s4;
+  const Real s234 = s23 * c4 + c23 * s4;
 
-  // link 5 (wrist_2), inertial wrench
-  const Real minus_n5_x = 0.8959301325000001 * minus_n5_x_p3;
-  const Real minus_n5_z_p2 = c5 * minus_n5_z_p1;
-  const Real minus_n5_z = 0.8959301325000001 * minus_n5_z_p2;
+  // link 5 (wrist_2), inertial wrench and inward
+  const Real minus_n5_x = 0.8959301325000001 * c234;
+  const Real t1 = c5 * s234;
+  const Real minus_n5_z = 0.8959301325000001 * t1;
   g[4] = -minus_n5_z;
-
-  // link 5 (wrist_2), inward
-  const Real n4_z = 3.2858668575000003 * minus_n5_z_p1 - s5 * minus_n5_x;
+  const Real n4_z = 3.2858668575000003 * s234 - s5 * minus_n5_x;
   g[3] = n4_z;
 
-  // link 4 (wrist_1), inward
-  const Real n3_z = n4_z - 39.298665762 * minus_n5_x_p1;
+  // links 3 (forearm) and 4 (wrist_1), inward
+  const Real n3_z = n4_z - 39.298665762 * c23;
   g[2] = n3_z;
-  const Real n3_y = minus_n5_x_p3 * minus_n5_z - minus_n5_z_p2 * minus_n5_x;
+  const Real n3_y = c234 * minus_n5_z - t1 * minus_n5_x;
   g[0] = n3_y;
-
-  // link 3 (forearm), inward
   const Real n2_z = n3_z - 81.98859064500002 * c2;
   g[1] = n2_z;
 }

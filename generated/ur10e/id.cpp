@@ -5,4 +5,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.1.0 ur10e sha256 "
-    "47464abadce38a5f27fcef39f1828d59b7f0d6b83708a09743968462a089b620";
+    "230be7a88b3946478f7f29339dd2242ebfa9b3f9bc57e6eb40607a0e46cb60e8";

@@ -15,6 +15,30 @@ namespace ur10e {
 
 void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_RESTRICT qd)[6],
     const Real (&TREELINE_RESTRICT qdd)[6], Real (&TREELINE_RESTRICT tau)[6]) noexcept {
+  // constants
+  const Real minus_link2_to_3_x = 0.6127;
+  const Real minus_link3_to_4_x = 0.57155;
+  const Real minus_gravity_z = 9.81;
+  const Real link4_to_5_z = 0.17415;
+  const Real J_5_xx = 0.0069705910375000004;
+  const Real minus_J_5_yz = 0.0106962107625;
+  const Real h_5_y = 0.09132825;
+  const Real J_5_yy = 0.00124;
+  const Real J_2_xz = 1.156008191975;
+  const Real J_6_zz = 0.000623;
+  const Real J_3_xz = 0.5656542411875001;
+  const Real minus_h_4_y = 0.33495075;
+  const Real J_4_xx = 0.0384148163875;
+  const Real J_4_yz = 0.0585962731125;
+  const Real minus_h_3_x = 4.0059802;
+  const Real J_5_zz = 0.008210591037500001;
+  const Real J_4_yy = 0.001315;
+  const Real J_4_zz = 0.0397298163875;
+  const Real J_3_zz = 2.08330527531;
+  const Real J_2_zz = 4.3866871861500005;
+  const Real J_3_yy = 2.08081027531;
+
+  // sines and cosines
   const Real angles[4] = {q[1], q[2], q[3], q[4]};
   Real sines[4];
   Real cosines[4];
@@ -28,206 +52,129 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
   const Real c5 = cosines[3];
   const Real s5 = sines[3];
 
-  // link 3 (forearm), outward
+  // links 1 to 3, outward
   const Real w3_z = qd[1] + qd[2];
-
-  // link 2 (upper_arm), outward
-  const Real a3_y_p1 = qd[1] * qd[1];
-  const Real a3_y_p2 = 0.6127 * s2;
-  const Real a3_y_p3 = 0.6127 * c2;
-
-  // link 1 (shoulder), outward
-  const Real a3_x_p1 = qd[0] * qd[0];
-
-  // link 3 (forearm), outward
+  const Real t1 = qd[1] * qd[1];
+  const Real t2 = minus_link2_to_3_x * s2;
+  const Real t3 = minus_link2_to_3_x * c2;
+  const Real t4 = qd[0] * qd[0];
   const Real wd3_z = qdd[1] + qdd[2];
 
   // link 2 (upper_arm), outward
-  const Real a4_z_p1 = 2.0 * qd[0];
-  const Real n1_z_p1 = 4.36318718615 * s2;
-  const Real n1_z_p2 = 1.156008191975 * s2;
-  const Real w4_y_p1 = s2 * c3 + c2 * s3;
-  const Real w4_y_p2 = c2 * c3 - s2 * s3;
+  const Real t5 = 2.0 * qd[0];
+  const Real t6 = 4.36318718615 * s2;
+  const Real t7 = J_2_xz * s2;
+  const Real s23 = s2 * c3 + c2 * s3;
+  const Real c23 = c2 * c3 - s2 * s3;
 
-  // link 4 (wrist_1), outward
+  // links 2 to 4, outward
   const Real w4_z = w3_z + qd[3];
-
-  // link 3 (forearm), outward
-  const Real a4_y_p1 = w3_z * w3_z;
-
-  // link 4 (wrist_1), outward
+  const Real t8 = w3_z * w3_z;
   const Real wd4_z = wd3_z + qdd[3];
+  const Real t9 = t5 * w3_z;
+  const Real t10 = t5 * qd[1];
 
-  // link 3 (forearm), outward
-  const Real a4_z_p2 = a4_z_p1 * w3_z;
+  // links 3 (forearm) and 4 (wrist_1), outward
+  const Real t11 = minus_link3_to_4_x * s23;
+  const Real t12 = minus_link3_to_4_x * c23;
+  const Real t13 = t4 + t8;
+  const Real t14 = c2 * t6;
+  const Real t15 = w4_z * w4_z;
+  const Real c234 = c23 * c4 - s23 * s4;
+  const Real s234 = s23 * c4 + c23 * s4;
+  const Real t16 = 2.07831527531 * s23;
+  const Real a3_y = minus_gravity_z + (t1 * t2 - qdd[1] * t3);
+  const Real a3_x = (t4 + t1) * t3 + qdd[1] * t2;
+  const Real w4_y = c234 * qd[0];
+  const Real w4_x = s234 * qd[0];
+  const Real t17 = s234 * qdd[0];
+  const Real t18 = c234 * qdd[0];
+  const Real a3_z = qdd[0] * t3 - t10 * t2;
+  const Real t19 = J_3_xz * s23;
+  const Real t20 = c23 * t16;
+  const Real t21 = minus_h_3_x * c23;
+  const Real t22 = minus_h_3_x * s23;
+  const Real t23 = w4_x * w4_y;
 
-  // link 2 (upper_arm), outward
-  const Real a3_z_p1 = a4_z_p1 * qd[1];
-  const Real a4_y_p2 = 0.57155 * w4_y_p1;
-  const Real a4_y_p3 = 0.57155 * w4_y_p2;
-
-  // link 3 (forearm), outward
-  const Real a4_y_p4 = a3_x_p1 + a4_y_p1;
-  const Real n1_z_p3 = c2 * n1_z_p1;
-
-  // link 4 (wrist_1), outward
-  const Real n4_x_p1 = w4_z * w4_z;
-  const Real w4_y_p3 = w4_y_p2 * c4 - w4_y_p1 * s4;
-  const Real w4_x_p1 = w4_y_p1 * c4 + w4_y_p2 * s4;
-  const Real n1_z_p4 = 2.07831527531 * w4_y_p1;
-
-  // link 3 (forearm), outward
-  const Real a3_y = 9.81 + (a3_y_p1 * a3_y_p2 - qdd[1] * a3_y_p3);
-  const Real a3_x = (a3_x_p1 + a3_y_p1) * a3_y_p3 + qdd[1] * a3_y_p2;
-
-  // link 4 (wrist_1), outward
-  const Real w4_y = w4_y_p3 * qd[0];
-  const Real w4_x = w4_x_p1 * qd[0];
-  const Real minus_a5_z_p1 = w4_x_p1 * qdd[0];
-  const Real a5_x_p1 = w4_y_p3 * qdd[0];
-
-  // link 3 (forearm), outward
-  const Real a3_z = qdd[0] * a3_y_p3 - a3_z_p1 * a3_y_p2;
-  const Real n1_z_p5 = 0.5656542411875001 * w4_y_p1;
-  const Real n1_z_p6 = w4_y_p2 * n1_z_p4;
-  const Real f3_x_p1 = 4.0059802 * w4_y_p2;
-  const Real f3_x_p2 = 4.0059802 * w4_y_p1;
-
-  // link 4 (wrist_1), outward
-  const Real n5_x_p1 = w4_x * w4_y;
-
-  // link 5 (wrist_2), outward
+  // links 4 (wrist_1) and 5 (wrist_2), outward
   const Real w5_z = qd[4] - w4_y;
-
-  // link 4 (wrist_1), outward
-  const Real a4_y_p5 = a3_y + (a4_y_p1 * a4_y_p2 - wd3_z * a4_y_p3);
-  const Real a4_y_p6 = a3_x + (a4_y_p4 * a4_y_p3 + wd3_z * a4_y_p2);
-  const Real wd4_y_p1 = w4_x * w4_z;
-  const Real a4_z = a3_z + (qdd[0] * a4_y_p3 - a4_z_p2 * a4_y_p2);
-
-  // link 5 (wrist_2), outward
-  const Real n5_x_p2 = 2.0 * w5_z;
-  const Real n5_x_p3 = w5_z * w5_z;
-
-  // link 4 (wrist_1), outward
-  const Real n5_x_p4 = n5_x_p1 - wd4_z;
-
-  // link 5 (wrist_2), outward
+  const Real t24 = a3_y + (t8 * t11 - wd3_z * t12);
+  const Real t25 = a3_x + (t13 * t12 + wd3_z * t11);
+  const Real t26 = w4_x * w4_z;
+  const Real a4_z = a3_z + (qdd[0] * t12 - t9 * t11);
+  const Real t27 = 2.0 * w5_z;
+  const Real t28 = w5_z * w5_z;
+  const Real t29 = t23 - wd4_z;
   const Real w5_y = c5 * w4_z - s5 * w4_x;
   const Real w5_x = c5 * w4_x + s5 * w4_z;
+  const Real wd4_y = t18 - t26;
+  const Real t30 = t17 + 2.0 * (w4_y * w4_z);
+  const Real t31 = w5_x * w5_z;
 
-  // link 4 (wrist_1), outward
-  const Real wd4_y = a5_x_p1 - wd4_y_p1;
-  const Real n5_x_p5 = minus_a5_z_p1 + 2.0 * (w4_y * w4_z);
-
-  // link 5 (wrist_2), outward
-  const Real minus_wd5_y_p1 = w5_x * w5_z;
-
-  // link 6 (wrist_3), outward
+  // links 4 to 6, outward
   const Real w6_z = w5_y + qd[5];
-
-  // link 5 (wrist_2), outward
-  const Real n5_y_p1 = w5_x * w5_y;
-
-  // link 4 (wrist_1), outward
-  const Real a4_y = w4_y_p3 * a4_y_p5 - w4_x_p1 * a4_y_p6;
-
-  // link 5 (wrist_2), outward
+  const Real t32 = w5_x * w5_y;
+  const Real a4_y = c234 * t24 - s234 * t25;
   const Real wd5_z = qdd[4] - wd4_y;
+  const Real a4_x = c234 * t25 + s234 * t24;
 
-  // link 4 (wrist_1), outward
-  const Real a4_x = w4_y_p3 * a4_y_p6 + w4_x_p1 * a4_y_p5;
+  // link 5 (wrist_2), outward and inertial wrench
+  const Real minus_a5_z = a4_y - link4_to_5_z * t17;
+  const Real t33 = t32 - wd5_z;
+  const Real t34 = c5 * t29 + s5 * t30;
+  const Real f5_x = h_5_y * t33;
+  const Real minus_f5_y = h_5_y * (w5_x * w5_x + t28);
 
-  // link 5 (wrist_2), outward
-  const Real minus_a5_z = a4_y - 0.17415 * minus_a5_z_p1;
-  const Real n5_y_p2 = n5_y_p1 - wd5_z;
-  const Real minus_wd5_y_p2 = c5 * n5_x_p4 + s5 * n5_x_p5;
-
-  // link 5 (wrist_2), inertial wrench
-  const Real f5_x = 0.09132825 * n5_y_p2;
-  const Real minus_f5_y = 0.09132825 * (w5_x * w5_x + n5_x_p3);
-
-  // link 5 (wrist_2), outward
-  const Real n5_x_p6 = n5_x_p2 * w5_y - (s5 * n5_x_p4 - c5 * n5_x_p5);
-  const Real minus_wd5_y = minus_wd5_y_p2 + minus_wd5_y_p1;
-
-  // link 2 (upper_arm), inward
-  const Real n1_z_p7 = qdd[1] * n1_z_p2 - a3_z_p1 * n1_z_p3 + 1.156008191975 * a3_y_p1 * c2 +
-      wd3_z * n1_z_p5;
-
-  // link 5 (wrist_2), outward
-  const Real a5_x = c5 * (a4_x + 0.17415 * a5_x_p1) + s5 * (a4_z - 0.17415 * a3_x_p1);
-
-  // link 6 (wrist_3), outward
+  // links 5 (wrist_2) and 6 (wrist_3), outward; link 2 (upper_arm), inward
+  const Real t35 = t27 * w5_y - (s5 * t29 - c5 * t30);
+  const Real minus_wd5_y = t34 + t31;
+  const Real t36 = qdd[1] * t7 - t10 * t14 + J_2_xz * t1 * c2 + wd3_z * t19;
+  const Real a5_x = c5 * (a4_x + link4_to_5_z * t18) + s5 * (a4_z - link4_to_5_z * t4);
   const Real wd6_z = qdd[5] - minus_wd5_y;
 
-  // link 5 (wrist_2), inertial wrench
-  const Real f5_z = 0.09132825 * n5_x_p6;
-
-  // link 6 (wrist_3), inertial wrench
-  const Real n6_y = 0.0003115 * (2.0 * (w5_x * w6_z) - n5_y_p2);
-  const Real n6_x = 0.0003115 * (n5_x_p2 * w6_z - n5_x_p6);
-  const Real n6_z = 0.000623 * wd6_z;
+  // links 5 (wrist_2) and 6 (wrist_3), inertial wrench
+  const Real f5_z = h_5_y * t35;
+  const Real n6_y = 0.0003115 * (2.0 * (w5_x * w6_z) - t33);
+  const Real n6_x = 0.0003115 * (t27 * w6_z - t35);
+  const Real n6_z = J_6_zz * wd6_z;
   tau[5] = n6_z;
 
-  // link 5 (wrist_2), inward
-  const Real f4_x_p1 = c5 * f5_x + s5 * minus_f5_y;
-  const Real f4_y = 0.33495075 * (w4_x * w4_x + n4_x_p1) - f5_z;
-  const Real f4_x = f4_x_p1 - 0.33495075 * n5_x_p4;
-
-  // link 6 (wrist_3), inward
-  const Real n5_z = 0.008210591037500001 * wd5_z - 0.005730591037500001 * n5_y_p1 +
-      0.0106962107625 * minus_wd5_y_p2 - 0.09132825 * a5_x + n6_y;
+  // links 5 (wrist_2) and 6 (wrist_3), inward
+  const Real t37 = c5 * f5_x + s5 * minus_f5_y;
+  const Real f4_y = minus_h_4_y * (w4_x * w4_x + t15) - f5_z;
+  const Real f4_x = t37 - minus_h_4_y * t29;
+  const Real n5_z = J_5_zz * wd5_z - 0.005730591037500001 * t32 + minus_J_5_yz * t34 - h_5_y *
+      a5_x + n6_y;
   tau[4] = n5_z;
-  const Real n5_x = 0.0069705910375000004 * n5_x_p6 + 0.0106962107625 * (n5_x_p3 - w5_y * w5_y) -
-      0.09132825 * minus_a5_z - n6_x;
-  const Real n5_y = 0.0106962107625 * n5_y_p2 - 0.00124 * (minus_wd5_y_p1 + minus_wd5_y) + n6_z;
+  const Real n5_x = J_5_xx * t35 + minus_J_5_yz * (t28 - w5_y * w5_y) - h_5_y * minus_a5_z - n6_x;
+  const Real n5_y = minus_J_5_yz * t33 - J_5_yy * (t31 + minus_wd5_y) + n6_z;
 
-  // link 4 (wrist_1), inward
-  const Real n3_z_p1 = w4_y_p3 * f4_x - w4_x_p1 * f4_y;
-  const Real n3_z_p2 = w4_x_p1 * f4_x + w4_y_p3 * f4_y;
-
-  // link 5 (wrist_2), inward
-  const Real n4_y = 0.17415 * f4_x_p1 - n5_z - (0.001315 * (wd4_y_p1 - wd4_y) + 0.0585962731125 *
-      n5_x_p4);
-  const Real f4_z = s5 * f5_x - c5 * minus_f5_y - 0.33495075 * n5_x_p5;
-
-  // link 4 (wrist_1), inward
-  const Real f3_x = a4_y_p4 * f3_x_p1 + wd3_z * f3_x_p2 + n3_z_p1;
-  const Real f3_y = a4_y_p1 * f3_x_p2 - wd3_z * f3_x_p1 + n3_z_p2;
-
-  // link 5 (wrist_2), inward
-  const Real n4_z = 0.0397298163875 * wd4_z - 0.037099816387500005 * n5_x_p1 + 0.0585962731125 *
-      a5_x_p1 + 0.33495075 * a4_x + (s5 * n5_x + c5 * n5_y);
+  // links 4 (wrist_1) and 5 (wrist_2), inward
+  const Real t38 = c234 * f4_x - s234 * f4_y;
+  const Real t39 = s234 * f4_x + c234 * f4_y;
+  const Real n4_y = link4_to_5_z * t37 - n5_z - (J_4_yy * (t26 - wd4_y) + J_4_yz * t29);
+  const Real f4_z = s5 * f5_x - c5 * minus_f5_y - minus_h_4_y * t30;
+  const Real f3_x = t13 * t21 + wd3_z * t22 + t38;
+  const Real f3_y = t8 * t22 - wd3_z * t21 + t39;
+  const Real n4_z = J_4_zz * wd4_z - 0.037099816387500005 * t23 + J_4_yz * t18 + minus_h_4_y *
+      a4_x + (s5 * n5_x + c5 * n5_y);
   tau[3] = n4_z;
 
-  // link 4 (wrist_1), inward
-  const Real f3_z = qdd[0] * f3_x_p1 - a4_z_p2 * f3_x_p2 + f4_z;
-
-  // link 3 (forearm), inertial wrench
-  const Real n3_z_p3 = 2.08330527531 * wd3_z + qdd[0] * n1_z_p5 + a3_x_p1 * n1_z_p6 +
-      (f3_x_p2 * a3_x - f3_x_p1 * a3_y);
-
-  // link 5 (wrist_2), inward
-  const Real n4_x = 0.0384148163875 * n5_x_p5 - 0.0585962731125 * (n4_x_p1 - w4_y * w4_y) -
-      0.33495075 * a4_z + (c5 * n5_x - s5 * n5_y + 0.0159048147375 * n5_x_p6);
-
-  // link 4 (wrist_1), inward
-  const Real n3_z = n3_z_p3 + (n4_z + (a4_y_p2 * n3_z_p1 - a4_y_p3 * n3_z_p2));
+  // links 4 (wrist_1) and 5 (wrist_2), inward; link 3 (forearm), inertial wrench
+  const Real f3_z = qdd[0] * t21 - t9 * t22 + f4_z;
+  const Real t40 = J_3_zz * wd3_z + qdd[0] * t19 + t4 * t20 + (t22 * a3_x - t21 * a3_y);
+  const Real n4_x = J_4_xx * t30 - J_4_yz * (t15 - w4_y * w4_y) - minus_h_4_y * a4_z +
+      (c5 * n5_x - s5 * n5_y + 0.0159048147375 * t35);
+  const Real n3_z = t40 + (n4_z + (t11 * t38 - t12 * t39));
   tau[2] = n3_z;
 
-  // link 2 (upper_arm), inward
-  const Real n1_z_p8 = n1_z_p7 - a4_z_p2 * n1_z_p6 + 0.5656542411875001 * a4_y_p1 * w4_y_p2 +
-      f3_x_p1 * a3_z + w4_x_p1 * n4_x;
-
-  // link 3 (forearm), inward
-  const Real n2_z = 4.3866871861500005 * qdd[1] + qdd[0] * n1_z_p2 + a3_x_p1 * n1_z_p3 -
-      81.98859064500002 * c2 + (n3_z + (a3_y_p2 * f3_x - a3_y_p3 * f3_y));
+  // links 2 (upper_arm) and 3 (forearm), inward
+  const Real t41 = t36 - t9 * t20 + J_3_xz * t8 * c23 + t21 * a3_z + s234 * n4_x;
+  const Real n2_z = J_2_zz * qdd[1] + qdd[0] * t7 + t4 * t14 - 81.98859064500002 * c2 +
+      (n3_z + (t2 * f3_x - t3 * f3_y));
   tau[1] = n2_z;
-
-  // link 2 (upper_arm), inward
-  const Real n1_z = n1_z_p8 + w4_y_p3 * n4_y + a4_y_p3 * f4_z + a3_y_p3 * f3_z +
-      (4.910283130787501 - s2 * n1_z_p1 + (2.08081027531 - w4_y_p1 * n1_z_p4)) * qdd[0];
+  const Real n1_z = t41 + c234 * n4_y + t12 * f4_z + t3 * f3_z +
+      (4.910283130787501 - s2 * t6 + (J_3_yy - s23 * t16)) * qdd[0];
   tau[0] = n1_z;
 }
 

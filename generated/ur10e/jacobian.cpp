@@ -23,6 +23,15 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT J)[
   J[31] = 0.0;
   J[32] = 0.0;
   J[33] = 0.0;
+
+  // constants
+  const Real link6_to_tool_z = 0.11655;
+  const Real link5_to_6_z = 0.11985;
+  const Real minus_link3_to_4_x = 0.57155;
+  const Real minus_link2_to_3_x = 0.6127;
+  const Real link4_to_5_z = 0.17415;
+
+  // sines and cosines
   const Real angles[5] = {q[4], q[0], q[1], q[2], q[3]};
   Real sines[5];
   Real cosines[5];
@@ -45,68 +54,48 @@ void jacobian(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT J)[
   J[21] = s1;
 
   // link 6 (wrist_3), Jacobian
-  const Real J_0_4_p1 = 0.11655 * s5;
-  const Real J_0_0_p1 = 0.11655 * c5;
-
-  // link 6 (wrist_3), pose
+  const Real t1 = link6_to_tool_z * s5;
+  const Real t2 = link6_to_tool_z * c5;
   J[30] = 1.0;
-  const Real J_2_3_p1 = s2 * c3 + c2 * s3;
-  const Real J_2_3_p2 = c2 * c3 - s2 * s3;
+  const Real s23 = s2 * c3 + c2 * s3;
+  const Real c23 = c2 * c3 - s2 * s3;
 
-  // link 5 (wrist_2), Jacobian
-  const Real J_0_0_p2 = 0.17415 + J_0_0_p1;
-  const Real J_2_3_p3 = J_2_3_p1 * c4 + J_2_3_p2 * s4;
-  const Real J_5_4 = J_2_3_p2 * c4 - J_2_3_p1 * s4;
-  J[34] = -J_5_4;
+  // link 5 (wrist_2), Jacobian and pose
+  const Real t3 = link4_to_5_z + t2;
+  const Real s234 = s23 * c4 + c23 * s4;
+  const Real c234 = c23 * c4 - s23 * s4;
+  J[34] = -c234;
+  const Real t4 = c234 * c1;
+  const Real t5 = c234 * s1;
+  J[16] = -(t2 * s234);
+  J[22] = s234 * c1;
+  J[28] = s234 * s1;
 
-  // link 5 (wrist_2), pose
-  const Real J_0_4_p2 = J_5_4 * c1;
-  const Real J_1_4_p1 = J_5_4 * s1;
-
-  // link 5 (wrist_2), Jacobian
-  J[16] = -(J_0_0_p1 * J_2_3_p3);
-
-  // link 5 (wrist_2), pose
-  J[22] = J_2_3_p3 * c1;
-  J[28] = J_2_3_p3 * s1;
-
-  // link 6 (wrist_3), pose
-  J[35] = -(s5 * J_2_3_p3);
-
-  // link 5 (wrist_2), Jacobian
-  const Real J_2_3 = 0.11985 * J_2_3_p3 - J_5_4 * J_0_4_p1;
+  // link 6 (wrist_3), pose; links 4 (wrist_1) and 5 (wrist_2), Jacobian
+  J[35] = -(s5 * s234);
+  const Real J_2_3 = link5_to_6_z * s234 - c234 * t1;
   J[15] = J_2_3;
-  const Real J_0_1_p1 = J_2_3_p3 * J_0_4_p1 + 0.11985 * J_5_4;
-
-  // link 4 (wrist_1), Jacobian
-  const Real J_2_2 = J_2_3 - 0.57155 * J_2_3_p2;
+  const Real t6 = s234 * t1 + link5_to_6_z * c234;
+  const Real J_2_2 = J_2_3 - minus_link3_to_4_x * c23;
   J[14] = J_2_2;
-  const Real J_0_1_p2 = J_0_1_p1 + 0.57155 * J_2_3_p1;
-  J[3] = J_0_1_p1 * c1;
-  J[9] = J_0_1_p1 * s1;
+  const Real t7 = t6 + minus_link3_to_4_x * s23;
+  J[3] = t6 * c1;
+  J[9] = t6 * s1;
+  J[4] = -(t1 * s1 + t2 * t4);
+  J[10] = t1 * c1 - t2 * t5;
+  J[23] = -(s5 * t4 - c5 * s1);
+  J[29] = -(s5 * t5 + c5 * c1);
 
-  // link 5 (wrist_2), Jacobian
-  J[4] = -(J_0_4_p1 * s1 + J_0_0_p1 * J_0_4_p2);
-  J[10] = J_0_4_p1 * c1 - J_0_0_p1 * J_1_4_p1;
-
-  // link 6 (wrist_3), pose
-  J[23] = -(s5 * J_0_4_p2 - c5 * s1);
-  J[29] = -(s5 * J_1_4_p1 + c5 * c1);
-
-  // link 3 (forearm), Jacobian
-  const Real J_2_1 = J_2_2 - 0.6127 * c2;
+  // links 1 to 3, Jacobian
+  const Real J_2_1 = J_2_2 - minus_link2_to_3_x * c2;
   J[13] = J_2_1;
-  const Real J_0_1_p3 = J_0_1_p2 + 0.6127 * s2;
-  J[2] = J_0_1_p2 * c1;
-  J[8] = J_0_1_p2 * s1;
-
-  // link 2 (upper_arm), Jacobian
-  J[1] = J_0_1_p3 * c1;
-  J[7] = J_0_1_p3 * s1;
-
-  // link 1 (shoulder), Jacobian
-  J[0] = J_0_0_p2 * c1 - J_2_1 * s1;
-  J[6] = J_2_1 * c1 + J_0_0_p2 * s1;
+  const Real t8 = t7 + minus_link2_to_3_x * s2;
+  J[2] = t7 * c1;
+  J[8] = t7 * s1;
+  J[1] = t8 * c1;
+  J[7] = t8 * s1;
+  J[0] = t3 * c1 - J_2_1 * s1;
+  J[6] = J_2_1 * c1 + t3 * s1;
 }
 
 }  // namespace ur10e

@@ -15,6 +15,24 @@ namespace ur10e {
 
 void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_RESTRICT qd)[6],
     Real (&TREELINE_RESTRICT h)[6]) noexcept {
+  // constants
+  const Real minus_link2_to_3_x = 0.6127;
+  const Real minus_link3_to_4_x = 0.57155;
+  const Real minus_gravity_z = 9.81;
+  const Real link4_to_5_z = 0.17415;
+  const Real J_2_xz = 1.156008191975;
+  const Real h_5_y = 0.09132825;
+  const Real J_3_xz = 0.5656542411875001;
+  const Real minus_J_5_yz = 0.0106962107625;
+  const Real J_5_zz = 0.008210591037500001;
+  const Real J_5_xx = 0.0069705910375000004;
+  const Real minus_h_3_x = 4.0059802;
+  const Real minus_h_4_y = 0.33495075;
+  const Real J_5_yy = 0.00124;
+  const Real J_6_zz = 0.000623;
+  const Real J_4_yz = 0.0585962731125;
+
+  // sines and cosines
   const Real angles[4] = {q[1], q[2], q[3], q[4]};
   Real sines[4];
   Real cosines[4];
@@ -28,160 +46,105 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELI
   const Real c5 = cosines[3];
   const Real s5 = sines[3];
 
-  // link 3 (forearm), outward
+  // links 1 to 3, outward
   const Real w3_z = qd[1] + qd[2];
+  const Real t1 = qd[0] * qd[0];
+  const Real t2 = qd[1] * qd[1];
+  const Real t3 = minus_link2_to_3_x * s2;
+  const Real t4 = minus_link2_to_3_x * c2;
+  const Real t5 = 2.0 * qd[0];
+  const Real s23 = s2 * c3 + c2 * s3;
 
-  // link 1 (shoulder), outward
-  const Real a3_x_p1 = qd[0] * qd[0];
-
-  // link 2 (upper_arm), outward
-  const Real a3_x_p2 = qd[1] * qd[1];
-  const Real a3_y_p1 = 0.6127 * s2;
-  const Real a3_x_p3 = 0.6127 * c2;
-  const Real minus_a4_z_p1 = 2.0 * qd[0];
-  const Real w5_x_p1 = s2 * c3 + c2 * s3;
-  const Real w5_x_p2 = c2 * c3 - s2 * s3;
-
-  // link 4 (wrist_1), outward
+  // links 2 to 4, outward
+  const Real c23 = c2 * c3 - s2 * s3;
   const Real w4_z = w3_z + qd[3];
+  const Real t6 = w3_z * w3_z;
+  const Real t7 = t5 * w3_z;
+  const Real t8 = t5 * qd[1];
 
-  // link 3 (forearm), outward
-  const Real a4_x_p1 = w3_z * w3_z;
-  const Real minus_a4_z_p2 = minus_a4_z_p1 * w3_z;
-
-  // link 2 (upper_arm), outward
-  const Real minus_a3_z_p1 = minus_a4_z_p1 * qd[1];
-  const Real n2_y_p1 = c2 * (4.36318718615 * s2);
-  const Real a4_x_p2 = 0.57155 * w5_x_p2;
-  const Real a4_y_p1 = 0.57155 * w5_x_p1;
-
-  // link 3 (forearm), outward
-  const Real a4_x_p3 = a3_x_p1 + a4_x_p1;
-
-  // link 4 (wrist_1), outward
+  // links 3 (forearm) and 4 (wrist_1), outward
+  const Real t9 = c2 * (4.36318718615 * s2);
+  const Real t10 = minus_link3_to_4_x * c23;
+  const Real t11 = minus_link3_to_4_x * s23;
+  const Real t12 = t1 + t6;
   const Real wd4_x = qd[0] * w4_z;
+  const Real a3_x = (t1 + t2) * t4;
+  const Real a3_y = minus_gravity_z + t2 * t3;
+  const Real minus_a3_z = t8 * t3;
+  const Real s234 = s23 * c4 + c23 * s4;
+  const Real c234 = c23 * c4 - s23 * s4;
+  const Real t13 = w4_z * w4_z;
+  const Real t14 = minus_h_3_x * c23;
+  const Real t15 = 2.0 * wd4_x;
 
-  // link 3 (forearm), outward
-  const Real a3_x = (a3_x_p1 + a3_x_p2) * a3_x_p3;
-  const Real a3_y = 9.81 + a3_x_p2 * a3_y_p1;
-  const Real minus_a3_z = minus_a3_z_p1 * a3_y_p1;
-  const Real w5_x_p3 = w5_x_p1 * c4 + w5_x_p2 * s4;
-  const Real w5_z_p1 = w5_x_p2 * c4 - w5_x_p1 * s4;
+  // link 5 (wrist_2), outward
+  const Real t16 = minus_h_3_x * s23;
+  const Real t17 = s234 * qd[0];
+  const Real wd5_z = s234 * wd4_x;
+  const Real t18 = c234 * wd4_x;
+  const Real t19 = c23 * (2.07831527531 * s23);
 
   // link 4 (wrist_1), outward
-  const Real f4_x_p1 = w4_z * w4_z;
-  const Real n2_y_p2 = 4.0059802 * w5_x_p2;
-  const Real f4_z_p1 = 2.0 * wd4_x;
-  const Real f3_y_p1 = 4.0059802 * w5_x_p1;
+  const Real a4_x = a3_x + t12 * t10;
+  const Real a4_y = a3_y + t6 * t11;
+  const Real minus_a4_z = minus_a3_z + t7 * t11;
+  const Real t20 = minus_h_4_y * s234;
+  const Real t21 = minus_h_4_y * c234;
 
-  // link 5 (wrist_2), outward
-  const Real w5_x_p4 = w5_x_p3 * qd[0];
-  const Real wd5_z = w5_x_p3 * wd4_x;
-  const Real minus_wd5_y_p1 = w5_z_p1 * wd4_x;
-  const Real n2_y_p3 = w5_x_p2 * (2.07831527531 * w5_x_p1);
+  // link 5 (wrist_2), outward; link 3 (forearm), inward
+  const Real w5_z = qd[4] - c234 * qd[0];
+  const Real t22 = w5_z * w5_z;
+  const Real t23 = c234 * (0.037099816387500005 * s234);
+  const Real w5_x = c5 * t17 + s5 * w4_z;
+  const Real w5_y = c5 * w4_z - s5 * t17;
+  const Real minus_a5_z = c234 * a4_y - s234 * a4_x;
+  const Real t24 = J_2_xz * t2 * c2 - t8 * t9 + J_3_xz * t6 * c23 - t7 * t19;
+  const Real t25 = w5_x * w5_y;
 
-  // link 4 (wrist_1), outward
-  const Real a4_x = a3_x + a4_x_p3 * a4_x_p2;
-  const Real a4_y = a3_y + a4_x_p1 * a4_y_p1;
-  const Real minus_a4_z = minus_a3_z + minus_a4_z_p2 * a4_y_p1;
-  const Real f4_x_p2 = 0.33495075 * w5_x_p3;
-  const Real f4_y_p1 = 0.33495075 * w5_z_p1;
-
-  // link 5 (wrist_2), outward
-  const Real w5_z = qd[4] - w5_z_p1 * qd[0];
-  const Real minus_f5_y_p1 = w5_z * w5_z;
-  const Real n2_y_p4 = w5_z_p1 * (0.037099816387500005 * w5_x_p3);
-  const Real w5_x = c5 * w5_x_p4 + s5 * w4_z;
-  const Real w5_y = c5 * w4_z - s5 * w5_x_p4;
-  const Real minus_a5_z = w5_z_p1 * a4_y - w5_x_p3 * a4_x;
-
-  // link 3 (forearm), inward
-  const Real n2_y_p5 = 1.156008191975 * a3_x_p2 * c2 - minus_a3_z_p1 * n2_y_p1 +
-      0.5656542411875001 * a4_x_p1 * w5_x_p2 - minus_a4_z_p2 * n2_y_p3;
-
-  // link 5 (wrist_2), outward
-  const Real f5_x_p1 = w5_x * w5_y;
-
-  // link 6 (wrist_3), outward
+  // links 5 (wrist_2) and 6 (wrist_3), outward
   const Real w6_z = w5_y + qd[5];
+  const Real t26 = w5_x * w5_z;
+  const Real t27 = 2.0 * w6_z;
+  const Real t28 = t25 - wd5_z;
+  const Real minus_wd5_y = s5 * t18 + w5_x * qd[4];
+  const Real t29 = c5 * t18 + (w5_z + qd[4]) * w5_y;
+  const Real a5_x = c5 * (c234 * a4_x + s234 * a4_y) - s5 * (minus_a4_z + link4_to_5_z * t1);
 
-  // link 5 (wrist_2), outward
-  const Real n5_z_p1 = w5_x * w5_z;
-
-  // link 6 (wrist_3), outward
-  const Real n6_x_p1 = 2.0 * w6_z;
-
-  // link 5 (wrist_2), outward
-  const Real f5_x_p2 = f5_x_p1 - wd5_z;
-  const Real minus_wd5_y = s5 * minus_wd5_y_p1 + w5_x * qd[4];
-  const Real n5_x_p1 = c5 * minus_wd5_y_p1 + (w5_z + qd[4]) * w5_y;
-  const Real a5_x = c5 * (w5_z_p1 * a4_x + w5_x_p3 * a4_y) - s5 * (minus_a4_z + 0.17415 * a3_x_p1);
-
-  // link 5 (wrist_2), inertial wrench
-  const Real minus_f5_y = 0.09132825 * (w5_x * w5_x + minus_f5_y_p1);
-  const Real f5_x = 0.09132825 * f5_x_p2;
-  const Real f5_z = 0.09132825 * n5_x_p1;
-
-  // link 6 (wrist_3), inertial wrench
-  const Real minus_n6_z = 0.000623 * minus_wd5_y;
+  // links 5 (wrist_2) and 6 (wrist_3), inertial wrench; link 5 (wrist_2), inward
+  const Real minus_f5_y = h_5_y * (w5_x * w5_x + t22);
+  const Real f5_x = h_5_y * t28;
+  const Real f5_z = h_5_y * t29;
+  const Real minus_n6_z = J_6_zz * minus_wd5_y;
   h[5] = -minus_n6_z;
-  const Real n6_x = 0.0003115 * (n6_x_p1 * w5_z - n5_x_p1);
+  const Real n6_x = 0.0003115 * (t27 * w5_z - t29);
+  const Real t30 = c5 * f5_x + s5 * minus_f5_y;
+  const Real n6_y = 0.0003115 * (t27 * w5_x - t28);
+  const Real t31 = J_5_zz * wd5_z - 0.005730591037500001 * t25 - minus_J_5_yz *
+      (t26 - minus_wd5_y) - h_5_y * a5_x;
 
-  // link 5 (wrist_2), inward
-  const Real f4_x_p3 = c5 * f5_x + s5 * minus_f5_y;
-
-  // link 6 (wrist_3), inertial wrench
-  const Real n6_y = 0.0003115 * (n6_x_p1 * w5_x - f5_x_p2);
-
-  // link 5 (wrist_2), inertial wrench
-  const Real n5_z_p2 = 0.008210591037500001 * wd5_z - 0.005730591037500001 * f5_x_p1 -
-      0.0106962107625 * (n5_z_p1 - minus_wd5_y) - 0.09132825 * a5_x;
-
-  // link 6 (wrist_3), inward
-  const Real n5_x = 0.0069705910375000004 * n5_x_p1 + 0.0106962107625 *
-      (minus_f5_y_p1 - w5_y * w5_y) - 0.09132825 * minus_a5_z - n6_x;
-  const Real n5_y = 0.0106962107625 * f5_x_p2 - 0.00124 * (n5_z_p1 + minus_wd5_y) - minus_n6_z;
-
-  // link 5 (wrist_2), inward
-  const Real f4_z = s5 * f5_x - c5 * minus_f5_y - f4_z_p1 * f4_y_p1;
-
-  // link 6 (wrist_3), inward
-  const Real n5_z = n5_z_p2 + n6_y;
+  // links 5 (wrist_2) and 6 (wrist_3), inward
+  const Real n5_x = J_5_xx * t29 + minus_J_5_yz * (t22 - w5_y * w5_y) - h_5_y * minus_a5_z - n6_x;
+  const Real n5_y = minus_J_5_yz * t28 - J_5_yy * (t26 + minus_wd5_y) - minus_n6_z;
+  const Real f4_z = s5 * f5_x - c5 * minus_f5_y - t15 * t21;
+  const Real n5_z = t31 + n6_y;
   h[4] = n5_z;
+  const Real t32 = c234 * t30 + s234 * f5_z;
 
-  // link 5 (wrist_2), inward
-  const Real f4_x_p4 = w5_z_p1 * f4_x_p3 + w5_x_p3 * f5_z;
-
-  // link 4 (wrist_1), inward
-  const Real f3_z = f4_z - minus_a4_z_p2 * f3_y_p1;
-
-  // link 5 (wrist_2), inward
-  const Real f4_x = f4_x_p4 - (a3_x_p1 + f4_x_p1) * f4_x_p2;
-  const Real f4_y = f4_x_p1 * f4_y_p1 + (w5_x_p3 * f4_x_p3 - w5_z_p1 * f5_z);
-
-  // link 3 (forearm), inward
-  const Real n2_y_p6 = n2_y_p5 - n2_y_p2 * minus_a3_z + f4_z_p1 * n2_y_p4 + f4_x_p2 * minus_a4_z -
-      w5_z_p1 * n5_z;
-
-  // link 4 (wrist_1), inward
-  const Real f3_x = a4_x_p3 * n2_y_p2 + f4_x;
-  const Real f3_y = a4_x_p1 * f3_y_p1 + f4_y;
-
-  // link 5 (wrist_2), inward
-  const Real n4_z = f4_x_p2 * a4_y + f4_y_p1 * a4_x - a3_x_p1 * n2_y_p4 + (s5 * n5_x + c5 * n5_y);
+  // links 3 to 5, inward
+  const Real f3_z = f4_z - t7 * t16;
+  const Real f4_x = t32 - (t1 + t13) * t20;
+  const Real f4_y = t13 * t21 + (s234 * t30 - c234 * f5_z);
+  const Real t33 = t24 - t14 * minus_a3_z + t15 * t23 + t20 * minus_a4_z - c234 * n5_z;
+  const Real f3_x = t12 * t14 + f4_x;
+  const Real f3_y = t6 * t16 + f4_y;
+  const Real n4_z = t20 * a4_y + t21 * a4_x - t1 * t23 + (s5 * n5_x + c5 * n5_y);
   h[3] = n4_z;
-
-  // link 4 (wrist_1), inward
-  const Real n3_z = a3_x_p1 * n2_y_p3 + (f3_y_p1 * a3_x - n2_y_p2 * a3_y) +
-      (n4_z + (a4_y_p1 * f4_x - a4_x_p2 * f4_y));
+  const Real n3_z = t1 * t19 + (t16 * a3_x - t14 * a3_y) + (n4_z + (t11 * f4_x - t10 * f4_y));
   h[2] = n3_z;
-
-  // link 3 (forearm), inward
-  const Real n2_y = n2_y_p6 + 0.17415 * f4_x_p4 + a4_x_p2 * f4_z + a3_x_p3 * f3_z +
-      (c5 * n5_x - s5 * n5_y - 0.0585962731125 * f4_x_p1) * w5_x_p3;
+  const Real n2_y = t33 + link4_to_5_z * t32 + t10 * f4_z + t4 * f3_z +
+      (c5 * n5_x - s5 * n5_y - J_4_yz * t13) * s234;
   h[0] = n2_y;
-  const Real n2_z = a3_x_p1 * n2_y_p1 - 81.98859064500002 * c2 +
-      (n3_z + (a3_y_p1 * f3_x - a3_x_p3 * f3_y));
+  const Real n2_z = t1 * t9 - 81.98859064500002 * c2 + (n3_z + (t3 * f3_x - t4 * f3_y));
   h[1] = n2_z;
 }
 

@@ -5,23 +5,49 @@
 #include <algorithm>
 #include <utility>
 
+#include "emission/choose_headings.hpp"
 #include "emission/choose_names.hpp"
+#include "emission/comment.hpp"
 #include "emission/select_statements.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline {
+namespace {
 
-BodyPrinter::BodyPrinter(const Program& program, const Syntax& syntax,
-                         const std::set<std::string>& taken, std::size_t most_angles)
+constexpr std::size_t kHeadingColumns = 94;  // behind blanks and the mark of a comment
+
+const std::set<SectionTitle> kConstants = {{0, "", "constants"}};
+const std::set<SectionTitle> kTrigonometry = {{0, "", "sines and cosines"}};
+
+/// For every node the section in which it was built; null before the first.
+std::vector<std::shared_ptr<const SectionTitle>> find_sections(const Graph& graph) {
+  std::vector<std::shared_ptr<const SectionTitle>> sections(graph.nodes().size());
+  std::shared_ptr<const SectionTitle> open;
+  auto next = graph.sections().begin();
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    for (; next != graph.sections().end() && next->first_node <= i; ++next) {
+      open = next->shared_title;
+    }
+    sections[i] = open;
+  }
+  return sections;
+}
+
+}  // namespace
+
+BodyPrinter::BodyPrinter(const Program& program, const Syntax& syntax, std::set<std::string> taken,
+                         std::size_t most_angles)
     : syntax_(syntax),
       graph_(program.graph),
       most_angles_(most_angles),
       selected_(select_statements(program)),
-      names_(choose_names(program, selected_, taken)),
+      known_constants_(name_constants(program, taken)),
+      names_(choose_names(program, selected_, std::move(taken))),
       kept_elsewhere_(selected_.size(), false),
       lanes_(program, names_),
       expressions_(graph_, names_, syntax),
-      stores_(graph_.nodes().size()) {
+      stores_(graph_.nodes().size()),
+      sections_(find_sections(graph_)) {
   for (const Result& result : program.results) {
     for (std::size_t i = 0; i < result.values.size(); ++i) {
       stores_[result.values[i].node()].push_back(
@@ -39,12 +65,17 @@ void BodyPrinter::keep_in(std::uint32_t node, const std::string& place) {
   kept_elsewhere_[node] = true;
 }
 
-std::string BodyPrinter::print(std::uint32_t first, std::uint32_t end) {
-  text_.clear();
-  printed_title_.clear();
+std::string BodyPrinter::print(std::uint32_t first, std::uint32_t end,
+                               const NamedConstants& constants) {
+  statements_.clear();
   batches_ = 0;
+  if (first == kNoNode) print_node(first++);  // results that are 0
+  for (const auto& [node, name] : constants) {
+    statements_.push_back(
+        {syntax_.keep(syntax_.number, name, syntax_.literal(constant(node))), kConstants});
+    names_[node] = name;
+  }
   for (std::uint32_t i = first; i < end;) {
-    enter_sections(i);
     if (begins_run(i)) {
       const std::uint32_t behind = end_of_run(i);
       print_trigonometry(i, behind);
@@ -54,24 +85,34 @@ std::string BodyPrinter::print(std::uint32_t first, std::uint32_t end) {
       ++i;
     }
   }
-  return std::exchange(text_, std::string());
+  return join_statements();
 }
 
-void BodyPrinter::enter_sections(std::uint32_t node) {
-  for (; next_section_ < graph_.sections().size() &&
-         graph_.sections()[next_section_].first_node <= node;
-       ++next_section_) {
-    title_ = graph_.sections()[next_section_].title();
+std::string BodyPrinter::join_statements() const {
+  std::vector<std::set<SectionTitle>> titles;
+  for (const Statement& statement : statements_) titles.push_back(statement.titles);
+  const std::vector<Heading> headings = choose_headings(titles);
+  auto heading = headings.begin();
+  std::string text;
+  for (std::size_t i = 0; i < statements_.size(); ++i) {
+    if (heading != headings.end() && heading->first == i) {
+      const std::string lines = wrap_text(heading->text, kHeadingColumns);
+      text += (i == 0 ? "" : "\n") + comment(fmt::format("  {}", syntax_.comment), lines);
+      ++heading;
+    }
+    text += wrap_line(statements_[i].text, 2);
   }
+  return text;
 }
 
-/// Writes one statement, below its section's title when the last statement was of another.
-void BodyPrinter::print_statement(const std::string& statement) {
-  if (title_ != printed_title_ && !title_.empty()) {
-    text_ += fmt::format("{}  {} {}\n", text_.empty() ? "" : "\n", syntax_.comment, title_);
-    printed_title_ = title_;
+/// What a node's statement belongs to; nothing where it computes nothing.
+std::set<SectionTitle> BodyPrinter::titles_of(std::uint32_t node) const {
+  std::set<SectionTitle> titles;
+  for (const std::uint32_t own : lanes_.beside(node)) {
+    const bool is_known = sections_[own] != nullptr && !sections_[own]->step.empty();
+    if (is_known && operation(graph_.nodes()[own].op).operands > 0) titles.insert(*sections_[own]);
   }
-  text_ += wrap_line(statement, 2);
+  return titles;
 }
 
 std::string BodyPrinter::define(std::uint32_t node, const std::string& value) const {
@@ -81,17 +122,18 @@ std::string BodyPrinter::define(std::uint32_t node, const std::string& value) co
 
 void BodyPrinter::print_node(std::uint32_t node) {
   if (lanes_.has_statement(node)) {
-    print_statement(lanes_.statement(node, expressions_));
+    statements_.push_back({lanes_.statement(node, expressions_), titles_of(node)});
   } else if (selected_[node] && !lanes_.is_packed(node)) {
-    print_statement(define(node, expressions_.formula(node)));
+    statements_.push_back({define(node, expressions_.formula(node)), titles_of(node)});
   }
   print_stores(node);
 }
 
 void BodyPrinter::print_stores(std::uint32_t node) {
   for (const Store& store : stores_[node]) {
-    print_statement(
-        syntax_.store(syntax_, store.target, expressions_.signed_reference(store.value)));
+    statements_.push_back(
+        {syntax_.store(syntax_, store.target, expressions_.signed_reference(store.value)),
+         titles_of(node)});
   }
 }
 
@@ -127,10 +169,9 @@ void BodyPrinter::print_trigonometry(std::uint32_t first, std::uint32_t end) {
   for (std::uint32_t i = first; i < end; ++i) {
     const Node& node = graph_.nodes()[i];
     const auto lane = std::find(angles.begin(), angles.end(), node.a) - angles.begin();
-    enter_sections(i);
     const std::string element =
         fmt::format("{}{}[{}]", node.op == Op::sin ? "sines" : "cosines", suffix, lane);
-    text_ += wrap_line(define(i, syntax_.read(element)), 2);
+    statements_.push_back({define(i, syntax_.read(element)), kTrigonometry});
     print_stores(i);
   }
 }
@@ -141,7 +182,7 @@ void BodyPrinter::print_call(const std::vector<std::uint32_t>& angles, const std
     list += (list.empty() ? "" : ", ") + syntax_.read(expressions_.reference(angle));
   }
   for (const std::string& statement : syntax_.take_sines(syntax_, suffix, angles.size(), list)) {
-    text_ += wrap_line(statement, 2);
+    statements_.push_back({statement, kTrigonometry});
   }
 }
 

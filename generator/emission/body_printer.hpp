@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,24 +25,28 @@ struct BodyUnit {
   std::set<std::string> results;      ///< that they write
 };
 
+/// Nodes of constants and the names of their locals.
+using NamedConstants = std::map<std::uint32_t, std::string>;
+
 /// Prints the statements of a function in the order of the program's nodes.
 class BodyPrinter {
  public:
   /// `taken` are identifiers that a local may not have; `most_angles` those of one call.
-  BodyPrinter(const Program& program, const Syntax& syntax, const std::set<std::string>& taken,
+  BodyPrinter(const Program& program, const Syntax& syntax, std::set<std::string> taken,
               std::size_t most_angles);
 
   /// All units with statements, in order.
   [[nodiscard]] std::vector<BodyUnit> list_units() const;
-  /// The statements of these nodes, indented by two blanks.
-  std::string print(std::uint32_t first, std::uint32_t end);
+  /// The statements of these nodes below their headings, indented by two blanks. These constants
+  /// are locals with names.
+  std::string print(std::uint32_t first, std::uint32_t end, const NamedConstants& constants);
 
   [[nodiscard]] const std::string& name_of(std::uint32_t node) const { return names_[node]; }
   [[nodiscard]] std::uint32_t count() const;
   [[nodiscard]] double constant(std::uint32_t node) const { return graph_.nodes()[node].value; }
   [[nodiscard]] bool has_statement(std::uint32_t node) const { return selected_[node]; }
-  /// From now on the constant is a local of this name.
-  void name_constant(std::uint32_t node, const std::string& name) { names_[node] = name; }
+  /// Constants with names that tell where they come from: `mass_3`.
+  [[nodiscard]] const NamedConstants& known_constants() const { return known_constants_; }
   /// From now on the value is kept where `place` says, which is declared elsewhere.
   void keep_in(std::uint32_t node, const std::string& place);
 
@@ -51,8 +57,13 @@ class BodyPrinter {
     Expression value;
   };
 
-  void enter_sections(std::uint32_t node);
-  void print_statement(const std::string& statement);
+  struct Statement {
+    std::string text;
+    std::set<SectionTitle> titles;
+  };
+
+  [[nodiscard]] std::set<SectionTitle> titles_of(std::uint32_t node) const;
+  [[nodiscard]] std::string join_statements() const;
   [[nodiscard]] std::string define(std::uint32_t node, const std::string& value) const;
   void print_node(std::uint32_t node);
   void print_stores(std::uint32_t node);
@@ -69,14 +80,14 @@ class BodyPrinter {
   const Graph& graph_;
   std::size_t most_angles_;
   std::vector<bool> selected_;
+  NamedConstants known_constants_;
   std::vector<std::string> names_;
   std::vector<bool> kept_elsewhere_;
   LanePrinter lanes_;
   ExpressionPrinter expressions_;
   std::vector<std::vector<Store>> stores_;
-  std::string text_;
-  std::string title_, printed_title_;
-  std::size_t next_section_ = 0;
+  std::vector<std::shared_ptr<const SectionTitle>> sections_;  // by node
+  std::vector<Statement> statements_;
   int batches_ = 0;
 };
 

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
-#include <map>
 #include <utility>
 
+#include "emission/find_angle_sums.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {
@@ -19,7 +20,7 @@ std::string make_unique(std::string name, std::set<std::string>& taken) {
   return name;
 }
 
-/// What a part of this element of a result is called after: `tau_2`, `M_0_3`.
+/// The name of an element of a result: `tau_2`, `M_0_3`.
 std::string element_name(const Argument& argument, std::size_t element) {
   const auto cols = static_cast<std::size_t>(argument.cols);
   return cols == 1 ? fmt::format("{}_{}", argument.name, element)
@@ -37,11 +38,11 @@ std::string trigonometric_name(const Graph& graph, const Node& node,
   return what.empty() ? "" : make_identifier(fmt::format("{} {}", operation(node.op).name, what));
 }
 
-/// For every node the name it has by itself: from the trace, of its angle, or as a result; else
-/// empty.
+/// For every node the name of what it is: from the trace, as sine or cosine of its angle or of a
+/// sum of angles, or as a result; else empty.
 std::vector<std::string> find_own_names(const Program& program) {
   const Graph& graph = program.graph;
-  std::vector<std::string> names(graph.nodes().size());
+  std::vector<std::string> names = find_angle_sums(program);
   for (const Result& result : program.results) {
     for (std::size_t i = 0; i < result.values.size(); ++i) {
       std::string& name = names[result.values[i].node()];
@@ -58,21 +59,48 @@ std::vector<std::string> find_own_names(const Program& program) {
   return names;
 }
 
-/// For every node its own name, else that of the first value with a name that it is a part of.
-std::vector<std::string> find_stems(const Program& program, std::vector<std::string> names) {
-  const std::vector<Node>& nodes = program.graph.nodes();
-  std::vector<std::string> stems(nodes.size());
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    stems[i] = names[i].empty() ? stems[i] : names[i];
-    const int operands = operation(nodes[i].op).operands;
-    if (operands >= 1) {  // the earliest user is visited last and wins
-      stems[nodes[i].a] = stems[i];
-    }
-    if (operands == 2) {
-      stems[nodes[i].b] = stems[i];
-    }
+/// A name in three parts, `f`, `13`, `_x`: the number is the first in it.
+struct NumberedName {
+  explicit NumberedName(const std::string& name) {
+    const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+    const auto begin = std::find_if(name.begin(), name.end(), is_digit);
+    const auto end = std::find_if_not(begin, name.end(), is_digit);
+    symbol.assign(name.begin(), begin);
+    number.assign(begin, end);
+    rest.assign(end, name.end());
   }
-  return stems;
+  std::string symbol, number, rest;
+};
+
+/// One name for the lanes of a pack: `f8_15_x` for `f8_x` and `f15_x`. Empty where they do not
+/// differ in their first number alone.
+std::string join_lane_names(const std::vector<std::string>& lanes) {
+  const NumberedName first(lanes.front());
+  std::string numbers = first.number;
+  for (std::size_t i = 1; i < lanes.size(); ++i) {
+    const NumberedName lane(lanes[i]);
+    const bool is_alike = lane.symbol == first.symbol && lane.rest == first.rest;
+    if (!is_alike || lane.number.empty() || lane.number == first.number) return "";
+    numbers += "_" + lane.number;
+  }
+  return first.symbol + numbers + first.rest;
+}
+
+/// Leaves a pack one name, that of its first node.
+void name_packs(const Program& program, std::vector<std::string>& names,
+                std::vector<bool>& wanted) {
+  for (const LanePack& pack : program.packs) {
+    LanePack nodes = pack;
+    std::erase(nodes, kNoNode);
+    std::vector<std::string> lanes;
+    for (const std::uint32_t node : nodes) {
+      lanes.push_back(std::exchange(names[node], ""));
+      wanted[node] = false;
+    }
+    const std::uint32_t first = *std::min_element(nodes.begin(), nodes.end());
+    names[first] = join_lane_names(lanes);
+    wanted[first] = true;
+  }
 }
 
 }  // namespace
@@ -96,22 +124,35 @@ std::string make_identifier(std::string_view text) {
   return is_identifier(name) ? name : name + "_value";
 }
 
-std::vector<std::string> choose_names(const Program& program, const std::vector<bool>& wanted,
+std::map<std::uint32_t, std::string> name_constants(const Program& program,
+                                                    std::set<std::string>& taken) {
+  std::map<std::uint32_t, std::string> names;
+  if (program.constants == nullptr) return names;
+  const std::vector<Node>& nodes = program.graph.nodes();
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].op != Op::constant) continue;
+    const auto known = program.constants->find(nodes[i].value);
+    if (known == program.constants->end()) continue;
+    names[i] = make_unique(make_identifier(known->second), taken);
+  }
+  return names;
+}
+
+std::vector<std::string> choose_names(const Program& program, std::vector<bool> wanted,
                                       std::set<std::string> reserved) {
   std::vector<std::string> names = find_own_names(program);
-  const std::vector<std::string> stems = find_stems(program, names);
+  name_packs(program, names, wanted);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!wanted[i]) {
       names[i].clear();
-    } else if (!names[i].empty()) {  // all of these before any part takes a name of theirs
+    } else if (!names[i].empty()) {  // all of these before any neutral name is given
       names[i] = make_unique(names[i], reserved);
     }
   }
-  std::map<std::string, int> parts;
+  int count = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (wanted[i] && names[i].empty()) {
-      names[i] = make_unique(fmt::format("{}_p{}", stems[i], ++parts[stems[i]]), reserved);
-    }
+    if (wanted[i] && names[i].empty())
+      names[i] = make_unique(fmt::format("t{}", ++count), reserved);
   }
   return names;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,11 +15,15 @@ namespace treeline {
 /// underscores; what C++ or its headers have already gets a suffix. Never empty.
 std::string make_identifier(std::string_view text);
 
+/// For every constant that `Program::constants` knows its name, unique; these become `taken`.
+std::map<std::uint32_t, std::string> name_constants(const Program& program,
+                                                    std::set<std::string>& taken);
+
 /// For every node that is `wanted` the identifier of its value, unique and none of `reserved`;
-/// empty for the others. A node that the trace named keeps its name, a result is called after its
-/// place
-/// (`M_0_3`), any other after the named value or result that it is a part of (`f4_x_p1`).
-std::vector<std::string> choose_names(const Program& program, const std::vector<bool>& wanted,
+/// empty for the others. A value is named by what it is: as the trace named it (`f4_x`), as sine or
+/// cosine of a sum of angles (`s23`), or after its place in a result (`M_0_3`). Other values have
+/// neutral names, `t17`. A pack of lanes has one name, at its first node: `f8_15_x`.
+std::vector<std::string> choose_names(const Program& program, std::vector<bool> wanted,
                                       std::set<std::string> reserved);
 
 }  // namespace treeline

@@ -60,6 +60,13 @@ std::string describe_points(const char* title,
   return text;
 }
 
+constexpr const char* kNamesInSources =
+    "Names in the sources: links count from 1, and headings tell which they are. s3 and c3 are sine "
+    "and cosine of joint 3's angle, s23 and c23 of the sum of two. mass_3, h_3_x (first moment, kg "
+    "m) and J_3_xx (inertia about the origin of the link's frame) are numbers of link 3 with all "
+    "that is fixed to it, less what its joint does not feel: that is counted with the link before. "
+    "link2_to_3_x places the frame of link 3 in that of link 2. t17 is a value on the way.";
+
 std::string describe_conventions(const EmissionContext& context) {
   std::string text = describe_joints(context);
   for (const std::string& convention : context.joint_conventions) {
@@ -76,6 +83,7 @@ std::string describe_conventions(const EmissionContext& context) {
   for (const std::string& note : context.notes) {
     text += wrap_text(note, 95) + "\n";
   }
+  text += wrap_text(kNamesInSources, 95) + "\n";
   if (!context.domain.empty()) {
     text += wrap_text("Bounds of rounding errors hold for inputs, taken as exact, of " +
                           context.domain + ".",

@@ -79,6 +79,13 @@ bool LanePrinter::has_statement(std::uint32_t node) const {
          first_node(program_.packs[index_of(node)]) == node;
 }
 
+LanePack LanePrinter::beside(std::uint32_t node) const {
+  if (!is_packed(node)) return {node};
+  LanePack nodes = program_.packs[index_of(node)];
+  std::erase(nodes, kNoNode);
+  return nodes;
+}
+
 Op LanePrinter::op_of(std::size_t pack) const {
   return program_.graph.nodes()[first_node(program_.packs[pack])].op;
 }

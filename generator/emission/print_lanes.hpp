@@ -22,6 +22,8 @@ class LanePrinter {
   /// Whether the statement of a pack stands where `node` is: the pack's first in the order of
   /// emission.
   [[nodiscard]] bool has_statement(std::uint32_t node) const;
+  /// The nodes that one statement computes with `node`, itself among them.
+  [[nodiscard]] LanePack beside(std::uint32_t node) const;
   /// The statement that computes the pack of `node`.
   [[nodiscard]] std::string statement(std::uint32_t node,
                                       const ExpressionPrinter& expressions) const;

@@ -96,7 +96,11 @@ class Parter {
 
   const std::string& name_constant(std::uint32_t node) {
     std::string& name = constants_[node];
-    if (name.empty()) name = fmt::format("constant_{}", constants_.size());
+    if (!name.empty()) return name;
+    const auto known = printer_.known_constants().find(node);
+    name = known != printer_.known_constants().end()
+               ? known->second
+               : fmt::format("constant_{}", constants_.size());
     return name;
   }
 
@@ -110,13 +114,9 @@ class Parter {
       part.writes_values = part.writes_values || own;
       part.reads_values = part.reads_values || (!own && piece.sum.values.contains(node));
     }
-    for (const std::uint32_t node : piece.sum.constants) {
-      const std::string& name = name_constant(node);
-      part.statements += wrap_line(
-          syntax_.keep(syntax_.number, name, syntax_.literal(printer_.constant(node))), 2);
-      printer_.name_constant(node, name);
-    }
-    part.statements += printer_.print(piece.sum.first, piece.sum.end);
+    NamedConstants constants;
+    for (const std::uint32_t node : piece.sum.constants) constants[node] = name_constant(node);
+    part.statements = printer_.print(piece.sum.first, piece.sum.end, constants);
     return part;
   }
 

@@ -1,6 +1,5 @@
 #include "passes/count_operations.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
 #include "passes/rebuild.hpp"
@@ -34,12 +33,6 @@ void count_node(const Node& node, Marks& angle_seen, OperationCount& count) {
   }
 }
 
-SectionCount& entry(std::vector<SectionCount>& counts, const std::string& title) {
-  const auto found =
-      std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.title == title; });
-  return found != counts.end() ? *found : counts.emplace_back(SectionCount{title, {}});
-}
-
 }  // namespace
 
 OperationCount count_operations(const Program& program) {
@@ -61,24 +54,6 @@ OperationCount count_operations(const Program& program) {
     count_node(nodes[i], angle_seen, total);
   }
   return total;
-}
-
-std::vector<SectionCount> count_sections(const Program& program) {
-  const Graph& graph = program.graph;
-  const Marks live = find_live(program);
-  Marks angle_seen(graph.nodes().size(), 0);
-  std::vector<SectionCount> counts;
-  std::string title;
-  auto section = graph.sections().begin();
-  for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
-    for (; section != graph.sections().end() && section->first_node <= i; ++section) {
-      title = section->title();
-    }
-    if (live[i] && operation(graph.nodes()[i].op).operands > 0) {
-      count_node(graph.nodes()[i], angle_seen, entry(counts, title).count);
-    }
-  }
-  return counts;
 }
 
 }  // namespace treeline

@@ -46,7 +46,7 @@ class SectionWriter {
     }
     open_ = section;
     if (section == kNoSection) {
-      to_.begin_section(std::string());
+      to_.begin_section(SectionTitle());
     } else {
       to_.begin_section(from_.sections()[section].shared_title);
     }
@@ -100,10 +100,10 @@ std::vector<int> count_uses(const Program& program) {
 }
 
 Program without_graph(const Program& program) {
-  return {program.name,    program.equation, program.route,    program.arguments,
-          program.results, Graph(),          program.packs,    program.lane_moves,
-          program.order,   program.law,      program.singular, program.small_code,
-          nullptr};  // loops are of the graph as it was traced
+  return {program.name,      program.equation, program.route,    program.arguments,
+          program.results,   Graph(),          program.packs,    program.lane_moves,
+          program.order,     program.law,      program.singular, program.small_code,
+          program.constants, nullptr};  // loops are of the graph as it was traced
 }
 
 Program rebuild(const Program& program, std::span<const std::uint32_t> order) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "program/node_names.hpp"
+#include "program/section_title.hpp"
 
 namespace treeline {
 
@@ -181,9 +182,9 @@ class Graph {
   /// the value is the negative of its node, the node is called `minus_w4_x`. Constants have no
   /// name.
   void name(Expression value, std::string_view identifier);
-  /// Nodes created from now on belong to the section `title` ("link 4 outward").
-  void begin_section(std::string title);
-  void begin_section(std::shared_ptr<const std::string> title);
+  /// Nodes created from now on belong to the section of this title.
+  void begin_section(SectionTitle title);
+  void begin_section(std::shared_ptr<const SectionTitle> title);
 
   /// Sets the number of lanes that the emitted code may use. With 1, lanes are not recorded.
   void set_lane_width(int width) { lane_width_ = width; }
@@ -227,8 +228,8 @@ class Graph {
   [[nodiscard]] const NodeNames& names() const { return names_; }
   struct Section {
     std::uint32_t first_node;
-    std::shared_ptr<const std::string> shared_title;  ///< by the copies that passes make
-    [[nodiscard]] const std::string& title() const { return *shared_title; }
+    std::shared_ptr<const SectionTitle> shared_title;  ///< by the copies that passes make
+    [[nodiscard]] const SectionTitle& title() const { return *shared_title; }
   };
   [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
 

@@ -107,11 +107,11 @@ void Graph::append_lane(std::uint32_t node) {
   if (group < 0) group = static_cast<int>(lane_group_ends_.size());
 }
 
-void Graph::begin_section(std::string title) {
-  begin_section(std::make_shared<const std::string>(std::move(title)));
+void Graph::begin_section(SectionTitle title) {
+  begin_section(std::make_shared<const SectionTitle>(std::move(title)));
 }
 
-void Graph::begin_section(std::shared_ptr<const std::string> title) {
+void Graph::begin_section(std::shared_ptr<const SectionTitle> title) {
   sections_.push_back({static_cast<std::uint32_t>(nodes_.size()), std::move(title)});
 }
 

@@ -72,7 +72,7 @@ std::string print_text(const Program& program) {
   auto section = graph.sections().begin();
   for (std::uint32_t i = 0; i < graph.nodes().size(); ++i) {
     for (; section != graph.sections().end() && section->first_node <= i; ++section) {
-      text += fmt::format("; {}\n", section->title());
+      text += fmt::format("; {}\n", print(section->title()));
     }
     const std::string_view name = graph.names().of(i);
     text += fmt::format("%{} = {}{}{}\n", i, formula(graph, graph.nodes()[i]),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,10 @@ using LanePack = std::vector<std::uint32_t>;
 struct TaskLaw;
 struct LinkLoops;
 
+/// What constants of a robot are called, by their sizes: `mass_3`. Sizes that several constants
+/// have are left out.
+using ConstantNames = std::map<double, std::string>;
+
 /// One function as an expression graph. Inputs of the graph are named `argument[i]`.
 struct Program {
   std::string name;      ///< for instance `inverse_dynamics`
@@ -57,6 +62,7 @@ struct Program {
   /// Whether `optimize: balanced` compiles it to small code, where that was measured; else a model
   /// of its code decides.
   std::optional<bool> small_code = std::nullopt;
+  std::shared_ptr<const ConstantNames> constants;  ///< null where names are not kept
   /// If the function is emitted as loops over a table of links, of which the graph is the trace.
   std::shared_ptr<const LinkLoops> loops;
 };

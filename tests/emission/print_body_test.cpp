@@ -15,25 +15,25 @@ TEST(PrintBody, ReadsLikeCodeWrittenByHand) {
   Program program;
   const Graph::Scope scope(program.graph);
   const auto q = test::input_vector("q", 2);
-  program.graph.begin_section("link 1");
+  program.graph.begin_section({1, "upper_arm", "pose"});
   const Expression s1 = sin(q[0]);
   const Expression c1 = cos(q[0]);
   program.graph.name(s1, "s1");
   program.graph.name(c1, "c1");
-  program.graph.begin_section("link 2");
+  program.graph.begin_section({2, "forearm", "pose"});
   const Expression w = s1 * (q[1] - 0.5) + c1;
   program.graph.name(w, "w2_x");
   program.results = {{{"y", 3, 1, ""}, {w * (c1 * 2), -(w - q[1]), 0}}};
   EXPECT_EQ(print_body(program, cpp::make_syntax(false), {}),
             "  y[2] = 0.0;\n"
+            "\n"
+            "  // sines and cosines; link 2 (forearm), pose\n"
             "  const Real angles[1] = {q[0]};\n"
             "  Real sines[1];\n"
             "  Real cosines[1];\n"
             "  detail::sin_cos(angles, sines, cosines);\n"
             "  const Real s1 = sines[0];\n"
             "  const Real c1 = cosines[0];\n"
-            "\n"
-            "  // link 2\n"
             "  const Real w2_x = s1 * (q[1] - 0.5) + c1;\n"
             "  y[0] = w2_x * (2.0 * c1);\n"
             "  y[1] = -(w2_x - q[1]);\n");
@@ -75,14 +75,14 @@ TEST(PrintBody, LanesAreWrittenInStatementsOfSeveralOperations) {
   }
   program.results = {{{"y", 3, 1, ""}, {difference[0], difference[1], product[0]}}};
   EXPECT_EQ(print_body(program, cpp::make_syntax(false), {}),
-            "  const Lanes<2> y_2_lanes = detail::make_pack<Real>(x[0], x[1]) * x[4];\n"
-            "  y[2] = y_2_lanes[0];\n"
-            "  const Lanes<2> w1_x_lanes = (y_2_lanes + detail::make_pack<Real>(x[2], x[3])) * "
+            "  const Lanes<2> t1_lanes = detail::make_pack<Real>(x[0], x[1]) * x[4];\n"
+            "  y[2] = t1_lanes[0];\n"
+            "  const Lanes<2> w1_2_x_lanes = (t1_lanes + detail::make_pack<Real>(x[2], x[3])) * "
             "x[5];\n"
-            "  const Lanes<2> y_0_lanes = detail::make_pack<Real>(x[2], x[3]) - (x[4] - "
-            "w1_x_lanes);\n"
-            "  y[0] = y_0_lanes[0];\n"
-            "  y[1] = y_0_lanes[1];\n");
+            "  const Lanes<2> y_0_1_lanes = detail::make_pack<Real>(x[2], x[3]) - (x[4] - "
+            "w1_2_x_lanes);\n"
+            "  y[0] = y_0_1_lanes[0];\n"
+            "  y[1] = y_0_1_lanes[1];\n");
 }
 
 TEST(PrintBody, LinesStayWithinTheWidth) {

@@ -28,12 +28,12 @@ inline Program trace_corner_cases() {
   program.graph.name(q[2] * delta[1], "2nd angle__x");
   program.graph.name(q[2] * delta[0], "angles");
   program.graph.name(q[1] * delta[0], "out");
-  program.graph.begin_section("sums");
+  program.graph.begin_section(SectionTitle{0, "", "sums"});
   Expression sum;
   for (int i = 0; i < 30; ++i) {
     sum += q[static_cast<std::size_t>(i % 3)] * (delta[0] + 0.1 * i);
   }
-  program.graph.begin_section("quotients");
+  program.graph.begin_section(SectionTitle{0, "", "quotients"});
   const Expression quotient = (product - 3) / (delta[0] * (q[1] / (q[2] - delta[1] / q[0])));
   const Expression nested = sin(sin(q[1]) * 0.7) + cos(q[1] - q[2]);
   program.results = {

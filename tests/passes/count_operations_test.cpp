@@ -23,14 +23,5 @@ TEST(CountOperations, CountsEachKindOnceANode) {
   EXPECT_EQ(count.flops(), 4);
 }
 
-TEST(CountOperations, SectionsSumUpAndDeadOnesAreLeftOut) {
-  const Program arm = test::trace_two_link_arm();
-  const auto sections = count_sections(arm);
-  ASSERT_EQ(sections.size(), 1u);
-  EXPECT_EQ(sections[0].title, "both links");
-  EXPECT_EQ(sections[0].count.flops(), count_operations(arm).flops());
-  EXPECT_EQ(sections[0].count.sin_cos, 3);  // q0, q1, q0 + q1
-}
-
 }  // namespace
 }  // namespace treeline

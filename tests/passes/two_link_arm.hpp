@@ -56,9 +56,9 @@ inline Program trace_two_link_arm() {
   const auto q = input_vector("q", 2);
   const auto qd = input_vector("qd", 2);
   const auto qdd = input_vector("qdd", 2);
-  program.graph.begin_section("waste");
+  program.graph.begin_section(SectionTitle{0, "", "waste"});
   program.graph.name(sin(qd[0]) * qdd[1], "waste");
-  program.graph.begin_section("both links");
+  program.graph.begin_section(SectionTitle{0, "", "both links"});
   program.graph.name(sin(q[1]), "s2");
   program.graph.name(cos(q[1]), "c2");
   const auto tau = two_link_torque(q, qd, qdd);

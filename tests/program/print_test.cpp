@@ -18,7 +18,7 @@ Program small_program() {
   program.arguments = {{"q", 1, 1, ""}};
   const Graph::Scope scope(program.graph);
   const Expression q = program.graph.input("q[0]");
-  program.graph.begin_section("link 1");
+  program.graph.begin_section({1, "arm", "pose"});
   const Expression s = sin(q);
   program.graph.name(s, "s1");
   program.results = {{{"y", 1, 1, ""}, {-2 * s * q}}};
@@ -31,7 +31,7 @@ TEST(Print, TextShowsEveryNode) {
             "; small: y = -2 sin(q) q\n"
             "%0 = 0.0\n"
             "%1 = q[0]\n"
-            "; link 1\n"
+            "; link 1 (arm), pose\n"
             "%2 = sin %1  ; s1\n"
             "%3 = 2.0\n"
             "%4 = %3 * %2\n"

@@ -16,6 +16,7 @@
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/robot_routes.hpp"
 #include "recursion/tree/lift_tree.hpp"
+#include "recursion/tree/name_constants.hpp"
 #include "recursion/tree/supported_mechanism.hpp"
 
 namespace treeline {
@@ -122,7 +123,8 @@ class Tracer {
       : mechanism_(mechanism),
         function_(function),
         lanes_(lanes_of(function, lanes)),
-        constants_(constant_tree<double>(*seen_by(function, mechanism))) {}
+        constants_(constant_tree<double>(*seen_by(function, mechanism))),
+        names_(std::make_shared<const ConstantNames>(name_constants(constants_))) {}
 
   [[nodiscard]] std::vector<Route> routes() const {
     Program scratch;  // to be thrown away: routes depend on the tree's structure alone
@@ -143,7 +145,11 @@ class Tracer {
     program.law = route.law;
     program.graph = Graph::for_trace(lanes_);
     program.graph.reserve(nodes);
-    if (names == Names::forgotten) program.graph.forget_names();
+    if (names == Names::forgotten) {
+      program.graph.forget_names();
+    } else {
+      program.constants = names_;
+    }
     const Graph::Scope scope(program.graph);
     const auto seen = seen_by(function_, mechanism_);
     Trace trace = begin(*seen);
@@ -199,6 +205,7 @@ class Tracer {
   Function function_;
   int lanes_;
   Tree<double> constants_;
+  std::shared_ptr<const ConstantNames> names_;
 };
 
 }  // namespace

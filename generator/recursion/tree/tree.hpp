@@ -256,14 +256,13 @@ void label(const Vector3<Scalar>& v, const char* symbol, std::size_t link) {
   label(v.y, symbol, link, "_y");
   label(v.z, symbol, link, "_z");
 }
-/// Declares that the following part of the trace belongs to this link. It becomes a comment in
-/// emitted code.
+/// Declares that the following part of the trace is this step of the algorithm at this link. It
+/// becomes a comment in emitted code.
 template <class Scalar>
-void section(const TreeLink<Scalar>& link, std::size_t index, const char* pass) {
+void section(const TreeLink<Scalar>& link, std::size_t index, const char* step) {
   if constexpr (std::is_same_v<Scalar, Expression>) {
     if (Graph::current().keeps_names()) {
-      Graph::current().begin_section("link " + std::to_string(index + 1) + " (" + link.name +
-                                     "), " + pass);
+      Graph::current().begin_section({static_cast<int>(index) + 1, link.name, step});
     }
   }
 }
