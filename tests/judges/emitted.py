@@ -60,7 +60,7 @@ class Emitted:
                                 header.replace("\n//   ", " ").replace("// p ", "p "), flags=re.M)
         library = ctypes.CDLL(_compile(output))
         self.functions = {name: EmittedFunction(library, name, arguments)
-                          for name, arguments in _read_arguments(header)}
+                          for name, arguments in read_arguments(header, "judged", "double")}
 
     def _read_joints(self, path):
         with open(path, encoding="utf-8") as file:
@@ -80,13 +80,13 @@ def _compile(folder):
     return library
 
 
-def _read_arguments(header):
+def read_arguments(header, prefix, real):
     """Names and arguments in order: results are those that are not const. Shapes are in the comments."""
-    declarations = re.finditer(r"((?:^///[^\n]*\n)+)^(?:void|double) judged_(\w+)\((.*?)\);", header, re.M | re.S)
+    declarations = re.finditer(rf"((?:^///[^\n]*\n)+)^(?:void|{real}) {prefix}_(\w+)\((.*?)\);", header, re.M | re.S)
     for comment, name, parameters in (match.groups() for match in declarations):
         shapes = dict(re.findall(r"^/// (?:in|out)\s+(\w+) \(([\dx]+)\):", comment, re.M))
         arguments = []
-        array = r"(const )?double (\w+)\[TREELINE_JUDGED_ARRAY\((\d+)\)\]"
+        array = rf"(const )?{real} (\w+)\[TREELINE_{prefix.upper()}_ARRAY\((\d+)\)\]"
         for constant, symbol, size in re.findall(array, parameters):
             shape = tuple(int(n) for n in shapes.get(symbol, size).split("x"))
             arguments.append((symbol, shape, not constant))
