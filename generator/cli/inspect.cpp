@@ -11,8 +11,8 @@
 #include "cli/print_diagnostics.hpp"
 #include "cli/read_robot_files.hpp"
 #include "cli/write_output.hpp"
-#include "description/lists_functions.hpp"
 #include "description/noise.hpp"
+#include "description/states_key.hpp"
 #include "generation/measure_savings.hpp"
 #include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_robot.hpp"
@@ -46,7 +46,7 @@ std::optional<Scene> read_scene_of(const RobotWithFiles& read, Diagnostics& diag
   auto scene = parse_scene_of(read, diagnostics);
   if (!scene) return std::nullopt;
   Diagnostics left_out;
-  leave_out_singular(read.robot, *scene, lists_functions(read.files.scene_text), left_out);
+  leave_out_singular(read.robot, *scene, states_key(read.files.scene_text, "functions"), left_out);
   for (Diagnostic each : left_out.list()) {
     each.severity = Severity::warning;
     diagnostics.add(std::move(each));

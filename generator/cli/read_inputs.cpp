@@ -8,10 +8,10 @@
 
 #include "cli/option_values.hpp"
 #include "description/follow_target.hpp"
-#include "description/lists_functions.hpp"
 #include "description/noise.hpp"
 #include "description/read_number.hpp"
 #include "description/scene_words.hpp"
+#include "description/states_key.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -103,7 +103,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   auto scene = parse_scene_of(*read, diagnostics, functions, options.functions_from);
   if (!scene) return std::nullopt;
   apply(options, *scene, diagnostics);
-  const bool listed = !options.functions.empty() || lists_functions(read->files.scene_text);
+  const bool listed = !options.functions.empty() || states_key(read->files.scene_text, "functions");
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
   note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);
