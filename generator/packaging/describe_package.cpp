@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "emission/c_family_syntax.hpp"
+#include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/print_optimize.hpp"
 #include "target/target.hpp"
@@ -135,6 +136,14 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
           {"pack_files", fmt::format("{}", fmt::join(pack_files, "\n"))},
           {"flags", fmt::format("{}", fmt::join(flags, " "))},
           {"quoted_flags", fmt::format("\"{}\"", fmt::join(flags, "\", \""))}};
+}
+
+std::string fill_facts(std::string_view text, const PackageFacts& facts) {
+  PackageFacts used;
+  for (const auto& [name, value] : facts) {
+    if (text.find("{{" + name + "}}") != text.npos) used[name] = value;
+  }
+  return fill_template(text, used);
 }
 
 }  // namespace treeline

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
@@ -12,5 +13,8 @@ namespace treeline {
 /// What the templates of packages may say of one, by the names of their holes.
 using PackageFacts = std::map<std::string, std::string>;
 PackageFacts describe_package(const Robot& robot, const Scene& scene, const Generation& generation);
+
+/// A template filled with those facts that it names.
+std::string fill_facts(std::string_view text, const PackageFacts& facts);
 
 }  // namespace treeline

@@ -1,9 +1,7 @@
 #include "packaging/make_package.hpp"
 
-#include <initializer_list>
 #include <string_view>
 
-#include "emission/fill_template.hpp"
 #include "packaging/describe_package.hpp"
 #include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
@@ -13,49 +11,36 @@ namespace {
 
 namespace templates = package_templates;
 
-/// The file that a template makes of those facts which it names.
-GeneratedFile fill(const std::string& name, std::string_view text, const PackageFacts& facts,
-                   std::initializer_list<const char*> holes) {
-  std::map<std::string, std::string> values;
-  for (const char* hole : holes) values.emplace(hole, facts.at(hole));
-  return {name, fill_template(text, values)};
+GeneratedFile fill(const std::string& name, std::string_view text, const PackageFacts& facts) {
+  return {name, fill_facts(text, facts)};
 }
 
 std::vector<PackageFolder> for_cmake(const PackageFacts& facts) {
-  return {{"",
-           {fill("CMakeLists.txt", templates::kCMakeLists, facts,
-                 {"robot", "name", "version", "cmake_language", "header_patterns"})}}};
+  return {{"", {fill("CMakeLists.txt", templates::kCMakeLists, facts)}}};
 }
 
 std::vector<PackageFolder> for_platformio(const PackageFacts& facts) {
-  return {{"",
-           {fill("library.json", templates::kPlatformioLibrary, facts,
-                 {"name", "version", "robot", "header", "quoted_flags", "source_filter"})}}};
+  return {{"", {fill("library.json", templates::kPlatformioLibrary, facts)}}};
 }
 
 std::vector<PackageFolder> for_zephyr(const PackageFacts& facts) {
-  return {
-      {"zephyr",
-       {fill("module.yml", templates::kZephyrModule, facts, {"robot", "name"}),
-        fill("Kconfig", templates::kZephyrKconfig, facts, {"NAME", "name", "requirement", "robot"}),
-        fill("CMakeLists.txt", templates::kZephyrCMakeLists, facts,
-             {"NAME", "name", "sources", "flags", "small_sources"})}}};
+  return {{"zephyr",
+           {fill("module.yml", templates::kZephyrModule, facts),
+            fill("Kconfig", templates::kZephyrKconfig, facts),
+            fill("CMakeLists.txt", templates::kZephyrCMakeLists, facts)}}};
 }
 
 std::vector<PackageFolder> for_arduino(const PackageFacts& facts, const Scene& scene,
                                        const Generation& generation) {
   const std::string example = scene.name + "_time";
   return {{"",
-           {fill("library.properties", templates::kArduinoLibrary, facts,
-                 {"name", "version", "robot", "functions", "header"}),
-            fill("keywords.txt", templates::kArduinoKeywords, facts, {"keywords"})}},
+           {fill("library.properties", templates::kArduinoLibrary, facts),
+            fill("keywords.txt", templates::kArduinoKeywords, facts)}},
           {"examples/" + example, {{example + ".ino", print_example(scene, generation, facts)}}}};
 }
 
 std::vector<PackageFolder> for_cmsis(const PackageFacts& facts) {
-  return {{"",
-           {fill("Treeline." + facts.at("name") + ".pdsc", templates::kCmsisPack, facts,
-                 {"name", "robot", "version", "flags", "pack_files"})}}};
+  return {{"", {fill("Treeline." + facts.at("name") + ".pdsc", templates::kCmsisPack, facts)}}};
 }
 
 std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts& facts,
