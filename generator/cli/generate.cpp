@@ -21,6 +21,7 @@
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "generation/predict_sources.hpp"
+#include "packaging/for_python.hpp"
 #include "program/print.hpp"
 #include "safety/describe_safety.hpp"
 #include "timing/tune.hpp"
@@ -43,16 +44,15 @@ constexpr const char* kExamples =
     "float\n"
     "  treeline generate puma560.urdf --output lib/puma560 --package platformio --target "
     "cortex-m4f\n"
+    "  treeline generate puma560.urdf scene.yaml --output puma560 --package python\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --safety SAFETY.md --evidence "
     "check.json\n"
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
 
 const std::vector<std::pair<std::string, PackageKind>> kPackages = {
-    {"cmake", PackageKind::cmake},
-    {"platformio", PackageKind::platformio},
-    {"zephyr", PackageKind::zephyr},
-    {"arduino", PackageKind::arduino},
-    {"cmsis", PackageKind::cmsis}};
+    {"cmake", PackageKind::cmake},   {"platformio", PackageKind::platformio},
+    {"zephyr", PackageKind::zephyr}, {"arduino", PackageKind::arduino},
+    {"cmsis", PackageKind::cmsis},   {"python", PackageKind::python}};
 
 struct GenerateOptions {
   InputOptions inputs;
@@ -62,7 +62,6 @@ struct GenerateOptions {
   std::string safety;                 ///< file for safety notes, or empty
   std::string depfile;                ///< file for the list of inputs, or empty
   std::vector<std::string> evidence;  ///< reports for them
-  PackageKind package = PackageKind::none;
   bool compare = false, json = false, verbose = false, tune = false, list_sources = false;
   CompileOptions compile{kTimedFlags};  ///< with which code is tuned
 };
@@ -128,7 +127,7 @@ bool may_write_to_default(const std::string& output, PackageKind package,
 /// Tools without CMake compile a library with one set of flags.
 void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
   const bool has_flags_by_source = package == PackageKind::none || package == PackageKind::cmake ||
-                                   package == PackageKind::zephyr;
+                                   package == PackageKind::zephyr || package == PackageKind::python;
   if (has_flags_by_source || scene.optimize != Optimize::balanced) return;
   diagnostics.add(
       {Severity::note, "", 0, "optimize",
@@ -140,7 +139,8 @@ void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagn
 /// Packages for microcontrollers without a target: lanes that no such core has take stack, and more
 /// of it than the header says.
 void warn_of_lanes(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
-  const bool is_small = package != PackageKind::none && package != PackageKind::cmake;
+  const bool is_small = package != PackageKind::none && package != PackageKind::cmake &&
+                        package != PackageKind::python;
   if (!is_small || scene.target != "generic" || scene.lanes == 1) return;
   diagnostics.add(
       {Severity::warning, "", 0, "target",
@@ -159,12 +159,15 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
   }
   const std::string output = options.has_output ? options.output : made.inputs.scene.name;
   const auto folders =
-      make_package(options.package, made.inputs.robot, made.inputs.scene, generation);
-  note_lost_flags(options.package, made.inputs.scene, diagnostics);
-  warn_of_lanes(options.package, made.inputs.scene, diagnostics);
+      make_package(options.inputs.package, made.inputs.robot, made.inputs.scene, generation);
+  note_lost_flags(options.inputs.package, made.inputs.scene, diagnostics);
+  warn_of_lanes(options.inputs.package, made.inputs.scene, diagnostics);
+  if (options.inputs.package == PackageKind::python) {
+    note_not_in_python(made.inputs.scene, diagnostics);
+  }
   const auto differences = compare_folders(output, folders);
   if (!options.compare &&
-      !((options.has_output || may_write_to_default(output, options.package, diagnostics)) &&
+      !((options.has_output || may_write_to_default(output, options.inputs.package, diagnostics)) &&
         write_folders(output, folders, diagnostics))) {
     return kBadInput;
   }
@@ -296,8 +299,9 @@ void add_generate(CLI::App& app, int& exit_code) {
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);
   command
-      ->add_option("--package", options->package,
-                   "As a library for cmake, platformio, zephyr, arduino or cmsis: the code in src")
+      ->add_option("--package", options->inputs.package,
+                   "As a library for cmake, platformio, zephyr, arduino, cmsis or python: the code "
+                   "in src")
       ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,

@@ -16,6 +16,7 @@
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
+#include "packaging/for_python.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {
@@ -44,7 +45,8 @@ std::vector<Function> find_functions(const std::vector<std::string>& names,
   return functions;
 }
 
-void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) {
+void apply(const InputOptions& options, const std::string& scene_text, Scene& scene,
+           Diagnostics& diagnostics) {
   if (!options.name.empty()) {
     scene.name = options.name;
     if (!is_package_name(scene.name)) {
@@ -53,6 +55,12 @@ void apply(const InputOptions& options, Scene& scene, Diagnostics& diagnostics) 
     }
   }
   scene.real = value_of_word<Real>(options.real).value_or(scene.real);
+  if (options.package == PackageKind::python) {
+    adapt_to_python(scene_text, scene, diagnostics);
+    if (options.language == word_of(Language::cpp)) {
+      reject("--language", "a package for Python is compiled from C", "Leave it out.", diagnostics);
+    }
+  }
   scene.language = value_of_word<Language>(options.language).value_or(scene.language);
   scene.profile = value_of_word<Profile>(options.profile).value_or(scene.profile);
   scene.optimize = value_of_word<Optimize>(options.optimize).value_or(scene.optimize);
@@ -102,7 +110,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   const std::vector<Function> functions = find_functions(options.functions, diagnostics);
   auto scene = parse_scene_of(*read, diagnostics, functions, options.functions_from);
   if (!scene) return std::nullopt;
-  apply(options, *scene, diagnostics);
+  apply(options, read->files.scene_text, *scene, diagnostics);
   const bool listed = !options.functions.empty() || states_key(read->files.scene_text, "functions");
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);

@@ -61,37 +61,12 @@ std::string describe_points(const char* title,
 }
 
 constexpr const char* kNamesInSources =
-    "Names in the sources: links count from 1, and headings tell which they are. s3 and c3 are sine "
+    "Names in the sources: links count from 1, and headings tell which they are. s3 and c3 are "
+    "sine "
     "and cosine of joint 3's angle, s23 and c23 of the sum of two. mass_3, h_3_x (first moment, kg "
     "m) and J_3_xx (inertia about the origin of the link's frame) are numbers of link 3 with all "
     "that is fixed to it, less what its joint does not feel: that is counted with the link before. "
     "link2_to_3_x places the frame of link 3 in that of link 2. t17 is a value on the way.";
-
-std::string describe_conventions(const EmissionContext& context) {
-  std::string text = describe_joints(context);
-  for (const std::string& convention : context.joint_conventions) {
-    text += wrap_text(convention, 95) + "\n";
-  }
-  text += describe_points("Operational points, rows of task vectors:", context.operational_points);
-  text += describe_points("External forces, elements of f_ext ([force; moment] on the robot):",
-                          context.external_forces);
-  text += context.gravity_given
-              ? "Gravity is the argument gravity, an acceleration in world axes, m/s^2.\n"
-              : fmt::format("Gravity ({}, {}, {}) m/s^2 in world axes.\n",
-                            format_literal(context.gravity[0]), format_literal(context.gravity[1]),
-                            format_literal(context.gravity[2]));
-  for (const std::string& note : context.notes) {
-    text += wrap_text(note, 95) + "\n";
-  }
-  text += wrap_text(kNamesInSources, 95) + "\n";
-  if (!context.domain.empty()) {
-    text += wrap_text("Bounds of rounding errors hold for inputs, taken as exact, of " +
-                          context.domain + ".",
-                      95) +
-            "\n";
-  }
-  return text;
-}
 
 std::string describe_argument(const Argument& argument, const char* direction) {
   const std::string shape = argument.cols == 1 ? std::to_string(argument.rows)
@@ -138,6 +113,31 @@ std::string describe_loops(const EmissionContext& context) {
 
 }  // namespace
 
+std::string describe_conventions(const EmissionContext& context) {
+  std::string text = describe_joints(context);
+  for (const std::string& convention : context.joint_conventions) {
+    text += wrap_text(convention, 95) + "\n";
+  }
+  text += describe_points("Operational points, rows of task vectors:", context.operational_points);
+  text += describe_points("External forces, elements of f_ext ([force; moment] on the robot):",
+                          context.external_forces);
+  text += context.gravity_given
+              ? "Gravity is the argument gravity, an acceleration in world axes, m/s^2.\n"
+              : fmt::format("Gravity ({}, {}, {}) m/s^2 in world axes.\n",
+                            format_literal(context.gravity[0]), format_literal(context.gravity[1]),
+                            format_literal(context.gravity[2]));
+  for (const std::string& note : context.notes) {
+    text += wrap_text(note, 95) + "\n";
+  }
+  if (!context.domain.empty()) {
+    text += wrap_text("Bounds of rounding errors hold for inputs, taken as exact, of " +
+                          context.domain + ".",
+                      95) +
+            "\n";
+  }
+  return text;
+}
+
 std::string describe_function(const EmissionContext& context, const Program& program) {
   std::string text = wrap_text(program.equation.empty() ? program.name : program.equation, 95);
   text += '\n';
@@ -162,7 +162,8 @@ std::map<std::string, std::string> describe_contract(const EmissionContext& cont
   return {{"robot", context.robot},
           {"version", generator_version()},
           {"origin", comment("//", describe_origin(context))},
-          {"conventions", comment("//", describe_conventions(context))},
+          {"conventions",
+           comment("//", describe_conventions(context) + wrap_text(kNamesInSources, 95) + "\n")},
           {"target", comment("//", describe_target(context))},
           {"name", context.name},
           {"id_size", std::to_string(size_of_identity(context))},

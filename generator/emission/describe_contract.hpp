@@ -12,6 +12,10 @@ namespace treeline {
 /// comes from, the order and units of joints and points, sizes, the range of sine and cosine.
 std::map<std::string, std::string> describe_contract(const EmissionContext& context);
 
+/// Joints, points, gravity and the range of rounding bounds: what holds for all functions, without
+/// the marks of a comment.
+std::string describe_conventions(const EmissionContext& context);
+
 /// The contract of one function, without the marks of a comment.
 std::string describe_function(const EmissionContext& context, const Program& program);
 

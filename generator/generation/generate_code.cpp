@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "emission/backend/backend.hpp"
+#include "emission/describe_contract.hpp"
 #include "emission/print_optimize.hpp"
 #include "generation/add_controller.hpp"
 #include "generation/base_parameter_domain.hpp"
@@ -379,6 +380,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   const std::vector<Program> batch = programs_of(generation.batch);
   generation.files = emit(context, programs, diagnostics, batch);
   if (diagnostics.has_errors()) return std::nullopt;
+  generation.conventions = describe_conventions(context);
   generation.small_sources = list_small_sources(context, programs, batch);
   return generation;
 }

@@ -75,6 +75,7 @@ struct Generation {
   std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; only if the scene asks for it
   std::shared_ptr<const ControllerUnit> controller;  ///< only if the scene asks for one
   std::vector<GeneratedFile> laws;  ///< its step and laws in the profile `plain`, for references
+  std::string conventions;  ///< what the contract says for all functions, without marks of comments
   std::vector<GeneratedFile> files;
   std::vector<std::string> small_sources;  ///< of the files, see `list_small_sources`
 };

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "packaging/describe_package.hpp"
+#include "packaging/for_python.hpp"
 #include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
 
@@ -58,6 +59,8 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
       return for_arduino(facts, scene, generation);
     case PackageKind::cmsis:
       return for_cmsis(facts);
+    case PackageKind::python:
+      return for_python(facts, scene, generation);
   }
   return {};
 }

@@ -2,7 +2,8 @@
 
 namespace treeline {
 
-/// Tools that build libraries of sources, each from a folder of its own form.
-enum class PackageKind { none, cmake, platformio, zephyr, arduino, cmsis };
+/// Tools that build libraries of sources, each from a folder of its own form; `python` stands for
+/// pip.
+enum class PackageKind { none, cmake, platformio, zephyr, arduino, cmsis, python };
 
 }  // namespace treeline

@@ -255,6 +255,33 @@ TEST_F(PackageTest, LoopsOfCAreCompiledAsOneSource) {
   EXPECT_FALSE(fs::exists(root_ / "lib/src/arm_loops.c"));  // it would compile both
 }
 
+// Would catch: a package for Python that drops in silence what the scene asks for, or whose
+// manifest names a command that makes something else. What pip makes of it: tests/packaging.
+TEST_F(PackageTest, PythonSaysWhatItLeavesOut) {
+  EXPECT_EQ(generate("--package python --language c++").exit_code, 1);
+  EXPECT_EQ(generate("--package python").err.find("Python"), std::string::npos);
+  write("scene.yaml",
+        "name: arm\nlanguage: c++\nbatch: 4\nprefetch: true\ncontroller: {laws: joint_impedance}\n"
+        "functions: [gravity, inverse_dynamics]\n");
+  const auto made =
+      test::run_program(root_, "generate " + kArm + " scene.yaml --output python --package python");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  for (const char* says :
+       {"language: a package for Python is compiled from C", "controller: it is left out",
+        "batch: Python does not call", "prefetch: Python does not call"}) {
+    EXPECT_NE(made.err.find(says), std::string::npos) << says << "\n" << made.err;
+  }
+  EXPECT_NE(read("python/README.md").find("Python does not call the functions of several states"),
+            std::string::npos);
+  const auto manifest = nlohmann::json::parse(read("python/src/manifest.json"));
+  EXPECT_EQ(manifest["language"], "c");
+  EXPECT_EQ(manifest["command"],
+            "treeline generate puma560.urdf scene.yaml --output arm --package python");
+  EXPECT_NE(read("python/pyproject.toml")
+                .find("+" + manifest["digest"].get<std::string>().substr(0, 12) + "\""),
+            std::string::npos);
+}
+
 TEST_F(PackageTest, CompareKnowsThePackage) {
   EXPECT_EQ(generate("--package cmsis --compare").exit_code, 3);
   ASSERT_EQ(generate("--package cmsis").exit_code, 0);

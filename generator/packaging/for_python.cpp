@@ -1,0 +1,305 @@
+#include "packaging/for_python.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "description/states_key.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/comment.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/print_identity.hpp"
+#include "emission/print_optimize.hpp"
+#include "emission/wrap_line.hpp"
+#include "packaging/templates.hpp"
+#include "target/target.hpp"
+
+namespace treeline {
+namespace {
+
+namespace templates = package_templates;
+
+/// What a scene may ask for that the package does not call.
+struct NotCalled {
+  const char* key;  ///< of the scene
+  bool (*is_asked_for)(const Scene& scene);
+  const char* what;
+};
+constexpr auto kNotCalled = std::to_array<NotCalled>({
+    {"torque_limits", [](const Scene& scene) { return scene.has_limits(); },
+     "limited_control_torque"},
+    {"batch", [](const Scene& scene) { return scene.batch > 0; },
+     "the functions of several states; those of one state take N of them"},
+    {"prefetch", [](const Scene& scene) { return scene.prefetch; },
+     "the functions that load code into caches"},
+});
+
+std::string describe(const NotCalled& that) {
+  return fmt::format("Python does not call {}: it is in src, for C", that.what);
+}
+
+/// The functions of one state, and `damped_control_torque`.
+std::vector<GeneratedFunction> list_functions(const Generation& generation) {
+  std::vector<GeneratedFunction> functions = generation.functions;
+  if (generation.damped) functions.push_back(*generation.damped);
+  return functions;
+}
+
+/// `lambda` is a word of Python: `lambda_`.
+std::string python_name(const GeneratedFunction& generated) {
+  const std::string& name = generated.program.name;
+  return name == "lambda" ? name + "_" : name;
+}
+
+std::string list_arguments(const Program& program, std::string_view form) {
+  std::string text;
+  for (const Argument& argument : program.arguments) {
+    text += fmt::format(fmt::runtime(form), argument.name);
+  }
+  return text;
+}
+
+/// A constant of C that holds a text.
+std::string print_text(const std::string& constant, const std::string& text) {
+  std::string quoted;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    quoted += "\n    \"";
+    for (const char c : line) {
+      if (c == '"' || c == '\\') quoted += '\\';
+      quoted += c;
+    }
+    quoted += "\\n\"";
+  }
+  return fmt::format("static const char {}[] ={};\n", constant, quoted);
+}
+
+/// The comment on a function in the headers of C, without its marks.
+std::string find_comment(const std::vector<GeneratedFile>& files, const std::string& function) {
+  std::string comment;
+  for (const GeneratedFile& file : files) {
+    if (!file.name.ends_with(".h")) continue;
+    std::istringstream lines(file.text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find(" " + function + "(") != line.npos && !line.starts_with("//")) return comment;
+      if (!line.starts_with("///")) comment.clear();
+      if (line.starts_with("///"))
+        comment += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
+    }
+  }
+  return {};
+}
+
+/// What `help` prints of a function: how it is called, and its contract.
+std::string print_doc(const Scene& scene, const Generation& generation,
+                      const GeneratedFunction& generated) {
+  const Program& program = generated.program;
+  std::string text = fmt::format("{}($module, {}*, out=None, threads=1)\n--\n\n",
+                                 python_name(generated), list_arguments(program, "{}, "));
+  text += find_comment(generation.files, scene.name + "_" + program.name);
+  if (is_composed(generated)) text += "Here it is always that array.\n";
+  return print_text("doc_of_" + python_name(generated), text);
+}
+
+/// A function that calls one of C with its arguments and results in two arrays.
+std::string print_call(const Scene& scene, const GeneratedFunction& generated) {
+  const Program& program = generated.program;
+  const std::size_t written = count_written(generated);
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < program.arguments.size(); ++i) {
+    list.push_back(fmt::format("in[{}]", i));
+  }
+  for (std::size_t i = 0; i < written; ++i) list.push_back(fmt::format("out[{}]", i));
+  if (is_composed(generated)) list.push_back(scene.name + "_heaviest");
+  const std::string returned = is_composed(generated) ? fmt::format("out[{}][0] = ", written) : "";
+  const std::string call =
+      fmt::format("{}{}_{}({});", returned, scene.name, program.name, fmt::join(list, ", "));
+  return fmt::format("static void compute_{}(const Real* const* in, Real* const* out) {{\n{}}}\n",
+                     program.name, wrap_line(call, 2));
+}
+
+/// Names and sizes of a function, for the table of all.
+std::string print_row(const GeneratedFunction& generated, int operations) {
+  const Program& program = generated.program;
+  std::string list;
+  const auto append = [&](const Argument& argument) {
+    list += fmt::format("{}{{\"{}\", {}, {}}}", list.empty() ? "" : ", ", argument.name,
+                        argument.rows, argument.cols);
+  };
+  for (const Argument& argument : program.arguments) append(argument);
+  for (const Result& result : program.results) append(result.argument);
+  return wrap_line(
+      fmt::format("{{\"{}\", \"{}\", {}, {}, {}, compute_{}, {{{}}}}},", python_name(generated),
+                  in_pascal_case(program.name), program.arguments.size(), program.results.size(),
+                  operations, program.name, list),
+      0);
+}
+
+/// extension/functions.h: the functions as a table, with the texts that C's headers have of them.
+std::string print_table(PackageFacts facts, const Scene& scene, const Generation& generation) {
+  std::size_t count = 0, most = 0;
+  int inputs = 0, operations = 0;
+  std::string docs;
+  for (const GeneratedFunction& generated : list_functions(generation)) {
+    const Program& program = generated.program;
+    int own = 0;
+    for (const Argument& argument : program.arguments) own += argument.rows * argument.cols;
+    // What is composed of others counts as the largest of all.
+    const int flops = generated.chosen.count.flops();
+    operations = std::max(operations, flops);
+    facts["calls"] += (count == 0 ? "" : "\n") + print_call(scene, generated);
+    facts["rows"] += print_row(generated, is_composed(generated) ? operations : flops);
+    facts["entries"] +=
+        fmt::format("{}ENTRY({}, {})", count == 0 ? "" : " \\\n", count, python_name(generated));
+    docs += "\n" + print_doc(scene, generation, generated);
+    most = std::max(most, program.arguments.size() + program.results.size());
+    inputs = std::max(inputs, own);
+    ++count;
+  }
+  facts["conventions"] = harmless(generation.conventions);
+  facts["docs"] = print_text("package_doc", fill_facts(templates::kPythonDoc, facts)) + docs;
+  facts["includes"] =
+      generation.damped ? fmt::format("#include \"../src/{}_damped.h\"\n", scene.name) : "";
+  facts["most_arguments"] = std::to_string(most);
+  facts["most_inputs"] = std::to_string(inputs);
+  return fill_facts(templates::kPythonFunctions, facts);
+}
+
+/// How Python's checkers of types see a function: of one result twice, as it gives back what is
+/// given as `out`.
+std::string print_types(const GeneratedFunction& generated) {
+  const Program& program = generated.program;
+  const std::string head = fmt::format("def {}({}*, out: ", python_name(generated),
+                                       list_arguments(program, "{}: _Numbers, "));
+  const auto declare = [&](const std::string& out, const std::string& result) {
+    return fmt::format("{}{}, threads: int = 1) -> {}: ...\n", head, out, result);
+  };
+  if (program.results.size() == 1) {
+    return "@overload\n" + declare("None = None", "_Array") + "@overload\n" +
+           declare("_Given", "_Given") + "\n";
+  }
+  std::string arrays, given, names, fields;
+  for (const Result& result : program.results) {
+    arrays += ", _Array";
+    given += ", _Numbers | None";
+    names += fmt::format(", \"{}\"", result.argument.name);
+    fields += fmt::format("    @property\n    def {}(self) -> _Array: ...\n", result.argument.name);
+  }
+  const std::string type = in_pascal_case(program.name);
+  return fmt::format("@final\nclass {}(structseq[_Array], tuple[{}]):\n", type, arrays.substr(2)) +
+         fmt::format("    __match_args__: Final = ({})\n{}\n", names.substr(2), fields) +
+         declare(fmt::format("tuple[{}] | None = None", given.substr(2)), type) + "\n";
+}
+
+/// As the emitted CMakeLists.txt compiles in the configuration Release.
+std::string print_flags(const PackageFacts& facts, const Scene& scene) {
+  const Target* const target = find_target(scene.target);
+  std::string text = R"("-O3", "-g0", "-fvisibility=hidden", )" + facts.at("quoted_flags");
+  if (target == nullptr || *target->prefix != '\0') return text;
+  std::istringstream words(target->flags);
+  for (std::string word; words >> word;) text += fmt::format(", \"{}\"", word);
+  return text;
+}
+
+/// Flags of sources that are compiled with others.
+std::string print_own_flags(const Scene& scene, const Generation& generation) {
+  std::map<std::string, const char*> flags;
+  if (scene.optimize == Optimize::balanced) {  // else all have that flag or none
+    for (const std::string& source : generation.small_sources) flags[source] = kSmallCodeFlag;
+  }
+  for (const GeneratedFunction& generated : generation.functions) {
+    if (is_huge(generated.program)) flags[generated.program.name + ".c"] = kHugeFlag;
+  }
+  std::string text;
+  for (const auto& [source, flag] : flags) {
+    text += fmt::format("\"src/{}\": [\"{}\"],\n", source, flag);
+  }
+  return text;
+}
+
+/// For the example: the first function, at home and at rest.
+void add_example(const Scene& scene, const GeneratedFunction& generated, PackageFacts& facts) {
+  const Program& program = generated.program;
+  facts["call"] = python_name(generated);
+  facts["first"] = program.arguments.front().name;
+  for (const Argument& argument : program.arguments) {
+    const bool first = argument.name == facts["first"];
+    facts["list"] += (first ? "" : ", ") + argument.name;
+    facts["list_of_states"] += first ? "states" : ", " + argument.name;
+    facts["arrays"] += argument.name == "q"
+                           ? fmt::format("q = np.array({0}.home, {0}.dtype)\n", scene.name)
+                           : fmt::format("{} = np.zeros({}, {}.dtype)\n", argument.name,
+                                         argument.rows * argument.cols, scene.name);
+  }
+}
+
+PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation& generation) {
+  facts["version"] += "+" + digest_of_files(generation.files).substr(0, 12);
+  facts["flags"] = print_flags(facts, scene);
+  facts["own_flags"] = print_own_flags(scene, generation);
+  facts["dtype"] = scene.real == Real::float32 ? "float32" : "float64";
+  facts["task_row_names"] =
+      scene.operational_points.empty() ? "NULL" : scene.name + "_task_row_names";
+  facts["not_called"] = "";
+  for (const NotCalled& each : kNotCalled) {
+    if (each.is_asked_for(scene)) facts["not_called"] += describe(each) + ".\n";
+  }
+  for (const GeneratedFunction& generated : list_functions(generation)) {
+    facts["types"] += print_types(generated);
+  }
+  facts["types"].pop_back();
+  add_example(scene, generation.functions.front(), facts);
+  return facts;
+}
+
+}  // namespace
+
+std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
+                                      const Generation& generation) {
+  facts = add_facts(std::move(facts), scene, generation);
+  const auto fill = [&](const std::string& name, std::string_view text) {
+    return GeneratedFile{name, fill_facts(text, facts)};
+  };
+  return {{"",
+           {fill("pyproject.toml", templates::kPythonProject),
+            fill("setup.py", templates::kPythonSetup), fill("README.md", templates::kPythonReadme),
+            fill("MANIFEST.in", templates::kPythonManifest)}},
+          {"python/" + scene.name,
+           {fill("__init__.py", templates::kPythonInit),
+            fill("__init__.pyi", templates::kPythonTypes),
+            {"py.typed", ""}}},
+          {"extension",
+           {{"functions.h", print_table(facts, scene, generation)},
+            fill("numpy_arrays.h", templates::kPythonNumpyArrays),
+            fill("operands.h", templates::kPythonOperands),
+            fill("loop_states.h", templates::kPythonLoopStates),
+            fill("module.c", templates::kPythonModule)}},
+          {"examples", {fill(scene.name + "_time.py", templates::kPythonExample)}}};
+}
+
+void adapt_to_python(const std::string& text, Scene& scene, Diagnostics& diagnostics) {
+  if (scene.language != Language::c && states_key(text, "language")) {
+    diagnostics.add({Severity::note, scene.file, 0, "language",
+                     "a package for Python is compiled from C, whatever the scene says", ""});
+  }
+  scene.language = Language::c;
+  if (!scene.controller) return;
+  scene.controller.reset();
+  diagnostics.add({Severity::warning, scene.file, 0, "controller",
+                   "it is left out: it is compiled from C++, and a package for Python from C",
+                   "Generate it in C++, without --package python."});
+}
+
+void note_not_in_python(const Scene& scene, Diagnostics& diagnostics) {
+  for (const NotCalled& each : kNotCalled) {
+    if (!each.is_asked_for(scene)) continue;
+    diagnostics.add({Severity::note, scene.file, 0, each.key, describe(each), ""});
+  }
+}
+
+}  // namespace treeline

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/scene.hpp"
+#include "generation/generate_code.hpp"
+#include "packaging/describe_package.hpp"
+#include "packaging/make_package.hpp"
+#include "text/diagnostic.hpp"
+
+namespace treeline {
+
+/// What pip needs beside the code: a package that compiles it as an extension of Python.
+std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
+                                      const Generation& generation);
+
+/// Adapts a scene to it: C, and no controller. Says so where the scene, of which `text` is what was
+/// read, asks for something else.
+void adapt_to_python(const std::string& text, Scene& scene, Diagnostics& diagnostics);
+
+/// Says what of the code a package for Python does not call.
+void note_not_in_python(const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace treeline
