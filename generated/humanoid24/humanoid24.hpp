@@ -62,15 +62,15 @@
 //   from 6    right_hand on right_hand, origin (0, 0, -0.086) m in the link, world axes: x y z rx
 //   ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 0.9 2.4 2.2 0.8 1.2 0.6 3
+//   2.8 1.8 2.5 2 1.4 0.9 3 2.8 1.8 2.5 2 1.4 0.9 1.4 0.8 0.7 0.7, |qd| <= 8 8 8 8 8 8 10 10 10
+//   12 15 15 15 10 10 10 12 15 15 15 8 8 20 20, |qdd| <= 100, |qdd_0| <= 100, |tau| <= 250 400
+//   400 200 250 200 120 120 100 80 30 30 30 120 120 100 80 30 30 30 20 20 2 2, |xdd_cmd| <= 100.
 // Names in the sources: links count from 1, and headings tell which they are. s3 and c3 are sine
 //   and cosine of joint 3's angle, s23 and c23 of the sum of two. mass_3, h_3_x (first moment, kg
 //   m) and J_3_xx (inertia about the origin of the link's frame) are numbers of link 3 with all
 //   that is fixed to it, less what its joint does not feel: that is counted with the link before.
 //   link2_to_3_x places the frame of link 3 in that of link 2. t17 is a value on the way.
-// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 0.9 2.4 2.2 0.8 1.2 0.6 3
-//   2.8 1.8 2.5 2 1.4 0.9 3 2.8 1.8 2.5 2 1.4 0.9 1.4 0.8 0.7 0.7, |qd| <= 8 8 8 8 8 8 10 10 10
-//   12 15 15 15 10 10 10 12 15 15 15 8 8 20 20, |qdd| <= 100, |qdd_0| <= 100, |tau| <= 250 400
-//   400 200 250 200 120 120 100 80 30 30 30 120 120 100 80 30 30 30 20 20 2 2, |xdd_cmd| <= 100.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "humanoid24: compile without -ffast-math (put -fno-fast-math behind it)"

@@ -5,4 +5,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.1.0 humanoid24 sha256 "
-    "cd0d127dc6f94dcb85900e02bbc2c4bfbe1b85f004a84988c51eab8c89a05769";
+    "c7d1e0d138b7b51c4eff9ac0c110d877d676e3aa0f227c7f8d0c55b29e22f4af";

@@ -5,4 +5,4 @@
 
 const char puma560_id[95] =
     "treeline 0.1.0 puma560 sha256 "
-    "e17fd33a358e009dfcd5e3d48927a37d694e50ebdca513c3590bb02a426d8ad4";
+    "3eb2b4d45f3ad8efca56c1160135449b77ba8930a08646124c3feed5266ebfd8";

@@ -5,4 +5,4 @@
 
 const char samm_id[92] =
     "treeline 0.1.0 samm sha256 "
-    "61aa53c9ad90549270f96bbd0918b0ac31c9dfc48c7134dd0c4f857c1164694d";
+    "e9554251a99ba05039d5ccc820c3d0a11badc65c289fa0e873fdb59ce7a1f5dc";

@@ -5,4 +5,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.1.0 ur10e sha256 "
-    "230be7a88b3946478f7f29339dd2242ebfa9b3f9bc57e6eb40607a0e46cb60e8";
+    "2c4c7a2d82f931ca49beee85aa382bad72f5cd4527647d625134ab4ff18f3d19";

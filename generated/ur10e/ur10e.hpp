@@ -47,14 +47,14 @@
 // Operational points, rows of task vectors:
 //   from 0    tool on tool, origin (0, 0, 0) m in the link, world axes: x y z rx ry rz
 // Gravity (0.0, 0.0, -9.81) m/s^2 in world axes.
+// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 6.283 6.283 3.141 6.283
+//   6.283 6.283, |qd| <= 2.094 2.094 3.141 3.141 3.141 3.141, |qdd| <= 100, |qdd_0| <= 100, |tau|
+//   <= 330 330 150 56 56 56, |xdd_cmd| <= 100.
 // Names in the sources: links count from 1, and headings tell which they are. s3 and c3 are sine
 //   and cosine of joint 3's angle, s23 and c23 of the sum of two. mass_3, h_3_x (first moment, kg
 //   m) and J_3_xx (inertia about the origin of the link's frame) are numbers of link 3 with all
 //   that is fixed to it, less what its joint does not feel: that is counted with the link before.
 //   link2_to_3_x places the frame of link 3 in that of link 2. t17 is a value on the way.
-// Bounds of rounding errors hold for inputs, taken as exact, of |q| <= 6.283 6.283 3.141 6.283
-//   6.283 6.283, |qd| <= 2.094 2.094 3.141 3.141 3.141 3.141, |qdd| <= 100, |qdd_0| <= 100, |tau|
-//   <= 330 330 150 56 56 56, |xdd_cmd| <= 100.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "ur10e: compile without -ffast-math (put -fno-fast-math behind it)"
