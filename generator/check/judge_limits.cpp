@@ -291,11 +291,9 @@ std::vector<WorkSource> limited_sources(const Scene& scene, const Generation& ge
   std::vector<WorkSource> sources;
   const auto add = [&](bool batch) {
     const GeneratedFunction& supported = functions[find_supported(generation, batch)];
-    sources.push_back(
-        {limited_stem(batch),
-         scene.language == Language::c
-             ? print_c_limited_entry(scene.name, supported)
-             : print_limited_entry(scene.name, supported, scene.profile == Profile::misra)});
+    sources.push_back({limited_stem(batch), scene.language == Language::c
+                                                ? print_c_limited_entry(scene.name, supported)
+                                                : print_limited_entry(scene.name, supported)});
   };
   add(false);
   if (!generation.batch.empty()) add(true);

@@ -187,8 +187,7 @@ std::string print_composed_entry(const std::string& name, const GeneratedFunctio
                         {"functions", print_plain(name, generated)}});
 }
 
-std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported,
-                                bool is_safe) {
+std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported) {
   const bool batch = supported.batch > 0;
   const std::string arguments = print_arguments(supported.program, supported.program.results.size(),
                                                 batch ? "batch_" : "", batch ? ".all()" : "");
@@ -202,18 +201,12 @@ std::string print_limited_entry(const std::string& name, const GeneratedFunction
                                        "{0}::LimitedTorque limited{{}};\n"
                                        "  {0}::limited_control_torque({1}, limited);",
                                        name, arguments);
-  const std::string sizes = name + (is_safe ? "::" : "::LimitSizes::");
   return fill_template(
       compilation_templates::kLimited,
       {{"name", name},
        {"header", name + (batch ? "_batch_limited" : "_limited")},
        {"more", batch ? fill_template(compilation_templates::kBatch, {{"name", name}}) : ""},
        {"entry", entry_symbol(limited_stem(batch))},
-       {"tasks", sizes + (is_safe ? "kTaskRows" : "kTask")},
-       {"rows", sizes + (is_safe ? "kLimitRows" : "kRows")},
-       {"unknowns", sizes + "kUnknowns"},
-       {"slack_at", sizes + (is_safe ? "kFreedoms" : "kSlackAt")},
-       {"sides", is_safe ? "sides" : "program.sides"},
        {"call", call}});
 }
 

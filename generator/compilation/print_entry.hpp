@@ -20,8 +20,7 @@ std::string print_c_entry(const std::string& name, const std::vector<GeneratedFu
 /// Prints the source file with the entry of limited_control_torque, from NAME_limited.hpp or, where
 /// `supported` is a batch function, NAME_batch_limited.hpp; `supported` has the arguments that it
 /// takes. With `is_safe` from that of `profile: misra`.
-std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported,
-                                bool is_safe);
+std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported);
 
 /// The same in C. It includes limited_control_torque.c, so that nothing else compiles that.
 std::string print_c_limited_entry(const std::string& name, const GeneratedFunction& supported);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/limited_torque.hpp"
+#include "core/emitted_limits.hpp"
 
 namespace treeline {
 namespace {
 
-/// Numbers of `steps::LimitProgram`, of `steps::DualActiveSet`, and the matrices that both take.
+/// Numbers of TlLimitProgram of runtime/emitted, and the matrices that it takes.
 int count_values(const LimitFacts& facts, int velocities, int n, int m) {
   const int V = velocities;
   const int P = core::one_or(static_cast<int>(facts.passive.size()));

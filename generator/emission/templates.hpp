@@ -4,13 +4,22 @@
 
 namespace treeline::templates {
 
-// Files of templates/ that every language shares, embedded when the generator is built (see
-// embed_files.cmake).
+// Files of templates/ and runtime/emitted that every language shares, embedded when the generator
+// is built (see embed_files.cmake).
+extern const std::string_view kEights;
+extern const std::string_view kEightsWrittenOut;
+extern const std::string_view kEnterRows;
+extern const std::string_view kForceBasis;
 extern const std::string_view kIdentity;
+extern const std::string_view kLimitProgram;
+extern const std::string_view kLimitedStates;
+extern const std::string_view kLimitedTorque;
 extern const std::string_view kManifest;
 extern const std::string_view kPrefetchC;
 extern const std::string_view kPrefetchCpp;
 extern const std::string_view kPrefetchHeaderC;
 extern const std::string_view kPrefetchHeaderCpp;
+extern const std::string_view kQuadraticProgram;
+extern const std::string_view kTorqueLimits;
 
 }  // namespace treeline::templates

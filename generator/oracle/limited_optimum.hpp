@@ -14,7 +14,7 @@
 namespace treeline {
 
 /// Torques and forces of an unlimited law at a state, and what limits them: the program of
-/// core/limited_torque.hpp in the velocities and forces themselves, without its coordinates.
+/// emitted/limited_torque.h in the velocities and forces themselves, without its coordinates.
 struct LimitProblem {
   interpreter::Matrix<Digits50> M, J_s, J_t;
   interpreter::Vector<Digits50> tau, f;

@@ -202,12 +202,12 @@ TEST(LimitsCheck, AnotherCostIsFound) {
   CheckOptions options = quick_options(40);
   options.folder = temporary.path() / "ur10e";
   write_folder(options.folder, subjects.generation);
-  const auto header = options.folder / "torque_limits.hpp";
+  const auto header = options.folder / "limit_program.hpp";
   std::string text = read_file(header);
-  const std::string from = "kHierarchy = Real(1000)";
+  const std::string from = " * 1000.0 * 1000.0 /";
   const auto at = text.find(from);
   ASSERT_NE(at, std::string::npos);
-  write_file(header, text.replace(at, from.size(), "kHierarchy = Real(10)"));
+  write_file(header, text.replace(at, from.size(), " * 10.0 * 10.0 /"));
   const auto report = check_or_throw(subjects, options);
   ASSERT_TRUE(report.limits);
   EXPECT_FALSE(report.limits->passed());

@@ -12,7 +12,12 @@
 #include <random>
 #include <vector>
 
-#include "core/limited_batch.hpp"
+#include "core/quadratic_program.hpp"
+#include "emitted_limits.h"
+
+extern "C" double root_for_c(double x) {
+  return treeline::core::square_root(x > 0 ? x : 0);
+}
 
 namespace {
 
@@ -20,13 +25,16 @@ using namespace treeline::core;  // NOLINT: the whole header is under test
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
+template <class Sizes, int states = 1>
+using Limits = EmittedLimits<double, Sizes, states>;
+
 /// A robot at a state: numbers without a mechanism behind them.
 template <class Sizes>
 struct Support {
   Matrix M, J_s, J_t;
   Vector tau, f;
-  SupportLayout<double, Sizes> layout;
-  TorqueLimits<double, Sizes> limits;
+  typename Limits<Sizes>::TlSupportLayout layout;
+  typename Limits<Sizes>::TlTorqueLimits limits;
 };
 
 Matrix random_matrix(Eigen::Index rows, Eigen::Index cols, std::mt19937& engine) {
@@ -66,32 +74,27 @@ Support<Sizes> random_support(int copies, double torque, double bound, std::mt19
 template <class Sizes>
 struct Outcome {
   Vector tau, f;
-  LimitedTorque<double, Sizes> limited;
+  typename Limits<Sizes>::TlLimitedTorque limited;
 };
 
+/// Entries of a matrix row by row.
+std::vector<double> entries_of(const Matrix& matrix) {
+  const Matrix columns = matrix.transpose();
+  return {columns.data(), columns.data() + columns.size()};
+}
+
 template <class Sizes>
-Outcome<Sizes> run(const Support<Sizes>& support, const LimitedTorque<double, Sizes>& last = {}) {
-  constexpr int V = Sizes::kVelocities, H = one_or(Sizes::kHeld);
-  double tau[V];
-  double f[H] = {};
-  Vector::Map(tau, V) = support.tau;
-  Vector::Map(f, Sizes::kHeld) = support.f;
-  Outcome<Sizes> outcome{{}, {}, last};
-  const auto copy = [](const Matrix& from, double* to) {
-    for (Eigen::Index i = 0; i < from.rows(); ++i) {
-      for (Eigen::Index k = 0; k < from.cols(); ++k) *to++ = from(i, k);
-    }
-  };
-  limit_torque(
-      support.layout, support.limits,
-      [&](auto& M, auto& J_s, auto& J_t) {
-        copy(support.M, M);
-        copy(support.J_s, J_s);
-        copy(support.J_t, J_t);
-      },
-      tau, f, outcome.limited);
-  outcome.tau = Vector::Map(tau, V);
-  outcome.f = Vector::Map(f, Sizes::kHeld);
+Outcome<Sizes> run(const Support<Sizes>& support,
+                   const typename Limits<Sizes>::TlLimitedTorque& last = {}) {
+  using L = Limits<Sizes>;
+  Outcome<Sizes> outcome{support.tau, support.f, last};
+  if (L::tl_is_within(&support.limits, outcome.tau.data(), outcome.f.data())) {
+    L::tl_report_unlimited(&outcome.limited);
+    return outcome;
+  }
+  L::tl_limit_torque(&support.layout, &support.limits, entries_of(support.M).data(),
+                     entries_of(support.J_s).data(), entries_of(support.J_t).data(),
+                     outcome.tau.data(), outcome.f.data(), &outcome.limited);
   return outcome;
 }
 
@@ -112,7 +115,7 @@ Matrix null_space(const Support<Sizes>& support) {
 template <class Sizes>
 Matrix cost_matrix(const Support<Sizes>& support) {
   constexpr int V = Sizes::kVelocities, H = Sizes::kHeld, P = Sizes::kPassive;
-  const double k = kHierarchy<double>;
+  const double k = LimitNumbers<double>::kHierarchy;
   Matrix cost = Matrix::Zero(V + H, V + H);
   cost.topLeftCorner(V, V) = support.M;
   const Matrix M_inverse = support.M.inverse();
@@ -176,12 +179,12 @@ Vector solve_otherwise(const Support<Sizes>& support, double slack) {
   QuadraticRows<double, F, M> rows;
   for (int i = 0; i < F; ++i) {
     for (int k = 0; k < F; ++k) H[i * F + k] = cost(i, k);
-    rows.lowest[i] = -kNoLimit<double>;
-    rows.highest[i] = kNoLimit<double>;
+    rows.lowest[i] = -LimitNumbers<double>::kNoLimit;
+    rows.highest[i] = LimitNumbers<double>::kNoLimit;
   }
   for (int row = 0; row < M; ++row) {
     Vector a = Vector::Zero(F);
-    rows.lower[row] = -kNoLimit<double>;
+    rows.lower[row] = -LimitNumbers<double>::kNoLimit;
     if (row < V - P) {
       a += torques.row(P + row).transpose();
       rows.lower[row] = -support.limits.torque[P + row] - support.tau(P + row);
@@ -211,7 +214,7 @@ void sweep(int copies, double torque, double bound) {
     SCOPED_TRACE(i);
     const auto support = random_support<Sizes>(copies, torque, bound, engine);
     const auto outcome = run(support);
-    ASSERT_EQ(outcome.limited.status, QuadraticStatus::solved);
+    ASSERT_EQ(outcome.limited.status, Limits<Sizes>::TL_SOLVED);
     limited += outcome.limited.limited ? 1 : 0;
     slack += outcome.limited.slack > 0 ? 1 : 0;
     EXPECT_LE(outcome.tau.cwiseAbs().maxCoeff(), torque);
@@ -242,12 +245,12 @@ TEST(LimitedTorque, SaysThatALimitIsNoNumber) {
   using Sizes = LimitSizes<12, 3, 6, 4, 8, 9>;
   std::mt19937 engine(4);
   auto support = random_support<Sizes>(0, 4, 5, engine);
-  ASSERT_EQ(run(support).limited.status, QuadraticStatus::solved);
+  ASSERT_EQ(run(support).limited.status, Limits<Sizes>::TL_SOLVED);
   support.limits.torque[5] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(run(support).limited.status, QuadraticStatus::not_convex);
+  EXPECT_EQ(run(support).limited.status, Limits<Sizes>::TL_NOT_CONVEX);
   support = random_support<Sizes>(0, 4, 5, engine);
   support.limits.cones[1].bound = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(run(support).limited.status, QuadraticStatus::not_convex);
+  EXPECT_EQ(run(support).limited.status, Limits<Sizes>::TL_NOT_CONVEX);
 }
 
 TEST(LimitedTorque, AFloatingBaseOnTwoFeet) {
@@ -287,62 +290,47 @@ TEST(LimitedTorque, ConesThatCannotBeKeptAreWidenedAlike) {
     support.limits.cones[0] = {0, 1, {1}, -8};
     support.limits.cones[1] = {0, 1, {-1}, -8};
     const auto outcome = run(support);
-    EXPECT_EQ(outcome.limited.status, QuadraticStatus::solved);
+    EXPECT_EQ(outcome.limited.status, Limits<Sizes>::TL_SOLVED);
     EXPECT_LE(outcome.tau.cwiseAbs().maxCoeff(), 4);
     EXPECT_GE(outcome.limited.slack, 8 - 1e-9);
     EXPECT_NEAR(most_beyond_cones(support, outcome.f), outcome.limited.slack, 1e-6);
   }
 }
 
-// Would catch: a state of a batch that gets another one's matrices, forces or start, and matrices
-// that are computed where no state needs them.
-TEST(LimitedTorque, EachStateOfABatchAsAlone) {
-  std::mt19937 engine(4);
+// Would catch: headers that are not C, and other bits in C than in C++.
+TEST(LimitedTorque, IsTheSameInC) {
   using Sizes = LimitSizes<9, 3, 4, 3, 4, 7>;
-  constexpr int kStates = 4, V = Sizes::kVelocities, H = Sizes::kHeld;
-  const auto put = [](const Matrix& from, int state, auto& rows) {
-    for (Eigen::Index i = 0; i < from.size(); ++i) {
-      rows[i][state] = from(i / from.cols(), i % from.cols());
-    }
-  };
-  int calls = 0, limited = 0;
-  for (const double torque : {4.0, 5.0, 100.0}) {
-    std::vector<Support<Sizes>> supports;
-    for (int k = 0; k < kStates; ++k) {
-      supports.push_back(random_support<Sizes>(0, torque, torque, engine));
-      supports.back().limits = supports.front().limits;
-    }
-    double tau[V][kStates], f[H][kStates];
-    LimitedTorque<double, Sizes> results[kStates] = {};
-    for (int k = 0; k < kStates; ++k) {
-      put(supports[static_cast<std::size_t>(k)].tau, k, tau);
-      put(supports[static_cast<std::size_t>(k)].f, k, f);
-    }
-    limit_torques(
-        supports.front().layout, supports.front().limits,
-        [&](auto& M, auto& J_s, auto& J_t) {
-          ++calls;
-          for (int k = 0; k < kStates; ++k) {
-            const auto& support = supports[static_cast<std::size_t>(k)];
-            put(support.M, k, M);
-            put(support.J_s, k, J_s);
-            put(support.J_t, k, J_t);
-          }
-        },
-        tau, f, results);
-    for (int k = 0; k < kStates; ++k) {
-      const auto alone = run(supports[static_cast<std::size_t>(k)]);
-      for (int v = 0; v < V; ++v) EXPECT_NEAR(tau[v][k], alone.tau(v), 1e-8);
-      for (int h = 0; h < H; ++h) EXPECT_NEAR(f[h][k], alone.f(h), 1e-8);
-      for (int t = 0; t < Sizes::kTask; ++t) {
-        EXPECT_NEAR(results[k].lost[t], alone.limited.lost[t], 1e-7);
-      }
-      limited += results[k].limited ? 1 : 0;
-    }
+  std::mt19937 engine(8);
+  int limited = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto support = random_support<Sizes>(0, 4, 5, engine);
+    const auto outcome = run(support);
+    Outcome<Sizes> in_c{support.tau, support.f, {}};
+    limit_torque_in_c(&support.layout, &support.limits, entries_of(support.M).data(),
+                      entries_of(support.J_s).data(), entries_of(support.J_t).data(),
+                      in_c.tau.data(), in_c.f.data(), &in_c.limited);
+    EXPECT_EQ(in_c.tau, outcome.tau);
+    EXPECT_EQ(in_c.f, outcome.f);
+    EXPECT_EQ(in_c.limited.slack, outcome.limited.slack);
+    EXPECT_EQ(in_c.limited.iterations, outcome.limited.iterations);
+    limited += in_c.limited.limited ? 1 : 0;
   }
-  EXPECT_EQ(calls, 2);
-  EXPECT_GE(limited, kStates);
-  EXPECT_LE(limited, 2 * kStates);
+  EXPECT_GT(limited, 100);
+}
+
+// Would catch: a state that is taken from another one's column, or put there.
+TEST(LimitedTorque, TakesAndPutsTheStatesOfABatch) {
+  using L = Limits<LimitSizes<9, 3, 4, 3, 4, 7>, 4>;
+  std::mt19937 engine(4);
+  const Matrix given = random_matrix(4, 9, engine);  // in the memory of its columns: element i of
+  Matrix put = Matrix::Zero(4, 9);                   // all states in a row
+  for (int state = 0; state < 4; ++state) {
+    Vector one(9);
+    L::tl_take_state(given.data(), 9, state, one.data());
+    EXPECT_EQ(one, given.row(state).transpose());
+    L::tl_put_state(one.data(), 9, state, put.data());
+  }
+  EXPECT_EQ(put, given);
 }
 
 TEST(LimitedTorque, NoFiniteInputGivesNaN) {

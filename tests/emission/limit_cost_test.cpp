@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/limited_torque.hpp"
+#include "core/emitted_limits.hpp"
 
 // Would catch: a stack that is stated smaller than what the method puts there.
 namespace treeline {
@@ -22,9 +22,7 @@ TEST(LimitCost, CountsWhatTheMethodPutsOnTheStack) {
   ASSERT_EQ(cost.rows, Sizes::kRows);
   constexpr std::size_t kMatrices = V * V + H * V + T * V + V + H;
   const std::size_t bytes =
-      sizeof(core::steps::LimitProgram<double, Sizes>) +
-      sizeof(core::steps::DualActiveSet<double, Sizes::kUnknowns, Sizes::kRows>) +
-      kMatrices * sizeof(double);
+      sizeof(core::EmittedLimits<double, Sizes>::TlLimitProgram) + kMatrices * sizeof(double);
   EXPECT_NEAR(8.0 * cost.values, static_cast<double>(bytes), 0.05 * static_cast<double>(bytes));
 }
 

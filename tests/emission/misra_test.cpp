@@ -6,11 +6,10 @@
 
 #include "emission/backend/backend.hpp"
 #include "emission/c/print_damped.hpp"
-#include "emission/c/print_limited.hpp"
 #include "emission/emit.hpp"
 #include "emission/guard_headers.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
-#include "emission/misra/print_limited_runtime.hpp"
+#include "emission/print_limit_headers.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/sample.hpp"
 
@@ -39,9 +38,8 @@ std::vector<GeneratedFile> emit_safe(Language language, bool single_precision) {
   EXPECT_TRUE(diagnostics.list().empty());
   const bool is_c = language == Language::c;
   context.limits = limits_of_two();
-  for (auto& more :
-       {is_c ? c::print_damped_runtime(context) : misra::print_damped_runtime(context),
-        is_c ? c::print_limited_runtime(context) : misra::print_limited_runtime(context)}) {
+  for (auto& more : {is_c ? c::print_damped_runtime(context) : misra::print_damped_runtime(context),
+                     print_limit_headers(context)}) {
     files.insert(files.end(), more.begin(), more.end());
   }
   guard_headers(context.name, files);

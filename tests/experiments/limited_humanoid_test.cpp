@@ -13,8 +13,6 @@
 namespace treeline::test {
 namespace {
 
-using core_status = decltype(humanoid::LimitedTorque::status);
-
 struct Answer {
   double tau[kRates], f[kHeldRows];
   humanoid::LimitedTorque limited = {};
@@ -65,7 +63,7 @@ TEST_P(Limits, AreKeptByForcesOfTheSameMotion) {
     const Asked asked = draw_humanoid(engine, GetParam());
     Answer cold;
     answer(asked, cold);
-    EXPECT_EQ(cold.limited.status, core_status::solved);
+    EXPECT_EQ(cold.limited.status, humanoid::kSolved);
     limited += cold.limited.limited ? 1 : 0;
     for (int v = 0; v < 6; ++v) EXPECT_EQ(cold.tau[v], 0);
     for (int v = 6; v < kRates; ++v) {

@@ -25,7 +25,8 @@ struct Layer {
 /// From the bottom up: every folder includes only folders listed above its row.
 const std::vector<Layer> kLayers = {
     // What runs on the robot, its records, and its reference.
-    {"core", {}},
+    {"emitted", {}},
+    {"core", {"emitted"}},
     {"report", {}},
     {"batch", {}},
     {"digits", {}},
@@ -90,7 +91,7 @@ const std::vector<std::string> kRecursionFolders = {"algebra", "parameters", "tr
                                                     "routes"};
 
 bool is_source(const fs::path& path) {
-  return path.extension() == ".cpp" || path.extension() == ".hpp";
+  return path.extension() == ".cpp" || path.extension() == ".hpp" || path.extension() == ".h";
 }
 
 bool has_sources(const fs::path& folder) {

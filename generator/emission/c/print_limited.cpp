@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
-#include <utility>
 
-#include "core/limited_torque.hpp"
+#include "core/emitted_limits.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
@@ -14,7 +12,7 @@
 #include "emission/comment.hpp"
 #include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
-#include "emission/limit_cost.hpp"
+#include "emission/print_limit_headers.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -23,91 +21,21 @@ namespace {
 
 using Holes = std::map<std::string, std::string>;
 
-/// Arrays of passive joints, held rows and task rows have at least one entry.
-struct Sizes {
-  explicit Sizes(const EmissionContext& context)
-      : passive(core::one_or(static_cast<int>(context.limits->passive.size()))),
-        held(core::one_or(static_cast<int>(context.limits->force_weights.size()))),
-        tasks(core::one_or(context.task_rows)) {}
-  int passive, held, tasks;
-};
-
-/// The constants of the method, from the headers that C++ includes.
-template <class Real>
-void add_constants(const EmissionContext& context, Holes& holes) {
-  const Syntax syntax = make_syntax(context);
-  const auto add = [&](const char* name, Real number) {
-    holes[name] = syntax.literal(static_cast<double>(number));
-  };
-  add("dependent", core::steps::kDependent<Real>);
-  add("row_tolerance", core::steps::kRowTolerance<Real>);
-  add("contradiction", core::steps::kContradiction<Real>);
-  add("rank_tolerance", core::steps::kRankTolerance<Real>);
-  add("hierarchy", core::kHierarchy<Real>);
-  add("no_limit", core::kNoLimit<Real>);
-  add("penalty", core::kSlackPenalty<Real>);
-}
-
-/// Enumerators that the header of the contract names.
-std::string print_sizes(const EmissionContext& context, const std::string& name) {
-  const LimitFacts& facts = *context.limits;
-  const LimitCost cost = cost_of_limits(facts, context.velocities);
-  const std::size_t motors = static_cast<std::size_t>(context.velocities) - facts.passive.size();
-  const std::pair<const char*, std::pair<std::size_t, const char*>> sizes[] = {
-      {"PASSIVE", {facts.passive.size(), "  // velocities without a motor"}},
-      {"MOTORS", {motors, ""}},
-      {"HELD_ROWS", {facts.force_weights.size(), "  // of constraints"}},
-      {"CONES", {facts.cones.size(), "  // rows of them"}},
-      {"FREEDOMS", {static_cast<std::size_t>(count_freedoms(facts)), ""}},
-      {"UNKNOWNS", {static_cast<std::size_t>(cost.unknowns), "  // of the program"}},
-      {"LIMIT_ROWS", {static_cast<std::size_t>(cost.rows), "  // motors, cones"}}};
-  std::string text;
-  for (const auto& [word, size] : sizes) {
-    const bool last = word == std::string_view("LIMIT_ROWS");
-    text += fmt::format("  {}_{} = {}{}{}\n", name, word, size.first, last ? "" : ",", size.second);
-  }
-  text.pop_back();
-  return text;
-}
-
 }  // namespace
 
-Holes list_limit_holes(const EmissionContext& context, const std::string& name,
-                       const std::string& capitals) {
+Holes list_limit_holes(const EmissionContext& context) {
   const LimitFacts& facts = *context.limits;
-  const Sizes sizes(context);
-  const LimitCost cost = cost_of_limits(facts, context.velocities);
-  const int mass_at = sizes.passive + sizes.held + sizes.tasks;
-  Holes holes = {
-      {"name", name},
-      {"NAME", capitals},
-      {"robot", context.robot},
-      {"real", number_type(context)},
-      {"passive", std::to_string(sizes.passive)},
-      {"held", std::to_string(sizes.held)},
-      {"tasks", std::to_string(sizes.tasks)},
-      {"cones", std::to_string(core::one_or(static_cast<int>(facts.cones.size())))},
-      {"task_at", std::to_string(sizes.passive + sizes.held)},
-      {"mass_at", std::to_string(mass_at)},
-      {"relation_entries", std::to_string(sizes.passive * sizes.passive)},
-      {"carry_entries", std::to_string(sizes.held * sizes.passive)},
-      {"unbound_entries", std::to_string(sizes.held * sizes.held)},
-      {"held_entries", std::to_string(sizes.held * context.velocities)},
-      {"task_entries", std::to_string(sizes.tasks * context.velocities)},
-      {"cols", std::to_string(core::in_eights(mass_at + context.velocities))},
-      {"basis_cols", std::to_string(core::in_eights(sizes.passive + sizes.held))},
-      {"most_rows", std::to_string(std::max(context.velocities, sizes.held))},
-      {"most_iterations", std::to_string(core::most_iterations(cost.unknowns, cost.rows))},
-      {"zero", number_literal(context, "0.0")},
-      {"one", number_literal(context, "1.0")},
-      {"ten", number_literal(context, "10.0")},
-      {"sizes", print_sizes(context, capitals)}};
-  if (context.single_precision) {
-    add_constants<float>(context, holes);
-  } else {
-    add_constants<double>(context, holes);
-  }
-  return holes;
+  const int held = core::one_or(static_cast<int>(facts.force_weights.size()));
+  const int tasks = core::one_or(context.task_rows);
+  return {{"name", context.name},
+          {"NAME", name_in_capitals(context)},
+          {"robot", context.robot},
+          {"real", number_type(context)},
+          {"held", std::to_string(held)},
+          {"tasks", std::to_string(tasks)},
+          {"cones", std::to_string(core::one_or(static_cast<int>(facts.cones.size())))},
+          {"held_entries", std::to_string(held * context.velocities)},
+          {"task_entries", std::to_string(tasks * context.velocities)}};
 }
 
 std::string fill_limits(std::string_view text, const Holes& holes) {
@@ -165,10 +93,9 @@ std::string print_matrices(const EmissionContext& context, std::span<const Progr
   for (const LimitedCall& call : list_limited_calls(context, programs)) {
     text += print_call(context, *call.program, form, call.result) + "\n";
   }
-  const Sizes sizes(context);
   const int columns = context.velocities * form.states;
-  if (!holds_rows(context)) text += print_zeros(context, "J_s", sizes.held * columns);
-  if (context.task_rows == 0) text += print_zeros(context, "J_t", sizes.tasks * columns);
+  if (!holds_rows(context)) text += print_zeros(context, "J_s", columns);
+  if (context.task_rows == 0) text += print_zeros(context, "J_t", columns);
   return text;
 }
 
@@ -185,27 +112,28 @@ GeneratedFile print_batch_limited_header(const EmissionContext& context,
                          {"signature", wrap_line(signature, 0)}})};
 }
 
+std::string print_layout(const EmissionContext& context) {
+  return wrap_line(
+      fmt::format("static const {0}_support_layout {0}_layout = {{{1}}};", context.name,
+                  print_support_layout(*context.limits, make_syntax(context))),
+      0);
+}
+
 /// What limited control has in the holes of its source, of one state or of several. `no_forces`
 /// declares the forces of a robot that holds no rows.
 Holes list_source_holes(const EmissionContext& context, std::span<const Program> programs,
                         Form form, const std::string& no_forces) {
   const Program& supported = find_supported(programs);
   const bool holds = holds_rows(context);
-  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
+  Holes holes = list_limit_holes(context);
   holes["section"] = print_section_macro(context);
+  holes["layout"] = print_layout(context);
   holes["signature"] =
       print_section(context) + wrap_line(print_head(context, supported, form) + " {", 0);
   holes["supported"] =
       (holds ? "" : no_forces) + print_call(context, supported, form, holds ? "tau, f" : "tau");
   holes["matrices"] = print_matrices(context, programs, form);
   return holes;
-}
-
-std::string print_layout(const EmissionContext& context) {
-  return wrap_line(
-      fmt::format("static const {0}_support_layout {0}_layout = {{{1}}};", context.name,
-                  print_support_layout(*context.limits, make_syntax(context))),
-      0);
 }
 
 }  // namespace
@@ -227,8 +155,10 @@ std::string print_limited_signature(const EmissionContext& context,
 
 GeneratedFile print_limited_header(const EmissionContext& context,
                                    std::span<const Program> programs) {
-  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
-  holes["types"] = print_limit_types(holes);
+  Holes holes = list_limit_holes(context);
+  EmissionContext in_c = context;
+  in_c.language = Language::c;
+  holes["types"] = print_limit_types(in_c);
   holes["notes"] = comment("///", describe_cones(*context.limits));
   holes["cost"] = comment("///", describe_limited_cost(context, programs));
   holes["method"] = context.language == Language::c ? "limited_torque.h" : "limited_torque.hpp";
@@ -254,31 +184,6 @@ std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
   const Holes holes = list_source_holes(context, batch, form, no_forces);
   return {print_batch_limited_header(context, batch),
           {"batch_limited_control_torque.c", fill_limits(templates::kBatchLimitedSource, holes)}};
-}
-
-std::string print_limit_types(const Holes& holes) {
-  return fill_limits(templates::kLimitTypes, holes);
-}
-
-std::vector<GeneratedFile> print_limit_headers(const Holes& holes) {
-  const std::pair<const char*, std::string_view> headers[] = {
-      {"limited_torque", templates::kLimitedTorque},
-      {"limit_program", templates::kLimitProgram},
-      {"force_basis", templates::kForceBasis},
-      {"enter_rows", templates::kEnterRows},
-      {"quadratic_program", templates::kQuadraticProgram}};
-  std::vector<GeneratedFile> files;
-  for (const auto& [name, text] : headers) files.push_back({name, fill_limits(text, holes)});
-  return files;
-}
-
-std::vector<GeneratedFile> print_limited_runtime(const EmissionContext& context) {
-  Holes holes = list_limit_holes(context, context.name, name_in_capitals(context));
-  holes["contract"] = holes["types_header"] = context.name + "_limited.h";
-  holes["layout"] = print_layout(context);
-  std::vector<GeneratedFile> files = print_limit_headers(holes);
-  for (GeneratedFile& file : files) file.name += ".h";
-  return files;
 }
 
 }  // namespace treeline::c

@@ -25,27 +25,15 @@ std::string print_limited_signature(const EmissionContext& context,
                                     std::span<const Program> programs);
 std::string print_default_limits(const EmissionContext& context);
 
-/// The headers of the quadratic program, in the number type and the sizes of the robot. They
-/// include square_root.h.
-std::vector<GeneratedFile> print_limited_runtime(const EmissionContext& context);
-
 /// NAME_batch_limited.h and batch_limited_control_torque.c: limited control of several states, from
 /// their functions.
 std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
                                                std::span<const Program> batch);
 
-/// What stands in the holes of the templates of limited control, but what differs in C++ of
-/// `profile: misra`. `name` and `capitals` stand before names.
-std::map<std::string, std::string> list_limit_holes(const EmissionContext& context,
-                                                    const std::string& name,
-                                                    const std::string& capitals);
+/// What stands in the holes of the templates of limited control in every language.
+std::map<std::string, std::string> list_limit_holes(const EmissionContext& context);
 
 /// The template with those of the holes that it has.
 std::string fill_limits(std::string_view text, const std::map<std::string, std::string>& holes);
-
-/// The types of limits, and the headers of the quadratic program. The latter need the holes
-/// `contract` and `types_header`, which name files, and `layout`.
-std::string print_limit_types(const std::map<std::string, std::string>& holes);
-std::vector<GeneratedFile> print_limit_headers(const std::map<std::string, std::string>& holes);
 
 }  // namespace treeline::c

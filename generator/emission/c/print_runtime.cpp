@@ -9,7 +9,6 @@
 #include "emission/c/lift_steps.hpp"
 #include "emission/c/print_batch.hpp"
 #include "emission/c/print_damped.hpp"
-#include "emission/c/print_limited.hpp"
 #include "emission/c/print_loops.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/cpp/templates.hpp"
@@ -17,6 +16,7 @@
 #include "emission/fill_template.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
+#include "emission/print_limit_headers.hpp"
 
 namespace treeline::c {
 namespace {
@@ -70,7 +70,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   const bool limited = context.limits.has_value();
   if (damped) files = print_damped_runtime(context);
   if (limited) {
-    for (GeneratedFile& file : print_limited_runtime(context)) files.push_back(std::move(file));
+    for (GeneratedFile& file : print_limit_headers(context)) files.push_back(std::move(file));
   }
   if (damped || limited) {
     files.push_back(context.misra ? misra::print_square_root(context)

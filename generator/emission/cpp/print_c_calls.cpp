@@ -139,7 +139,7 @@ void pass_batch(const EmissionContext& context, std::span<const Program> batch, 
 
 void pass_limited(const EmissionContext& context, std::span<const Program> programs, Parts& parts) {
   include_both(context, "limited", parts);
-  const auto holes = c::list_limit_holes(context, context.name, name_in_capitals(context));
+  const auto holes = c::list_limit_holes(context);
   parts.helpers += c::fill_limits(templates::kCCallsLimits, holes) + "\n";
   parts.definitions.push_back(pass_limited_function(context, programs));
   parts.headers.push_back(c::print_limited_header(context, programs));

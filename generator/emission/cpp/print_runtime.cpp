@@ -11,8 +11,8 @@
 #include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
-#include "emission/misra/print_limited_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
+#include "emission/print_limit_headers.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -30,23 +30,6 @@ std::string print_header(const EmissionContext& context, std::string_view header
   replace_all("treeline::core", context.name + "::detail");
   replace_all("#include \"core/", "#include \"");
   return text;
-}
-
-/// What NAME_limited.hpp includes.
-void append_limit_headers(const EmissionContext& context, std::vector<GeneratedFile>& files) {
-  const std::pair<const char*, std::string_view> headers[] = {
-      {"limited_torque.hpp", templates::kLimitedTorque},
-      {"limit_coordinates.hpp", templates::kLimitCoordinates},
-      {"limit_program.hpp", templates::kLimitProgram},
-      {"force_basis.hpp", templates::kForceBasis},
-      {"torque_limits.hpp", templates::kTorqueLimits},
-      {"quadratic_program.hpp", templates::kQuadraticProgram},
-      {"enter_violated_rows.hpp", templates::kEnterViolatedRows},
-      {"active_row_factors.hpp", templates::kActiveRowFactors},
-      {"dual_active_set.hpp", templates::kDualActiveSet},
-      {"quadratic_rows.hpp", templates::kQuadraticRows},
-      {"quadratic_sums.hpp", templates::kQuadraticSums}};
-  for (const auto& [name, text] : headers) files.push_back({name, print_header(context, text)});
 }
 
 /// What functions include that loop over a table of links.
@@ -89,7 +72,7 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
     }
   }
   if (limited) {
-    for (GeneratedFile& file : misra::print_limited_runtime(context)) {
+    for (GeneratedFile& file : print_limit_headers(context)) {
       files.push_back(std::move(file));
     }
   }
@@ -119,7 +102,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", print_header(context, templates::kSinCos)});
   }
-  bool lanes = has_batch || limited || std::any_of(programs.begin(), programs.end(), uses_lanes);
+  bool lanes = has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes);
   if (controlled) {
     for (const Program* const program : context.controller->programs()) {
       lanes = lanes || uses_lanes(*program);
@@ -129,10 +112,8 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   if (lanes) {
     files.push_back({"lanes.hpp", print_header(context, templates::kLanes)});
   }
-  if (has_batch || limited) {
-    files.push_back({"load_lanes.hpp", print_header(context, templates::kLoadLanes)});
-  }
   if (has_batch) {
+    files.push_back({"load_lanes.hpp", print_header(context, templates::kLoadLanes)});
     files.push_back({"states.hpp", print_header(context, templates::kStates)});
   }
   if (damped) {
@@ -140,9 +121,8 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"ldlt.hpp", print_header(context, templates::kLdlt)});
     files.push_back({"symmetric_eigen.hpp", print_header(context, templates::kSymmetricEigen)});
   }
-  if (limited) append_limit_headers(context, files);
-  if (limited && has_batch) {
-    files.push_back({"limited_batch.hpp", print_header(context, templates::kLimitedBatch)});
+  if (limited) {
+    for (GeneratedFile& file : print_limit_headers(context)) files.push_back(std::move(file));
   }
   if (loops) {
     for (GeneratedFile& file : list_loop_headers(context, programs))

@@ -6,7 +6,6 @@ namespace treeline::cpp::templates {
 
 // The files of templates/cpp/ and headers of runtime/core, embedded when the generator is built
 // (see embed_files.cmake).
-extern const std::string_view kActiveRowFactors;
 extern const std::string_view kBatch;
 extern const std::string_view kBatchFunction;
 extern const std::string_view kBatchLimited;
@@ -34,19 +33,12 @@ extern const std::string_view kControllerSource;
 extern const std::string_view kDamped;
 extern const std::string_view kDampedSolve;
 extern const std::string_view kDeclaration;
-extern const std::string_view kDualActiveSet;
 extern const std::string_view kEigen;
-extern const std::string_view kEnterViolatedRows;
-extern const std::string_view kForceBasis;
 extern const std::string_view kFunction;
 extern const std::string_view kJoints;
 extern const std::string_view kLanes;
 extern const std::string_view kLdlt;
-extern const std::string_view kLimitCoordinates;
-extern const std::string_view kLimitProgram;
 extern const std::string_view kLimited;
-extern const std::string_view kLimitedBatch;
-extern const std::string_view kLimitedTorque;
 extern const std::string_view kLinkArticulation;
 extern const std::string_view kLinkFactors;
 extern const std::string_view kLinkFriction;
@@ -65,9 +57,6 @@ extern const std::string_view kLookup;
 extern const std::string_view kMode;
 extern const std::string_view kNamedCall;
 extern const std::string_view kOrientation;
-extern const std::string_view kQuadraticProgram;
-extern const std::string_view kQuadraticRows;
-extern const std::string_view kQuadraticSums;
 extern const std::string_view kQuintic;
 extern const std::string_view kSinCos;
 extern const std::string_view kSquareRoot;

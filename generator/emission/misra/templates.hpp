@@ -8,13 +8,11 @@ namespace treeline::misra::templates {
 extern const std::string_view kControllerSizes;
 extern const std::string_view kDampedSolve;
 extern const std::string_view kFunction;
-extern const std::string_view kLimited;
 extern const std::string_view kSinCosC;
 extern const std::string_view kSinCosCpp;
 extern const std::string_view kSinCosSteps;
 extern const std::string_view kSquareRootC;
 extern const std::string_view kSquareRootCpp;
 extern const std::string_view kSquareRootSteps;
-extern const std::string_view kTorqueLimits;
 
 }  // namespace treeline::misra::templates

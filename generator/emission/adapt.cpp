@@ -1,0 +1,130 @@
+#include "emission/adapt.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "emission/c_family_syntax.hpp"
+
+namespace treeline {
+namespace {
+
+bool belongs_to_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string rename(std::string_view word, const Adaptation& own) {
+  if (const auto found = own.words.find(word); found != own.words.end()) return found->second;
+  const bool is_c = own.language == Language::c;
+  const auto rest = [&](std::size_t prefix) { return std::string(word.substr(prefix)); };
+  if (word.starts_with("TL_")) return constant_name(own, word.substr(3));
+  if (word.starts_with("tl_")) return is_c ? own.name + "_" + rest(3) : rest(3);
+  if (word.starts_with("Tl"))
+    return is_c ? own.name + "_" + in_snake_case(word.substr(2)) : rest(2);
+  return std::string(word);
+}
+
+/// What a compiler of C++ need not be told: `typedef struct TlRow TlRow;`.
+bool is_for_c(std::string_view line) {
+  return line.starts_with("typedef struct Tl");
+}
+
+/// The comment on the whole and the includes, and what is behind them.
+struct Parts {
+  std::string_view comment, includes, rest;
+};
+
+bool is_comment(std::string_view line) {
+  return line.starts_with("#pragma once") || (line.starts_with("//") && !line.starts_with("///"));
+}
+
+bool is_include(std::string_view line) {
+  return line.starts_with("#include") || line.starts_with("\n");
+}
+
+/// Takes the lines of a kind from the front of a text.
+std::string_view take_lines(std::string_view& text, bool (*is_taken)(std::string_view)) {
+  std::size_t at = 0;
+  while (at < text.size() && is_taken(text.substr(at))) at = text.find('\n', at) + 1;
+  const std::string_view taken = text.substr(0, at);
+  text.remove_prefix(at);
+  return taken;
+}
+
+Parts take_apart(std::string_view header) {
+  Parts parts;
+  parts.comment = take_lines(header, is_comment);
+  parts.includes = take_lines(header, is_include);
+  parts.rest = header;
+  return parts;
+}
+
+}  // namespace
+
+Adaptation make_adaptation(const EmissionContext& context, const std::string& contract) {
+  const bool is_c = context.language == Language::c;
+  const char* const inlined = is_c ? "static inline" : "inline";
+  // Where the compiler may choose, as it may in C, large functions are called and not repeated.
+  const char* const called = is_c            ? "static"
+                             : context.misra ? "inline"
+                                             : "[[gnu::noinline]] inline";
+  return {context.language,
+          context.name,
+          contract,
+          {{"real", number_type(context)},
+           {"TL_REAL_BYTES", std::to_string(number_bytes(context))},
+           {"TL_ZERO", number_literal(context, "0.0")},
+           {"TL_ONE", number_literal(context, "1.0")},
+           {"TL_TEN", number_literal(context, "10.0")},
+           {"TL_INLINE", inlined},
+           {"TL_FUNCTION", called}}};
+}
+
+std::string constant_name(const Adaptation& own, std::string_view name) {
+  if (own.language == Language::c) return fmt::format("{}_{}", in_capitals(own.name), name);
+  std::string words(name);
+  for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return "k" + in_pascal_case(words);
+}
+
+std::string adapt_words(std::string_view text, const Adaptation& own) {
+  std::string adapted;
+  while (!text.empty()) {
+    if (is_for_c(text) && own.language == Language::cpp) {
+      text.remove_prefix(text.find('\n') + 1);
+      continue;
+    }
+    std::size_t end = 0;
+    while (end < text.size() && belongs_to_word(text[end])) ++end;
+    adapted += end > 0 ? rename(text.substr(0, end), own) : std::string(1, text.front());
+    text.remove_prefix(std::max<std::size_t>(end, 1));
+    const bool is_header =
+        end > 0 && text.starts_with(".h") && (text.size() == 2 || !belongs_to_word(text[2]));
+    if (is_header && own.language == Language::cpp) {
+      adapted += ".hpp";
+      text.remove_prefix(2);
+    }
+  }
+  return adapted;
+}
+
+std::string adapt(std::string_view header, const Adaptation& own) {
+  const Parts parts = take_apart(header);
+  const std::string generated =
+      fmt::format("// Generated; see {} for the contract.\n", own.contract);
+  const std::string front =
+      adapt_words(parts.comment, own) + generated + adapt_words(parts.includes, own);
+  const std::string rest = adapt_words(parts.rest, own);
+  if (own.language == Language::c) return front + rest;
+  return fmt::format(
+      "{1}namespace {0} {{\nnamespace detail {{\n\n{2}\n}}  // namespace detail\n}}  // namespace "
+      "{0}\n",
+      own.name, front, rest);
+}
+
+std::string adapt_declarations(std::string_view header, const Adaptation& own) {
+  return adapt_words(take_apart(header).rest, own);
+}
+
+}  // namespace treeline

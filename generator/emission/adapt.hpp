@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "emission/emission_context.hpp"
+
+namespace treeline {
+
+/// How the headers of runtime/emitted are written for a robot.
+struct Adaptation {
+  Language language = Language::cpp;
+  std::string name;      ///< the robot's: prefix in C, namespace in C++
+  std::string contract;  ///< the header that the reader is sent to
+  /// What stands for words of the header: `real` -> `double`, `TL_ZERO` -> `0.0`.
+  std::map<std::string, std::string, std::less<>> words;
+};
+
+/// The words that every header of runtime/emitted has: the type of numbers, small numbers, and what
+/// stands before a function.
+Adaptation make_adaptation(const EmissionContext& context, const std::string& contract);
+
+/// `UNKNOWNS` as a constant of the robot's is called: `ARM_UNKNOWNS`, in C++ `kUnknowns`.
+std::string constant_name(const Adaptation& own, std::string_view name);
+
+/// The text of a header of runtime/emitted with the robot's names. `tl_root`, `TlConeRow` and
+/// `TL_UNKNOWNS` become `arm_root`, `arm_cone_row` and `ARM_UNKNOWNS`, in C++ `root`, `ConeRow` and
+/// `kUnknowns`; words of `own` become what it says, names of headers end as the language's do.
+std::string adapt_words(std::string_view text, const Adaptation& own);
+
+/// A whole header: in C++ what is behind its includes is in the namespace `arm::detail`.
+std::string adapt(std::string_view header, const Adaptation& own);
+
+/// What is behind a header's includes, for another file.
+std::string adapt_declarations(std::string_view header, const Adaptation& own);
+
+}  // namespace treeline

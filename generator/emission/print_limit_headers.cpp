@@ -1,0 +1,181 @@
+#include "emission/print_limit_headers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "core/emitted_limits.hpp"
+#include "emission/adapt.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/cpp/templates.hpp"
+#include "emission/describe_limited.hpp"
+#include "emission/fill_template.hpp"
+#include "emission/limit_cost.hpp"
+#include "emission/templates.hpp"
+
+namespace treeline {
+namespace {
+
+/// An integer that has a name in emitted code.
+struct Constant {
+  const char* name;
+  int value;
+  const char* comment;
+};
+
+/// Arrays of passive joints, held rows, task rows and cones have at least one entry.
+struct Entries {
+  explicit Entries(const EmissionContext& context)
+      : passive(core::one_or(static_cast<int>(context.limits->passive.size()))),
+        held(core::one_or(static_cast<int>(context.limits->force_weights.size()))),
+        tasks(core::one_or(context.task_rows)),
+        cones(core::one_or(static_cast<int>(context.limits->cones.size()))) {}
+  int passive, held, tasks, cones;
+};
+
+/// Sizes that the header of the contract names.
+std::vector<Constant> list_sizes(const EmissionContext& context) {
+  const LimitFacts& facts = *context.limits;
+  const LimitCost cost = cost_of_limits(facts, context.velocities);
+  const auto passive = static_cast<int>(facts.passive.size());
+  return {{"PASSIVE", passive, "velocities without a motor"},
+          {"MOTORS", context.velocities - passive, ""},
+          {"HELD_ROWS", static_cast<int>(facts.force_weights.size()), "of constraints"},
+          {"CONES", static_cast<int>(facts.cones.size()), "rows of them"},
+          {"FREEDOMS", count_freedoms(facts), ""},
+          {"UNKNOWNS", cost.unknowns, "of the program"},
+          {"LIMIT_ROWS", cost.rows, "motors, cones"}};
+}
+
+constexpr Constant kOutcomes[] = {
+    {"SOLVED", 0, ""},
+    {"CONFLICTING", 1, "rows that conflict with others were set aside"},
+    {"LIMIT", 2, "iterations were used up: the rest is clipped"},
+    {"NOT_CONVEX", 3, "numbers do not fit: torques are only clipped, f is not"}};
+
+constexpr Constant kSides[] = {
+    {"LOWER", -1, ""}, {"FREE", 0, ""}, {"UPPER", 1, ""}, {"SET_ASIDE", 2, ""}};
+
+/// Sizes of the arrays in which the method computes.
+std::vector<Constant> list_array_sizes(const EmissionContext& context) {
+  const Entries entries(context);
+  const LimitCost cost = cost_of_limits(*context.limits, context.velocities);
+  const int mass_at = entries.passive + entries.held + entries.tasks;
+  const int cols = core::in_eights(mass_at + context.velocities);
+  return {{"ALL_ROWS", cost.unknowns + cost.rows, "bounds of unknowns, motors, cones"},
+          {"PASSIVE_ENTRIES", entries.passive, "of arrays, which have at least one"},
+          {"HELD_ENTRIES", entries.held, ""},
+          {"TASK_ENTRIES", entries.tasks, ""},
+          {"BASIS_COLS", core::in_eights(entries.passive + entries.held), "in eights"},
+          {"TASK_AT", entries.passive + entries.held, "column of the first task row"},
+          {"MASS_AT", mass_at, "first column of M"},
+          {"COLS", cols, "in eights"},
+          {"TABLE_ENTRIES", context.velocities * cols, ""},
+          {"TASK_COLS", entries.tasks + context.velocities, "of task rows and of M"},
+          {"FORCE_ENTRIES", entries.held * cost.unknowns, "held rows by unknowns"},
+          {"CARRIED_ENTRIES", entries.passive * cost.unknowns, "passive joints by unknowns"},
+          {"MOST_ROWS", std::max(context.velocities, entries.held), "of a table that is reflected"},
+          {"MOST_ITERATIONS", core::most_iterations(cost.unknowns, cost.rows), ""}};
+}
+
+/// Enumerators in C, constants in C++.
+std::string print_constants(const Adaptation& own, std::span<const Constant> constants) {
+  const bool is_c = own.language == Language::c;
+  std::string text = is_c ? "enum {\n" : "";
+  for (const Constant& each : constants) {
+    const bool last = &each == &constants.back();
+    const std::string name = constant_name(own, each.name);
+    text += is_c ? fmt::format("  {} = {}{}", name, each.value, last ? "" : ",")
+                 : fmt::format("inline constexpr int32_t {} = {};", name, each.value);
+    text += *each.comment != '\0' ? fmt::format("  // {}\n", each.comment) : "\n";
+  }
+  return is_c ? text + "};\n" : text;
+}
+
+/// Tolerances and weights of the method as words of the headers.
+template <class Real>
+void add_numbers(const EmissionContext& context, Adaptation& own) {
+  Syntax syntax = make_c_family_syntax(context.single_precision);
+  follow_misra(context.single_precision, syntax);  // capital suffixes, as those of number_literal
+  using Numbers = core::LimitNumbers<Real>;
+  const auto add = [&](const char* word, Real number) {
+    own.words[word] = syntax.literal(static_cast<double>(number));
+  };
+  add("TL_DEPENDENT", Numbers::kDependent);
+  add("TL_ROW_TOLERANCE", Numbers::kRowTolerance);
+  add("TL_CONTRADICTION", Numbers::kContradiction);
+  add("TL_RANK_TOLERANCE", Numbers::kRankTolerance);
+  add("TL_HIERARCHY", Numbers::kHierarchy);
+  add("TL_NO_LIMIT", Numbers::kNoLimit);
+  add("TL_SLACK_PENALTY", Numbers::kSlackPenalty);
+}
+
+bool is_c(const EmissionContext& context) {
+  return context.language == Language::c;
+}
+
+Adaptation make_limit_adaptation(const EmissionContext& context) {
+  const std::string contract = context.name + (is_c(context) ? "_limited.h" : "_limited.hpp");
+  Adaptation own = make_adaptation(context, contract);
+  if (is_c(context)) own.words["torque_limits"] = context.name + "_limited";
+  // square_root.hpp of C++ has the root of any number, and NaN where there is none.
+  if (!is_c(context) && !context.misra) own.words["tl_root"] = "square_root";
+  if (context.batch > 0) own.words["TL_STATES"] = std::to_string(context.batch);
+  if (context.single_precision) {
+    add_numbers<float>(context, own);
+  } else {
+    add_numbers<double>(context, own);
+  }
+  return own;
+}
+
+std::string print_limit_sizes(const EmissionContext& context, const Adaptation& own) {
+  const std::string header =
+      "#pragma once\n// Sizes of arrays that limited_torque.h computes in.\n\n"
+      "#include \"torque_limits.h\"\n\nTL_CONSTANTS";
+  Adaptation filled = own;
+  filled.words["TL_CONSTANTS"] = print_constants(own, list_array_sizes(context));
+  return adapt(header, filled);
+}
+
+}  // namespace
+
+std::string print_limit_types(const EmissionContext& context) {
+  Adaptation own = make_limit_adaptation(context);
+  const Entries entries(context);
+  own.words["TL_TASK_ENTRIES"] = std::to_string(entries.tasks);
+  own.words["TL_CONE_ENTRIES"] = std::to_string(entries.cones);
+  return fmt::format(
+      "{}\n/// What became of the limits. Torques are within theirs whatever it is, but for NaN, "
+      "which stays.\n{}\n/// Which side of a row of the program is active.\n{}\n{}",
+      print_constants(own, list_sizes(context)), print_constants(own, kOutcomes),
+      print_constants(own, kSides), adapt_declarations(templates::kTorqueLimits, own));
+}
+
+std::vector<GeneratedFile> print_limit_headers(const EmissionContext& context) {
+  const Adaptation own = make_limit_adaptation(context);
+  const std::string ending = is_c(context) ? ".h" : ".hpp";
+  const std::pair<const char*, std::string_view> headers[] = {
+      {"limited_torque", templates::kLimitedTorque},
+      {"limit_program", templates::kLimitProgram},
+      {"force_basis", templates::kForceBasis},
+      {"enter_rows", templates::kEnterRows},
+      {"quadratic_program", templates::kQuadraticProgram},
+      {"eights", context.misra ? templates::kEightsWrittenOut : templates::kEights}};
+  std::vector<GeneratedFile> files;
+  for (const auto& [name, text] : headers) files.push_back({name + ending, adapt(text, own)});
+  files.push_back({"limit_sizes" + ending, print_limit_sizes(context, own)});
+  if (context.batch > 0) {
+    files.push_back({"limited_states" + ending, adapt(templates::kLimitedStates, own)});
+  }
+  if (!is_c(context)) {
+    files.push_back({"torque_limits.hpp", fill_template(cpp::templates::kTorqueLimits,
+                                                        {{"name", context.name},
+                                                         {"types", print_limit_types(context)}})});
+  }
+  return files;
+}
+
+}  // namespace treeline

@@ -1,0 +1,138 @@
+#pragma once
+// Rows of numbers, eight at a time: in as many registers as hold eight, vectors where
+// the machine has them. Every number is one IEEE operation, so vectors change no bit.
+
+#include "limit_sizes.h"
+
+#if defined(__GNUC__) && defined(__AVX512F__)
+#define TREELINE_REGISTER_BYTES 64
+#elif defined(__GNUC__) && defined(__AVX__)
+#define TREELINE_REGISTER_BYTES 32
+#elif defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+#define TREELINE_REGISTER_BYTES 16
+#else
+#define TREELINE_REGISTER_BYTES 0
+#endif
+
+// Loops over registers are written out, so that each register is a variable of its
+// own. Clang does so unasked.
+#if defined(__GNUC__) && !defined(__clang__)
+#define TREELINE_WRITTEN_OUT _Pragma("GCC unroll 16")
+#else
+#define TREELINE_WRITTEN_OUT
+#endif
+#if defined(__GNUC__)
+#define TREELINE_IN_PLACE __attribute__((always_inline))
+#else
+#define TREELINE_IN_PLACE
+#endif
+
+/// Numbers in a register, at most eight, and registers of eight numbers.
+#if TREELINE_REGISTER_BYTES == 0
+enum { TL_WIDTH = 1, TL_REGISTERS = 8 };
+typedef real TlRegister;
+#else
+enum {
+  TL_HELD = TREELINE_REGISTER_BYTES / TL_REAL_BYTES,
+  TL_WIDTH = (TL_HELD < 8) ? TL_HELD : 8,
+  TL_REGISTERS = 8 / TL_WIDTH
+};
+typedef real TlRegister __attribute__((vector_size(TL_WIDTH * TL_REAL_BYTES)));
+#endif
+
+/// The numbers at `row`, of any alignment.
+TL_INLINE TREELINE_IN_PLACE TlRegister tl_load(const real* row) {
+#if TREELINE_REGISTER_BYTES > 0
+  TlRegister numbers;
+  __builtin_memcpy(&numbers, row, sizeof(numbers));
+  return numbers;
+#else
+  return *row;
+#endif
+}
+
+TL_INLINE TREELINE_IN_PLACE void tl_store(TlRegister numbers, real* row) {
+#if TREELINE_REGISTER_BYTES > 0
+  __builtin_memcpy(row, &numbers, sizeof(numbers));
+#else
+  *row = numbers;
+#endif
+}
+
+/// Sum of products, in eight sums that run side by side. TL_UNKNOWNS is a multiple of
+/// eight.
+TL_INLINE real tl_dot(const real* a, const real* b) {
+  TlRegister sums[TL_REGISTERS];
+  TREELINE_WRITTEN_OUT for (int32_t k = 0; k < TL_REGISTERS; ++k) {
+    const TlRegister zero = {TL_ZERO};
+    sums[k] = zero;
+  }
+  for (int32_t i = 0; i < TL_UNKNOWNS; i += 8) {
+    TREELINE_WRITTEN_OUT for (int32_t k = 0; k < TL_REGISTERS; ++k) {
+      sums[k] += tl_load(&a[i + (k * TL_WIDTH)]) * tl_load(&b[i + (k * TL_WIDTH)]);
+    }
+  }
+  real s[8];
+  TREELINE_WRITTEN_OUT for (int32_t k = 0; k < TL_REGISTERS; ++k) {
+    tl_store(sums[k], &s[k * TL_WIDTH]);
+  }
+  return ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
+}
+
+/// Eight `entries` less the sum of `count` products of factors, `stride` apart, and
+/// rows of `columns`.
+TL_INLINE void tl_subtract_rows(const real* factors, const real* columns,
+    int32_t stride, int32_t count, real* entries) {
+  TlRegister left[TL_REGISTERS];
+  TREELINE_WRITTEN_OUT for (int32_t k = 0; k < TL_REGISTERS; ++k) {
+    left[k] = tl_load(&entries[k * TL_WIDTH]);
+  }
+  for (int32_t i = 0; i < count; ++i) {
+    const real factor = factors[i * stride];
+    TREELINE_WRITTEN_OUT for (int32_t k = 0; k < TL_REGISTERS; ++k) {
+      left[k] -= factor * tl_load(&columns[(i * stride) + (k * TL_WIDTH)]);
+    }
+  }
+  TREELINE_WRITTEN_OUT for (int32_t k = 0; k < TL_REGISTERS; ++k) {
+    tl_store(left[k], &entries[k * TL_WIDTH]);
+  }
+}
+
+/// Subtracts the product of `along` and v^T W from the columns of W that `count`
+/// registers hold, from row `at` on.
+TL_INLINE TREELINE_IN_PLACE void tl_reflect_registers(const real* v,
+    const real* along, int32_t at, int32_t rows, int32_t cols, int32_t count,
+    real* W) {
+  TlRegister sums[2 * TL_REGISTERS];
+  TREELINE_WRITTEN_OUT for (int32_t k = 0; k < count; ++k) {
+    const TlRegister zero = {TL_ZERO};
+    sums[k] = zero;
+  }
+  for (int32_t i = at; i < rows; ++i) {
+    TREELINE_WRITTEN_OUT for (int32_t k = 0; k < count; ++k) {
+      sums[k] += v[i] * tl_load(&W[(i * cols) + (k * TL_WIDTH)]);
+    }
+  }
+  for (int32_t i = at; i < rows; ++i) {
+    TREELINE_WRITTEN_OUT for (int32_t k = 0; k < count; ++k) {
+      real* const place = &W[(i * cols) + (k * TL_WIDTH)];
+      tl_store(tl_load(place) - (along[i] * sums[k]), place);
+    }
+  }
+}
+
+/// Subtracts the product of `along` and v^T W from the columns of W from `begin` on,
+/// from row `at` on. Sixteen columns at once where there are vectors; elsewhere it
+/// would only be longer.
+TL_INLINE void tl_reflect_columns(const real* v, const real* along, int32_t at,
+    int32_t rows, int32_t begin, int32_t cols, real* W) {
+  int32_t j = begin;
+#if TREELINE_REGISTER_BYTES > 0
+  for (; (j + 16) <= cols; j += 16) {
+    tl_reflect_registers(v, along, at, rows, cols, 2 * TL_REGISTERS, &W[j]);
+  }
+#endif
+  for (; j < cols; j += 8) {
+    tl_reflect_registers(v, along, at, rows, cols, TL_REGISTERS, &W[j]);
+  }
+}
