@@ -34,9 +34,8 @@ int bytes_of(Real real) {
 
 void follow_target(Scene& scene) {
   if (scene.asks_for_lanes) return;
-  const bool is_c = scene.language == Language::c;
-  const bool scalar = is_c || scene.profile == Profile::misra;
-  scene.lanes = scalar ? 1 : choose_lanes(target_of(scene), bytes_of(scene.real));
+  const bool is_scalar = scene.profile == Profile::misra;
+  scene.lanes = is_scalar ? 1 : choose_lanes(target_of(scene), bytes_of(scene.real));
 }
 
 bool can_load_code(const Scene& scene) {

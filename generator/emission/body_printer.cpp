@@ -44,7 +44,7 @@ BodyPrinter::BodyPrinter(const Program& program, const Syntax& syntax, std::set<
       known_constants_(name_constants(program, taken)),
       names_(choose_names(program, selected_, std::move(taken))),
       kept_elsewhere_(selected_.size(), false),
-      lanes_(program, names_),
+      lanes_(program, syntax, names_),
       expressions_(graph_, names_, syntax),
       stores_(graph_.nodes().size()),
       sections_(find_sections(graph_)) {

@@ -28,6 +28,7 @@ struct EmissionContext {
   Optimize optimize = Optimize::speed;
   bool prefetch = false;  ///< asks for NAME_prefetch
   int lanes = 1;          ///< numbers that the code may compute together
+  bool asks_for_lanes = false;  ///< by the scene; else `lanes` follow the target
   int batch = 0;          ///< states a call of the functions in NAME_batch.hpp; 0: none
   std::vector<double>
       effective_mass_limits;         ///< of each task row, for NAME_damped.hpp; empty: none

@@ -22,7 +22,8 @@ std::uint32_t first_node(const LanePack& pack) {
 
 }  // namespace
 
-LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names)
+LanePrinter::LanePrinter(const Program& program, const Syntax& syntax,
+                         std::vector<std::string>& names)
     : program_(program), pack_of_(names.size(), -1) {
   for (std::size_t p = 0; p < program.packs.size(); ++p) {
     const LanePack& pack = program.packs[p];
@@ -31,7 +32,7 @@ LanePrinter::LanePrinter(const Program& program, std::vector<std::string>& names
     for (std::size_t lane = 0; lane < pack.size(); ++lane) {
       if (pack[lane] != kNoNode) {
         pack_of_[pack[lane]] = static_cast<int>(p);
-        names[pack[lane]] = fmt::format("{}[{}]", pack_names_.back(), lane);
+        names[pack[lane]] = syntax.lane(syntax, pack.size(), pack_names_.back(), lane);
       }
     }
   }
@@ -109,7 +110,8 @@ LanePrinter::Operand LanePrinter::operand(const LanePack& nodes, Op user, bool i
     const bool own_is_sum = is_sum(op_of(p));
     const bool loose =
         is_sum(user) && !own_is_sum && expressions.syntax().parentheses == Parentheses::needed;
-    const bool binds = loose || (is_sum(user) == own_is_sum && !is_right);
+    const bool binds = expressions.syntax().combine_lanes != nullptr || loose ||
+                       (is_sum(user) == own_is_sum && !is_right);
     const std::string inner = formula(p, expressions);
     return {binds ? inner : fmt::format("({})", inner), width};
   }
@@ -135,18 +137,29 @@ void LanePrinter::expect_equal_widths(std::size_t pack, const Operand& a, const 
                                      pack_names_[pack], width, a.width, b.width));
 }
 
+std::string LanePrinter::in_lanes(const Operand& operand, std::size_t pack,
+                                  const Syntax& syntax) const {
+  if (operand.width != kSpread) return operand.text;
+  return syntax.spread(syntax, program_.packs[pack].size(), operand.text);
+}
+
 std::string LanePrinter::formula(std::size_t pack, const ExpressionPrinter& expressions) const {
   const Op op = op_of(pack);
-  const std::string_view sign = expressions.syntax().sign(op);
+  const Syntax& syntax = expressions.syntax();
+  const std::string_view sign = syntax.sign(op);
+  const std::size_t width = program_.packs[pack].size();
   if (operation(op).operands == 1) {
     const Operand only = operand(operands_[pack].a, Op::div, true, expressions);
     expect_equal_widths(pack, only, only);
-    return fmt::format("{}{}", sign, only.text);
+    if (syntax.combine_lanes == nullptr) return fmt::format("{}{}", sign, only.text);
+    return syntax.combine_lanes(syntax, width, op, in_lanes(only, pack, syntax), "");
   }
   const Operand a = operand(operands_[pack].a, op, false, expressions);
   const Operand b = operand(operands_[pack].b, op, true, expressions);
   expect_equal_widths(pack, a, b);
-  return fmt::format("{} {} {}", a.text, sign, b.text);
+  if (syntax.combine_lanes == nullptr) return fmt::format("{} {} {}", a.text, sign, b.text);
+  return syntax.combine_lanes(syntax, width, op, in_lanes(a, pack, syntax),
+                              in_lanes(b, pack, syntax));
 }
 
 std::string LanePrinter::statement(std::uint32_t node, const ExpressionPrinter& expressions) const {

@@ -16,7 +16,7 @@ namespace treeline {
 class LanePrinter {
  public:
   /// Gives the packed nodes in `names` the names of their lanes: `w_lanes[2]`.
-  LanePrinter(const Program& program, std::vector<std::string>& names);
+  LanePrinter(const Program& program, const Syntax& syntax, std::vector<std::string>& names);
 
   [[nodiscard]] bool is_packed(std::uint32_t node) const { return pack_of_[node] >= 0; }
   /// Whether the statement of a pack stands where `node` is: the pack's first in the order of
@@ -44,6 +44,9 @@ class LanePrinter {
   void find_inner_packs();
   [[nodiscard]] Op op_of(std::size_t pack) const;
   [[nodiscard]] std::string formula(std::size_t pack, const ExpressionPrinter& expressions) const;
+  /// An operand as calls take it: in as many lanes as the pack.
+  [[nodiscard]] std::string in_lanes(const Operand& operand, std::size_t pack,
+                                     const Syntax& syntax) const;
   /// Throws std::logic_error unless operands in lanes have as many as the pack.
   void expect_equal_widths(std::size_t pack, const Operand& a, const Operand& b) const;
   [[nodiscard]] Operand operand(const LanePack& nodes, Op user, bool is_right,

@@ -306,6 +306,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.optimize = scene.optimize;
   context.prefetch = scene.prefetch;
   context.lanes = scene.lanes;
+  context.asks_for_lanes = scene.asks_for_lanes;
   context.batch = scene.batch;
   context.effective_mass_limits = effective_mass_limits(scene);
   context.limited = scene.has_limits();

@@ -54,6 +54,7 @@ TEST(FollowTarget, RefusesPrefetchOnMicrocontrollers) {
 }
 
 TEST(FollowTarget, MisraIsScalar) {
+  EXPECT_EQ(read_with_target("language: c").lanes, 8);
   EXPECT_EQ(read_with_target("profile: misra").lanes, 1);
   EXPECT_EQ(read_with_target("{profile: misra, target: x86-64-v4}").lanes, 1);
   EXPECT_EQ(read_with_target("profile: plain").lanes, 8);

@@ -22,7 +22,10 @@ int main(int argc, char** argv) {
   context.misra = misra;
   context.prefetch = !misra && !single_precision;
   context.batch = misra ? 0 : treeline::test::kSampleBatch;
-  if (is_c && !single_precision) context.lanes = 8;  // batches in vectors, those in float in loops
+  if (is_c && !single_precision) {  // batches in vectors, those in float in loops
+    context.lanes = 8;
+    context.asks_for_lanes = true;
+  }
   const auto programs = misra ? treeline::test::safe_programs() : treeline::test::sample_programs();
   std::vector<treeline::Program> batch;
   if (context.batch > 0) batch = programs;

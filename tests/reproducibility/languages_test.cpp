@@ -96,12 +96,18 @@ TEST(Languages, BatchesHaveTheSameBits) {
       2);
 }
 
-// Its limbs are alike and share lanes.
+// Its limbs are alike and share lanes. Without __SSE2__ there are no vectors, as on a machine that
+// has none: plain numbers.
 TEST(Languages, LanesHaveTheSameBits) {
   const std::vector<Function> functions{Function::inverse_dynamics, Function::mass_matrix,
                                         Function::forward_kinematics};
   expect_same_bits(compare("humanoid24", "scene.yaml", Real::float64, 8, kGcc, functions), 3);
   expect_same_bits(compare("humanoid24", "scene.yaml", Real::float32, 4, kClang, functions), 3);
+  const std::string humanoid = kRobots + "/humanoid24/";
+  expect_same_bits(
+      compare_languages_of(humanoid + "humanoid24.urdf", humanoid + "scene.yaml", functions,
+                           Real::float64, 8, kGcc, kStates, {Profile::plain, 0, "-O2 -U__SSE2__"}),
+      3);
 }
 
 TEST(Languages, FloatingBasesHaveTheSameBits) {

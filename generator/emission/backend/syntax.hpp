@@ -35,6 +35,15 @@ struct Syntax {
   std::string (*lanes)(const Syntax& own, std::size_t count);
   /// Lanes of the numbers in `list`, which has commas between.
   std::string (*make_lanes)(const Syntax& own, std::size_t count, const std::string& list);
+  /// One lane of a value that has so many.
+  std::string (*lane)(const Syntax& own, std::size_t count, const std::string& value,
+                      std::size_t index);
+  /// An operation on lanes where the language has no operators for them; null where it has. `b` is
+  /// empty for an operation on one operand.
+  std::string (*combine_lanes)(const Syntax& own, std::size_t count, Op op, const std::string& a,
+                               const std::string& b) = nullptr;
+  /// One number in all lanes, as an operand of `combine_lanes`.
+  std::string (*spread)(const Syntax& own, std::size_t count, const std::string& number) = nullptr;
 
   /// Statements that declare the arrays anglesSUFFIX, sinesSUFFIX and cosinesSUFFIX, which hold
   /// `count` numbers, fill the first with `list` and the others by a call.

@@ -20,8 +20,9 @@
 namespace treeline::c {
 namespace {
 
+/// Vectors as wide as the states are many need GCC or Clang.
 bool has_vectors(const EmissionContext& context) {
-  return context.lanes > 1;
+  return context.asks_for_lanes && context.lanes > 1;
 }
 
 std::string head_of(const EmissionContext& context, const Program& program, const char* suffix) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "emission/c/lift_steps.hpp"
@@ -45,19 +44,42 @@ std::string print_sin_cos(const EmissionContext& context) {
         fill_template(single ? templates::kStepsInFloat : templates::kStepsInDouble, steps)}});
 }
 
-/// Types of as many lanes as the functions have.
+/// `a, b, c, d`, or the same in parentheses: `(a), (b)`.
+std::string list_letters(std::size_t first, std::size_t count, bool in_parentheses) {
+  std::string list;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const std::string letter(1, static_cast<char>('a' + i));
+    list += (list.empty() ? "" : ", ") + (in_parentheses ? "(" + letter + ")" : letter);
+  }
+  return list;
+}
+
+/// Two, four and eight lanes, as many as the functions have at most.
 std::string print_lanes(const EmissionContext& context, std::span<const Program> programs) {
-  std::set<std::size_t> counts;
+  std::size_t most = 0;
   for (const Program& program : programs) {
-    for (const LanePack& pack : program.packs) counts.insert(pack.size());
+    for (const LanePack& pack : program.packs) most = std::max(most, pack.size());
   }
   std::string types;
-  for (const std::size_t count : counts) {
-    types += fmt::format("typedef {} {}_lanes_{} __attribute__((vector_size({})));\n",
-                         number_type(context), context.name, count,
-                         count * static_cast<std::size_t>(number_bytes(context)));
+  for (std::size_t count = 2; count <= most; count *= 2) {
+    types += fill_template(
+        templates::kLanesOfCount,
+        {{"name", context.name},
+         {"NAME", name_in_capitals(context)},
+         {"real", number_type(context)},
+         {"zero", number_literal(context, "0.0")},
+         {"count", std::to_string(count)},
+         {"half", std::to_string(count / 2)},
+         {"bytes", std::to_string(count * static_cast<std::size_t>(number_bytes(context)))},
+         {"all", list_letters(0, count, false)},
+         {"all_in_parentheses", list_letters(0, count, true)},
+         {"low", list_letters(0, count / 2, false)},
+         {"high", list_letters(count / 2, count / 2, false)}});
   }
-  return fill_template(templates::kLanes, {{"name", context.name}, {"types", types}});
+  return fill_template(templates::kLanes, {{"name", context.name},
+                                           {"NAME", name_in_capitals(context)},
+                                           {"real", number_type(context)},
+                                           {"types", types}});
 }
 
 }  // namespace

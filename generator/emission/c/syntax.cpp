@@ -13,8 +13,23 @@ std::string name_lanes(const Syntax& own, std::size_t count) {
   return fmt::format("{}_lanes_{}", own.prefix, count);
 }
 
-std::string make_vector(const Syntax& own, std::size_t count, const std::string& list) {
-  return fmt::format("({}){{{}}}", name_lanes(own, count), list);
+std::string make_lanes(const Syntax& own, std::size_t count, const std::string& list) {
+  return fmt::format("{}_make_{}({})", own.prefix, count, list);
+}
+
+std::string spread_lanes(const Syntax& own, std::size_t count, const std::string& number) {
+  return fmt::format("{}_spread_{}({})", own.prefix, count, number);
+}
+
+std::string name_lane(const Syntax& own, std::size_t count, const std::string& value,
+                      std::size_t index) {
+  return fmt::format("{}_lane_{}({}, {})", own.prefix, count, value, index);
+}
+
+std::string call_operation(const Syntax& own, std::size_t count, Op op, const std::string& a,
+                           const std::string& b) {
+  return fmt::format("{}_{}_{}({}{}{})", own.prefix, operation(op).name, count, a,
+                     b.empty() ? "" : ", ", b);
 }
 
 std::vector<std::string> call_sin_cos(const Syntax& own, const std::string& suffix,
@@ -42,7 +57,10 @@ Syntax make_syntax(const EmissionContext& context) {
   syntax.number = number_type(context);
   syntax.prefix = context.name;
   syntax.lanes = name_lanes;
-  syntax.make_lanes = make_vector;
+  syntax.make_lanes = make_lanes;
+  syntax.spread = spread_lanes;
+  syntax.lane = name_lane;
+  syntax.combine_lanes = call_operation;
   syntax.take_sines = call_sin_cos;
   syntax.sin_cos = context.name + "_sin_cos";
   return syntax;

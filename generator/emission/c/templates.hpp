@@ -19,6 +19,7 @@ extern const std::string_view kDeclaration;
 extern const std::string_view kFunction;
 extern const std::string_view kJoints;
 extern const std::string_view kLanes;
+extern const std::string_view kLanesOfCount;
 extern const std::string_view kLimited;
 extern const std::string_view kLimitedSource;
 extern const std::string_view kLinks;

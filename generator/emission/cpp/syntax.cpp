@@ -15,6 +15,11 @@ std::string make_pack(const Syntax& /*own*/, std::size_t /*count*/, const std::s
   return fmt::format("detail::make_pack<Real>({})", list);
 }
 
+std::string name_lane(const Syntax& /*own*/, std::size_t /*count*/, const std::string& value,
+                      std::size_t index) {
+  return fmt::format("{}[{}]", value, index);
+}
+
 /// States are copied by a function that makes no call of memcpy.
 std::string copy_states(const std::string& element) {
   return fmt::format("detail::copy_of({})", element);
@@ -35,6 +40,7 @@ Syntax make_syntax(bool single_precision) {
   syntax.number = "Real";
   syntax.lanes = name_lanes;
   syntax.make_lanes = make_pack;
+  syntax.lane = name_lane;
   syntax.take_sines = call_sin_cos;
   syntax.sin_cos = "detail::sin_cos";
   return syntax;
