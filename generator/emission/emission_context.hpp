@@ -26,10 +26,10 @@ struct EmissionContext {
   bool misra = false;              ///< written as rules for safe code ask
   std::string target = "generic";  ///< processor, see `find_target`
   Optimize optimize = Optimize::speed;
-  bool prefetch = false;  ///< asks for NAME_prefetch
-  int lanes = 1;          ///< numbers that the code may compute together
+  bool prefetch = false;        ///< asks for NAME_prefetch
+  int lanes = 1;                ///< numbers that the code may compute together
   bool asks_for_lanes = false;  ///< by the scene; else `lanes` follow the target
-  int batch = 0;          ///< states a call of the functions in NAME_batch.hpp; 0: none
+  int batch = 0;                ///< states a call of the functions in NAME_batch.hpp; 0: none
   std::vector<double>
       effective_mass_limits;         ///< of each task row, for NAME_damped.hpp; empty: none
   bool limited = false;              ///< whether the scene asks for NAME_limited.hpp

@@ -24,7 +24,8 @@ NamedConstants list_constants(const BodyPrinter& printer) {
 std::string print_body(const Program& program, const Syntax& syntax,
                        const std::set<std::string>& taken) {
   BodyPrinter printer(program, syntax, taken, std::numeric_limits<std::size_t>::max());
-  return printer.print(0, printer.count(), list_constants(printer));
+  const NamedConstants none;
+  return printer.print(0, printer.count(), syntax.names_constants ? list_constants(printer) : none);
 }
 
 }  // namespace treeline

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "description/count_freedoms.hpp"
-#include "description/follow_target.hpp"
 #include "scene_robot.hpp"
 
 namespace treeline {
@@ -120,16 +119,12 @@ locked: {slide: 0.25}
 }
 
 // Would catch: lanes in C that nobody asked for, or asked-for ones that are lost.
-TEST(ReadScene, LanguageDecidesTheLanesThatAreNotWritten) {
+TEST(ReadScene, EveryLanguageHasTheLanesOfTheTarget) {
   EXPECT_EQ(read("").language, Language::cpp);
   EXPECT_EQ(read("language: c++").lanes, 8);
   EXPECT_EQ(read("language: c").language, Language::c);
-  EXPECT_EQ(read("language: c").lanes, 1);
+  EXPECT_EQ(read("language: c").lanes, 8);
   EXPECT_EQ(read("{language: c, lanes: 4}").lanes, 4);
-  Scene scene = read("language: c");
-  scene.language = Language::cpp;
-  follow_target(scene);
-  EXPECT_EQ(scene.lanes, 8);
 }
 
 TEST(ReadScene, ChoosesAllFunctionsWithPoints) {

@@ -54,7 +54,7 @@ void report(double size, int states) {
     times.push_back(microseconds(asked, limited, 2));
     limited_states += limited.limited ? 1 : 0;
     widened += limited.slack > 1e-6 ? 1 : 0;
-    unsolved += limited.status == decltype(limited.status)::solved ? 0 : 1;
+    unsolved += limited.status == humanoid::kSolved ? 0 : 1;
     most = std::max(most, limited.iterations);
     slow.push_back({times.back(), asked});
     if (slow.size() < 1000) continue;

@@ -19,6 +19,9 @@ struct Syntax {
   std::string prefix;        ///< of names at file scope; empty where namespaces keep robots apart
   std::string_view comment;  ///< what a comment begins with: `//`
   Parentheses parentheses = Parentheses::needed;
+  /// Whether constants of the robot are locals with names. Where `number` is a vector of states, a
+  /// constant is none.
+  bool names_constants = true;
 
   /// A number without its sign.
   std::string (*literal)(double value);

@@ -69,6 +69,7 @@ Syntax make_syntax(const EmissionContext& context) {
 Syntax make_states_syntax(const EmissionContext& context) {
   Syntax syntax = make_syntax(context);
   syntax.number = context.name + "_states";
+  syntax.names_constants = false;
   syntax.store = store_states;
   syntax.sin_cos = context.name + "_sin_cos_states";
   return syntax;

@@ -55,6 +55,7 @@ Syntax make_syntax(const EmissionContext& context) {
 Syntax make_states_syntax(const EmissionContext& context) {
   Syntax syntax = make_syntax(context);
   syntax.number = "States";
+  syntax.names_constants = false;
   syntax.read = copy_states;
   syntax.sin_cos = "detail::sin_cos_states<Real, kStates>";
   return syntax;
