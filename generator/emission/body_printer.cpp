@@ -10,6 +10,7 @@
 #include "emission/comment.hpp"
 #include "emission/select_statements.hpp"
 #include "emission/wrap_line.hpp"
+#include "program/find_sections.hpp"
 
 namespace treeline {
 namespace {
@@ -18,20 +19,6 @@ constexpr std::size_t kHeadingColumns = 94;  // behind blanks and the mark of a 
 
 const std::set<SectionTitle> kConstants = {{0, "", "constants"}};
 const std::set<SectionTitle> kTrigonometry = {{0, "", "sines and cosines"}};
-
-/// For every node the section in which it was built; null before the first.
-std::vector<std::shared_ptr<const SectionTitle>> find_sections(const Graph& graph) {
-  std::vector<std::shared_ptr<const SectionTitle>> sections(graph.nodes().size());
-  std::shared_ptr<const SectionTitle> open;
-  auto next = graph.sections().begin();
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    for (; next != graph.sections().end() && next->first_node <= i; ++next) {
-      open = next->shared_title;
-    }
-    sections[i] = open;
-  }
-  return sections;
-}
 
 }  // namespace
 
@@ -109,8 +96,9 @@ std::string BodyPrinter::join_statements() const {
 std::set<SectionTitle> BodyPrinter::titles_of(std::uint32_t node) const {
   std::set<SectionTitle> titles;
   for (const std::uint32_t own : lanes_.beside(node)) {
-    const bool is_known = sections_[own] != nullptr && !sections_[own]->step.empty();
-    if (is_known && operation(graph_.nodes()[own].op).operands > 0) titles.insert(*sections_[own]);
+    const Graph::Section* const section = sections_[own];
+    const bool is_known = section != nullptr && !section->title().step.empty();
+    if (is_known && operation(graph_.nodes()[own].op).operands > 0) titles.insert(section->title());
   }
   return titles;
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -86,7 +85,7 @@ class BodyPrinter {
   LanePrinter lanes_;
   ExpressionPrinter expressions_;
   std::vector<std::vector<Store>> stores_;
-  std::vector<std::shared_ptr<const SectionTitle>> sections_;  // by node
+  std::vector<const Graph::Section*> sections_;  // by node
   std::vector<Statement> statements_;
   int batches_ = 0;
 };

@@ -1,25 +1,11 @@
 #include "passes/rebuild.hpp"
 
-#include <string>
 #include <utility>
+
+#include "program/find_sections.hpp"
 
 namespace treeline {
 namespace {
-
-constexpr std::size_t kNoSection = static_cast<std::size_t>(-1);
-
-/// Returns for every node the index of the section in which it was built.
-std::vector<std::size_t> sections_of_nodes(const Graph& graph) {
-  std::vector<std::size_t> sections(graph.nodes().size(), kNoSection);
-  for (std::size_t s = 0; s < graph.sections().size(); ++s) {
-    const bool is_last = s + 1 == graph.sections().size();
-    const std::size_t end = is_last ? sections.size() : graph.sections()[s + 1].first_node;
-    for (std::size_t i = graph.sections()[s].first_node; i < end; ++i) {
-      sections[i] = s;
-    }
-  }
-  return sections;
-}
 
 std::uint32_t copy_node(const Graph& from, Node node, const std::vector<std::uint32_t>& place,
                         Graph& to) {
@@ -37,26 +23,26 @@ std::uint32_t copy_node(const Graph& from, Node node, const std::vector<std::uin
 class SectionWriter {
  public:
   SectionWriter(const Graph& from, Graph& to)
-      : from_(from), to_(to), sections_(sections_of_nodes(from)) {}
+      : from_(from), to_(to), sections_(find_sections(from)) {}
 
   void enter(std::uint32_t node) {
-    const std::size_t section = sections_[node];
+    const Graph::Section* const section = sections_[node];
     if (operation(from_.nodes()[node].op).operands == 0 || section == open_) {
       return;
     }
     open_ = section;
-    if (section == kNoSection) {
+    if (section == nullptr) {
       to_.begin_section(SectionTitle());
     } else {
-      to_.begin_section(from_.sections()[section].shared_title);
+      to_.begin_section(section->shared_title);
     }
   }
 
  private:
   const Graph& from_;
   Graph& to_;
-  std::vector<std::size_t> sections_;
-  std::size_t open_ = kNoSection;
+  std::vector<const Graph::Section*> sections_;
+  const Graph::Section* open_ = nullptr;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/quadratic_program.hpp"
 #include "servo/safety.hpp"
 
 namespace treeline::experiments {
@@ -51,9 +52,6 @@ double largest_share(const double (&tau)[nv], const double (&efforts)[nv]) noexc
   return most;
 }
 
-/// `kSolved` of every robot's `torque_limits.hpp`.
-inline constexpr int kSolved = 0;
-
 /// The figures of one cycle: its torques, forces `f` of supports, their `limits`, and what became
 /// of these. Generated types.
 template <std::size_t nv, std::size_t held, class Limits, class Limited>
@@ -72,7 +70,7 @@ LimitFigures limit_figures(const double (&tau)[nv], const double (&efforts)[nv],
   }
   figures.slack = limited.slack;
   figures.limited = limited.limited ? 1 : 0;
-  figures.unsolved = limited.status == kSolved ? 0 : 1;
+  figures.unsolved = limited.status == static_cast<int>(core::QuadraticStatus::solved) ? 0 : 1;
   figures.iterations = limited.iterations;
   return figures;
 }

@@ -217,10 +217,10 @@ class Articulation {
       section(link, i, "articulated inertia");
       if (link.is_floating()) {
         result_.floating[i] = factor_ldlt(dense(IA_[i]));
-      } else if (shape_of(link).joints == 1) {
-        project_joint(i);
-      } else {
+      } else if (shape_of(link).is_shared()) {
         add_to_cluster(i);
+      } else {
+        project_joint(i);
       }
     }
     return std::move(result_);
@@ -260,7 +260,7 @@ class Articulation {
       ArticulatedInertia<Scalar>& I = at_anchor ? cluster.I : IA_[parent];
       I = I + to_parent(X_[i], IA_[i]);
     }
-    if (static_cast<int>(i) == shape.first) project_cluster(i, cluster);
+    if (shape.begins_at(i)) project_cluster(i, cluster);
   }
 
   void project_cluster(std::size_t i, ClusterProjection<Scalar>& cluster) {

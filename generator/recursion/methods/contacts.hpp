@@ -127,13 +127,13 @@ std::vector<Scalar> impulse_response(const Tree<Scalar>& tree,
       continue;
     }
     along[at] = along[at] + link.multiplier * along_axis(link.kind, y[i].f, y[i].n);
-    const bool is_alone = shape.joints == 1;
     if (link.parent >= 0) {
       Wrench<Scalar>& parent = y[static_cast<std::size_t>(link.parent)];
-      parent = parent +
-               to_parent(X[i], is_alone ? without_work(link.kind, bodies.joints[i], y[i]) : y[i]);
+      parent = parent + to_parent(X[i], shape.is_shared()
+                                            ? y[i]
+                                            : without_work(link.kind, bodies.joints[i], y[i]));
     }
-    if (!is_alone && static_cast<int>(i) == shape.first && shape.anchor >= 0) {
+    if (shape.begins_at(i) && shape.anchor >= 0) {
       const Wrench<Scalar>& u = bodies.clusters[at].u;
       Wrench<Scalar>& anchor = y[static_cast<std::size_t>(shape.anchor)];
       anchor = anchor - Wrench<Scalar>{u.f * along[at], u.n * along[at]};

@@ -59,14 +59,14 @@ std::vector<Scalar> accelerate_outward(const Tree<Scalar>& tree,
     if (link.is_floating()) {
       accelerate_floating<Scalar>(bodies.floating[i], std::span(force).subspan(at, 6),
                                   std::span(qdd).subspan(at, 6), acceleration);
-    } else if (shape.joints == 1) {
+    } else if (!shape.is_shared()) {
       const JointProjection<Scalar>& joint = bodies.joints[i];
       qdd[at] = joint.inverse_D * force[at] - work(joint.u, acceleration);
       Scalar& own = along_axis(link.kind, acceleration.a, acceleration.wd);
       own = own + qdd[at];
     } else {
       const ClusterProjection<Scalar>& cluster = bodies.clusters[at];
-      if (static_cast<int>(i) == shape.first) {
+      if (shape.begins_at(i)) {
         qdd[at] = cluster.inverse_D * force[at] - work(cluster.u, of(shape.anchor));
       }
       Scalar& own = along_axis(link.kind, acceleration.a, acceleration.wd);
@@ -113,13 +113,13 @@ std::vector<Scalar> solve_articulated(const Tree<Scalar>& tree,
     if (link.is_floating()) {
       felt = {{force[at], force[at + 1], force[at + 2]},
               {force[at + 3], force[at + 4], force[at + 5]}};
-    } else if (shape.joints == 1) {
+    } else if (!shape.is_shared()) {
       felt = pass_bias_force(link, bodies.joints[i], pA[i], forces[at], force[at]);
     } else {
       force[at] = force[at] - link.multiplier * along_axis(link.kind, felt.f, felt.n);
     }
     if (link.parent >= 0) add(link.parent, to_parent(X[i], felt));
-    if (shape.joints > 1 && static_cast<int>(i) == shape.first && shape.anchor >= 0) {
+    if (shape.begins_at(i) && shape.anchor >= 0) {
       const Wrench<Scalar>& u = bodies.clusters[at].u;
       add(shape.anchor, {u.f * force[at], u.n * force[at]});
     }

@@ -13,6 +13,13 @@ struct JointCluster {
   int first = -1;   ///< lowest index of its links
   int anchor = -1;  ///< the link that carries the cluster; -1: the world
   int joints = 0;   ///< 1: an ordinary joint
+
+  [[nodiscard]] bool is_shared() const { return joints > 1; }
+  /// Whether several joints share the coordinate and this link is the first of theirs: outward
+  /// recursions begin the cluster there, inward ones end it.
+  [[nodiscard]] bool begins_at(std::size_t link) const {
+    return is_shared() && static_cast<int>(link) == first;
+  }
 };
 
 /// Clusters by the index of their velocity. Nothing where another joint lies between joints that

@@ -176,7 +176,7 @@ DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
     align_lanes(forces[i], rows);
     if (link.is_floating()) {
       absorb_in_floating_joint(bodies.floating[i], forces[i], Lambda_inv);
-    } else if (shape.joints == 1) {
+    } else if (!shape.is_shared()) {
       absorb_in_joint(link.kind, bodies.joints[i], forces[i], Lambda_inv);
     } else {
       work_in_cluster(link, forces[i], work[at]);
@@ -187,7 +187,7 @@ DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
             {force.row, to_parent(X[i], force.K)});
       }
     }
-    if (shape.joints > 1 && static_cast<int>(i) == shape.first) {
+    if (shape.begins_at(i)) {
       auto& at_anchor =
           shape.anchor < 0 ? on_world : forces[static_cast<std::size_t>(shape.anchor)];
       absorb_in_cluster(bodies.clusters[at], work[at], at_anchor, Lambda_inv);
