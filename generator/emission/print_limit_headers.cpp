@@ -49,14 +49,20 @@ std::vector<Constant> list_sizes(const EmissionContext& context) {
           {"LIMIT_ROWS", cost.rows, "motors, cones"}};
 }
 
-constexpr Constant kOutcomes[] = {
-    {"SOLVED", 0, ""},
-    {"CONFLICTING", 1, "rows that conflict with others were set aside"},
-    {"LIMIT", 2, "iterations were used up: the rest is clipped"},
-    {"NOT_CONVEX", 3, "numbers do not fit: torques are only clipped, f is not"}};
+using core::QuadraticStatus, core::RowSide;
 
-constexpr Constant kSides[] = {
-    {"LOWER", -1, ""}, {"FREE", 0, ""}, {"UPPER", 1, ""}, {"SET_ASIDE", 2, ""}};
+constexpr Constant kOutcomes[] = {{"SOLVED", static_cast<int>(QuadraticStatus::solved), ""},
+                                  {"CONFLICTING", static_cast<int>(QuadraticStatus::conflicting),
+                                   "rows that conflict with others were set aside"},
+                                  {"LIMIT", static_cast<int>(QuadraticStatus::limit),
+                                   "iterations were used up: the rest is clipped"},
+                                  {"NOT_CONVEX", static_cast<int>(QuadraticStatus::not_convex),
+                                   "numbers do not fit: torques are only clipped, f is not"}};
+
+constexpr Constant kSides[] = {{"LOWER", static_cast<int>(RowSide::lower), ""},
+                               {"FREE", static_cast<int>(RowSide::none), ""},
+                               {"UPPER", static_cast<int>(RowSide::upper), ""},
+                               {"SET_ASIDE", static_cast<int>(RowSide::set_aside), ""}};
 
 /// Sizes of the arrays in which the method computes.
 std::vector<Constant> list_array_sizes(const EmissionContext& context) {

@@ -36,6 +36,17 @@ constexpr long flops_of_iteration(int n, int m) noexcept {
   return 4L * m * n + 20L * n * n + 16L * (n + m);
 }
 
+/// What became of a quadratic program.
+enum class QuadraticStatus {
+  solved,       ///< all rows hold
+  conflicting,  ///< rows that conflict with others were set aside, see `sides`
+  limit,        ///< the iterations were used up: x is the minimum over the active rows alone
+  not_convex,   ///< H is not positive definite, or numbers do not fit or are none: x is zero
+};
+
+/// Which side of a row is active.
+enum class RowSide : signed char { lower = -1, none = 0, upper = 1, set_aside = 2 };
+
 /// Tolerances and weights of the method.
 template <class Real>
 struct LimitNumbers {
@@ -106,8 +117,14 @@ struct EmittedLimits {
                                TL_VELOCITIES > TL_HELD_ENTRIES ? TL_VELOCITIES : TL_HELD_ENTRIES,
                            TL_MOST_ITERATIONS = most_iterations(TL_UNKNOWNS, TL_LIMIT_ROWS),
                            TL_STATES = states;
-  static constexpr int32_t TL_SOLVED = 0, TL_CONFLICTING = 1, TL_LIMIT = 2, TL_NOT_CONVEX = 3;
-  static constexpr int32_t TL_LOWER = -1, TL_FREE = 0, TL_UPPER = 1, TL_SET_ASIDE = 2;
+  static constexpr auto TL_SOLVED = static_cast<int32_t>(QuadraticStatus::solved),
+                        TL_CONFLICTING = static_cast<int32_t>(QuadraticStatus::conflicting),
+                        TL_LIMIT = static_cast<int32_t>(QuadraticStatus::limit),
+                        TL_NOT_CONVEX = static_cast<int32_t>(QuadraticStatus::not_convex);
+  static constexpr auto TL_LOWER = static_cast<int32_t>(RowSide::lower),
+                        TL_FREE = static_cast<int32_t>(RowSide::none),
+                        TL_UPPER = static_cast<int32_t>(RowSide::upper),
+                        TL_SET_ASIDE = static_cast<int32_t>(RowSide::set_aside);
   static constexpr real TL_DEPENDENT = Numbers::kDependent,
                         TL_ROW_TOLERANCE = Numbers::kRowTolerance,
                         TL_CONTRADICTION = Numbers::kContradiction,

@@ -30,16 +30,6 @@
 
 namespace treeline::core {
 
-enum class QuadraticStatus {
-  solved,       ///< all rows hold
-  conflicting,  ///< rows that conflict with others were set aside, see `sides`
-  limit,        ///< the iterations were used up: x is the minimum over the active rows alone
-  not_convex,   ///< H is not positive definite, or numbers do not fit or are none: x is zero
-};
-
-/// Which side of a row is active.
-enum class RowSide : signed char { lower = -1, none = 0, upper = 1, set_aside = 2 };
-
 /// Rows lowest <= x <= highest and lower <= A x <= upper, A row-major. Infinite where there is no
 /// limit; equal for an equation. Row i < N is a bound of x[i], row N + i is row i of A.
 template <class Real, int N, int M>
