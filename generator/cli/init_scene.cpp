@@ -94,7 +94,7 @@ void add_init_scene(CLI::App& app, int& exit_code) {
       "  treeline init-scene puma560.urdf\n"
       "  treeline init-scene puma560.urdf -o scene.yaml\n"
       "  treeline init-scene anymal.urdf --base floating | tee anymal.yaml\n"
-      "A scene for several robots lists them under the key robots: generator/README.md.");
+      "A scene for several robots lists them under the key robots: treeline keys robots.");
   command->callback([options, output, &exit_code] {
     options->to_file = !output->empty() && options->output != "-";
     exit_code = run(*options);

@@ -26,6 +26,7 @@
 #include "cli/generate.hpp"
 #include "cli/init_scene.hpp"
 #include "cli/inspect.hpp"
+#include "cli/keys.hpp"
 #include "cli/print_diagnostics.hpp"
 #include "cli/simulate.hpp"
 #include "cli/write_output.hpp"
@@ -79,6 +80,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   treeline::add_certify(app, exit_code);
   treeline::add_bench(app, exit_code);
   treeline::add_inspect(app, exit_code);
+  treeline::add_keys(app, exit_code);
   treeline::add_init_scene(app, exit_code);
   treeline::add_convert(app, exit_code);
   treeline::add_diff(app, exit_code);

@@ -69,7 +69,7 @@ std::string print_head(const Robot& robot, const std::string& file) {
          "(`priority`)\n"
          "# - what the robot touches, holds or carries (`contacts`, `objects`, `external_forces`)\n"
          "# - where it becomes singular: see `treeline inspect` with this scene, and `damped`\n"
-         "# generator/README.md explains every key; leave out a key for its default.\n\n" +
+         "# `treeline keys` explains every key; leave out a key for its default.\n\n" +
          fmt::format("name: {}  # namespace, header and folder of the code\n\n",
                      yaml_word(package_name_from(robot.name)));
 }
