@@ -15,7 +15,7 @@
 namespace treeline {
 namespace {
 
-/// k of the cost, as generator/README.md states it.
+/// k of the cost, as docs/explanation/limits.md states it.
 double hierarchy_of(Real real) {
   return real == Real::float32 ? 30 : 1000;
 }

@@ -1,5 +1,5 @@
 # Checks emitted C against MISRA C:2012 with the rules that cppcheck knows. Fails at every violation but
-# of the advisory rules that generator/README.md lists. Says SKIPPED where cppcheck is missing.
+# of the advisory rules that docs/reference/safe-code.md lists. Says SKIPPED where cppcheck is missing.
 # cmake -DTREELINE=program -DROBOTS=dir -DFOLDER=dir -DPROFILE=plain|misra -P misra.cmake
 cmake_policy(SET CMP0007 NEW)
 find_program(cppcheck cppcheck)

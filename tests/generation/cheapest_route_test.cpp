@@ -126,7 +126,7 @@ TEST(Cost, IsLessWhereARouteWasMeasuredToBeFaster) {
   }
 }
 
-// The formula as generator/README.md states it, on scalar code.
+// The formula as docs/explanation/algorithms.md states it, on scalar code.
 TEST(Cost, IsTheOneThatIsStated) {
   const tests::LimbedRobot made = tests::make_limbed_robot({7, 0, 0, 1});
   const Scene scene = scene_for(made.scene, Function::control_torque, 1);

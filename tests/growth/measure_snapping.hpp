@@ -26,7 +26,7 @@ bool has_row(const Snapping& snapping);
 /// Prints a row: `| fetch | 2 % | 2 % | 0 % |`.
 std::string print_row(const Snapping& snapping);
 
-/// Prints the table of generator/README.md.
+/// Prints the table of docs/evidence/generated-code.md.
 std::string print_snapping(const std::vector<Snapping>& all);
 
 }  // namespace treeline::growth

@@ -10,7 +10,7 @@
 
 // Functions that a scene does not need are not emitted, and an addition to a scene costs only
 // itself. Would catch: a function that grows because of another one, files that depend on other
-// requests of the scene, and outdated figures in generator/README.md.
+// requests of the scene, and outdated figures in docs/evidence/generated-code.md.
 
 namespace treeline::growth {
 namespace {
@@ -26,7 +26,7 @@ std::map<std::string, RobotInScene> scenes_by_name() {
   return scenes;
 }
 
-/// A row of the table of generator/README.md: `| scene | 3 of 16 | 22 % | 19 % |`.
+/// A row of the table of docs/evidence/generated-code.md: `| scene | 3 of 16 | 22 % | 19 % |`.
 struct Promise {
   int functions = 0, possible = 0;
   double flops_percent = 0, bytes_percent = 0;

@@ -1,5 +1,5 @@
-// Prints the table of generator/README.md about the savings by snap_angles: snapping_report. Exit
-// status: 0 printed, 1 a robot cannot be measured (named on standard error).
+// Prints the table of docs/evidence/generated-code.md about the savings by snap_angles:
+// snapping_report. Exit status: 0 printed, 1 a robot cannot be measured (named on standard error).
 #include <cstdio>
 #include <exception>
 

@@ -1,5 +1,6 @@
-// The table of generator/README.md about the savings by `snap_angles: 1e-5`. Would catch: a figure
-// that differs from the measured one. `cmake --build BUILD -t report_snapping` prints the table.
+// The table of docs/evidence/generated-code.md about the savings by `snap_angles: 1e-5`. Would
+// catch: a figure that differs from the measured one. `cmake --build BUILD -t report_snapping`
+// prints the table.
 #include <gtest/gtest.h>
 
 #include <algorithm>

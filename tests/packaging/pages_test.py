@@ -15,8 +15,8 @@ def run(*arguments):
 
 
 class PagesTest(unittest.TestCase):
-    def test_the_reference_reaches_its_goal(self):
-        with open(os.path.join(os.environ["SOURCES"], "generator", "README.md"), encoding="utf-8") as page:
+    def test_the_tutorial_reaches_its_goal(self):
+        with open(os.path.join(os.environ["SOURCES"], "docs", "tutorials", "python.md"), encoding="utf-8") as page:
             (code,) = re.findall(r"```python\n(.*?)```", page.read(), re.S)
         output = run("-c", code)
         distance = re.fullmatch(r"0\.(\d\d) rad from the goal\n", output)

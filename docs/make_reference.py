@@ -1,0 +1,201 @@
+#!/usr/bin/env python3
+"""Makes the pages of docs/reference that the program knows better than people: keys of scenes, functions, commands.
+
+Usage: make_reference.py TREELINE [--compare]. With --compare nothing is written; a page that differs is named, and the
+exit status is 3.
+"""
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+DOCS = os.path.dirname(os.path.abspath(__file__))
+SOURCES = os.path.dirname(DOCS)
+HEAD = "<!-- Made by docs/make_reference.py: cmake --build BUILD -t report_reference -->\n"
+
+GROUPS = {
+    "robot": "Joints and the whole robot",
+    "points": "Operational points",
+    "center_of_mass": "Centre of mass and momentum",
+    "derivatives": "Derivatives of inverse and forward dynamics",
+    "constraints": "Constraints, and joints without a motor",
+    "contacts": "Contacts",
+    "links": "Links",
+    "objects": "Objects in the hands",
+}
+
+POINT = "operational_points: [{name: tool, link: tool}]\n"
+# What a PUMA 560 needs in its scene so that functions of a group exist.
+SCENES = {
+    "robot": POINT + "damped: {mass: 100, inertia: 5}\ncontacts: [{name: palm, link: tool}]\n",
+    "constraints": POINT + "constraints: [{name: hold, between: [link3, world], rows: [x, y, z]}]\npassive: [joint2]\n"
+    "couplings: [{name: belt, joints: {joint5: 1, joint6: -1}}]\n",
+    "objects": POINT + "objects:\n  - {name: box, mass: 4, inertia: {ixx: 0.05, iyy: 0.1, izz: 0.12},\n"
+    "     grasps: [{point: tool}]}\n",
+}
+
+
+def call(*arguments):
+    """Standard output of a program that has to succeed; what it says on standard error is shown."""
+    return subprocess.run(arguments, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def cell(text):
+    """Text as a cell of a table."""
+    return text.replace("|", "\\|").replace("\n", " ")
+
+
+def keys_page(treeline):
+    keys = json.loads(call(treeline, "keys", "--json"))
+    page = HEAD + (
+        """# Keys of a scene
+
+A scene is a YAML file. Every key is optional. An unknown key is an error that names the key you may have meant. Tags
+such as `!degrees` are errors, for nothing here reads them. `treeline keys` prints what follows; links and joints in the
+examples are those of a PUMA 560.
+
+| key | value | without it |
+|---|---|---|
+"""
+    )
+    for key in keys:
+        page += f"| [`{key['name']}`](#{key['name']}) | {cell(key['type'])} | {cell(key['default'])} |\n"
+    for key in keys:
+        page += f"\n## {key['name']}\n\n{key['meaning']}"
+        if key["page"]:
+            page += f" [More]({os.path.relpath(key['page'], 'reference')})."
+        page += f"\n\n- Value: {key['type']}.\n- Without it: {key['default']}.\n\n```yaml\n{key['example']}\n```\n"
+    return page
+
+
+def rows_of_functions():
+    """Name, group and whether a scene has to ask, of every row of the program's table."""
+    with open(os.path.join(SOURCES, "generator/functions/function_rows.hpp"), encoding="utf-8") as table:
+        pattern = r'\{Function::\w+,\s*"(\w+)",\s*FunctionGroup::(\w+),\s*Emitted::(\w+)'
+        return re.findall(pattern, table.read())
+
+
+def declarations(treeline, scene, functions):
+    """Comment and declaration of each function in the headers that the program writes."""
+    with tempfile.TemporaryDirectory() as work:
+        path = os.path.join(work, "scene.yaml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("lanes: 1\n" + scene + (f"functions: [{', '.join(functions)}]\n" if functions else ""))
+        urdf = os.path.join(SOURCES, "robots/puma560/puma560.urdf")
+        call(treeline, "generate", urdf, path, "--output", os.path.join(work, "puma560"))
+        text = ""
+        for name in ("puma560.hpp", "puma560_damped.hpp"):
+            if os.path.exists(header := os.path.join(work, "puma560", name)):
+                with open(header, encoding="utf-8") as file:
+                    text += file.read()
+    found = re.findall(r"((?:^///.*\n)+)((?:inline )?(?:void|Real) (\w+)\((?:.|\n)*?\) noexcept)", text, re.M)
+    return {name: (comment, declaration) for comment, declaration, name in found}
+
+
+def function_text(name, emitted, comment, declaration):
+    lines = re.sub(r"\n///(   | (?!Cost|Stack|Rounding|in |out |By ))", " ", comment).replace("/// ", "").splitlines()
+    lines = [re.sub(r" +", " ", line) for line in lines]
+    facts = [line for line in lines if not re.match(r"(Cost|Stack|Rounding|in |out |By )", line)]
+    way = [line for line in lines if line.startswith("By ")]
+    request = {"by_default": "", "on_request": " *On request.*", "with_damping": " *With the key `damped`.*"}[emitted]
+    equation, _, rest = facts[0].partition(": that of ")
+    rest = f" That of {rest}" if rest else ""
+    text = f"\n### {name}\n\n`{equation}`{request}{rest}\n"
+    text += "\n" if any(re.match("in|out", line) for line in lines) else ""
+    for line in lines:
+        if match := re.match(r"(in|out) (\S+) \(([^)]*)\): (.*)", line):
+            text += f"- {match[1]} `{match[2]}` ({match[3]}): {match[4]}\n"
+    return text + f"\n```cpp\n{declaration};\n```\n" + (f"\n{way[0]}\n" if way else "")
+
+
+def functions_page(treeline):
+    rows = rows_of_functions()
+    found = {}
+    for group, scene in SCENES.items():
+        own = [name for name, of, emitted in rows if emitted != "with_damping"
+               and (of == group or group == "robot" and of not in ("constraints", "objects"))]
+        found.update(declarations(treeline, scene, own))
+    missing = [name for name, _, _ in rows if name not in found]
+    if missing:
+        sys.exit(f"no declaration of {', '.join(missing)}")
+    page = HEAD + (
+        """# Functions
+
+Signatures, equations and algorithms are those that the program writes for a PUMA 560: six joints, one operational point
+of six rows, one contact. Sizes, cost, rounding and algorithms of your robot stand in the header of its code. A scene
+has all functions that its content permits, but those *on request* only if the key [`functions`](scene.md#functions)
+lists them. With the keys [`inputs`](inputs.md), [`external_forces`](scene.md#external_forces) and
+[`sin_cos`](scene.md#sin_cos) functions take more arguments. What the functions mean beyond their equations is in
+[functions explained](../explanation/functions.md).
+
+Two functions have headers of their own: `limited_control_torque` with [limits](../explanation/limits.md), and
+`NAME_step` with a [controller](controller.md).
+
+| function | equation |
+|---|---|
+"""
+    )
+    text = ""
+    for group, title in GROUPS.items():
+        text += f"\n## {title}\n"
+        for name, of, emitted in rows:
+            if of != group:
+                continue
+            part = function_text(name, emitted, *found[name])
+            equation = re.search(r"`(.*)`", part)[0]
+            page += f"| [`{name}`](#{name}) | {cell(equation)} |\n"
+            text += part
+    return page + text
+
+
+def commands_page(treeline):
+    help_text = call(treeline, "--help")
+    commands = re.findall(r"^  ([a-z-]+) +(\S.*)$", help_text[help_text.index("Subcommands:"):], re.M)
+    page = HEAD + (
+        """# Commands
+
+`treeline help COMMAND` prints what stands here. `-` as a file name is standard input, or standard output for what
+`init-scene`, `convert`, `draw` and `simulate --csv` write. No command writes over a robot, scene or motion that it was
+given. SI units and radians.
+
+| command | does |
+|---|---|
+"""
+    )
+    for name, does in commands:
+        page += f"| [`{name}`](#{name}) | {does} |\n"
+    page += "\n| exit status | meaning |\n|---|---|\n"
+    (codes,) = re.findall(r"^Exit: (.*)\.$", help_text, re.M)
+    for code in codes.split(", "):
+        page += "| {} | {} |\n".format(*code.split(" ", 1))
+    for name, _ in commands:
+        page += f"\n## {name}\n\n```text\n{call(treeline, 'help', name).strip()}\n```\n"
+    return page
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("treeline")
+    parser.add_argument("--compare", action="store_true")
+    given = parser.parse_args()
+    stale = []
+    for name, make in (("scene", keys_page), ("functions", functions_page), ("commands", commands_page)):
+        path = os.path.join(DOCS, "reference", f"{name}.md")
+        text = make(os.path.abspath(given.treeline))
+        if given.compare:
+            with open(path, encoding="utf-8") as file:
+                stale += [path] if file.read() != text else []
+        else:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+    for path in stale:
+        print(f"{path} is stale: cmake --build BUILD -t report_reference")
+    return 3 if stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

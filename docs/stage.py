@@ -1,0 +1,47 @@
+"""A hook of MkDocs: lays what the site shows into a folder of its own, in the places that it has in the repository.
+
+So a link means the same here, in a copy of the sources and in the site. What pages link to is laid beside them, such as
+a scene or a test; the rest of the sources is not.
+"""
+
+import os
+import re
+import shutil
+import tempfile
+
+SOURCES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+NO_PAGES = re.compile(r"^(\..*|build.*|out|install|node_modules|generated|templates)$")
+LINK = re.compile(r'(?:\]\(|src=")([^)#"\s]+)')
+
+
+def pages():
+    """Every page, as its path from the root of the sources."""
+    for folder, folders, files in os.walk(SOURCES):
+        folders[:] = [name for name in folders if not NO_PAGES.match(name)]
+        for name in files:
+            if name.endswith(".md"):
+                yield os.path.relpath(os.path.join(folder, name), SOURCES)
+
+
+def files_of(page):
+    """The page and each file that it links to, as paths from the root of the sources."""
+    yield page
+    with open(os.path.join(SOURCES, page), encoding="utf-8") as file:
+        for link in LINK.findall(file.read()):
+            path = os.path.normpath(os.path.join(os.path.dirname(page), link))
+            if os.path.isfile(os.path.join(SOURCES, path)):
+                yield path
+
+
+def on_config(config):
+    folder = tempfile.mkdtemp()
+    wanted = {path for page in pages() for path in files_of(page)} | set(config["extra_css"])
+    for path in wanted:
+        os.makedirs(os.path.join(folder, os.path.dirname(path)), exist_ok=True)
+        shutil.copy(os.path.join(SOURCES, path), os.path.join(folder, path))
+    config["docs_dir"] = folder
+    return config
+
+
+def on_post_build(config):
+    shutil.rmtree(config["docs_dir"])
