@@ -332,7 +332,7 @@ void add_drive(CLI::App& app, int& exit_code) {
   add_drive_options(*command, *options);
   add_warnings_option(*command, options->inputs.warnings);
   command->footer(
-      "Commands (runtime/drive/README.md explains them): start, stop, brake, reset,\n"
+      "Commands (docs/reference/driving.md explains them): start, stop, brake, reset,\n"
       "mode joint|task|gravity, joint NAME to 45 deg in 2 s, move POINT by 0 0 -0.1 in 2 s,\n"
       "turn POINT by 0 0 90 deg, hold, wait, help, quit.\n"
       "Ctrl-C brakes to rest and ends. Exit: 1 a line of the script was not obeyed, a signal came\n"

@@ -95,14 +95,14 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "  - {name: post, box: {size: [0.1, 0.1, 1.2]}, origin: {xyz: [0.5, 0.2, 0.6]}}",
      "What stands around a driven robot, at most 64; `avoid: false` where it may be touched. "
      "`drive` and `draw` show them. No generated code depends on them.",
-     "../runtime/drive/README.md#obstacles"},
+     "reference/driving.md#obstacles"},
     {"avoidance", "`reach`, `clearance` (m), `strength` (m⁴/s²), `points: [{link, xyz}]`",
      "0.15, 0.02, 5e-4; no points",
      "avoidance: {reach: 0.2, points: [{link: link3, xyz: [0, 0, 0.2]}]}",
      "How a driven robot keeps away from obstacles, with at most 32 points beside the "
      "operational "
      "ones.",
-     "../runtime/drive/README.md#obstacles"},
+     "reference/driving.md#obstacles"},
     {"locked", "map from joint to coordinate, rad or m", "none", "locked: {joint5: 0.3, joint6: 0}",
      "Joints of one degree of freedom that are held at a value and have no coordinate.",
      "how-to/locked-joints.md"},

@@ -43,7 +43,7 @@ inline constexpr int kMostFrontEnds = 32;
 inline constexpr std::size_t kMostVisitors = 32;
 
 /// HTTP and WebSocket for the page, in threads of its own. It serves the page, the robot and its
-/// meshes, and nothing else; see README.md for what it checks.
+/// meshes, and nothing else; see docs/reference/wire.md for what it checks.
 class Server {
  public:
   /// Null where the address cannot be listened on; `error` says why.
