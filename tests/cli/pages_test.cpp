@@ -82,5 +82,36 @@ TEST_F(PagesTest, EveryFunctionHasTwoJudges) {
   }
 }
 
+/// Options of a help text beside or below which nothing is said.
+std::vector<std::string> options_without_text(const std::string& help) {
+  constexpr std::size_t kTextColumn = 30;
+  std::vector<std::string> lines, found;
+  std::istringstream stream(help);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  lines.emplace_back();
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    if (!lines[i].starts_with("  -")) continue;
+    const bool beside = lines[i].size() > kTextColumn && lines[i][kTextColumn - 1] == ' ';
+    const bool below = lines[i + 1].find_first_not_of(' ') == kTextColumn;
+    if (!beside && !below) found.push_back(lines[i]);
+  }
+  return found;
+}
+
+// Help is what docs/reference/commands.md shows. Would catch: an option without a text.
+TEST_F(PagesTest, EveryOptionSaysWhatItDoes) {
+  EXPECT_EQ(options_without_text("  -a,--all TEXT\n  --silent                    Say nothing\n"),
+            std::vector<std::string>{"  -a,--all TEXT"});
+  const std::string help = run("--help").out;
+  const std::set<std::string> commands =
+      find_all(help.substr(help.find("Subcommands:")), "\n  ([a-z-]+) ");
+  ASSERT_GE(commands.size(), 10U) << help;
+  for (const std::string& command : commands) {
+    const std::string text = run("help " + command).out;
+    EXPECT_GE(find_all(text, "\n  (?:-[a-z],)?(--[a-z-]+)").size(), 2U) << command;
+    EXPECT_EQ(options_without_text(text), std::vector<std::string>{}) << command;
+  }
+}
+
 }  // namespace
 }  // namespace treeline
