@@ -15,6 +15,7 @@ import sys
 SOUGHT = {
     "end effector": "docs/how-to/tool-frame/",
     "inverse kinematics": "docs/how-to/tool-frame/",
+    "IK": "docs/explanation/glossary/",
     "CRBA": "docs/explanation/glossary/",
     "thread": "docs/how-to/threads/",
     "cite": "docs/",
