@@ -11,6 +11,7 @@ import tempfile
 
 SOURCES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 NO_PAGES = re.compile(r"^(\..*|build.*|out|install|node_modules|generated|templates)$")
+FOLDER = tempfile.mkdtemp()
 LINK = re.compile(r'(?:\]\(|src=")([^)#"\s]+)')
 
 
@@ -34,14 +35,19 @@ def files_of(page):
 
 
 def on_config(config):
-    folder = tempfile.mkdtemp()
-    wanted = {path for page in pages() for path in files_of(page)} | set(config["extra_css"])
-    for path in wanted:
-        os.makedirs(os.path.join(folder, os.path.dirname(path)), exist_ok=True)
-        shutil.copy(os.path.join(SOURCES, path), os.path.join(folder, path))
-    config["docs_dir"] = folder
+    for path in {path for page in pages() for path in files_of(page)} | set(config["extra_css"]):
+        os.makedirs(os.path.join(FOLDER, os.path.dirname(path)), exist_ok=True)
+        shutil.copy(os.path.join(SOURCES, path), os.path.join(FOLDER, path))
+    config["docs_dir"] = FOLDER
     return config
 
 
-def on_post_build(config):
-    shutil.rmtree(config["docs_dir"])
+def on_serve(server, config, builder):
+    """Watches the sources, not the copies."""
+    server.unwatch(FOLDER)
+    server.watch(os.path.join(SOURCES, "docs"))
+    return server
+
+
+def on_shutdown():
+    shutil.rmtree(FOLDER)
