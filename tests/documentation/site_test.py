@@ -14,7 +14,7 @@ import sys
 # A word, and a page on which the search has to find it.
 SOUGHT = {
     "end effector": "docs/how-to/tool-frame/",
-    "inverse kinematics": "docs/how-to/tool-frame/",
+    "inverse kinematics": "docs/how-to/inverse-kinematics/",
     "IK": "docs/explanation/glossary/",
     "CRBA": "docs/explanation/glossary/",
     "thread": "docs/how-to/threads/",
