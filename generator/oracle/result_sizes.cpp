@@ -51,8 +51,7 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   if (subject.holds_rows()) {
     constrained_.emplace(subject_, state_, M_inverse_, ConstraintSizes::Tasks::none);
   }
-  if (subject.points.empty() ? subject.holds_rows() && !subject.passive.empty()
-                             : subject.holds_rows() || !subject.passive.empty()) {
+  if (subject.holds_rows() || (!subject.points.empty() && !subject.passive.empty())) {
     supported_.emplace(subject_, state_, M_inverse_, ConstraintSizes::Tasks::all);
   }
   if (subject.points.empty() || M_condition_ > std::numeric_limits<double>::max()) {

@@ -317,6 +317,17 @@ TEST_F(GenerateTest, UnknownRouteIsToldWithThoseThereAre) {
   EXPECT_NE(outcome.err.find("`ltdl`, `aba`"), std::string::npos) << outcome.err;
 }
 
+// Would catch: a robot that is held, without operational points and passive joints, whose torques
+// nothing judges: the trial before writing then read sizes that there were not.
+TEST_F(GenerateTest, AHandThatHoldsARailNeedsNoPointAndNoPassiveJoint) {
+  std::ofstream(root_ / "held.yaml")
+      << "constraints: [{name: rail, between: [tool, world], rows: [x, y, z]}]\n"
+         "functions: [supported_control_torque]\n";
+  const Outcome outcome = run(kUrdf + " held.yaml --output held");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(test::run_program(root_, "check " + kUrdf + " held.yaml --states 100").exit_code, 0);
+}
+
 TEST_F(GenerateTest, BadUsageIsTwo) {
   for (const std::string& arguments :
        {std::string(), kUrdf + " " + kScene + " third.yaml",
