@@ -1,5 +1,5 @@
 // Tables of README.md here: every function of PUMA and humanoid24 on every board that QEMU
-// imitates. With --small: the tables of small code in docs/evidence/generated-code.md.
+// imitates. With --small: the tables of small code in docs/evidence/small-code.md.
 #include <fmt/format.h>
 
 #include <cstdio>
