@@ -74,7 +74,8 @@ void add_commands(CLI::App& app, int& exit_code) {
   app.require_subcommand(1);
   app.footer(
       "treeline help COMMAND says more of one. - is standard input, as URDF or as scene.\n"
-      "Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.");
+      "Exit: 0 done, 1 bad input, 2 usage, 3 stale or out of bounds, 70 internal fault.\n"
+      "With TREELINE_MESSAGES=json in the environment each message is a line of JSON.");
   treeline::add_generate(app, exit_code);
   treeline::add_check(app, exit_code);
   treeline::add_certify(app, exit_code);

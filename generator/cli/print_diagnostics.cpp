@@ -7,11 +7,13 @@
 #include <array>
 #include <cstdlib>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/write_output.hpp"
+#include "text/json_text.hpp"
 #include "text/list_first.hpp"
 
 namespace treeline {
@@ -102,6 +104,28 @@ std::string coloured(Severity severity) {
   return fmt::format("\033[1;{}m{}:\033[0m ", colour, severity_name(severity));
 }
 
+/// Whether a program reads the messages.
+bool wants_json() {
+  const char* const form = std::getenv("TREELINE_MESSAGES");
+  return form != nullptr && std::string_view(form) == "json";
+}
+
+/// Each diagnostic as a line of JSON, with the text that people are shown.
+std::string print_diagnostics_json(const std::vector<Diagnostic>& list) {
+  std::string lines;
+  for (const Diagnostic& each : list) {
+    const nlohmann::ordered_json json = {{"severity", severity_name(each.severity)},
+                                         {"file", each.file},
+                                         {"line", each.line},
+                                         {"element", each.element},
+                                         {"fault", each.fault},
+                                         {"remedy", each.remedy},
+                                         {"text", to_string(each)}};
+    lines += json_line(json) + "\n";
+  }
+  return lines;
+}
+
 }  // namespace
 
 void add_warnings_option(CLI::App& command, Warnings& warnings) {
@@ -148,7 +172,9 @@ std::string print_diagnostics_text(const std::vector<Diagnostic>& list, bool col
 }
 
 void print_diagnostics(const Diagnostics& diagnostics, Warnings warnings) {
-  print_message(print_diagnostics_text(select_diagnostics(diagnostics, warnings), wants_colour()));
+  const std::vector<Diagnostic> selected = select_diagnostics(diagnostics, warnings);
+  print_message(wants_json() ? print_diagnostics_json(selected)
+                             : print_diagnostics_text(selected, wants_colour()));
 }
 
 }  // namespace treeline

@@ -30,7 +30,8 @@ std::vector<Diagnostic> select_diagnostics(const Diagnostics& diagnostics, Warni
 std::string print_diagnostics_text(const std::vector<Diagnostic>& list, bool colour);
 
 /// Those that are selected, on standard error; in colour where that is a terminal and the
-/// environment does not say NO_COLOR or TERM=dumb.
+/// environment does not say NO_COLOR or TERM=dumb. With TREELINE_MESSAGES=json in the environment,
+/// for programs, each is a line of JSON: its members, and as `text` what people are shown.
 void print_diagnostics(const Diagnostics& diagnostics, Warnings warnings = Warnings::summary);
 
 }  // namespace treeline

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "../own_environment.hpp"
 #include "program_test.hpp"
@@ -73,6 +74,29 @@ TEST_F(MessagesTest, HelpAndVersion) {
   EXPECT_EQ(run("help help").out, run("--help").out);
   EXPECT_EQ(run("help").out, run("--help").out);
   EXPECT_EQ(run("help").exit_code, 0);
+}
+
+// Would catch: parts that a program cannot tell apart, as of a fault with a colon in it, and
+// remedies that the text tells once for several faults.
+TEST_F(MessagesTest, ProgramsReadJson) {
+  test::OwnEnvironment environment;
+  write("scene.yaml", "real: half\nlanes: many\n");
+  const std::string text = messages("generate arm.urdf scene.yaml -o out", 1);
+  environment.set("TREELINE_MESSAGES", "json");
+  std::istringstream lines(messages("generate arm.urdf scene.yaml -o out", 1));
+  int errors = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json told = nlohmann::json::parse(line);
+    if (told["severity"] != "error") continue;
+    ++errors;
+    EXPECT_EQ(told["file"], "scene.yaml");
+    EXPECT_EQ(told["line"], errors);
+    EXPECT_EQ(told["element"], errors == 1 ? "real" : "lanes");
+    const std::string fault = told["fault"];
+    expect_parts(text, {fault.c_str(), told["remedy"].get<std::string>().c_str()});
+    expect_parts(told["text"], {"scene.yaml:", "error: ", fault.c_str()});
+  }
+  EXPECT_EQ(errors, 2);
 }
 
 TEST_F(MessagesTest, UnknownOptionsGetTheNearest) {
