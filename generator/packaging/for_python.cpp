@@ -196,6 +196,16 @@ std::string print_types(const GeneratedFunction& generated) {
          declare(fmt::format("tuple[{}] | None = None", given.substr(2)), type) + "\n";
 }
 
+/// The sources as entries of a list in JSON.
+std::string quote_sources(const PackageFacts& facts) {
+  std::string text;
+  std::istringstream words(facts.at("sources"));
+  for (std::string word; words >> word;) {  // "../src/" and a name
+    text += fmt::format("{}\"{}\"", text.empty() ? "" : ",\n", word.substr(3));
+  }
+  return text;
+}
+
 /// As the emitted CMakeLists.txt compiles in the configuration Release.
 std::string print_flags(const PackageFacts& facts, const Scene& scene) {
   const Target* const target = find_target(scene.target);
@@ -217,7 +227,7 @@ std::string print_own_flags(const Scene& scene, const Generation& generation) {
   }
   std::string text;
   for (const auto& [source, flag] : flags) {
-    text += fmt::format("\"src/{}\": [\"{}\"],\n", source, flag);
+    text += fmt::format("{}\"src/{}\": [\"{}\"]", text.empty() ? "" : ",\n", source, flag);
   }
   return text;
 }
@@ -242,6 +252,7 @@ PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation&
   facts["version"] += "+" + digest_of_files(generation.files).substr(0, 12);
   facts["flags"] = print_flags(facts, scene);
   facts["own_flags"] = print_own_flags(scene, generation);
+  facts["quoted_sources"] = quote_sources(facts);
   facts["dtype"] = scene.real == Real::float32 ? "float32" : "float64";
   facts["task_row_names"] =
       scene.operational_points.empty() ? "NULL" : scene.name + "_task_row_names";
@@ -274,7 +285,8 @@ std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
             fill("__init__.pyi", templates::kPythonTypes),
             {"py.typed", ""}}},
           {"extension",
-           {{"functions.h", print_table(facts, scene, generation)},
+           {fill("build.json", templates::kPythonBuild),
+            {"functions.h", print_table(facts, scene, generation)},
             fill("numpy_arrays.h", templates::kPythonNumpyArrays),
             fill("operands.h", templates::kPythonOperands),
             fill("loop_states.h", templates::kPythonLoopStates),

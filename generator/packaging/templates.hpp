@@ -11,6 +11,7 @@ extern const std::string_view kArduinoLibrary;
 extern const std::string_view kCMakeLists;
 extern const std::string_view kCmsisPack;
 extern const std::string_view kPlatformioLibrary;
+extern const std::string_view kPythonBuild;
 extern const std::string_view kPythonDoc;
 extern const std::string_view kPythonExample;
 extern const std::string_view kPythonFunctions;
