@@ -26,6 +26,7 @@
 #include "cli/generate.hpp"
 #include "cli/init_scene.hpp"
 #include "cli/inspect.hpp"
+#include "cli/interpret.hpp"
 #include "cli/keys.hpp"
 #include "cli/print_diagnostics.hpp"
 #include "cli/simulate.hpp"
@@ -88,6 +89,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   treeline::add_simulate(app, exit_code);
   treeline::add_draw(app, exit_code);
   treeline::add_drive(app, exit_code);
+  treeline::add_interpret(app, exit_code);
 }
 
 int run(int argc, char** argv) {
