@@ -31,11 +31,11 @@ std::string numbers(const Syntax& syntax, std::span<const double> values) {
 
 std::string print_link(const Syntax& syntax, const Link<double>& of) {
   const double turns[3][2] = {{of.a.c, of.a.s}, {of.alpha.c, of.alpha.s}, {of.b.c, of.b.s}};
-  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {{{}, {}, {}}}}}", of.parent, of.slot,
-                     of.slides, numbers(syntax, turns[0]), numbers(syntax, turns[1]),
-                     numbers(syntax, turns[2]), numbers(syntax, of.p), number(syntax, of.rotor),
-                     number(syntax, of.body.mass), numbers(syntax, of.body.h),
-                     numbers(syntax, of.body.J));
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {{{}, {}, {}}}}}", of.parent,
+                     of.slot, of.end, of.slides, of.starts, numbers(syntax, turns[0]),
+                     numbers(syntax, turns[1]), numbers(syntax, turns[2]), numbers(syntax, of.p),
+                     number(syntax, of.rotor), number(syntax, of.body.mass),
+                     numbers(syntax, of.body.h), numbers(syntax, of.body.J));
 }
 
 /// Frames of an input, or the numbers that it has in place of them.

@@ -57,7 +57,8 @@ std::string print_yields(const LinkLoops& loops, const Syntax& syntax, const std
 /// Whether the function takes rows in the order of priority.
 bool is_ranked(const LinkLoops& loops);
 
-/// Entries of factors in the work space, see `InertiaWork`; without any an array of C has one.
+/// Entries of factors in the work space, see `InertiaWork` and `MatrixWork`; without any an array
+/// of C has one.
 std::size_t count_base_entries(const LinkTableData& table);
 
 bool has_points(const LinkTableData& table);

@@ -68,13 +68,14 @@ inline constexpr int kPowerOfPriorities = 8;
 struct LinkLoops {
   std::string function;
   LinkTableData table;
-  bool uses_inertias = false, uses_rows = false;  ///< which work space it needs beside motions
-  bool solves = false;                            ///< takes the law by which rows yield
-  bool uses_friction = false;                     ///< depends on that of joints
-  std::string f_ext;                              ///< the argument of external forces; empty: none
-  std::string gravity;                            ///< the argument; empty: as the table says
-  std::string step;                               ///< at whose end drives are taken; empty: none
-  int power = 0;                                  ///< of this law; 0: none
+  /// Which work space it needs beside motions: `InertiaWork`, or else `MatrixWork`; `RowWork`.
+  bool uses_inertias = false, uses_matrix = false, uses_rows = false;
+  bool solves = false;         ///< takes the law by which rows yield
+  bool uses_friction = false;  ///< depends on that of joints
+  std::string f_ext;           ///< the argument of external forces; empty: none
+  std::string gravity;         ///< the argument; empty: as the table says
+  std::string step;            ///< at whose end drives are taken; empty: none
+  int power = 0;               ///< of this law; 0: none
   /// Of each row, its border to that power; to that of priorities, what its mobility has at least.
   std::vector<double> yields;
   int adds = 0, muls = 0, divs = 0, sines = 0;  ///< executed, those with constants 0 and 1 too

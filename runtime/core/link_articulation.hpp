@@ -1,9 +1,8 @@
 #pragma once
-// M, M^-1 by loops over a table of links: composite and articulated bodies. C++17, freestanding.
+// M^-1 by loops over a table of links: articulated bodies. C++17, freestanding.
 
 #include "core/link_factors.hpp"
-#include "core/link_inertia.hpp"
-#include "core/link_motion.hpp"
+#include "core/link_matrix.hpp"
 
 namespace treeline::core::loops {
 
@@ -18,8 +17,7 @@ template <class Real, size_t links, size_t slots, size_t base_entries>
 struct InertiaWork {
   LinkInertia<Real> inertias[slots];
   LinkProjection<Real> projections[links];
-  /// Factors of the articulated inertia of a floating base, see `factor`; else one entry. Where
-  /// joints share coordinates, those of M, and joint forces of the rows of the task behind them.
+  /// Factors of the articulated inertia of a floating base, see `factor`; else one entry.
   Real base[base_entries];
 };
 
@@ -86,25 +84,6 @@ TREELINE_LINK_INLINE void hold_column(const Table& table, int i, const Real& hel
     C[2] = C[2] * held;
     C[4] = C[4] * held;
     C[5] = C[5] * held;
-  }
-}
-
-/// The inertia as the first rows and columns of a row-major matrix of `columns` columns.
-template <class Real>
-void copy_to(const LinkInertia<Real>& inertia, Real* matrix, int columns) noexcept {
-  int at = 0;
-  for (int k = 0; k < 3; ++k) {
-    for (int l = 0; l < 3; ++l) {
-      matrix[(k * columns) + l + 3] = inertia.B[(3 * k) + l];
-      matrix[((l + 3) * columns) + k] = inertia.B[(3 * k) + l];
-    }
-    for (int l = k; l < 3; ++l) {
-      matrix[(k * columns) + l] = inertia.A[at];
-      matrix[(l * columns) + k] = inertia.A[at];
-      matrix[((k + 3) * columns) + l + 3] = inertia.C[at];
-      matrix[((l + 3) * columns) + k + 3] = inertia.C[at];
-      ++at;
-    }
   }
 }
 
@@ -176,50 +155,6 @@ void articulate(const Table& table, const Motions& motions, Inertias& inertias) 
       release_joint(table, i, IA, inertias.projections[i]);
       copy_inertia(IA, sum);
       pass_on(table, i, motions, sum, inertias);
-    }
-  }
-}
-
-/// M by composite bodies. Uses `inertias.inertias` alone.
-template <class Table, class Real, class Motions, class Inertias>
-void find_mass_matrix(const Table& table, const Motions& motions, Inertias& inertias,
-                      Real* M) noexcept {
-  const int nv = velocity_at<Table>(count_joints(table));
-  for (int k = 0; k < (nv * nv); ++k) {
-    M[k] = Real(0.0);
-  }
-  for (int k = 0; k < table.slots; ++k) {
-    clear_inertia(inertias.inertias[k]);
-  }
-  for (int i = table.count - 1; i >= 0; --i) {
-    const Link<Real>& link = table.links[i];
-    LinkInertia<Real>& inertia = inertias.inertias[link.slot];
-    add_own(body_of(table, i), inertia);
-    if (is_floating<Table>(i)) {
-      copy_to(inertia, M, nv);
-    } else {
-      const int at = velocity_at<Table>(joint_of(table, i));
-      Spatial<Real> wrench;
-      find_column(table, i, inertia, wrench);
-      const Real own = scale(table, i, scale(table, i, along_joint(table, i, wrench)));
-      enter<Table>(own + rotor_of(table, i), M[(at * nv) + at]);
-      int j = i;
-      while (table.links[j].parent >= 0) {
-        wrench_to_parent(table, j, motions.poses, wrench);
-        j = table.links[j].parent;
-        const int entries = is_floating<Table>(j) ? 6 : 1;
-        for (int k = 0; k < entries; ++k) {
-          Real force = along_joint(table, j, wrench);
-          if (entries == 6) {
-            force = (k < 3) ? wrench.linear[k] : wrench.angular[k - 3];
-          }
-          force = scale(table, i, scale(table, j, force));
-          const int other = velocity_at<Table>(joint_of(table, j)) + k;
-          enter<Table>(force, M[(at * nv) + other]);
-          enter<Table>(force, M[(other * nv) + at]);
-        }
-      }
-      pass_on(table, i, motions, inertia, inertias);
     }
   }
 }

@@ -42,11 +42,11 @@ void gravity(const Table& table, const Real* q, const Sines& sines, Real* g,
   inverse_dynamics(table, q, sines, none, none, g, motions);
 }
 
-template <class Table, class Real, class Sines, class Motions, class Inertias>
+template <class Table, class Real, class Sines, class Motions, class Matrices>
 void mass_matrix(const Table& table, const Real* q, const Sines& sines, Real* M, Motions& motions,
-                 Inertias& inertias) noexcept {
+                 Matrices& matrices) noexcept {
   place_links(table, q, sines, motions.poses);
-  find_mass_matrix(table, motions, inertias, M);
+  find_mass_matrix(table, motions, matrices, M);
 }
 
 /// qdd = M^-1 (tau - b - g + J_ext^T f_ext), by factors of M where joints share coordinates.

@@ -229,4 +229,23 @@ void add_inertia(const LinkInertia<Real>& more, LinkInertia<Real>& sum) noexcept
   }
 }
 
+/// The inertia as the first rows and columns of a row-major matrix of `columns` columns.
+template <class Real>
+void copy_to(const LinkInertia<Real>& inertia, Real* matrix, int columns) noexcept {
+  int at = 0;
+  for (int k = 0; k < 3; ++k) {
+    for (int l = 0; l < 3; ++l) {
+      matrix[(k * columns) + l + 3] = inertia.B[(3 * k) + l];
+      matrix[((l + 3) * columns) + k] = inertia.B[(3 * k) + l];
+    }
+    for (int l = k; l < 3; ++l) {
+      matrix[(k * columns) + l] = inertia.A[at];
+      matrix[(l * columns) + k] = inertia.A[at];
+      matrix[((k + 3) * columns) + l + 3] = inertia.C[at];
+      matrix[((l + 3) * columns) + k + 3] = inertia.C[at];
+      ++at;
+    }
+  }
+}
+
 }  // namespace treeline::core::loops

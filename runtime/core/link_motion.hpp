@@ -104,22 +104,6 @@ void turn_joint_axis(const Table& table, int i, const Real& qd, LinkMotion<Real>
   moved[1] = moved[1] - (motion.w[0] * rate);
 }
 
-/// From the axes of the parent of link `i` to its own.
-template <class Table, class Poses, class Real>
-void turn_motion(const Table& table, int i, const Poses& poses, LinkMotion<Real>& motion) noexcept {
-  if (turns_freely(table, i)) {
-    turn_back_by(rotation_of(table, i, poses), motion.w);
-    turn_back_by(rotation_of(table, i, poses), motion.wd);
-    turn_back_by(rotation_of(table, i, poses), motion.a);
-  } else {
-    LinkTurns<Real> turns;
-    find_turns(table.links[i], poses.joints[i], turns);
-    turn_back_by_planes(turns, motion.w);
-    turn_back_by_planes(turns, motion.wd);
-    turn_back_by_planes(turns, motion.a);
-  }
-}
-
 /// Makes the motion of its parent that of link `i` behind its joint.
 template <class Table, class Poses, class Real>
 TREELINE_LINK_INLINE void move_link(const Table& table, int i, const Poses& poses, const Real* qd,
@@ -127,7 +111,7 @@ TREELINE_LINK_INLINE void move_link(const Table& table, int i, const Poses& pose
   Real p[3];
   find_origin(table, i, poses, p);
   add_rotation(motion, p, motion.a);
-  turn_motion(table, i, poses, motion);
+  turn_axes_to_link(table, i, poses, motion.w, motion.wd, motion.a);
   const int at = velocity_at<Table>(joint_of(table, i));
   const Real rate = scale(table, i, entry(qd, at));
   if (turns_freely(table, i)) {

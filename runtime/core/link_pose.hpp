@@ -100,6 +100,23 @@ void turn_axes_to_parent(const Table& table, int i, const Poses& poses, Real (&x
   }
 }
 
+/// Three vectors from the axes of a link's parent to its own. Not for a floating base.
+template <class Table, class Poses, class Real>
+void turn_axes_to_link(const Table& table, int i, const Poses& poses, Real (&x)[3], Real (&y)[3],
+                       Real (&z)[3]) noexcept {
+  if (turns_freely(table, i)) {
+    turn_back_by(rotation_of(table, i, poses), x);
+    turn_back_by(rotation_of(table, i, poses), y);
+    turn_back_by(rotation_of(table, i, poses), z);
+  } else {
+    LinkTurns<Real> turns;
+    find_turns(table.links[i], poses.joints[i], turns);
+    turn_back_by_planes(turns, x);
+    turn_back_by_planes(turns, y);
+    turn_back_by_planes(turns, z);
+  }
+}
+
 /// Makes of the way along the axis of link `i` that of all three axes, if it is the first of a
 /// joint that moves freely, and none, if it is another of these.
 template <class Table, class Poses, class Real>

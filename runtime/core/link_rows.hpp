@@ -147,12 +147,6 @@ void absorb_in_base(const Table& table, int i, const Inertias& inertias, Rows& r
 template <class Table, class Motions, class Real, class Rows>
 void absorb_in_joint(const Table& table, int i, const Motions& motions,
                      const LinkProjection<Real>& joint, Rows& rows) noexcept {
-  Real p[3];
-  find_origin(table, i, motions.poses, p);
-  LinkTurns<Real> turns;
-  if (!turns_freely(table, i)) {
-    find_turns(table.links[i], motions.poses.joints[i], turns);
-  }
   Spatial<Real> u;
   copy_spatial(joint.u, u);
   const Real inverse_D = joint.inverse_D;
@@ -171,14 +165,7 @@ void absorb_in_joint(const Table& table, int i, const Motions& motions,
       add_work(table, along * inverse_D, first, r, rows);
       add_scaled(u, -along, K);
       along_joint(table, i, K) = held * along;
-      if (turns_freely(table, i)) {
-        turn_by(rotation_of(table, i, motions.poses), K.linear);
-        turn_by(rotation_of(table, i, motions.poses), K.angular);
-      } else {
-        turn_by_planes(turns, K.linear);
-        turn_by_planes(turns, K.angular);
-      }
-      add_cross(p, K.linear, K.angular);
+      wrench_to_parent(table, i, motions.poses, K);
       copy_spatial(K, rows.forces[r]);
       rows.links[r] = table.links[i].parent;
     }

@@ -26,7 +26,9 @@ template <class Real>
 struct Link {
   int16_t parent;  ///< -1: the world
   int16_t slot;    ///< how many of the links that carry it carry several
+  int16_t end;     ///< it carries the links from the next to before this one
   bool slides;     ///< a prismatic joint
+  bool starts;     ///< a limb: the links behind it, up to the next of this kind, are placed from it
   Turn<Real> a;
   Turn<Real> alpha;
   Turn<Real> b;

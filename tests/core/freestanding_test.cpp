@@ -124,9 +124,9 @@ namespace loops = core::loops;
 
 // Six coordinates of a floating base and those of two joints, one of which slides.
 constexpr loops::Link<Real> kLinks[3] = {
-    {-1, 0, false, {1, 0}, {1, 0}, {1, 0}, {}, 0, {3, {}, {1, 0, 0, 1, 0, 1}}},
-    {0, 1, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, {2, {}, {1, 0, 0, 1, 0, 1}}},
-    {0, 1, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {1, {}, {1, 0, 0, 1, 0, 1}}}};
+    {-1, 0, 3, false, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {3, {}, {1, 0, 0, 1, 0, 1}}},
+    {0, 1, 2, false, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, {2, {}, {1, 0, 0, 1, 0, 1}}},
+    {0, 1, 3, true, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {1, {}, {1, 0, 0, 1, 0, 1}}}};
 constexpr loops::LinkPoint<Real> kPoint[1] = {{2, true, {}, {}}};
 constexpr loops::PointRow kRows[2] = {{0, 0, false}, {0, 1, false}};
 constexpr loops::LinkDrive<Real> kDrives[3] = {{0, 0, 0}, {1, 2, 0}, {1, 0, 0}};
@@ -135,6 +135,7 @@ constexpr loops::LinkFriction<Real> kFrictions[3] = {{0, 0}, {1, 100}, {2, 100}}
 struct LoopWork {
   loops::MotionWork<Real, 3, 2> motions;
   loops::InertiaWork<Real, 3, 2, 36> inertias;
+  loops::MatrixWork<Real, 3, 1> matrices;
   loops::RowWork<Real, 1, 2> rows;
 };
 
@@ -144,7 +145,7 @@ void use_link_loops(Data& data, LoopWork& work) noexcept {
   const loops::ComputedSines sines;
   const Real* const q = data.a9;
   const Real* const qd = data.b9;
-  loops::mass_matrix(kTable, q, sines, &data.a64[0], work.motions, work.inertias);
+  loops::mass_matrix(kTable, q, sines, &data.a64[0], work.motions, work.matrices);
   loops::forward_dynamics(kTable, q, sines, qd, qd, data.b36 + 0, work.motions, work.inertias);
   loops::lambda<4>(kTable, data.a2 + 0, q, sines, data.a4 + 0, work.motions, work.inertias,
                    work.rows);

@@ -43,6 +43,16 @@ TEST(CountStackValues, AreThoseOfTheWorkSpaceOfLoops) {
                count_stack_values(looping(true), false));
 }
 
+TEST(CountStackValues, AreThoseOfTheWorkSpaceOfTheMassMatrix) {
+  Program program = looping(false);
+  LinkLoops plan = *program.loops;
+  plan.uses_inertias = false;
+  plan.uses_matrix = true;
+  program.loops = std::make_shared<const LinkLoops>(plan);
+  expect_about(sizeof(loops::MotionWork<double, 24, 3>) + sizeof(loops::MatrixWork<double, 24, 1>),
+               count_stack_values(program, false));
+}
+
 TEST(CountStackValues, AreThoseAliveAtOnceInStraightLines) {
   Program program = looping(false);
   program.loops = nullptr;

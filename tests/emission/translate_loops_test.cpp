@@ -174,7 +174,8 @@ TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
   for (const std::string_view header :
        {cpp::templates::kLinkVectors, cpp::templates::kLinkTable, cpp::templates::kLinkPose,
         cpp::templates::kLinkFactors, cpp::templates::kLinkFriction, cpp::templates::kLinkMotion,
-        cpp::templates::kLinkInertia, cpp::templates::kLinkArticulation, cpp::templates::kLinkRows,
+        cpp::templates::kLinkInertia, cpp::templates::kLinkMatrix,
+        cpp::templates::kLinkArticulation, cpp::templates::kLinkRows,
         cpp::templates::kLinkFunctions, cpp::templates::kLinkInputs}) {
     int expected = 0;
     int found = 0;

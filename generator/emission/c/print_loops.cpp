@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "emission/c/syntax.hpp"
@@ -171,12 +172,15 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
     if (!changes_table(loops, argument.name)) list += ", " + argument.name;
   }
   list += ", " + program.results.front().argument.name;
-  const std::pair<const char*, bool> works[] = {
-      {"motion", true}, {"inertia", loops.uses_inertias}, {"row", loops.uses_rows}};
-  for (const auto& [work, used] : works) {
+  const std::tuple<const char*, const char*, bool> works[] = {
+      {"motion", "motions", true},
+      {"inertia", "inertias", loops.uses_inertias},
+      {"matrix", "matrices", loops.uses_matrix},
+      {"row", "rows", loops.uses_rows}};
+  for (const auto& [work, name, used] : works) {
     if (!used) continue;
-    text += fmt::format("  {0}{1}_work {1}s;\n", prefix, work);
-    list += fmt::format(", &{}s", work);
+    text += fmt::format("  {}{}_work {};\n", prefix, work, name);
+    list += fmt::format(", &{}", name);
   }
   return text + wrap_line(fmt::format("{}{}({});", prefix, loops.function, list), 2);
 }

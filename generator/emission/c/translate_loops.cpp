@@ -124,11 +124,10 @@ LoopTranslator::LoopTranslator(const EmissionContext& context, const LoopTable& 
              {"Sorted", table.sorted},   {"Stepped", table.stepped}, {"Grounded", table.grounded},
              {"Freed", table.freed},     {"Turning", table.turning}},
       given_sines_(given_sines) {
-  const std::pair<const char*, const char*> works[] = {{"Table", "link_table"},
-                                                       {"Poses", "link_poses"},
-                                                       {"Motions", "motion_work"},
-                                                       {"Inertias", "inertia_work"},
-                                                       {"Rows", "row_work"}};
+  const std::pair<const char*, const char*> works[] = {
+      {"Table", "link_table"},     {"Poses", "link_poses"},
+      {"Motions", "motion_work"},  {"Inertias", table.coupled ? "matrix_work" : "inertia_work"},
+      {"Matrices", "matrix_work"}, {"Rows", "row_work"}};
   for (const auto& [parameter, work] : works) types_[parameter] = name_ + work;
 }
 

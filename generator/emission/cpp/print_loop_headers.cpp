@@ -38,6 +38,7 @@ std::vector<LoopTemplate> list_loop_templates(std::span<const Program> programs)
                                        {"link_friction", templates::kLinkFriction},
                                        {"link_motion", templates::kLinkMotion},
                                        {"link_inertia", templates::kLinkInertia},
+                                       {"link_matrix", templates::kLinkMatrix},
                                        {"link_articulation", templates::kLinkArticulation},
                                        {"link_rows", templates::kLinkRows},
                                        {"link_functions", templates::kLinkFunctions}};

@@ -131,6 +131,11 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
                         table.slots, count_base_entries(table));
     work += ", inertias";
   }
+  if (loops.uses_matrix) {
+    text += fmt::format("  detail::loops::MatrixWork<Real, {}, {}> matrices;\n", links,
+                        count_base_entries(table));
+    work += ", matrices";
+  }
   if (loops.uses_rows) {
     text += fmt::format("  detail::loops::RowWork<Real, {}, {}{}> rows;\n", table.points.size(),
                         table.rows.size(),

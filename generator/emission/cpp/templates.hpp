@@ -45,6 +45,7 @@ extern const std::string_view kLinkFriction;
 extern const std::string_view kLinkFunctions;
 extern const std::string_view kLinkInertia;
 extern const std::string_view kLinkInputs;
+extern const std::string_view kLinkMatrix;
 extern const std::string_view kLinkMotion;
 extern const std::string_view kLinkPose;
 extern const std::string_view kLinkRows;

@@ -107,6 +107,26 @@ void number_slots(LinkTableData& table) {
   }
 }
 
+/// Says which links each carries, and where limbs start: at the root, behind joints that slide,
+/// which may take them far from there, and on long ways out.
+void divide_limbs(LinkTableData& table) {
+  constexpr int kLinksOfLimb = 8;
+  std::vector<int> places;  // of links in their limbs
+  for (std::size_t i = 0; i < table.links.size(); ++i) {
+    auto& link = table.links[i];
+    const int place = link.parent < 0 ? 0 : places[static_cast<std::size_t>(link.parent)] + 1;
+    link.starts = link.parent < 0 || link.slides || place == kLinksOfLimb;
+    places.push_back(link.starts ? 0 : place);
+    link.end = static_cast<std::int16_t>(i + 1);
+  }
+  for (std::size_t i = table.links.size(); i-- > 0;) {
+    const auto& link = table.links[i];
+    if (link.parent < 0) continue;
+    std::int16_t& end = table.links[static_cast<std::size_t>(link.parent)].end;
+    end = std::max(end, link.end);
+  }
+}
+
 /// Friction and springs of all links, where there are any, or arguments give some.
 void add_drives(const Tree<double>& tree, LinkTableData& table) {
   const bool driven = table.gives(LinkInput::Gives::dampings) ||
@@ -279,6 +299,7 @@ LinkTableData make_link_table(const Mechanism& mechanism, bool with_points) {
     table.sliding = table.sliding || table.links.back().slides;
   }
   number_slots(table);
+  divide_limbs(table);
   add_drives(tree, table);
   add_couplings(mechanism, split, table);
   add_balls(split, table);

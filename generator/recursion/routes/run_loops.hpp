@@ -138,7 +138,9 @@ class LiftedTable {
   static loops::Link<Number> lifted(const loops::Link<double>& from) {
     loops::Link<Number> to{from.parent,
                            from.slot,
+                           from.end,
                            from.slides,
+                           from.starts,
                            lifted(from.a),
                            lifted(from.alpha),
                            lifted(from.b),
@@ -198,6 +200,9 @@ struct LoopTrace {
   struct Inertias {
     std::vector<loops::LinkInertia<Number>> inertias;
     std::vector<loops::LinkProjection<Number>> projections;
+    std::vector<loops::LinkFrame<Number>> frames;
+    std::vector<loops::LinkBody<Number>> bodies;
+    std::vector<Number> f_x, f_y, f_z, n_x, n_y, n_z;
     std::vector<Number> base;
   };
   struct Rows {
@@ -220,6 +225,12 @@ struct LoopTrace {
     motions.motions.resize(slots);
     inertias.inertias.resize(slots);
     inertias.projections.resize(n);
+    inertias.frames.resize(n);
+    inertias.bodies.resize(n);
+    for (auto* each : {&inertias.f_x, &inertias.f_y, &inertias.f_z, &inertias.n_x, &inertias.n_y,
+                       &inertias.n_z}) {
+      each->resize(n);
+    }
     const auto nv = static_cast<std::size_t>(of.joints) + 6;
     inertias.base.resize(nv * (nv + count));
     rows.link_axes.resize(of.points.size());

@@ -133,7 +133,10 @@ std::optional<Program> trace_loops(const Mechanism& mechanism, Function function
   const auto plan = std::make_shared<LinkLoops>();
   plan->function = function_name(function);
   plan->table = make_link_table(mechanism, form->rows);
-  plan->uses_inertias = form->inertias;
+  const bool finds_matrix =
+      form->function == Function::mass_matrix || !plan->table.couplings.empty();
+  plan->uses_inertias = form->inertias && !finds_matrix;
+  plan->uses_matrix = form->inertias && finds_matrix;
   plan->uses_rows = form->rows;
   plan->solves = form->solves;
   plan->uses_friction = takes(function, Quantity::qd);
