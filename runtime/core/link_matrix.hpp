@@ -54,15 +54,6 @@ TREELINE_LINK_INLINE void add_vector(const Real (&v)[3], Real (&sum)[3]) noexcep
   sum[2] = sum[2] + v[2];
 }
 
-template <class Real>
-TREELINE_LINK_INLINE void copy_frame(const LinkFrame<Real>& from, LinkFrame<Real>& to) noexcept {
-  copy_vector(from.x, to.x);
-  copy_vector(from.y, to.y);
-  copy_vector(from.z, to.z);
-  copy_vector(from.step, to.step);
-  copy_vector(from.p, to.p);
-}
-
 /// The frame of the root itself.
 template <class Real>
 void set_root(LinkFrame<Real>& frame) noexcept {
@@ -76,24 +67,31 @@ void set_root(LinkFrame<Real>& frame) noexcept {
   frame.z[2] = Real(1.0);
 }
 
-/// A link's body in the axes of the root, about the link's origin.
+/// A link's body in the axes of the root, about the link's origin. The frame is read in a copy, of
+/// which a compiler knows that it is no other.
 template <class Real>
 TREELINE_LINK_INLINE void turn_body(const LinkBody<Real>& from, const LinkFrame<Real>& frame,
                                     LinkBody<Real>& to) noexcept {
+  Real x[3];
+  Real y[3];
+  Real z[3];
+  copy_vector(frame.x, x);
+  copy_vector(frame.y, y);
+  copy_vector(frame.z, z);
   to.mass = from.mass;
-  to.h[0] = dot(frame.x, from.h);
-  to.h[1] = dot(frame.y, from.h);
-  to.h[2] = dot(frame.z, from.h);
+  to.h[0] = dot(x, from.h);
+  to.h[1] = dot(y, from.h);
+  to.h[2] = dot(z, from.h);
   Real row[3];  // of R J
-  multiply_symmetric(from.J, frame.x, row);
-  to.J[0] = dot(row, frame.x);
-  to.J[1] = dot(row, frame.y);
-  to.J[2] = dot(row, frame.z);
-  multiply_symmetric(from.J, frame.y, row);
-  to.J[3] = dot(row, frame.y);
-  to.J[4] = dot(row, frame.z);
-  multiply_symmetric(from.J, frame.z, row);
-  to.J[5] = dot(row, frame.z);
+  multiply_symmetric(from.J, x, row);
+  to.J[0] = dot(row, x);
+  to.J[1] = dot(row, y);
+  to.J[2] = dot(row, z);
+  multiply_symmetric(from.J, y, row);
+  to.J[3] = dot(row, y);
+  to.J[4] = dot(row, z);
+  multiply_symmetric(from.J, z, row);
+  to.J[5] = dot(row, z);
 }
 
 /// Adds a body, whose origin is at p of the sum's, to this. With g = h + m p the moment becomes g,
@@ -119,31 +117,40 @@ TREELINE_LINK_INLINE void add_shifted(const LinkBody<Real>& body, const Real (&p
   sum.J[5] = sum.J[5] + (body.J[5] + (xx + yy));
 }
 
+/// The frame of link `i` before it turns.
+template <class Table, class Poses, class Real>
+void place_frame(const Table& table, int i, const Poses& poses, const LinkFrame<Real>& parent,
+                 LinkFrame<Real>& frame) noexcept {
+  Real p[3];
+  find_origin(table, i, poses, p);
+  frame.step[0] = dot(parent.x, p);
+  frame.step[1] = dot(parent.y, p);
+  frame.step[2] = dot(parent.z, p);
+  if (table.links[i].starts) {
+    clear(frame.p);
+  } else {
+    copy_vector(parent.p, frame.p);
+    add_vector(frame.step, frame.p);
+  }
+  copy_vector(parent.x, frame.x);
+  copy_vector(parent.y, frame.y);
+  copy_vector(parent.z, frame.z);
+}
+
 /// Frames of all links, and their bodies, each alone.
 template <class Table, class Poses, class Matrices, class Real = typename Table::Real>
 void place_bodies(const Table& table, const Poses& poses, Matrices& matrices) noexcept {
   for (int i = 0; i < table.count; ++i) {
     const int parent = table.links[i].parent;
-    LinkFrame<Real> frame;
+    LinkFrame<Real>& frame = matrices.frames[i];
     if (parent < 0) {
       set_root(frame);
     } else {
-      copy_frame(matrices.frames[parent], frame);
-      Real p[3];
-      find_origin(table, i, poses, p);
-      frame.step[0] = dot(frame.x, p);
-      frame.step[1] = dot(frame.y, p);
-      frame.step[2] = dot(frame.z, p);
-      if (table.links[i].starts) {
-        clear(frame.p);
-      } else {
-        add_vector(frame.step, frame.p);
-      }
+      place_frame(table, i, poses, matrices.frames[parent], frame);
     }
     if (!is_floating<Table>(i)) {
       turn_axes_to_link(table, i, poses, frame.x, frame.y, frame.z);
     }
-    copy_frame(frame, matrices.frames[i]);
     turn_body(body_of(table, i), frame, matrices.bodies[i]);
   }
 }

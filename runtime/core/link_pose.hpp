@@ -236,7 +236,8 @@ void place_rotation(const Link<Real>& link, const Real* v, LinkRotation<Real>& r
 }
 
 /// The rotation of a ball joint, whose axes are y z x of its quaternion in those of its first link,
-/// and the way that a joint which moves freely takes along the axis of that.
+/// and the way that a joint which moves freely takes along the axis of that. The link's own turn is
+/// not used.
 template <class Table, class Poses, class Real>
 void place_ball(const Table& table, int i, const Real* q, Poses& poses) noexcept {
   int at = 0;
@@ -244,6 +245,8 @@ void place_ball(const Table& table, int i, const Real* q, Poses& poses) noexcept
     at = 3;
     poses.joints[i].slide = q[0];
   }
+  poses.joints[i].turn.c = Real(1.0);
+  poses.joints[i].turn.s = Real(0.0);
   const Real v[4] = {q[at + 1], q[at + 2], q[at], q[at + 3]};
   place_rotation(table.links[i], &v[0], poses.rotations[table.ball_axes[i].rotation]);
 }

@@ -147,6 +147,10 @@ void absorb_in_base(const Table& table, int i, const Inertias& inertias, Rows& r
 template <class Table, class Motions, class Real, class Rows>
 void absorb_in_joint(const Table& table, int i, const Motions& motions,
                      const LinkProjection<Real>& joint, Rows& rows) noexcept {
+  Real p[3];
+  find_origin(table, i, motions.poses, p);
+  LinkTurns<Real> turns;
+  find_turns(table.links[i], motions.poses.joints[i], turns);
   Spatial<Real> u;
   copy_spatial(joint.u, u);
   const Real inverse_D = joint.inverse_D;
@@ -165,7 +169,14 @@ void absorb_in_joint(const Table& table, int i, const Motions& motions,
       add_work(table, along * inverse_D, first, r, rows);
       add_scaled(u, -along, K);
       along_joint(table, i, K) = held * along;
-      wrench_to_parent(table, i, motions.poses, K);
+      if (turns_freely(table, i)) {
+        turn_by(rotation_of(table, i, motions.poses), K.linear);
+        turn_by(rotation_of(table, i, motions.poses), K.angular);
+      } else {
+        turn_by_planes(turns, K.linear);
+        turn_by_planes(turns, K.angular);
+      }
+      add_cross(p, K.linear, K.angular);
       copy_spatial(K, rows.forces[r]);
       rows.links[r] = table.links[i].parent;
     }
