@@ -5,4 +5,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.1.0 humanoid24 sha256 "
-    "c7d1e0d138b7b51c4eff9ac0c110d877d676e3aa0f227c7f8d0c55b29e22f4af";
+    "46b3d50e9feee864732e90cbcc09c1ac6f35d6addc4f4a17d551d1b962bf33ce";

@@ -5,4 +5,4 @@
 
 const char puma560_id[95] =
     "treeline 0.1.0 puma560 sha256 "
-    "3eb2b4d45f3ad8efca56c1160135449b77ba8930a08646124c3feed5266ebfd8";
+    "e0e1760f7103f544012165a6004d5edf017c2209c93401b7b4f73a60c27ab084";

@@ -5,4 +5,4 @@
 
 const char samm_id[92] =
     "treeline 0.1.0 samm sha256 "
-    "e9554251a99ba05039d5ccc820c3d0a11badc65c289fa0e873fdb59ce7a1f5dc";
+    "a7296c62c09fccecc3f3b3905056ad751682fb44cf5578c7e5e8b6320c795761";

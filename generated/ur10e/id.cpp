@@ -5,4 +5,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.1.0 ur10e sha256 "
-    "2c4c7a2d82f931ca49beee85aa382bad72f5cd4527647d625134ab4ff18f3d19";
+    "5e7c127af14cddd5100b5f18877cc769e9655a4996ab5faf45750f9c63ba590b";

@@ -99,6 +99,18 @@ struct OneLane {
   }
 };
 
+/// The bits of one number, as headers of runtime/emitted take them.
+template <class Real>
+TREELINE_INLINE_BITS void to_bits(const Real* value, typename Format<Real>::Bits* bits) noexcept {
+  OneLane<Real>::to_bits(*value, *bits);
+}
+
+/// The number of these bits.
+template <class Real>
+TREELINE_INLINE_BITS void from_bits(const typename Format<Real>::Bits* bits, Real* value) noexcept {
+  OneLane<Real>::from_bits(*bits, *value);
+}
+
 // Only where there are wide registers: elsewhere the extension would be unpacked again.
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && \
     !defined(TREELINE_NO_VECTOR_EXTENSIONS)

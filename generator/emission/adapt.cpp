@@ -25,9 +25,9 @@ std::string rename(std::string_view word, const Adaptation& own) {
   return std::string(word);
 }
 
-/// What a compiler of C++ need not be told: `typedef struct TlRow TlRow;`.
+/// What a compiler of C++ need not be told: `typedef struct TlRow TlRow;`, what `bool` is.
 bool is_for_c(std::string_view line) {
-  return line.starts_with("typedef struct Tl");
+  return line.starts_with("typedef struct Tl") || line.starts_with("#include <stdbool.h>\n");
 }
 
 /// The comment on the whole and the includes, and what is behind them.
@@ -97,11 +97,12 @@ std::string adapt_words(std::string_view text, const Adaptation& own) {
     }
     std::size_t end = 0;
     while (end < text.size() && belongs_to_word(text[end])) ++end;
+    const bool of_library = adapted.ends_with("#include <");
     adapted += end > 0 ? rename(text.substr(0, end), own) : std::string(1, text.front());
     text.remove_prefix(std::max<std::size_t>(end, 1));
     const bool is_header =
         end > 0 && text.starts_with(".h") && (text.size() == 2 || !belongs_to_word(text[2]));
-    if (is_header && own.language == Language::cpp) {
+    if (is_header && !of_library && own.language == Language::cpp) {
       adapted += ".hpp";
       text.remove_prefix(2);
     }

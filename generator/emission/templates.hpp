@@ -20,6 +20,8 @@ extern const std::string_view kPrefetchCpp;
 extern const std::string_view kPrefetchHeaderC;
 extern const std::string_view kPrefetchHeaderCpp;
 extern const std::string_view kQuadraticProgram;
+extern const std::string_view kSquareRoot;
+extern const std::string_view kSquareRootBySteps;
 extern const std::string_view kTorqueLimits;
 
 }  // namespace treeline::templates

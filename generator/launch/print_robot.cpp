@@ -155,6 +155,8 @@ std::vector<GeneratedFile> runtime_headers() {
           file("core/square_root.hpp", t::kCoreSquareRoot),
           file("core/symmetric_eigen.hpp", t::kCoreSymmetricEigen),
           file("core/turn_motion.hpp", t::kCoreTurnMotion),
+          file("emitted/sin_cos.h", t::kEmittedSinCos),
+          file("emitted/square_root.h", t::kEmittedSquareRoot),
           file("servo/clock.hpp", t::kServoClock),
           file("servo/cycle.hpp", t::kServoCycle),
           file("servo/integrate.hpp", t::kServoIntegrate),

@@ -23,6 +23,8 @@ extern const std::string_view kCoreSinCos;
 extern const std::string_view kCoreSquareRoot;
 extern const std::string_view kCoreSymmetricEigen;
 extern const std::string_view kCoreTurnMotion;
+extern const std::string_view kEmittedSinCos;
+extern const std::string_view kEmittedSquareRoot;
 extern const std::string_view kServoClock;
 extern const std::string_view kServoCycle;
 extern const std::string_view kServoIntegrate;

@@ -50,7 +50,28 @@ enum {
 enum { TL_SOLVED, TL_CONFLICTING, TL_LIMIT, TL_NOT_CONVEX };
 enum { TL_LOWER = -1, TL_FREE, TL_UPPER, TL_SET_ASIDE };
 
-#define tl_root root_for_c
+// Of square_root.h, which reads the bits of numbers.
+#define TL_ROOT_INSTRUCTION TL_ROOT_OF_DOUBLE
+typedef uint64_t TlBits;
+enum { TL_FRACTION_BITS = 52, TL_SIGN_AT = 63, TL_BIAS = 1023 };
+
+static inline void tl_to_bits(const real* x, TlBits* bits) {
+  union {
+    real number;
+    TlBits bits;
+  } both;
+  both.number = *x;
+  *bits = both.bits;
+}
+
+static inline void tl_from_bits(const TlBits* bits, real* x) {
+  union {
+    real number;
+    TlBits bits;
+  } both;
+  both.bits = *bits;
+  *x = both.number;
+}
 
 #include "emitted/limited_states.h"
 

@@ -4,7 +4,6 @@
 extern "C" {
 #endif
 
-double root_for_c(double x);
 void limit_torque_in_c(const void* layout, const void* limits, const double* M, const double* J_s,
                        const double* J_t, double* tau, double* f, void* result);
 

@@ -15,10 +15,6 @@
 #include "core/quadratic_program.hpp"
 #include "emitted_limits.h"
 
-extern "C" double root_for_c(double x) {
-  return treeline::core::square_root(x > 0 ? x : 0);
-}
-
 namespace {
 
 using namespace treeline::core;  // NOLINT: the whole header is under test

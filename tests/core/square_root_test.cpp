@@ -23,7 +23,7 @@ bool is_same(Real a, Real b) {
 template <class Real>
 void expect_root(Real x) {
   EXPECT_TRUE(is_same(square_root(x), std::sqrt(x))) << x;
-  EXPECT_TRUE(is_same(steps::portable_square_root(x), std::sqrt(x))) << x;
+  EXPECT_TRUE(is_same(EmittedSquareRoot<Real>::tl_portable_square_root(x), std::sqrt(x))) << x;
 }
 
 template <class Real>

@@ -12,6 +12,9 @@ namespace {
 constexpr const char* kRowsHeader = R"(#pragma once
 // Rows, see other_rows.h.
 
+#include <stdbool.h>
+#include <stdint.h>
+
 #include "other_rows.h"
 
 /// At most TL_MOST_ROWS.
@@ -36,6 +39,9 @@ TEST(Adapt, PrefixesNamesInC) {
 // Rows, see other_rows.h.
 // Generated; see arm_rows.h for the contract.
 
+#include <stdbool.h>
+#include <stdint.h>
+
 #include "other_rows.h"
 
 /// At most ARM_MOST_ROWS.
@@ -54,6 +60,8 @@ TEST(Adapt, PutsNamesIntoANamespaceInCpp) {
   EXPECT_EQ(adapt_for(Language::cpp, false), R"(#pragma once
 // Rows, see other_rows.hpp.
 // Generated; see arm_rows.hpp for the contract.
+
+#include <stdint.h>
 
 #include "other_rows.hpp"
 

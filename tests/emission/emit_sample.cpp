@@ -5,6 +5,7 @@
 #include "emission/c/print_damped.hpp"
 #include "emission/emit.hpp"
 #include "emission/misra/print_damped_runtime.hpp"
+#include "emission/print_square_root.hpp"
 #include "emission/sample.hpp"
 #include "emission/write_files.hpp"
 
@@ -33,9 +34,7 @@ int main(int argc, char** argv) {
   auto files = treeline::emit(context, programs, diagnostics, batch);
   if (is_c) {  // the loops of damped control, which these functions do without
     for (auto& file : treeline::c::print_damped_runtime(context)) files.push_back(file);
-    files.push_back(
-        misra ? treeline::misra::print_square_root(context)
-              : treeline::GeneratedFile{"square_root.h", treeline::c::print_square_root(context)});
+    files.push_back(treeline::print_square_root(context));
   } else if (misra) {
     for (auto& file : treeline::misra::print_damped_runtime(context)) files.push_back(file);
   }

@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <sstream>
-#include <stdexcept>
-
 #include "emission/c/print_runtime.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/cpp/templates.hpp"
 #include "emission/describe_damped.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/print_damped_steps.hpp"
@@ -32,61 +27,6 @@ std::string print_damped_calls(const EmissionContext& context,
   }
   return calls;
 }
-
-/// What chooses the target's instruction for a square root: the lines of preprocessor in the
-/// header of the runtime, but those for the other number type.
-std::string lift_instructions(const EmissionContext& context) {
-  const std::string own =
-      fmt::format("TREELINE_ROOT_OF_{}", context.single_precision ? "FLOAT" : "DOUBLE");
-  const std::string_view header = cpp::templates::kSquareRoot;
-  const std::size_t begin = header.find("#if defined(TREELINE_PORTABLE_SQUARE_ROOT)");
-  const std::size_t end = header.find("\nnamespace ", begin);
-  if (begin == header.npos || end == header.npos) {
-    throw std::logic_error("square_root.hpp: where are its instructions?");
-  }
-  std::istringstream lines{std::string(header.substr(begin, end - begin))};
-  std::string lifted;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t at = line.find(own);
-    if (line.starts_with("#define") && at == line.npos) continue;
-    if (at != line.npos) {
-      line.replace(at, own.size(), fmt::format("TREELINE_{}_ROOT", name_in_capitals(context)));
-    }
-    lifted += line + "\n";
-  }
-  return lifted;
-}
-
-/// The end of the function that takes a root: by the instruction where there is one.
-std::string print_root(const EmissionContext& context) {
-  const std::string portable =
-      fmt::format("return {}_portable_square_root(positive);\n", context.name);
-  return fmt::format(
-      "#if defined(TREELINE_{0}_ROOT)\n  {1} root;\n  TREELINE_{0}_ROOT(root, positive);\n"
-      "  return root;\n#else\n  {2}#endif\n",
-      name_in_capitals(context), number_type(context), portable);
-}
-
-}  // namespace
-
-std::string print_square_root(const EmissionContext& context) {
-  const bool single = context.single_precision;
-  return fill_template(templates::kSquareRoot, {{"name", context.name},
-                                                {"real", number_type(context)},
-                                                {"bits", single ? "uint32_t" : "uint64_t"},
-                                                {"fraction", single ? "23" : "52"},
-                                                {"turns", single ? "24" : "53"},
-                                                {"quiet", single ? "22" : "51"},
-                                                {"bias", single ? "127" : "1023"},
-                                                {"sign", single ? "31" : "63"},
-                                                {"infinity", single ? "255" : "2047"},
-                                                {"raised", single ? "24" : "54"},
-                                                {"zero", number_literal(context, "0.0")},
-                                                {"instructions", lift_instructions(context)},
-                                                {"root", print_root(context)}});
-}
-
-namespace {
 
 std::string print_damped_solve(const EmissionContext& context) {
   return fill_template(templates::kDampedSolve, {{"name", context.name},

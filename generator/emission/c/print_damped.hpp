@@ -27,7 +27,4 @@ std::vector<GeneratedFile> print_damped(const EmissionContext& context,
 /// square_root.h.
 std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context);
 
-/// square_root.h in the number type.
-std::string print_square_root(const EmissionContext& context);
-
 }  // namespace treeline::c

@@ -13,9 +13,9 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
-#include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
 #include "emission/print_limit_headers.hpp"
+#include "emission/print_square_root.hpp"
 
 namespace treeline::c {
 namespace {
@@ -95,8 +95,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     for (GeneratedFile& file : print_limit_headers(context)) files.push_back(std::move(file));
   }
   if (damped || limited) {
-    files.push_back(context.misra ? misra::print_square_root(context)
-                                  : GeneratedFile{"square_root.h", print_square_root(context)});
+    files.push_back(print_square_root(context));
   }
   std::vector<GeneratedFile> loops = print_loop_headers(context, programs);
   if (damped || limited || !loops.empty() ||

@@ -27,7 +27,6 @@ extern const std::string_view kLoopFunction;
 extern const std::string_view kNumber;
 extern const std::string_view kSinCos;
 extern const std::string_view kSinCosStates;
-extern const std::string_view kSquareRoot;
 extern const std::string_view kStates;
 extern const std::string_view kStepsInDouble;
 extern const std::string_view kStepsInFloat;

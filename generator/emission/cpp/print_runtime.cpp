@@ -13,6 +13,7 @@
 #include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
 #include "emission/print_limit_headers.hpp"
+#include "emission/print_square_root.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -76,7 +77,7 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
       files.push_back(std::move(file));
     }
   }
-  if ((limited || controlled) && !damped) files.push_back(misra::print_square_root(context));
+  if ((limited || controlled) && !damped) files.push_back(print_square_root(context));
   return files;
 }
 
@@ -129,7 +130,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
       files.push_back(std::move(file));
   }
   if (damped || limited || controlled) {
-    files.push_back({"square_root.hpp", print_header(context, templates::kSquareRoot)});
+    files.push_back(print_square_root(context));
   }
   return files;
 }

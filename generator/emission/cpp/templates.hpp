@@ -60,7 +60,6 @@ extern const std::string_view kNamedCall;
 extern const std::string_view kOrientation;
 extern const std::string_view kQuintic;
 extern const std::string_view kSinCos;
-extern const std::string_view kSquareRoot;
 extern const std::string_view kStates;
 extern const std::string_view kSymmetricEigen;
 extern const std::string_view kTorqueLimits;

@@ -11,8 +11,5 @@ extern const std::string_view kFunction;
 extern const std::string_view kSinCosC;
 extern const std::string_view kSinCosCpp;
 extern const std::string_view kSinCosSteps;
-extern const std::string_view kSquareRootC;
-extern const std::string_view kSquareRootCpp;
-extern const std::string_view kSquareRootSteps;
 
 }  // namespace treeline::misra::templates
