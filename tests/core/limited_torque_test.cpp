@@ -29,7 +29,7 @@ template <class Sizes>
 struct Support {
   Matrix M, J_s, J_t;
   Vector tau, f;
-  typename Limits<Sizes>::TlSupportLayout layout;
+  typename Limits<Sizes>::TlSupportLayout layout{};
   typename Limits<Sizes>::TlTorqueLimits limits;
 };
 
