@@ -5,4 +5,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.1.0 ur10e sha256 "
-    "5e7c127af14cddd5100b5f18877cc769e9655a4996ab5faf45750f9c63ba590b";
+    "d748bf24d91496441e17b2a3e7b62804916fead1b830a41db369b356b483cc3a";

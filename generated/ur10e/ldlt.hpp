@@ -1,66 +1,59 @@
 #ifndef TREELINE_UR10E_LDLT_HPP
 #define TREELINE_UR10E_LDLT_HPP
-// Small symmetric positive definite systems: A = L D L^T with L unit lower triangular. C++17,
-// freestanding, fixed size, no square root, no branch on data.
+// Symmetric positive definite systems of fixed size: A = L D L^T with L unit lower
+// triangular. No square root, no branch on data.
+// Generated; see ur10e_damped.hpp for the contract.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // of array bounds that are template parameters
-#endif
+#include "damped_sizes.hpp"
 
-namespace ur10e::detail {
+namespace ur10e {
+namespace detail {
 
-/// Factors the row-major symmetric `A` in place: L below the diagonal, D on it; what lies above the
-/// diagonal is neither read nor written. Returns whether every pivot is positive (false for NaN
-/// too); when not, the factors are meaningless.
-template <int N, int NN, class Real>
-inline bool ldlt_factor(Real (&A)[NN]) noexcept {
-  static_assert(NN == N * N, "A holds N x N numbers");
+/// Factors the row-major symmetric A in place: L below the diagonal, D on it; what
+/// lies above the diagonal is neither read nor written. Returns whether every pivot
+/// is positive (false for NaN too); when not, the factors are meaningless.
+inline bool ldlt_factor(double* A) {
   bool positive = true;
-  Real scaled[N];
-  for (int k = 0; k < N; ++k) {
-    scaled[k] = A[k * N + k];  // or compilers take it for read before it is written
+  double scaled[kTaskRows];
+  for (int32_t k = 0; k < kTaskRows; ++k) {
+    // Or compilers take it for read before it is written.
+    scaled[k] = A[(k * kTaskRows) + k];
   }
-  for (int j = 0; j < N; ++j) {
-    Real pivot = A[j * N + j];
-    for (int k = 0; k < j; ++k) {
-      scaled[k] = A[j * N + k] * A[k * N + k];
-      pivot -= A[j * N + k] * scaled[k];
+  for (int32_t j = 0; j < kTaskRows; ++j) {
+    double pivot = A[(j * kTaskRows) + j];
+    for (int32_t k = 0; k < j; ++k) {
+      scaled[k] = A[(j * kTaskRows) + k] * A[(k * kTaskRows) + k];
+      pivot -= A[(j * kTaskRows) + k] * scaled[k];
     }
-    A[j * N + j] = pivot;
-    positive &= pivot > Real(0);
-    for (int i = j + 1; i < N; ++i) {
-      Real entry = A[i * N + j];
-      for (int k = 0; k < j; ++k) {
-        entry -= A[i * N + k] * scaled[k];
+    A[(j * kTaskRows) + j] = pivot;
+    positive = positive && (pivot > 0.0);
+    for (int32_t i = j + 1; i < kTaskRows; ++i) {
+      double entry = A[(i * kTaskRows) + j];
+      for (int32_t k = 0; k < j; ++k) {
+        entry -= A[(i * kTaskRows) + k] * scaled[k];
       }
-      A[i * N + j] = entry / pivot;
+      A[(i * kTaskRows) + j] = entry / pivot;
     }
   }
   return positive;
 }
 
-/// Solves A x = b in place (`x` holds b on entry) with the factors of `ldlt_factor`.
-template <int N, int NN, class Real>
-constexpr void ldlt_solve(const Real (&factors)[NN], Real (&x)[N]) noexcept {
-  static_assert(NN == N * N, "the factors hold N x N numbers");
-  for (int i = 0; i < N; ++i) {
-    for (int k = 0; k < i; ++k) {
-      x[i] -= factors[i * N + k] * x[k];
+/// Solves A x = b in place with the factors of ldlt_factor: x holds b on entry.
+inline void ldlt_solve(const double* factors, double* x) {
+  for (int32_t i = 0; i < kTaskRows; ++i) {
+    for (int32_t k = 0; k < i; ++k) {
+      x[i] -= factors[(i * kTaskRows) + k] * x[k];
     }
   }
-  for (int i = N - 1; i >= 0; --i) {
-    x[i] /= factors[i * N + i];
-    for (int k = i + 1; k < N; ++k) {
-      x[i] -= factors[k * N + i] * x[k];
+  for (int32_t i = kTaskRows - 1; i >= 0; --i) {
+    x[i] /= factors[(i * kTaskRows) + i];
+    for (int32_t k = i + 1; k < kTaskRows; ++k) {
+      x[i] -= factors[(k * kTaskRows) + i] * x[k];
     }
   }
 }
 
-}  // namespace ur10e::detail
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
+}  // namespace detail
+}  // namespace ur10e
 
 #endif  // TREELINE_UR10E_LDLT_HPP

@@ -19,8 +19,8 @@ static const double ur10e_heaviest[6] = {200.0, 200.0, 200.0, 5.0, 5.0, 5.0};
 /// no step; see damped_solve.h. Where directions yield, qdd_0 moves the joints that the task has
 /// given up: let it damp, as qdd_0 = -kv qd does. Returns the least ease: 1 and more where nothing
 /// yields, 0 at a singularity.
-/// Cost: 5253 flops (add 2016, mul 3075, div 162), 130 square roots, sine and cosine of 19 angles;
-///   4249 of the flops in the solve.
+/// Cost: 5251 flops (add 2016, mul 3073, div 162), 130 square roots, sine and cosine of 19 angles;
+///   4247 of the flops in the solve.
 /// Stack, an estimate: 429 values live at once, 3432 bytes.
 /// Rounding: in 50, 90, 99 of 100 states, as measured, at most 4e-11, 7e-10, 2e-09 in tau; 3e-13,
 ///   9e-13, 2e-12 in the ease.

@@ -17,8 +17,8 @@ inline constexpr Real kHeaviest[kTaskRows] = {200.0, 200.0, 200.0, 5.0, 5.0, 5.0
 /// configuration, and tau has no step; see damped_solve.hpp. Where directions yield, qdd_0 moves
 /// the joints that the task has given up: let it damp, as qdd_0 = -kv qd does. Returns the least
 /// ease: 1 and more where nothing yields, 0 at a singularity.
-/// Cost: 5253 flops (add 2016, mul 3075, div 162), 130 square roots, sine and cosine of 19 angles;
-///   4249 of the flops in the solve.
+/// Cost: 5251 flops (add 2016, mul 3073, div 162), 130 square roots, sine and cosine of 19 angles;
+///   4247 of the flops in the solve.
 /// Stack, an estimate: 429 values live at once, 3432 bytes.
 /// Rounding: in 50, 90, 99 of 100 states, as measured, at most 4e-11, 7e-10, 2e-09 in tau; 3e-13,
 ///   9e-13, 2e-12 in the ease.
@@ -32,8 +32,8 @@ inline Real damped_control_torque(const Real (&q)[6], const Real (&qd)[6], const
   jacobian(q, J);
   bias_acceleration(q, qd, bias);
   inverse_dynamics(q, qd, qdd_0, tau);
-  return detail::add_damped_task_torque<kTaskRows, kVelocities>(Lambda_inv, J, bias, qdd_0, xdd_cmd,
-                                                                heaviest, tau);
+  return detail::add_damped_task_torque(
+      &Lambda_inv[0], &J[0], &bias[0], &qdd_0[0], &xdd_cmd[0], &heaviest[0], &tau[0]);
 }
 
 }  // namespace ur10e

@@ -13,17 +13,11 @@
 #include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/limit_cost.hpp"
+#include "emission/print_constants.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {
 namespace {
-
-/// An integer that has a name in emitted code.
-struct Constant {
-  const char* name;
-  int value;
-  const char* comment;
-};
 
 /// Arrays of passive joints, held rows, task rows and cones have at least one entry.
 struct Entries {
@@ -84,20 +78,6 @@ std::vector<Constant> list_array_sizes(const EmissionContext& context) {
           {"CARRIED_ENTRIES", entries.passive * cost.unknowns, "passive joints by unknowns"},
           {"MOST_ROWS", std::max(context.velocities, entries.held), "of a table that is reflected"},
           {"MOST_ITERATIONS", core::most_iterations(cost.unknowns, cost.rows), ""}};
-}
-
-/// Enumerators in C, constants in C++.
-std::string print_constants(const Adaptation& own, std::span<const Constant> constants) {
-  const bool is_c = own.language == Language::c;
-  std::string text = is_c ? "enum {\n" : "";
-  for (const Constant& each : constants) {
-    const bool last = &each == &constants.back();
-    const std::string name = constant_name(own, each.name);
-    text += is_c ? fmt::format("  {} = {}{}", name, each.value, last ? "" : ",")
-                 : fmt::format("inline constexpr int32_t {} = {};", name, each.value);
-    text += *each.comment != '\0' ? fmt::format("  // {}\n", each.comment) : "\n";
-  }
-  return is_c ? text + "};\n" : text;
 }
 
 /// Tolerances and weights of the method as words of the headers.

@@ -6,11 +6,13 @@ namespace treeline::templates {
 
 // Files of templates/ and runtime/emitted that every language shares, embedded when the generator
 // is built (see embed_files.cmake).
+extern const std::string_view kDampedSolve;
 extern const std::string_view kEights;
 extern const std::string_view kEightsWrittenOut;
 extern const std::string_view kEnterRows;
 extern const std::string_view kForceBasis;
 extern const std::string_view kIdentity;
+extern const std::string_view kLdlt;
 extern const std::string_view kLimitProgram;
 extern const std::string_view kLimitedStates;
 extern const std::string_view kLimitedTorque;
@@ -22,6 +24,7 @@ extern const std::string_view kPrefetchHeaderCpp;
 extern const std::string_view kQuadraticProgram;
 extern const std::string_view kSquareRoot;
 extern const std::string_view kSquareRootBySteps;
+extern const std::string_view kSymmetricEigen;
 extern const std::string_view kTorqueLimits;
 
 }  // namespace treeline::templates

@@ -6,29 +6,28 @@
 #include <limits>
 #include <utility>
 
+// Before the header that uses it, because names in templates are looked up where they are defined.
+namespace treeline::core {
+
+/// What the runtime has for float and double only.
+inline long double square_root(long double x) noexcept {
+  return std::sqrt(x);
+}
+
+}  // namespace treeline::core
+
 #include "core/damped_solve.hpp"
 
 // Compiled without contraction: these are the bits that emitted code is held to.
 
 namespace treeline {
 
-// What the runtime has for float and double only.
 namespace core {
 
 template <>
 struct Format<long double> {
   static constexpr long double kEpsilon = std::numeric_limits<long double>::epsilon();
 };
-
-template <>
-inline long double steps::root(long double x) noexcept {
-  return x > 0 ? std::sqrt(x) : 0;
-}
-
-template <>
-inline long double steps::root_of_squares(long double x) noexcept {
-  return std::sqrt(x);
-}
 
 }  // namespace core
 

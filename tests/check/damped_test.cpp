@@ -131,10 +131,10 @@ TEST(CheckDamped, FaultsInItsHeadersAreSeen) {
            Fault{"ur10e_damped.hpp", "{200.0, ", "{200.00001, ", true},
            Fault{"ur10e_damped.hpp", "qdd_0, tau);", "xdd_cmd, tau);", true},
            Fault{"damped_solve.hpp", "border * lack * lack * lack", "border * lack * lack", true},
-           Fault{"damped_solve.hpp", "F[row] -= J[row", "F[row] += J[row", true},
+           Fault{"damped_solve.hpp", "F[row] -= J[", "F[row] += J[", true},
            Fault{"damped_solve.hpp", "return least;", "return most;", true},
-           Fault{"symmetric_eigen.hpp", "3 * n + 2", "n - 1", true},
-           Fault{"ldlt.hpp", "entry -= A[i * N + k]", "entry += A[i * N + k]", true},
+           Fault{"damped_sizes.hpp", "kSweeps = 20", "kSweeps = 5", true},
+           Fault{"ldlt.hpp", "entry -= A[(i", "entry += A[(i", true},
            Fault{"square_root.hpp", "_DOUBLE(root, x);",
                  "_DOUBLE(root, x); root += root * 0x1p-52;", false},
        }) {

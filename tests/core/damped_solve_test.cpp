@@ -11,6 +11,8 @@
 #include <limits>
 #include <random>
 
+#include "core/ldlt.hpp"
+
 namespace {
 
 using namespace treeline::core;  // NOLINT: the whole header is under test

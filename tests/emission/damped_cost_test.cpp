@@ -35,7 +35,7 @@ struct Counted {
 
 template <>
 struct treeline::core::Format<Counted> {
-  static constexpr Counted kEpsilon{0x1p-52};
+  static constexpr double kEpsilon = 0x1p-52;
 };
 
 // The cost of damped_control_torque in the header, compared with the code from which it is made.

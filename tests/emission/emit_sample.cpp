@@ -2,9 +2,8 @@
 #include <cstdio>
 #include <string>
 
-#include "emission/c/print_damped.hpp"
 #include "emission/emit.hpp"
-#include "emission/misra/print_damped_runtime.hpp"
+#include "emission/print_damped_headers.hpp"
 #include "emission/print_square_root.hpp"
 #include "emission/sample.hpp"
 #include "emission/write_files.hpp"
@@ -32,11 +31,9 @@ int main(int argc, char** argv) {
   if (context.batch > 0) batch = programs;
   for (treeline::Program& program : batch) program.packs.clear();
   auto files = treeline::emit(context, programs, diagnostics, batch);
-  if (is_c) {  // the loops of damped control, which these functions do without
-    for (auto& file : treeline::c::print_damped_runtime(context)) files.push_back(file);
+  if (is_c || misra) {  // the loops of damped control, which these functions do without
+    for (auto& file : treeline::print_damped_headers(context)) files.push_back(file);
     files.push_back(treeline::print_square_root(context));
-  } else if (misra) {
-    for (auto& file : treeline::misra::print_damped_runtime(context)) files.push_back(file);
   }
   const bool written = !files.empty() && treeline::write_files(argv[1], files, diagnostics);
   for (const treeline::Diagnostic& diagnostic : diagnostics.list()) {

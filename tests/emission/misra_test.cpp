@@ -5,12 +5,12 @@
 #include <sstream>
 
 #include "emission/backend/backend.hpp"
-#include "emission/c/print_damped.hpp"
 #include "emission/emit.hpp"
 #include "emission/guard_headers.hpp"
-#include "emission/misra/print_damped_runtime.hpp"
+#include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
 #include "emission/print_parts.hpp"
+#include "emission/print_square_root.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: code of `profile: misra` that has what the profile promises to leave out, or that is
@@ -36,10 +36,9 @@ std::vector<GeneratedFile> emit_safe(Language language, bool single_precision) {
   Diagnostics diagnostics;
   auto files = emit(context, test::safe_programs(), diagnostics);
   EXPECT_TRUE(diagnostics.list().empty());
-  const bool is_c = language == Language::c;
   context.limits = limits_of_two();
-  for (auto& more : {is_c ? c::print_damped_runtime(context) : misra::print_damped_runtime(context),
-                     print_limit_headers(context)}) {
+  for (auto& more : {print_damped_headers(context), print_limit_headers(context),
+                     std::vector{print_square_root(context)}}) {
     files.insert(files.end(), more.begin(), more.end());
   }
   guard_headers(context.name, files);

@@ -10,7 +10,6 @@
 #include "emission/comment.hpp"
 #include "emission/describe_damped.hpp"
 #include "emission/fill_template.hpp"
-#include "emission/print_damped_steps.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -26,12 +25,6 @@ std::string print_damped_calls(const EmissionContext& context,
     calls += fmt::format("{}_{}({}{});\n", context.name, call.program->name, list, call.result);
   }
   return calls;
-}
-
-std::string print_damped_solve(const EmissionContext& context) {
-  return fill_template(templates::kDampedSolve, {{"name", context.name},
-                                                 {"rows", std::to_string(context.task_rows)},
-                                                 {"steps", print_damped_steps(context)}});
 }
 
 }  // namespace
@@ -77,10 +70,6 @@ std::vector<GeneratedFile> print_damped(const EmissionContext& context,
                 {"signature", print_section(context) +
                                   wrap_line(print_damped_signature(context, programs) + " {", 0)},
                 {"calls", print_damped_calls(context, list_damped_calls(programs))}})}};
-}
-
-std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context) {
-  return {{"damped_solve.h", print_damped_solve(context)}};
 }
 
 }  // namespace treeline::c

@@ -23,8 +23,4 @@ GeneratedFile print_damped_header(const EmissionContext& context,
 std::vector<GeneratedFile> print_damped(const EmissionContext& context,
                                         std::span<const Program> programs);
 
-/// damped_solve.h, the loops that it needs, in the number type and for the task's rows. It includes
-/// square_root.h.
-std::vector<GeneratedFile> print_damped_runtime(const EmissionContext& context);
-
 }  // namespace treeline::c

@@ -7,13 +7,13 @@
 
 #include "emission/c/lift_steps.hpp"
 #include "emission/c/print_batch.hpp"
-#include "emission/c/print_damped.hpp"
 #include "emission/c/print_loops.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/misra/print_sin_cos.hpp"
+#include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
 #include "emission/print_square_root.hpp"
 
@@ -90,7 +90,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   std::vector<GeneratedFile> files;
   const bool damped = !context.effective_mass_limits.empty();
   const bool limited = context.limits.has_value();
-  if (damped) files = print_damped_runtime(context);
+  if (damped) files = print_damped_headers(context);
   if (limited) {
     for (GeneratedFile& file : print_limit_headers(context)) files.push_back(std::move(file));
   }

@@ -37,17 +37,6 @@ std::string print_damped_signature(const std::vector<Argument>& arguments) {
       list);
 }
 
-/// The torques of the task, by templates or by a function of the sizes.
-std::string print_task(const EmissionContext& context) {
-  return context.misra
-             ? "return detail::add_damped_task_torque(Lambda_inv, J, bias, qdd_0, xdd_cmd, "
-               "heaviest,\n"
-               "                                      tau);"
-             : "return detail::add_damped_task_torque<kTaskRows, kVelocities>(Lambda_inv, J, bias, "
-               "qdd_0, xdd_cmd,\n                                                              "
-               "heaviest, tau);";
-}
-
 }  // namespace
 
 std::string print_damped(const EmissionContext& context, std::span<const Program> programs) {
@@ -62,8 +51,7 @@ std::string print_damped(const EmissionContext& context, std::span<const Program
        {"cost", comment("///", describe_damped_cost(context, programs))},
        {"signature",
         wrap_line(print_damped_signature(list_damped_arguments(calls, context.task_rows)), 0)},
-       {"calls", print_damped_calls(calls)},
-       {"task", print_task(context)}});
+       {"calls", print_damped_calls(calls)}});
 }
 
 }  // namespace treeline::cpp

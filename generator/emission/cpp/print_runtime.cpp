@@ -10,8 +10,8 @@
 #include "emission/describe_program.hpp"
 #include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
-#include "emission/misra/print_damped_runtime.hpp"
 #include "emission/misra/print_sin_cos.hpp"
+#include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
 #include "emission/print_square_root.hpp"
 
@@ -68,16 +68,14 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
     }
   }
   if (damped) {
-    for (GeneratedFile& file : misra::print_damped_runtime(context)) {
-      files.push_back(std::move(file));
-    }
+    for (GeneratedFile& file : print_damped_headers(context)) files.push_back(std::move(file));
   }
   if (limited) {
     for (GeneratedFile& file : print_limit_headers(context)) {
       files.push_back(std::move(file));
     }
   }
-  if ((limited || controlled) && !damped) files.push_back(print_square_root(context));
+  if (limited || controlled || damped) files.push_back(print_square_root(context));
   return files;
 }
 
@@ -118,9 +116,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
     files.push_back({"states.hpp", print_header(context, templates::kStates)});
   }
   if (damped) {
-    files.push_back({"damped_solve.hpp", print_header(context, templates::kDampedSolve)});
-    files.push_back({"ldlt.hpp", print_header(context, templates::kLdlt)});
-    files.push_back({"symmetric_eigen.hpp", print_header(context, templates::kSymmetricEigen)});
+    for (GeneratedFile& file : print_damped_headers(context)) files.push_back(std::move(file));
   }
   if (limited) {
     for (GeneratedFile& file : print_limit_headers(context)) files.push_back(std::move(file));

@@ -1,0 +1,20 @@
+#include "emission/print_constants.hpp"
+
+#include <fmt/format.h>
+
+namespace treeline {
+
+std::string print_constants(const Adaptation& own, std::span<const Constant> constants) {
+  const bool is_c = own.language == Language::c;
+  std::string text = is_c ? "enum {\n" : "";
+  for (const Constant& each : constants) {
+    const bool last = &each == &constants.back();
+    const std::string name = constant_name(own, each.name);
+    text += is_c ? fmt::format("  {} = {}{}", name, each.value, last ? "" : ",")
+                 : fmt::format("inline constexpr int32_t {} = {};", name, each.value);
+    text += *each.comment != '\0' ? fmt::format("  // {}\n", each.comment) : "\n";
+  }
+  return is_c ? text + "};\n" : text;
+}
+
+}  // namespace treeline

@@ -1,0 +1,68 @@
+#include "emission/print_damped_headers.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/emitted_damped.hpp"
+#include "emission/adapt.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/print_constants.hpp"
+#include "emission/templates.hpp"
+
+namespace treeline {
+namespace {
+
+const char* ending_of(const EmissionContext& context) {
+  return context.language == Language::c ? ".h" : ".hpp";
+}
+
+Adaptation make_damped_adaptation(const EmissionContext& context) {
+  const bool single = context.single_precision;
+  Adaptation own = make_adaptation(context, context.name + "_damped" + ending_of(context));
+  const auto add = [&](const char* word, const char* digits) {
+    own.words[word] = number_literal(context, digits);
+  };
+  add("TL_HALF", "0.5");
+  add("TL_TWO", "2.0");
+  add("TL_LOST_SQUARE", single ? "1e-30" : "1e-280");
+  add("TL_NEGLIGIBLE", single ? "0x1p-21" : "0x1p-50");
+  add("TL_UNRESOLVED", single ? "0x1p-17" : "0x1p-46");
+  // By `profile: misra` there is no root but that of numbers that are not negative.
+  if (context.misra) own.words["tl_square_root"] = adapt_words("tl_root", own);
+  return own;
+}
+
+std::string print_damped_sizes(const EmissionContext& context, const Adaptation& own) {
+  const int rows = context.task_rows;
+  const int sweeps =
+      context.single_precision ? core::ql_sweeps<float>(rows) : core::ql_sweeps<double>(rows);
+  const Constant sizes[] = {{"SWEEPS", sweeps, "of QL, as many as any matrix of this size takes"},
+                            {"ROTATIONS", core::count_rotations(rows, sweeps),
+                             "numbers that describe them, at least one"}};
+  Adaptation filled = own;
+  filled.words["TL_CONTRACT"] = context.name;
+  filled.words["TL_CONSTANTS"] = print_constants(own, sizes);
+  return adapt(
+      "#pragma once\n// Sizes of arrays that damped_solve.h computes in.\n\n#include "
+      "<stdbool.h>\n#include <stdint.h>\n\n#include \"TL_CONTRACT.h\"\n\nTL_CONSTANTS",
+      filled);
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> print_damped_headers(const EmissionContext& context) {
+  const Adaptation own = make_damped_adaptation(context);
+  const std::pair<const char*, std::string_view> headers[] = {
+      {"damped_solve", templates::kDampedSolve},
+      {"ldlt", templates::kLdlt},
+      {"symmetric_eigen", templates::kSymmetricEigen}};
+  const std::string ending = ending_of(context);
+  std::vector<GeneratedFile> files = {{"damped_sizes" + ending, print_damped_sizes(context, own)}};
+  for (const auto& [name, text] : headers) files.push_back({name + ending, adapt(text, own)});
+  return files;
+}
+
+}  // namespace treeline
