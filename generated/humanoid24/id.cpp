@@ -5,4 +5,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.1.0 humanoid24 sha256 "
-    "46b3d50e9feee864732e90cbcc09c1ac6f35d6addc4f4a17d551d1b962bf33ce";
+    "78f991967d8be74957dd31bfd10a6cc397f8677da20c5b714db8f866b56208f0";

@@ -5,4 +5,4 @@
 
 const char puma560_id[95] =
     "treeline 0.1.0 puma560 sha256 "
-    "e0e1760f7103f544012165a6004d5edf017c2209c93401b7b4f73a60c27ab084";
+    "5fd80af55ab19f76f61deeab948ab0d5a61becc9d5a5a865a905b899af7890d2";

@@ -5,4 +5,4 @@
 
 const char samm_id[92] =
     "treeline 0.1.0 samm sha256 "
-    "a7296c62c09fccecc3f3b3905056ad751682fb44cf5578c7e5e8b6320c795761";
+    "9796feb689b89c9cf5f5dbe207e30e08f70a0f193ef9dee02d76aa98b52de9ec";

@@ -5,4 +5,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.1.0 ur10e sha256 "
-    "d748bf24d91496441e17b2a3e7b62804916fead1b830a41db369b356b483cc3a";
+    "c6a232e57d18d51387ead4343a127f4bf8cf40bc3d4c7448b370dc0ff3ff30d8";

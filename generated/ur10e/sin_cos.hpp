@@ -1,8 +1,8 @@
 #ifndef TREELINE_UR10E_SIN_COS_HPP
 #define TREELINE_UR10E_SIN_COS_HPP
-// Sine and cosine together, without branch, table, heap or library: C++17, freestanding, one file.
-// Every generated folder carries its own copy, in a namespace of its own, so that robots generated
-// at different times live in one program.
+// Sine and cosine together, without branch, table, heap or library: C++17, freestanding. Every
+// generated folder carries its own copy in one file, in a namespace of its own, so that robots
+// generated at different times live in one program.
 //
 // Doubles are computed in double, floats in float: a target with a single-precision unit executes
 // no double operation for them. Every operation is one IEEE operation in round-to-nearest, and the
@@ -38,8 +38,7 @@ struct Format<double> {
   /// whose low bits can be read off, and subtracting it gives the integer back.
   static constexpr double kRoundingShift = 6755399441055744.0;
   static constexpr double kTwoOverPi = 0.6366197723675814;
-  /// The bits of 2^32 rad. Angles beyond count as 0.
-  static constexpr Bits kLargestAngle = Bits{1023 + 32} << 52;
+  static constexpr Bits kLargestExponent = 32;  // angles beyond 2^32 rad count as 0
 };
 template <>
 struct Format<float> {
@@ -50,8 +49,7 @@ struct Format<float> {
   static constexpr Bits kOne = Bits{127} << 23;
   static constexpr float kRoundingShift = 12582912.0F;  // 1.5 * 2^23
   static constexpr float kTwoOverPi = 0x1.45f306p-1F;
-  /// The bits of 2^20 rad.
-  static constexpr Bits kLargestAngle = Bits{127 + 20} << 23;
+  static constexpr Bits kLargestExponent = 20;
 };
 
 // Where there is one: of a copy by __builtin_memcpy some compilers make a call for doubles.
@@ -159,175 +157,231 @@ TREELINE_INLINE_LANES void load_angles(const Real* from,
 #define TREELINE_INLINE_LANES inline
 #endif
 
-// Steps.
+#define TREELINE_STEP static TREELINE_INLINE_LANES
 
-/// 1 where |x| <= kLargestAngle, else 0. As a factor it makes infinities and NaN into NaN and keeps
-/// everything finite within the polynomials' range. Integers compare as the magnitudes do.
+/// What takes the bits of numbers, on one lane or several.
 template <class Lanes>
-TREELINE_INLINE_LANES void within_range(const typename Lanes::Value& x,
-                                        typename Lanes::Value& one_or_zero) noexcept {
-  using F = Format<typename Lanes::Real>;
-  using Bit = typename F::Bits;
-  typename Lanes::Bits bits;
-  Lanes::to_bits(x, bits);
-  bits &= ~(Bit{1} << F::kSignAt);
-  bits -= F::kLargestAngle + Bit{1};  // negative, if it could be, within the range
-  bits = (Bit{0} - (bits >> F::kSignAt)) & F::kOne;
-  Lanes::from_bits(bits, one_or_zero);
+struct QuarterTurns {
+  using real = typename Lanes::Real;
+  using Bits = typename Format<real>::Bits;
+  using Angle = typename Lanes::Value;
+  using AngleBits = typename Lanes::Bits;
+  static constexpr uint32_t kFractionBits = Format<real>::kFractionBits,
+                            kSignAt = Format<real>::kSignAt;
+  static constexpr Bits kBias = Format<real>::kOne >> kFractionBits,
+                          kLargestExponent = Format<real>::kLargestExponent;
+  static constexpr real kRoundingShift = Format<real>::kRoundingShift,
+                        kTwoOverPi = Format<real>::kTwoOverPi;
+
+  TREELINE_STEP void to_bits(const Angle* x, AngleBits* bits) { Lanes::to_bits(*x, *bits); }
+  TREELINE_STEP void from_bits(const AngleBits* bits, Angle* x) { Lanes::from_bits(*bits, *x); }
+
+/// 1 where |x| is within the range, else 0. As a factor it makes infinities and NaN
+/// into NaN and keeps everything finite within the polynomials' range. Integers
+/// compare as the magnitudes do.
+TREELINE_STEP void within_range(const Angle* x, Angle* one_or_zero) {
+  const Bits zero = 0;
+  const Bits one = 1;
+  const Bits bias = kBias;
+  const Bits exponent = kLargestExponent;
+  const Bits largest = (bias + exponent) << kFractionBits;
+  AngleBits bits;
+  to_bits(x, &bits);
+  bits &= ~(one << kSignAt);
+  bits -= largest + one;  // negative, if it could be, within the range
+  bits = (zero - (bits >> kSignAt)) & (bias << kFractionBits);
+  from_bits(&bits, one_or_zero);
 }
 
-/// The nearest multiple of pi/2 to `x`: `turns` quarter turns, the low bits of `quarter` in two's
-/// complement.
-template <class Lanes>
-TREELINE_INLINE_LANES void nearest_quarter(const typename Lanes::Value& x,
-                                           typename Lanes::Value& turns,
-                                           typename Lanes::Bits& quarter) noexcept {
-  using F = Format<typename Lanes::Real>;
-  const typename Lanes::Value shifted = x * F::kTwoOverPi + F::kRoundingShift;
-  turns = shifted - F::kRoundingShift;
-  Lanes::to_bits(shifted, quarter);
+/// The nearest multiple of pi/2 to x: `turns` quarter turns, the low bits of
+/// `quarter` in two's complement.
+TREELINE_STEP void nearest_quarter(
+    const Angle* x, Angle* turns, AngleBits* quarter) {
+  const real two_over_pi = kTwoOverPi;
+  // A number next to it is an integer, so adding it rounds to the nearest integer,
+  // whose low bits can be read off, and subtracting it gives the integer back.
+  const real rounding_shift = kRoundingShift;
+  const Angle shifted = (*x * two_over_pi) + rounding_shift;
+  *turns = shifted - rounding_shift;
+  to_bits(&shifted, quarter);
 }
 
-/// Turns sine and cosine of the remainder into those of the angle: swaps them after an odd number
-/// of quarter turns and sets their signs.
+/// Turns sine and cosine of the remainder into those of the angle: swaps them after
+/// an odd number of quarter turns and sets their signs.
+TREELINE_STEP void rotate_by_quarters(
+    const AngleBits* quarter, Angle* sine, Angle* cosine) {
+  const Bits zero = 0;
+  const Bits one = 1;
+  const Bits sign = one << kSignAt;
+  AngleBits s;
+  AngleBits c;
+  to_bits(sine, &s);
+  to_bits(cosine, &c);
+  const AngleBits odd = zero - (*quarter & one);
+  const AngleBits difference = (s ^ c) & odd;
+  s ^= difference ^ ((*quarter << (kSignAt - 1U)) & sign);
+  c ^= difference ^ (((*quarter + one) << (kSignAt - 1U)) & sign);
+  from_bits(&s, sine);
+  from_bits(&c, cosine);
+}
+};
+
+/// The steps in double and in float.
+template <class Lanes, class Real = typename Lanes::Real>
+struct Sines;
 template <class Lanes>
-TREELINE_INLINE_LANES void rotate_by_quarters(const typename Lanes::Bits& quarter,
-                                              typename Lanes::Value& sine,
-                                              typename Lanes::Value& cosine) noexcept {
-  using F = Format<typename Lanes::Real>;
-  using Bit = typename F::Bits;
-  constexpr Bit kSign = Bit{1} << F::kSignAt;
-  typename Lanes::Bits s;
-  typename Lanes::Bits c;
-  Lanes::to_bits(sine, s);
-  Lanes::to_bits(cosine, c);
-  const typename Lanes::Bits odd = Bit{0} - (quarter & Bit{1});
-  const typename Lanes::Bits difference = (s ^ c) & odd;
-  s ^= difference ^ ((quarter << (F::kSignAt - 1)) & kSign);
-  c ^= difference ^ (((quarter + Bit{1}) << (F::kSignAt - 1)) & kSign);
-  Lanes::from_bits(s, sine);
-  Lanes::from_bits(c, cosine);
+struct Sines<Lanes, double> : QuarterTurns<Lanes> {
+  using Turns = QuarterTurns<Lanes>;
+  using Turns::nearest_quarter;
+  using Turns::rotate_by_quarters;
+  using Turns::within_range;
+  using typename Turns::Angle;
+  using typename Turns::AngleBits;
+
+/// x - turns pi/2 as r + tail. pi/2 is split in three parts of 26 bits and one of 53:
+/// for |turns| < 2^27 the products with the first three are exact, and so are the
+/// first two differences (Cody and Waite); what the third loses to rounding goes to
+/// `tail`, from which the fourth is taken. Left over: turns * 2^-134, and the
+/// rounding of `tail`.
+TREELINE_STEP void subtract_quarters(
+    const Angle* x, const Angle* turns, Angle* r, Angle* tail) {
+  const double kPart1 = 0x1.921fb5p+0;
+  const double kPart2 = 0x1.110b46p-26;
+  const double kPart3 = 0x1.1a6263p-54;
+  const double kPart4 = 0x1.8a2e03707344ap-81;
+  const Angle rough = (*x - (*turns * kPart1)) - (*turns * kPart2);
+  const Angle third = *turns * kPart3;
+  const Angle rest = rough - third;
+  *r = rest;
+  *tail = ((rough - rest) - third) - (*turns * kPart4);
 }
 
-/// x - turns pi/2 as `r + tail`. pi/2 is split in three parts of 26 bits and one of 53: for
-/// |turns| < 2^27 the products with the first three are exact, and so are the first two differences
-/// (Cody and Waite); what the third loses to rounding goes to `tail`, from which the fourth is
-/// taken. Left over: turns * 2^-134, and the rounding of `tail`.
-template <class Lanes>
-TREELINE_INLINE_LANES void subtract_quarters(const typename Lanes::Value& x,
-                                             const typename Lanes::Value& turns,
-                                             typename Lanes::Value& r,
-                                             typename Lanes::Value& tail) noexcept {
-  constexpr double kPart1 = 0x1.921fb5p+0;
-  constexpr double kPart2 = 0x1.110b46p-26;
-  constexpr double kPart3 = 0x1.1a6263p-54;
-  constexpr double kPart4 = 0x1.8a2e03707344ap-81;
-  const typename Lanes::Value rough = (x - turns * kPart1) - turns * kPart2;
-  const typename Lanes::Value third = turns * kPart3;
-  r = rough - third;
-  tail = ((rough - r) - third) - turns * kPart4;
+/// Sine and cosine of r + tail, |r| <= pi/4, |tail| of the order of r's rounding.
+/// Minimax polynomials in r^2: relative error of the sine 2^-57.9, absolute of the
+/// cosine 2^-64. The leading terms r and 1 - r^2/2 are added last and the rounding
+/// error of the latter is restored, as in Sun's fdlibm.
+TREELINE_STEP void sin_cos_remainder(
+    const Angle* r, const Angle* tail, Angle* sine, Angle* cosine) {
+  const double kS1 = -0x1.5555555555548p-3;
+  const double kS2 = 0x1.111111110f764p-7;
+  const double kS3 = -0x1.a01a019bf35dbp-13;
+  const double kS4 = 0x1.71de35603d30ep-19;
+  const double kS5 = -0x1.ae5e557756731p-26;
+  const double kS6 = 0x1.5d8e8400477c8p-33;
+  const double kC1 = 0x1.555555555554cp-5;
+  const double kC2 = -0x1.6c16c16c1521fp-10;
+  const double kC3 = 0x1.a01a019cbf626p-16;
+  const double kC4 = -0x1.27e4f812b61f6p-22;
+  const double kC5 = 0x1.1ee9f15241a81p-29;
+  const double kC6 = -0x1.8fb130c6d769dp-37;
+  const Angle z = *r * *r;
+  const Angle w = z * z;
+  const Angle v = z * *r;
+  const Angle s = ((z * kS3) + kS2) + (w * (((z * kS5) + kS4) + (w * kS6)));
+  *sine = *r - (((z * ((*tail * 0.5) - (v * s))) - *tail) - (v * kS1));
+  const Angle c =
+      z * (((z * kC2) + kC1) + (w * (((z * kC4) + kC3) + (w * ((z * kC6) + kC5)))));
+  const Angle halved = z * 0.5;
+  const Angle leading = 1.0 - halved;
+  *cosine = leading + (((1.0 - leading) - halved) + ((z * c) - (*r * *tail)));
 }
 
-/// Sine and cosine of `r + tail`, |r| <= pi/4, |tail| of the order of r's rounding. Minimax
-/// polynomials in r^2: relative error of the sine 2^-57.9, absolute of the cosine 2^-64. The
-/// leading terms r and 1 - r^2/2 are added last and the rounding error of the latter is restored,
-/// as in Sun's fdlibm.
+TREELINE_STEP void sin_cos_steps(const Angle* x, Angle* sine, Angle* cosine) {
+  Angle one_or_zero;
+  Angle turns;
+  Angle r;
+  Angle tail;
+  AngleBits quarter;
+  Angle s;
+  Angle c;
+  within_range(x, &one_or_zero);
+  nearest_quarter(x, &turns, &quarter);
+  subtract_quarters(x, &turns, &r, &tail);
+  r *= one_or_zero;
+  tail *= one_or_zero;
+  sin_cos_remainder(&r, &tail, &s, &c);
+  rotate_by_quarters(&quarter, &s, &c);
+  *sine = s;
+  *cosine = c;
+}
+};
 template <class Lanes>
-TREELINE_INLINE_LANES void sin_cos_remainder(const typename Lanes::Value& r,
-                                             const typename Lanes::Value& tail,
-                                             typename Lanes::Value& sine,
-                                             typename Lanes::Value& cosine) noexcept {
-  using Value = typename Lanes::Value;
-  constexpr double kS1 = -0x1.5555555555548p-3;
-  constexpr double kS2 = 0x1.111111110f764p-7;
-  constexpr double kS3 = -0x1.a01a019bf35dbp-13;
-  constexpr double kS4 = 0x1.71de35603d30ep-19;
-  constexpr double kS5 = -0x1.ae5e557756731p-26;
-  constexpr double kS6 = 0x1.5d8e8400477c8p-33;
-  constexpr double kC1 = 0x1.555555555554cp-5;
-  constexpr double kC2 = -0x1.6c16c16c1521fp-10;
-  constexpr double kC3 = 0x1.a01a019cbf626p-16;
-  constexpr double kC4 = -0x1.27e4f812b61f6p-22;
-  constexpr double kC5 = 0x1.1ee9f15241a81p-29;
-  constexpr double kC6 = -0x1.8fb130c6d769dp-37;
-  const Value z = r * r;
-  const Value w = z * z;
-  const Value v = z * r;
-  const Value s = (z * kS3 + kS2) + w * ((z * kS5 + kS4) + w * kS6);
-  sine = r - ((z * (tail * 0.5 - v * s) - tail) - v * kS1);
-  const Value c = z * ((z * kC2 + kC1) + w * ((z * kC4 + kC3) + w * (z * kC6 + kC5)));
-  const Value half = z * 0.5;
-  const Value leading = 1.0 - half;
-  cosine = leading + (((1.0 - leading) - half) + (z * c - r * tail));
+struct Sines<Lanes, float> : QuarterTurns<Lanes> {
+  using Turns = QuarterTurns<Lanes>;
+  using Turns::nearest_quarter;
+  using Turns::rotate_by_quarters;
+  using Turns::within_range;
+  using typename Turns::Angle;
+  using typename Turns::AngleBits;
+
+/// x - turns pi/2 as r - excess. pi/2 is split in parts of 12, 13, 11 and 24 bits:
+/// for |turns| <= 2^11 the products with the first three are exact, and so is the
+/// first difference. The first parts happen to miss pi/2 by 2^-17.8, 2^-33.9 and
+/// 2^-47.4 only. Left over: turns * 2^-72, and the rounding of `excess`, which next
+/// to a multiple of pi/2 is 2^-58.
+TREELINE_STEP void subtract_quarters(
+    const Angle* x, const Angle* turns, Angle* r, Angle* excess) {
+  const float kPart1 = 0x1.922p+0F;
+  const float kPart2 = -0x1.2afp-18F;
+  const float kPart3 = 0x1.0b4p-34F;
+  const float kPart4 = 0x1.84698ap-48F;
+  const Angle rough = *x - (*turns * kPart1);
+  const Angle second = *turns * kPart2;
+  const Angle third = *turns * kPart3;
+  const Angle rest = second + third;
+  const Angle left = rough - rest;
+  *r = left;
+  *excess = ((third - (rest - second)) + (*turns * kPart4)) - ((rough - left) - rest);
 }
 
-/// x - turns pi/2 as `r - excess` in float. pi/2 is split in parts of 12, 13, 11 and 24 bits: for
-/// |turns| <= 2^11 the products with the first three are exact, and so is the first difference. The
-/// first parts happen to miss pi/2 by 2^-17.8, 2^-33.9 and 2^-47.4 only. Left over: turns * 2^-72,
-/// and the rounding of `excess`, which next to a multiple of pi/2 is 2^-58.
-template <class Lanes>
-TREELINE_INLINE_LANES void subtract_quarters_float(const typename Lanes::Value& x,
-                                                   const typename Lanes::Value& turns,
-                                                   typename Lanes::Value& r,
-                                                   typename Lanes::Value& excess) noexcept {
-  constexpr float kPart1 = 0x1.922p+0F;
-  constexpr float kPart2 = -0x1.2afp-18F;
-  constexpr float kPart3 = 0x1.0b4p-34F;
-  constexpr float kPart4 = 0x1.84698ap-48F;
-  const typename Lanes::Value rough = x - turns * kPart1;
-  const typename Lanes::Value second = turns * kPart2;
-  const typename Lanes::Value third = turns * kPart3;
-  const typename Lanes::Value rest = second + third;
-  r = rough - rest;
-  excess = ((third - (rest - second)) + turns * kPart4) - ((rough - r) - rest);
+/// Sine and cosine of r - excess, |r| <= pi/4: relative error of the sine's
+/// polynomial 2^-27.8, absolute of the cosine's 2^-33.1; leading terms are added
+/// last.
+TREELINE_STEP void sin_cos_remainder(
+    const Angle* r, const Angle* excess, Angle* sine, Angle* cosine) {
+  const float kS1 = 0x1.555544p-3F;
+  const float kS2 = -0x1.1106d6p-7F;
+  const float kS3 = 0x1.992462p-13F;
+  const float kC1 = 0x1.55554ap-5F;
+  const float kC2 = -0x1.6c0c24p-10F;
+  const float kC3 = 0x1.99e5cap-16F;
+  const Angle z = *r * *r;
+  const Angle halved = z * 0.5F;
+  const Angle leading = 1.0F - halved;
+  const Angle s = (((z * kS3) + kS2) * z) + kS1;
+  *sine = *r - ((*excess * leading) + ((z * *r) * s));
+  const Angle c = (((z * kC3) + kC2) * z) + kC1;
+  *cosine =
+      leading + (((1.0F - leading) - halved) + (((z * z) * c) + (*r * *excess)));
 }
 
-/// Sine and cosine of `r - excess` in float, |r| <= pi/4: relative error of the sine's polynomial
-/// 2^-27.8, absolute of the cosine's 2^-33.1; leading terms added last, as for doubles.
-template <class Lanes>
-TREELINE_INLINE_LANES void sin_cos_remainder_float(const typename Lanes::Value& r,
-                                                   const typename Lanes::Value& excess,
-                                                   typename Lanes::Value& sine,
-                                                   typename Lanes::Value& cosine) noexcept {
-  using Value = typename Lanes::Value;
-  constexpr float kS1 = 0x1.555544p-3F;
-  constexpr float kS2 = -0x1.1106d6p-7F;
-  constexpr float kS3 = 0x1.992462p-13F;
-  constexpr float kC1 = 0x1.55554ap-5F;
-  constexpr float kC2 = -0x1.6c0c24p-10F;
-  constexpr float kC3 = 0x1.99e5cap-16F;
-  const Value z = r * r;
-  const Value half = z * 0.5F;
-  const Value leading = 1.0F - half;
-  const Value s = (z * kS3 + kS2) * z + kS1;
-  sine = r - (excess * leading + (z * r) * s);
-  const Value c = (z * kC3 + kC2) * z + kC1;
-  cosine = leading + (((1.0F - leading) - half) + ((z * z) * c + r * excess));
+TREELINE_STEP void sin_cos_steps(const Angle* x, Angle* sine, Angle* cosine) {
+  Angle one_or_zero;
+  Angle turns;
+  Angle r;
+  Angle excess;
+  AngleBits quarter;
+  Angle s;
+  Angle c;
+  within_range(x, &one_or_zero);
+  const Angle angle = *x * one_or_zero;
+  nearest_quarter(&angle, &turns, &quarter);
+  subtract_quarters(&angle, &turns, &r, &excess);
+  sin_cos_remainder(&r, &excess, &s, &c);
+  rotate_by_quarters(&quarter, &s, &c);
+  *sine = s;
+  *cosine = c;
 }
+};
+
+#undef TREELINE_STEP
 
 /// Sine and cosine in double or float on one lane or several.
 template <class Lanes>
 TREELINE_INLINE_LANES void sin_cos_steps(const typename Lanes::Value& x,
                                          typename Lanes::Value& sine,
                                          typename Lanes::Value& cosine) noexcept {
-  using Value = typename Lanes::Value;
-  Value turns;
-  Value r;
-  Value tail;
-  Value one_or_zero;
-  typename Lanes::Bits quarter;
-  within_range<Lanes>(x, one_or_zero);
-  if constexpr (sizeof(typename Lanes::Real) == sizeof(double)) {
-    nearest_quarter<Lanes>(x, turns, quarter);
-    subtract_quarters<Lanes>(x, turns, r, tail);
-    sin_cos_remainder<Lanes>(r * one_or_zero, tail * one_or_zero, sine, cosine);
-  } else {
-    const Value angle = x * one_or_zero;
-    nearest_quarter<Lanes>(angle, turns, quarter);
-    subtract_quarters_float<Lanes>(angle, turns, r, tail);
-    sin_cos_remainder_float<Lanes>(r, tail, sine, cosine);
-  }
-  rotate_by_quarters<Lanes>(quarter, sine, cosine);
+  Sines<Lanes>::sin_cos_steps(&x, &sine, &cosine);
 }
 
 // Interface.

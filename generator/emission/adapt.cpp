@@ -124,6 +124,13 @@ std::string adapt(std::string_view header, const Adaptation& own) {
       own.name, front, rest);
 }
 
+std::string join_headers(std::span<const std::string_view> others, std::string_view last) {
+  const Parts parts = take_apart(last);
+  std::string joined = std::string(parts.comment) + std::string(parts.includes);
+  for (const std::string_view each : others) joined += std::string(take_apart(each).rest) + "\n";
+  return joined + std::string(parts.rest);
+}
+
 std::string adapt_declarations(std::string_view header, const Adaptation& own) {
   return adapt_words(take_apart(header).rest, own);
 }

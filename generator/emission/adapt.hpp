@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,9 @@ std::string adapt_words(std::string_view text, const Adaptation& own);
 
 /// A whole header: in C++ what is behind its includes is in the namespace `arm::detail`.
 std::string adapt(std::string_view header, const Adaptation& own);
+
+/// Several headers as one: the last, with what the others declare behind its includes.
+std::string join_headers(std::span<const std::string_view> others, std::string_view last);
 
 /// What is behind a header's includes, for another file.
 std::string adapt_declarations(std::string_view header, const Adaptation& own);

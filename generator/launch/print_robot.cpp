@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "emission/fill_template.hpp"
 #include "launch/describe_robot.hpp"
@@ -133,68 +134,87 @@ std::string print_robot(const Robot& robot, const Scene& control, const Generati
        {"functions", print_functions(control, generation, links)}});
 }
 
-std::vector<GeneratedFile> runtime_headers() {
+namespace {
+
+GeneratedFile file(const char* name, std::string_view text) {
+  return {name, std::string(text)};
+}
+
+/// What headers of the runtime's core include.
+std::vector<GeneratedFile> emitted_headers() {
   namespace t = launch_templates;
-  const auto file = [](const char* name, std::string_view text) {
-    return GeneratedFile{name, std::string(text)};
-  };
-  return {file("core/command_laws.hpp", t::kCoreCommandLaws),
-          file("core/controller_braking.hpp", t::kCoreControllerBraking),
-          file("core/controller_laws.hpp", t::kCoreControllerLaws),
-          file("core/controller_measurement.hpp", t::kCoreControllerMeasurement),
-          file("core/controller_references.hpp", t::kCoreControllerReferences),
-          file("core/controller_safety.hpp", t::kCoreControllerSafety),
-          file("core/coordinates.hpp", t::kCoreCoordinates),
-          file("core/damped_solve.hpp", t::kCoreDampedSolve),
-          file("core/emitted_damped.hpp", t::kCoreEmittedDamped),
-          file("core/ldlt.hpp", t::kCoreLdlt),
-          file("core/message_queue.hpp", t::kCoreMessageQueue),
-          file("core/mode.hpp", t::kCoreMode),
-          file("core/orientation.hpp", t::kCoreOrientation),
-          file("core/quintic.hpp", t::kCoreQuintic),
-          file("core/sin_cos.hpp", t::kCoreSinCos),
-          file("core/square_root.hpp", t::kCoreSquareRoot),
-          file("core/symmetric_eigen.hpp", t::kCoreSymmetricEigen),
-          file("core/turn_motion.hpp", t::kCoreTurnMotion),
-          file("emitted/damped_sizes.h", t::kEmittedDampedSizes),
+  return {file("emitted/damped_sizes.h", t::kEmittedDampedSizes),
           file("emitted/damped_solve.h", t::kEmittedDampedSolve),
           file("emitted/ldlt.h", t::kEmittedLdlt),
+          file("emitted/quarter_turns.h", t::kEmittedQuarterTurns),
+          file("emitted/remainder_in_double.h", t::kEmittedRemainderInDouble),
+          file("emitted/remainder_in_float.h", t::kEmittedRemainderInFloat),
+          file("emitted/angle_format.h", t::kEmittedAngleFormat),
+          file("emitted/sin_cos_in_double.h", t::kEmittedSinCosInDouble),
+          file("emitted/sin_cos_in_float.h", t::kEmittedSinCosInFloat),
           file("emitted/sin_cos.h", t::kEmittedSinCos),
           file("emitted/square_root.h", t::kEmittedSquareRoot),
-          file("emitted/symmetric_eigen.h", t::kEmittedSymmetricEigen),
-          file("servo/clock.hpp", t::kServoClock),
-          file("servo/cycle.hpp", t::kServoCycle),
-          file("servo/integrate.hpp", t::kServoIntegrate),
-          file("servo/gear_backlash.hpp", t::kServoGearBacklash),
-          file("servo/joint_friction.hpp", t::kServoJointFriction),
-          file("servo/loop.hpp", t::kServoLoop),
-          file("servo/message.hpp", t::kServoMessage),
-          file("servo/motion_coordinates.hpp", t::kServoMotionCoordinates),
-          file("servo/robot_proxy.hpp", t::kServoRobotProxy),
-          file("servo/safe_state.hpp", t::kServoSafeState),
-          file("servo/safety.hpp", t::kServoSafety),
-          file("servo/state_machine.hpp", t::kServoStateMachine),
-          file("servo/statistics.hpp", t::kServoStatistics),
-          file("servo/watch_motion.hpp", t::kServoWatchMotion),
-          file("drive/avoidance.hpp", t::kDriveAvoidance),
-          file("drive/closed_loops.hpp", t::kDriveClosedLoops),
-          file("drive/drive_bounds.hpp", t::kDriveBounds),
-          file("drive/drive_controller.hpp", t::kDriveController),
-          file("drive/drive_controller_body.hpp", t::kDriveControllerBody),
-          file("drive/drive_goals.hpp", t::kDriveGoals),
-          file("drive/end_stops.hpp", t::kDriveEndStops),
-          file("drive/held_places.hpp", t::kDriveHeldPlaces),
-          file("drive/imperfect_robot.hpp", t::kDriveImperfectRobot),
-          file("drive/imperfect_robot_body.hpp", t::kDriveImperfectRobotBody),
-          file("drive/link_forces.hpp", t::kDriveLinkForces),
-          file("drive/drive_loop.hpp", t::kDriveLoop),
-          file("drive/obstacle.hpp", t::kDriveObstacle),
-          file("drive/drive_task_law.hpp", t::kDriveTaskLaw),
-          file("drive/driven_robot.hpp", t::kDriveRobot),
-          file("drive/instruction.hpp", t::kDriveInstruction),
-          file("drive/robot_library.hpp", t::kDriveLibrary),
-          file("drive/reference_motion.hpp", t::kDriveRecordedMotion),
-          file("drive/smooth_reference.hpp", t::kDriveReference)};
+          file("emitted/symmetric_eigen.h", t::kEmittedSymmetricEigen)};
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> runtime_headers() {
+  namespace t = launch_templates;
+  std::vector<GeneratedFile> headers = {
+      file("core/command_laws.hpp", t::kCoreCommandLaws),
+      file("core/controller_braking.hpp", t::kCoreControllerBraking),
+      file("core/controller_laws.hpp", t::kCoreControllerLaws),
+      file("core/controller_measurement.hpp", t::kCoreControllerMeasurement),
+      file("core/controller_references.hpp", t::kCoreControllerReferences),
+      file("core/controller_safety.hpp", t::kCoreControllerSafety),
+      file("core/coordinates.hpp", t::kCoreCoordinates),
+      file("core/damped_solve.hpp", t::kCoreDampedSolve),
+      file("core/emitted_damped.hpp", t::kCoreEmittedDamped),
+      file("core/ldlt.hpp", t::kCoreLdlt),
+      file("core/message_queue.hpp", t::kCoreMessageQueue),
+      file("core/mode.hpp", t::kCoreMode),
+      file("core/orientation.hpp", t::kCoreOrientation),
+      file("core/quintic.hpp", t::kCoreQuintic),
+      file("core/sin_cos.hpp", t::kCoreSinCos),
+      file("core/square_root.hpp", t::kCoreSquareRoot),
+      file("core/symmetric_eigen.hpp", t::kCoreSymmetricEigen),
+      file("core/turn_motion.hpp", t::kCoreTurnMotion),
+      file("servo/clock.hpp", t::kServoClock),
+      file("servo/cycle.hpp", t::kServoCycle),
+      file("servo/integrate.hpp", t::kServoIntegrate),
+      file("servo/gear_backlash.hpp", t::kServoGearBacklash),
+      file("servo/joint_friction.hpp", t::kServoJointFriction),
+      file("servo/loop.hpp", t::kServoLoop),
+      file("servo/message.hpp", t::kServoMessage),
+      file("servo/motion_coordinates.hpp", t::kServoMotionCoordinates),
+      file("servo/robot_proxy.hpp", t::kServoRobotProxy),
+      file("servo/safe_state.hpp", t::kServoSafeState),
+      file("servo/safety.hpp", t::kServoSafety),
+      file("servo/state_machine.hpp", t::kServoStateMachine),
+      file("servo/statistics.hpp", t::kServoStatistics),
+      file("servo/watch_motion.hpp", t::kServoWatchMotion),
+      file("drive/avoidance.hpp", t::kDriveAvoidance),
+      file("drive/closed_loops.hpp", t::kDriveClosedLoops),
+      file("drive/drive_bounds.hpp", t::kDriveBounds),
+      file("drive/drive_controller.hpp", t::kDriveController),
+      file("drive/drive_controller_body.hpp", t::kDriveControllerBody),
+      file("drive/drive_goals.hpp", t::kDriveGoals),
+      file("drive/end_stops.hpp", t::kDriveEndStops),
+      file("drive/held_places.hpp", t::kDriveHeldPlaces),
+      file("drive/imperfect_robot.hpp", t::kDriveImperfectRobot),
+      file("drive/imperfect_robot_body.hpp", t::kDriveImperfectRobotBody),
+      file("drive/link_forces.hpp", t::kDriveLinkForces),
+      file("drive/drive_loop.hpp", t::kDriveLoop),
+      file("drive/obstacle.hpp", t::kDriveObstacle),
+      file("drive/drive_task_law.hpp", t::kDriveTaskLaw),
+      file("drive/driven_robot.hpp", t::kDriveRobot),
+      file("drive/instruction.hpp", t::kDriveInstruction),
+      file("drive/robot_library.hpp", t::kDriveLibrary),
+      file("drive/reference_motion.hpp", t::kDriveRecordedMotion),
+      file("drive/smooth_reference.hpp", t::kDriveReference)};
+  for (GeneratedFile& each : emitted_headers()) headers.push_back(std::move(each));
+  return headers;
 }
 
 }  // namespace treeline

@@ -5,44 +5,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "emission/c/lift_steps.hpp"
 #include "emission/c/print_batch.hpp"
 #include "emission/c/print_loops.hpp"
 #include "emission/c/templates.hpp"
-#include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
-#include "emission/misra/print_sin_cos.hpp"
 #include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
+#include "emission/print_sin_cos.hpp"
 #include "emission/print_square_root.hpp"
 
 namespace treeline::c {
 namespace {
-
-/// A union of a number and its bits, and the functions that use it.
-std::string print_number(const EmissionContext& context) {
-  const bool single = context.single_precision;
-  return fill_template(templates::kNumber, {{"name", context.name},
-                                            {"real", number_type(context)},
-                                            {"bits", single ? "uint32_t" : "uint64_t"}});
-}
-
-std::string print_sin_cos(const EmissionContext& context) {
-  if (context.misra) return misra::print_sin_cos(context);
-  const bool single = context.single_precision;
-  auto steps = lift_steps(cpp::templates::kSinCos, context.name, single);
-  steps["name"] = context.name;
-  return fill_template(
-      templates::kSinCos,
-      {{"name", context.name},
-       {"real", number_type(context)},
-       {"number", print_number(context)},
-       {"accurate", single ? "4000" : "1e5"},
-       {"largest", single ? "2^20" : "2^32"},
-       {"steps",
-        fill_template(single ? templates::kStepsInFloat : templates::kStepsInDouble, steps)}});
-}
 
 /// `a, b, c, d`, or the same in parentheses: `(a), (b)`.
 std::string list_letters(std::size_t first, std::size_t count, bool in_parentheses) {
@@ -101,7 +75,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   if (damped || limited || !loops.empty() ||
       std::any_of(batch.begin(), batch.end(), uses_trigonometry) ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
-    files.push_back({"sin_cos.h", print_sin_cos(context)});
+    files.push_back(print_sin_cos(context));
   }
   if (std::any_of(programs.begin(), programs.end(), uses_lanes)) {
     files.push_back({"lanes.h", print_lanes(context, programs)});

@@ -22,11 +22,7 @@ extern const std::string_view kLimited;
 extern const std::string_view kLimitedSource;
 extern const std::string_view kLinks;
 extern const std::string_view kLoopFunction;
-extern const std::string_view kNumber;
-extern const std::string_view kSinCos;
 extern const std::string_view kSinCosStates;
 extern const std::string_view kStates;
-extern const std::string_view kStepsInDouble;
-extern const std::string_view kStepsInFloat;
 
 }  // namespace treeline::c::templates

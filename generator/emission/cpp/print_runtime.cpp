@@ -10,9 +10,9 @@
 #include "emission/describe_program.hpp"
 #include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
-#include "emission/misra/print_sin_cos.hpp"
 #include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
+#include "emission/print_sin_cos.hpp"
 #include "emission/print_square_root.hpp"
 
 namespace treeline::cpp {
@@ -51,7 +51,7 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
   const bool loops = has_loops(context, programs);
   if (damped || controlled || loops ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
-    files.push_back({"sin_cos.hpp", misra::print_sin_cos(context)});
+    files.push_back(print_sin_cos(context));
   }
   if (controlled) {
     for (const GeneratedFile& file : print_controller_headers(context)) {
@@ -99,7 +99,7 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   std::vector<GeneratedFile> files;
   if (loops || has_batch || damped || limited || controlled ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
-    files.push_back({"sin_cos.hpp", print_header(context, templates::kSinCos)});
+    files.push_back({"sin_cos.hpp", print_header(context, print_sines_in_lanes())});
   }
   bool lanes = has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes);
   if (controlled) {
