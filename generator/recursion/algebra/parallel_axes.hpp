@@ -4,7 +4,7 @@
 
 namespace treeline {
 
-/// What the rotational inertia about the origin of a body of this mass and first moment gains when
+/// Change of the rotational inertia about the origin of a body of this mass and first moment when
 /// the origin moves by -p, by parallel axes: 2 (p.k) 1 - (p k^T + k p^T) with k = h + m p / 2.
 template <class Scalar>
 Symmetric3<Scalar> parallel_axes_shift(const Scalar& mass, const Vector3<Scalar>& h,

@@ -176,7 +176,7 @@ DenseMatrix<Scalar> dense(const ArticulatedInertia<Scalar>& I) {
   return matrix;
 }
 
-/// What a cluster of joints does to its anchor. With J the motion of its links for one unit of
+/// Effect of a cluster of joints on its anchor. With J the motion of its links for one unit of
 /// their coordinate: D = J^T I J + rotors, U = I J, u = U / D, where I is the inertia of the links
 /// with the bodies that they carry, at the anchor.
 template <class Scalar>

@@ -8,8 +8,8 @@
 
 namespace treeline {
 
-/// What derivatives of a quantity about the centre of mass need of every link: the inertia of
-/// everything beyond its joint, the centre of mass from its origin, and its axes in the world.
+/// Data of every link for derivatives about the centre of mass: the inertia of everything beyond
+/// its joint, the vector from its origin to the centre of mass, and its axes in the world.
 template <class Scalar>
 struct CentroidalParts {
   std::vector<CompositeInertia<Scalar>> composites;

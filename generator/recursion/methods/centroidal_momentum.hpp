@@ -209,9 +209,9 @@ struct SubtreeMatter {
   Vector3<Scalar> center;
 };
 
-/// Those of every link that moves against its parent, in the order of the file's links, from the
-/// masses of the file, which regrouping moves between links. Where there is no mass the centre is
-/// the origin of the link.
+/// Mass and centre of what each joint carries, for every link that moves against its parent, in the
+/// order of the file's links. They come from the masses of the file: regrouping moves masses
+/// between links. Where there is no mass the centre is the origin of the link.
 template <class Scalar>
 std::vector<SubtreeMatter<Scalar>> subtree_matter(const Tree<Scalar>& tree,
                                                   const std::vector<JointTransform<Scalar>>& X) {

@@ -12,10 +12,10 @@
 namespace treeline {
 namespace {
 
-/// What is left of a column that counts as zero, as a share of the rows' scaled entries.
+/// Largest remainder of a column that counts as zero, as a share of the rows' scaled entries.
 const Digits50 kResidue("1e-30");
 
-/// What ordinary states say of the rows and of the velocities.
+/// Pivots of the rows and inertias of the velocities in ordinary states.
 struct OrdinaryInertia {
   OrdinaryPivots rows;                          ///< pivots of C M^-1 C^T
   std::vector<std::vector<double>> velocities;  ///< diagonal entries of M, by velocity

@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// Which velocities couplings determine, and how. With C the rows that do not depend on rows before
+/// Velocities that couplings determine, and how. With C the rows that do not depend on rows before
 /// them, C qd = c says
 ///     qd_D = G qd_I + S c,  S = C_D^-1,  G = -S C_I,
 /// D: dependent velocities, I: the others. All of it is constant and has 50 digits.

@@ -197,7 +197,7 @@ bool follows_where_closed(const Mechanism& mechanism, const LoopedVelocities& lo
   });
 }
 
-/// What the mechanism has that no elimination of loops is for.
+/// Property of the mechanism that prevents the elimination of loops.
 std::string obstacle_of(const Mechanism& mechanism) {
   if (!mechanism.constraints.empty()) return "Constraints to the world are held by forces alone.";
   for (const MechanismLoop& loop : mechanism.loops) {

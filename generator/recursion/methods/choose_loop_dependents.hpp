@@ -10,7 +10,7 @@
 
 namespace treeline {
 
-/// Which velocities loops determine: those of passive joints. With J the rows that do not depend on
+/// Velocities that loops determine: those of passive joints. With J the rows that do not depend on
 /// rows before them, J qd = c says
 ///     qd_D = G qd_I + J_D^-1 c,  G = -J_D^-1 J_I,
 /// D: dependent velocities, I: the others. J turns with the pose.

@@ -86,9 +86,9 @@ std::vector<Scalar> transposed_times(const DenseMatrix<Scalar>& J, const std::ve
   return product;
 }
 
-/// The same while the rows of the tree's loops are held too, which follow those of its points:
-/// unknown forces between two links, or in a joint, are rows of J like any other. Everything is
-/// solved with the factors of M, which permit joints that share a coordinate.
+/// Computes forward dynamics with the rows of points and, after them, of loops held. Unknown forces
+/// between two links, or in a joint, are rows of J like any other. Everything is solved with the
+/// factors of M, which permit joints that share a coordinate.
 template <class Scalar>
 ConstrainedMotion<Scalar> looped_forward_dynamics(const Tree<Scalar>& tree,
                                                   const std::vector<JointTransform<Scalar>>& X,

@@ -8,8 +8,9 @@
 
 namespace treeline {
 
-/// What a unit of one velocity sends inward from everything beyond its joint. For a particle of
-/// mass dm that the velocity moves by e, and that moves at v: sums of de/dt dm, e dm and v x e dm.
+/// Wrenches per unit of one velocity, sent inward from everything beyond its joint. For a
+/// particle dm that the velocity moves by e and that moves at v: sums of de/dt dm, e dm, v x e
+/// dm.
 template <class Scalar>
 struct VelocityWrenches {
   Wrench<Scalar> rate;      ///< of de/dt: at constant velocities, what turns e
@@ -17,8 +18,8 @@ struct VelocityWrenches {
   Vector3<Scalar> crossed;  ///< of v x e, with v relative to the link's origin
 };
 
-/// Those of degree of freedom `k`, at the link. A joint's axes turn with its link: their own rate
-/// is w x e.
+/// Wrenches of degree of freedom `k`, at its link. A joint's axes turn with its link: their own
+/// rate is w x e.
 template <class Scalar>
 VelocityWrenches<Scalar> own_wrenches(const TreeLink<Scalar>& link,
                                       const CompositeInertia<Scalar>& inertia,
@@ -36,8 +37,8 @@ VelocityWrenches<Scalar> own_wrenches(const TreeLink<Scalar>& link,
           cross(P, e.v) + turned_moment(transposed(twice.C), e.w) * half};
 }
 
-/// The same at the parent, in its axes; `velocity` is that of the link's origin relative to the
-/// parent's.
+/// Moves these wrenches to the parent, in its axes; `velocity` is that of the link's origin
+/// relative to the parent's.
 template <class Scalar>
 VelocityWrenches<Scalar> to_parent(const JointTransform<Scalar>& X,
                                    const VelocityWrenches<Scalar>& wrenches,

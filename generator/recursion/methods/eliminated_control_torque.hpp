@@ -23,7 +23,7 @@ DenseMatrix<Scalar> permitted_rows(const DenseMatrix<Scalar>& J, const DenseMatr
   return rows;
 }
 
-/// What dependent velocities lack at qdd_0 of following the others: G qdd_0I + S c - qdd_0D.
+/// Rates that dependent velocities lack at qdd_0 to follow the others: G qdd_0I + S c - qdd_0D.
 template <class Scalar>
 std::vector<Scalar> lacking_at(const JointRates<Scalar>& rates, const LoopRows<Scalar>& loops,
                                const LoopedRates<Scalar>& follow, const LoopedVelocities& looped) {

@@ -49,8 +49,8 @@ struct CoupledRates {
   }
 };
 
-/// The same of loops in a pose: S = J_D^+, where columns yield that those before them leave
-/// nothing.
+/// How loops make dependent velocities follow in a pose: S = J_D^+. A column yields where the
+/// columns before it leave nothing of it.
 template <class Scalar>
 class LoopedRates {
  public:

@@ -77,8 +77,8 @@ std::vector<Scalar> accelerate_outward(const Tree<Scalar>& tree,
   return qdd;
 }
 
-/// What the joint of link i passes on of its link's bias force, given what joints are told to do;
-/// `force` loses what the link's bias force takes of it.
+/// Returns the part of a link's bias force `pA` that its joint passes on, for the joint force
+/// `told`. `force` is reduced by the bias force along the joint's axis.
 template <class Scalar>
 Wrench<Scalar> pass_bias_force(const TreeLink<Scalar>& link, const JointProjection<Scalar>& joint,
                                const Wrench<Scalar>& pA, const Scalar& told, Scalar& force) {

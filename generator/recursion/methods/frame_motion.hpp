@@ -27,14 +27,14 @@ LinkMotion<Scalar> motion_of_frame(const LinkMotion<Scalar>& link, const TreePoi
   return motion;
 }
 
-/// What a unit of one velocity does to a link, in its axes.
+/// Motion of a link per unit of one velocity, in the link's axes.
 template <class Scalar>
 struct MotionByVelocity {
   std::size_t v = 0;  ///< index of the velocity; mimic joints have that of the joint they follow
   LinkVelocity<Scalar> motion;
 };
 
-/// Of every link what each velocity does that moves it, outward.
+/// Computes for every link its motion per unit of each velocity that moves it, outward.
 template <class Scalar>
 std::vector<std::vector<MotionByVelocity<Scalar>>> motions_by_velocity(
     const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X) {

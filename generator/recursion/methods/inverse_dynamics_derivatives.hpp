@@ -110,7 +110,7 @@ Wrench<Scalar> change_of_wrench(const Composite<Scalar>& body, const MotionChang
           cross(h, change.a) + J * change.wd + turned_moment(body.momentum.C, change.alpha)};
 }
 
-/// What relates one degree of freedom to those of earlier joints. It is carried inward, link by
+/// Relation of one degree of freedom to those of earlier joints. It is carried inward, link by
 /// link.
 template <class Scalar>
 struct CarriedColumn {

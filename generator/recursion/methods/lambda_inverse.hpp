@@ -102,7 +102,7 @@ void absorb_in_joint(JointKind kind, const JointProjection<Scalar>& joint,
   }
 }
 
-/// What unit forces do in clusters of joints: by velocity and row, the work along the coordinate.
+/// Work of unit forces along the coordinates of clusters of joints, by velocity and row.
 template <class Scalar>
 using ClusterWork = std::vector<std::map<std::size_t, Scalar>>;
 

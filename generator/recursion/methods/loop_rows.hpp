@@ -157,13 +157,13 @@ class LoopSides {
     return {dot(e[0], v), dot(e[1], v), dot(e[2], v)};
   }
 
-  /// Of the first origin from the second one, along the axes of the second frame.
+  /// Displacement of the first origin from the second one, along the axes of the second frame.
   [[nodiscard]] Vector3<Scalar> displacement() const {
     const Seen& at_second = seen_at(far_);
     return along(at_second.e, at_second.p - loop_.second.p);
   }
 
-  /// Of a loop that rolls, at these velocities of the first frame.
+  /// Lever of a loop that rolls, at these velocities of the first frame.
   [[nodiscard]] RollingLever<Scalar> lever(const Vector3<Scalar>& v,
                                            const Vector3<Scalar>& w) const {
     Vector3<Scalar> axis;

@@ -17,8 +17,8 @@ constexpr std::uint64_t kSeed = 1;
 /// States beyond as many as there are parameters.
 constexpr std::size_t kMoreStates = 8;
 
-/// Which moving links carry, or are carried by, joints that share a coordinate. All others can be
-/// taken off the tree one after the other, each with what its own coordinates make felt.
+/// Whether each moving link carries, or is carried by, joints that share a coordinate. Other links
+/// can be removed from the tree in turn, each with the parameters that its coordinates reveal.
 std::vector<bool> links_about_mimics(const Mechanism& mechanism) {
   std::set<int> shared;
   for (const MovingLink& link : mechanism.links) {

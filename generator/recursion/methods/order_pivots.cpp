@@ -65,7 +65,7 @@ class Ordering {
   std::vector<std::size_t> rows_{0, 1, 2}, columns_{0, 1, 2};
 };
 
-/// Of a throw-away graph, which must be open.
+/// Traces the wrist's Jacobian into a temporary graph, which must be open.
 DenseMatrix<Expression> trace_jacobian(const Mechanism& mechanism, Graph& graph, int axes_link) {
   auto tree = tree_of<Expression>(mechanism);
   std::vector<Expression> q;

@@ -71,12 +71,13 @@ double median(std::vector<double> values);
 double rounded_border(double border);
 double rounded_border(double ordinary, const BoundedInverseShape& shape);
 
-/// What is left of the rows of a symmetric matrix A when LDL^T eliminates those before them, state
+/// Remainders of the rows of a symmetric matrix A when LDL^T eliminates the rows before them, state
 /// after state: their pivots, beside their diagonal entries.
 class OrdinaryPivots {
  public:
   void add(const DenseMatrix<double>& A);
-  /// Where A is a difference, `diagonal` is that of what was subtracted from: its rounding decides.
+  /// Adds a state. If A is a difference, `diagonal` is that of the minuend, which sets its
+  /// rounding.
   void add(const DenseMatrix<double>& A, const std::vector<double>& diagonal);
 
   [[nodiscard]] std::size_t rows() const { return pivots_.size(); }

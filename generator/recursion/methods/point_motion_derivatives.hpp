@@ -64,7 +64,7 @@ struct SeenPoint {
   Vector3<Scalar> r, v, w, a, wd;
 };
 
-/// What the carrier of the joint sees of a point that the link behind the joint sees as `beyond`.
+/// Point as the joint's carrier sees it, if the link behind the joint sees it as `beyond`.
 template <class Scalar>
 SeenPoint<Scalar> seen_by_carrier(const WorldJoint<Scalar>& joint, SeenPoint<Scalar> beyond) {
   const Vector3<Scalar> swung = cross(joint.w, beyond.r);
@@ -154,9 +154,9 @@ std::vector<WorldTurning<Scalar>> world_turning(const Tree<Scalar>& tree,
   return links;
 }
 
-/// Of all operational points: inward from each, in world axes. What a joint does to a point follows
-/// from what its carrier sees of the point and from the turning of the carrier, so that no position
-/// or velocity in the world is subtracted from another.
+/// Derivatives of all operational points: inward from each, in world axes. The effect of a joint on
+/// a point follows from the point as its carrier sees it and from the turning of the carrier. No
+/// position or velocity in the world is subtracted from another.
 template <class Scalar>
 PointDerivatives<Scalar> point_motion_derivatives(const Tree<Scalar>& tree,
                                                   const std::vector<JointTransform<Scalar>>& X,

@@ -36,8 +36,8 @@ DenseMatrix<Scalar> passive_columns(const Tree<Scalar>& tree,
                     passive);
 }
 
-/// What the rows lack at qdd_0: -Jd qd - J qdd_0 of constraints, xdd_cmd - Jd qd - J qdd_0 of
-/// tasks. `of_rows` are those of `motions_of_rows`, without gravity.
+/// Accelerations that the rows lack at qdd_0: -Jd qd - J qdd_0 of constraints, xdd_cmd - Jd qd - J
+/// qdd_0 of tasks. `of_rows` are those of `motions_of_rows`, without gravity.
 template <class Scalar>
 std::vector<Scalar> supported_errors(const Tree<Scalar>& tree,
                                      const std::vector<JointTransform<Scalar>>& X,

@@ -15,7 +15,7 @@
 namespace treeline {
 namespace {
 
-/// What the LDL^T of a law is taken of.
+/// Matrix that the LDL^T of a law factors.
 DenseMatrix<double> matrix_at(const Posed<double>& posed, TaskLaw::Kind kind, TaskBasis basis) {
   const std::size_t rows = count_rows(posed.tree);
   if (has_loops(posed.tree)) {

@@ -98,8 +98,8 @@ struct LawFrame {
   std::array<Digits50, 3> shift;
 };
 
-/// What arguments say of operational points: entries of `tool` and `tool_orientation`. Those of the
-/// scene where empty.
+/// Run-time arguments for operational points: entries of `tool` and `tool_orientation`. Where they
+/// are empty, the values of the scene apply.
 struct GivenTools {
   std::vector<double> origins, orientations;
 };

@@ -18,9 +18,9 @@ Wrench<Scalar> momentum_of(const TreeInertia<Scalar>& inertia, const LinkVelocit
 /// Velocities, and what derivatives of quantities of momentum need of every link.
 template <class Scalar>
 struct MomentumParts {
-  /// Of everything beyond the joint, about the link's origin and in its axes.
+  /// Momentum of everything beyond the joint, about the link's origin and in its axes.
   std::vector<Wrench<Scalar>> momenta;
-  /// That of the link that carries the joint, at the link's origin and in its axes.
+  /// Velocity of the link that carries the joint, at the link's origin and in its axes.
   std::vector<LinkVelocity<Scalar>> carriers;
 };
 

@@ -26,8 +26,8 @@ const Digits50& residue() {
 constexpr std::array<std::array<int, 2>, 6> kEntries = {
     {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}}};
 
-/// Which parameters of a link name base parameters, the first choice first. With z as axis those of
-/// Khalil: h_x, h_y, Ixx - Iyy, products and Izz.
+/// Parameters of a link that name base parameters, the first choice first. With z as axis they are
+/// those of Khalil: h_x, h_y, Ixx - Iyy, products and Izz.
 constexpr std::array<int, kBodyNumbers> kPreferred = {1, 2, 3, 4, 5, 7, 8, 9, 6, 0, kRotorNumber};
 
 /// A body whose inertial parameter `entry` is one, about its frame's origin: Sigma = tr(J)/2 - J.
@@ -118,7 +118,7 @@ class Inward {
     return numbers;
   }
 
-  /// Of what the joint makes felt, base parameters; the rest goes to the link before.
+  /// Makes base parameters of what the joint's motion reveals; the rest goes to the link before.
   void gather(std::size_t frame, const FeltMotion& motion) {
     const ReducedRows felt = reduce(motion.moving * numbers_by_parameter(frame),
                                     {kPreferred.begin(), kPreferred.end()}, units_.tolerance);

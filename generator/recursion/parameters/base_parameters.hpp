@@ -39,16 +39,16 @@ struct BaseParameters {
 /// zero.
 BaseParameters find_base_parameters(const Mechanism& mechanism, const SceneRegressor& asked);
 
-/// The same for what `Mechanism::regressor` asks, found once for a mechanism and all its copies:
+/// Base parameters for `Mechanism::regressor`, found once for a mechanism and all its copies:
 /// reductions do not change them.
 std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechanism);
 
 /// The link whose joint has the rotor or friction that a parameter is.
 std::size_t link_of(const ModelParameter& parameter, const Mechanism& mechanism);
 
-/// What the files say of a parameter. Not for payloads, which no file has.
+/// Value of a parameter according to the files. Not for payloads, which no file has.
 Digits50 value_in_files(const ModelParameter& parameter, const Mechanism& mechanism);
-/// What they say of a base parameter: the sum of its combination.
+/// Value of a base parameter according to the files: the sum of its combination.
 Digits50 value_in_files(const BaseParameter& base, const BaseParameters& found,
                         const Mechanism& mechanism);
 

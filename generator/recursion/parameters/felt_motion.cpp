@@ -73,7 +73,7 @@ struct Freedom {
       return rate;
     });
   }
-  /// What the coordinate does to a velocity of the link before, seen from the link.
+  /// Effect of the coordinate on a velocity of the link before, seen from the link.
   [[nodiscard]] Digits50Twist rate(const Digits50Twist& twist) const {
     return {crossed(twist.v, axis.w) + crossed(twist.w, axis.v), crossed(twist.w, axis.w)};
   }
@@ -105,7 +105,7 @@ struct Reach {
   RowSpace moving;                   ///< what the steps of the joint so far have made felt
 };
 
-/// Of the base: at rest, with a potential energy for each direction that gravity may have.
+/// Reach of the base: at rest, with a potential energy for each possible direction of gravity.
 Reach reach_of_base(const Mechanism& mechanism, const Digits50& tolerance) {
   Reach base(tolerance);
   std::vector<Digits50Vector3> directions;
@@ -125,7 +125,7 @@ Reach reach_of_base(const Mechanism& mechanism, const Digits50& tolerance) {
   return base;
 }
 
-/// The same motion as that of a frame that is fixed to the link. The rotor is left behind.
+/// Expresses the motion of a link at a frame that is fixed to it. The rotor is left out.
 Reach seen_from(const Digits50Pose& placement, const Reach& link, bool continues,
                 const Digits50& tolerance) {
   const NumberMatrix back =

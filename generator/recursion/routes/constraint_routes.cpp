@@ -146,8 +146,8 @@ void append_loop_elimination(const RouteQuery& query, std::vector<Route>& routes
                     std::make_shared<const TaskLaw>(std::move(law))});
 }
 
-/// The same for torques, where loops determine every joint without a motor and every row is needed:
-/// forces have no choice then. Where passive joints do not follow, forces have no answer either.
+/// Adds elimination for torques, where loops determine every joint without a motor and every row is
+/// needed: then forces are unique. Where passive joints do not follow, no forces are a solution.
 void append_eliminated_torque(const RouteQuery& query, const TaskLaw& supported,
                               std::vector<Route>& routes) {
   if (!why_not_eliminated(query.seen, query.function).empty()) return;

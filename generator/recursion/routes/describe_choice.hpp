@@ -14,7 +14,7 @@ std::string axes_key(int link);
 
 /// A route to Lambda^-1, without coordinates.
 RouteId route_id(LambdaRoute route);
-/// The same with the coordinates that it is worked out in.
+/// A route to Lambda^-1, with the coordinates in which it is computed.
 RouteId route_id(const LambdaChoice& choice, const Tree<Expression>& tree);
 
 /// The route of a function that is computed out of Lambda^-1: `key` and `words` are its own.

@@ -143,7 +143,7 @@ void add_drives(const Tree<double>& tree, LinkTableData& table) {
   }
 }
 
-/// Whose coordinates the joints have, where some share one.
+/// Adds the coordinate of each joint, where some joints share one.
 void add_couplings(const Mechanism& mechanism, const SplitTree& split, LinkTableData& table) {
   if (!split.tree.has_mimics) return;
   for (std::size_t i = 0; i < split.axes.size(); ++i) {
@@ -159,7 +159,7 @@ void add_couplings(const Mechanism& mechanism, const SplitTree& split, LinkTable
   }
 }
 
-/// Which links are axes of ball joints and of such that move freely, where there are any.
+/// Adds the links that are axes of ball joints or of joints that move freely, if there are any.
 void add_balls(const SplitTree& split, LinkTableData& table) {
   const std::vector<int>& axes = split.axes;
   if (std::all_of(axes.begin(), axes.end(), [](int axis) { return axis == 0; })) return;
@@ -234,7 +234,7 @@ void add_base_bodies(const Mechanism& mechanism, const std::vector<int>& places,
   if (!input.frames.empty()) table.inputs.push_back(std::move(input));
 }
 
-/// Where the argument has a parameter; -1 if it is none that base parameters are named after.
+/// Index of a parameter in the argument; -1 if no base parameter is named after it.
 std::int16_t find_base_entry(const BaseParameters& found, std::size_t parameter) {
   const auto at =
       std::find_if(found.base.begin(), found.base.end(),

@@ -32,7 +32,7 @@ inline std::vector<Result> matrix_output(const char* name, const std::string& me
   return {matrix_result(name, meaning, matrix)};
 }
 
-/// What equations with an argument `step` end with.
+/// End of the equations of functions with an argument `step`.
 inline const std::string kImplicitTerms =
     ", D = d friction / d qd, K: stiffness of springs: both at the end of the step, to first order";
 

@@ -174,7 +174,7 @@ std::vector<Route> mass_matrix_routes() {
            }}};
 }
 
-/// Whose routes are asked for.
+/// The mechanism whose routes are asked for, with its tree and its task laws.
 struct Traced {
   const Mechanism& mechanism;
   const Tree<Expression>& tree;
@@ -224,7 +224,7 @@ constexpr auto kRoutes = std::to_array<RoutesOf>({
      [](const Traced& of) { return operational_force_routes(of.tree, true, of.laws); }},
 });
 
-/// What is composed of other functions has no routes of its own.
+/// Whether a function of the robot or its points has routes: one composed of others has none.
 constexpr bool has_routes(const FunctionInfo& row) {
   return is_nameable(row) && is_about<FunctionGroup::robot, FunctionGroup::points>(row);
 }

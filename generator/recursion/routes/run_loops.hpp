@@ -54,7 +54,7 @@ class LiftedTable {
   void set_gravity(const std::vector<Number>& given) { gravity_ = given; }
   void set_external_forces(const std::vector<Number>& given) { f_ext_ = given; }
 
-  /// What the argument gives that `input` is about.
+  /// Applies the run-time argument that `input` describes to the table.
   void take(const LinkInput& input, const std::vector<Number>& given) {
     std::vector<loops::InputFrame<Number>> frames;
     for (const loops::InputFrame<double>& from : input.frames) {
@@ -111,7 +111,7 @@ class LiftedTable {
   }
 
  private:
-  /// What the argument gives of joints.
+  /// Applies a run-time argument about joints to the table.
   void take_numbers(const LinkInput& input, const std::vector<Number>& given) {
     const loops::InputNumber* const numbers = input.numbers.data();
     const auto count = static_cast<int>(input.numbers.size());
@@ -153,7 +153,7 @@ class LiftedTable {
     return to;
   }
 
-  /// Where the coordinates of joints are that are no ball joints.
+  /// Places of the joints' coordinates in a table without ball joints.
   static std::vector<loops::LinkBall> other_joints(const LinkTableData& from) {
     std::vector<loops::LinkBall> joints;
     for (std::size_t i = 0; i < from.links.size(); ++i) {

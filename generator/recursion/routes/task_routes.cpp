@@ -10,7 +10,7 @@
 namespace treeline {
 namespace {
 
-/// As many joints as rows: by cofactors, or by pivots that may yield.
+/// Adds routes for as many joints as rows: by cofactors, or by pivots that may yield.
 void append_resolved_routes(const Mechanism& mechanism, const Tree<Expression>& tree,
                             TaskLaws& laws, std::vector<Route>& routes) {
   if (!permits_resolved_acceleration(tree)) {

@@ -15,8 +15,8 @@
 
 namespace treeline {
 
-/// What a route has at hand while a function is traced: the tree, its transforms for the inputs q,
-/// and all inputs.
+/// Data for a route while a function is traced: the tree, its transforms for the inputs q, and all
+/// inputs.
 struct Trace {
   const Mechanism* mechanism = nullptr;  ///< as the scene has it
   Tree<Expression> tree;                 ///< of the mechanism as the function sees it
@@ -67,7 +67,7 @@ struct Route {
       {};
 };
 
-/// For which tree routes are asked. Which there are depends on its structure alone.
+/// The function and the tree whose routes are asked for. They depend on its structure alone.
 struct RouteQuery {
   Function function;
   const Mechanism& mechanism;  ///< as the scene has it

@@ -63,7 +63,7 @@ std::string priorities_of(const TracedTree& tree) {
   return text;
 }
 
-/// What a function about impulses leaves out of a robot that is held or holds something.
+/// Parts that a function about impulses ignores of a robot that is held or holds something.
 std::string left_out_of(Function function, const Mechanism& mechanism) {
   const FunctionGroup group = info_of(function).group;
   const bool about_impulses = (group == FunctionGroup::contacts || group == FunctionGroup::links) &&

@@ -19,7 +19,7 @@ namespace treeline {
 
 namespace {
 
-/// What is asked of a function that has this form.
+/// A function that loops can compute, the words for its method, and the work that it needs.
 struct LoopForm {
   Function function;
   const char* words;
@@ -55,7 +55,7 @@ void give_sines(const Mechanism& mechanism, Graph& graph, LoopArguments<PlainExp
   }
 }
 
-/// Of row `r` of the table, its place in the scene's order.
+/// Place of row `r` of the table in the scene's order.
 std::size_t entry_of(const LinkTableData& table, std::size_t r) {
   return table.row_entries.empty() ? r : static_cast<std::size_t>(table.row_entries[r]);
 }
@@ -88,7 +88,7 @@ void take_law(const Mechanism& mechanism, Function function, LinkLoops& plan, Pr
   }
 }
 
-/// What the loops execute, constants 0 and 1 included.
+/// Counts the operations that the loops execute, constants 0 and 1 included.
 void count(Function function, const LoopArguments<PlainExpression>& with, LinkLoops& plan) {
   const auto numbers = [](const auto& from) { return std::vector<Counted>(from.size()); };
   LoopArguments<Counted> counted{numbers(with.q),

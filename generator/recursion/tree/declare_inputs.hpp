@@ -28,7 +28,7 @@ class TracedInputs {
   /// No entries of anything.
   TracedInputs() = default;
 
-  /// As if the function did not take the quantity.
+  /// Removes the quantity, as if the function did not take it.
   void drop(Quantity quantity) { entries_[static_cast<std::size_t>(quantity)].clear(); }
 
   [[nodiscard]] const std::vector<Expression>& operator[](Quantity quantity) const {

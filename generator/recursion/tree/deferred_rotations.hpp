@@ -30,7 +30,7 @@ bool is_parallel(const JointTransform<Scalar>& X) {
          (alpha.c == Scalar(1.0) || alpha.c == Scalar(-1.0));
 }
 
-/// The same inertia in axes before the rotation: Rz I Rz^T. J_zz stays constant.
+/// Turns an inertia to the axes before the rotation: Rz I Rz^T. J_zz stays constant.
 template <class Scalar>
 void turn_inertia(const PlanarRotation<Scalar>& turn, TreeInertia<Scalar>& inertia) {
   Symmetric3<Scalar>& Sigma = inertia.Sigma;

@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// Of the smooth sign s of Coulomb friction, see core/link_friction.hpp.
+/// Constants of the smooth sign s of Coulomb friction, see core/link_friction.hpp.
 inline constexpr double kSignDegree = 128;
 inline constexpr int kQuadruplings = 3;
 

@@ -86,7 +86,7 @@ class Marker {
   std::uint32_t slot_ = 0;
 };
 
-/// Which entries of a vector of task rows or of forces belong to each point.
+/// Entries of a vector of task rows or of forces that belong to each point.
 using Rows = std::vector<std::pair<int, int>>;  // first, count
 
 Rows rows_of(const std::vector<MechanismPoint>& points, bool all) {
@@ -168,7 +168,7 @@ void pair_rows(const char* vector, const Rows& rows, const std::vector<std::size
   }
 }
 
-/// Of the points on these links: their constants, and the entries of all quantities of this space.
+/// Marks corresponding points on these links: constants, and entries of quantities of `space`.
 void mark_points(const std::vector<MechanismPoint>& points, const std::vector<int>& links,
                  IndexSpace space, const Rows& rows, std::vector<TreePoint<Expression>>& marked,
                  Marker& marker) {

@@ -28,7 +28,7 @@ struct DriveParameter {
   Scalar value{};
 };
 
-/// What arguments say of the robot, see `MechanismInputs`. What is empty is as in the files.
+/// Values of the arguments about the robot, see `MechanismInputs`. Empty: as in the files.
 template <class Scalar>
 struct ModelInputs {
   std::optional<Vector3<Scalar>> gravity;
@@ -52,7 +52,7 @@ std::vector<Vector3<Scalar>> triples(const std::vector<Scalar>& entries) {
   return vectors;
 }
 
-/// Of an argument with four entries a quaternion x, y, z, w.
+/// Rotations from an argument that has four entries for each quaternion: x, y, z, w.
 template <class Scalar>
 std::vector<Matrix3<Scalar>> rotations(const std::vector<Scalar>& entries) {
   std::vector<Matrix3<Scalar>> turns;
@@ -63,7 +63,7 @@ std::vector<Matrix3<Scalar>> rotations(const std::vector<Scalar>& entries) {
   return turns;
 }
 
-/// Of an argument with ten entries a body: m, m c, Ixx, Ixy, Iyy, Ixz, Iyz, Izz.
+/// Inertial parameters from ten entries for each body: m, m c, Ixx, Ixy, Iyy, Ixz, Iyz, Izz.
 template <class Scalar>
 std::vector<InertialParameters<Scalar>> inertial_parameters(const std::vector<Scalar>& entries) {
   std::vector<InertialParameters<Scalar>> bodies;
@@ -101,7 +101,7 @@ void realize_base_parameters(const BaseParameters& found, const std::vector<Scal
   model.base = inertial_parameters(bodies);
 }
 
-/// The same body in another frame, in which its own frame has `pose` (parallel axes).
+/// Moves a body to another frame, in which its own frame has `pose` (parallel axes).
 template <class Scalar>
 InertialParameters<Scalar> transformed(const InertialParameters<Scalar>& body,
                                        const Digits50Pose& pose) {

@@ -6,9 +6,9 @@
 
 namespace treeline {
 
-/// An expression whose operators make the operation that they say, as a processor executes it.
-/// Those of `Expression` simplify by rules of real arithmetic, which change roundings. Here only
-/// sums with 0, products with 0, 1 and -1, and quotients of 0 vanish, which are exact.
+/// An expression whose operators make the operations as written, as a processor executes them. The
+/// operators of `Expression` simplify by rules of real arithmetic, which changes rounding. Here
+/// only sums with 0, products with 0, 1 and -1, and quotients of 0 vanish, which are exact.
 class PlainExpression {
  public:
   PlainExpression() = default;

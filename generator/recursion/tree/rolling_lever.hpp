@@ -7,7 +7,7 @@
 
 namespace treeline {
 
-/// Where a contact that rolls is, along the axes of the second frame.
+/// Position of a rolling contact, along the axes of the second frame.
 template <class Scalar>
 struct RollingLever {
   Vector3<Scalar> r;      ///< from the first frame's origin to the contact

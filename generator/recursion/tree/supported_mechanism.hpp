@@ -12,7 +12,7 @@ Mechanism with_constraints_only(Mechanism mechanism);
 /// yields.
 Mechanism with_supports(Mechanism mechanism);
 
-/// Where each row of the tasks of `with_supports` was before.
+/// Former place of each task row of `with_supports`.
 std::vector<std::size_t> task_row_order(const Mechanism& mechanism);
 
 }  // namespace treeline

@@ -24,7 +24,7 @@ struct TreeInertia {
   Symmetric3<Scalar> J;      ///< rotational inertia about the frame's origin
 };
 
-/// What sits in a joint, see `JointDrive`.
+/// Rotor, friction and spring of a joint, see `JointDrive`.
 template <class Scalar>
 struct TreeDrive {
   Scalar inertia{}, damping{}, friction{}, sharpness{}, stiffness{}, rest{};
