@@ -18,8 +18,8 @@ namespace treeline {
 /// magnitude of every term in place of the term.
 class ConstraintSizes {
  public:
-  /// Whose rows there are beside those of the constraints: none for constrained forward dynamics,
-  /// those of all operational points for a supported control torque.
+  /// Tasks whose rows there are beside those of the constraints: none for constrained forward
+  /// dynamics, all operational points for a supported control torque.
   enum class Tasks { none, all };
 
   /// `M_inverse` has the magnitudes of M^-1.
@@ -42,7 +42,7 @@ class ConstraintSizes {
 
  private:
   [[nodiscard]] std::vector<double> constrained(const Eigen::MatrixXd& Lambda) const;
-  /// The same with dependent velocities eliminated, from these terms.
+  /// Terms of the motion with dependent velocities eliminated.
   [[nodiscard]] EliminationTerms elimination_terms() const;
   [[nodiscard]] std::vector<double> supported(const interpreter::TaskLaw<double>& law,
                                               const Eigen::MatrixXd& Lambda) const;

@@ -37,13 +37,13 @@ struct State {
   std::map<Quantity, std::vector<double>> others;  ///< all further quantities
 };
 
-/// What the state has for a quantity; empty where it has nothing.
+/// Values of a quantity in the state; empty where the state has none.
 const std::vector<double>& values_of(const State& state, Quantity quantity);
 
-/// Where the state has a quantity; empty where it had nothing.
+/// Place for the values of a quantity in the state; empty where the state had none.
 std::vector<double>& place_of(State& state, Quantity quantity);
 
-/// Where states are drawn from.
+/// The space from which states are drawn.
 struct StateSpace {
   Subject<double> subject;
   std::vector<Coordinate> coordinates;  ///< nq entries, with limits

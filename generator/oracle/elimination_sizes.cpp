@@ -65,7 +65,7 @@ double condition_of_rest(const interpreter::DependentRates<double>& rates, const
   return scaled_condition(M_s, size.diagonal());
 }
 
-/// What is left with dependent velocities eliminated: M_s^-1, and the sizes of how they follow.
+/// The rest after dependent velocities are eliminated: M_s^-1, and sizes of how they follow.
 struct Rest {
   interpreter::DependentRates<double> rates;
   MatrixXd P, inertia_inverse, G;  ///< of the inverse: the matrix itself

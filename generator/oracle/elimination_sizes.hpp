@@ -8,8 +8,8 @@
 
 namespace treeline {
 
-/// What a motion with dependent velocities eliminated is computed from. Sizes are those of the
-/// terms of each entry.
+/// Terms from which a motion with dependent velocities eliminated is computed. Sizes are those of
+/// the terms of each entry.
 struct EliminationTerms {
   Eigen::MatrixXd J, J_sizes;  ///< of the rows of loops, then of tasks
   Eigen::MatrixXd M, M_sizes;

@@ -22,8 +22,8 @@ Vector50 random_direction(int size, int seed) {
   return direction;
 }
 
-/// What the turning of the axes in which joints have their velocities adds to the rate of their
-/// momenta p = M qd, along the direction.
+/// Rate of the momenta p = M qd, along the direction, that comes from the turning of the axes in
+/// which joints have their velocities.
 Digits50 turning_of_axes(const EquationAt& at, const Vector50& qd, const Vector50& p) {
   Digits50 sum = 0;
   for (const auto& body : at.model.bodies) {

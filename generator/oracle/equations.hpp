@@ -22,7 +22,7 @@ const Equation* find_equation(Function function);
 std::optional<double> equation_residual(Function function, const Subject<Digits50>& subject,
                                         const State& state, const std::vector<Digits50>& results);
 
-/// The same of the interpreter's results in 50 digits, with rows of tasks solved as they are.
+/// Residual of the interpreter's results in 50 digits, with rows of tasks solved as they are.
 std::optional<double> equation_residual(Function function, const Subject<Digits50>& subject,
                                         const State& state);
 

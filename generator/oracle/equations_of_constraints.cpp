@@ -47,8 +47,8 @@ EquationSides held_rows(const At& at) {
   return {stated, joined(found, of_joints), at.rate};
 }
 
-/// What the rows lack of J qdd + Jd qd = 0 where nothing leads them back, beside 1 m/s^2 or 1
-/// rad/s^2.
+/// Sides of J qdd + Jd qd = `asked` for held rows. The scale of their difference includes 1 m/s^2
+/// or 1 rad/s^2.
 EquationSides held_still(const At& at, const Vector50& qdd, const Vector50& asked) {
   const Vector50 driven = held_jacobian(at, at.q) * qdd;
   const Vector50 moved = held_bias(at);
@@ -77,7 +77,7 @@ bool can_do_task(const At& at, const Matrix50& J_s) {
   return are_independent(A * A.transpose());
 }
 
-/// Where rows depend on each other, no acceleration leads each back by itself.
+/// Sides of the equation of held rows; none if rows depend on each other: no qdd then leads each.
 EquationSides constrained(const At& at) {
   if (!can_move_rows(at, held_jacobian(at, at.q))) return {};
   const Vector50 gains = at.other(Quantity::stabilisation);
@@ -93,7 +93,7 @@ bool can_move_objects(const At& at) {
   return are_independent(ip::lambda_inverse<Digits50>(at.model, points, at.q));
 }
 
-/// Under the torques and the forces of constraints that the value has.
+/// Sides of the equation under the torques and the forces of constraints in the value.
 EquationSides supported(const At& at) {
   const Matrix50 J = held_jacobian(at, at.q);
   if (!can_do_task(at, J)) return {};
@@ -112,8 +112,8 @@ Vector50 grasp_velocities(const At& at, const Vector50& q, const Vector50& qd) {
   return all;
 }
 
-/// What each grasp's object is to accelerate with if all move as `of_objects` says: with what
-/// brings later grasps back to the first.
+/// Accelerations that each grasp asks of its object if all move as `of_objects` says, with those
+/// that bring later grasps back to the first.
 Vector50 by_grasp(const At& at, const Vector50& of_objects, const Vector50& gains) {
   Vector50 all;
   Eigen::Index k = 0;

@@ -36,7 +36,7 @@ std::vector<Scalar> derivatives(const interpreter::DynamicsDerivatives<Scalar>& 
   return entries;
 }
 
-/// Those of links that move against their parents: masses, then centres.
+/// Masses, then centres, of the subtrees of links that move against their parents.
 template <class Scalar>
 std::vector<Scalar> subtrees(const interpreter::Model<Scalar>& model, const Vector<Scalar>& q) {
   std::vector<Scalar> masses;
@@ -51,7 +51,7 @@ std::vector<Scalar> subtrees(const interpreter::Model<Scalar>& model, const Vect
   return masses;
 }
 
-/// What results depend on: the subject, the numbers of its state in the interpreter's types, and
+/// Inputs of the interpreter: the subject, the numbers of its state in the interpreter's types, and
 /// the law of rows that are relaxed.
 template <class Scalar>
 struct Inputs {

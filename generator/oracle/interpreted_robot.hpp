@@ -37,9 +37,9 @@ class InterpretedRobot {
   InterpretedRobot(const Robot& robot, const Scene& scene);
 
   [[nodiscard]] const Mechanism& mechanism() { return mechanisms_.whole(); }
-  /// Those that the scene asks for, `damped_control_torque` last.
+  /// Functions that the scene asks for, `damped_control_torque` last.
   [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
-  /// What a function of the scene takes and gives. The first time it is traced.
+  /// Arguments and results of a function of the scene. The first call traces the function.
   const InterpretedFunction& describe(Function function);
   /// Results of the function at a number of states. `arguments` has for each state the numbers of
   /// all arguments in their order; the results are laid out alike.

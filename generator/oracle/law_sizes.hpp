@@ -21,7 +21,7 @@ LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q
                         const Eigen::MatrixXd& Lambda_inverse, const Eigen::MatrixXd& terms,
                         const interpreter::TaskLaw<double>& law);
 
-/// The same of any symmetric matrix A, with the sizes of the terms of its diagonal.
+/// Finds the properties for any symmetric matrix A, given the sizes of its diagonal's terms.
 LawSizes find_law_sizes(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
                         const interpreter::TaskLaw<double>& law);
 

@@ -20,18 +20,18 @@ using Dense50 = Eigen::Matrix<Digits50, Eigen::Dynamic, Eigen::Dynamic>;
 const Digits50 kRegularisation("1e-24");
 /// A row of J_s that has less than this share left outside the others depends on them.
 constexpr double kDependent = 1e-12;
-/// With less than this one, rounding decides whether it does.
+/// Share left outside the others below which rounding decides whether a row depends on them.
 constexpr double all_but_dependent(Real real) {
   return real == Real::float32 ? 1e-2 : 1e-7;
 }
-/// What counts as 0 of a multiplier or a violation, relative to what it is compared with.
+/// Largest multiplier or violation that counts as 0, relative to what it is compared with.
 const Digits50 kResidue("1e-18");
 
 Digits50 largest(const Vector50& x) {
   return x.size() == 0 ? Digits50(0) : Digits50(x.cwiseAbs().maxCoeff());
 }
 
-/// Which columns of a matrix are independent of those before them, by Gram and Schmidt.
+/// Columns of a matrix that are independent of those before them, by Gram and Schmidt.
 struct IndependentColumns {
   std::vector<Eigen::Index> independent;
   std::vector<Eigen::Index> dependent;
@@ -162,7 +162,7 @@ Matrix50 DenseProgram::free_forces() const {
   return left * weights.cwiseInverse().asDiagonal();
 }
 
-/// Of J_t M^-1 (tau + J_s^T f), whose difference before and after is what the task loses.
+/// Size of J_t M^-1 (tau + J_s^T f), whose difference before and after is what the task loses.
 Digits50 DenseProgram::lost_size(const Vector50& d_qdd, const Vector50& d_f) const {
   const Vector50 forces =
       problem_.tau.cwiseAbs() + (problem_.M * d_qdd).cwiseAbs() +

@@ -40,9 +40,9 @@ struct LimitedOptimum {
   LimitSides sides;     ///< the limits that are reached
 };
 
-/// The same problem with M, J_s and J_t for velocities that differ by about `unit` of themselves,
-/// entries of J_s, tau and f by as much: what rounding of these numbers alone does. Relations
-/// between rows stay. The same seed gives the same problem.
+/// Changes M, J_s and J_t at random, as velocities changed by about `unit` of themselves would, and
+/// entries of J_s, tau and f as much: the effect of rounding these numbers alone. Relations between
+/// rows stay. The same seed gives the same problem.
 LimitProblem perturbed(const LimitProblem& problem, double unit, std::uint64_t seed);
 
 /// The point of least cost with these limits reached, whatever the others are.

@@ -45,7 +45,7 @@ struct StateReference {
 /// Called whenever a state is done, from several threads but never at the same time.
 using Progress = std::function<void(int done, int total)>;
 
-/// Which states to draw, and on how many cores.
+/// States to draw, and the number of cores to use.
 struct ReferenceOptions {
   int states = 1000;
   int first = 0;                        ///< index of the first state

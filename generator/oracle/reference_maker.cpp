@@ -14,7 +14,7 @@ namespace {
 
 using interpreter::Digits50;
 
-/// If the condition number exceeds this share of 1/unit, a solve has no correct digit to compare.
+/// Share of 1/unit above which a condition number leaves a solve no correct digit to compare.
 constexpr double kSingular = 1.0 / 64;
 
 void split(const std::vector<Digits50>& exact, FunctionReference& reference) {
@@ -25,7 +25,7 @@ void split(const std::vector<Digits50>& exact, FunctionReference& reference) {
   }
 }
 
-/// What 50 digits leave at most of a sum whose terms cancel, in SI units.
+/// Largest remainder of a sum whose terms cancel, in 50 digits, in SI units.
 constexpr double kCancelled = 1e-30;
 
 /// Makes entries 0 that have no term, as their size of 0 says, in the reference and in the

@@ -132,8 +132,8 @@ Conditions ResultSizes::conditions(Function function,
   return {};
 }
 
-/// What the solve of a function adds to the terms: its result, the law that relaxes rows, what is
-/// known of the relaxed solve, and |Lambda| with that law.
+/// Data that the solve of a function adds to the terms: its result, the law that relaxes rows, the
+/// properties of the relaxed solve, and |Lambda| with that law.
 struct ResultSizes::Solved {
   const std::vector<double>& result;
   const interpreter::TaskLaw<double>& law;
@@ -299,7 +299,7 @@ Eigen::VectorXd ResultSizes::forward_dynamics(const std::vector<double>& qdd) co
   return inverse_of_symmetric(M).cwiseAbs() * forces;
 }
 
-/// Those of velocities and of friction.
+/// Sizes of the joint forces' derivatives by velocity, with those of friction.
 Eigen::MatrixXd ResultSizes::forces_by_velocity() const {
   Eigen::MatrixXd sizes = terms_.forces_by_velocity(state_.qd);
   sizes.diagonal() += terms_.friction_slopes();

@@ -29,8 +29,8 @@ class ResultSizes {
       Function function, const std::vector<double>& result,
       const interpreter::TaskLaw<double>& law = {},
       const std::optional<LawSizes>& relaxed = std::nullopt) const;
-  /// What rounding by `unit` may change where it carries rows in the order of priority across their
-  /// borders, in ulp of the scale.
+  /// Largest change by rounding of size `unit` where it carries rows in the order of priority
+  /// across their borders, in ulp of the scale.
   [[nodiscard]] double border_steps(Function function, double unit) const;
   /// Condition numbers of the matrices that the function solves with; 1 where there is none.
   [[nodiscard]] Conditions conditions(Function function,

@@ -38,7 +38,7 @@ struct SubjectBase {
   std::vector<std::pair<std::size_t, double>> numbers;  ///< the same of the numbers of `BaseDomain`
 };
 
-/// What of the subject arguments change, see `SceneInputs`.
+/// Parts of the subject that arguments change, see `SceneInputs`.
 struct SubjectInputs {
   std::vector<SubjectInertia> payloads, parameters;
   std::vector<SubjectTool> tools, contacts;

@@ -7,8 +7,8 @@
 
 namespace treeline {
 
-/// A subject with what a state says of gravity, payloads, inertial parameters, tools and contacts.
-/// If the state says nothing of them, it is the given subject, which must live as long; else a
+/// A subject with the gravity, payloads, inertial parameters, tools and contacts of a state. If
+/// the state has none of them, it is the given subject, which must live as long; else it is a
 /// copy.
 template <class Scalar>
 class SubjectAt {

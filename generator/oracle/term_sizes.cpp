@@ -47,7 +47,7 @@ std::vector<RotorSize> rotor(const interpreter::Body<double>& body) {
   return {{body.v, body.multiplier * body.multiplier * body.armature}};
 }
 
-/// Of friction and a spring, as the coordinate feels them: the joint forces, and their derivatives.
+/// Forces of friction and a spring on a joint's coordinate, a derivative, and the spring's energy.
 struct JointSizes {
   double friction = 0, spring = 0, friction_slope = 0, energy = 0;
 };

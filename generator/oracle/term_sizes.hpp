@@ -86,7 +86,7 @@ class TermSizes {
   /// and the centre of mass move.
   [[nodiscard]] Eigen::MatrixXd centroidal_momentum_by_displacement(
       const std::vector<double>& qd) const;
-  /// The same of dh_G/dt.
+  /// Sizes of the derivatives of dh_G/dt, 6 x nv.
   [[nodiscard]] Eigen::MatrixXd centroidal_rate_by_displacement(
       const std::vector<double>& qd, const std::vector<double>& qdd) const;
   [[nodiscard]] Eigen::MatrixXd centroidal_rate_by_velocity(const std::vector<double>& qd) const;
@@ -104,7 +104,7 @@ class TermSizes {
   struct Motion {
     double v = 0, w = 0, a = 0, alpha = 0;
   };
-  /// Of a velocity or an acceleration.
+  /// Linear and angular change of a velocity or an acceleration.
   struct Pair {
     double linear, angular;
   };
