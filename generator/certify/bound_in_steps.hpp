@@ -23,7 +23,7 @@ struct NodeBound {
   GappaNumber size, error, rounding;
 };
 
-/// Which values a set consists of: exact values of nodes, or their errors.
+/// Kind of values in a set: exact values of nodes, or their errors.
 enum class Values { exact, errors };
 
 /// Bounds the exact value and the error of every node of a graph, node by node, in small steps that

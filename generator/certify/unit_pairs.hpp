@@ -19,7 +19,7 @@ LinearRow operator-(LinearRow row);
 /// Two nodes whose squares add up to 1: cosine and sine of one angle, or of a sum of angles.
 struct UnitPair {
   std::uint32_t cosine = 0, sine = 0;
-  /// Of a pair that is the product of two: that which turns, and that which is turned.
+  /// Factors of a pair that is a product: the pair that turns, and the pair that is turned.
   std::optional<std::size_t> by, of;
 };
 

@@ -91,23 +91,23 @@ constexpr bool is_default_of_points(const FunctionInfo& row) {
 
 /// All that a scene may ask for.
 inline constexpr auto kSceneFunctions = select_functions<is_nameable>();
-/// Those that a scene with operational points has if it says nothing else.
+/// Functions that a scene with operational points has if it names no functions.
 inline constexpr auto kDefaultFunctions = select_functions<is_default_of_points>();
-/// Those that a scene has only when it asks.
+/// Functions that a scene has only when it asks for them.
 inline constexpr auto kRequestedFunctions = select_functions<is_emitted<Emitted::on_request>>();
-/// Those about objects, which a scene may ask for only when it lists some.
+/// Functions about objects. A scene may ask for them only when it lists objects.
 inline constexpr auto kObjectFunctions = select_functions<is_about<FunctionGroup::objects>>();
-/// Those about contacts, which a scene may ask for only when it lists some, and the inverse
-/// inertias of all links, which it gets only when it asks.
+/// Functions about contacts, for which a scene may ask only when it lists contacts, and the inverse
+/// inertias of all links, which it has only when it asks for them.
 inline constexpr auto kContactFunctions =
     select_functions<is_about<FunctionGroup::contacts, FunctionGroup::links>>();
-/// Those that posture and balance laws need, which a scene gets only when it asks.
+/// Functions for posture and balance laws. A scene has them only when it asks for them.
 inline constexpr auto kPostureFunctions =
     select_functions<is_about<FunctionGroup::center_of_mass>>();
-/// Those that optimisers need: long code, which a scene gets only when it asks.
+/// Functions for optimisers: long code, which a scene has only when it asks for it.
 inline constexpr auto kDerivativeFunctions =
     select_functions<is_about<FunctionGroup::derivatives>>();
-/// Those that `damped_control_torque` is composed of.
+/// Functions of which `damped_control_torque` is composed.
 inline constexpr std::array kDampedFunctions = {Function::jacobian, Function::bias_acceleration,
                                                 Function::inverse_dynamics,
                                                 Function::lambda_inverse};

@@ -61,7 +61,7 @@ enum class Function {
   damped_control_torque,
 };
 
-/// What a function is about. Operational points, objects and contacts must be in the scene.
+/// Subject of a function. Operational points, objects and contacts must be in the scene.
 enum class FunctionGroup {
   robot,           ///< joints and the robot as a whole
   points,          ///< operational points
@@ -73,14 +73,14 @@ enum class FunctionGroup {
   derivatives,     ///< of forward and inverse dynamics
 };
 
-/// Which scenes get a function.
+/// Condition under which a scene gets a function.
 enum class Emitted {
   by_default,   ///< all that have what it is about and name no functions
   on_request,   ///< those that name it
   with_damping  ///< those with the key `damped`; it is composed of others and never named
 };
 
-/// Which matrix a function solves with: its errors grow with the condition of that matrix. M is
+/// Matrix that a function solves with: its errors grow with the condition of that matrix. M is
 /// positive definite everywhere, Lambda^-1 singular in some configurations, Lambda^-1 + Delta in
 /// none. Each of them needs the inverse of M.
 enum class Solve { none, mass_matrix, lambda_inverse, damped };
@@ -105,7 +105,7 @@ constexpr FrameCost frames_by(Function first, Function second) {
   return {{first, second}, 2};
 }
 inline constexpr FrameCost kFramesAsBuilt{};
-/// Of what is wanted in the frames of the URDF's links.
+/// Frame cost of results that are wanted in the frames of the URDF's links.
 inline constexpr FrameCost kFramesOfFiles{{}, 0, true};
 
 /// Whether columns of the matrix of accelerations may be handed from link to link where frames are
@@ -127,19 +127,19 @@ constexpr FunctionInputs inputs(Listed... listed) {
   return {{listed...}, sizeof...(listed)};
 }
 
-/// The same of a function that depends on inertia but not on weight. What changes a robot while it
-/// runs is an argument only in scenes that list it under `inputs`.
+/// Inputs of a function that depends on inertia but not on weight. Properties that change while a
+/// robot runs are arguments only in scenes that list them under `inputs`.
 template <class... Listed>
 constexpr FunctionInputs inertial_inputs(Listed... listed) {
   return inputs(listed..., Quantity::payload, Quantity::parameters, Quantity::base_parameters);
 }
-/// The same of a function that depends on weight.
+/// Inputs of a function that depends on weight.
 template <class... Listed>
 constexpr FunctionInputs weighed_inputs(Listed... listed) {
   return inputs(listed..., Quantity::gravity, Quantity::payload, Quantity::parameters,
                 Quantity::base_parameters);
 }
-/// The same of a function that depends on the masses of single links.
+/// Inputs of a function that depends on the masses of single links.
 template <class... Listed>
 constexpr FunctionInputs inputs_of_links(Listed... listed) {
   return inputs(listed..., Quantity::payload, Quantity::parameters);
@@ -148,15 +148,15 @@ constexpr FunctionInputs with(Quantity quantity, FunctionInputs listed) {
   listed.quantities[listed.count++] = quantity;
   return listed;
 }
-/// The same of a function that depends on where the origins of operational points are.
+/// Inputs of a function that also depends on the origins of operational points.
 constexpr FunctionInputs with_tool_origin(const FunctionInputs& listed) {
   return with(Quantity::tool, listed);
 }
-/// The same of a function that depends on their axes, too.
+/// Inputs of a function that also depends on the axes and origins of operational points.
 constexpr FunctionInputs with_tool(const FunctionInputs& listed) {
   return with(Quantity::tool_orientation, with_tool_origin(listed));
 }
-/// The same of a function that depends on where contacts are.
+/// Inputs of a function that also depends on the origins of contacts.
 constexpr FunctionInputs with_contact(const FunctionInputs& listed) {
   return with(Quantity::contact, listed);
 }

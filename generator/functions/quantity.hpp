@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// What functions take as arguments. All that is known of one stands in its row of `kQuantities`.
+/// Arguments that functions take. The row of an argument in `kQuantities` holds its properties.
 enum class Quantity {
   q,
   sin_q,
@@ -36,7 +36,7 @@ enum class Quantity {
   contact,
 };
 
-/// What the entries of an argument belong to.
+/// Index space of an argument: the kind of thing to which its entries belong.
 enum class IndexSpace {
   positions,        ///< nq coordinates
   velocities,       ///< nv velocities
@@ -69,17 +69,17 @@ struct QuantityInfo {
   double range;  ///< largest magnitude that rounding bounds allow where the URDF states none
 };
 
-/// Of q, what rounding bounds allow where the URDF states no limits.
+/// Ranges of q that rounding bounds allow where the URDF states no limits.
 inline constexpr double kAngleRange = std::numbers::pi;  ///< rad
 inline constexpr double kPositionRange = 10;             ///< m
 
-/// Of qd, the most that rounding bounds allow, whatever limit the URDF states: rad/s, a motor of
-/// 955 rpm without a gear, or m/s. They grow with its square: at the 1000 rad/s that exporters
-/// write, they would be a hundred times too wide for the speeds that joints reach.
+/// Largest qd that rounding bounds allow, whatever limit the URDF states: rad/s, a motor of 955 rpm
+/// without a gear, or m/s. Bounds grow with its square: at the 1000 rad/s that exporters write,
+/// they would be a hundred times too wide for the speeds that joints reach.
 inline constexpr double kFastestInBounds = 100;
 
-/// Of bodies whose inertial parameters are inputs, what rounding bounds allow where the scene says
-/// nothing else.
+/// Ranges that rounding bounds allow for bodies whose inertial parameters are inputs, where the
+/// scene states none.
 inline constexpr double kPayloadMass = 10;    ///< kg
 inline constexpr double kPayloadReach = 0.5;  ///< m, farthest matter from the link's origin
 

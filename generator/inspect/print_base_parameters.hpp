@@ -11,8 +11,8 @@ namespace treeline {
 /// parameters and its value, and the parameters on which no motion depends.
 std::string print_base_parameters(const Robot& robot, const Scene& scene);
 
-/// The same for programs, with coefficients and values in full and units: in the order of the
-/// argument `parameters` and of the columns of regressors.
+/// Prints base parameters as JSON for programs, with full coefficients, values and units: in the
+/// order of the argument `parameters` and of the columns of regressors.
 std::string print_base_parameters_json(const Robot& robot, const Scene& scene);
 
 }  // namespace treeline

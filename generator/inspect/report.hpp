@@ -30,8 +30,8 @@ struct LinkReport {
   std::optional<std::string> flat;        ///< "a point", "a rod", "a plate"
 };
 
-/// What the scene puts into a joint: kg m^2, N m s/rad, N m, rad/s, N m/rad and rad, or the same of
-/// translation. What is 0 is not there.
+/// Values of the scene for a joint: kg m^2, N m s/rad, N m, rad/s, N m/rad and rad, or the same of
+/// translation. A value of 0 is absent.
 struct DriveReport {
   double rotor = 0, damping = 0, friction = 0, width = 0, stiffness = 0, rest = 0;
 };
@@ -86,7 +86,7 @@ struct RiskReport {
   std::string finding, advice;
 };
 
-/// What constraints between links and couplings leave of the motion, in poses that close them.
+/// Motion that constraints between links and couplings leave, in poses that close the loops.
 struct LoopsReport {
   int rows = 0;
   int dependent = 0;  ///< rows that the others imply

@@ -66,7 +66,7 @@ std::string describe_placeholder(const Joint& joint, const LimitRow& row) {
   return written;
 }
 
-/// What bounds of rounding errors take where the limit is none.
+/// Range that bounds of rounding errors assume where the URDF has no limit.
 std::string bound_without(const Joint& joint, Guard guard) {
   const bool slides = info_of(joint.type).slides();
   if (guard == Guard::speed) {

@@ -6,7 +6,7 @@
 
 namespace treeline {
 
-/// What reads limits: code that is generated, with its bounds of rounding errors, or the loop of
+/// Reader of limits: code that is generated, with its bounds of rounding errors, or the loop of
 /// `drive`.
 enum class LimitUse { code, drive };
 

@@ -3,7 +3,7 @@
 namespace treeline {
 namespace {
 
-/// What the map says of a joint; nothing by default.
+/// Value of a joint in the map; nothing by default.
 template <class Value>
 Value value_of(const std::map<std::string, Value>& values, const std::string& joint) {
   const auto found = values.find(joint);

@@ -26,14 +26,14 @@ struct Inertia {
   Digits50Matrix3 Sigma = Digits50Matrix3::Zero();
 };
 
-/// The same inertia seen from another frame, in which its own frame has `pose`.
+/// Inertia seen from another frame, in which its own frame has `pose`.
 Inertia transformed(const Inertia& inertia, const Digits50Pose& pose);
 Inertia operator+(const Inertia& a, const Inertia& b);
 /// Rotational inertia J = tr(Sigma) 1 - Sigma about the frame's origin.
 Digits50Matrix3 rotational_inertia(const Inertia& inertia);
 
-/// What sits in a joint and belongs to no link: the rotor of its motor, friction, a spring. The
-/// numbers are those that the joint's coordinate feels, see `add_drives`.
+/// Parts in a joint that belong to no link: the rotor of its motor, friction, a spring. The numbers
+/// are those that the joint's coordinate feels, see `add_drives`.
 struct JointDrive {
   Digits50 inertia = 0;    ///< of the rotor, kg m^2 or kg
   Digits50 damping = 0;    ///< N m s/rad or N s/m
@@ -113,13 +113,13 @@ struct MechanismTool {
   bool orientation = false;   ///< of an operational point: its axes are an argument, too
 };
 
-/// What functions take as arguments of what changes the robot, see `SceneInputs`.
+/// Parts of the robot that functions take as arguments, see `SceneInputs`.
 struct MechanismInputs {
   bool gravity = false;
   /// Added to the links' inertias, which contain neither.
   std::vector<MechanismInertia> payloads, parameters;
-  /// Of each link of `Mechanism::link_frames`, with what is fixed to it, if base parameters are an
-  /// argument. The links' inertias contain none of it.
+  /// Inertia of each link of `Mechanism::link_frames` with what is fixed to it, if base parameters
+  /// are an argument. The links' inertias contain none of it.
   std::vector<MechanismInertia> base;
   std::vector<MechanismTool> tools, contacts;
 };

@@ -73,7 +73,7 @@ std::vector<MechanismCoupling> couplings(const PlacedRobot& placed) {
   return result;
 }
 
-/// Where the frames of all links of the URDF are.
+/// Frames of all links of the URDF.
 std::vector<MechanismPoint> files_frames(const PlacedRobot& placed) {
   std::vector<MechanismPoint> frames;
   for (std::size_t i = 0; i < placed.links.size(); ++i) {
@@ -110,7 +110,7 @@ std::vector<MechanismPoint> link_frames(const PlacedRobot& placed, const Mechani
   return frames;
 }
 
-/// Those of the links to which regressors add a body.
+/// Frames of the links to which regressors add a body.
 std::vector<MechanismPoint> payload_frames(const PlacedRobot& placed) {
   std::vector<MechanismPoint> frames;
   for (const std::string& link : placed.scene.regressor.payloads) {

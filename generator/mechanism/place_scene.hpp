@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// Where a link of the URDF is: on which moving link, -1 for the world, and with which pose.
+/// Place of a link of the URDF: its moving link, -1 for the world, and its pose there.
 struct LinkPlace {
   int link = -1;
   Digits50Pose pose;
@@ -20,7 +20,7 @@ struct FirstCoordinate {
   int q, v;
 };
 
-/// What became of the robot in the mechanism.
+/// The robot and the scene with the places of links and joints in the mechanism.
 struct PlacedRobot {
   const Robot& robot;
   const Scene& scene;

@@ -33,7 +33,7 @@ Inertia take_mass_at_centre(Inertia& inertia) {
   return point;
 }
 
-/// What the joint does not move, or moves only with its parent's angular velocity.
+/// Takes the part of an inertia that the joint does not move, or only turns with its parent.
 Inertia take_unmoved(const JointStep& joint, Inertia& inertia) {
   if (joint.is_of_ball()) return take_mass_at_centre(inertia);
   return joint.kind == JointKind::revolute ? take_rod_on_axis(inertia)
