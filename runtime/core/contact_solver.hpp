@@ -5,7 +5,7 @@
 
 namespace treeline::core {
 
-/// What holds at one contact. The normal is a unit vector out of what is touched, world axes.
+/// Contact law at one contact. The normal is a unit vector out of the touched body, world axes.
 template <class Real>
 struct ContactLaw {
   Real normal[3] = {Real(0), Real(0), Real(1)};
@@ -71,7 +71,7 @@ struct Block {
   [[nodiscard]] constexpr Real trace() const noexcept {
     return A[row * size + row] + A[(row + 1) * size + row + 1] + A[(row + 2) * size + row + 2];
   }
-  /// What rounding leaves of a mobility that is 0.
+  /// Largest mobility that is 0 but for rounding.
   [[nodiscard]] constexpr Real noise() const noexcept {
     return Real(64) * Format<Real>::kEpsilon * trace();
   }
@@ -172,8 +172,8 @@ Miss<Real> relax(const ContactLaw<Real>& law, const Block<Real>& block, Real wan
   return miss;
 }
 
-/// Which part of a change is made: all, and less where impulses go to and fro, as those of oblique
-/// contacts with much friction do. A part of the way from one point of a cone to another is in it.
+/// Share of a change that is made: all, and less where impulses go to and fro, as those of oblique
+/// contacts with much friction do. A part of the way between two points of a cone is in it.
 template <class Real>
 constexpr Real share_of_change(int sweeps) noexcept {
   constexpr int kPatience = 512;

@@ -167,7 +167,7 @@ inline void integrate(const QuaternionJoint (&joints)[count], const Real (&q)[nq
   steps::integrate(joints, count, q, qd, dt, next);
 }
 
-/// The same for a robot without quaternions.
+/// Moves q by `dt` seconds at the constant velocities qd, for a robot without quaternions.
 template <class Real, int n>
 inline void integrate(const Real (&q)[n], const Real (&qd)[n], Real dt, Real (&next)[n]) noexcept {
   steps::integrate(static_cast<const QuaternionJoint*>(nullptr), 0, q, qd, dt, next);
@@ -182,7 +182,7 @@ inline void difference(const QuaternionJoint (&joints)[count], const Real (&from
   steps::difference(joints, count, from, to, qd);
 }
 
-/// The same for a robot without quaternions.
+/// Velocities that lead `from` to `to` in one second, for a robot without quaternions.
 template <class Real, int n>
 inline void difference(const Real (&from)[n], const Real (&to)[n], Real (&qd)[n]) noexcept {
   steps::difference(static_cast<const QuaternionJoint*>(nullptr), 0, from, to, qd);

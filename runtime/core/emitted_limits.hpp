@@ -36,7 +36,7 @@ constexpr long flops_of_iteration(int n, int m) noexcept {
   return 4L * m * n + 20L * n * n + 16L * (n + m);
 }
 
-/// What became of a quadratic program.
+/// Outcome of a quadratic program.
 enum class QuadraticStatus {
   solved,       ///< all rows hold
   conflicting,  ///< rows that conflict with others were set aside, see `sides`
@@ -44,7 +44,7 @@ enum class QuadraticStatus {
   not_convex,   ///< H is not positive definite, or numbers do not fit or are none: x is zero
 };
 
-/// Which side of a row is active.
+/// Active side of a row.
 enum class RowSide : signed char { lower = -1, none = 0, upper = 1, set_aside = 2 };
 
 /// Tolerances and weights of the method.
@@ -65,7 +65,7 @@ struct LimitNumbers {
   static constexpr Real kNoLimit = Real(1e30);
   /// k of the cost.
   static constexpr Real kHierarchy = Real(kSingle ? 30 : 1000);
-  /// Of the slack's square, N^-2: above any multiplier that costs of the task give rise to.
+  /// Weight N^-2 of the slack's square: above any multiplier from the costs of the task.
   static constexpr Real kSlackPenalty = Real(1e4) * kHierarchy * kHierarchy;
 };
 

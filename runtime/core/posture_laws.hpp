@@ -35,8 +35,8 @@ inline void add_potential(const Gradient& gradient, const Real (&q)[N], Real (&q
   }
 }
 
-/// The same where only V(q) is known: its gradient by central differences of `step` (rad), exact
-/// for potentials up to the second degree.
+/// Subtracts the gradient of a potential of which only V(q) is known: central differences of `step`
+/// (rad), exact for potentials up to the second degree.
 template <int N, class Real, class Potential>
 inline void add_potential_by_differences(const Potential& potential, Real step, const Real (&q)[N],
                                          Real (&qdd)[N]) noexcept {

@@ -99,7 +99,7 @@ inline SelectiveFactors<N, Real> bordered_factor(const Real (&A)[NN],
       });
 }
 
-/// The same with borders of `tolerance` A_kk: c_k / A_kk is the squared sine, in the metric of
+/// Factors `A` with borders of `tolerance` A_kk: c_k / A_kk is the squared sine, in the metric of
 /// kinetic energy, of the angle between row k and the rows above it. 1e-4 (0.6 degrees; nothing
 /// yields beyond 6) suits control; not below 1e-12 in double.
 template <int N, int NN, class Real>
@@ -111,8 +111,8 @@ inline SelectiveFactors<N, Real> prioritized_factor(const Real (&A)[NN], Real to
       });
 }
 
-/// The same with given shares instead of a test of pivots: row k is achieved where shares[k] = 1,
-/// left out where it is 0, and between them yields by delta_k = c_k (1 - w_k) / w_k. The pivots of
+/// Factors `A` with given shares instead of a test of pivots: row k is achieved where shares[k] =
+/// 1, left out where it is 0, and between them yields by delta_k = c_k (1 - w_k) / w_k. Pivots of
 /// rows with a positive share must not vanish.
 template <int N, int NN, class Real>
 inline SelectiveFactors<N, Real> shared_factor(const Real (&A)[NN],

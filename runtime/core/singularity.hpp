@@ -20,8 +20,8 @@
 
 namespace treeline::core {
 
-/// Where a direction begins to be lost (outer) and is lost (inner): singular values of the scaled
-/// Jacobian, 0 < inner < outer.
+/// Region in which a direction begins to be lost (outer) and is lost (inner): singular values of
+/// the scaled Jacobian, 0 < inner < outer.
 template <class Real>
 struct SingularRegion {
   Real inner = Real(0.02);

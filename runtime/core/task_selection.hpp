@@ -10,8 +10,8 @@
 
 namespace treeline::core {
 
-/// Which directions move and which press. Frames are rotations from the selection frame to the
-/// axes of the operational point's rows, row-major, given anew in every cycle as they move.
+/// Selects the directions that move and those that press. Frames are rotations from the selection
+/// frame to the axes of the operational point's rows, row-major, given anew in every cycle.
 template <class Real>
 struct TaskSelection {
   Real R_force[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};          ///< S_F^T

@@ -64,7 +64,7 @@ void strided_product(const ProductSize& size, Strided<const Scalar> a, Strided<c
 
 namespace detail {
 
-/// What Eigen asks of a product of the factors `Lhs` and `Rhs`, by names that it prescribes.
+/// Traits that Eigen asks of a product of the factors `Lhs` and `Rhs`, with prescribed names.
 // NOLINTBEGIN(readability-identifier-naming)
 template <class Lhs, class Rhs>
 struct StridedProduct {

@@ -225,7 +225,7 @@ class ClosedLoops {
         for (int i = 0; i < nv; ++i) X[row * nv + i] = x[i];
       }
     }
-    /// Of J M^-1 with the row of another Jacobian.
+    /// Entry of J M^-1 J'^T: row `row` with the row `other` of another Jacobian.
     double along(int row, const double* other) const noexcept {
       double sum = 0.0;
       for (int i = 0; i < nv; ++i) sum += X[row * nv + i] * other[i];

@@ -75,7 +75,7 @@ struct CommandUsage {
 /// All commands, in the order in which they are explained.
 const std::vector<CommandUsage>& command_usages();
 
-/// What the command does, as an answer to it: "tool moves by (0, 0, -0.1) m in 2 s".
+/// Effect of the command, as an answer to it: "tool moves by (0, 0, -0.1) m in 2 s".
 std::string describe(const Command& command, const RobotDescription& robot);
 
 /// Whether the command needs the robot to be in the hands of the front end. `stop` and what does

@@ -4,7 +4,7 @@
 
 namespace treeline::drive {
 
-/// Of a number that goes from `from` to `to`: how far it can go within [least, most], from 0 to 1.
+/// Share, from 0 to 1, of the way from `from` to `to` that stays within [least, most].
 inline double share_within(double least, double most, double from, double to) noexcept {
   const double border = to > most ? most : least;
   if (!(to > most || to < least) || from == to) {
@@ -114,9 +114,9 @@ void DriveController<F>::find_weight(const double (&q)[nq], double (&weight)[nv]
   F::inverse_dynamics(q, none, none, weight);
 }
 
-/// Which share of `qdd`, less braking, leads nowhere that motors cannot bear the robot's weight:
-/// they bear 95 % of their limit, or what they bear here, where the robot comes to rest if it is
-/// accelerated for a moment and then braked.
+/// Share of `qdd`, less braking, with which motors can bear the robot's weight where it comes to
+/// rest if it is accelerated for a moment and then braked. They bear 95 % of their limit, or the
+/// load that they bear here.
 template <class F>
 double DriveController<F>::share_that_is_borne(const State& state, const Braking& braking,
                                                const double (&qdd)[nv]) const noexcept {
@@ -184,8 +184,8 @@ void DriveController<F>::keep_limits(const State& state, const double* J,
   cut(tau);
 }
 
-/// Where one of the joints that share would need more than its limit of torque, all give way to
-/// braking.
+/// Scales the torques towards braking, all of them alike, where one of the joints that share needs
+/// more than its limit of torque.
 template <class F>
 void DriveController<F>::share_torque(const Braking& braking, const bool (&shares)[nv],
                                       double (&tau)[nv]) noexcept {

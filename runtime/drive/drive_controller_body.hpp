@@ -116,7 +116,7 @@ void DriveController<F>::hold_all(double time) noexcept {
   }
 }
 
-/// What was dragged and is not any more glides to rest.
+/// Lets points glide to rest that were dragged and are not any more.
 template <class F>
 void DriveController<F>::end_leases(double time) noexcept {
   for (int i = 0; i < nq; ++i) {
@@ -191,8 +191,8 @@ bool DriveController<F>::moving(double time, double margin) const noexcept {
   return any;
 }
 
-/// For the body twist of a floating joint: the law acts in the world's axes and is turned into the
-/// body's, where d(R v)/dt = R (dv/dt + w x v).
+/// Accelerates a floating joint: the law acts in the world's axes and is turned into the body's,
+/// where d(R v)/dt = R (dv/dt + w x v).
 template <class F>
 void DriveController<F>::accelerate_floating(const core::Gains<double>& gains,
                                              const SmoothPose& goal, const double* q,

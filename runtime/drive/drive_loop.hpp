@@ -220,7 +220,7 @@ class DriveLoop {
       fill_contacts();
     }
   }
-  /// What sensors at the points of a simulated robot feel.
+  /// Fills in the contact forces at the points of a simulated robot.
   void fill_contacts() noexcept {
     for (int i = 0; robot_.is_simulated() && i < robot_.simulated().guarded_count(); ++i) {
       const int point = robot_.simulated().guarded(i).point;

@@ -4,7 +4,7 @@
 
 namespace treeline::drive {
 
-/// Where the points are, and how far from their goals: position over rotation vector, world axes.
+/// Finds the points, and their errors from their goals: position over rotation vector, world axes.
 template <class F>
 void DriveController<F>::measure_points(double time, const State& state, double* rotations,
                                         double* errors) noexcept {

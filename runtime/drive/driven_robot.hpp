@@ -49,7 +49,7 @@ class DrivenRobot {
   const ImperfectRobot<F>& simulated() const noexcept { return simulated_; }
   ImperfectRobot<F>& simulated() noexcept { return simulated_; }
   bool is_simulated() const noexcept { return external_.connected == nullptr; }
-  /// What was written last.
+  /// Torque that was written last.
   const double (&torque() const noexcept)[F::kVelocities] { return torque_; }
 
  private:

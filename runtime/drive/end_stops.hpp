@@ -9,13 +9,12 @@
 
 namespace treeline::drive {
 
-/// What a simulated robot's joints run into at their limits of position. A joint beyond its limit
-/// is led back there like a spring of 200 rad/s with critical damping, whatever it weighs, by a
-/// force that only pushes: one that meets the stop at 5 rad/s goes 9 mrad beyond, and leaves it
-/// with an eighth of its speed unless something presses it there; then it rests at the limit. All
-/// joints at their stops are solved together, so that a chain that rests on many of them does not
-/// swing. A joint that begins beyond its limit has its stop there, and takes it along on its way
-/// back.
+/// Stops at the limits of position of a simulated robot's joints. A joint beyond its limit is led
+/// back like a spring of 200 rad/s with critical damping, whatever it weighs, by a force that only
+/// pushes. A joint that meets the stop at 5 rad/s goes 9 mrad beyond and leaves it with an eighth
+/// of its speed, unless something presses it there; then it rests at the limit. All joints at their
+/// stops are solved together, so that a chain that rests on many of them does not swing. A joint
+/// that begins beyond its limit has its stop there; the stop moves back with the joint.
 template <class F>
 class EndStops {
  public:
@@ -70,8 +69,8 @@ class EndStops {
     double limit_lower = 0.0, limit_upper = 0.0;
     double lower = 0.0, upper = 0.0;
   };
-  /// Which way the stop of each joint pushes, +1 or -1, or 0 where it does not touch, and the
-  /// acceleration that way which leads back.
+  /// Direction in which the stop of each joint pushes, +1 or -1, or 0 where it does not touch, and
+  /// the acceleration in that direction which leads back.
   struct Touching {
     double side[nv] = {};
     double wanted[nv] = {};

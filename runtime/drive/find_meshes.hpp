@@ -10,7 +10,7 @@
 
 namespace treeline::drive {
 
-/// Where meshes may lie beside the URDF's own folder, all by somebody's consent.
+/// Folders, beside the URDF's own, in which meshes may lie. The user has permitted each.
 struct MeshPlaces {
   std::map<std::string, std::filesystem::path> packages;  ///< where package://NAME/ lies
   std::vector<std::filesystem::path> folders;             ///< meshes below them may be shown

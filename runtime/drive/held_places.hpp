@@ -16,8 +16,8 @@ struct WorldHold {
   bool local_axes = false;  ///< rows along the frame's axes, else the world's
 };
 
-/// Where a robot was put that is held to the world, and how far it has drifted from there in a
-/// simulation. For robots that nothing holds it is empty.
+/// Places in which a robot is held to the world, and their drift from there in a simulation. For
+/// robots that nothing holds it is empty.
 template <class F>
 class HeldPlaces {
  public:

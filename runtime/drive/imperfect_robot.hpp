@@ -118,7 +118,7 @@ class ImperfectRobot {
   const GuardedPoint& guarded(int i) const noexcept {
     return guarded_[static_cast<std::size_t>(i)];
   }
-  /// Where the links are, not what sensors say.
+  /// State of the links, not of the sensors.
   const State& links() const noexcept { return links_; }
 
  private:

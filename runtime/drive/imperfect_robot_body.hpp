@@ -75,7 +75,7 @@ bool ImperfectRobot<F>::can_follow_gears(double seconds) noexcept {
   return true;
 }
 
-/// What encoders without fault see.
+/// State that encoders without fault see.
 template <class F>
 servo::StateOf<F> ImperfectRobot<F>::seen() const noexcept {
   State state = links_;

@@ -7,9 +7,9 @@ namespace treeline::drive {
 /// How the loop controls the robot while it runs.
 enum class Control : int { joint, task, gravity };
 
-/// What a message of kind `instruction` asks of the controller: `Message::index`. Names in brackets
-/// are the entries of `Message::values`; durations are in `Message::duration`, 0: as long as half
-/// the speed limits ask for.
+/// Instruction of a message of kind `instruction` to the controller: `Message::index`. Names in
+/// brackets are the entries of `Message::values`; durations are in `Message::duration`, 0: at half
+/// the speed limits.
 enum class Instruction : int {
   set_control,    ///< [control]
   move_joint,     ///< [coordinate, relative, to]

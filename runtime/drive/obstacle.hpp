@@ -75,8 +75,8 @@ struct Repulsion {
   double largest_curvature = 1e5;  ///< 1/s^2
 };
 
-/// What a potential asks for at a distance: -dU/drho (m/s^2), U itself (m^2/s^2), and the damping
-/// (1/s) of motion along the gradient.
+/// Effect of a potential at a distance: -dU/drho (m/s^2), U itself (m^2/s^2), and the damping (1/s)
+/// of motion along the gradient.
 struct Push {
   double acceleration = 0.0;
   double energy = 0.0;

@@ -12,7 +12,7 @@ namespace treeline::drive {
 using PageRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 using PageHead = boost::beast::http::response<boost::beast::http::empty_body>;
 
-/// What a request for a page gets.
+/// Reply to a request for a page.
 struct PageReply {
   boost::beast::http::status status = boost::beast::http::status::ok;
   const char* type = "text/plain";
@@ -33,7 +33,7 @@ std::size_t mesh_number(std::string_view path, std::size_t count);
 /// The head of an answer with a body of `size` bytes.
 PageHead head_of(const PageRequest& request, const PageReply& reply, std::uint64_t size);
 
-/// What stands behind `name=` in the query of a target, if that is all of the query.
+/// Value of `name=` in the query of a target, if that is all of the query.
 std::string_view query_value(std::string_view target, std::string_view name);
 
 }  // namespace treeline::drive

@@ -55,7 +55,7 @@ class Parser {
     if (fault_) return;
     fault_ = CommandFault{std::move(text), next_ < words_.size() ? words_[next_].at : line_.size()};
   }
-  /// What stands where something else was expected.
+  /// Text of the word where something else was expected, for an error.
   std::string found() const {
     return next_ < words_.size() ? "found `" + shown_word(words_[next_].text) + "`"
                                  : std::string("the command ends");

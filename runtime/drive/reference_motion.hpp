@@ -23,7 +23,7 @@ class ReferenceMotion {
 
   bool exists() const noexcept { return recorded_.rows > 1; }
   bool playing() const noexcept { return playing_; }
-  /// Its first row is for the time `time` (s).
+  /// Begins the motion: its first row is for the time `time` (s).
   void begin(double time) noexcept {
     start_ = time;
     row_ = 0;
@@ -44,7 +44,7 @@ class ReferenceMotion {
       ++row_;
     }
   }
-  /// Where coordinate i is at the time of the last `seek`.
+  /// Coordinate i at the time of the last `seek`.
   ReferencePoint sample(int i) const noexcept {
     const double h = recorded_.times[row_ + 1] - recorded_.times[row_];
     const double s = (at_ - recorded_.times[row_]) / h;

@@ -10,7 +10,7 @@
 
 namespace treeline::drive {
 
-/// What an entry of q measures. A floating joint has x y z qx qy qz qw in this order, a planar one
+/// Meaning of an entry of q. A floating joint has x y z qx qy qz qw in this order, a planar one
 /// planar_x planar_y planar_theta.
 enum class Measure { angle, length, x, y, z, qx, qy, qz, qw, planar_x, planar_y, planar_theta };
 
@@ -44,7 +44,7 @@ struct DrivenObstacle {
   Obstacle shape;
 };
 
-/// What front ends and the command language have to know of a robot.
+/// Properties of a robot for front ends and the command language.
 struct RobotDescription {
   std::string name;
   std::string checksum;   ///< of the files that it was made of, 16 hexadecimal digits

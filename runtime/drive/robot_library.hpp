@@ -20,8 +20,8 @@ struct ExternalRobot {
   void (*write)(void* self, const double* tau) = nullptr;
 };
 
-/// What makes a simulated robot like a real one. The arrays have an entry for each velocity, in N m
-/// and rad or in N and m; null: 0 for all. Nothing of it concerns floating joints.
+/// Imperfections of a simulated robot. The arrays have an entry for each velocity, in N m and rad
+/// or in N and m; null: 0 for all. They do not concern floating joints.
 struct SimulationOptions {
   const double* coulomb = nullptr;  ///< friction of the drive
   const double* viscous = nullptr;  ///< the same, times the speed
@@ -36,7 +36,7 @@ struct SimulationOptions {
 /// Delay that a simulated robot can have, cycles.
 inline constexpr int kLongestDelay = 63;
 
-/// What the robot stays away from, and which points of it do.
+/// Obstacles that the robot avoids, and the points of it that avoid them.
 struct Surroundings {
   const Obstacle* obstacles = nullptr;
   int obstacle_count = 0;  ///< at most `kMostObstacles`
@@ -45,8 +45,8 @@ struct Surroundings {
   Repulsion repulsion;
 };
 
-/// What a loop begins with. Arrays are in the order of q (nq entries) or of qd and tau (nv); they
-/// are copied. Infinite limits are none.
+/// Options with which a loop begins. Arrays are in the order of q (nq entries) or of qd and tau
+/// (nv); they are copied. Infinite limits are none.
 struct LoopOptions {
   double rate = 1000.0;              ///< Hz
   bool real_time = true;             ///< false: time passes as fast as cycles can be computed
@@ -87,11 +87,10 @@ struct ReportHead {
   int pulled_link = -1;
 };
 
-/// Where in the numbers of a report which begins. `goal` is the desired state now, `target` where
-/// its motion ends; both are in the order of q. Poses of points are position (3) and quaternion
-/// (4), `free` is 1 for a released point. `contact_forces` are those (3, world axes) that obstacles
-/// exert on the points of a simulated robot, `nearest` is the distance of each from the nearest
-/// obstacle.
+/// Places of the numbers in a report. `goal` is the desired state now, `target` the end of its
+/// motion; both are in the order of q. Poses of points are position (3) and quaternion (4), `free`
+/// is 1 for a released point. `contact_forces` are forces (3, world axes) of obstacles on the
+/// points of a simulated robot, `nearest` is the distance of each point from the nearest obstacle.
 struct ReportLayout {
   int q, qd, tau, goal, target, point_poses, point_goals, point_targets, free, center_of_mass,
       pull_at, pull_force, contact_forces, nearest, size;
@@ -123,7 +122,7 @@ constexpr ReportLayout report_layout(int nq, int nv, int points) noexcept {
   return at;
 }
 
-/// What a compiled robot offers. One thread calls `step`, one other `send` and `receive`, which
+/// Functions of a compiled robot. One thread calls `step`, one other `send` and `receive`, which
 /// never wait. `step` allocates nothing.
 struct RobotLibrary {
   int version = kLibraryVersion;

@@ -11,8 +11,8 @@
 
 namespace treeline::drive {
 
-/// What passes over UDP between the loop and a robot: one packet a cycle each way, little-endian,
-/// of fixed size for a robot.
+/// Packet over UDP between the loop and a robot: one each way in a cycle, little-endian, of fixed
+/// size for a robot.
 ///
 ///     bytes 0..3    "TLRB"
 ///           4..5    version, 2

@@ -40,7 +40,7 @@ std::uint64_t draw_number() {
   return (std::uint64_t{source()} << 32U) | source();
 }
 
-/// What the robot's side knows of those who speak to it.
+/// Data of the robot's side about those who speak to it.
 class RobotPeers {
  public:
   RobotPeers(const RobotSide& side, int socket)

@@ -11,7 +11,7 @@
 
 namespace treeline::drive {
 
-/// What browsers get, and where.
+/// Settings of the server: what browsers get, and where.
 struct ServerSettings {
   std::string address = "127.0.0.1";     ///< an address of this machine, not a name
   int port = 0;                          ///< 0: any that is free
@@ -27,7 +27,7 @@ struct NewFrontEnd {
   std::string mesh_query;    ///< what stands behind the addresses of the meshes in its `hello`
 };
 
-/// What the server asks of the program. Called from the server's thread, one at a time.
+/// Requests of the server to the program. They come from the server's thread, one at a time.
 struct ServerHandlers {
   /// A front end has connected. Returns its number; `hello` is sent to it first.
   std::function<int(const NewFrontEnd& front_end, std::string& hello)> join;
@@ -75,7 +75,7 @@ bool is_own_host(std::string_view host, std::string_view address, int port);
 /// Whether an `Origin` is the page of the server that `host` names.
 bool is_own_origin(std::string_view origin, std::string_view host);
 
-/// What a browser says of a request: `Sec-Fetch-Site` and `Sec-Fetch-Mode`; empty: nothing.
+/// Headers of a browser's request: `Sec-Fetch-Site` and `Sec-Fetch-Mode`; empty: none.
 struct FetchMetadata {
   std::string_view site, mode;
 };

@@ -15,7 +15,7 @@
 
 namespace treeline::drive {
 
-/// What a line of the command language came to.
+/// Answer to a line of the command language.
 struct Answer {
   bool ok = false;
   std::string text;
@@ -50,7 +50,7 @@ class Session {
   /// Obeys one line of a front end, or says why not. `may_command`: it came with the token, or from
   /// this machine's own standard input; without, `stop` alone is obeyed.
   Answer obey(int front_end, bool may_command, std::string_view line, double now);
-  /// The same for a command that was understood.
+  /// Obeys a command that was understood, or says why not.
   Answer obey(int front_end, bool may_command, const Command& command, double now);
 
   /// Who obeys `rehearse`, `go` and `discard`, and who takes a motion in the robot's place: nothing

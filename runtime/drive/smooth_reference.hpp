@@ -204,7 +204,7 @@ class SmoothPose {
     }
   }
   const double (&rotation() const noexcept)[9] { return rotation_; }
-  /// Where the motion ends.
+  /// Goal position, where the motion ends.
   void goal_position(double (&out)[3]) const noexcept {
     for (int i = 0; i < 3; ++i) {
       out[i] = position_[i].target();

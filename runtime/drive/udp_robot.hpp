@@ -45,7 +45,7 @@ class UdpRobot {
 
   /// Asks until the robot's first state has come, at most `seconds`. Returns whether it has.
   bool wait_for_state(double seconds);
-  /// For `LoopOptions::robot`.
+  /// Functions of this object for `LoopOptions::robot`.
   ExternalRobot functions();
   const std::vector<double>& state() const { return state_; }
   const PacketCounts& counts() const { return counts_; }

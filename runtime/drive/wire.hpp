@@ -25,7 +25,7 @@ struct ServedMesh {
   std::string problem, remedy;  ///< why, and what to do; empty with a path
 };
 
-/// What one connection has sent so far: its messages have to grow in number.
+/// Messages of one connection: they must have ascending numbers.
 class Inbox {
  public:
   /// Whether the connection's front end has the token.

@@ -27,7 +27,7 @@ struct Message {
   Number values[numbers] = {};
 };
 
-/// What the loop knows of time, in ticks of the clock.
+/// Timing of the loop, in ticks of the clock.
 struct Timing {
   uint32_t period = 0;             ///< between two calls of `tick`
   uint32_t latest = 0;             ///< a call later than this behind its time is an overrun
@@ -52,7 +52,7 @@ class Servo {
   void begin() noexcept { Controller::default_config(config_); }
 
   typename Controller::Config& config() noexcept { return config_; }
-  /// Where measurements go before `tick`: q, qd and what else the controller takes.
+  /// Input for `tick`: q, qd and the other measurements that the controller takes.
   typename Controller::Input& input() noexcept { return input_; }
   const typename Controller::Output& output() const noexcept { return output_; }
   core::Mode mode() const noexcept { return static_cast<core::Mode>(output_.mode); }

@@ -106,7 +106,7 @@ struct Subtree {
   Vector3<Scalar> center;  ///< of no mass: the body's origin
 };
 
-/// Those of every body, each from all bodies that have it among their ancestors.
+/// Mass and centre of the subtree of every body, from the bodies that have it as an ancestor.
 template <class Scalar>
 std::vector<Subtree<Scalar>> subtrees(const Model<Scalar>& model, VectorArg<Scalar> q) {
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));

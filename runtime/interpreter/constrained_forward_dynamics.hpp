@@ -131,7 +131,7 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(
   return {x.head(nv), x.tail(rows)};
 }
 
-/// The same where `law` relaxes rows that cannot be held by a force of their own.
+/// Motion with held rows, where `law` relaxes rows that no force of their own can hold.
 template <class Scalar>
 ConstrainedMotion<Scalar> constrained_forward_dynamics(
     const Model<Scalar>& model, PointsArg<Scalar> constraints,

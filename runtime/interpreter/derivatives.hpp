@@ -111,7 +111,7 @@ DynamicsDerivatives<Scalar> forward_dynamics_derivatives(const Model<Scalar>& mo
           factor.solve(Matrix<Scalar>::Identity(model.nv, model.nv))};
 }
 
-/// What takes friction and springs at the end of a step of velocities, to first order.
+/// Terms that take friction and springs at the end of a step of velocities, to first order.
 template <class Scalar>
 struct ImplicitDrives {
   Matrix<Scalar> inertia;  ///< step D + step^2 K, which adds to M

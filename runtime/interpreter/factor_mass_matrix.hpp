@@ -9,8 +9,8 @@ namespace treeline::interpreter {
 
 namespace detail {
 
-/// For each velocity the one before it on the path to the root, or -1 (RBDA section 6.5). Mimic
-/// joints couple coordinates across branches; every velocity then counts as beyond the one before.
+/// Velocity before each velocity on the path to the root, or -1 (RBDA section 6.5). Mimic joints
+/// couple coordinates across branches; every velocity then counts as beyond the one before.
 template <class Scalar>
 std::vector<int> velocity_parents(const Model<Scalar>& model) {
   std::vector<int> parents(static_cast<std::size_t>(model.nv));

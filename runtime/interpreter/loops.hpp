@@ -40,7 +40,7 @@ struct Coupling {
   Scalar offset{};
 };
 
-/// What holds parts of a robot to each other. Its rows: those of the frames in turn, then one for
+/// Constraints between parts of a robot. Its rows are those of the frames in turn, then one for
 /// each coupling.
 template <class Scalar>
 struct Loops {
@@ -240,7 +240,7 @@ Matrix<Scalar> frame_bias(const Model<Scalar>& model, const Loop<Scalar>& loop,
                        Vector3<Scalar>(at.R.transpose() * angular));
 }
 
-/// Of six rows those that the loop holds.
+/// Selects the rows that the loop holds from all six rows.
 template <class Scalar>
 Matrix<Scalar> held_of(const Loop<Scalar>& loop, const Matrix<Scalar>& all) {
   return all(controlled_rows<Scalar>({loop.second}), Eigen::all);

@@ -50,8 +50,8 @@ struct Body {
   Scalar offset = Scalar(0);
   /// Inertia of the motor's rotor, felt at each of the joint's own velocities; kg m^2 or kg.
   Scalar armature = Scalar(0);
-  /// Of a joint of one degree of freedom, see `joint_forces`: N m s/rad, N m, rad/s; N m/rad, rad,
-  /// or the same of translation.
+  /// Drive of a joint of one degree of freedom, see `joint_forces`: N m s/rad, N m, rad/s; N m/rad,
+  /// rad, or the same of translation.
   Scalar damping = Scalar(0);
   Scalar friction = Scalar(0);
   Scalar slip_speed = Scalar(1);

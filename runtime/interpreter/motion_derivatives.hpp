@@ -10,7 +10,7 @@
 
 namespace treeline::interpreter {
 
-/// Of [v; w] of every point, world axes.
+/// Derivatives of [v; w] of every point, world axes.
 template <class Scalar>
 DynamicsDerivatives<Scalar> point_velocity_derivatives(const Model<Scalar>& model,
                                                        PointsArg<Scalar> points,
@@ -24,7 +24,7 @@ DynamicsDerivatives<Scalar> point_velocity_derivatives(const Model<Scalar>& mode
       });
 }
 
-/// Of [dv/dt; dw/dt] of every point, world axes, without gravity.
+/// Derivatives of [dv/dt; dw/dt] of every point, world axes, without gravity.
 template <class Scalar>
 DynamicsDerivatives<Scalar> point_acceleration_derivatives(const Model<Scalar>& model,
                                                            PointsArg<Scalar> points,
@@ -43,7 +43,7 @@ DynamicsDerivatives<Scalar> point_acceleration_derivatives(const Model<Scalar>& 
   return result;
 }
 
-/// Of h_G, 6 x nv.
+/// Derivatives of h_G, 6 x nv.
 template <class Scalar>
 DynamicsDerivatives<Scalar> centroidal_momentum_derivatives(const Model<Scalar>& model,
                                                             VectorArg<Scalar> q,
@@ -56,7 +56,7 @@ DynamicsDerivatives<Scalar> centroidal_momentum_derivatives(const Model<Scalar>&
       });
 }
 
-/// Of dh_G/dt, 6 x nv.
+/// Derivatives of dh_G/dt, 6 x nv.
 template <class Scalar>
 DynamicsDerivatives<Scalar> centroidal_momentum_rate_derivatives(const Model<Scalar>& model,
                                                                  VectorArg<Scalar> q,
@@ -73,7 +73,7 @@ DynamicsDerivatives<Scalar> centroidal_momentum_rate_derivatives(const Model<Sca
   return result;
 }
 
-/// Of the kinetic energy, 1 x nv.
+/// Derivatives of the kinetic energy, 1 x nv.
 template <class Scalar>
 DynamicsDerivatives<Scalar> kinetic_energy_derivatives(const Model<Scalar>& model,
                                                        VectorArg<Scalar> q, VectorArg<Scalar> qd) {

@@ -153,9 +153,9 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
   return detail::torque_for(rows, task, qdd, inverse);
 }
 
-/// The same where laws relax rows that cannot be moved, and wherever the matrices of forces are
-/// singular. Constraints and tasks are rows of Lambda^-1, less the mobility that tasks have by
-/// passive joints alone,
+/// Laws of a supported control torque that relax rows that cannot be moved. The torque then has a
+/// value also where the matrices of forces are singular. Constraints and tasks are rows of
+/// Lambda^-1, less the mobility that tasks have by passive joints alone,
 ///     Lambda^-1 = J M^-1 J^T - (0, J_tp K_s^-1 J_tp^T),
 ///     K_s^-1 = K^-1 - K^-1 J_sp^T (J_sp K^-1 J_sp^T)^-1 J_sp K^-1,  K: block of M of passive
 ///     joints,

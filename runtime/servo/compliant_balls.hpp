@@ -21,7 +21,7 @@ struct MovingBall {
   std::array<double, 3> spin{};      ///< rad/s
 };
 
-/// What a ball feels where it touches the other one, world axes.
+/// Contact of a ball with another one, world axes.
 struct BallTouch {
   std::array<double, 3> normal{};   ///< unit vector out of the other ball
   std::array<double, 3> point{};    ///< m
@@ -109,7 +109,7 @@ class CompliantBalls {
             ball.velocity[2] + w[0] * r[1] - w[1] * r[0]};
   }
 
-  /// Where two balls are against each other, and the force along the normal.
+  /// Contact of two balls, and the force along its normal.
   BallTouch meet(const MovingBall& ball, double radius, const MovingBall& other) const noexcept {
     BallTouch touch;
     for (std::size_t k = 0; k < 3; ++k) touch.normal[k] = ball.center[k] - other.center[k];

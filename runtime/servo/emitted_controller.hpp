@@ -21,7 +21,7 @@ class EmittedController {
 
   typename Emitted::Config& config() noexcept { return config_; }
   const typename Emitted::Output& output() const noexcept { return output_; }
-  /// What else the controller takes, such as the measured force.
+  /// Further inputs of the controller, such as the measured force.
   typename Emitted::Input& input() noexcept { return input_; }
 
   void start(double /*time*/, const StateOf<F>& /*state*/) noexcept {

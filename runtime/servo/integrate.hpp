@@ -93,7 +93,7 @@ void integrate_runge_kutta(const FloatingJoints<nq, nv>& floating, double dt,
   state = sum;
 }
 
-/// The same under constant `tau`.
+/// Advances the state by one Runge-Kutta step of `dt` seconds under constant joint forces `tau`.
 template <SimulatedFunctions F>
 void integrate_runge_kutta(const FloatingJoints<F::kCoordinates, F::kVelocities>& floating,
                            const double (&tau)[F::kVelocities], double dt,

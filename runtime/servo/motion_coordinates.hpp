@@ -77,7 +77,7 @@ void way_between(const double (&from)[F::kCoordinates], const double (&to)[F::kC
   }
 }
 
-/// Where `way` leads from a q, by velocities of a second.
+/// Moves a q for one second at the constant velocities `way`.
 template <class F>
 void go_from(const double (&from)[F::kCoordinates], const double (&way)[F::kVelocities],
              double (&to)[F::kCoordinates]) noexcept {

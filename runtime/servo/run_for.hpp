@@ -7,7 +7,7 @@
 
 namespace treeline::servo {
 
-/// What is left of a run.
+/// Fault and measurements of a run that has ended.
 struct RunEnd {
   Fault fault;                 ///< that ended it, if any
   DurationStatistics control;  ///< time of the controller

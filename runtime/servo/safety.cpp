@@ -6,7 +6,7 @@
 namespace treeline::servo {
 namespace {
 
-/// What a coordinate did, by how much, and what it may.
+/// Says how a coordinate exceeds a limit: what it did, by how much, and the limit.
 std::string beyond_limit(const std::string& who, const char* did, const Fault& fault) {
   char numbers[64];  // two of at most 13 characters
   std::snprintf(numbers, sizeof numbers, "%.6g, beyond its limit %.6g", fault.value, fault.limit);
