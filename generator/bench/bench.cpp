@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kTimedStates = 64;
 
-/// Where each result ends that is compared. Forces are not where some rows depend on others: who
-/// carries them is a choice.
+/// Ends of the results that are compared. Forces are not compared where rows depend on each other:
+/// their distribution is a choice.
 std::vector<std::size_t> compared_ends(const GeneratedFunction& function) {
   std::vector<std::size_t> ends;
   for (const Result& result : function.program.results) {

@@ -57,8 +57,8 @@ struct BenchReport {
   std::string no_peers = {};                   ///< why no peer can be measured for this robot
 };
 
-/// If the median norm-wise error of a peer is larger, it computes another robot or another
-/// function.
+/// Largest median norm-wise error of a peer that agrees. With a larger one it computes another
+/// robot or another function.
 inline constexpr double kAgreement = 1e-6;
 
 /// Flags for the compiler where the user names none.

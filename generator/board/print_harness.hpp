@@ -28,7 +28,7 @@ struct HarnessFiles {
 /// Header that declares the functions to call, and their namesakes that do nothing.
 std::string print_functions_header(const std::string& name,
                                    const std::vector<GeneratedFunction>& functions);
-/// The same for functions in C.
+/// Header in C that declares the functions to call, and their namesakes that do nothing.
 std::string print_c_functions_header(const std::string& name,
                                      const std::vector<GeneratedFunction>& functions, Real real);
 /// Source of the functions that do nothing.

@@ -27,7 +27,7 @@ std::vector<double> coordinate_sizes(const Mechanism& mechanism) {
   return sizes;
 }
 
-/// Of velocities or joint forces, for which joints may state a limit; of accelerations none does.
+/// Ranges of velocities, accelerations or joint forces; joints state no limit of acceleration.
 std::vector<double> joint_sizes(const QuantityInfo& row, const Robot& robot,
                                 const Mechanism& mechanism) {
   std::vector<double> sizes(static_cast<std::size_t>(mechanism.nv()), row.range);

@@ -30,8 +30,8 @@ struct Domain {
   /// Largest magnitude of every entry, by argument, for arguments whose length depends on the
   /// function.
   std::map<std::string, double, std::less<>> each;
-  /// Of each quaternion the argument and the index of the first of its four entries. Quaternions
-  /// have length 1.
+  /// Place of each quaternion: the argument, and the index of the first of its four entries.
+  /// Quaternions have length 1.
   std::vector<std::pair<Quantity, std::size_t>> quaternions;
 
   BaseDomain base;  ///< empty unless base parameters are an argument

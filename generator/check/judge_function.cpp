@@ -10,14 +10,14 @@
 namespace treeline {
 namespace {
 
-/// Of what loops compute. Their graph has no products with constants of 0, which code multiplies:
-/// the sign of a zero may differ.
+/// Whether two results of loops agree. Their graph has no products with constants of 0, which code
+/// multiplies: the sign of a zero may differ.
 bool same_or_zero(double code, double graph) {
   return same_bits(code, graph) || (code == 0 && graph == 0);
 }
 
-/// The same of a function that is singular at the state: where a pivot is 0, 0 times infinity is
-/// NaN in code alone.
+/// Whether results agree of a function that is singular at the state. Where a pivot is 0, 0 times
+/// infinity is NaN in code alone.
 bool same_where_singular(double code, double graph) {
   return same_or_zero(code, graph) || std::isnan(code);
 }

@@ -20,9 +20,9 @@ double hierarchy_of(Real real) {
   return real == Real::float32 ? 30 : 1000;
 }
 
-/// How many times the effect of rounding the matrices an error may be: the unknowns of all levels
-/// are one vector, in which those of the slack are 100 k times as large as those of the posture.
-/// What is small in it has the rounding errors of what is large, ten times over.
+/// Largest error as a multiple of the effect of rounding the matrices. The unknowns of all levels
+/// are one vector, in which the slack's are 100 k times as large as the posture's. Small unknowns
+/// have the rounding errors of large ones, ten times over.
 double of_sensitivity(Real real) {
   return 1000 * hierarchy_of(real);
 }
@@ -38,7 +38,7 @@ std::size_t find_supported(const Generation& generation, bool batch) {
   throw std::logic_error("limits without supported_control_torque");
 }
 
-/// What one call gave.
+/// Result of one call.
 struct LimitedCall {
   std::vector<double> tau, f, lost;
   bool limited = false, solved = false;

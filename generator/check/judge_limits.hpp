@@ -11,7 +11,7 @@
 
 namespace treeline {
 
-/// What is compiled beside the functions of a scene with limits: nothing for other scenes.
+/// Sources compiled beside the functions of a scene with limits: none for other scenes.
 std::vector<WorkSource> limited_sources(const Scene& scene, const Generation& generation);
 
 /// Calls limited_control_torque, of one state or of a batch, at the states, each without a start

@@ -27,7 +27,7 @@ class StepDynamics {
 
   /// Computes by 50 digits from now on, or by numbers of the emitted code's type.
   void compute_in_fifty(bool fifty) { fifty_ = fifty; }
-  /// What `StepLibrary::connect` takes, with this object.
+  /// Callback for `StepLibrary::connect`; `with` is this object.
   static void compute(void* with, int index, const long double* const* in, long double* const* out);
 
  private:

@@ -15,7 +15,7 @@ namespace treeline {
 /// are exact in it.
 using StepNumbers = std::vector<long double>;
 
-/// What a step leaves.
+/// Result of a step.
 struct StepResult {
   StepNumbers state, output;
 };

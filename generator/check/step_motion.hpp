@@ -14,7 +14,7 @@ namespace treeline {
 /// and near its end one thing that goes wrong. The robot moves by the interpreter's dynamics.
 class StepMotion {
  public:
-  /// What goes wrong in motion `index`: another one in each of so many.
+  /// Number of mishaps: motion `index` has number `index` modulo this.
   static constexpr int kMishaps = 6;
   static constexpr int kSteps = 500;
 

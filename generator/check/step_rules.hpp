@@ -21,7 +21,7 @@ struct SeenStep {
   [[nodiscard]] std::uint32_t bits(StepPart part, const char* member) const;
 };
 
-/// What the step does that no step may do, whatever its law; empty if nothing.
+/// Rule that the step breaks and no law may break; empty if none.
 std::string find_broken_rule(const SeenStep& seen);
 
 }  // namespace treeline

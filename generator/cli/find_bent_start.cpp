@@ -98,8 +98,8 @@ std::vector<Step> list_steps(Task& task, const drive::RobotDescription& robot,
   return steps;
 }
 
-/// Of steps that help nearly alike, as bending an elbow up or down, up is tried first: a table may
-/// be below.
+/// Puts the highest first among steps that help nearly alike, such as bending an elbow up or down:
+/// a table may be below.
 void put_highest_first(const drive::RobotLibrary& library, const drive::RobotDescription& robot,
                        std::vector<Step>& steps) {
   constexpr double kAlike = 0.8;

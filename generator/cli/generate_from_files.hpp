@@ -14,7 +14,7 @@ struct GeneratedInputs {
   Choices choices;
 };
 
-/// What generated code says of its origin.
+/// Origin that generated code states.
 Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs,
                          const Choices& choices);
 
@@ -23,7 +23,7 @@ Provenance provenance_of(const InputOptions& options, const RobotAndScene& input
 std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
                                                    Diagnostics& diagnostics);
 
-/// The same for inputs that have been read, by these choices.
+/// Generates from inputs that have been read, by these choices.
 std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     RobotAndScene inputs, const Choices& choices,
                                                     Diagnostics& diagnostics);

@@ -21,17 +21,17 @@ enum class Warnings {
 /// `--warnings all|summary|none`; `warnings` must outlive the command.
 void add_warnings_option(CLI::App& command, Warnings& warnings);
 
-/// What is told, in order: notes, faults of form as one line a file unless all are asked for, other
-/// warnings, errors. What matters most comes last, where a terminal shows it.
+/// Selects the diagnostics to print, in order: notes, formatting problems (summarised in one line a
+/// file unless all are asked for), other warnings, errors. Errors come last, where they are seen.
 std::vector<Diagnostic> select_diagnostics(const Diagnostics& diagnostics, Warnings warnings);
 
 /// The diagnostics as text, each with its remedy; where the same remedy is told several times in a
 /// row, once behind the last. With colour, for a terminal.
 std::string print_diagnostics_text(const std::vector<Diagnostic>& list, bool colour);
 
-/// Those that are selected, on standard error; in colour where that is a terminal and the
-/// environment does not say NO_COLOR or TERM=dumb. With TREELINE_MESSAGES=json in the environment,
-/// for programs, each is a line of JSON: its members, and as `text` what people are shown.
+/// Prints the selected diagnostics on standard error, in colour if that is a terminal and NO_COLOR
+/// or TERM=dumb is not set. With TREELINE_MESSAGES=json in the environment, for programs, each is a
+/// line of JSON: its members, and as `text` what people are shown.
 void print_diagnostics(const Diagnostics& diagnostics, Warnings warnings = Warnings::summary);
 
 }  // namespace treeline

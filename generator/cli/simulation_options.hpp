@@ -24,13 +24,13 @@ struct SimulationTexts {
 
 void add_simulation_options(CLI::App& command, SimulationTexts& texts);
 
-/// The same per velocity.
+/// Numbers of these options, one for each velocity.
 struct SimulationNumbers {
   std::vector<double> friction, viscous, backlash, rotor, noise, quantisation;
   double gear_stiffness = 1e4;
   int delay = 0;  ///< cycles
 
-  /// For a loop; points into this object.
+  /// Options for a loop; the result points into this object.
   [[nodiscard]] drive::SimulationOptions options() const;
 };
 

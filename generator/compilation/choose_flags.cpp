@@ -7,8 +7,8 @@
 namespace treeline {
 namespace {
 
-/// As `print_small_code` lists sources. A composed function in C++ is a header, which is compiled
-/// with the sources of whoever includes it.
+/// Whether the function compiles to small code, as in `print_small_code`. A composed function in
+/// C++ is a header: it is compiled with the sources of whoever includes it.
 bool is_small(const GeneratedFunction& generated, const CompileOptions& options) {
   if (is_composed(generated)) {
     return options.optimize == Optimize::size && options.language == Language::c;

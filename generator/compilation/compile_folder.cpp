@@ -156,7 +156,7 @@ bool link_library(const Command& compiler, const Objects& objects, const fs::pat
                    diagnostics);
 }
 
-/// What `nm` lists of each of the object files, which it names before their symbols.
+/// Symbols that `nm` lists of each object file; it names the file before its symbols.
 std::map<std::string, std::string> list_symbols(const Objects& objects, const fs::path& work) {
   Command command{"nm", "-S", "--defined-only"};
   std::map<std::string, std::string> stem_of;  // of the line before its symbols

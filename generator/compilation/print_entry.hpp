@@ -22,7 +22,7 @@ std::string print_c_entry(const std::string& name, const std::vector<GeneratedFu
 /// takes. With `is_safe` from that of `profile: misra`.
 std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported);
 
-/// The same in C. It includes limited_control_torque.c, so that nothing else compiles that.
+/// Prints that file for C. It includes limited_control_torque.c, which nothing else compiles.
 std::string print_c_limited_entry(const std::string& name, const GeneratedFunction& supported);
 
 /// Prints the source file with the entry of a composed function, from NAME_damped.hpp.

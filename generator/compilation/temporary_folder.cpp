@@ -56,7 +56,7 @@ void remove_stale_once(const fs::path& parent) {
   (void)done;
 }
 
-/// As for most programs, a TMPDIR that is empty is none.
+/// Folder for temporary files. A TMPDIR that is empty is none, as for most programs.
 fs::path find_parent() {
   const char* const folder = std::getenv("TMPDIR");
   return folder != nullptr && *folder == '\0' ? fs::path("/tmp") : fs::temp_directory_path();

@@ -48,7 +48,7 @@ class AliasFinder : public YAML::EventHandler {
 
   [[nodiscard]] bool is_key() const { return !open_.empty() && open_.back().awaits_key; }
 
-  /// Of the value that comes next.
+  /// Path of the value that comes next in the document.
   [[nodiscard]] std::string place() const {
     if (open_.empty()) return "";
     const Collection& within = open_.back();

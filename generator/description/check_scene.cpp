@@ -61,7 +61,7 @@ bool exceeds_base_parameters(const Scene& scene, Function function) {
          !takes_input(scene, function, Quantity::base_parameters);
 }
 
-/// Of a function that the scene's constraints do not permit.
+/// Reports a function that the scene's constraints do not permit.
 void report_constraints(const SceneElement& top, const Scene& scene, Function function) {
   const char* missing = "nothing is held";
   const char* remedy = "add a list constraints or couplings, or remove the function";

@@ -19,7 +19,7 @@ int count(const Freedoms& freedoms);
 /// All coordinates of the robot in the scene: fixed, locked and mimic joints own none.
 Freedoms find_freedoms(const Robot& robot, const Scene& scene);
 
-/// Those that move a link in the world. A mimic joint on the way stands for the joint it follows.
+/// Coordinates that move a link in the world. A mimic joint counts as the joint that it follows.
 Freedoms find_freedoms_of_link(const Robot& robot, const Scene& scene, const std::string& link);
 
 /// Whether some joint between two links moves.

@@ -8,8 +8,8 @@
 
 namespace treeline {
 
-/// Of each link of a URDF, in the file's order, the tag `<inertia .../>` that counts: the first in
-/// the first `<inertial>`. Nothing where a link has none. `text` must be that of a URDF that
+/// Finds for each link of a URDF, in the file's order, the tag `<inertia .../>` that counts: the
+/// first in the first `<inertial>`. A link without one has no value. `text` must be a URDF that
 /// `parse_urdf` accepts.
 std::vector<std::optional<XmlTag>> find_inertia_tags(std::string_view text);
 

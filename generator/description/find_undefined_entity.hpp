@@ -15,7 +15,7 @@ struct UndefinedEntities {
   std::size_t count = 0;  ///< of all
 };
 
-/// Those of the text; nothing when there are none.
+/// Finds the undefined entities of the text; nothing when there are none.
 std::optional<UndefinedEntities> find_undefined_entities(std::string_view text);
 
 }  // namespace treeline

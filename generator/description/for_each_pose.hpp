@@ -21,7 +21,7 @@ void for_each_inertial_pose(AnyRobot& robot, Visit visit) {
   }
 }
 
-/// The same for its joints; the owner is the joint's name.
+/// Calls `visit(pose, owner, line, element)` for the pose of each joint; the owner is its name.
 template <class AnyRobot, class Visit>
 void for_each_joint_pose(AnyRobot& robot, Visit visit) {
   for (auto& joint : robot.joints) {

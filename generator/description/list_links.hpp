@@ -17,7 +17,7 @@ std::string list_moving_joints(const Robot& robot);
 /// the links by tree.
 std::string suggest_link(const std::string& name, const Robot& robot);
 
-/// The same for a joint that is to be locked or named otherwise.
+/// Suggests what to do about the name of a joint that the robot does not have.
 std::string suggest_joint(const std::string& name, const Robot& robot);
 
 }  // namespace treeline

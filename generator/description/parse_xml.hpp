@@ -16,7 +16,7 @@ const tinyxml2::XMLElement* parse_urdf_xml(const std::string& bytes, const std::
                                            tinyxml2::XMLDocument& document,
                                            Diagnostics& diagnostics);
 
-/// The same for XML of any root, which is for another reader: the text that a strict one takes.
+/// Checks XML with any root, for another reader, and returns text that a strict reader accepts.
 std::optional<std::string> well_formed_xml(const std::string& bytes, const std::string& file,
                                            Diagnostics& diagnostics);
 

@@ -74,8 +74,8 @@ std::array<double, 3> read_axis(const UrdfElement& joint) {
 
 namespace {
 
-/// Of a joint that is no joint of URDF: programs write these elements because other programs want
-/// them.
+/// Warns of `<axis>` and `<limit>` in a joint that URDF does not define. They have no meaning
+/// there: programs write them because other programs want them.
 void ignore_axis_and_limits(const UrdfElement& joint, const JointTypeInfo& type) {
   for (const char* name : {"axis", "limit"}) {
     const auto element = joint.child(name);

@@ -62,7 +62,7 @@ void read_links(const SceneElement& element, const Robot& robot, const Scene& sc
   }
 }
 
-/// Of `parameters: all`, `base` or `none` and what they permit.
+/// Reads `parameters: all`, `base` or `none`, and the keys that these permit.
 void read_inertial(const SceneFields& fields, const Robot& robot, Scene& scene) {
   SceneRegressor& asked = scene.regressor;
   if (const auto found = fields.find("parameters"); found != fields.end()) {

@@ -18,7 +18,7 @@ struct RobotText {
 /// is.
 std::optional<RobotText> read_robot_text(const std::string& path, Diagnostics& diagnostics);
 
-/// The same of text that was read from `path`.
+/// Makes robot text of a URDF or SDF whose text was read from `path`, see `read_robot_text`.
 std::optional<RobotText> as_robot_text(std::string text, const std::string& path,
                                        Diagnostics& diagnostics);
 

@@ -29,7 +29,7 @@ std::optional<double> read_value(const UrdfElement& element) {
   return value;
 }
 
-/// Of a child of the joint, of the motor or of the transmission itself, in this order.
+/// Finds a value in a child of the joint, the motor or the transmission, in this order.
 std::optional<double> find_value(const std::vector<UrdfElement>& places, const char* name) {
   for (const UrdfElement& place : places) {
     if (const auto found = place.child(name)) return read_value(*found);

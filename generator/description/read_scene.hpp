@@ -28,7 +28,7 @@ std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
 /// of a scene; the scene's functions are then none of its business.
 enum class FunctionsFrom { scene, command };
 
-/// The same from text; `file_name` is for the diagnostics only. Empty text is the default scene.
+/// Reads a scene from text. `file_name` is for diagnostics only. Empty text is the default scene.
 std::optional<Scene> parse_scene(const std::string& text, const std::string& file_name,
                                  const Robot& robot, Diagnostics& diagnostics,
                                  const std::vector<Function>& functions = {},

@@ -15,7 +15,7 @@ namespace treeline {
 /// watch.
 SceneSurroundings read_surroundings(const SceneFields& fields, const Robot& robot);
 
-/// The same from the text of a scene that has been read without error.
+/// Reads the surroundings from the text of a scene that has been read without error.
 SceneSurroundings surroundings_of(const std::string& scene_text, const Robot& robot);
 
 }  // namespace treeline

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMostLinks = 4096;
 /// order, and refuses a limit without effort, which does not concern the dynamics.
 std::optional<Robot> read_urdf(const std::string& path, Diagnostics& diagnostics);
 
-/// The same from text; `file_name` is for the diagnostics only.
+/// Reads a URDF from text, as `read_urdf` does; `file_name` is for diagnostics only.
 std::optional<Robot> parse_urdf(const std::string& text, const std::string& file_name,
                                 Diagnostics& diagnostics);
 

@@ -16,19 +16,19 @@ namespace treeline {
 enum class Base { fixed, floating };
 enum class Axes { world, local };
 enum class Real { float32, float64 };
-/// Of the emitted code: C++17 or C99.
+/// Language of the emitted code: C++17 or C99.
 enum class Language { cpp, c };
 /// How the emitted code is written: as compilers like it best, or as rules for safe code ask.
 enum class Profile { plain, misra };
-/// What to prefer where code can be shorter at the cost of time: by function where `balanced`.
+/// Preference for speed, for size at the cost of time, or, with `balanced`, chosen by function.
 enum class Optimize { speed, size, balanced };
 /// Whether functions compute the sines and cosines of q or take them as arguments.
 enum class Sines { computed, given };
-/// What to prefer where operations can be saved at the cost of digits.
+/// Preference where operations can be saved at the cost of digits.
 enum class Accuracy { best, balanced, fastest };
 
-/// What functions answer where rows of a task cannot be moved: a row yields, smoothly (see
-/// `TaskLaw`), or what a bare solve gives, which is not finite there.
+/// Answer of functions where rows of a task cannot be moved. With `smooth` a row yields (see
+/// `TaskLaw`). With `exact` a bare solve gives values that are not finite there.
 enum class SingularTasks { smooth, exact };
 
 /// A frame fixed to a link: an operational point, or the place where an external force acts.
@@ -115,8 +115,8 @@ struct SceneTool {
   bool orientation = false;  ///< of an operational point: its axes are an argument, too
 };
 
-/// What of the robot and its surroundings functions take as arguments, because it changes while the
-/// robot runs.
+/// Model data that is passed at run time: properties of the robot and its surroundings that change
+/// while the robot runs.
 struct SceneInputs {
   bool gravity = false;
   std::vector<SceneInertia> payloads;    ///< bodies that are added to links
@@ -138,7 +138,7 @@ struct SceneRotor {
   double inertia = 0;  ///< kg m^2 about its axis
   double ratio = 1;    ///< turns of the rotor for one of the joint; rad/m of a sliding joint
   std::string link;
-  /// Of unit length, in the axes of the link that carries it; absent: the joint's own.
+  /// Axis of the rotor, unit length, in the axes of the link that carries it; absent: the joint's.
   std::optional<std::array<double, 3>> axis;
 };
 
@@ -168,7 +168,7 @@ struct SceneRegressor {
   bool rotors = false;                ///< and the rotor inertia of each joint of one freedom
   bool friction = false;              ///< and the viscous friction of each such joint
   bool coulomb = false;               ///< and the Coulomb friction of each such joint
-  /// Of Coulomb friction, rad/s or m/s, where `joint_friction` states none of a joint.
+  /// Width of Coulomb friction, rad/s or m/s, of joints for which `joint_friction` states none.
   double width = kFrictionWidth;
 
   bool operator==(const SceneRegressor&) const = default;
@@ -218,7 +218,7 @@ struct SceneController {
   std::map<std::string, SceneJointLimits> limits;  ///< by joint
 };
 
-/// What to generate for a robot; every key but `operational_points` has a default.
+/// Choices for the code of one robot; every key but `operational_points` has a default.
 struct Scene {
   std::string file;
   std::string name;  ///< identifier: namespace and folder of the emitted code

@@ -49,7 +49,7 @@ class SceneElement {
   /// twice.
   [[nodiscard]] std::vector<Entry> entries(
       const std::string& remedy = "write lines of the form key: value") const;
-  /// The same for a map whose keys are known; an error, with a suggestion, for any other.
+  /// Entries of a map whose keys are known; an error, with a suggestion, for any other key.
   [[nodiscard]] SceneFields fields(const std::vector<std::string>& known) const;
   /// Items of a list of at most 4096; an error for anything else.
   [[nodiscard]] std::vector<SceneElement> items() const;

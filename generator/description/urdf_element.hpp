@@ -91,8 +91,8 @@ class UrdfElement {
   void pass_over_child(const UrdfElement& child,
                        std::initializer_list<std::string_view> known) const;
   void no_text() const;
-  /// The same of an element that has attributes and nothing inside. An error if inside stands what
-  /// would be one of these attributes, or a number.
+  /// Warns like `only_attributes`, of an element that may have attributes and nothing inside. An
+  /// error if it contains what would be one of these attributes, or a number.
   void holds_only_attributes(std::initializer_list<std::string_view> known) const;
 
   /// Position and orientation of a child `<origin>`; zero where absent.

@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, 13> kOfMotion = {
     "robot", "link",  "joint",    "inertial", "origin", "mass", "inertia",
     "axis",  "limit", "dynamics", "mimic",    "parent", "child"};
 
-/// Those of them whose attributes are numbers of the motion: one that nobody reads, such as the
-/// ratio of a mimic or the quaternion of an origin, may be meant to be one.
+/// Elements whose attributes are numbers of the motion. An attribute that nobody reads, such as the
+/// ratio of a mimic or the quaternion of an origin, may be meant to be one of these numbers.
 constexpr std::array<std::string_view, 5> kOfNumbers = {"origin", "mass", "inertia", "axis",
                                                         "mimic"};
 

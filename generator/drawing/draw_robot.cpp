@@ -58,7 +58,7 @@ class Camera {
     left_ = 0.5 * kWidth - scale_ * seen_.center().x();
     top_ = 0.5 * height_ + scale_ * seen_.center().y();
   }
-  /// Of the picture without its caption, pixels.
+  /// Height of the picture without its caption, pixels.
   [[nodiscard]] double height() const { return height_; }
 
   /// Colour of a surface in light from above the camera's left.

@@ -14,9 +14,9 @@ namespace treeline {
 
 struct ControllerUnit;
 
-/// What the contract and the manifest say beside the functions. Plain facts, already in words where
-/// they are for the reader: emission knows nothing of mechanisms. No paths and no dates, so that
-/// the same input gives the same bytes everywhere.
+/// Facts that the contract and the manifest state beside the functions, in words where they are for
+/// the reader: emission knows nothing of mechanisms. There are no paths and no dates, so that the
+/// same input gives the same bytes everywhere.
 struct EmissionContext {
   std::string name;     ///< identifier: namespace or prefix, target and stem of the header
   std::string robot;    ///< the robot's name as the URDF has it
@@ -113,8 +113,8 @@ struct EmissionContext {
   };
   std::map<std::string, std::vector<InputCost>> input_costs;  ///< by function
 
-  /// Of each source, by name without `.cpp`, what is known of its rounding errors, and the inputs
-  /// for which that holds.
+  /// Text about rounding errors of each source, by its name without `.cpp`. `domain` tells the
+  /// inputs for which it holds.
   std::map<std::string, std::string> rounding;
   std::string domain;
 

@@ -13,7 +13,7 @@ struct LimitCost {
   int values = 0;  ///< numbers on the stack beside those of the functions that are called
 };
 
-/// Of a robot with that many velocities.
+/// Computes the cost of limited control for a robot with `velocities` velocities.
 LimitCost cost_of_limits(const LimitFacts& facts, int velocities);
 
 }  // namespace treeline

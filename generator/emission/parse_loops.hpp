@@ -15,7 +15,7 @@ struct LoopItem {
   std::string source;      ///< all of this as the header has it
 
   [[nodiscard]] bool is_struct() const { return head.starts_with("struct "); }
-  /// Of the struct or function.
+  /// Name of the struct or function.
   [[nodiscard]] std::string name() const;
 };
 

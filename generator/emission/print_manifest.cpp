@@ -62,7 +62,7 @@ std::string print_lanes(const Program& program) {
                      program.packs.size(), shared, program.lane_moves);
 }
 
-/// What each argument that is of the robot costs: `, "input_flops": {"gravity": 12}`.
+/// Operations that arguments about the robot add: `, "input_flops": {"gravity": 12}`.
 std::string print_input_costs(const EmissionContext& context, const Program& program) {
   const auto costs = context.input_costs.find(program.name);
   if (costs == context.input_costs.end()) return {};
@@ -92,7 +92,7 @@ std::string print_function(const EmissionContext& context, const Program& progra
       print_lanes(program), singular, bound);
 }
 
-/// Of the function of NAME_damped.hpp, which is composed of others.
+/// Prints the manifest's entry of NAME_damped.hpp, whose function is composed of others.
 std::string print_damped_function(const EmissionContext& context,
                                   std::span<const Program> programs) {
   const DampedCost cost = cost_of_damped(context, programs);
@@ -108,7 +108,7 @@ std::string print_damped_function(const EmissionContext& context,
       cost.count.sin_cos, cost.values, bound);
 }
 
-/// Of the function of NAME_limited.hpp, which calls `supported_control_torque`.
+/// Prints the manifest's entry of NAME_limited.hpp, which calls `supported_control_torque`.
 std::string print_limited_function(const EmissionContext& context,
                                    std::span<const Program> programs) {
   const LimitCost cost = cost_of_limits(*context.limits, context.velocities);
@@ -141,7 +141,7 @@ std::string print_choice(const EmissionContext::ChoiceRow& choice) {
                      quote_json(choice.function), print_method(choice.chosen), rejected);
 }
 
-/// Of NAME_step: what a program compiles, and the estimate of its stack.
+/// Prints the manifest's entry of NAME_step: sources to compile, and the estimate of its stack.
 std::string print_controller_entry(const EmissionContext& context) {
   if (!context.controller) return {};
   std::string sources;

@@ -14,7 +14,7 @@
 namespace treeline {
 namespace {
 
-/// Of one call of sines and cosines, so that it fits a part.
+/// Most angles of one call for sines and cosines, so that the call fits into one part.
 constexpr std::size_t kMostAngles = 16;
 
 bool needs_name(double constant) {

@@ -34,9 +34,9 @@ struct PartedBody {
   std::vector<std::size_t> calls;  ///< of the function itself
 };
 
-/// The same statements as those of `print_body`, each constant but 0, 1/2, 1 and 2 with a name, in
-/// functions of at most `kMostStatements`. `values` is what stands before the name of a value that
-/// parts share: `values->`. `taken` are identifiers that a local may not have.
+/// Prints the statements of `print_body` in functions of at most `kMostStatements`. Each constant
+/// but 0, 1/2, 1 and 2 has a name. `values` is the prefix of values that parts share, such as
+/// `values->`. `taken` are identifiers that a local may not have.
 PartedBody print_parts(const Program& program, const Syntax& syntax,
                        const std::set<std::string>& taken, const std::string& values);
 

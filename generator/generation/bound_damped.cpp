@@ -40,7 +40,7 @@ Arguments arguments_of(const std::vector<const Program*>& programs) {
   return all;
 }
 
-/// What arguments are at one state; every number is one of the emitted code's Real.
+/// Values of the arguments at one state, by name; each is a number of the emitted code's Real.
 using Values = std::map<std::string, std::vector<double>>;
 
 template <class T>
@@ -95,7 +95,7 @@ Errors errors_at(const std::vector<const Program*>& programs, const Values& valu
   return errors;
 }
 
-/// Those of 50, 90 and 99 of 100, one digit, rounded up.
+/// Text with the quantiles of 50 %, 90 % and 99 % of the errors, one digit each, rounded up.
 std::string quantiles(std::vector<double> errors) {
   std::sort(errors.begin(), errors.end());
   std::string text;

@@ -62,12 +62,12 @@ class Counter {
     cheapest_ = find_cheapest();
   }
 
-  /// Of the cheapest, as the mechanism was last accepted, at first as it was built with.
+  /// Operations of the cheapest route for the mechanism that was last accepted, or first built.
   [[nodiscard]] int flops() const { return static_cast<int>(routes_[cheapest_].least); }
 
-  /// The same as the mechanism is now, of which `changed` links have since chosen otherwise. Most
-  /// of the time goes into this, so a route is not traced while it cannot be the cheapest: a link's
-  /// choice changes fewer operations than twice what links have on average.
+  /// Operations of the cheapest route for the mechanism as it is now, in which `changed` links have
+  /// changed since it was accepted. Tracing takes most of the time. A route is traced only if it
+  /// can be the cheapest: one link changes fewer operations than twice the average of a link.
   [[nodiscard]] int count_changed(std::size_t changed) {
     const double share = 2 * static_cast<double>(changed) / static_cast<double>(links_);
     for (Route& route : routes_) route.next = route.least * (1 - share);
@@ -87,7 +87,7 @@ class Counter {
     cheapest_ = find_cheapest();
   }
 
-  /// The same by link, see `count_by_link`.
+  /// Operations of the cheapest route, by link, see `count_by_link`.
   [[nodiscard]] std::vector<int> flops_by_link() const {
     std::vector<int> best;
     for (const Route& route : routes_) {
@@ -155,8 +155,8 @@ int depth_of(const Mechanism& mechanism, int link) {
   return depth;
 }
 
-/// Of each link the nearest one that is flipped, in ways along the tree: of itself and those before
-/// it, or of those behind it; as an index into `flips`, -1 where there is none.
+/// Finds for each link the nearest flipped link, counted in joints along the tree: among itself and
+/// the links before it, or behind it. Returns indices into `flips`, -1 where there is none.
 std::vector<int> nearest_flips(const Mechanism& mechanism, const std::vector<Flip>& flips) {
   struct Near {
     int flip = -1, ways = std::numeric_limits<int>::max() / 2;
@@ -185,7 +185,7 @@ std::vector<int> nearest_flips(const Mechanism& mechanism, const std::vector<Fli
   return nearest;
 }
 
-/// What each of the flips, all of them made, changed: operations of the links nearest to it.
+/// Assigns to each flip the change of operations, with all flips made, of the links nearest to it.
 std::vector<int> share_changes(const Mechanism& mechanism, const std::vector<Flip>& flips,
                                const std::vector<int>& flops, const std::vector<int>& changed) {
   std::vector<int> shares(flips.size(), 0);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kBytesOfCall = 120;  // of a function of the loops
 constexpr double kWorthwhile = 0.9;   // of the bytes of straight lines, which are estimated too
 
-/// With the arguments that it reads.
+/// Traces the function as loops, with the arguments that it reads.
 std::optional<Program> trace(const Mechanism& mechanism, Function function, const Program& lines,
                              bool given_sines) {
   std::optional<Program> traced = trace_loops(mechanism, function, lines, given_sines);

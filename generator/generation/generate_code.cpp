@@ -33,8 +33,8 @@
 namespace treeline {
 namespace {
 
-/// Of each route, in whatever coordinates and lanes it costs least. Those rejected are sorted by
-/// cost.
+/// Lists the routes of a function, each in the coordinates and lanes in which it costs least.
+/// Rejected ones are sorted by cost.
 EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;
   row.function = source_stem(generated);

@@ -29,7 +29,7 @@ double percent(double part, double whole) {
   return whole > 0 ? 100 * part / whole : 100;
 }
 
-/// Of the function's source file; 0 where it cannot be emitted.
+/// Size of the function's source file, bytes; 0 where it cannot be emitted.
 std::size_t emitted_bytes(const EmissionContext& context, const Program& program) {
   Diagnostics faults;
   const std::string source = program.name + std::string(backend_of(context.language).source);

@@ -45,7 +45,7 @@ class RouteRunner {
     std::sort(routes.pruned.begin(), routes.pruned.end(), is_cheaper);
   }
 
-  /// The same for the best of the candidates, alike limbs in lanes.
+  /// Adds variants of the best candidates that compute alike limbs in lanes.
   void append_with_limbs(const Mechanism& with_limbs, Routes& routes) const {
     constexpr double kNear = 1.05;
     std::map<std::string, double> costs;

@@ -67,8 +67,8 @@ struct JointStep {
   [[nodiscard]] constexpr int axis(int k) const { return is_floating() ? k % 3 : 2; }
 };
 
-/// Of a linear and an angular vector, the entry along or about the axis of a joint of one degree of
-/// freedom.
+/// Selects the entry of a linear or angular vector that belongs to the axis of a joint with one
+/// degree of freedom.
 template <class Vector>
 auto& along_axis(JointKind kind, Vector& linear, Vector& angular) {
   return kind == JointKind::revolute ? angular.z : linear.z;

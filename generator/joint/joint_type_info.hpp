@@ -40,7 +40,7 @@ struct JointTypeInfo {
   bool has_axis = true;              ///< whether <axis> means something
   bool has_range = false;            ///< whether <limit> gives a range of positions
   std::span<const JointCoordinate> coordinates;
-  /// Of each velocity, what follows the joint's name: ", rad/s".
+  /// Text after the joint's name for each velocity: ", rad/s".
   std::span<const char* const> velocities;
   std::span<const JointTypeStep> steps;
   /// What the contract of emitted code says of q, qd and tau; empty where the meanings of

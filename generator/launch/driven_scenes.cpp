@@ -40,7 +40,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
       {Severity::note, scene.file, 0, "", "left out while the robot is driven: " + left, ""});
 }
 
-/// What holds the robot to the world is looked at where its links are, and needs their frames.
+/// Checks the links that are held to the world. Finding their places takes the links' frames.
 void check_held_links(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
   if (scene.constraints.empty()) return;
   if (robot.links.size() > kMostLinks) {

@@ -15,7 +15,7 @@
 
 namespace treeline {
 
-/// What a robot is made of: the files' content.
+/// Content of the files that a robot is made of.
 struct LaunchInput {
   Robot robot;
   Scene scene;

@@ -49,7 +49,7 @@ std::string print_world_holds(const Scene& control, const Scene& links) {
   return "  static constexpr treeline::drive::WorldHold kWorldHolds[] = {\n" + holds + "  };\n";
 }
 
-/// What counts as too heavy to be moved by a row of the task, kg or kg m^2.
+/// Effective masses that count as too heavy for a row of the task to move, kg or kg m^2.
 std::string print_effective_mass_limits(const Scene& control) {
   constexpr double kNoLimit = 1e9;
   std::string limits;

@@ -14,7 +14,7 @@ namespace treeline {
 /// where NAME.y comes near a quarter turn; it is kept within 80 degrees. A note says so.
 void split_ball_joints(Robot& robot, Scene& scene, Diagnostics& diagnostics);
 
-/// The same in the text of a URDF, for those who show the robot; unchanged if it has no ball joint.
+/// Text of the URDF with its ball joints split, for display; unchanged if there are none.
 std::string split_ball_joints(const std::string& urdf_text);
 
 }  // namespace treeline

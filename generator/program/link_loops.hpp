@@ -16,7 +16,7 @@ struct LinkInput {
   std::string argument;
   Gives gives = Gives::bodies;
   std::vector<core::loops::InputFrame<double>> frames;
-  /// Of bodies that are given in part, for each number which of the ten it is.
+  /// Index of each given number among the ten of its body, where bodies are given in part.
   std::vector<std::int16_t> entries = {};
   std::vector<core::loops::InputNumber> numbers = {};  ///< of joints, in place of frames
 
@@ -60,7 +60,7 @@ struct LinkTableData {
   }
 };
 
-/// That of the law of `core/prioritized_solve.hpp`.
+/// Power of the law of `core/prioritized_solve.hpp`.
 inline constexpr int kPowerOfPriorities = 8;
 
 /// How a function is emitted that loops over a table of links: a call of `function` in
@@ -76,7 +76,7 @@ struct LinkLoops {
   std::string gravity;         ///< the argument; empty: as the table says
   std::string step;            ///< at whose end drives are taken; empty: none
   int power = 0;               ///< of this law; 0: none
-  /// Of each row, its border to that power; to that of priorities, what its mobility has at least.
+  /// Border of each row to that power; for the law of priorities, the least mobility of each row.
   std::vector<double> yields;
   int adds = 0, muls = 0, divs = 0, sines = 0;  ///< executed, those with constants 0 and 1 too
 };

@@ -15,8 +15,8 @@ bool is_identifier(std::string_view name);
 /// keyword is followed by an underscore. Never empty. Different names may meet in one identifier.
 std::string identifier_from(std::string_view name);
 
-/// The same for what emitted code is called as a whole: its namespace, its header NAME.hpp and its
-/// target in CMake. Neither a target that every build has (`all`, `test`) nor a header that may lie
+/// Whether emitted code may have this name as a whole: its namespace, its header NAME.hpp and its
+/// target in CMake. Excludes targets that every build has (`all`, `test`) and headers that may lie
 /// beside NAME.hpp (`lanes`).
 bool is_package_name(std::string_view name);
 std::string package_name_from(std::string_view name);

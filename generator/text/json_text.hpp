@@ -9,7 +9,7 @@ namespace treeline {
 /// names in files may have, become U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json);
 
-/// The same in one line, without a line break.
+/// JSON in one line, without a line break; bytes that are not UTF-8 become U+FFFD.
 std::string json_line(const nlohmann::ordered_json& json);
 
 }  // namespace treeline

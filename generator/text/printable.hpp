@@ -10,11 +10,11 @@ namespace treeline {
 /// that are not UTF-8 are written as `\x1b` or `\u202e`. Other characters stay.
 std::string printable(std::string_view text);
 
-/// The same for text of several lines: line breaks and tabs stay.
+/// Like `printable`, for text of several lines: line breaks and tabs stay.
 std::string printable_lines(std::string_view text);
 
-/// The same for JSON, where such characters can stand in strings only: they become `\u202e`, which
-/// a reader turns back.
+/// Like `printable`, for JSON, where such characters can stand in strings only. They become
+/// `\u202e`, which a JSON reader turns back.
 std::string printable_json(std::string_view json);
 
 }  // namespace treeline

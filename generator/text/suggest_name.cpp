@@ -44,7 +44,7 @@ bool contains(std::string_view whole, std::string_view part) {
   return part.size() >= kShortestPart && whole.find(part) != std::string_view::npos;
 }
 
-/// Those that contain the name; else the longest that it contains.
+/// Finds the known names that contain the name; if there are none, the longest that it contains.
 std::vector<std::string> find_containing(const std::string& name,
                                          const std::vector<std::string>& known) {
   std::vector<std::string> containing;

@@ -16,7 +16,7 @@ std::size_t node_of(int link) {
   return static_cast<std::size_t>(link + 1);
 }
 
-/// The same joint with its ends exchanged: the coordinate stays, the axes turn round.
+/// Exchanges the ends of a joint: the coordinate stays, the axes change their direction.
 SdfJoint turn_round(SdfJoint joint) {
   std::swap(joint.parent, joint.child);
   std::reverse(joint.axes.begin(), joint.axes.end());

@@ -48,7 +48,7 @@ std::string fill_limits(std::string_view text, const Holes& holes) {
 
 namespace {
 
-/// Of one state, or of `states` with rows of them one behind the other.
+/// Form of the function: for one state, or for `states` states whose rows follow each other.
 struct Form {
   const char* prefix;
   int states;
@@ -119,7 +119,7 @@ std::string print_layout(const EmissionContext& context) {
       0);
 }
 
-/// What limited control has in the holes of its source, of one state or of several. `no_forces`
+/// Fills the holes in the source of limited control, for one state or for several. `no_forces`
 /// declares the forces of a robot that holds no rows.
 Holes list_source_holes(const EmissionContext& context, std::span<const Program> programs,
                         Form form, const std::string& no_forces) {

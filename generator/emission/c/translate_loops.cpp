@@ -372,7 +372,7 @@ std::string LoopTranslator::call(const std::string& function, std::string_view t
                      function, joined(list));
 }
 
-/// Of the angle of a joint: by those given with the arguments, or computed.
+/// Translates the sine and cosine of a joint's angle, taken from the arguments or computed.
 std::string LoopTranslator::take_sines(const std::vector<std::string>& arguments) {
   if (arguments.size() != 5) reject(joined(arguments));
   const std::string& at = arguments[2];

@@ -21,8 +21,8 @@ struct LoopTemplate {
 /// includes.
 std::vector<LoopTemplate> list_loop_templates(std::span<const Program> programs);
 
-/// The same with what `programs` need of them, which have functions that loop over a table of
-/// links. They are in the namespace of the runtime.
+/// Prints these headers with only what `programs` need. The programs loop over a table of links.
+/// The code is in the namespace of the runtime.
 std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
                                               std::span<const Program> programs);
 

@@ -9,7 +9,7 @@ namespace treeline::cpp {
 Syntax make_syntax(bool single_precision);
 Syntax make_syntax(const EmissionContext& context);
 
-/// The same for functions of several states at once, whose numbers are `States`.
+/// Syntax of C++17 for functions of several states at once; their numbers have type `States`.
 Syntax make_states_syntax(const EmissionContext& context);
 
 }  // namespace treeline::cpp

@@ -12,8 +12,8 @@ namespace treeline::misra {
 /// where something is left that the profile does not have.
 std::string follow_rules(const EmissionContext& context, const std::string& code);
 
-/// The same of a header. Arrays are as long as controller_sizes.hpp says and not as a template's
-/// argument does, of whose sign compilers would warn.
+/// Applies `follow_rules` to a header. Arrays have lengths from controller_sizes.hpp, not from an
+/// argument of a template, whose sign compilers would warn of.
 std::string follow_rules_in_header(const EmissionContext& context, const std::string& code);
 
 /// controller_sizes.hpp. `context` has a controller.

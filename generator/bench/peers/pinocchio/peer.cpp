@@ -146,8 +146,8 @@ void add_operational_space(Solver<double>& s, void* contacts, std::vector<Routin
   routines.insert(routines.end(), std::begin(all), std::end(all));
 }
 
-/// Where rows depend on each other, the plain solve divides by what vanishes. Pinocchio's header
-/// advises this mu there.
+/// Adds constrained dynamics. Where rows depend on each other, the plain solve divides by a value
+/// that vanishes; Pinocchio's header advises this mu there.
 void add_constrained_dynamics(const Solver<double>& s, const std::vector<Held>& held,
                               Opened& opened) {
   const std::pair<const char*, ProximalWay> ways[] = {
