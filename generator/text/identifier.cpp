@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 17> kTargets = {
     "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
 /// Headers of the runtime that are emitted, in C++ or in C, without their ending.
-constexpr std::array<std::string_view, 43> kHeaders = {"controller",
+constexpr std::array<std::string_view, 44> kHeaders = {"controller",
                                                        "controller_braking",
                                                        "controller_commands",
                                                        "controller_compliance",
