@@ -5,4 +5,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.1.0 humanoid24 sha256 "
-    "78f991967d8be74957dd31bfd10a6cc397f8677da20c5b714db8f866b56208f0";
+    "28e3fd98b10bfcff89825bff7e0271e2cc3641ad560bb7e8493204d948d074ab";

@@ -5,4 +5,4 @@
 
 const char puma560_id[95] =
     "treeline 0.1.0 puma560 sha256 "
-    "5fd80af55ab19f76f61deeab948ab0d5a61becc9d5a5a865a905b899af7890d2";
+    "ac84886109b18fa88fda59c639ea4ae3a68b356aedf6132fd0cb0c9de168b997";

@@ -5,4 +5,4 @@
 
 const char samm_id[92] =
     "treeline 0.1.0 samm sha256 "
-    "9796feb689b89c9cf5f5dbe207e30e08f70a0f193ef9dee02d76aa98b52de9ec";
+    "8d9252a87ffff7f211f37a426ea601a5276b4dc41294d0254c8538cbd596a522";

@@ -5,4 +5,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.1.0 ur10e sha256 "
-    "c6a232e57d18d51387ead4343a127f4bf8cf40bc3d4c7448b370dc0ff3ff30d8";
+    "3cb4d11a228bb103a7910f190330486ab958d560189d5a6010461726fd84c073";
