@@ -12,9 +12,9 @@ namespace treeline {
 /// Principal moments of an inertial, ascending, in kg m^2.
 std::array<double, 3> principal_moments(const Inertial& inertial);
 
-/// What no distribution of mass can have, in words with the numbers: a negative principal moment,
-/// or one that exceeds the sum of the other two, beyond the rounding of figures in a file (1e-4 of
-/// the largest moment); moments of inertia without mass. Nothing when the inertial is physical.
+/// Reason, in words with the numbers, that no distribution of mass has this inertia: a negative
+/// principal moment, or one that exceeds the sum of the other two beyond the rounding of figures in
+/// a file (1e-4 of the largest); moments without mass. Nothing when the inertial is physical.
 std::optional<std::string> find_unphysical(const Inertial& inertial);
 
 /// Warns of each inertial that is not physical. The equations of motion are still those of the

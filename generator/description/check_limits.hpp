@@ -9,7 +9,7 @@ namespace treeline {
 /// Why a scene that holds no rows does not permit supported_control_torque.
 const char* why_unsupported(const Scene& scene);
 
-/// What `limited_control_torque` calls.
+/// Functions that `limited_control_torque` calls.
 std::vector<Function> functions_of_limits(const Scene& scene);
 
 /// Adds to functions that the scene did not list those that `limited_control_torque` calls.

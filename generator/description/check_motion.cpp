@@ -12,7 +12,7 @@ bool has_inertia(const Link& link) {
          i.iyz != 0;
 }
 
-/// For each joint whether anything beyond it has inertia.
+/// Whether anything beyond each joint has inertia, by joint.
 std::vector<bool> find_loaded(const Robot& robot) {
   std::vector<int> parent_joint(robot.links.size(), -1);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {

@@ -126,7 +126,7 @@ void check_implicit_friction(const SceneElement& top, const Scene& scene) {
             "add forward_dynamics or constrained_forward_dynamics");
 }
 
-/// What `damped_control_torque` calls.
+/// Checks the scene of `damped_control_torque` and the functions that it calls.
 void check_damped(const SceneElement& top, const Robot& robot, const std::string& singular,
                   const Scene& scene) {
   if (!scene.damped) return;
@@ -160,7 +160,7 @@ void check_forces_used(const SceneElement& top, const Scene& scene) {
            "add inverse_dynamics, forward_dynamics or control_torque to functions");
 }
 
-/// What a contact on a link at rest would weigh is not finite.
+/// Checks that contacts move: at a link that is at rest, their effective mass is infinite.
 void check_contacts(const SceneElement& top, const Robot& robot, const Scene& scene) {
   for (const ScenePoint& contact : scene.contacts) {
     if (!find_freedoms_of_link(robot, scene, contact.link).empty()) continue;

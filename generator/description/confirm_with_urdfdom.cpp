@@ -200,7 +200,7 @@ bool same(const NamedJoint& ours, const urdf::Joint& theirs) {
          same_axis(ours.joint, theirs.axis) && same_mimic(ours, theirs);
 }
 
-/// What the two readers disagree about; empty when they agree.
+/// Difference between the two readers' results; empty when they agree.
 std::string find_difference(const Robot& robot, const std::vector<NamedJoint>& joints,
                             const urdf::ModelInterface& model) {
   if (model.links_.size() != robot.links.size()) return "number of links";

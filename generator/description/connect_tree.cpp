@@ -38,7 +38,7 @@ class LinkNames {
   std::vector<std::string> names_;
 };
 
-/// For each link the joint it is the child of.
+/// Finds for each link the joint of which it is the child.
 std::vector<int> find_parent_joints(const std::vector<NamedJoint>& joints, std::size_t links) {
   std::vector<int> parent_joint(links, kNone);
   for (std::size_t j = 0; j < joints.size(); ++j) {

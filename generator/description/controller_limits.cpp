@@ -46,8 +46,8 @@ bool has_motor(const Joint& joint, const Scene& scene) {
          !scene.locked.contains(joint.name);
 }
 
-/// What is missing of a joint, with the placeholders that stand in its place; empty where nothing
-/// is.
+/// Limits that a joint lacks, with the placeholders that stand in their place; empty where none is
+/// missing.
 std::string describe_missing(const Joint& joint, const SceneJointLimits& own,
                              const ControllerGuard& guard) {
   bool missing = false;

@@ -5,8 +5,8 @@
 
 namespace treeline {
 
-/// What the base is where no scene says it: fixed; floating where no joint moves and there is mass,
-/// as of drones and single bodies, which could not move at all otherwise.
+/// Kind of the base where no scene states it: fixed; floating where no joint moves and there is
+/// mass, as of drones and single bodies, which could not move at all otherwise.
 Base default_base(const Robot& robot);
 
 }  // namespace treeline

@@ -6,7 +6,7 @@
 
 namespace treeline {
 
-/// What a file holds instead of the XML that is asked for, and what to do about it.
+/// Content of a file that is not the XML asked for, and what to do about it.
 struct StrayText {
   std::string fault, remedy;
 };

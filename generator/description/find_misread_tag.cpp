@@ -18,7 +18,7 @@ const tinyxml2::XMLElement* next_element(const tinyxml2::XMLNode& node) {
   return nullptr;
 }
 
-/// What is wrong with an end tag in itself.
+/// Fault of an end tag in itself.
 std::optional<MisreadTag> judge_end(const XmlTag& tag, int line) {
   const char* const remedy = "remove the slash before its name, or what stands behind the name";
   if (tag.has_slash) {

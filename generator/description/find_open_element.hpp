@@ -13,7 +13,7 @@ struct OpenElement {
   int line = 0;     ///< of the start tag, from 1 on
 };
 
-/// Where start tags and end tags of a text that is no XML do not fit together.
+/// Element without its end tag in text that is no XML, and what stands in place of the end tag.
 struct UnclosedElement {
   OpenElement open;
   std::string instead;  ///< the end tag that comes in place of its own; empty: the text ends

@@ -27,7 +27,7 @@ bool narrow(Limit& own, double other, double side) {
   return was_stated;
 }
 
-/// What a follower permits of its leader.
+/// Limits of the leader that a follower permits.
 Limits limits_of_leader(const Limits& follower, const Mimic& mimic) {
   Limits limits;
   double lower = (follower.lower - mimic.offset) / mimic.multiplier;

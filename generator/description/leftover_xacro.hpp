@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// What is left of xacro in a URDF, as other readers pass over it.
+/// Remains of xacro in a URDF, which other readers ignore.
 struct LeftoverXacro {
   int line = 0;         ///< of the first; 0: there is none
   std::string element;  ///< the first

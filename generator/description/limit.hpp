@@ -5,10 +5,10 @@
 
 namespace treeline {
 
-/// What a file says of a limit of a joint.
+/// State of a joint's limit in a file.
 enum class LimitState { absent, stated, implausible };
 
-/// What exporters write where nobody has filled in a limit, so that it is none.
+/// Placeholder that exporters write where nobody has filled in a limit, so that it is none.
 enum class Placeholder {
   none,
   zero,      ///< no speed, or no force

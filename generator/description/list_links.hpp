@@ -13,8 +13,8 @@ std::string list_links(const Robot& robot);
 /// The joints that move, see `list_names`.
 std::string list_moving_joints(const Robot& robot);
 
-/// What to do about a link of this name that the robot does not have: `did you mean "..."?`, or
-/// the links by tree.
+/// Suggests what to do about the name of a link that the robot does not have: `did you mean
+/// "..."?`, or the links by tree.
 std::string suggest_link(const std::string& name, const Robot& robot);
 
 /// Suggests what to do about the name of a joint that the robot does not have.

@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// What scenes call the rows of a point: along and about the axes.
+/// Names of a point's rows in scenes: along and about the axes.
 inline constexpr std::array kRowNames = {"x", "y", "z", "rx", "ry", "rz"};
 
 /// The rows of the point that are controlled, in their order: "x y rz".

@@ -15,7 +15,7 @@ namespace treeline {
 /// negative beyond the rounding of figures, see `find_unphysical`.
 std::optional<Inertial> nearest_possible_inertia(const Inertial& inertial);
 
-/// What a possible body without extent is: "a point", "a rod" along a line, "a plate" in a plane;
+/// Name of a possible body without extent: "a point", "a rod" along a line, "a plate" in a plane;
 /// its second moments are of lower rank. Nothing for a body of full rank, without mass or
 /// impossible. Such an inertia is no fault; that of a point or rod at the end of a chain may leave
 /// the mass matrix singular.

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<const char*, 3> kAngles{"roll", "pitch", "yaw"};
 constexpr std::array<const char*, 3> kCoordinates{"x", "y", "z"};
 
-/// What is written where.
+/// Place of a change in a file.
 struct Place {
   const std::string& file;
   int line;
@@ -64,8 +64,8 @@ class PoseCleaner {
   }
 
  private:
-  /// What a component of a centre of mass must exceed not to be noise, see `kOfDistance`. A centre
-  /// within the robot's noise is all noise.
+  /// Size that a component of a centre of mass must exceed not to be noise, see `kOfDistance`. A
+  /// centre within the robot's noise is all noise.
   [[nodiscard]] double limit_of_center(const Pose& pose) const {
     const double distance = std::hypot(pose.xyz[0], pose.xyz[1], pose.xyz[2]);
     const bool is_noise = distance <= limits_.length;

@@ -18,7 +18,7 @@ inline constexpr double kResolution = 0x1p-51;
 /// The largest `Scene::noise`.
 inline constexpr double kMostNoise = 1e-9;
 
-/// What counts as noise in a robot's files; nothing does where both are 0.
+/// Limits below which numbers of a robot's files are noise; nothing is noise where both are 0.
 struct NoiseLimits {
   double angle = 0;   ///< rad; of an axis, share of its largest component
   double length = 0;  ///< m

@@ -30,7 +30,7 @@ std::size_t start_of_line(const std::string& text, int line) {
   return at;
 }
 
-/// Where the XML declaration starts after white space and comments; npos when there is none.
+/// Position of the XML declaration after white space and comments; npos when there is none.
 std::size_t find_declaration(const std::string& text) {
   std::size_t at = text.find_first_not_of(" \t\r\n");
   while (at != std::string::npos && text.compare(at, 4, "<!--") == 0) {
@@ -118,7 +118,7 @@ std::string find_repeated_attribute(const std::string& text, int line) {
   return {};
 }
 
-/// What says the same as `describe` of this text more exactly; empty if nothing does.
+/// More exact text for the same fault that `describe` tells; empty if there is none.
 std::string describe_in_text(const tinyxml2::XMLDocument& document, const std::string& text) {
   const int line = document.ErrorLineNum();
   if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE) {
@@ -130,7 +130,7 @@ std::string describe_in_text(const tinyxml2::XMLDocument& document, const std::s
   return declares ? "" : "a processing instruction, <?...?>, stands inside an element";
 }
 
-/// Which tags do not fit together, with the lines of both; or where in the file the fault is.
+/// Tells which tags do not fit together, with the lines of both, or where in the file the fault is.
 void complain_of_xml(const tinyxml2::XMLDocument& document, const std::string& text,
                      const Complaint& complain) {
   const char* const remedy = "mend the XML, or check that this is a URDF";
@@ -158,7 +158,7 @@ void complain_of_xml(const tinyxml2::XMLDocument& document, const std::string& t
   complain(document.ErrorLineNum(), "", fault, remedy);
 }
 
-/// Where a DOCTYPE before the root element declares entities of its own; npos if it does not.
+/// Position of a DOCTYPE before the root element that declares entities of its own; npos: none.
 std::size_t find_own_entities(std::string_view text) {
   std::size_t at = text.find('<');
   while (at != std::string_view::npos) {

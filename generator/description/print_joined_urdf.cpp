@@ -41,7 +41,7 @@ bool is_shown(std::string_view element) {
          element == "drake:joint";
 }
 
-/// With a grain as its shape: programs draw sticks from links without one to those that they carry.
+/// Adds the world with a grain as its shape: programs draw sticks from links without a shape.
 void add_world(XMLElement& all) {
   XMLElement* const world = all.InsertNewChildElement("link");
   world->SetAttribute("name", kWorldLink);

@@ -52,8 +52,8 @@ std::optional<SceneRotor> read_rotor(const SceneElement& value, const SceneField
   return rotor;
 }
 
-/// Where a rotor that is a body of its own sits: on the link before its joint, or as the scene
-/// says.
+/// Sets link and axis of a rotor that is a body of its own: it sits on the link before its joint,
+/// or where the scene says.
 bool place_rotor(const SceneFields& fields, const Robot& robot, SceneRotor& rotor) {
   if (const auto link = fields.find("link"); link != fields.end()) {
     const auto name = link->second.text();
@@ -87,7 +87,7 @@ bool place_rotor(const SceneFields& fields, const Robot& robot, SceneRotor& roto
   return true;
 }
 
-/// What a line says of a joint.
+/// Reads the line of a joint.
 void read_line(const SceneElement& value, const Joint& joint, const Robot& robot, Scene& scene) {
   SceneRotor rotor;
   bool gyroscopic = false;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kBetween = "write between: [link, world] or between: [link, other link]";
 
-/// Which two things are held together. Empty texts where a fault was reported.
+/// Names of the two things that are held together. Empty texts where a fault was reported.
 struct Ends {
   std::string link, other;
   [[nodiscard]] bool to_world() const { return other == "world"; }
@@ -39,7 +39,7 @@ Ends read_ends(const SceneElement& item, const SceneFields& fields, const Robot&
   return {link, ends[1].is("world") ? "world" : read_known_link(ends[1], robot)};
 }
 
-/// What does not belong to this kind of constraint.
+/// Reports a key that does not belong to this kind of constraint.
 void refuse(const SceneFields& fields, const char* key, const char* fault, const char* remedy) {
   if (const auto found = fields.find(key); found != fields.end()) {
     found->second.error(fault, remedy);

@@ -39,7 +39,7 @@ RobotLoop::End read_end(const UrdfElement& element, const char* name, const Robo
   return end;
 }
 
-/// What each kind of joint holds when its axis is z, in the order x y z rx ry rz.
+/// Rows that each kind of joint holds when its axis is z, in the order x y z rx ry rz.
 struct LoopKind {
   const char* type;
   std::array<bool, 6> rows;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kWhiteSpace = " \t\r\n\f\v";
 
-/// What stands before the exponent.
+/// Part of a number before its exponent.
 std::string_view significand(std::string_view number) {
   return number.substr(0, number.find_first_of("eE"));
 }

@@ -31,7 +31,7 @@ inline constexpr const char* kRadiansForDegrees =
 /// finite number.
 std::optional<std::vector<double>> read_numbers(std::string_view text);
 
-/// What stands between white space.
+/// Words of a text, which white space separates.
 std::vector<std::string_view> split_words(std::string_view text);
 
 /// `text` without white space at its ends.

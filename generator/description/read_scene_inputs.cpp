@@ -38,7 +38,7 @@ std::optional<std::string> read_name(const SceneElement& element, const SceneFie
   return std::nullopt;
 }
 
-/// What a body may have whose parameters are those of a link: twice what the file says.
+/// Ranges of a body that has the parameters of a link: twice the values of the file.
 SceneInertia ranges_of(const Link& link) {
   SceneInertia ranges{link.name};
   if (!link.inertial || !(link.inertial->mass > 0)) return ranges;

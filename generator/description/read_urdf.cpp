@@ -179,7 +179,7 @@ void warn_of_entities(const std::string& text, UrdfReading& reading) {
                              entities->first.substr(1)));
 }
 
-/// What was passed over is a robot's loss only where the rest is none.
+/// Reports xacro that was ignored: an error only where nothing else describes the robot.
 void report_leftover(const LeftoverXacro& leftover, const std::string& file, bool is_robot,
                      Diagnostics& diagnostics) {
   if (is_robot) {

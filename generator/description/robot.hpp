@@ -52,7 +52,7 @@ struct Joint {
   Pose origin;      ///< joint frame (= child link frame at q = 0) in parent
   /// Unit vector in the joint frame; planar: the normal. Without meaning for types without an axis.
   std::array<double, 3> axis{1, 0, 0};
-  /// With those of joints that follow it, see `fold_follower_limits`. Absent: the file has none.
+  /// Limits, with those of joints that follow it, see `fold_follower_limits`. Absent: none in file.
   std::optional<Limits> limits;
   std::optional<Mimic> mimic;
   double damping = 0, friction = 0;
@@ -80,9 +80,9 @@ struct RobotPart {
   std::string file;  ///< path it was read from, for diagnostics
 };
 
-/// What a URDF says, checked: names are unique, the joints make the links one tree, axes have unit
-/// length, no mass is negative, mimic joints lead to a joint that is not one. Links and joints
-/// are in the file's order. `read_urdf` makes it, and `join_robots` of several.
+/// Content of a URDF, checked: names are unique, the joints make the links one tree, axes have unit
+/// length, no mass is negative, mimic joints lead to a joint that is not one. Links and joints are
+/// in the file's order. `read_urdf` makes it, and `join_robots` of several.
 struct Robot {
   std::string name;
   std::string file;  ///< path it was read from, for diagnostics

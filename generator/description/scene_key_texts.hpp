@@ -4,8 +4,8 @@
 
 namespace treeline {
 
-/// What people are told of a key at the top of a scene: by `treeline keys`, and in the
-/// documentation, which is made from it.
+/// Text about a key at the top of a scene: for `treeline keys`, and for the documentation, which is
+/// made from it.
 struct SceneKeyText {
   const char* name;
   const char* type;      ///< of its value

@@ -14,7 +14,7 @@
 namespace treeline {
 namespace {
 
-/// What goes by other names elsewhere.
+/// Names of other libraries for our functions.
 constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, const char*>>({
     {"aba", "\"forward_dynamics\" is computed so where that is cheapest"},
     {"bias_forces", "\"nonlinear_effects\" is b + g"},

@@ -5,7 +5,7 @@
 
 namespace treeline {
 
-/// What to do about a name that is no function's: the one that other libraries call so, a near
+/// Suggestion for a name that is no function's: the function that other libraries call so, a near
 /// name, or all there are; for `all`, how a scene gets all.
 std::string suggest_function(std::string_view name);
 

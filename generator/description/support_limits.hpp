@@ -6,9 +6,9 @@
 
 namespace treeline {
 
-/// What keeps a constraint from slipping, turning, tipping and lifting. To the world, its normal is
-/// the z axis of the constraint's axes and its forces are those of the world on the robot. Between
-/// two links, its normal is z of `other_origin`, along which the second link pushes the first.
+/// Limits against slipping, turning, tipping and lifting of a constraint. To the world, its normal
+/// is the z axis of the constraint's axes and its forces are those of the world on the robot.
+/// Between two links, its normal is z of `other_origin`, along which the second pushes the first.
 struct SceneCone {
   std::string constraint;
   double friction = 0;              ///< largest ratio of tangential to normal force

@@ -35,7 +35,7 @@ struct SceneAvoidance {
   std::vector<SceneGuard> points;  ///< beside the operational points
 };
 
-/// What stands around a robot, and what its objects look like. No generated code depends on it.
+/// Obstacles around a robot, and the looks of its objects. No generated code depends on it.
 struct SceneSurroundings {
   std::vector<SceneObstacle> obstacles;
   SceneAvoidance avoidance;

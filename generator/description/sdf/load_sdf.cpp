@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where `model://NAME` and `package://NAME` are looked for.
+/// Places in which `model://NAME` and `package://NAME` are searched.
 std::vector<std::string> list_places(const std::string& path) {
   const fs::path folder = fs::absolute(path == "-" ? "." : path).lexically_normal().parent_path();
   std::vector<std::string> places{folder.string(), folder.parent_path().string()};
@@ -49,8 +49,8 @@ sdf::ParserConfig make_configuration(const std::string& path) {
   return configuration;
 }
 
-/// What libsdformat calls an error and no motion depends on: elements that SDF does not have, and
-/// whatever is wrong with what is seen, touched or sensed.
+/// Whether an error of libsdformat can be ignored, since no motion depends on it: elements that SDF
+/// does not have, and faults in what is seen, touched or sensed.
 bool is_passed_over(const sdf::Error& error) {
   if (error.Code() == sdf::ErrorCode::ELEMENT_INCORRECT_TYPE ||
       error.Code() == sdf::ErrorCode::ATTRIBUTE_INCORRECT_TYPE) {

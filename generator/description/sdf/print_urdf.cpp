@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSdfResolution = 2e-15;  ///< of what libsdformat makes of angles, rad
 
-/// Without the sign of a zero.
+/// Text of three numbers, without the sign of a zero.
 std::string three(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
 }
@@ -191,7 +191,7 @@ class UrdfPrinter {
     }
   }
 
-  /// Without its end: `</joint>` is the caller's.
+  /// Writes a turning joint without its end: the caller writes `</joint>`.
   void open_turning(const std::string& name, const std::string& type, const SdfAxis& axis,
                     const std::string& parent, const std::string& child,
                     const Eigen::Isometry3d& origin) {

@@ -7,9 +7,9 @@
 
 namespace treeline {
 
-/// What of a link's `<visual>` and `<collision>` URDF has, too: boxes, cylinders, spheres and
-/// meshes, with diffuse colours. `model://` becomes `package://`. Others are left out: they are for
-/// pictures alone.
+/// Shapes of a link's `<visual>` and `<collision>` that URDF has, too: boxes, cylinders, spheres
+/// and meshes, with diffuse colours. `model://` becomes `package://`. Others are left out: they are
+/// for pictures alone.
 std::vector<SdfShape> read_shapes(const sdf::Link& link);
 
 }  // namespace treeline

@@ -52,7 +52,7 @@ struct SdfJoint {
   std::vector<std::pair<std::string, std::string>> rotor;
 };
 
-/// What a model in SDF says of a mechanism, with nested models and includes put in and all poses
+/// Mechanism that a model in SDF describes, with nested models and includes put in and all poses
 /// resolved. Joints may close loops and may lead either way.
 struct SdfModel {
   std::string name;

@@ -13,7 +13,7 @@ struct SdfText {
   std::string text, path, shown;
 };
 
-/// What the module `treeline_sdf.so` exports under `kSdfReader`: see `read_sdf`.
+/// Type of the function that the module `treeline_sdf.so` exports as `kSdfReader`: see `read_sdf`.
 using SdfReader = void(const SdfText& text, std::optional<SdfModel>& model,
                        Diagnostics& diagnostics);
 inline constexpr const char* kSdfReader = "treeline_read_sdf";

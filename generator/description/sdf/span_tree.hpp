@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// Which joints make the tree, and which close loops.
+/// Joints that make the tree, and joints that close loops.
 struct SdfTree {
   std::vector<SdfJoint> joints;  ///< of the tree, each led away from the root, in its order
   std::vector<SdfJoint> loops;   ///< as in the file
