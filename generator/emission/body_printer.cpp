@@ -92,7 +92,7 @@ std::string BodyPrinter::join_statements() const {
   return text;
 }
 
-/// What a node's statement belongs to; nothing where it computes nothing.
+/// Sections to which a node's statement belongs; none if the node computes nothing.
 std::set<SectionTitle> BodyPrinter::titles_of(std::uint32_t node) const {
   std::set<SectionTitle> titles;
   for (const std::uint32_t own : lanes_.beside(node)) {
@@ -174,7 +174,7 @@ void BodyPrinter::print_call(const std::vector<std::uint32_t>& angles, const std
   }
 }
 
-/// What a reference to the node reads.
+/// Adds what a reference to the node reads.
 void BodyPrinter::add_reads(std::uint32_t node, BodyUnit& unit) const {
   const Node& what = graph_.nodes()[node];
   if (what.op == Op::constant) {

@@ -14,7 +14,7 @@ std::string float_literal(double value) {
   return format_literal(static_cast<float>(value));
 }
 
-/// With its suffix in capitals.
+/// Literal of type float, with its suffix in capitals.
 std::string safe_float_literal(double value) {
   std::string text = float_literal(value);
   text.back() = 'F';

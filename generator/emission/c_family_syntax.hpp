@@ -8,14 +8,14 @@
 
 namespace treeline {
 
-/// What C and the languages made from it write alike: comments, literals, signs, assignments and
-/// constants. Numbers, lanes and sines are left to fill in.
+/// Syntax that C and languages made from it have in common: comments, literals, signs, assignments
+/// and constants. Numbers, lanes and sines are left to fill in.
 Syntax make_c_family_syntax(bool single_precision);
 
 /// A number as it is written, as a literal of the context's type: `0.25`, `0.25F`.
 std::string number_literal(const EmissionContext& context, const char* digits);
 
-/// What rules for safe code ask of these: suffixes in capitals, all parentheses.
+/// Changes the syntax as rules for safe code ask: suffixes in capitals, all parentheses.
 void follow_misra(bool single_precision, Syntax& syntax);
 
 std::string in_capitals(std::string name);

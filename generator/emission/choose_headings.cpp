@@ -40,7 +40,7 @@ std::size_t count_untitled(const NumberedTitles& titles) {
   return static_cast<std::size_t>(titled - own.begin());
 }
 
-/// Where statements are divided, up to their count, such that the fewest stand below titles of
+/// Divides statements, up to their count, such that the fewest stand below the titles of
 /// others.
 std::vector<std::size_t> divide(const NumberedTitles& titles) {
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();

@@ -38,8 +38,8 @@ std::string trigonometric_name(const Graph& graph, const Node& node,
   return what.empty() ? "" : make_identifier(fmt::format("{} {}", operation(node.op).name, what));
 }
 
-/// For every node the name of what it is: from the trace, as sine or cosine of its angle or of a
-/// sum of angles, or as a result; else empty.
+/// Finds names of nodes: from the trace, as sine or cosine of an angle or of a sum of angles, or as
+/// a result; empty for nodes without one.
 std::vector<std::string> find_own_names(const Program& program) {
   const Graph& graph = program.graph;
   std::vector<std::string> names = find_angle_sums(program);

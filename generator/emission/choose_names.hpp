@@ -15,12 +15,12 @@ namespace treeline {
 /// underscores; what C++ or its headers have already gets a suffix. Never empty.
 std::string make_identifier(std::string_view text);
 
-/// For every constant that `Program::constants` knows its name, unique; these become `taken`.
+/// Finds a unique name for each constant in `Program::constants`; these become `taken`.
 std::map<std::uint32_t, std::string> name_constants(const Program& program,
                                                     std::set<std::string>& taken);
 
-/// For every node that is `wanted` the identifier of its value, unique and none of `reserved`;
-/// empty for the others. A value is named by what it is: as the trace named it (`f4_x`), as sine or
+/// Finds for every `wanted` node the identifier of its value, unique and none of `reserved`; empty
+/// for the others. A value is named by what it is: as the trace named it (`f4_x`), as sine or
 /// cosine of a sum of angles (`s23`), or after its place in a result (`M_0_3`). Other values have
 /// neutral names, `t17`. A pack of lanes has one name, at its first node: `f8_15_x`.
 std::vector<std::string> choose_names(const Program& program, std::vector<bool> wanted,

@@ -21,10 +21,10 @@ std::string wrap_text(const std::string& text, std::size_t columns);
 /// "By recursive Newton-Euler.", wrapped, with a line break; empty where the program does not say.
 std::string describe_method(const Program& program);
 
-/// What a source file begins with: name, equation and method of its function, as comments.
+/// Start of a source file: name, equation and method of its function, as comments.
 std::string describe_source(const Program& program);
 
-/// What the context knows of the rounding errors of a source, wrapped, if anything.
+/// Text of the context about the rounding errors of a source, wrapped, if there is any.
 std::string describe_rounding(const EmissionContext& context, const std::string& source);
 
 }  // namespace treeline

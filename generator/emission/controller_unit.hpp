@@ -11,8 +11,8 @@
 
 namespace treeline {
 
-/// What NAME_controller.h and controller.cpp are made of: functions that share the sines that a
-/// step computes once, and the configuration's defaults.
+/// Parts of NAME_controller.h and controller.cpp: functions that share the sines that a step
+/// computes once, and the configuration's defaults.
 struct ControllerUnit {
   SceneController settings;            ///< without the limits, which are below
   Program kinematics;                  ///< poses, velocities, gravity: `controller_kinematics`

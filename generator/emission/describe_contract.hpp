@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// What every language's contract says, by the names of the holes in its template: where the code
+/// Texts of every language's contract, by the names of the holes in its template: where the code
 /// comes from, the order and units of joints and points, sizes, the range of sine and cosine.
 std::map<std::string, std::string> describe_contract(const EmissionContext& context);
 

@@ -23,7 +23,7 @@ std::string describe_step_cost(const ControllerUnit& unit);
 /// Joints and points with the numbers that commands call them by.
 std::string list_joint_names(const ControllerUnit& unit);
 
-/// Which files a program with the controller compiles.
+/// Files that a program with the controller compiles.
 std::string describe_files(const ControllerUnit& unit);
 
 /// The stack of a step, and what measures it; see `count_step_stack`.

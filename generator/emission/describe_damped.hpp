@@ -20,7 +20,7 @@ struct DampedCall {
 /// `programs`.
 std::vector<DampedCall> list_damped_calls(std::span<const Program> programs);
 
-/// What `damped_control_torque` calls an argument of one of them.
+/// Name of an argument of one of these functions in `damped_control_torque`.
 std::string damped_name(const Argument& argument);
 
 /// Arguments of `damped_control_torque`, in the order of `control_torque`: q, its sines and

@@ -27,7 +27,7 @@ std::string print_entries(const std::vector<std::string>& entries) {
   return text;
 }
 
-/// As a string of C, and of the languages made from it.
+/// Writes a string of C, and of languages made from it.
 std::string quote(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : printable(text)) {

@@ -25,7 +25,7 @@ struct LoopHeader {
   std::vector<LoopDeclaration> items;  ///< its types and functions
 };
 
-/// What uses the loops: bodies of the functions that loop, and the robot's tables.
+/// Code that uses the loops: bodies of the functions that loop, and the robot's tables.
 std::string join_callers(std::span<const Program> programs,
                          const std::function<std::string(const Program&)>& print_body,
                          const std::vector<GeneratedFile>& tables);

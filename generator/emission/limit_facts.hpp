@@ -5,7 +5,7 @@
 
 namespace treeline {
 
-/// What NAME_limited.hpp says of the robot, see `core::limit_torque`.
+/// Facts about the robot in NAME_limited.hpp, see `core::limit_torque`.
 struct LimitFacts {
   /// A row of a cone: coefficients of forces of held rows, from `first` on, at most `bound`.
   struct Row {

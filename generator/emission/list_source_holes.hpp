@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// What every source of a function has in a template's holes, whatever computes the function:
+/// Text of every function's source in the holes of a template, whatever computes the function:
 /// `head`, `cost`, `name`, `section` and `signature`. `stem` is the source's name without ending,
 /// `definition` the function's head without a brace.
 std::map<std::string, std::string> list_source_holes(const EmissionContext& context,

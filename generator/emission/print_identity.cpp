@@ -14,7 +14,7 @@
 namespace treeline {
 namespace {
 
-/// What stands before the digest.
+/// Text that precedes the digest.
 std::string print_what_it_is(const EmissionContext& context) {
   return fmt::format("treeline {} {} sha256 ", generator_version(), context.name);
 }

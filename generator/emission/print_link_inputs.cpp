@@ -9,7 +9,7 @@
 namespace treeline {
 namespace {
 
-/// What enters an argument into the table, and into which array.
+/// The function that enters an argument into the table, and the array that it fills.
 struct InputStep {
   const char* function;
   const char* array;
@@ -49,7 +49,7 @@ std::string print_array(const char* type, const char* array, const std::string& 
               fmt::format("{}, {}, {}", from, count, names.array(array)));
 }
 
-/// What makes the table's rotors those of a step, once it is complete.
+/// Call that makes the table's rotors those of a step, once the table is complete.
 std::string print_step(const LoopNames& names) {
   const std::string rotors = names.array("rotors");
   return call(names.function("find_rotors"),

@@ -19,7 +19,7 @@ struct LoopNames {
   std::string table;                                        ///< the function's own, as an argument
 };
 
-/// What a function does before it loops where arguments change the table: arrays `bodies`,
+/// Code that a function executes before it loops if arguments change the table: arrays `bodies`,
 /// `rotors`, `drives`, `frictions` and `points` take the place of constants. Empty where none does.
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names);
 

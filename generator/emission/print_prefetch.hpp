@@ -30,7 +30,7 @@ struct LoadedCode {
   std::size_t stack = 0;               ///< bytes that a call is estimated to use
 };
 
-/// What can be loaded.
+/// Lists the code that can be loaded.
 std::vector<LoadedCode> list_loaded(const EmissionContext& context,
                                     std::span<const Program> programs,
                                     std::span<const Program> batch);
@@ -38,15 +38,15 @@ std::vector<LoadedCode> list_loaded(const EmissionContext& context,
 /// Stem of the source of a controller's step, whose code can be loaded too.
 inline constexpr const char* kControllerStem = "controller";
 
-/// What a function has for its section: `whole` takes what it calls of its source into it.
+/// Section of a function: its own, or `whole`, which includes what it calls of its source.
 enum class Attributes { own, whole };
 
-/// What stands before the source of a function whose code can be loaded: the macro that gives it a
-/// section of its own. Empty unless the scene asks for it.
+/// Start of the source of a function whose code can be loaded: the macro that gives it a section of
+/// its own. Empty unless the scene asks for it.
 std::string print_prefetch_macro(const EmissionContext& context, const std::string& function,
                                  Attributes attributes = Attributes::own);
 
-/// What stands before the function itself.
+/// Line before the function itself.
 std::string print_prefetch_section(const EmissionContext& context);
 
 }  // namespace treeline

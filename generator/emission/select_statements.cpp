@@ -8,7 +8,7 @@ namespace {
 /// Operations in one expression beyond which its parts get names.
 constexpr int kLargestExpression = 8;
 
-/// For every node whether it is the value of a result.
+/// Whether each node is the value of a result.
 std::vector<bool> find_result_nodes(const Program& program) {
   std::vector<bool> is_result(program.graph.nodes().size(), false);
   for (const Result& result : program.results) {

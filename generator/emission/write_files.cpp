@@ -109,7 +109,7 @@ class StagingFolder {
   std::error_code error_;
 };
 
-/// What went wrong; empty: nothing.
+/// Writes a file and returns what went wrong; empty: nothing.
 std::string write_file(const fs::path& path, const std::string& text) {
   errno = 0;
   std::ofstream stream(path, std::ios::binary);

@@ -15,8 +15,8 @@
 
 namespace treeline {
 
-/// What a language gives to emission. A new one is a folder beside `cpp/` and `c/` that defines
-/// such a value, and a line in `backend_of`.
+/// Parts that a language gives to emission. A new language is a folder beside `cpp/` and `c/` that
+/// defines such a value, and a line in `backend_of`.
 struct Backend {
   std::string_view name;    ///< as messages call it: `C++`
   std::string_view header;  ///< how the names of its headers end: `.hpp`
@@ -24,7 +24,7 @@ struct Backend {
 
   /// Reports what is asked for and cannot be had in this language.
   void (*refuse)(const EmissionContext& context, Diagnostics& diagnostics);
-  /// What no function may be called, since the generated code has a use for the name.
+  /// Names that functions must not have, since the generated code uses them.
   std::set<std::string> (*reserved)(const EmissionContext& context);
 
   /// How the bodies of plain functions are written.
@@ -39,11 +39,11 @@ struct Backend {
   /// CMakeLists.txt, which builds the folder as part of another project.
   std::string (*print_project)(const EmissionContext& context, std::span<const Program> programs,
                                std::span<const Program> batch);
-  /// What the scene adds, and what the language has beside these.
+  /// Further files: those that the scene asks for, and others that the language has.
   std::vector<GeneratedFile> (*print_more)(const EmissionContext& context,
                                            std::span<const Program> programs,
                                            std::span<const Program> batch);
-  /// What the sources include of the runtime.
+  /// Headers of the runtime that the sources include.
   std::vector<GeneratedFile> (*print_runtime)(const EmissionContext& context,
                                               std::span<const Program> programs,
                                               std::span<const Program> batch);

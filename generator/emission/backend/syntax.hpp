@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// Which operations within others stand in parentheses: where the language needs them, products in
+/// Operations within others that stand in parentheses: where the language needs them, products in
 /// sums as well, or all.
 enum class Parentheses { needed, products, all };
 
@@ -25,7 +25,7 @@ struct Syntax {
 
   /// A number without its sign.
   std::string (*literal)(double value);
-  /// What stands between the two operands of an operation, or before its only one.
+  /// Sign between the two operands of an operation, or before its only one.
   std::string_view (*sign)(Op op);
   /// A value of the type that is named once and stays: `const Real x = value;`.
   std::string (*keep)(const std::string& type, const std::string& name, const std::string& value);

@@ -35,7 +35,7 @@ std::string print_check_of_constants(const EmissionContext& context) {
       context.name);
 }
 
-/// What the functions are made of.
+/// Describes what the functions need: other files and standard headers.
 std::string describe_needs(const EmissionContext& context, std::span<const Program> programs) {
   if (context.language == Language::cpp) {
     return fmt::format(

@@ -30,7 +30,7 @@ std::string print_default_limits(const EmissionContext& context);
 std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
                                                std::span<const Program> batch);
 
-/// What stands in the holes of the templates of limited control in every language.
+/// Lists the texts for the holes in the templates of limited control in every language.
 std::map<std::string, std::string> list_limit_holes(const EmissionContext& context);
 
 /// The template with those of the holes that it has.

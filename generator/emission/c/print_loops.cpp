@@ -102,7 +102,7 @@ const LinkTableData& find_largest(std::span<const Program> programs) {
   return *largest;
 }
 
-/// What the robot's tables have.
+/// Finds the features that the robot's tables have.
 LoopTable list_kinds(const LinkTableData& table, bool stepped) {
   return {.floats = table.floats,
           .sliding = table.sliding,
@@ -139,7 +139,7 @@ std::string print_sizes(const EmissionContext& context, const LinkTableData& tab
   return fmt::format("/// Of the robot's tables.\nenum {{\n{}\n}};\n", text);
 }
 
-/// What a header says of itself and includes, as C has it.
+/// Start of a header, with its comments and includes, as C has it.
 std::string print_opening(std::string_view header) {
   std::string text;
   std::istringstream lines{std::string(header)};

@@ -28,7 +28,7 @@ struct LoopSignature {
   std::vector<LoopParameter> parameters;
 };
 
-/// What the tables of a robot have.
+/// Features that the tables of a robot have.
 struct LoopTable {
   bool floats = false, sliding = false, driven = false, rubbing = false, coupled = false;
   bool own_sines = false, balls = false, pushed = false, loaded = false, sorted = false,
@@ -62,7 +62,7 @@ class LoopTranslator {
   std::string call(const std::string& function, std::string_view text, std::size_t& at);
   std::string take_sines(const std::vector<std::string>& arguments);
   std::string compute_sines(const std::vector<std::string>& arguments);
-  /// What points to an expression that can be assigned to.
+  /// Pointer to an expression that can be assigned to.
   std::string address(const std::string& expression);
   [[nodiscard]] bool is_reference(const std::string& name) const;
 

@@ -7,7 +7,7 @@
 
 namespace treeline::cpp {
 
-/// What fills a template: text by the name of its place.
+/// Text for the holes of a template, by name.
 using Holes = std::map<std::string, std::string>;
 
 /// Adds the numbers of an emitted controller: limits of the joints, default gains and thresholds,

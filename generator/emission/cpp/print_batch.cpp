@@ -44,7 +44,7 @@ std::string print_batch_head(const Program& program) {
   });
 }
 
-/// What makes the scalar function's statements read and write rows.
+/// Declarations that make the scalar function's statements read and write rows.
 std::string print_rows(const Program& program) {
   std::string rows;
   const auto append = [&](const char* direction, const std::string& name) {

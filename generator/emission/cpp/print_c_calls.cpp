@@ -98,7 +98,7 @@ std::string pass_limited_function(const EmissionContext& context,
        {"call", wrap_line(call, 2)}});
 }
 
-/// What c_calls.cpp consists of, and the headers that declare it.
+/// Parts of c_calls.cpp, and the headers that declare its functions.
 struct Parts {
   std::string includes, helpers;
   std::vector<std::string> definitions;

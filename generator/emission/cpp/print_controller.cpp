@@ -23,7 +23,7 @@
 namespace treeline::cpp {
 namespace {
 
-/// What the step calls an argument of its functions; empty for one that the input has.
+/// Name in the step of an argument of its functions; empty for one that the input has.
 std::string variable_of(const std::string& argument) {
   static const std::map<std::string, std::string> kVariables = {{"q", "at.q"},
                                                                 {"sin_q", "at.sin_q"},
@@ -113,7 +113,7 @@ std::string print_commented(const std::string& declaration, const std::string& m
   return fits ? declaration + " " + commented + "\n" : commented + "\n" + declaration + "\n";
 }
 
-/// What the state keeps of the inputs.
+/// Members of the state that keep inputs.
 std::string print_led_inputs(const EmissionContext& context, const ControllerUnit& unit) {
   std::string text;
   for (const Argument& argument : list_inputs(unit)) {

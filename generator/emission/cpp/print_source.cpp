@@ -95,7 +95,7 @@ std::string print_parts_of(const Program& program, const PartedBody& body) {
   return text + "}  // namespace\n\n";
 }
 
-/// For `profile: misra`.
+/// Source of a function for `profile: misra`.
 std::string print_safe_source(const EmissionContext& context, const Program& program) {
   std::set<std::string> taken = find_taken(context, program);
   taken.insert({"values", name_of_values(program)});
