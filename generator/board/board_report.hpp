@@ -11,7 +11,7 @@
 
 namespace treeline {
 
-/// What was measured of one function on a target, and the verdict on its results.
+/// Measurements of one function on a target, and the verdict on its results.
 struct BoardFunction {
   std::string name;
   bool is_long = false;    ///< compiled with fewer passes, see BoardReport::long_command

@@ -86,7 +86,7 @@ BoardReport begin_board_report(const Robot& robot, const Scene& scene, const Tar
   return report;
 }
 
-/// What a run needs beside the robot.
+/// Inputs of a run beside the robot.
 struct BoardJob {
   const Robot& robot;
   const Scene& scene;

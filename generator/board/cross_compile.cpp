@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What every firmware's compiler is told. -fno-pie for compilers that belong to an operating
+/// Flags for every firmware's compiler. -fno-pie is for compilers that belong to an operating
 /// system.
 constexpr const char* kFreestanding =
     "-std=c++17 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics "

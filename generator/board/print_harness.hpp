@@ -18,7 +18,7 @@ struct StatePlace {
 /// Arguments that the functions take, each once, one behind another.
 std::vector<StatePlace> place_arguments(const std::vector<GeneratedFunction>& functions);
 
-/// Where the program finds its states and leaves its results, and how many states there are.
+/// Files with the program's states and results, and the number of states.
 struct HarnessFiles {
   std::string states, results;
   int count = 0;

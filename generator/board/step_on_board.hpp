@@ -21,7 +21,7 @@ struct StepTape {
   std::vector<bool> counted;         ///< steps whose instructions are counted
 };
 
-/// What the board has of the steps.
+/// Results and measurements of the steps on the board.
 struct StepCalls {
   std::uint64_t stack_seen = 0;
   std::vector<std::uint64_t> instructions;   ///< 0 where they are not counted

@@ -37,8 +37,8 @@ class ErrorPropagation {
   [[nodiscard]] const States& sampled(std::uint32_t node) const { return samples_[node]; }
 
  private:
-  /// What a node does to the derivative of an operand: its users add to it, from the last to the
-  /// first, and the last sets it. Nothing asks for that of inputs and exact constants.
+  /// Flow into the derivative of an operand: its users add to it, from the last to the first, and
+  /// the last sets it. Inputs and exact constants need no derivative.
   enum class Flow : std::uint8_t { none, set, add };
   struct Visit {
     std::uint32_t node = 0;

@@ -14,7 +14,7 @@ namespace treeline {
 /// How much of what is no error is told.
 enum class Warnings {
   all,      ///< each by itself
-  summary,  ///< faults of form in one line a file, see `Minor`
+  summary,  ///< formatting problems in one line a file, see `Minor`
   none      ///< nothing: errors alone
 };
 

@@ -12,7 +12,7 @@
 
 namespace treeline {
 
-/// Where a robot's links and a scene's points are, by the interpreter.
+/// Finds the poses of a robot's links and a scene's points, by the interpreter.
 class LinkPlacer {
  public:
   LinkPlacer(const Robot& robot, const Scene& scene);

@@ -87,7 +87,7 @@ class MotionReading {
     return add(json["time"].get<double>(), q.get<std::vector<double>>());
   }
 
-  /// Which coordinate a column is: -1 if none.
+  /// Coordinate of a column: -1 if it has none.
   [[nodiscard]] int coordinate_of(const std::string& name) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const bool single = std::count(joints_.begin(), joints_.end(), joints_[i]) == 1;

@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// Where a robot was.
+/// Motion of a robot that was recorded.
 struct RecordedMotion {
   std::vector<double> times;           ///< s, rising
   std::vector<std::vector<double>> q;  ///< the robot's coordinates at each time, rad, m

@@ -22,7 +22,7 @@ struct Ball {
   Color color{};
 };
 
-/// What is to be seen.
+/// Faces and balls of a picture.
 struct Solids {
   std::vector<Face> faces;
   std::vector<Ball> balls;

@@ -134,7 +134,7 @@ void add_task_weights(const Scene& scene, LimitFacts& facts) {
   }
 }
 
-/// What an argument of constraint_jacobian is at coordinates q.
+/// Values of an argument of constraint_jacobian at coordinates q.
 std::vector<double> value_of(const Argument& argument, const std::vector<double>& q) {
   std::vector<double> values = q;
   for (double& value : values) {

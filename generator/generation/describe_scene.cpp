@@ -147,7 +147,7 @@ std::vector<EmissionContext::PointRow> point_rows(const std::vector<ScenePoint>&
   return rows;
 }
 
-/// Which entries of the contact functions belong to which point, and which block to which link.
+/// Notes which entries of contact functions belong to which point, and which block to which link.
 void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
                           std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
@@ -163,7 +163,7 @@ void append_contact_notes(const Scene& scene, const Mechanism& mechanism,
   }
 }
 
-/// What rolls on what.
+/// Note on a rolling contact: the body that rolls, and the surface on which it rolls.
 std::string rolling_note(const SceneLoop& loop) {
   const SceneRolling& rolling = *loop.rolling;
   const std::string wheel =
@@ -178,7 +178,7 @@ std::string rolling_note(const SceneLoop& loop) {
                      loop.first.name, wheel, ground);
 }
 
-/// Which rows hold parts of the robot to each other, after `row` others.
+/// Notes which rows hold parts of the robot to each other, after `row` others.
 void append_loop_notes(const Scene& scene, std::size_t row, std::vector<std::string>& notes) {
   for (const SceneLoop& loop : scene.loops) {
     if (loop.rolling) notes.push_back(rolling_note(loop));
@@ -200,7 +200,7 @@ void append_loop_notes(const Scene& scene, std::size_t row, std::vector<std::str
   }
 }
 
-/// What rates of velocities along a point's own axes are.
+/// Notes what rates of velocities along a point's own axes are.
 void append_axes_note(const Scene& scene, std::vector<std::string>& notes) {
   const auto turns = [](const ScenePoint& point) {
     return point.axes == Axes::local && (point.rows[0] || point.rows[1] || point.rows[2]);
@@ -212,7 +212,7 @@ void append_axes_note(const Scene& scene, std::vector<std::string>& notes) {
   }
 }
 
-/// Which rows are held, and which entries of tau are zero.
+/// Notes which rows are held, and which entries of tau are zero.
 void append_constraint_notes(const Scene& scene, const Mechanism& mechanism,
                              std::vector<std::string>& notes) {
   const auto rows = point_rows(scene.constraints);
@@ -235,7 +235,7 @@ void append_constraint_notes(const Scene& scene, const Mechanism& mechanism,
       fmt::format("passive, without a motor: qd[i] of i = {}", passive.empty() ? "none" : passive));
 }
 
-/// What becomes of tasks that conflict.
+/// Note on tasks that conflict.
 constexpr const char* kPriorityNote =
     "control_torque keeps strict priority: each row acts in the dynamically consistent null space "
     "of the rows above it, by priority and then by row. With c its inverse inertia there and s "
@@ -269,7 +269,7 @@ std::string linkage_text(const SceneObject& object) {
   return text;
 }
 
-/// What the reader must know to fill `xdd_object` and `internal`.
+/// Text that the reader needs to fill in `xdd_object` and `internal`.
 std::string object_text(const SceneObject& object) {
   std::string text = fmt::format("object {}, {} kg, held at", object.name, object.inertial.mass);
   for (const SceneGrasp& grasp : object.grasps) {

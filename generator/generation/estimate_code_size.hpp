@@ -8,7 +8,7 @@ namespace treeline {
 /// Bytes that a function of so many operations takes as straight lines by `-Os`, an estimate.
 double bytes_of_lines(const Scene& scene, int flops);
 
-/// What functions need of the loops over a table of links, and of the table.
+/// Parts of the loops over a table of links, and of the table, that functions need.
 class LoopNeeds {
  public:
   void add(Function function, const LinkLoops& loops);

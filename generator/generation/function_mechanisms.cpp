@@ -14,8 +14,8 @@
 namespace treeline {
 namespace {
 
-/// What a function may need of a scene, as bits. Those above are the quantities of `kQuantities` of
-/// which the robot is made (`is_of_model`).
+/// Needs of a function in a scene, as bits. The bits above are quantities of `kQuantities` of which
+/// the robot is made (`is_of_model`).
 constexpr unsigned kPoints = 1;
 constexpr unsigned kForces = 2;
 constexpr unsigned kContacts = 4;

@@ -56,7 +56,7 @@ double rounding_unit(const Scene& scene) {
   return scene.real == Real::float32 ? 0x1p-24 : 0x1p-53;
 }
 
-/// What the contract says about rounding errors, and the ranges of inputs that this is about.
+/// Adds the text of the contract about rounding errors, and the ranges of inputs that it assumes.
 void add_rounding(const Scene& scene, const Generation& generation, EmissionContext& context) {
   for (const auto* functions : {&generation.functions, &generation.batch}) {
     for (const GeneratedFunction& generated : *functions) {
@@ -72,7 +72,7 @@ void add_rounding(const Scene& scene, const Generation& generation, EmissionCont
   context.domain = describe_domain(generation);
 }
 
-/// What regenerates the folder, where the files and the folder lie side by side.
+/// Command that regenerates the folder, if run where the files and the folder lie side by side.
 std::string command_of(const Scene& scene, const Provenance& provenance) {
   std::string files;
   for (const std::string& name : {provenance.urdf_name, provenance.scene_name}) {
@@ -158,7 +158,7 @@ std::string list_routes(const Mechanism& mechanism, Function function, RouteOpti
   return text;
 }
 
-/// What to do about a route that is not there, with what keeps this robot from it where that is
+/// Remedy for a route that does not exist, with the reason that keeps this robot from it, if
 /// known.
 std::string describe_remedy(const Mechanism& mechanism, Function function, const std::string& route,
                             const RouteOptions& options) {

@@ -16,7 +16,7 @@ struct FunctionSize {
   std::size_t bytes = 0;  ///< size of its source file
 };
 
-/// What is emitted for a scene, compared with every function that its robot, points, objects and
+/// The code emitted for a scene, compared with every function that its robot, points, objects and
 /// contacts permit.
 struct Savings {
   std::string scene;

@@ -8,7 +8,7 @@
 namespace treeline {
 namespace {
 
-/// What is a header in C++.
+/// Adds the sources in C whose counterparts in C++ are headers.
 void append_loops_of_c(const Scene& scene, std::vector<std::string>& stems) {
   if (scene.damped) stems.emplace_back(function_name(Function::damped_control_torque));
   if (!scene.has_limits()) return;

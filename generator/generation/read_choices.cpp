@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 constexpr std::array kLanes = {0, 1, 2, 4, 8};
 constexpr std::string_view kBatch = "batch_";
 
-/// What is wrong with one row; empty: nothing, and it is among the choices.
+/// Adds one row to the choices and returns the fault in it; empty: none.
 std::string read_row(const Json& row, Choices& choices) {
   const Json chosen = row.value("chosen", Json());
   if (!chosen.is_object()) return "a row of `choices` does not say what is chosen";

@@ -17,7 +17,7 @@ void clean_up_on_signals();
 /// not end the program; a second one does. Null: signals end the program again.
 void answer_signals(void (*answer)());
 
-/// As long as such an object lives, no signal ends the program. For short actions that must be done
+/// Keeps signals from ending the program as long as it lives. For short actions that must be done
 /// completely or not at all. If a signal has already come, the constructor does not return.
 class Uninterrupted {
  public:

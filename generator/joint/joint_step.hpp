@@ -2,12 +2,12 @@
 
 namespace treeline {
 
-/// What a step of a joint lets a link do: turn about the z axis of its frame, slide along it, or
-/// move freely with six degrees of freedom.
+/// Motion that a step of a joint allows a link: turning about the z axis of its frame, sliding
+/// along it, or moving freely with six degrees of freedom.
 enum class JointKind { revolute, prismatic, floating };
 
-/// Which axis of a ball joint a step is, if it is one. The three axes are always those of the ball
-/// joint's own link, so that they stay at right angles in every pose.
+/// Axis of a ball joint that a step is, if any. The three axes are always those of the ball joint's
+/// own link, so that they stay at right angles in every pose.
 enum class BallAxis { none, x, y, z };
 
 /// The motion of a link relative to the link before it. Joints of several axes consist of several
@@ -32,7 +32,7 @@ struct JointStep {
   }
   /// Entries of qd.
   [[nodiscard]] constexpr int velocities() const { return is_floating() ? 6 : 1; }
-  /// Where among its coordinates a quaternion x y z w begins; -1: it has none.
+  /// Position of a quaternion x y z w among its coordinates; -1: it has none.
   [[nodiscard]] constexpr int quaternion() const {
     return is_floating() ? 3 : ball == BallAxis::x ? 0 : -1;
   }

@@ -52,7 +52,7 @@ constexpr const JointTypeInfo* find_joint_type(std::string_view name) {
   return nullptr;
 }
 
-/// As in files.
+/// Name of a joint type in files.
 constexpr const char* joint_type_name(JointType type) {
   return info_of(type).name;
 }

@@ -43,8 +43,8 @@ struct JointTypeInfo {
   /// Text after the joint's name for each velocity: ", rad/s".
   std::span<const char* const> velocities;
   std::span<const JointTypeStep> steps;
-  /// What the contract of emitted code says of q, qd and tau; empty where the meanings of
-  /// the coordinates say all.
+  /// Text of the emitted contract about q, qd and tau; empty where the meanings of the coordinates
+  /// suffice.
   const char* convention = "";
 
   [[nodiscard]] constexpr int positions() const { return static_cast<int>(coordinates.size()); }

@@ -24,7 +24,7 @@ bool is_header(const std::string& file) {
   return file.ends_with(".hpp") || file.ends_with(".h");
 }
 
-/// As the emitted CMakeLists.txt compiles: without fast mathematics, and on microcontrollers
+/// Flags as in the emitted CMakeLists.txt: without fast mathematics, and on microcontrollers
 /// without fused operations, so that the bits are those of every other machine.
 std::vector<std::string> flags_of(const Scene& scene) {
   std::vector<std::string> flags = {"-fno-fast-math"};
@@ -58,7 +58,7 @@ std::vector<std::string> list_looping_sources(const Scene& scene, const Generati
   return sources;
 }
 
-/// What CMSIS calls a file.
+/// Category of a file in CMSIS.
 std::string category_of(const std::string& file, const std::vector<std::string>& included) {
   if (is_header(file)) return "header";
   const bool compiled = std::find(included.begin(), included.end(), file) == included.end();
@@ -75,7 +75,7 @@ std::string print_joined_source(const std::vector<std::string>& sources) {
   return text;
 }
 
-/// What PlatformIO compiles, where that is not everything.
+/// Sources that PlatformIO compiles, where they are not all.
 std::string print_source_filter(const std::vector<std::string>& left_out) {
   if (left_out.empty()) return {};
   return fmt::format(",\n    \"srcFilter\": [\"+<*>\", \"-<{}>\"]",

@@ -10,7 +10,7 @@
 
 namespace treeline {
 
-/// What the templates of packages may say of one, by the names of their holes.
+/// Facts about a package, by the names of the holes in its template.
 using PackageFacts = std::map<std::string, std::string>;
 PackageFacts describe_package(const Robot& robot, const Scene& scene, const Generation& generation);
 

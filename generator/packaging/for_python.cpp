@@ -24,7 +24,7 @@ namespace {
 
 namespace templates = package_templates;
 
-/// What a scene may ask for that the package does not call.
+/// Code that a scene may ask for and the package does not call.
 struct NotCalled {
   const char* key;  ///< of the scene
   bool (*is_asked_for)(const Scene& scene);
@@ -95,7 +95,7 @@ std::string find_comment(const std::vector<GeneratedFile>& files, const std::str
   return {};
 }
 
-/// What `help` prints of a function: how it is called, and its contract.
+/// Text that `help` prints of a function: how it is called, and its contract.
 std::string print_doc(const Scene& scene, const Generation& generation,
                       const GeneratedFunction& generated) {
   const Program& program = generated.program;
@@ -206,7 +206,7 @@ std::string quote_sources(const PackageFacts& facts) {
   return text;
 }
 
-/// As the emitted CMakeLists.txt compiles in the configuration Release.
+/// Flags as in the emitted CMakeLists.txt for the configuration Release.
 std::string print_flags(const PackageFacts& facts, const Scene& scene) {
   const Target* const target = find_target(scene.target);
   std::string text = R"("-O3", "-g0", "-fvisibility=hidden", )" + facts.at("quoted_flags");
@@ -232,7 +232,7 @@ std::string print_own_flags(const Scene& scene, const Generation& generation) {
   return text;
 }
 
-/// For the example: the first function, at home and at rest.
+/// Adds the example of the package: the first function, at home and at rest.
 void add_example(const Scene& scene, const GeneratedFunction& generated, PackageFacts& facts) {
   const Program& program = generated.program;
   facts["call"] = python_name(generated);

@@ -11,7 +11,7 @@
 
 namespace treeline {
 
-/// What pip needs beside the code: a package that compiles it as an extension of Python.
+/// Files that pip needs beside the code: a package that compiles it as an extension of Python.
 std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
                                       const Generation& generation);
 

@@ -70,8 +70,8 @@ Terms terms_of(Expression e) {
   return {{node.a, e.negative()}, {node.b, e.negative() != (node.op == Op::sub)}};
 }
 
-/// If `e` is the square of a sine or cosine (as `function` says), returns the node of its angle,
-/// else 0.
+/// Node of the angle of `e`, if `e` is the square of a sine or cosine (as `function` says), else
+/// 0.
 std::uint32_t angle_of_square(Expression e, Op function) {
   const Node& node = look(e);
   if (node.op != Op::mul || node.a != node.b) {

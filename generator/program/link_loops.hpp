@@ -68,7 +68,7 @@ inline constexpr int kPowerOfPriorities = 8;
 struct LinkLoops {
   std::string function;
   LinkTableData table;
-  /// Which work space it needs beside motions: `InertiaWork`, or else `MatrixWork`; `RowWork`.
+  /// Work space beside motions: `InertiaWork`, or else `MatrixWork`; `RowWork`.
   bool uses_inertias = false, uses_matrix = false, uses_rows = false;
   bool solves = false;         ///< takes the law by which rows yield
   bool uses_friction = false;  ///< depends on that of joints

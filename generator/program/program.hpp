@@ -38,8 +38,8 @@ using LanePack = std::vector<std::uint32_t>;
 struct TaskLaw;
 struct LinkLoops;
 
-/// What constants of a robot are called, by their sizes: `mass_3`. Sizes that several constants
-/// have are left out.
+/// Names of a robot's constants, by their sizes: `mass_3`. Sizes that several constants have are
+/// left out.
 using ConstantNames = std::map<double, std::string>;
 
 /// One function as an expression graph. Inputs of the graph are named `argument[i]`.
@@ -63,7 +63,7 @@ struct Program {
   /// of its code decides.
   std::optional<bool> small_code = std::nullopt;
   std::shared_ptr<const ConstantNames> constants;  ///< null where names are not kept
-  /// If the function is emitted as loops over a table of links, of which the graph is the trace.
+  /// Loops over a table of links, of which the graph is the trace; null if the function has none.
   std::shared_ptr<const LinkLoops> loops;
 };
 

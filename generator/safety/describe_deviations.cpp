@@ -69,7 +69,7 @@ std::string describe_c(const Scene& scene) {
   return text;
 }
 
-/// What the controller has by `profile: misra` beside the functions.
+/// Adds the deviations of the controller by `profile: misra`, beside those of the functions.
 void add_controller(std::vector<Deviation>& deviations) {
   deviations.push_back(
       {"4.1.1 (required), 19.0.2 (required)",

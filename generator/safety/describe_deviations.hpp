@@ -6,8 +6,8 @@
 
 namespace treeline {
 
-/// Which rules of MISRA C:2012 or MISRA C++:2023 the code of the scene's language and profile
-/// deviates from, why, and how that is known, as Markdown.
+/// Lists the rules of MISRA C:2012 or MISRA C++:2023 from which the code of the scene's language
+/// and profile deviates, why, and how that is known, as Markdown.
 std::string describe_deviations(const Scene& scene);
 
 }  // namespace treeline

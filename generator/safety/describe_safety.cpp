@@ -18,7 +18,7 @@
 namespace treeline {
 namespace {
 
-/// What is said of the functions alone where there is a controller too.
+/// Statements about the functions alone, where there is a controller too.
 constexpr const char* kBehaviour =
     "- {0}traight-line code: no loop, no branch on data, no recursion, no heap, no exception, no\n"
     "  global or static variable, no call but of sine and cosine, which are part of the code.\n"

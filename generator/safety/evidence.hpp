@@ -8,7 +8,7 @@
 
 namespace treeline {
 
-/// What a report says of one function, in the report's own words.
+/// Statement of a report about one function, in the report's own words.
 struct EvidenceRow {
   std::string function;
   std::vector<std::string> cells;
@@ -25,7 +25,7 @@ struct Evidence {
   std::vector<EvidenceRow> rows;
 };
 
-/// What a report has to be about.
+/// Subject that a report must be about.
 struct EvidenceSubject {
   std::string name;    ///< of the robot
   std::string digest;  ///< of the files, see `digest_of_files`: other inputs or options give others

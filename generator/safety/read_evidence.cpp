@@ -96,7 +96,7 @@ void read_certificate(const json& report, Evidence& evidence) {
   }
 }
 
-/// What else than these files the report is about; empty: it is about them.
+/// Other code that the report is about; empty if it is about these files.
 std::string find_other_subject(const json& report, const EvidenceSubject& subject) {
   if (!report.contains("digest") || !report.contains("generator")) {
     return "code that it does not name, for it has no digest";

@@ -41,7 +41,7 @@ std::optional<std::string> read_to_end(std::FILE* file, const std::string& path,
   return text;
 }
 
-/// What the first bytes say of a file that no reader here could make sense of; empty: nothing.
+/// Encoding that the first bytes show and that no reader here understands; empty: none.
 std::string_view name_encoding(std::string_view text) {
   using namespace std::string_view_literals;
   if (text.starts_with("\x1f\x8b"sv)) return "gzip";

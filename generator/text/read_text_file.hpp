@@ -12,7 +12,7 @@ namespace treeline {
 /// compressed by gzip or is UTF-16 text.
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics);
 
-/// What messages call the file: the path, or `standard input`.
+/// Name of the file in messages: the path, or `standard input`.
 std::string shown_path(const std::string& path);
 
 /// False, with an error, where robot and scene are both to come from standard input.
