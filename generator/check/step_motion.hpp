@@ -14,7 +14,7 @@ namespace treeline {
 /// and near its end one thing that goes wrong. The robot moves by the interpreter's dynamics.
 class StepMotion {
  public:
-  /// Number of mishaps: motion `index` has number `index` modulo this.
+  /// Number of different mishaps. Motion `index` has the mishap `index` modulo this number.
   static constexpr int kMishaps = 6;
   static constexpr int kSteps = 500;
 

@@ -29,9 +29,9 @@ std::vector<Diagnostic> select_diagnostics(const Diagnostics& diagnostics, Warni
 /// row, once behind the last. With colour, for a terminal.
 std::string print_diagnostics_text(const std::vector<Diagnostic>& list, bool colour);
 
-/// Prints the selected diagnostics on standard error, in colour if that is a terminal and NO_COLOR
-/// or TERM=dumb is not set. With TREELINE_MESSAGES=json in the environment, for programs, each is a
-/// line of JSON: its members, and as `text` what people are shown.
+/// Prints the selected diagnostics on standard error, in colour if that is a terminal and neither
+/// NO_COLOR nor TERM=dumb is set. With TREELINE_MESSAGES=json in the environment, for programs,
+/// each is a line of JSON: its members, and as `text` what people are shown.
 void print_diagnostics(const Diagnostics& diagnostics, Warnings warnings = Warnings::summary);
 
 }  // namespace treeline

@@ -22,7 +22,7 @@ std::string print_c_entry(const std::string& name, const std::vector<GeneratedFu
 /// takes. With `is_safe` from that of `profile: misra`.
 std::string print_limited_entry(const std::string& name, const GeneratedFunction& supported);
 
-/// Prints that file for C. It includes limited_control_torque.c, which nothing else compiles.
+/// Prints the entry of limited_control_torque in C. It includes limited_control_torque.c itself.
 std::string print_c_limited_entry(const std::string& name, const GeneratedFunction& supported);
 
 /// Prints the source file with the entry of a composed function, from NAME_damped.hpp.

@@ -87,7 +87,7 @@ bool place_rotor(const SceneFields& fields, const Robot& robot, SceneRotor& roto
   return true;
 }
 
-/// Reads the line of a joint.
+/// Reads the rotor that the scene states for a joint: its inertia alone, or a map.
 void read_line(const SceneElement& value, const Joint& joint, const Robot& robot, Scene& scene) {
   SceneRotor rotor;
   bool gyroscopic = false;

@@ -46,7 +46,7 @@ enum class Attributes { own, whole };
 std::string print_prefetch_macro(const EmissionContext& context, const std::string& function,
                                  Attributes attributes = Attributes::own);
 
-/// Line before the function itself.
+/// Line that puts the function below it into its own section; empty unless the scene asks for it.
 std::string print_prefetch_section(const EmissionContext& context);
 
 }  // namespace treeline

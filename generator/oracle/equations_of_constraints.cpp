@@ -77,7 +77,7 @@ bool can_do_task(const At& at, const Matrix50& J_s) {
   return are_independent(A * A.transpose());
 }
 
-/// Sides of the equation of held rows; none if rows depend on each other: no qdd then leads each.
+/// Sides of the equation of held rows; none if rows depend on each other, as no qdd fits each.
 EquationSides constrained(const At& at) {
   if (!can_move_rows(at, held_jacobian(at, at.q))) return {};
   const Vector50 gains = at.other(Quantity::stabilisation);

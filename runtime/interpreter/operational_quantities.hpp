@@ -7,7 +7,7 @@
 
 namespace treeline::interpreter {
 
-/// Sets all six rows of the points, in world axes.
+/// Returns the points with all six rows, in world axes.
 template <class Scalar>
 Points<Scalar> with_all_rows(Points<Scalar> points) {
   for (auto& point : points) {
