@@ -79,7 +79,7 @@ std::function<void(const std::string&, int, int)> tell_progress() {
   };
 }
 
-/// What of the peers somebody may miss who sees no table.
+/// Tells which peers were not measured or disagree: somebody who sees no table may miss them.
 void tell_of_peers(const BenchReport& report, Diagnostics& diagnostics) {
   const auto tell = [&](Severity severity, const std::string& fault) {
     diagnostics.add({severity, "", 0, "", fault, ""});

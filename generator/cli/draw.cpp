@@ -32,7 +32,7 @@ struct DrawOptions {
   Warnings warnings = Warnings::summary;
 };
 
-/// What is drawn, read from the files.
+/// Content of the picture, read from the files.
 struct Drawn {
   Robot robot;
   Scene scene;
@@ -146,7 +146,7 @@ bool are_within(const std::vector<double>& times, const RecordedMotion& motion,
   return false;
 }
 
-/// Where the point was up to a row, in at most some hundred steps.
+/// Path of the point up to a row, in at most some hundred steps.
 std::vector<Eigen::Vector3d> trace_path(const LinkPlacer& placer, const RecordedMotion& motion,
                                         std::size_t point, std::size_t row) {
   constexpr std::size_t kSteps = 120;

@@ -47,12 +47,12 @@ struct DriveOptions {
   std::string act_as_robot, robot_secret;
 };
 
-/// What is driven, and shown: a ball joint is three hinges.
+/// URDF of the robot that is driven and shown: a ball joint is three hinges.
 std::string driven_urdf(const RobotFiles& files) {
   return split_ball_joints(shown_urdf(files));
 }
 
-/// What the options say of this robot: how the simulated one is not ideal, and the motion to
+/// Reads the options about this robot: how the simulated one is not ideal, and the motion to
 /// follow.
 bool read_motion_and_robot(DriveOptions& options, const drive::RobotDescription& robot,
                            Diagnostics& diagnostics) {
@@ -131,7 +131,7 @@ void refuse_record_of_input(const DriveOptions& options, Diagnostics& diagnostic
   (void)is_none_of(options.drive.record, {options.script, options.reference}, diagnostics);
 }
 
-/// What is shown again needs no loop, and so no code: only the files that it was made with.
+/// Shows a recorded drive again. It needs no loop and no code, only the files of the recording.
 int run_replay(const DriveOptions& options) {
   Diagnostics diagnostics;
   const auto places = read_mesh_places(options.meshes, diagnostics);
@@ -169,7 +169,7 @@ void choose_start(LaunchedRobot& robot, DriveSettings& drive, Diagnostics& diagn
                    "place they are kept."});
 }
 
-/// What the options say together.
+/// Completes the settings that follow from several options.
 void complete_settings(DriveOptions& options) {
   DriveSettings& drive = options.drive;
   drive.serves = !options.headless;

@@ -195,7 +195,7 @@ void Driver::obey_line(const drive::Script::Line& line) {
   script_.close();
 }
 
-/// With a page, a script begins when somebody looks at it who may command.
+/// Obeys the script. With a page, it begins when somebody who may command looks at the page.
 void Driver::obey_script() {
   awaited_ = awaited_ && server_->commanders() == 0;
   if (awaited_) return;
@@ -276,7 +276,7 @@ void Driver::tell_front_ends() {
       [state, holder](int front_end) { return drive::finish_state(state, holder == front_end); });
 }
 
-/// What the server's thread asks.
+/// Functions that the server's thread calls.
 drive::ServerHandlers Driver::handlers() {
   drive::ServerHandlers handlers;
   handlers.join = [this](const drive::NewFrontEnd& joined, std::string& hello) {

@@ -10,7 +10,7 @@
 
 namespace treeline {
 
-/// What the command line says of meshes.
+/// Options of the command line about meshes.
 struct MeshOptions {
   std::vector<std::string> packages;  ///< NAME=DIR, each
   std::vector<std::string> folders;
@@ -19,8 +19,8 @@ struct MeshOptions {
 /// Adds `--package` and `--mesh-folder`.
 void add_mesh_options(CLI::App& command, MeshOptions& options);
 
-/// Where meshes may lie: as the options say, and as AMENT_PREFIX_PATH and ROS_PACKAGE_PATH do.
-/// Errors: what is no folder.
+/// Places in which meshes may lie, from the options and from AMENT_PREFIX_PATH and
+/// ROS_PACKAGE_PATH. Errors: what is no folder.
 std::optional<drive::MeshPlaces> read_mesh_places(const MeshOptions& options,
                                                   Diagnostics& diagnostics);
 

@@ -19,8 +19,8 @@ std::string file_name(const std::string& path) {
   return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
 }
 
-/// What the command line says instead of the scene, as it is typed. Choices are those that the
-/// folder's own manifest records, wherever they came from.
+/// Options that replace keys of the scene, as they are typed. Choices are those that the folder's
+/// own manifest records, wherever they came from.
 std::string describe_options(const InputOptions& options, const Scene& scene, bool chosen) {
   std::string text;
   text += chosen ? fmt::format(" --choices {}/manifest.json", scene.name) : "";

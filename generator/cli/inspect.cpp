@@ -70,7 +70,7 @@ std::optional<Inspection> inspect(const InspectOptions& options, Diagnostics& di
   return Inspection{std::move(read->files.urdf_text), std::move(read->robot), std::move(report)};
 }
 
-/// What the scene leaves out of all that could be emitted for it.
+/// Prints which functions the scene leaves out of all that could be emitted for it.
 int run_savings(const InspectOptions& options) {
   Diagnostics diagnostics;
   const auto read = read_robot_files(options.urdf, options.scene, diagnostics);
@@ -126,7 +126,7 @@ std::optional<std::string> repair(const InspectOptions& options, const Inspectio
   return print_patch(options.urdf, inspection.text, edits);
 }
 
-/// What `print` says of the robot in the scene, if one is given.
+/// Prints the output of `print` for the robot in the scene, if one is given.
 int run_print(const InspectOptions& options, std::string (*print)(const Robot&, const Scene&),
               OutputForm form = OutputForm::text) {
   Diagnostics diagnostics;

@@ -35,7 +35,7 @@ Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-/// What the interpreter does not do as the scene says.
+/// Notes where the interpreter differs from the scene.
 void note_differences(const Scene& scene, Diagnostics& diagnostics) {
   const auto note = [&](const char* element, const char* fault) {
     diagnostics.add({Severity::note, scene.file, 0, element, fault, ""});

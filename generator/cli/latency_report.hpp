@@ -18,7 +18,7 @@ struct LatencySummary {
 };
 LatencySummary summarise(const LatencySeries& series);
 
-/// What was measured, and under which conditions.
+/// Latencies that were measured, and the conditions of the measurement.
 struct LatencyReport {
   std::string robot;
   double rate = 0, seconds = 0;
@@ -30,7 +30,7 @@ struct LatencyReport {
   std::vector<LatencySeries> series;
 };
 
-/// For people, a line each.
+/// The report for people: conditions, then a line for each series.
 std::string print_text(const LatencyReport& report);
 /// The summaries, and histograms in bins of 10 us.
 std::string print_json(const LatencyReport& report);

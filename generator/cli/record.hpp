@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// What the page can show again.
+/// A recorded drive, which the page can show again.
 struct Record {
   std::string hello;                ///< message of this type
   std::vector<double> times;        ///< of states, s, growing

@@ -30,7 +30,7 @@ bool has_ball_joint(const Robot& robot, const std::string& path, Diagnostics& di
   return true;
 }
 
-/// What front ends have to know of a robot that nobody drives.
+/// Describes a robot that nobody drives to front ends.
 drive::RobotDescription describe(const RobotAndScene& inputs, const std::string& checksum) {
   auto description =
       describe_robot(inputs.robot, inputs.scene, {}, build_mechanism(inputs.robot, inputs.scene));

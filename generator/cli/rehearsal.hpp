@@ -29,7 +29,7 @@ class Rehearsal {
     std::vector<double> home;  ///< where the robot began
     double rate = 1000;
     bool real_time = true;
-    /// What makes the twin control as the robot does: its control and gains.
+    /// Messages that make the twin control as the robot does: its control and gains.
     std::vector<servo::Message> settings;
   };
 
@@ -50,8 +50,8 @@ class Rehearsal {
   [[nodiscard]] bool moving() const;
   [[nodiscard]] const drive::Session& twin() const { return session_; }
   [[nodiscard]] const std::vector<double>& begin() const { return begin_; }
-  /// What the twin was given, with times from the beginning of the rehearsal, s; the settings and
-  /// the beginning itself included.
+  /// Messages given to the twin, with times from the beginning of the rehearsal, s; the settings
+  /// and the beginning itself included.
   [[nodiscard]] const std::deque<TimedMessage>& messages() const { return messages_; }
 
  private:

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 std::atomic<bool> asked_to_close{false};
 
-/// What a front end hears first: a robot that it may only watch.
+/// First message to a front end: a robot that it may only watch.
 std::string greeting(const Record& record, const PageSettings& page,
                      const drive::NewFrontEnd& joined) {
   Json hello = Json::parse(record.hello);

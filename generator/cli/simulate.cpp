@@ -95,7 +95,7 @@ bool write_files(const SimulateOptions& options, const RobotWithFiles& of, const
                            diagnostics, read);
 }
 
-/// With `--csv -` the table is the data and what is said about it a message.
+/// Writes the results. With `--csv -` the table goes to standard output, the summary to messages.
 ExitCode write_data(const SimulateOptions& options, const std::string& robot, const Motion& motion,
                     ExitCode exit_code) {
   const std::string summary =

@@ -31,7 +31,7 @@ class Packer {
         live_(find_live(program)),
         pack_of_(nodes_.size(), kNoPack) {}
 
-  /// What to pack first: the columns that the trace aligned, or the operations of isomorphic limbs.
+  /// Order of packing: first the columns that the trace aligned, or operations of isomorphic limbs.
   enum class First { columns, limbs };
 
   void run(First first) {

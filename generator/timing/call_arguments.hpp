@@ -33,7 +33,7 @@ class CallArguments {
   [[nodiscard]] std::size_t calls() const { return in_.size(); }
   [[nodiscard]] const void* const* in(std::size_t call) const { return in_[call].data(); }
   [[nodiscard]] void* const* out() const { return out_.data(); }
-  /// What a call reads and writes.
+  /// Memory that a call reads and writes.
   [[nodiscard]] std::vector<std::span<const std::byte>> bytes_of(std::size_t call) const;
 
  private:

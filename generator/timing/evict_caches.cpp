@@ -54,7 +54,7 @@ struct Segment {
   std::size_t bytes;
 };
 
-/// What is collected of the objects that are loaded.
+/// Segments collected from the objects that are loaded.
 struct Collection {
   std::span<const std::string> objects;
   std::vector<Segment> segments;

@@ -21,7 +21,7 @@ struct Measurement {
   /// cannot empty the others. Only for `optimize: balanced`.
   std::optional<Timing> cold = std::nullopt;
 
-  /// What is to be least: the time, or the mean of both, geometric: neither outweighs the other.
+  /// Cost to minimise: the time, or the geometric mean of both, where both weigh the same.
   [[nodiscard]] double cost() const;
   [[nodiscard]] double noise() const;
 };
