@@ -131,7 +131,7 @@ std::string print_diagnostics_json(const std::vector<Diagnostic>& list) {
 void add_warnings_option(CLI::App& command, Warnings& warnings) {
   command
       .add_option("--warnings", warnings,
-                  "all; summary: faults of form as one line; none: errors alone")
+                  "all; summary: formatting problems in one line a file; none: errors alone")
       ->transform(one_of<Warnings>(
           {{"all", Warnings::all}, {"summary", Warnings::summary}, {"none", Warnings::none}}));
 }

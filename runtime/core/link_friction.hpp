@@ -32,7 +32,7 @@ Real friction_sign(const Real& x) noexcept {
   return sign;
 }
 
-/// Its derivative.
+/// The derivative of `friction_sign`.
 template <class Real>
 Real friction_slope(const Real& x) noexcept {
   const Real first = x * Real(0x1p-7);

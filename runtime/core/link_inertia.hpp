@@ -28,7 +28,7 @@ TREELINE_LINK_INLINE void turn_symmetric(const Turn<Real>& r, Real& xx, Real& xy
   turn_plane(r, xz, yz);
 }
 
-/// The same of any M.
+/// R M R^T for a rotation in the plane of two axes, of any M.
 template <class Real>
 TREELINE_LINK_INLINE void turn_square(const Turn<Real>& r, Real& xx, Real& xy, Real& yx, Real& yy,
                                       Real& xz, Real& yz, Real& zx, Real& zy) noexcept {

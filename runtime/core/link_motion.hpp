@@ -78,7 +78,7 @@ void turn_ball_axes(const Real* qd, int at, LinkMotion<Real>& motion) noexcept {
   add_cross(motion.w, rate, motion.wd);
 }
 
-/// The same for the velocity along these axes of a joint that moves freely: (2 w + the joint's
+/// Adds the rate at which a link turns the velocity of a joint that moves freely: (2 w + the joint's
 /// angular velocity) x v.
 template <class Real>
 void turn_free_axes(const Real* qd, int at, LinkMotion<Real>& motion) noexcept {

@@ -53,7 +53,7 @@ TREELINE_LINK_INLINE void turn_back_by_planes(const LinkTurns<Real>& turns, Real
   turn_plane_back(turns.joint, v[0], v[1]);
 }
 
-/// The same by the rotation of a floating base or of a ball joint.
+/// Turns a vector by the rotation of a floating base or of a ball joint.
 template <class Real>
 void turn_by(const LinkRotation<Real>& rotation, Real (&v)[3]) noexcept {
   const Real old[3] = {v[0], v[1], v[2]};
