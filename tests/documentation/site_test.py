@@ -25,6 +25,9 @@ SOUGHT = {
     "Python": "docs/how-to/python/",
     "package://": "docs/how-to/meshes/",
     "torque_limits": "docs/reference/scene/",
+    "ROS 2": "docs/explanation/glossary/",
+    "JointState": "docs/how-to/ros/",
+    "STM32": "docs/how-to/microcontroller/",
     "exit status": "docs/reference/commands/",
 }
 
