@@ -7,6 +7,7 @@ import pickle
 import shutil
 import subprocess
 import sysconfig
+import traceback
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -73,6 +74,11 @@ class RefusalsTest(OwnCacheTest):
                     error = self.refusal(*arguments, call=call, **options)
                     self.assertEqual(error.file, file)
                     self.assertTrue(error.advice)
+
+    def test_what_an_error_looks_like(self):
+        """Would catch: another error told before it, and the name of a module which callers do not know."""
+        told = "".join(traceback.format_exception(self.refusal("none.urdf")))
+        self.assertTrue(told.startswith("treeline.Error: none.urdf: error: "), told)
 
     def test_options(self):
         error = self.refusal("arm.urdf", functions=["gravty"])

@@ -15,6 +15,10 @@ from treeline._load import load
 from treeline._messages import Diagnostic, Error, InputWarning
 from treeline._model import Model
 
+for each in (Diagnostic, Drawing, Drive, Error, InputWarning, Model):
+    each.__module__ = __name__  # tracebacks and help name them as callers do: treeline.Error
+del each
+
 __all__ = [
     "Diagnostic",
     "Drawing",

@@ -44,7 +44,7 @@ class Inputs:
             return [*(read_file(file) for file in self.arguments() if file != "-"), self.text]
         except OSError as fault:
             raise refuse(f"the file cannot be read: {fault.strerror}", "Name a file that is there.",
-                         str(fault.filename)) from fault
+                         str(fault.filename)) from None
 
 
 def read_file(path: str) -> bytes:
