@@ -78,8 +78,8 @@ void turn_ball_axes(const Real* qd, int at, LinkMotion<Real>& motion) noexcept {
   add_cross(motion.w, rate, motion.wd);
 }
 
-/// Adds the rate at which a link turns the velocity of a joint that moves freely: (2 w + the joint's
-/// angular velocity) x v.
+/// Adds the rate at which a link turns the velocity of a joint that moves freely: (2 w + the
+/// joint's angular velocity) x v.
 template <class Real>
 void turn_free_axes(const Real* qd, int at, LinkMotion<Real>& motion) noexcept {
   const Real v[3] = {entry(qd, at + 1), entry(qd, at + 2), entry(qd, at)};
