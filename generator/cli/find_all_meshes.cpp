@@ -47,7 +47,7 @@ std::optional<drive::MeshPlaces> read_mesh_places(const MeshOptions& options,
     }
     diagnostics.add({Severity::error, "", 0, "--package",
                      fmt::format("\"{}\" is not NAME=DIR with a folder that exists", package),
-                     "Name the folder that package://NAME/ stands for."});
+                     "name the folder that package://NAME/ stands for"});
   }
   for (const std::string& folder : options.folders) {
     if (fs::is_directory(folder)) {
@@ -56,7 +56,7 @@ std::optional<drive::MeshPlaces> read_mesh_places(const MeshOptions& options,
     }
     diagnostics.add({Severity::error, "", 0, "--mesh-folder",
                      fmt::format("\"{}\" is no folder", folder),
-                     "Name a folder whose meshes may be shown."});
+                     "name a folder whose meshes may be shown"});
   }
   places.prefixes = folders_of("AMENT_PREFIX_PATH");
   places.sources = folders_of("ROS_PACKAGE_PATH");

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "description/read_number.hpp"
+#include "description/suggest_key.hpp"
 #include "text/note_odd_character.hpp"
 #include "text/suggest_name.hpp"
 
@@ -126,7 +127,7 @@ SceneFields SceneElement::fields(const std::vector<std::string>& known) const {
       fields.emplace(key, value);
     } else {
       value.error(fmt::format("the key \"{}\" is unknown{}", key, note_odd_character(key)),
-                  suggest_name(key, known, "the keys here are"));
+                  suggest_key(key, known));
     }
   }
   return fields;

@@ -14,6 +14,10 @@
 namespace treeline {
 namespace {
 
+constexpr const char* kInverseKinematics =
+    "no function finds joint angles; steps of \"forward_kinematics\" and \"jacobian\" do, and "
+    "\"control_torque\" needs none";
+
 /// Names of other libraries for our functions.
 constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, const char*>>({
     {"aba", "\"forward_dynamics\" is computed so where that is cheapest"},
@@ -26,12 +30,20 @@ constexpr std::array kElsewhere = std::to_array<std::pair<std::string_view, cons
      "\"coriolis_matrix\" is C; \"nonlinear_effects\" is b + g, \"gravity\" is g; their difference "
      "is b = C qd"},
     {"crba", "did you mean \"mass_matrix\"?"},
+    {"derivatives",
+     "derivatives are \"inverse_dynamics_derivatives\" and \"forward_dynamics_derivatives\""},
     {"energy", "\"kinetic_energy\" and \"potential_energy\" are computed apart"},
+    {"fk", "did you mean \"forward_kinematics\"?"},
+    {"id", "did you mean \"inverse_dynamics\"?"},
+    {"ik", kInverseKinematics},
     {"inertia_matrix", "did you mean \"mass_matrix\"?"},
+    {"inverse_kinematics", kInverseKinematics},
     {"joint_torque_regressor", "did you mean \"inverse_dynamics_regressor\"?"},
     {"jbar", "did you mean \"dynamically_consistent_inverse\"?"},
     {"mu", "did you mean \"operational_bias_force\"?"},
+    {"nle", "did you mean \"nonlinear_effects\"?"},
     {"nullspace_projector", "did you mean \"null_space_projector\"?"},
+    {"osc", "did you mean \"control_torque\"?"},
     {"osim", "\"lambda_inverse\" is J M^-1 J^T, \"lambda\" its inverse"},
     {"regressor", "did you mean \"inverse_dynamics_regressor\"?"},
     {"rnea", "did you mean \"inverse_dynamics\"?"},

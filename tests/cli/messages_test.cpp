@@ -150,11 +150,12 @@ TEST_F(MessagesTest, UnknownLinksAndJointsGetTheTree) {
 }
 
 TEST_F(MessagesTest, UnknownKeysAndFunctionsGetTheList) {
-  for (const char* key : {"colour", "motors", "payload", "tool"}) {
+  for (const char* key : {"colour", "motors"}) {
     expect_parts(refused(std::string(key) + ": 1\n"),
                  {"is unknown", "the keys here are name, base, gravity,", "operational_points"});
   }
-  expect_parts(refused("friction: viscous\n"), {"did you mean \"joint_friction\"?"});
+  expect_parts(refused("friction: viscous\n"), {"joint_friction: viscous or coulomb counts"});
+  expect_parts(refused("tool: hand\n"), {"operational_points: [{name: tool, link: LINK}]"});
   expect_parts(refused("functions: [hessian_tensor]\n"),
                {"the functions are forward_kinematics,", "mass_matrix"});
   expect_parts(refused("functions: [gravity_vector]\n"), {"did you mean \"gravity\"?"});

@@ -25,7 +25,7 @@ class RefusalsTest(unittest.TestCase):
             self.assertIn(part, str(caught.exception))
 
     def test_types(self):
-        self.refuses(TypeError, "q: wants numbers of float64", "<class 'list'>", q=[0] * 6)
+        self.refuses(TypeError, "q: wants numbers of float64", "<class 'list'>; numpy.asarray(q, \"float64\") converts", q=[0] * 6)
         self.refuses(TypeError, "qd: ", "<class 'NoneType'>", qd=None)
         self.refuses(TypeError, "qdd: ", "format d", "not of format f", qdd=np.ones(6, "float32"))
         self.refuses(TypeError, "q: ", "not of format l", q=np.ones(6, int))

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace treeline {
+
+/// Suggestion for a key that no scene has, where `known` are those of its place: the key that says
+/// what other programs call so, a near name, or all known ones.
+std::string suggest_key(std::string_view key, const std::vector<std::string>& known);
+
+}  // namespace treeline
