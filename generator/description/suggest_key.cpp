@@ -21,12 +21,12 @@ constexpr const char* kBody =
     "the URDF's <inertial> states it; inputs: {parameters: [LINK]} makes it an argument";
 
 /// What other programs, and people, call what a key of the scene says.
-struct Elsewhere {
+struct OtherWord {
   std::string_view word;
   const char* key;  ///< where this one is known
   const char* advice;
 };
-constexpr Elsewhere kElsewhere[] = {
+constexpr OtherWord kWords[] = {
     {"damping", "joint_friction", kFriction},
     {"ee_link", "operational_points", kPoint},
     {"end_effector", "operational_points", kPoint},
@@ -51,7 +51,7 @@ constexpr Elsewhere kElsewhere[] = {
 }  // namespace
 
 std::string suggest_key(std::string_view key, const std::vector<std::string>& known) {
-  for (const Elsewhere& each : kElsewhere) {
+  for (const OtherWord& each : kWords) {
     if (key == each.word && std::find(known.begin(), known.end(), each.key) != known.end()) {
       return each.advice;
     }
