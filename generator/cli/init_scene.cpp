@@ -22,6 +22,7 @@ namespace {
 struct InitOptions {
   std::string urdf, base, output;
   bool to_file = false, force = false;
+  Warnings warnings = Warnings::summary;
 };
 
 std::optional<Base> base_asked_for(const InitOptions& options) {
@@ -71,7 +72,7 @@ int run(const InitOptions& options) {
   const auto text = make_scene(options, diagnostics);
   const bool written = text && options.to_file && may_write(options, diagnostics) &&
                        write_output_file(options.output, *text, diagnostics, {options.urdf});
-  print_diagnostics(diagnostics);
+  print_diagnostics(diagnostics, options.warnings);
   if (!text || options.to_file) return written ? kOk : kBadInput;
   return write_output(*text, OutputForm::text, kOk);
 }
@@ -89,6 +90,7 @@ void add_init_scene(CLI::App& app, int& exit_code) {
   command->add_option("--base", options->base, "fixed or floating, instead of the guess")
       ->check(one_of({"fixed", "floating"}));
   command->add_flag("--force", options->force, "Overwrite the file");
+  add_warnings_option(*command, options->warnings);
   command->footer(
       "Examples:\n"
       "  treeline init-scene puma560.urdf\n"

@@ -31,8 +31,12 @@ const std::string* find_slip(const std::string& name, const std::vector<std::str
   std::size_t shortest = most_slips(name.size()) + 1;
   for (const std::string& candidate : known) {
     if (std::max(name.size(), candidate.size()) > kLongest) continue;
-    const std::size_t distance = edit_distance(name, lower_case(candidate));
-    if (distance < shortest) {
+    const std::string lower = lower_case(candidate);
+    const std::size_t distance = edit_distance(name, lower);
+    // Of two that are as near, the one that begins with what was written: `m4f` for `m4`, not `m0`.
+    const bool goes_on = nearest != nullptr && distance == shortest && lower.starts_with(name) &&
+                         !lower_case(*nearest).starts_with(name);
+    if (distance < shortest || goes_on) {
       shortest = distance;
       nearest = &candidate;
     }

@@ -22,10 +22,10 @@ struct LinkFrame {
 };
 
 /// What M needs of each link, in the axes of the root. A body is that of a link with those that it
-/// carries, about the link's origin; a wrench, force f and moment n about where the limb starts, is
-/// what the joint needs to move them at unit acceleration. `base`: factors
-/// of M where joints share coordinates, and behind them joint forces of the rows of the task; else
-/// one entry.
+/// carries, about the link's origin. A wrench is what the joint needs to move them at unit
+/// acceleration: the force f, and the moment n about where the limb starts. `base` has factors of M
+/// where joints share coordinates, and behind them joint forces of the rows of the task; else one
+/// entry.
 template <class Real, size_t links, size_t base_entries>
 struct MatrixWork {
   LinkFrame<Real> frames[links];

@@ -23,6 +23,7 @@ TEST(SuggestName, OffersTheNearest) {
   EXPECT_EQ(suggest_name("zzzzzz", known, "the keys are"),
             "the keys are gravity, functions, locked");
   EXPECT_EQ(suggest_name("Gravity", known), "did you mean \"gravity\"?");
+  EXPECT_EQ(suggest_name("cortex-m4", {"cortex-m0", "cortex-m4f"}), "did you mean \"cortex-m4f\"?");
   EXPECT_EQ(suggest_name("x", {}), "");
 }
 
