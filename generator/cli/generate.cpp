@@ -21,6 +21,7 @@
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "generation/predict_sources.hpp"
+#include "packaging/adapt_to_c.hpp"
 #include "packaging/for_python.hpp"
 #include "program/print.hpp"
 #include "safety/describe_safety.hpp"
@@ -52,7 +53,8 @@ constexpr const char* kExamples =
 const std::vector<std::pair<std::string, PackageKind>> kPackages = {
     {"cmake", PackageKind::cmake},   {"platformio", PackageKind::platformio},
     {"zephyr", PackageKind::zephyr}, {"arduino", PackageKind::arduino},
-    {"cmsis", PackageKind::cmsis},   {"python", PackageKind::python}};
+    {"cmsis", PackageKind::cmsis},   {"python", PackageKind::python},
+    {"fmu", PackageKind::fmu}};
 
 struct GenerateOptions {
   InputOptions inputs;
@@ -127,7 +129,7 @@ bool may_write_to_default(const std::string& output, PackageKind package,
 /// Tools without CMake compile a library with one set of flags.
 void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
   const bool has_flags_by_source = package == PackageKind::none || package == PackageKind::cmake ||
-                                   package == PackageKind::zephyr || package == PackageKind::python;
+                                   package == PackageKind::zephyr || is_compiled_from_c(package);
   if (has_flags_by_source || scene.optimize != Optimize::balanced) return;
   diagnostics.add(
       {Severity::note, "", 0, "optimize",
@@ -139,8 +141,8 @@ void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagn
 /// Packages for microcontrollers without a target: lanes that no such core has take stack, and more
 /// of it than the header says.
 void warn_of_lanes(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
-  const bool is_small = package != PackageKind::none && package != PackageKind::cmake &&
-                        package != PackageKind::python;
+  const bool is_small =
+      package != PackageKind::none && package != PackageKind::cmake && !is_compiled_from_c(package);
   if (!is_small || scene.target != "generic" || scene.lanes == 1) return;
   diagnostics.add(
       {Severity::warning, "", 0, "target",
@@ -299,9 +301,10 @@ void add_generate(CLI::App& app, int& exit_code) {
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);
   command
-      ->add_option("--package", options->inputs.package,
-                   "As a library for cmake, platformio, zephyr, arduino, cmsis or python: the code "
-                   "in src")
+      ->add_option(
+          "--package", options->inputs.package,
+          "As a library for cmake, platformio, zephyr, arduino, cmsis, python or fmu: the code "
+          "in src")
       ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,

@@ -28,6 +28,7 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
   text += options.real.empty() ? "" : " --real " + options.real;
   text += options.language.empty() ? "" : " --language " + options.language;
   text += options.package == PackageKind::python ? " --package python" : "";
+  text += options.package == PackageKind::fmu ? " --package fmu" : "";
   text += options.profile.empty() ? "" : " --profile " + options.profile;
   text += options.optimize.empty() ? "" : " --optimize " + options.optimize;
   text += options.target.empty() ? "" : " --target " + options.target;

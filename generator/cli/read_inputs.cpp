@@ -16,7 +16,8 @@
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
-#include "packaging/for_python.hpp"
+#include "packaging/adapt_to_c.hpp"
+#include "packaging/for_fmu.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {
@@ -55,10 +56,11 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
     }
   }
   scene.real = value_of_word<Real>(options.real).value_or(scene.real);
-  if (options.package == PackageKind::python) {
-    adapt_to_python(scene_text, scene, diagnostics);
+  if (is_compiled_from_c(options.package)) {
+    adapt_to_c(options.package, scene_text, scene, diagnostics);
     if (options.language == word_of(Language::cpp)) {
-      reject("--language", "a package for Python is compiled from C", "Leave it out.", diagnostics);
+      reject("--language", describe(options.package) + " is compiled from C", "Leave it out.",
+             diagnostics);
     }
   }
   scene.language = value_of_word<Language>(options.language).value_or(scene.language);
@@ -114,6 +116,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   const bool listed = !options.functions.empty() || states_key(read->files.scene_text, "functions");
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
+  if (options.package == PackageKind::fmu) refuse_for_fmu(*scene, diagnostics);
   note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return RobotAndScene{std::move(read->robot), std::move(*scene), std::move(read->files)};

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "description/states_key.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
@@ -292,19 +291,6 @@ std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
             fill("loop_states.h", templates::kPythonLoopStates),
             fill("module.c", templates::kPythonModule)}},
           {"examples", {fill(scene.name + "_time.py", templates::kPythonExample)}}};
-}
-
-void adapt_to_python(const std::string& text, Scene& scene, Diagnostics& diagnostics) {
-  if (scene.language != Language::c && states_key(text, "language")) {
-    diagnostics.add({Severity::note, scene.file, 0, "language",
-                     "a package for Python is compiled from C, whatever the scene says", ""});
-  }
-  scene.language = Language::c;
-  if (!scene.controller) return;
-  scene.controller.reset();
-  diagnostics.add({Severity::warning, scene.file, 0, "controller",
-                   "it is left out: it is compiled from C++, and a package for Python from C",
-                   "Generate it in C++, without --package python."});
 }
 
 void note_not_in_python(const Scene& scene, Diagnostics& diagnostics) {

@@ -15,10 +15,6 @@ namespace treeline {
 std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
                                       const Generation& generation);
 
-/// Adapts a scene to it: C, and no controller. Says so where the scene, of which `text` is what was
-/// read, asks for something else.
-void adapt_to_python(const std::string& text, Scene& scene, Diagnostics& diagnostics);
-
 /// Says what of the code a package for Python does not call.
 void note_not_in_python(const Scene& scene, Diagnostics& diagnostics);
 

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "packaging/describe_package.hpp"
+#include "packaging/for_fmu.hpp"
 #include "packaging/for_python.hpp"
 #include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
@@ -45,7 +46,8 @@ std::vector<PackageFolder> for_cmsis(const PackageFacts& facts) {
 }
 
 std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts& facts,
-                                            const Scene& scene, const Generation& generation) {
+                                            const Robot& robot, const Scene& scene,
+                                            const Generation& generation) {
   switch (kind) {
     case PackageKind::none:
       return {};
@@ -61,6 +63,8 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
       return for_cmsis(facts);
     case PackageKind::python:
       return for_python(facts, scene, generation);
+    case PackageKind::fmu:
+      return for_fmu(facts, robot, scene, generation);
   }
   return {};
 }
@@ -71,7 +75,7 @@ std::vector<PackageFolder> make_package(PackageKind kind, const Robot& robot, co
                                         const Generation& generation) {
   if (kind == PackageKind::none) return {{"", generation.files}};
   const PackageFacts facts = describe_package(robot, scene, generation);
-  std::vector<PackageFolder> folders = describe_to_tool(kind, facts, scene, generation);
+  std::vector<PackageFolder> folders = describe_to_tool(kind, facts, robot, scene, generation);
   folders.push_back({"src", generation.files});
   // CMake's project joins them itself, and Arduino compiles whatever it finds.
   const bool lists_sources = kind != PackageKind::cmake && kind != PackageKind::arduino;

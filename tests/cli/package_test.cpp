@@ -282,6 +282,39 @@ TEST_F(PackageTest, PythonSaysWhatItLeavesOut) {
             std::string::npos);
 }
 
+// Would catch: a unit of FMI that moves otherwise than its scene says, or whose manifest names a
+// command that makes something else. What CMake makes of it and FMPy runs: tests/packaging.
+TEST_F(PackageTest, FmuRefusesWhatItCannotMove) {
+  const auto made = [&](const std::string& scene, const std::string& options = "") {
+    write("scene.yaml", "name: arm\n" + scene);
+    return test::run_program(
+        root_, "generate " + kArm + " scene.yaml --output unit --package fmu " + options);
+  };
+  EXPECT_EQ(made("").exit_code, 0);
+  const auto manifest = nlohmann::json::parse(read("unit/src/manifest.json"));
+  EXPECT_EQ(manifest["command"],
+            "treeline generate puma560.urdf scene.yaml --output arm --package fmu");
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(read("unit/modelDescription.xml").c_str()), tinyxml2::XML_SUCCESS);
+  EXPECT_STREQ(document.FirstChildElement("fmiModelDescription")->Attribute("guid"),
+               manifest["digest"].get<std::string>().c_str());
+  const std::vector<std::pair<std::string, std::string>> refused = {
+      {"functions: [gravity]", "error: functions: an FMU integrates forward_dynamics"},
+      {"sin_cos: given", "error: sin_cos: an FMU computes"},
+      {"inputs: [gravity]", "error: inputs: an FMU has its model fixed"},
+      {"constraints: [{name: hold, between: [link6, world], rows: [x]}]",
+       "error: constraints: an FMU"},
+      {"joint_friction: {model: viscous, implicit: true, joints: {joint1: {damping: 1}}}",
+       "error: joint_friction: implicit friction"}};
+  for (const auto& [scene, says] : refused) {
+    const auto outcome = made(scene);
+    EXPECT_EQ(outcome.exit_code, 1) << scene;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << scene << "\n" << outcome.err;
+  }
+  EXPECT_EQ(made("", "--language c++").exit_code, 1);
+  EXPECT_NE(made("language: c++").err.find("an FMU is compiled from C"), std::string::npos);
+}
+
 TEST_F(PackageTest, CompareKnowsThePackage) {
   EXPECT_EQ(generate("--package cmsis --compare").exit_code, 3);
   ASSERT_EQ(generate("--package cmsis").exit_code, 0);
@@ -310,6 +343,31 @@ TEST_F(PackageTest, StrangeNamesBreakNoFile) {
   tinyxml2::XMLDocument document;
   EXPECT_EQ(document.Parse(read("cmsis/Treeline.odd.pdsc").c_str()), tinyxml2::XML_SUCCESS);
   EXPECT_EQ(read("arduino/library.properties").find("<"), std::string::npos);
+}
+
+// Names of joints that neither XML nor FMI takes as they are, and that differ in such bytes alone.
+TEST_F(PackageTest, StrangeJointsAreVariables) {
+  std::string urdf = test::read_file(kArm);
+  const auto rename = [&](const std::string& from, const std::string& to) {
+    const std::string quoted = "\"" + from + "\"";
+    urdf.replace(urdf.find(quoted), quoted.size(), "\"" + to + "\"");
+  };
+  rename("joint1", "left/hip &lt;1&gt;");
+  rename("joint2", "left/hip 'é%'");
+  rename("joint3", "3");
+  write("odd.urdf", urdf);
+  const auto made = test::run_program(root_, "generate odd.urdf --output unit --package fmu");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(read("unit/modelDescription.xml").c_str()), tinyxml2::XML_SUCCESS);
+  const auto* variable = document.FirstChildElement("fmiModelDescription")
+                             ->FirstChildElement("ModelVariables")
+                             ->FirstChildElement();
+  for (const char* name :
+       {"'left/hip %3C1%3E'.q", "'left/hip %27%C3%A9%25%27'.q", "'3'.q", "joint4.q"}) {
+    EXPECT_STREQ(variable->Attribute("name"), name);
+    variable = variable->NextSiblingElement();
+  }
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "description/scene.hpp"
+#include "packaging/package_kind.hpp"
+#include "text/diagnostic.hpp"
+
+namespace treeline {
+
+/// Whether such a package is compiled from C, whatever the scene says.
+bool is_compiled_from_c(PackageKind kind);
+
+/// Names a package that is compiled from C: "a package for Python", "an FMU".
+std::string describe(PackageKind kind);
+
+/// Adapts a scene to such a package: C, and no controller. Says so where the scene, of which `text`
+/// is what was read, asks for something else.
+void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace treeline
