@@ -22,7 +22,7 @@
 #include "emission/print_manifest.hpp"
 #include "generation/predict_sources.hpp"
 #include "packaging/adapt_to_c.hpp"
-#include "packaging/for_python.hpp"
+#include "packaging/call_c.hpp"
 #include "program/print.hpp"
 #include "safety/describe_safety.hpp"
 #include "timing/tune.hpp"
@@ -46,6 +46,7 @@ constexpr const char* kExamples =
     "  treeline generate puma560.urdf --output lib/puma560 --package platformio --target "
     "cortex-m4f\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --package python\n"
+    "  treeline generate puma560.urdf scene.yaml --output puma560 --package rust\n"
     "  treeline generate puma560.urdf scene.yaml --output puma560 --safety SAFETY.md --evidence "
     "check.json\n"
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
@@ -54,7 +55,7 @@ const std::vector<std::pair<std::string, PackageKind>> kPackages = {
     {"cmake", PackageKind::cmake},   {"platformio", PackageKind::platformio},
     {"zephyr", PackageKind::zephyr}, {"arduino", PackageKind::arduino},
     {"cmsis", PackageKind::cmsis},   {"python", PackageKind::python},
-    {"fmu", PackageKind::fmu}};
+    {"rust", PackageKind::rust},     {"fmu", PackageKind::fmu}};
 
 struct GenerateOptions {
   InputOptions inputs;
@@ -164,9 +165,7 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
       make_package(options.inputs.package, made.inputs.robot, made.inputs.scene, generation);
   note_lost_flags(options.inputs.package, made.inputs.scene, diagnostics);
   warn_of_lanes(options.inputs.package, made.inputs.scene, diagnostics);
-  if (options.inputs.package == PackageKind::python) {
-    note_not_in_python(made.inputs.scene, diagnostics);
-  }
+  note_not_called(options.inputs.package, made.inputs.scene, diagnostics);
   const auto differences = compare_folders(output, folders);
   if (!options.compare &&
       !((options.has_output || may_write_to_default(output, options.inputs.package, diagnostics)) &&
@@ -303,8 +302,8 @@ void add_generate(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--package", options->inputs.package,
-          "As a library for cmake, platformio, zephyr, arduino, cmsis, python or fmu: the code "
-          "in src")
+          "As a library for cmake, platformio, zephyr, arduino, cmsis, python, rust or fmu: the "
+          "code in src")
       ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,

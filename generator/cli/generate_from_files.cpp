@@ -29,6 +29,7 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
   text += options.language.empty() ? "" : " --language " + options.language;
   text += options.package == PackageKind::python ? " --package python" : "";
   text += options.package == PackageKind::fmu ? " --package fmu" : "";
+  text += options.package == PackageKind::rust ? " --package rust" : "";
   text += options.profile.empty() ? "" : " --profile " + options.profile;
   text += options.optimize.empty() ? "" : " --optimize " + options.optimize;
   text += options.target.empty() ? "" : " --target " + options.target;

@@ -2,16 +2,41 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "description/states_key.hpp"
 
 namespace treeline {
 
+namespace {
+
+/// A kind of package that is compiled from C, in words and as the command line has it.
+struct PackageOfC {
+  PackageKind kind;
+  const char* words;
+  const char* option;
+};
+constexpr PackageOfC kPackagesOfC[] = {{PackageKind::python, "a package for Python", "python"},
+                                       {PackageKind::rust, "a package for Rust", "rust"},
+                                       {PackageKind::fmu, "an FMU", "fmu"}};
+
+const PackageOfC* find_package_of_c(PackageKind kind) {
+  const auto* const at =
+      std::find_if(std::begin(kPackagesOfC), std::end(kPackagesOfC),
+                   [&](const PackageOfC& package) { return package.kind == kind; });
+  return at == std::end(kPackagesOfC) ? nullptr : at;
+}
+
+}  // namespace
+
 bool is_compiled_from_c(PackageKind kind) {
-  return kind == PackageKind::python || kind == PackageKind::fmu;
+  return find_package_of_c(kind) != nullptr;
 }
 
 std::string describe(PackageKind kind) {
-  return kind == PackageKind::python ? "a package for Python" : "an FMU";
+  const PackageOfC* const package = find_package_of_c(kind);
+  return package == nullptr ? "" : package->words;
 }
 
 void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnostics& diagnostics) {
@@ -25,8 +50,7 @@ void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnos
   diagnostics.add(
       {Severity::warning, scene.file, 0, "controller",
        fmt::format("it is left out: it is compiled from C++, and {} from C", describe(kind)),
-       fmt::format("Generate it in C++, without --package {}.",
-                   kind == PackageKind::python ? "python" : "fmu")});
+       fmt::format("Generate it in C++, without --package {}.", find_package_of_c(kind)->option)});
 }
 
 }  // namespace treeline

@@ -11,7 +11,7 @@ namespace treeline {
 /// Whether such a package is compiled from C, whatever the scene says.
 bool is_compiled_from_c(PackageKind kind);
 
-/// Names a package that is compiled from C: "a package for Python", "an FMU".
+/// Names a package that is compiled from C: "a package for Python", "an FMU"; empty for others.
 std::string describe(PackageKind kind);
 
 /// Adapts a scene to such a package: C, and no controller. Says so where the scene, of which `text`

@@ -3,51 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/describe_program.hpp"
 #include "emission/print_identity.hpp"
-#include "emission/print_optimize.hpp"
 #include "emission/wrap_line.hpp"
+#include "packaging/call_c.hpp"
 #include "packaging/templates.hpp"
-#include "target/target.hpp"
 
 namespace treeline {
 namespace {
 
 namespace templates = package_templates;
-
-/// Code that a scene may ask for and the package does not call.
-struct NotCalled {
-  const char* key;  ///< of the scene
-  bool (*is_asked_for)(const Scene& scene);
-  const char* what;
-};
-constexpr auto kNotCalled = std::to_array<NotCalled>({
-    {"torque_limits", [](const Scene& scene) { return scene.has_limits(); },
-     "limited_control_torque"},
-    {"batch", [](const Scene& scene) { return scene.batch > 0; },
-     "the functions of several states; those of one state take N of them"},
-    {"prefetch", [](const Scene& scene) { return scene.prefetch; },
-     "the functions that load code into caches"},
-});
-
-std::string describe(const NotCalled& that) {
-  return fmt::format("Python does not call {}: it is in src, for C", that.what);
-}
-
-/// The functions of one state, and `damped_control_torque`.
-std::vector<GeneratedFunction> list_functions(const Generation& generation) {
-  std::vector<GeneratedFunction> functions = generation.functions;
-  if (generation.damped) functions.push_back(*generation.damped);
-  return functions;
-}
 
 /// `lambda` is a word of Python: `lambda_`.
 std::string python_name(const GeneratedFunction& generated) {
@@ -76,22 +46,6 @@ std::string print_text(const std::string& constant, const std::string& text) {
     quoted += "\\n\"";
   }
   return fmt::format("static const char {}[] ={};\n", constant, quoted);
-}
-
-/// The comment on a function in the headers of C, without its marks.
-std::string find_comment(const std::vector<GeneratedFile>& files, const std::string& function) {
-  std::string comment;
-  for (const GeneratedFile& file : files) {
-    if (!file.name.ends_with(".h")) continue;
-    std::istringstream lines(file.text);
-    for (std::string line; std::getline(lines, line);) {
-      if (line.find(" " + function + "(") != line.npos && !line.starts_with("//")) return comment;
-      if (!line.starts_with("///")) comment.clear();
-      if (line.starts_with("///"))
-        comment += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
-    }
-  }
-  return {};
 }
 
 /// Text that `help` prints of a function: how it is called, and its contract.
@@ -207,28 +161,7 @@ std::string quote_sources(const PackageFacts& facts) {
 
 /// Flags as in the emitted CMakeLists.txt for the configuration Release.
 std::string print_flags(const PackageFacts& facts, const Scene& scene) {
-  const Target* const target = find_target(scene.target);
-  std::string text = R"("-O3", "-g0", "-fvisibility=hidden", )" + facts.at("quoted_flags");
-  if (target == nullptr || *target->prefix != '\0') return text;
-  std::istringstream words(target->flags);
-  for (std::string word; words >> word;) text += fmt::format(", \"{}\"", word);
-  return text;
-}
-
-/// Flags of sources that are compiled with others.
-std::string print_own_flags(const Scene& scene, const Generation& generation) {
-  std::map<std::string, const char*> flags;
-  if (scene.optimize == Optimize::balanced) {  // else all have that flag or none
-    for (const std::string& source : generation.small_sources) flags[source] = kSmallCodeFlag;
-  }
-  for (const GeneratedFunction& generated : generation.functions) {
-    if (is_huge(generated.program)) flags[generated.program.name + ".c"] = kHugeFlag;
-  }
-  std::string text;
-  for (const auto& [source, flag] : flags) {
-    text += fmt::format("{}\"src/{}\": [\"{}\"]", text.empty() ? "" : ",\n", source, flag);
-  }
-  return text;
+  return R"("-O3", "-g0", "-fvisibility=hidden", )" + quote_flags(facts, scene);
 }
 
 /// Adds the example of the package: the first function, at home and at rest.
@@ -250,15 +183,16 @@ void add_example(const Scene& scene, const GeneratedFunction& generated, Package
 PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation& generation) {
   facts["version"] += "+" + digest_of_files(generation.files).substr(0, 12);
   facts["flags"] = print_flags(facts, scene);
-  facts["own_flags"] = print_own_flags(scene, generation);
+  facts["own_flags"] = "";
+  for (const auto& [source, flag] : list_own_flags(scene, generation)) {
+    facts["own_flags"] += fmt::format("{}\"src/{}\": [\"{}\"]",
+                                      facts["own_flags"].empty() ? "" : ",\n", source, flag);
+  }
   facts["quoted_sources"] = quote_sources(facts);
   facts["dtype"] = scene.real == Real::float32 ? "float32" : "float64";
   facts["task_row_names"] =
       scene.operational_points.empty() ? "NULL" : scene.name + "_task_row_names";
-  facts["not_called"] = "";
-  for (const NotCalled& each : kNotCalled) {
-    if (each.is_asked_for(scene)) facts["not_called"] += describe(each) + ".\n";
-  }
+  facts["not_called"] = describe_not_called(scene, "Python");
   for (const GeneratedFunction& generated : list_functions(generation)) {
     facts["types"] += print_types(generated);
   }
@@ -291,13 +225,6 @@ std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
             fill("loop_states.h", templates::kPythonLoopStates),
             fill("module.c", templates::kPythonModule)}},
           {"examples", {fill(scene.name + "_time.py", templates::kPythonExample)}}};
-}
-
-void note_not_in_python(const Scene& scene, Diagnostics& diagnostics) {
-  for (const NotCalled& each : kNotCalled) {
-    if (!each.is_asked_for(scene)) continue;
-    diagnostics.add({Severity::note, scene.file, 0, each.key, describe(each), ""});
-  }
 }
 
 }  // namespace treeline

@@ -7,15 +7,11 @@
 #include "generation/generate_code.hpp"
 #include "packaging/describe_package.hpp"
 #include "packaging/make_package.hpp"
-#include "text/diagnostic.hpp"
 
 namespace treeline {
 
 /// Files that pip needs beside the code: a package that compiles it as an extension of Python.
 std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
                                       const Generation& generation);
-
-/// Says what of the code a package for Python does not call.
-void note_not_in_python(const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -5,6 +5,7 @@
 #include "packaging/describe_package.hpp"
 #include "packaging/for_fmu.hpp"
 #include "packaging/for_python.hpp"
+#include "packaging/for_rust.hpp"
 #include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
 
@@ -65,6 +66,8 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
       return for_python(facts, scene, generation);
     case PackageKind::fmu:
       return for_fmu(facts, robot, scene, generation);
+    case PackageKind::rust:
+      return for_rust(facts, scene, generation);
   }
   return {};
 }

@@ -3,7 +3,7 @@
 namespace treeline {
 
 /// Tools that build libraries of sources, each from a folder of its own form; `python` stands for
-/// pip, `fmu` for what imports Functional Mock-up Units.
-enum class PackageKind { none, cmake, platformio, zephyr, arduino, cmsis, python, fmu };
+/// pip, `rust` for cargo, `fmu` for what imports Functional Mock-up Units.
+enum class PackageKind { none, cmake, platformio, zephyr, arduino, cmsis, python, rust, fmu };
 
 }  // namespace treeline

@@ -10,7 +10,7 @@ import numpy as np
 import ur10e
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "judges"))
-from emitted import read_arguments  # noqa: E402
+from read_arguments import read_arguments  # noqa: E402
 
 ROBOTS = [ur10e, humanoid24_floating]
 

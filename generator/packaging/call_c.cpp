@@ -1,0 +1,100 @@
+#include "packaging/call_c.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "emission/describe_program.hpp"
+#include "emission/print_optimize.hpp"
+#include "target/target.hpp"
+
+namespace treeline {
+namespace {
+
+/// Code that a scene may ask for and the package does not call.
+struct NotCalled {
+  const char* key;  ///< of the scene
+  bool (*is_asked_for)(const Scene& scene);
+  const char* what;
+};
+constexpr auto kNotCalled = std::to_array<NotCalled>({
+    {"torque_limits", [](const Scene& scene) { return scene.has_limits(); },
+     "limited_control_torque"},
+    {"batch", [](const Scene& scene) { return scene.batch > 0; },
+     "the functions of several states, only those of one"},
+    {"prefetch", [](const Scene& scene) { return scene.prefetch; },
+     "the functions that load code into caches"},
+});
+
+std::string describe(const NotCalled& that, std::string_view caller) {
+  return fmt::format("{} does not call {}: it is in src, for C", caller, that.what);
+}
+
+}  // namespace
+
+std::string_view caller_of(PackageKind kind) {
+  if (kind == PackageKind::python) return "Python";
+  return kind == PackageKind::rust ? "Rust" : "";
+}
+
+void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics) {
+  const std::string_view caller = caller_of(kind);
+  for (const NotCalled& each : kNotCalled) {
+    if (caller.empty() || !each.is_asked_for(scene)) continue;
+    diagnostics.add({Severity::note, scene.file, 0, each.key, describe(each, caller), ""});
+  }
+}
+
+std::string describe_not_called(const Scene& scene, std::string_view caller) {
+  std::string text;
+  for (const NotCalled& each : kNotCalled) {
+    if (each.is_asked_for(scene)) text += describe(each, caller) + ".\n";
+  }
+  return text;
+}
+
+std::vector<GeneratedFunction> list_functions(const Generation& generation) {
+  std::vector<GeneratedFunction> functions = generation.functions;
+  if (generation.damped) functions.push_back(*generation.damped);
+  return functions;
+}
+
+std::string find_comment(const std::vector<GeneratedFile>& files, const std::string& function) {
+  std::string comment;
+  for (const GeneratedFile& file : files) {
+    if (!file.name.ends_with(".h")) continue;
+    std::istringstream lines(file.text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find(" " + function + "(") != line.npos && !line.starts_with("//")) return comment;
+      if (!line.starts_with("///")) comment.clear();
+      if (line.starts_with("///"))
+        comment += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
+    }
+  }
+  return {};
+}
+
+std::string quote_flags(const PackageFacts& facts, const Scene& scene) {
+  const Target* const target = find_target(scene.target);
+  std::string text = facts.at("quoted_flags");
+  if (target == nullptr || *target->prefix != '\0') return text;
+  std::istringstream words(target->flags);
+  for (std::string word; words >> word;) text += fmt::format(", \"{}\"", word);
+  return text;
+}
+
+std::map<std::string, const char*> list_own_flags(const Scene& scene,
+                                                  const Generation& generation) {
+  std::map<std::string, const char*> flags;
+  if (scene.optimize == Optimize::balanced) {  // else all have that flag or none
+    for (const std::string& source : generation.small_sources) flags[source] = kSmallCodeFlag;
+  }
+  for (const GeneratedFunction& generated : generation.functions) {
+    if (is_huge(generated.program)) flags[generated.program.name + ".c"] = kHugeFlag;
+  }
+  return flags;
+}
+
+}  // namespace treeline

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "description/scene.hpp"
+#include "generation/generate_code.hpp"
+#include "packaging/describe_package.hpp"
+#include "packaging/package_kind.hpp"
+#include "text/diagnostic.hpp"
+
+namespace treeline {
+
+// What packages share that let another language call the C in them.
+
+/// The language whose programs call the C in a package of this kind; empty where C or C++ does.
+std::string_view caller_of(PackageKind kind);
+
+/// Says what of the code the caller's language does not call. Nothing for other packages.
+void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics);
+
+/// The same as text: a sentence in a line for each.
+std::string describe_not_called(const Scene& scene, std::string_view caller);
+
+/// The functions that the caller's language calls: those of one state, and `damped_control_torque`.
+std::vector<GeneratedFunction> list_functions(const Generation& generation);
+
+/// The comment on a function in the headers of C, without its marks.
+std::string find_comment(const std::vector<GeneratedFile>& files, const std::string& function);
+
+/// Flags of all sources in quotes, with those that select the processor where it is this machine's.
+std::string quote_flags(const PackageFacts& facts, const Scene& scene);
+
+/// Flags of sources that are compiled with others, by file.
+std::map<std::string, const char*> list_own_flags(const Scene& scene, const Generation& generation);
+
+}  // namespace treeline

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "description/scene.hpp"
+#include "generation/generate_code.hpp"
+#include "packaging/describe_package.hpp"
+#include "packaging/make_package.hpp"
+
+namespace treeline {
+
+/// Files that cargo needs beside the code: a crate that compiles it and calls it by functions that
+/// are safe, without the standard library.
+std::vector<PackageFolder> for_rust(PackageFacts facts, const Scene& scene,
+                                    const Generation& generation);
+
+}  // namespace treeline
