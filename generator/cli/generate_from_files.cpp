@@ -8,6 +8,7 @@
 #include "cli/print_diagnostics.hpp"
 #include "cli/progress_line.hpp"
 #include "generation/warn_of_size.hpp"
+#include "packaging/adapt_to_c.hpp"
 
 namespace treeline {
 namespace {
@@ -27,9 +28,7 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
   text += options.name.empty() ? "" : " --name " + options.name;
   text += options.real.empty() ? "" : " --real " + options.real;
   text += options.language.empty() ? "" : " --language " + options.language;
-  text += options.package == PackageKind::python ? " --package python" : "";
-  text += options.package == PackageKind::fmu ? " --package fmu" : "";
-  text += options.package == PackageKind::rust ? " --package rust" : "";
+  if (is_compiled_from_c(options.package)) text += " --package " + option_of(options.package);
   text += options.profile.empty() ? "" : " --profile " + options.profile;
   text += options.optimize.empty() ? "" : " --optimize " + options.optimize;
   text += options.target.empty() ? "" : " --target " + options.target;

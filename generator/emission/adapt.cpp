@@ -81,6 +81,14 @@ Adaptation make_adaptation(const EmissionContext& context, const std::string& co
            {"TL_FUNCTION", called}}};
 }
 
+void add_number_format(const EmissionContext& context, Adaptation& own) {
+  const bool single = context.single_precision;
+  own.words["TlBits"] = single ? "uint32_t" : "uint64_t";
+  own.words["TL_FRACTION_BITS"] = single ? "23U" : "52U";
+  own.words["TL_SIGN_AT"] = single ? "31U" : "63U";
+  own.words["TL_BIAS"] = single ? "127" : "1023";
+}
+
 std::string constant_name(const Adaptation& own, std::string_view name) {
   if (own.language == Language::c) return fmt::format("{}_{}", in_capitals(own.name), name);
   std::string words(name);

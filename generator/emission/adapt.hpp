@@ -22,6 +22,10 @@ struct Adaptation {
 /// stands before a function.
 Adaptation make_adaptation(const EmissionContext& context, const std::string& contract);
 
+/// Adds the words for how numbers are made of bits: `TlBits`, an integer of their size, and sizes
+/// of their fields.
+void add_number_format(const EmissionContext& context, Adaptation& own);
+
 /// `UNKNOWNS` as a constant of the robot's is called: `ARM_UNKNOWNS`, in C++ `kUnknowns`.
 std::string constant_name(const Adaptation& own, std::string_view name);
 

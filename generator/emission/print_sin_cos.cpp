@@ -31,14 +31,10 @@ Adaptation make_sine_adaptation(const EmissionContext& context) {
   add("TL_FOURTH", "0.25");
   add("TL_TWO", "2.0");
   add("TL_FOUR", "4.0");
-  const char* const bits = single ? "uint32_t" : "uint64_t";
+  add_number_format(context, own);
   const std::map<std::string, std::string> words = {
       {"TlAngle", number_type(context)},
-      {"TlAngleBits", bits},
-      {"TlBits", bits},
-      {"TL_FRACTION_BITS", single ? "23U" : "52U"},
-      {"TL_SIGN_AT", single ? "31U" : "63U"},
-      {"TL_BIAS", single ? "127" : "1023"},
+      {"TlAngleBits", own.words["TlBits"]},
       {"TL_LARGEST_EXPONENT", single ? "20" : "32"},
       {"TL_ACCURATE_ANGLE", single ? "4000" : "1e5"},
       {"TL_AS_INDEX", is_c ? "(int32_t)" : "static_cast<int32_t>"}};

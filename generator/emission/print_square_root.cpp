@@ -32,17 +32,12 @@ std::string list_powers(const EmissionContext& context, int factor) {
   return list;
 }
 
-/// What the format of numbers is.
-void add_format(const EmissionContext& context, Adaptation& own) {
-  const bool single = context.single_precision;
-  own.words["TlBits"] = single ? "uint32_t" : "uint64_t";
-  own.words["TL_FRACTION_BITS"] = single ? "23U" : "52U";
-  own.words["TL_SIGN_AT"] = single ? "31U" : "63U";
-  own.words["TL_BIAS"] = single ? "127" : "1023";
+/// Names of the macros that say whether the target has an instruction for the root.
+void add_macros(const EmissionContext& context, Adaptation& own) {
   const std::string macros = fmt::format("TREELINE_{}_ROOT_OF_", name_in_capitals(context));
   own.words["TL_ROOT_OF_FLOAT"] = macros + "FLOAT";
   own.words["TL_ROOT_OF_DOUBLE"] = macros + "DOUBLE";
-  own.words["TL_ROOT_INSTRUCTION"] = macros + (single ? "FLOAT" : "DOUBLE");
+  own.words["TL_ROOT_INSTRUCTION"] = macros + (context.single_precision ? "FLOAT" : "DOUBLE");
 }
 
 /// The numbers of Heron's steps.
@@ -74,7 +69,8 @@ void add_steps(const EmissionContext& context, Adaptation& own) {
 GeneratedFile print_square_root(const EmissionContext& context) {
   const std::string ending = context.language == Language::c ? ".h" : ".hpp";
   Adaptation own = make_adaptation(context, context.name + ending);
-  add_format(context, own);
+  add_number_format(context, own);
+  add_macros(context, own);
   if (context.misra) add_steps(context, own);
   return {"square_root" + ending,
           adapt(context.misra ? templates::kSquareRootBySteps : templates::kSquareRoot, own)};

@@ -32,7 +32,7 @@ bool yields(const Program& program) {
 State state_of(const InterpretedFunction& function, const double* numbers) {
   State state;
   for (const Argument& argument : function.arguments) {
-    const double* const end = numbers + count_numbers({argument});
+    const double* const end = numbers + argument.rows * argument.cols;
     place_of(state, *find_quantity(argument.name)).assign(numbers, end);
     numbers = end;
   }

@@ -16,10 +16,12 @@ struct PackageOfC {
   PackageKind kind;
   const char* words;
   const char* option;
+  std::string_view caller;  ///< see `caller_of`
 };
-constexpr PackageOfC kPackagesOfC[] = {{PackageKind::python, "a package for Python", "python"},
-                                       {PackageKind::rust, "a package for Rust", "rust"},
-                                       {PackageKind::fmu, "an FMU", "fmu"}};
+constexpr PackageOfC kPackagesOfC[] = {
+    {PackageKind::python, "a package for Python", "python", "Python"},
+    {PackageKind::rust, "a package for Rust", "rust", "Rust"},
+    {PackageKind::fmu, "an FMU", "fmu", ""}};
 
 const PackageOfC* find_package_of_c(PackageKind kind) {
   const auto* const at =
@@ -39,6 +41,16 @@ std::string describe(PackageKind kind) {
   return package == nullptr ? "" : package->words;
 }
 
+std::string option_of(PackageKind kind) {
+  const PackageOfC* const package = find_package_of_c(kind);
+  return package == nullptr ? "" : package->option;
+}
+
+std::string_view caller_of(PackageKind kind) {
+  const PackageOfC* const package = find_package_of_c(kind);
+  return package == nullptr ? "" : package->caller;
+}
+
 void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnostics& diagnostics) {
   if (scene.language != Language::c && states_key(text, "language")) {
     diagnostics.add({Severity::note, scene.file, 0, "language",
@@ -50,7 +62,7 @@ void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnos
   diagnostics.add(
       {Severity::warning, scene.file, 0, "controller",
        fmt::format("it is left out: it is compiled from C++, and {} from C", describe(kind)),
-       fmt::format("Generate it in C++, without --package {}.", find_package_of_c(kind)->option)});
+       fmt::format("Generate it in C++, without --package {}.", option_of(kind))});
 }
 
 }  // namespace treeline

@@ -8,6 +8,7 @@
 
 #include "emission/describe_program.hpp"
 #include "emission/print_optimize.hpp"
+#include "packaging/adapt_to_c.hpp"
 #include "target/target.hpp"
 
 namespace treeline {
@@ -33,11 +34,6 @@ std::string describe(const NotCalled& that, std::string_view caller) {
 }
 
 }  // namespace
-
-std::string_view caller_of(PackageKind kind) {
-  if (kind == PackageKind::python) return "Python";
-  return kind == PackageKind::rust ? "Rust" : "";
-}
 
 void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics) {
   const std::string_view caller = caller_of(kind);

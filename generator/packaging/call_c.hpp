@@ -15,9 +15,6 @@ namespace treeline {
 
 // What packages share that let another language call the C in them.
 
-/// The language whose programs call the C in a package of this kind; empty where C or C++ does.
-std::string_view caller_of(PackageKind kind);
-
 /// Says what of the code the caller's language does not call. Nothing for other packages.
 void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics);
 

@@ -1,16 +1,18 @@
 #include "packaging/for_rust.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <sstream>
 #include <string_view>
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
+#include "emission/describe_joints.hpp"
 #include "emission/print_identity.hpp"
+#include "generation/describe_scene.hpp"
 #include "packaging/call_c.hpp"
 #include "packaging/templates.hpp"
 
@@ -53,40 +55,68 @@ std::string print_doc(const std::string& mark, std::string text) {
   return comment(mark, "```text\n" + text + "```\n");
 }
 
-/// An array of constants in C, `static const double arm_home[6] = {...}`, as one of Rust.
-std::string print_constant(const std::string& robot, const std::string& real,
-                           const std::string& declared) {
-  const std::size_t bracket = declared.find('['), brace = declared.find('{');
-  const std::size_t name = declared.rfind(" " + robot + "_", bracket) + robot.size() + 2;
-  const std::string size = declared.substr(bracket + 1, declared.find(']') - bracket - 1);
-  const bool is_text = declared.starts_with("static const char");
-  std::string entries = declared.substr(brace + 1);
-  if (!is_text) {
-    entries = std::regex_replace(entries, std::regex("([0-9.])[fF]\\b"), "$1");
-    entries = std::regex_replace(entries, std::regex("\\w+_UNLIMITED"), real + "::MAX");
-  }
-  return fmt::format("pub const {}: [{}; {}] = [{}];\n",
-                     in_capitals(declared.substr(name, bracket - name)), is_text ? "&str" : real,
-                     size, entries);
+/// A number without the suffix that C has.
+std::string print_float(double value) {
+  std::string text = make_c_family_syntax(true).literal(value);
+  text.pop_back();
+  return text;
 }
 
-/// The arrays of constants in the headers of C: names, home and limits.
-std::string print_constants(const Scene& scene, const std::vector<GeneratedFile>& files) {
-  const std::string real = scene.real == Real::float32 ? "f32" : "f64";
-  std::string text, doc;
-  for (const GeneratedFile& file : files) {
-    if (!file.name.ends_with("_joints.h") && !file.name.ends_with("_damped.h")) continue;
-    std::istringstream lines(file.text);
-    for (std::string line; std::getline(lines, line);) {
-      if (line.starts_with("///")) doc = line + "\n";
-      if (!line.starts_with("static const ") || line.find('{') == line.npos) continue;
-      std::string declared = line;
-      while (!declared.ends_with("};") && std::getline(lines, line)) declared += "\n" + line;
-      declared.resize(declared.size() - 2);
-      text += doc + print_constant(scene.name, real, declared);
+/// An array of the header with names, home and limits.
+struct JointArray {
+  const char* name;
+  bool is_text;
+  bool of_velocities;  ///< else of coordinates
+  const char* meaning;
+};
+constexpr JointArray kJointArrays[] = {
+    {"coordinate_joints", true, false, "Of each entry of q: its joint, and what it measures."},
+    {"coordinate_meanings", true, false, "Of each entry of q: its joint, and what it measures."},
+    {"home", false, false,
+     "A state to begin with: 0, or the limit next to it; quaternions turn nothing."},
+    {"lower_limits", false, false, "Limits of each entry of q, rad or m."},
+    {"upper_limits", false, false, "Limits of each entry of q, rad or m."},
+    {"velocity_joints", true, true,
+     "Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd."},
+    {"velocity_names", true, true,
+     "Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd."},
+    {"velocity_limits", false, true,
+     "The largest magnitude of each entry of qd, rad/s or m/s, and of tau, N m or N."},
+    {"effort_limits", false, true,
+     "The largest magnitude of each entry of qd, rad/s or m/s, and of tau, N m or N."}};
+
+/// An array of constants; `size` is that of its entries.
+std::string print_constant(const std::string& name, const std::string& type, std::size_t size,
+                           const std::string& entries, const char* meaning) {
+  return fmt::format("/// {}\npub const {}: [{}; {}] = [\n    {}];\n", meaning, in_capitals(name),
+                     type, size, entries);
+}
+
+/// Names, home and limits, and the effective masses of damped control where there is such.
+std::string print_constants(const EmissionContext& context, bool damped, const std::string& real) {
+  Syntax syntax = make_c_family_syntax(false);
+  if (context.single_precision) syntax.literal = print_float;
+  const JointArrays arrays = describe_joints(context, syntax, real + "::MAX");
+  std::string text;
+  if (damped) {
+    std::vector<std::string> heaviest;
+    for (const double mass : context.effective_mass_limits) {
+      heaviest.push_back(syntax.literal(mass));
     }
+    text += print_constant("heaviest", real, heaviest.size(),
+                           fmt::format("{}", fmt::join(heaviest, ", ")),
+                           "The effective mass (kg; kg m^2 in rows of rotation) beyond which a "
+                           "direction of the task yields.");
   }
-  return text;
+  for (const JointArray& each : kJointArrays) {
+    const std::size_t size =
+        each.of_velocities ? context.velocity_rows.size() : context.coordinate_rows.size();
+    text += print_constant(each.name, each.is_text ? "&str" : real, size,
+                           arrays.holes.at(each.name), each.meaning);
+  }
+  if (arrays.task_rows == 0) return text;
+  return text + print_constant("task_row_names", "&str", arrays.task_rows, arrays.task_row_names,
+                               "Of each task row: its point, and along or about which axis it is.");
 }
 
 /// The functions as Rust calls them, and as C has them.
@@ -162,26 +192,20 @@ std::string print_example(const PackageFacts& facts, const Program& program) {
   return fmt::format("{}//! {}::{}({});", before, crate, rust_name(program.name), list);
 }
 
-/// The length of an array of constants, or 0.
-std::string length_of(const std::string& constants, const std::string& name) {
-  std::smatch found;
-  const std::regex length("const " + name + ": \\[[^;]*; (\\d+)\\]");
-  return std::regex_search(constants, found, length) ? found.str(1) : "0";
-}
-
 }  // namespace
 
-std::vector<PackageFolder> for_rust(PackageFacts facts, const Scene& scene,
+std::vector<PackageFolder> for_rust(PackageFacts facts, const Robot& robot, const Scene& scene,
                                     const Generation& generation) {
+  const EmissionContext context = describe_scene(robot, scene, generation.mechanism);
   facts["version"] += "+" + digest_of_files(generation.files).substr(0, 12);
   facts["crate"] = crate_name(scene.name);
   facts["real"] = scene.real == Real::float32 ? "f32" : "f64";
   facts["quoted_flags"] = quote_flags(facts, scene);
   facts["sources"] = list_sources(facts, scene, generation);
-  facts["constants"] = print_constants(scene, generation.files);
-  facts["nq"] = length_of(facts["constants"], "HOME");
-  facts["nv"] = length_of(facts["constants"], "VELOCITY_LIMITS");
-  facts["nx"] = length_of(facts["constants"], "TASK_ROW_NAMES");
+  facts["constants"] = print_constants(context, generation.damped.has_value(), facts["real"]);
+  facts["nq"] = std::to_string(context.coordinate_rows.size());
+  facts["nv"] = std::to_string(context.velocity_rows.size());
+  facts["nx"] = std::to_string(context.task_rows);
   facts["conventions"] = print_doc("//!", harmless(generation.conventions));
   facts["example"] = print_example(facts, generation.functions.front().program);
   facts["not_called"] = comment("//!", describe_not_called(scene, "Rust"));

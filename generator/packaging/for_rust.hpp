@@ -11,7 +11,7 @@ namespace treeline {
 
 /// Files that cargo needs beside the code: a crate that compiles it and calls it by functions that
 /// are safe, without the standard library.
-std::vector<PackageFolder> for_rust(PackageFacts facts, const Scene& scene,
+std::vector<PackageFolder> for_rust(PackageFacts facts, const Robot& robot, const Scene& scene,
                                     const Generation& generation);
 
 }  // namespace treeline

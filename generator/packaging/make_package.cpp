@@ -67,7 +67,7 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
     case PackageKind::fmu:
       return for_fmu(facts, robot, scene, generation);
     case PackageKind::rust:
-      return for_rust(facts, scene, generation);
+      return for_rust(facts, robot, scene, generation);
   }
   return {};
 }
