@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "description/read_number.hpp"
 
 namespace treeline {
 namespace {
+
+/// Elements that state a rotor's inertia, in the order in which they count.
+constexpr std::array kInertias = {"drake:rotor_inertia", "rotorInertia", "motorInertia"};
 
 int count_children(const UrdfElement& element, const char* name) {
   int count = 0;
@@ -43,7 +47,10 @@ void read_rotor(const UrdfElement& transmission, Joint& joint) {
   places.push_back(transmission);
   const auto gear = find_value(places, "drake:gear_ratio");
   const auto ratio = gear ? gear : find_value(places, "mechanicalReduction");
-  const auto inertia = find_value(places, "drake:rotor_inertia");
+  std::optional<double> inertia;
+  for (const char* name : kInertias) {
+    if (!inertia) inertia = find_value(places, name);
+  }
   if (inertia && *inertia < 0) {
     transmission.error(fmt::format("the rotor's inertia {} is negative", *inertia),
                        "give a positive one, kg m^2");
@@ -58,7 +65,12 @@ void read_rotor(const UrdfElement& transmission, Joint& joint) {
 /// Warns if one of several motors has a rotor. Without one, a differential says nothing of inertia.
 void warn_of_coupling(const UrdfElement& transmission) {
   const auto* motor = transmission.xml().FirstChildElement("actuator");
-  while (motor != nullptr && motor->FirstChildElement("drake:rotor_inertia") == nullptr) {
+  const auto has_rotor = [](const tinyxml2::XMLElement& element) {
+    return std::any_of(kInertias.begin(), kInertias.end(), [&](const char* name) {
+      return element.FirstChildElement(name) != nullptr;
+    });
+  };
+  while (motor != nullptr && !has_rotor(*motor)) {
     motor = motor->NextSiblingElement("actuator");
   }
   if (motor == nullptr) return;

@@ -46,6 +46,14 @@ TEST(ReadRotors, TakesInertiaAndRatioOfTransmissions) {
   EXPECT_EQ(armature_of(robot.joints[1]), 0);
 }
 
+TEST(ReadRotors, TakesTheInertiasOfOtherNames) {
+  const Robot robot = read_with(
+      motor("a", "<mechanicalReduction>9</mechanicalReduction><motorInertia>0.002</motorInertia>") +
+      motor("b", "<mechanicalReduction>3</mechanicalReduction><rotorInertia value='0.01'/>"));
+  EXPECT_DOUBLE_EQ(armature_of(robot.joints[0]), 81 * 0.002);
+  EXPECT_DOUBLE_EQ(armature_of(robot.joints[1]), 9 * 0.01);
+}
+
 TEST(ReadRotors, TakesTheArmatureOfDynamics) {
   const std::string urdf = urdf_with("");
   const std::string with = "<dynamics armature='0.25'/></joint><joint name='b'";
