@@ -27,9 +27,7 @@ class LinkNames {
     if (found != indices_.end()) return found->second;
     const std::string suggestion = suggest_name(name, names_, "the links are");
     joint.error(fmt::format("the {} link \"{}\" is not defined", end, name),
-                name == "world"      ? "add <link name=\"world\"/>"
-                : suggestion.empty() ? "add the link"
-                                     : suggestion);
+                suggestion.empty() ? "add the link" : suggestion);
     return kNone;
   }
 

@@ -10,6 +10,7 @@
 #include "description/check_motion.hpp"
 #include "description/confirm_with_urdfdom.hpp"
 #include "description/connect_tree.hpp"
+#include "description/declare_world.hpp"
 #include "description/find_undefined_entity.hpp"
 #include "description/fold_follower_limits.hpp"
 #include "description/leftover_xacro.hpp"
@@ -209,6 +210,7 @@ std::optional<Robot> parse_urdf(const std::string& text, const std::string& file
   }
   UrdfReading reading(file_name, diagnostics);
   warn_of_entities(text, reading);
+  declare_world(*document.RootElement(), reading);
   check_looks({*root, "robot", reading});
   auto robot = read_robot({*root, "robot", reading}, reading);
   reading.report_passed_over();

@@ -121,9 +121,6 @@ const Case kTrees[] = {
     {"UnknownChild",
      with_robot("<joint name='j' type='fixed'><parent link='a'/><child link='bb'/></joint>"),
      {kError, 3, "robot/joint[j]", "the child link \"bb\" is not defined", "did you mean \"b\"?"}},
-    {"UnknownWorld",
-     with_robot("<joint name='j' type='fixed'><parent link='world'/><child link='a'/></joint>"),
-     {kError, 3, "robot/joint[j]", "\"world\" is not defined", "add <link name=\"world\"/>"}},
     {"TwoParents",
      with_robot("<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>\n<joint "
                 "name='k' type='fixed'><parent link='a'/><child link='b'/></joint>"),
