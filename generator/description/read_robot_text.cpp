@@ -7,7 +7,7 @@
 
 #include "description/read_robots.hpp"
 #include "description/scan_xml.hpp"
-#include "description/sdf/print_urdf.hpp"
+#include "description/flat/print_urdf.hpp"
 #include "description/sdf/read_sdf.hpp"
 #include "description/sdf/span_tree.hpp"
 #include "text/read_text_file.hpp"
@@ -24,9 +24,9 @@ bool is_sdf(std::string_view text) {
 }
 
 /// Two of the kinds of SDF have no counterpart among joints that close loops.
-bool can_close(const SdfTree& tree, const std::string& file, Diagnostics& diagnostics) {
+bool can_close(const FlatTree& tree, const std::string& file, Diagnostics& diagnostics) {
   bool can = true;
-  for (const SdfJoint& loop : tree.loops) {
+  for (const FlatJoint& loop : tree.loops) {
     if (loop.axes.size() < 2) continue;
     can = false;
     diagnostics.add({Severity::error, file, 0, fmt::format("sdf/model/joint[{}]", loop.name),

@@ -33,7 +33,7 @@ double or_unlimited(double bound) {
   return bound < 0 ? std::numeric_limits<double>::infinity() : or_infinite(bound);
 }
 
-SdfInertial read_inertial(const sdf::Link& link) {
+FlatInertial read_inertial(const sdf::Link& link) {
   const auto& given = link.Inertial();
   const auto diagonal = given.MassMatrix().DiagonalMoments();
   const auto products = given.MassMatrix().OffDiagonalMoments();
@@ -59,7 +59,7 @@ class Flattening {
   Flattening(const std::string& file, Diagnostics& diagnostics)
       : file_(file), diagnostics_(diagnostics) {}
 
-  std::optional<SdfModel> run(const sdf::Model& model) {
+  std::optional<FlatModel> run(const sdf::Model& model) {
     flat_.name = model.Name();
     list_scopes({&model, "", Eigen::Isometry3d::Identity()});
     for (const Scope& scope : scopes_) add_links(scope);
@@ -107,8 +107,9 @@ class Flattening {
       const sdf::Link& link = *scope.model->LinkByIndex(i);
       const std::string name = scope.prefix + link.Name();
       if (!link.Element()->HasElement("inertial")) unstated_.push_back(name);
-      flat_.links.push_back({name, scope.at * pose_of(link, "link[" + name + "]"),
-                             read_inertial(link), read_shapes(link)});
+      flat_.links.push_back({name, read_inertial(link), read_shapes(link)});
+      poses_[name] = scope.at * pose_of(link, "link[" + name + "]");
+      flat_.length = std::max(flat_.length, poses_[name].translation().cwiseAbs().maxCoeff());
     }
   }
 
@@ -124,7 +125,7 @@ class Flattening {
     const auto canonical = model.CanonicalLinkAndRelativeName();
     const auto found =
         std::find_if(flat_.links.begin(), flat_.links.end(),
-                     [&](const SdfLink& each) { return each.name == canonical.second; });
+                     [&](const FlatLink& each) { return each.name == canonical.second; });
     if (canonical.first != nullptr && found != flat_.links.end()) {
       std::rotate(flat_.links.begin(), found, found + 1);
     }
@@ -138,7 +139,7 @@ class Flattening {
 
   void add_joint(const sdf::Joint& joint, const std::string& prefix, const Eigen::Isometry3d& at) {
     const std::string element = fmt::format("joint[{}]", prefix + joint.Name());
-    SdfJoint flat;
+    FlatJoint flat;
     flat.name = prefix + joint.Name();
     flat.type = joint.Element()->Get<std::string>("type");
     if (flat.type == "screw" || flat.type == "gearbox") {
@@ -151,7 +152,7 @@ class Flattening {
     (void)joint.ResolveChildLink(child);
     flat.parent = place_of_link(parent, prefix);
     flat.child = place_of_link(child, prefix);
-    flat.pose = at * pose_of(joint, element);
+    place(at * pose_of(joint, element), flat);
     for (unsigned k = 0; k < 2; ++k) {
       if (joint.Axis(k) != nullptr && flat.type != "fixed" && flat.type != "ball") {
         flat.axes.push_back(read_axis(*joint.Axis(k), element));
@@ -161,12 +162,22 @@ class Flattening {
     flat_.joints.push_back(std::move(flat));
   }
 
+  /// Poses of a joint's frame in those of its links.
+  void place(const Eigen::Isometry3d& pose, FlatJoint& joint) const {
+    const auto in = [&](int link) -> Eigen::Isometry3d {
+      if (link < 0) return pose;
+      return poses_.at(flat_.links[static_cast<std::size_t>(link)].name).inverse() * pose;
+    };
+    joint.in_parent = in(joint.parent);
+    joint.in_child = in(joint.child);
+  }
+
   [[nodiscard]] int place_of_link(const std::string& name, const std::string& prefix) const {
     const auto found = places_.find(prefix + name);
     return name == "world" || found == places_.end() ? -1 : found->second;
   }
 
-  SdfAxis read_axis(const sdf::JointAxis& axis, const std::string& element) {
+  FlatAxis read_axis(const sdf::JointAxis& axis, const std::string& element) {
     ignition::math::Vector3d direction;
     for (const sdf::Error& error : axis.ResolveXyz(direction)) {
       add(Severity::error, element, "libsdformat: " + error.Message(), "mend its <axis>");
@@ -182,10 +193,11 @@ class Flattening {
             or_unlimited(axis.Effort()),
             or_unlimited(axis.MaxVelocity()),
             axis.Damping(),
-            axis.Friction()};
+            axis.Friction(),
+            0};
   }
 
-  static void read_rotor(const sdf::Joint& joint, SdfJoint& flat) {
+  static void read_rotor(const sdf::Joint& joint, FlatJoint& flat) {
     for (const char* name : {"drake:rotor_inertia", "drake:gear_ratio"}) {
       if (!joint.Element()->HasElement(name)) continue;
       flat.rotor.emplace_back(name, joint.Element()->GetElement(name)->Get<std::string>());
@@ -202,9 +214,14 @@ class Flattening {
       const int parent = place_of_link(body, scope.prefix);
       if (parent < 0) continue;
       const Eigen::Isometry3d pose = scope.at * pose_of(frame, "frame[" + name + "]");
-      SdfJoint fixed{"at::" + name, "fixed", parent, static_cast<int>(flat_.links.size()),
-                     pose,          {},      {}};
-      flat_.links.push_back({name, pose, std::nullopt, {}});
+      FlatJoint fixed;
+      fixed.name = "at::" + name;
+      fixed.type = "fixed";
+      fixed.parent = parent;
+      fixed.child = static_cast<int>(flat_.links.size());
+      poses_[name] = pose;
+      flat_.links.push_back({name, std::nullopt, {}});
+      place(pose, fixed);
       flat_.joints.push_back(std::move(fixed));
     }
   }
@@ -212,16 +229,17 @@ class Flattening {
   const std::string& file_;
   Diagnostics& diagnostics_;
   std::vector<Scope> scopes_;
-  SdfModel flat_;
+  FlatModel flat_;
   std::map<std::string, int> places_;
-  std::vector<std::string> unstated_;  ///< links without `<inertial>`
+  std::map<std::string, Eigen::Isometry3d> poses_;  ///< of links in the model, all joints at zero
+  std::vector<std::string> unstated_;               ///< links without `<inertial>`
   bool failed_ = false;
 };
 
 }  // namespace
 
-std::optional<SdfModel> flatten_model(const sdf::Model& model, const std::string& file,
-                                      Diagnostics& diagnostics) {
+std::optional<FlatModel> flatten_model(const sdf::Model& model, const std::string& file,
+                                       Diagnostics& diagnostics) {
   return Flattening(file, diagnostics).run(model);
 }
 

@@ -56,13 +56,13 @@ SdfReader* load_reader(const std::string& file, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::optional<SdfModel> read_sdf(const std::string& text, const std::string& path,
-                                 Diagnostics& diagnostics) {
+std::optional<FlatModel> read_sdf(const std::string& text, const std::string& path,
+                                  Diagnostics& diagnostics) {
   const std::string shown = shown_path(path);
   auto mended = well_formed_xml(text, shown, diagnostics);
   SdfReader* const read = mended ? load_reader(shown, diagnostics) : nullptr;
   if (read == nullptr) return std::nullopt;
-  std::optional<SdfModel> model;
+  std::optional<FlatModel> model;
   read({std::move(*mended), path, shown}, model, diagnostics);
   return model;
 }

@@ -28,7 +28,7 @@ std::string mesh_path(const std::string& uri) {
 }
 
 /// False for a kind that URDF does not have.
-bool read_geometry(const sdf::Geometry& geometry, SdfShape& shape) {
+bool read_geometry(const sdf::Geometry& geometry, FlatShape& shape) {
   if (const auto* box = geometry.BoxShape()) {
     shape.kind = "box";
     shape.size_name = "size";
@@ -57,7 +57,7 @@ bool read_geometry(const sdf::Geometry& geometry, SdfShape& shape) {
 
 /// The shape of a visual or a collision; nothing where there is none to show.
 template <class Element>
-void add_shape(const Element& element, SdfShape shape, std::vector<SdfShape>& shapes) {
+void add_shape(const Element& element, FlatShape shape, std::vector<FlatShape>& shapes) {
   ignition::math::Pose3d pose;
   if (element.Geom() == nullptr || !element.SemanticPose().Resolve(pose).empty()) return;
   if (!read_geometry(*element.Geom(), shape)) return;
@@ -67,11 +67,11 @@ void add_shape(const Element& element, SdfShape shape, std::vector<SdfShape>& sh
 
 }  // namespace
 
-std::vector<SdfShape> read_shapes(const sdf::Link& link) {
-  std::vector<SdfShape> shapes;
+std::vector<FlatShape> read_shapes(const sdf::Link& link) {
+  std::vector<FlatShape> shapes;
   for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
     const sdf::Visual& visual = *link.VisualByIndex(i);
-    SdfShape shape;
+    FlatShape shape;
     if (visual.Material() != nullptr) {
       const auto color = visual.Material()->Diffuse();
       shape.color = fmt::format("{} {} {} {}", color.R(), color.G(), color.B(), color.A());
@@ -79,7 +79,7 @@ std::vector<SdfShape> read_shapes(const sdf::Link& link) {
     add_shape(visual, shape, shapes);
   }
   for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
-    SdfShape shape;
+    FlatShape shape;
     shape.collides = true;
     add_shape(*link.CollisionByIndex(i), shape, shapes);
   }

@@ -3,13 +3,13 @@
 #include <sdf/Link.hh>
 #include <vector>
 
-#include "description/sdf/sdf_model.hpp"
+#include "description/flat/flat_model.hpp"
 
 namespace treeline {
 
 /// Shapes of a link's `<visual>` and `<collision>` that URDF has, too: boxes, cylinders, spheres
 /// and meshes, with diffuse colours. `model://` becomes `package://`. Others are left out: they are
 /// for pictures alone.
-std::vector<SdfShape> read_shapes(const sdf::Link& link);
+std::vector<FlatShape> read_shapes(const sdf::Link& link);
 
 }  // namespace treeline

@@ -38,7 +38,7 @@ void note_world(const sdf::Root& root, const std::string& file, Diagnostics& dia
                    "set gravity in the scene; the model's frame is the world"});
 }
 
-std::optional<SdfModel> read(const SdfText& text, Diagnostics& diagnostics) {
+std::optional<FlatModel> read(const SdfText& text, Diagnostics& diagnostics) {
   const auto root = load_sdf(text, diagnostics);
   if (!root) return std::nullopt;
   const std::vector<const sdf::Model*> models = list_models(*root);
@@ -62,7 +62,7 @@ std::optional<SdfModel> read(const SdfText& text, Diagnostics& diagnostics) {
 }  // namespace treeline
 
 extern "C" __attribute__((visibility("default"))) void treeline_read_sdf(
-    const treeline::SdfText& text, std::optional<treeline::SdfModel>& model,
+    const treeline::SdfText& text, std::optional<treeline::FlatModel>& model,
     treeline::Diagnostics& diagnostics) {
   model = treeline::read(text, diagnostics);
 }

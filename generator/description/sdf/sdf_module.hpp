@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "description/sdf/sdf_model.hpp"
+#include "description/flat/flat_model.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
@@ -14,7 +14,7 @@ struct SdfText {
 };
 
 /// Type of the function that the module `treeline_sdf.so` exports as `kSdfReader`: see `read_sdf`.
-using SdfReader = void(const SdfText& text, std::optional<SdfModel>& model,
+using SdfReader = void(const SdfText& text, std::optional<FlatModel>& model,
                        Diagnostics& diagnostics);
 inline constexpr const char* kSdfReader = "treeline_read_sdf";
 

@@ -17,20 +17,21 @@ std::size_t node_of(int link) {
 }
 
 /// Exchanges the ends of a joint: the coordinate stays, the axes change their direction.
-SdfJoint turn_round(SdfJoint joint) {
+FlatJoint turn_round(FlatJoint joint) {
   std::swap(joint.parent, joint.child);
+  std::swap(joint.in_parent, joint.in_child);
   std::reverse(joint.axes.begin(), joint.axes.end());
-  for (SdfAxis& axis : joint.axes) axis.direction = -axis.direction;
+  for (FlatAxis& axis : joint.axes) axis.direction = -axis.direction;
   return joint;
 }
 
 class Span {
  public:
-  explicit Span(const SdfModel& model)
+  explicit Span(const FlatModel& model)
       : model_(model), taken_(model.joints.size()), reached_(model.links.size() + 1) {}
 
-  SdfTree run() {
-    const auto holds_to_world = [](const SdfJoint& j) { return j.parent < 0 || j.child < 0; };
+  FlatTree run() {
+    const auto holds_to_world = [](const FlatJoint& j) { return j.parent < 0 || j.child < 0; };
     tree_.has_world = std::any_of(model_.joints.begin(), model_.joints.end(), holds_to_world);
     reached_[tree_.has_world ? kWorld : node_of(0)] = true;
     while (take_next(false) || take_next(true)) {
@@ -54,7 +55,7 @@ class Span {
   bool take_next(bool against) {
     for (std::size_t j = 0; j < taken_.size(); ++j) {
       if (taken_[j]) continue;
-      const SdfJoint joint = against ? turn_round(model_.joints[j]) : model_.joints[j];
+      const FlatJoint joint = against ? turn_round(model_.joints[j]) : model_.joints[j];
       if (!reached_[node_of(joint.parent)] || reached_[node_of(joint.child)]) continue;
       taken_[j] = true;
       reached_[node_of(joint.child)] = true;
@@ -64,17 +65,17 @@ class Span {
     return false;
   }
 
-  const SdfModel& model_;
+  const FlatModel& model_;
   std::vector<bool> taken_, reached_;
-  SdfTree tree_;
+  FlatTree tree_;
 };
 
 }  // namespace
 
-std::optional<SdfTree> span_tree(const SdfModel& model, const std::string& file,
-                                 Diagnostics& diagnostics) {
+std::optional<FlatTree> span_tree(const FlatModel& model, const std::string& file,
+                                  Diagnostics& diagnostics) {
   Span span(model);
-  SdfTree tree = span.run();
+  FlatTree tree = span.run();
   if (const auto loose = span.unreached(); !loose.empty()) {
     diagnostics.add({Severity::error, file, 0, fmt::format("sdf/model[{}]", model.name),
                      fmt::format("no joint connects {} to the rest", list_names(loose)),

@@ -2,14 +2,13 @@
 
 #include <string>
 
-#include "description/sdf/sdf_model.hpp"
-#include "description/sdf/span_tree.hpp"
+#include "description/flat/flat_model.hpp"
 
 namespace treeline {
 
 /// The mechanism as a URDF. A link whose joint is not at its origin hangs on a frame without mass,
 /// `JOINT_frame`, so that both frames are where SDF has them; joints with two axes become two,
 /// `JOINT_1` and `JOINT_2`; what closes a loop is a `<loop_joint>`.
-std::string print_urdf(const SdfModel& model, const SdfTree& tree);
+std::string print_urdf(const FlatModel& model, const FlatTree& tree);
 
 }  // namespace treeline

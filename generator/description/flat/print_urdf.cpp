@@ -1,4 +1,4 @@
-#include "description/sdf/print_urdf.hpp"
+#include "description/flat/print_urdf.hpp"
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
@@ -13,7 +13,7 @@
 namespace treeline {
 namespace {
 
-constexpr double kSdfResolution = 2e-15;  ///< of what libsdformat makes of angles, rad
+constexpr double kResolution = 2e-15;  ///< of angles after a few products of rotations, rad
 
 /// Text of three numbers, without the sign of a zero.
 std::string three(const Eigen::Vector3d& v) {
@@ -22,18 +22,15 @@ std::string three(const Eigen::Vector3d& v) {
 
 /// Whether a joint's frame is its child's: then the child hangs on the joint itself.
 bool is_identity(const Eigen::Isometry3d& pose, double length) {
-  return pose.linear().isIdentity(kSdfResolution) &&
-         pose.translation().cwiseAbs().maxCoeff() <= kSdfResolution * length;
+  return pose.linear().isIdentity(kResolution) &&
+         pose.translation().cwiseAbs().maxCoeff() <= kResolution * length;
 }
 
 class UrdfPrinter {
  public:
-  UrdfPrinter(const SdfModel& model, const SdfTree& tree) : model_(model), tree_(tree) {
-    for (const SdfLink& link : model.links) {
-      names_.insert(link.name);
-      length_ = std::max(length_, link.pose.translation().cwiseAbs().maxCoeff());
-    }
-    for (const SdfJoint& joint : model.joints) joint_names_.insert(joint.name);
+  UrdfPrinter(const FlatModel& model, const FlatTree& tree) : model_(model), tree_(tree) {
+    for (const FlatLink& link : model.links) names_.insert(link.name);
+    for (const FlatJoint& joint : model.joints) joint_names_.insert(joint.name);
     if (tree.has_world) world_ = unused("world", names_);
   }
 
@@ -42,9 +39,9 @@ class UrdfPrinter {
     printer_.PushAttribute("name", model_.name.c_str());
     if (tree_.has_world) open_link(world_);
     if (tree_.has_world) printer_.CloseElement();
-    for (const SdfLink& link : model_.links) print_link(link);
-    for (const SdfJoint& joint : tree_.joints) print_joint(joint);
-    for (const SdfJoint& loop : tree_.loops) print_loop(loop);
+    for (const FlatLink& link : model_.links) print_link(link);
+    for (const FlatJoint& joint : tree_.joints) print_joint(joint);
+    for (const FlatJoint& loop : tree_.loops) print_loop(loop);
     printer_.CloseElement();
     return std::string(printer_.CStr()) + "\n";
   }
@@ -57,11 +54,6 @@ class UrdfPrinter {
 
   [[nodiscard]] std::string name_of(int link) const {
     return link < 0 ? world_ : model_.links[static_cast<std::size_t>(link)].name;
-  }
-
-  [[nodiscard]] Eigen::Isometry3d pose_of(int link) const {
-    return link < 0 ? Eigen::Isometry3d::Identity()
-                    : model_.links[static_cast<std::size_t>(link)].pose;
   }
 
   void attribute(const char* name, const std::string& value) {
@@ -80,11 +72,11 @@ class UrdfPrinter {
     };
     Eigen::Matrix3d R = pose.linear();
     for (double& entry : R.reshaped()) {
-      entry = clean(entry, kSdfResolution);
-      if (std::abs(std::abs(entry) - 1) <= kSdfResolution) entry = std::copysign(1.0, entry);
+      entry = clean(entry, kResolution);
+      if (std::abs(std::abs(entry) - 1) <= kResolution) entry = std::copysign(1.0, entry);
     }
     Eigen::Vector3d p = pose.translation();
-    for (double& entry : p) entry = clean(entry, kSdfResolution * length_);
+    for (double& entry : p) entry = clean(entry, kResolution * model_.length);
     const auto rpy = rpy_from_rotation(R);
     attribute("xyz", three(p));
     attribute("rpy", three({rpy[0], rpy[1], rpy[2]}));
@@ -96,7 +88,7 @@ class UrdfPrinter {
     printer_.CloseElement();
   }
 
-  void print_inertial(const SdfInertial& inertial) {
+  void print_inertial(const FlatInertial& inertial) {
     printer_.OpenElement("inertial");
     print_origin(inertial.pose);
     printer_.OpenElement("mass");
@@ -113,7 +105,7 @@ class UrdfPrinter {
     printer_.CloseElement();
   }
 
-  void print_shape(const SdfShape& shape) {
+  void print_shape(const FlatShape& shape) {
     printer_.OpenElement(shape.collides ? "collision" : "visual");
     print_origin(shape.pose);
     printer_.OpenElement("geometry");
@@ -133,10 +125,10 @@ class UrdfPrinter {
     printer_.CloseElement();
   }
 
-  void print_link(const SdfLink& link) {
+  void print_link(const FlatLink& link) {
     open_link(link.name);
     if (link.inertial) print_inertial(*link.inertial);
-    for (const SdfShape& shape : link.shapes) print_shape(shape);
+    for (const FlatShape& shape : link.shapes) print_shape(shape);
     printer_.CloseElement();
   }
 
@@ -158,15 +150,15 @@ class UrdfPrinter {
     print_origin(origin);
   }
 
-  void print_direction(const SdfAxis& axis) {
+  void print_direction(const FlatAxis& axis) {
     Eigen::Vector3d direction = axis.direction;
-    for (double& entry : direction) entry = std::abs(entry) <= kSdfResolution ? 0 : entry;
+    for (double& entry : direction) entry = std::abs(entry) <= kResolution ? 0 : entry;
     printer_.OpenElement("axis");
     attribute("xyz", three(direction));
     printer_.CloseElement();
   }
 
-  void print_axis(const SdfAxis& axis, bool turns_on) {
+  void print_axis(const FlatAxis& axis, bool turns_on) {
     print_direction(axis);
     printer_.OpenElement("limit");
     if (!turns_on) {
@@ -176,14 +168,23 @@ class UrdfPrinter {
     attribute("effort", fmt::format("{}", axis.effort));
     attribute("velocity", fmt::format("{}", axis.velocity));
     printer_.CloseElement();
-    if (axis.damping == 0 && axis.friction == 0) return;
+    if (axis.damping == 0 && axis.friction == 0 && axis.armature == 0) return;
     printer_.OpenElement("dynamics");
     attribute("damping", fmt::format("{}", axis.damping));
     attribute("friction", fmt::format("{}", axis.friction));
+    if (axis.armature != 0) attribute("armature", fmt::format("{}", axis.armature));
     printer_.CloseElement();
   }
 
-  void print_rotor(const SdfJoint& joint) {
+  void print_mimic(const FlatMimic& mimic) {
+    printer_.OpenElement("mimic");
+    attribute("joint", mimic.joint);
+    attribute("multiplier", fmt::format("{}", mimic.multiplier));
+    attribute("offset", fmt::format("{}", mimic.offset));
+    printer_.CloseElement();
+  }
+
+  void print_rotor(const FlatJoint& joint) {
     for (const auto& [name, value] : joint.rotor) {
       printer_.OpenElement(name.c_str());
       attribute("value", value);
@@ -192,7 +193,7 @@ class UrdfPrinter {
   }
 
   /// Writes a turning joint without its end: the caller writes `</joint>`.
-  void open_turning(const std::string& name, const std::string& type, const SdfAxis& axis,
+  void open_turning(const std::string& name, const std::string& type, const FlatAxis& axis,
                     const std::string& parent, const std::string& child,
                     const Eigen::Isometry3d& origin) {
     const bool turns_on = type != "prismatic" && std::isinf(axis.lower) && std::isinf(axis.upper);
@@ -201,26 +202,26 @@ class UrdfPrinter {
     print_axis(axis, turns_on);
   }
 
-  void print_joint(const SdfJoint& joint) {
-    const Eigen::Isometry3d at_parent = pose_of(joint.parent).inverse() * joint.pose;
-    const Eigen::Isometry3d to_child = joint.pose.inverse() * pose_of(joint.child);
+  void print_joint(const FlatJoint& joint) {
+    const Eigen::Isometry3d to_child = joint.in_child.inverse();
     const std::string parent = name_of(joint.parent), child = name_of(joint.child);
     if (joint.type == "fixed") {
-      open_joint(joint.name, "fixed", parent, child,
-                 pose_of(joint.parent).inverse() * pose_of(joint.child));
+      open_joint(joint.name, "fixed", parent, child, joint.in_parent * to_child);
       printer_.CloseElement();
       return;
     }
-    const bool direct = is_identity(to_child, length_);
+    const bool direct = is_identity(to_child, model_.length);
     const std::string end = direct ? child : unused(joint.name + "_frame", names_);
     if (joint.axes.size() == 2) {
-      print_two(joint, parent, end, at_parent);
+      print_two(joint, parent, end);
     } else if (joint.axes.empty()) {
-      open_joint(joint.name, "ball", parent, end, at_parent);
+      open_joint(joint.name, joint.type == "floating" ? "floating" : "ball", parent, end,
+                 joint.in_parent);
       printer_.CloseElement();
     } else {
-      open_turning(joint.name, joint.type, joint.axes[0], parent, end, at_parent);
+      open_turning(joint.name, joint.type, joint.axes[0], parent, end, joint.in_parent);
       print_rotor(joint);
+      if (joint.mimic) print_mimic(*joint.mimic);
       printer_.CloseElement();
     }
     if (direct) return;
@@ -230,13 +231,12 @@ class UrdfPrinter {
     printer_.CloseElement();
   }
 
-  void print_two(const SdfJoint& joint, const std::string& parent, const std::string& end,
-                 const Eigen::Isometry3d& at_parent) {
+  void print_two(const FlatJoint& joint, const std::string& parent, const std::string& end) {
     const std::string between = unused(joint.name + "_cross", names_);
     open_link(between);
     printer_.CloseElement();
     open_turning(unused(joint.name + "_1", joint_names_), "revolute", joint.axes[0], parent,
-                 between, at_parent);
+                 between, joint.in_parent);
     printer_.CloseElement();
     open_turning(unused(joint.name + "_2", joint_names_), "revolute", joint.axes[1], between, end,
                  Eigen::Isometry3d::Identity());
@@ -246,31 +246,30 @@ class UrdfPrinter {
   void print_loop_end(const char* name, int link, const Eigen::Isometry3d& pose) {
     printer_.OpenElement(name);
     attribute("link", name_of(link));
-    print_pose(pose_of(link).inverse() * pose);
+    print_pose(pose);
     printer_.CloseElement();
   }
 
-  void print_loop(const SdfJoint& joint) {
+  void print_loop(const FlatJoint& joint) {
     printer_.OpenElement("loop_joint");
     attribute("name", joint.name);
     attribute("type", joint.type == "ball" ? "spherical" : joint.type);
     if (!joint.axes.empty()) print_direction(joint.axes[0]);
-    print_loop_end("link1", joint.parent, joint.pose);
-    print_loop_end("link2", joint.child, joint.pose);
+    print_loop_end("link1", joint.parent, joint.in_parent);
+    print_loop_end("link2", joint.child, joint.in_child);
     printer_.CloseElement();
   }
 
-  const SdfModel& model_;
-  const SdfTree& tree_;
+  const FlatModel& model_;
+  const FlatTree& tree_;
   tinyxml2::XMLPrinter printer_;
   std::set<std::string> names_, joint_names_;
   std::string world_;
-  double length_ = 0;  ///< of the model: the largest component of a link's place
 };
 
 }  // namespace
 
-std::string print_urdf(const SdfModel& model, const SdfTree& tree) {
+std::string print_urdf(const FlatModel& model, const FlatTree& tree) {
   return UrdfPrinter(model, tree).run();
 }
 
