@@ -38,9 +38,9 @@ std::string read_end(const UrdfElement& element, const char* end) {
 
 }  // namespace
 
-std::array<double, 3> read_axis(const UrdfElement& joint) {
+std::array<double, 3> read_axis(const UrdfElement& joint, const char* name) {
   const std::array<double, 3> by_default{1, 0, 0};
-  const auto element = joint.child("axis");
+  const auto element = joint.child(name);
   if (!element) return by_default;
   element->holds_only_attributes({"xyz"});
   if (!element->required_text("xyz",

@@ -22,7 +22,8 @@ struct NamedJoint {
 /// fixed or floating joint is dropped with a warning.
 NamedJoint read_joint(const UrdfElement& element);
 
-/// Reads `<axis xyz>` of a joint as a unit vector in the joint's frame; x where there is none.
-std::array<double, 3> read_axis(const UrdfElement& joint);
+/// Reads `<axis xyz>` of a joint, or a child of another name, as a unit vector in the joint's
+/// frame; x where there is none.
+std::array<double, 3> read_axis(const UrdfElement& joint, const char* name = "axis");
 
 }  // namespace treeline

@@ -30,6 +30,7 @@ struct Elements {
   std::vector<UrdfElement> links;
   std::vector<UrdfElement> joints;
   std::vector<UrdfElement> loops;
+  std::vector<UrdfElement> constraints;
 };
 
 void check_version(const UrdfElement& robot) {
@@ -96,6 +97,8 @@ Elements list_elements(const UrdfElement& robot) {
       elements.joints.push_back(element);
     } else if (is_loop_joint(element)) {
       elements.loops.push_back(element);
+    } else if (is_constraint(element)) {
+      elements.constraints.push_back(element);
     } else {
       read_other(robot, element);
     }
@@ -156,6 +159,8 @@ std::optional<Robot> read_robot(const UrdfElement& element, UrdfReading& reading
   if (!own_links || !own_joints) return std::nullopt;
   connect_tree(joints, elements.links, robot, reading);
   for (const UrdfElement& loop : elements.loops) read_loop_joint(loop, robot);
+  for (const UrdfElement& each : elements.constraints) read_constraint_hint(each, robot);
+  find_closing_frames(robot, reading);
   if (reading.failed()) return std::nullopt;
   if (!resolve_mimics(joints, robot)) return std::nullopt;
   fold_follower_limits(joints, robot);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,6 +75,25 @@ struct RobotLoop {
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
 };
 
+/// N m/rad and rad, or N/m and m.
+struct SpringHint {
+  double stiffness = 0, rest = 0;
+};
+
+/// A loop that the file describes beside URDF, and how.
+struct LoopHint {
+  RobotLoop loop;
+  std::string reason;
+};
+
+/// What a file says that a scene decides: `init-scene` proposes it.
+struct SceneHints {
+  bool floats = false;                           ///< nothing holds the root link to the world
+  std::optional<std::array<double, 3>> gravity;  ///< m/s^2
+  std::map<std::string, SpringHint> springs;     ///< by joint
+  std::vector<LoopHint> loops;
+};
+
 /// One of the robots that a scene joins at the world, see `join_robots`.
 struct RobotPart {
   std::string name;  ///< an identifier; names of its links and joints begin with it and a slash
@@ -89,7 +109,8 @@ struct Robot {
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<RobotLoop> loops;
-  int root = -1;                 ///< index of the root link
+  int root = -1;  ///< index of the root link
+  SceneHints hints;
   std::vector<RobotPart> parts;  ///< of several robots in one scene; empty: one robot
 };
 

@@ -83,5 +83,51 @@ TEST(LoopsAlongOtherAxes, TurnBothFrames) {
   }
 }
 
+const std::string kTwoFingers =
+    "<link name='a'/><link name='b'/><joint name='j' type='continuous'><parent link='a'/>"
+    "<child link='b'/></joint>\n";
+
+// The axis of each side is where z of its turned frame points.
+TEST(LoopHints, AreReadFromConstraints) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(
+      "<robot name='r'>" + kTwoFingers +
+          "<constraint name='c' type='revolute'><parent link='a'/><parent_origin xyz='1 2 3'/>"
+          "<parent_axis xyz='1 0 0'/><child link='b'/><child_origin rpy='" +
+          kTurned + "'/><child_axis xyz='0 1 0'/></constraint></robot>",
+      "r.urdf", diagnostics);
+  ASSERT_TRUE(robot && robot->hints.loops.size() == 1) << to_string(diagnostics);
+  const RobotLoop& loop = robot->hints.loops[0].loop;
+  EXPECT_TRUE(robot->loops.empty());
+  EXPECT_EQ(loop.first.origin.xyz, (std::array{1.0, 2.0, 3.0}));
+  EXPECT_EQ(loop.rows, (std::array{true, true, true, true, true, false}));
+  const Eigen::Matrix3d turned = rotation_from_rpy<double>(kTurnedAngles);
+  EXPECT_LT(
+      (rotation_from_rpy<double>(loop.first.origin.rpy).col(2) - Eigen::Vector3d::UnitX()).norm(),
+      1e-15);
+  EXPECT_LT((rotation_from_rpy<double>(loop.second.origin.rpy).col(2) - turned.col(1)).norm(),
+            1e-15);
+  expect_diagnosed(diagnostics, "r.urdf",
+                   {Severity::note, 2, "robot/constraint[c]", "stays open", "init-scene"});
+}
+
+TEST(LoopHints, AreFoundInPairsOfClosingFrames) {
+  Diagnostics diagnostics;
+  std::string frames;
+  for (const auto& [name, parent] :
+       {std::pair{"closing_bar_1", "a"}, {"closing_bar_2", "b"}, {"closing_odd_1", "b"}}) {
+    frames += std::string("<link name='") + name + "'/><joint name='" + name +
+              "_at' type='fixed'><parent link='" + parent + "'/><child link='" + name +
+              "'/></joint>";
+  }
+  const auto robot =
+      parse_urdf("<robot name='r'>" + kTwoFingers + frames + "</robot>", "r.urdf", diagnostics);
+  ASSERT_TRUE(robot && robot->hints.loops.size() == 1) << to_string(diagnostics);
+  const RobotLoop& loop = robot->hints.loops[0].loop;
+  EXPECT_EQ(loop.first.link, "closing_bar_1");
+  EXPECT_EQ(loop.second.link, "closing_bar_2");
+  EXPECT_EQ(loop.rows, (std::array{true, true, true, false, false, false}));
+}
+
 }  // namespace
 }  // namespace treeline
