@@ -57,4 +57,11 @@ void read_joint_springs(const SceneElement& element, const Robot& robot, Scene& 
   }
 }
 
+void note_unused_springs(const SceneElement& top, const Robot& robot) {
+  if (robot.hints.springs.empty()) return;
+  top.note(fmt::format("the robot's file states springs of {} joints; no function counts them",
+                       robot.hints.springs.size()),
+           "`treeline init-scene` writes them as joint_springs");
+}
+
 }  // namespace treeline

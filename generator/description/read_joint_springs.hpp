@@ -12,4 +12,7 @@ namespace treeline {
 /// that is missing or not positive.
 void read_joint_springs(const SceneElement& element, const Robot& robot, Scene& scene);
 
+/// A note where the file states springs, of which the scene says nothing.
+void note_unused_springs(const SceneElement& top, const Robot& robot);
+
 }  // namespace treeline

@@ -133,7 +133,8 @@ class Reader {
     } else {
       placed.base = default_base(placed.robot);
       if (placed.base == Base::floating) {
-        item.note("nothing is said of this robot's base, which floats, for no joint moves",
+        item.note(fmt::format("nothing is said of this robot's base, which floats, for {}",
+                              why_floating(placed.robot)),
                   "write base: floating or base: fixed to choose");
       }
     }

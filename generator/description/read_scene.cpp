@@ -51,8 +51,9 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
 }
 
 void note_missing_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
-  const char* const base =
-      scene.base == Base::floating ? "the base floats, for no joint moves" : "the base is fixed";
+  const std::string base = scene.base == Base::floating
+                               ? fmt::format("the base floats, for {}", why_floating(robot))
+                               : "the base is fixed";
   diagnostics.add({Severity::note, robot.file, 0, "",
                    fmt::format("there is no scene: functions of the joints alone, and {}", base),
                    "`treeline init-scene` writes a scene to start from"});
@@ -75,7 +76,8 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   if (reading.failed) return std::nullopt;
   if (from == FunctionsFrom::scene) warn_of_unused(top, scene);
   if (!file_name.empty() && scene.base == Base::floating && !(*document)["base"]) {
-    top.note("the scene says nothing of the base, which floats, for no joint moves",
+    top.note(fmt::format("the scene says nothing of the base, which floats, for {}",
+                         why_floating(robot)),
              "write base: floating or base: fixed to choose");
   }
   if (!robot.loops.empty()) {

@@ -1,6 +1,7 @@
 #include "description/scene_keys.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -128,6 +129,15 @@ void read_gravity(const SceneElement& element, Scene& scene) {
   scene.gravity = element.three_numbers().value_or(scene.gravity);
 }
 
+void note_other_gravity(const SceneElement& top, const Robot& robot) {
+  const auto& stated = robot.hints.gravity;
+  if (!stated || *stated == Scene{}.gravity) return;
+  top.note(
+      fmt::format("the robot's file has gravity [{}], the scene says nothing and has [0, 0, -9.81]",
+                  fmt::join(*stated, ", ")),
+      "write gravity in the scene");
+}
+
 void read_real(const SceneElement& element, Scene& scene) {
   take_word(element, scene.real);
 }
@@ -193,7 +203,7 @@ const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = {
       {"name", without_robot<read_name>},
       {"base", without_robot<read_base>},
-      {"gravity", without_robot<read_gravity>},
+      {"gravity", without_robot<read_gravity>, note_other_gravity},
       {"real", without_robot<read_real>},
       {"sin_cos", without_robot<read_sin_cos>},
       {"accuracy", without_robot<read_accuracy>},
@@ -223,7 +233,7 @@ const std::vector<SceneKey>& scene_keys() {
       {"controller", read_controller},
       {"armature", read_armature, note_unused_rotors},
       {"joint_friction", read_joint_friction, note_unused_friction},
-      {"joint_springs", read_joint_springs},
+      {"joint_springs", read_joint_springs, note_unused_springs},
       {"robots"},
       {"obstacles"},
       {"avoidance"},

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -74,13 +75,15 @@ std::string print_head(const Robot& robot, const std::string& file) {
                      yaml_word(package_name_from(robot.name)));
 }
 
-std::string print_base(const SceneProposal& proposal) {
+std::string print_base(const Robot& robot, const SceneProposal& proposal) {
+  const auto gravity = robot.hints.gravity.value_or(Scene{}.gravity);
   const bool floats = proposal.base == Base::floating;
   return remark(fmt::format("{}, because {}. Write {} if that is wrong.",
                             floats ? "Floating" : "Fixed", printable(proposal.base_reason),
                             floats ? "fixed" : "floating")) +
          fmt::format("base: {}\n\n", floats ? "floating" : "fixed") +
-         "gravity: [0, 0, -9.81]  # m/s^2, in the axes of the world\n"
+         fmt::format("gravity: [{}]  # m/s^2, in the axes of the world\n",
+                     fmt::join(gravity, ", ")) +
          "real: double  # or float\n\n";
 }
 
@@ -157,6 +160,42 @@ std::string print_friction(const Robot& robot) {
   return text + "# joint_friction: viscous\n";
 }
 
+std::string print_springs(const Robot& robot) {
+  if (robot.hints.springs.empty()) return {};
+  std::string text = "\n";
+  text += remark("The file states springs of joints. To count them:") + "# joint_springs:\n";
+  for (const auto& [joint, spring] : robot.hints.springs) {
+    text += fmt::format("#   {}: {{stiffness: {}, rest: {}}}\n", yaml_word(joint), spring.stiffness,
+                        spring.rest);
+  }
+  return text;
+}
+
+std::string print_origin(const char* key, const Pose& pose) {
+  if (pose.xyz == Pose{}.xyz && pose.rpy == Pose{}.rpy) return {};
+  return fmt::format("    {}: {{xyz: [{}], rpy: [{}]}}\n", key, fmt::join(pose.xyz, ", "),
+                     fmt::join(pose.rpy, ", "));
+}
+
+std::string print_loops(const Robot& robot) {
+  if (robot.hints.loops.empty()) return {};
+  std::string text = "\n";
+  text +=
+      remark("Loops that the file leaves open. Add rx, ry, rz where more than a point is held.") +
+      "constraints:\n";
+  for (const auto& [loop, reason] : robot.hints.loops) {
+    ScenePoint point;
+    point.rows = loop.rows;
+    text += fmt::format("  - name: {}  # {}\n    between: [{}, {}]\n    rows: [{}]\n",
+                        yaml_word(identifier_from(loop.name)), printable(reason),
+                        yaml_word(loop.first.link), yaml_word(loop.second.link),
+                        list_rows(point, ", ")) +
+            print_origin("origin", loop.first.origin) +
+            print_origin("other_origin", loop.second.origin);
+  }
+  return text;
+}
+
 std::string print_functions(const std::vector<Function>& functions) {
   std::string text = "\n";
   text += remark(
@@ -172,9 +211,10 @@ std::string print_functions(const std::vector<Function>& functions) {
 
 std::string print_scene(const Robot& robot, const SceneProposal& proposal, const std::string& file,
                         const std::vector<Function>& functions) {
-  return print_head(robot, file) + print_base(proposal) + print_points(robot, proposal) +
+  return print_head(robot, file) + print_base(robot, proposal) + print_points(robot, proposal) +
          print_left_out(proposal) + print_locked(robot, proposal) + print_rotors(robot) +
-         print_friction(robot) + print_functions(functions);
+         print_friction(robot) + print_springs(robot) + print_loops(robot) +
+         print_functions(functions);
 }
 
 }  // namespace treeline

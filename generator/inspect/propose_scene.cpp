@@ -158,7 +158,7 @@ void guess_base(const Robot& robot, const std::vector<End>& ends, std::optional<
   if (asked) {
     take(*asked, "as asked for");
   } else if (default_base(robot) == Base::floating) {
-    take(Base::floating, "no joint moves");
+    take(Base::floating, why_floating(robot));
   } else if (is_ground(root)) {
     take(Base::fixed, fmt::format("the root link is called \"{}\"", root));
   } else if (number(EndKind::foot) >= 2) {

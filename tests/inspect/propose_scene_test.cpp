@@ -208,5 +208,31 @@ TEST(ProposeScene, RowsAreIndependentTogether) {
   }
 }
 
+// What a file says beside URDF: a reader of another format leaves it in the hints.
+TEST(ProposeScene, TakesWhatTheFileSays) {
+  Robot robot = read("<robot name='r'><link name='a'>" + kBody + "</link><link name='b'>" + kBody +
+                     "</link><joint name='j' type='continuous'><parent link='a'/><child link='b'/>"
+                     "</joint></robot>");
+  robot.hints.floats = true;
+  robot.hints.gravity = {0, 0, -1.62};
+  robot.hints.springs["j"] = {20, 0.5};
+  robot.hints.loops.push_back(
+      {{"closing_bar", {"a", {{0, 0, 1}, {}}}, {"b", {}}, {true, false, true, false, false, false}},
+       "links closing_bar_1 and closing_bar_2, which are to meet"});
+  const SceneProposal proposal = propose_scene(robot, {});
+  const Scene scene = read_back(robot, proposal);
+  EXPECT_EQ(scene.base, Base::floating);
+  EXPECT_EQ(scene.gravity, (std::array{0.0, 0.0, -1.62}));
+  ASSERT_EQ(scene.loops.size(), 1U);
+  EXPECT_EQ(scene.loops[0].first.origin.xyz, (std::array{0.0, 0.0, 1.0}));
+  EXPECT_EQ(scene.loops[0].first.rows, (std::array{true, false, true, false, false, false}));
+  const std::string text = print_scene(robot, proposal, "r.urdf", {});
+  EXPECT_NE(text.find("because the file says so"), std::string::npos) << text;
+  EXPECT_NE(text.find("#   j: {stiffness: 20, rest: 0.5}"), std::string::npos) << text;
+  EXPECT_NE(text.find("# links closing_bar_1 and closing_bar_2, which are to meet"),
+            std::string::npos)
+      << text;
+}
+
 }  // namespace
 }  // namespace treeline
