@@ -23,7 +23,7 @@ struct ConvertOptions {
 int run(const ConvertOptions& options) {
   Diagnostics diagnostics;
   const auto text = read_robot_text(options.robot, diagnostics);
-  const bool is_robot = text && parse_urdf(text->urdf, text->shown, diagnostics).has_value();
+  const bool is_robot = text && parse_robot(*text, diagnostics).has_value();
   const bool to_file = !options.output.empty() && options.output != "-";
   const bool written = is_robot && to_file &&
                        write_output_file(options.output, text->urdf, diagnostics, {options.robot});
@@ -36,16 +36,16 @@ int run(const ConvertOptions& options) {
 
 void add_convert(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = app.add_subcommand("convert", "Print the URDF as which an SDF file is read");
-  command->add_option("robot", options->robot, "Robot, SDF")->required();
+  CLI::App* command = app.add_subcommand("convert", "Print the URDF as which SDF or MJCF is read");
+  command->add_option("robot", options->robot, "Robot, SDF or MJCF")->required();
   command->add_option("-o,--output", options->output, "File to write, else standard output")
       ->check(no_equals_sign());
   add_warnings_option(*command, options->warnings);
   command->footer(
-      "Every command reads SDF where it reads URDF; this shows what it makes of it.\n"
+      "Every command reads SDF and MJCF where it reads URDF; this shows what it makes of it.\n"
       "Examples:\n"
       "  treeline convert model.sdf > model.urdf\n"
-      "  treeline convert model.sdf -o model.urdf");
+      "  treeline convert humanoid.xml -o humanoid.urdf");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -54,8 +54,8 @@ void add_diff(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DiffOptions>();
   CLI::App* command = app.add_subcommand(
       "diff", "Tell by how much two robots differ: poses, masses, limits, dynamics");
-  command->add_option("first", options->first, "Robot, URDF or SDF")->required();
-  command->add_option("second", options->second, "The other robot, URDF or SDF")->required();
+  command->add_option("first", options->first, "Robot, URDF, SDF or MJCF")->required();
+  command->add_option("second", options->second, "The other robot, URDF, SDF or MJCF")->required();
   command
       ->add_option("--tolerance", options->tolerance,
                    "What counts as the same: m, rad, and relative to masses, inertias, forces")

@@ -83,7 +83,7 @@ void add_init_scene(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<InitOptions>();
   CLI::App* command =
       app.add_subcommand("init-scene", "Propose a scene for a robot, with comments, to start from");
-  command->add_option("urdf", options->urdf, "Robot, URDF or SDF")->required();
+  command->add_option("urdf", options->urdf, "Robot, URDF, SDF or MJCF")->required();
   auto* output =
       command->add_option("-o,--output", options->output, "File to write, else standard output")
           ->check(no_equals_sign());

@@ -48,7 +48,7 @@ std::optional<RobotWithFiles> read_robot_files(const std::string& first, const s
   }
   auto robot_text = as_robot_text(std::move(*text), first, diagnostics);
   if (!robot_text) return std::nullopt;
-  auto robot = parse_urdf(robot_text->urdf, robot_text->shown, diagnostics);
+  auto robot = parse_robot(*robot_text, diagnostics);
   if (!robot) return std::nullopt;
   auto scene_text = second.empty() ? std::string() : read_text_file(second, diagnostics);
   if (!scene_text) return std::nullopt;

@@ -29,7 +29,7 @@ struct RobotWithFiles {
 
 /// For the options of a command that takes such files.
 inline constexpr const char* kRobotArgument =
-    "Robot, URDF or SDF; or a scene that lists robots, YAML";
+    "Robot, URDF, SDF or MJCF; or a scene that lists robots, YAML";
 
 /// Reads robots and the text of the scene. `first` is a URDF and `second` its scene or empty, or
 /// `first` is a scene with the key `robots`. Faults are in `diagnostics`.

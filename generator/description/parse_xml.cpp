@@ -224,7 +224,6 @@ std::string other_format(std::string_view name) {
   if (name == "sdf" || name == "world" || name == "model") {
     return "this looks like a part of SDF: its root is <sdf>";
   }
-  if (name == "mujoco") return "this is MJCF, which is not read: export the robot as URDF";
   if (name == "COLLADA") return "this is COLLADA: name the robot's URDF";
   return "the root element of a URDF is <robot>";
 }

@@ -11,7 +11,7 @@ namespace treeline {
 
 /// Fills `document` with the XML in `bytes` and returns its root element, `<robot>`. Nothing, and
 /// an error, when the text is not well-formed, is no UTF-8, has no or several roots, gives an
-/// attribute twice, or is another format (MJCF, old SDF): each with the line and the remedy.
+/// attribute twice, or is another format (old SDF): each with the line and the remedy.
 const tinyxml2::XMLElement* parse_urdf_xml(const std::string& bytes, const std::string& file,
                                            tinyxml2::XMLDocument& document,
                                            Diagnostics& diagnostics);

@@ -5,9 +5,11 @@
 #include <string_view>
 #include <utility>
 
-#include "description/read_robots.hpp"
-#include "description/scan_xml.hpp"
 #include "description/flat/print_urdf.hpp"
+#include "description/mjcf/read_mjcf.hpp"
+#include "description/read_robots.hpp"
+#include "description/read_urdf.hpp"
+#include "description/scan_xml.hpp"
 #include "description/sdf/read_sdf.hpp"
 #include "description/sdf/span_tree.hpp"
 #include "text/read_text_file.hpp"
@@ -15,12 +17,22 @@
 namespace treeline {
 namespace {
 
-bool is_sdf(std::string_view text) {
+/// Name of the first element; empty where there is none.
+std::string_view name_of_root(std::string_view text) {
   std::size_t at = 0;
   while (const auto tag = next_tag(text, at)) {
-    if (tag->kind != XmlTag::Kind::other) return tag->name == "sdf";
+    if (tag->kind != XmlTag::Kind::other) return tag->name;
   }
-  return false;
+  return {};
+}
+
+RobotText as_urdf(const FlatModel& model, const FlatTree& tree, const char* format,
+                  const std::string& file, Diagnostics& diagnostics) {
+  diagnostics.add({Severity::note, file, 0, format,
+                   fmt::format("read as a URDF, with {} joints in the tree and {} that close loops",
+                               tree.joints.size(), tree.loops.size()),
+                   "`treeline convert` prints it; other messages name its lines"});
+  return {print_urdf(model, tree), file + " as URDF", {}};
 }
 
 /// Two of the kinds of SDF have no counterpart among joints that close loops.
@@ -41,15 +53,19 @@ bool can_close(const FlatTree& tree, const std::string& file, Diagnostics& diagn
 std::optional<RobotText> as_robot_text(std::string text, const std::string& path,
                                        Diagnostics& diagnostics) {
   const std::string file = shown_path(path);
-  if (!is_sdf(text)) return RobotText{std::move(text), file};
+  const std::string_view root = name_of_root(text);
+  if (root == "mujoco") {
+    const auto read = read_mjcf(text, path, diagnostics);
+    if (!read) return std::nullopt;
+    RobotText urdf = as_urdf(read->model, read->tree, "mujoco", file, diagnostics);
+    urdf.hints = read->hints;
+    return urdf;
+  }
+  if (root != "sdf") return RobotText{std::move(text), file, {}};
   const auto model = read_sdf(text, path, diagnostics);
   const auto tree = model ? span_tree(*model, file, diagnostics) : std::nullopt;
   if (!tree || !can_close(*tree, file, diagnostics)) return std::nullopt;
-  diagnostics.add({Severity::note, file, 0, "sdf",
-                   fmt::format("read as a URDF, with {} joints in the tree and {} that close loops",
-                               tree->joints.size(), tree->loops.size()),
-                   "`treeline convert` prints it; other messages name its lines"});
-  return RobotText{print_urdf(*model, *tree), file + " as URDF"};
+  return as_urdf(*model, *tree, "sdf", file, diagnostics);
 }
 
 std::optional<RobotText> read_robot_text(const std::string& path, Diagnostics& diagnostics) {
@@ -58,13 +74,22 @@ std::optional<RobotText> read_robot_text(const std::string& path, Diagnostics& d
   if (is_scene_text(*text)) {
     diagnostics.add({Severity::error, shown_path(path), 0, "", "this is a scene, not a robot",
                      lists_robots(*text)
-                         ? "name a URDF or SDF; `generate`, `check` and `drive` take a scene that "
+                         ? "name a robot; `generate`, `check` and `drive` take a scene that "
                            "lists robots in place of one"
-                         : "name a URDF or SDF; `generate`, `check` and `drive` take a scene as "
+                         : "name a robot; `generate`, `check` and `drive` take a scene as "
                            "their second argument, behind the robot"});
     return std::nullopt;
   }
   return as_robot_text(std::move(*text), path, diagnostics);
+}
+
+std::optional<Robot> parse_robot(const RobotText& text, Diagnostics& diagnostics) {
+  auto robot = parse_urdf(text.urdf, text.shown, diagnostics);
+  if (!robot) return robot;
+  auto loops = std::move(robot->hints.loops);
+  robot->hints = text.hints;
+  robot->hints.loops = std::move(loops);
+  return robot;
 }
 
 }  // namespace treeline

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "description/robot.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
@@ -11,15 +12,19 @@ namespace treeline {
 struct RobotText {
   std::string urdf;
   std::string shown;  ///< what messages about lines of that text call the file
+  SceneHints hints;   ///< what another format says that URDF cannot
 };
 
-/// The URDF in a file, `-` is standard input; of an SDF file what it says as a URDF, see
-/// `description/sdf`, with a note that tells so. A scene is an error; other text is handed on as it
-/// is.
+/// The URDF in a file, `-` is standard input; of SDF and MJCF what they say as a URDF,
+/// see `description/sdf` and `description/mjcf`, with a note that tells so. A scene is an error;
+/// other text is handed on as it is.
 std::optional<RobotText> read_robot_text(const std::string& path, Diagnostics& diagnostics);
 
-/// Makes robot text of a URDF or SDF whose text was read from `path`, see `read_robot_text`.
+/// Makes robot text of a URDF, SDF or MJCF whose text was read from `path`, see `read_robot_text`.
 std::optional<RobotText> as_robot_text(std::string text, const std::string& path,
                                        Diagnostics& diagnostics);
+
+/// The robot that the text describes, see `parse_urdf`.
+std::optional<Robot> parse_robot(const RobotText& text, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -99,7 +99,7 @@ class Reader {
                                    const SceneElement& element) {
     if (failed_.contains(path)) return std::nullopt;
     auto text = read_robot_text(path, diagnostics_);
-    auto robot = text ? parse_urdf(text->urdf, text->shown, diagnostics_) : std::nullopt;
+    auto robot = text ? parse_robot(*text, diagnostics_) : std::nullopt;
     if (!robot) {
       failed_.insert(path);
       element.error("this robot cannot be read, see above",

@@ -226,7 +226,7 @@ std::optional<Robot> parse_urdf(const std::string& text, const std::string& file
 std::optional<Robot> read_urdf(const std::string& path, Diagnostics& diagnostics) {
   const auto text = read_robot_text(path, diagnostics);
   if (!text) return std::nullopt;
-  return parse_urdf(text->urdf, text->shown, diagnostics);
+  return parse_robot(*text, diagnostics);
 }
 
 }  // namespace treeline

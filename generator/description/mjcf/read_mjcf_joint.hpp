@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "description/flat/flat_model.hpp"
+#include "description/mjcf/mjcf_compiler.hpp"
+#include "description/mjcf/read_geom.hpp"
+#include "description/robot.hpp"
+
+namespace treeline {
+
+/// A joint of a body, without its links.
+struct MjcfJoint {
+  FlatJoint joint;
+  Eigen::Isometry3d place;       ///< of its anchor in the body, whose axes it has
+  Eigen::Isometry3d moved_back;  ///< what its coordinate 0 makes of `place`, for `ref` is 0 there
+  double ref = 0;
+  std::optional<SpringHint> spring;
+};
+
+/// Reads a `<joint>` or `<freejoint>` that stands in a `<frame>` of the body. What URDF has no
+/// place for is a warning.
+MjcfJoint read_mjcf_joint(const MjcfElement& element, const Eigen::Isometry3d& frame,
+                          const MjcfCompiler& compiler);
+
+/// Reads `<inertial>`.
+FlatInertial read_inertial(const MjcfElement& element, const MjcfCompiler& compiler);
+
+/// The inertia of all that geoms weigh; nothing where that is nothing.
+std::optional<FlatInertial> inertial_of(const MjcfMass& mass);
+
+/// Changes inertias as `boundmass`, `boundinertia` and `balanceinertia` say, with a warning.
+void bound_inertial(const MjcfElement& body, const MjcfCompiler& compiler, FlatInertial& inertial);
+
+void scale_inertial(double factor, FlatInertial& inertial);
+
+}  // namespace treeline
