@@ -39,7 +39,7 @@ const std::map<std::string, std::string> kChosen = {
     {"urdfpy_new_transmission_missing_actuator", "reject"},  // no link
     {"drake_JointFloatingWarning", "warn"},                  // six degrees of freedom without mass
     {"drake_joint_parsing_test", "reject"},                  // joints in a namespace of Drake
-    {"drake_Acrobot_unicode", "warn"},                       // no inertia
+    {"drake_Acrobot_unicode", "accept"},                     // "world" is the ground
     {"drake_tag_mismatch_2", "warn"},                        // a massless link
     {"mujoco_joint_types", "warn"},                          // no limits, no inertia
     {"idyntree_spherical", "warn"},                          // no inertia

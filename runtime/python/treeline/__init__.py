@@ -4,7 +4,7 @@
 `inspect`, `check`, `bench` and `simulate` give what the commands of that name report as dictionaries and lists, `draw` a
 picture, `drive` the page in which the robot is driven.
 
-A robot is the path of a URDF or SDF file, or of a scene that lists robots. A scene is the path of a YAML file, or a
+A robot is the path of a URDF, SDF or MJCF file, or of a scene that lists robots. A scene is the path of a YAML file, or a
 dictionary with the same keys. What is wrong with either is an `Error` that tells the file, the place and what to do.
 """
 

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 from treeline._messages import refuse
 
-#: A URDF or SDF file, or a scene that lists robots.
+#: A URDF, SDF or MJCF file, or a scene that lists robots.
 RobotPath: TypeAlias = str | os.PathLike[str]
 #: A YAML file, or a dictionary with the same keys; None: the functions of the joints alone.
 Scene: TypeAlias = str | os.PathLike[str] | Mapping[str, Any] | None
