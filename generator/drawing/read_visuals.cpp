@@ -60,7 +60,12 @@ bool read_shape(const XMLElement* geometry, Visual& visual) {
     const auto number = numbers_of(*shape, attribute, 1);
     return number && number->front() > 0 ? number->front() : 0;
   };
-  if (name == "mesh") return true;
+  if (name == "mesh") {
+    const auto scale = numbers_of(*shape, "scale", 3);
+    visual.size = scale ? Eigen::Vector3d(scale->data()) : Eigen::Vector3d::Ones();
+    visual.file = text_of(*shape, "filename");
+    return true;
+  }
   if (name == "box") {
     const auto size = numbers_of(*shape, "size", 3);
     visual.kind = VisualKind::box;
@@ -122,6 +127,7 @@ void add_collisions(const XMLElement& link, Color color, std::vector<Visual>& vi
     visual.link = text_of(link, "name");
     visual.pose = read_pose(element->FirstChildElement("origin"));
     visual.color = color;
+    visual.stands_in = true;
     if (read_shape(element->FirstChildElement("geometry"), visual) &&
         visual.kind != VisualKind::mesh) {
       visuals.push_back(visual);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/mesh.hpp"
 #include "drawing/solids.hpp"
 #include "text/diagnostic.hpp"
 
@@ -15,14 +16,18 @@ enum class VisualKind { box, cylinder, sphere, mesh };
 struct Visual {
   std::string link;
   VisualKind kind = VisualKind::mesh;
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< edges; or radius, length; or radius; m
+  /// Edges; or radius, length; or radius; m. Of a mesh: its scale.
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< in the link's frame
   Color color{};
+  std::string file = {};                 ///< of a mesh, as the URDF names it
+  std::vector<Triangle> triangles = {};  ///< of a mesh that was read, in the frame of `pose`
+  bool stands_in = false;                ///< for meshes of the link that cannot be read
 };
 
 /// The visuals of a URDF that can be read as one, in the file's order. A visual without a shape
 /// that has a size is left out, with a warning. Where all visuals of a link are meshes, the boxes,
-/// cylinders and spheres by which it collides follow them.
+/// cylinders and spheres by which it collides follow them and stand in.
 std::vector<Visual> read_visuals(const std::string& urdf, const std::string& file,
                                  Diagnostics& diagnostics);
 

@@ -43,19 +43,18 @@ void add_box(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, const C
   }
 }
 
-void add_cylinder(double radius, double length, const Eigen::Isometry3d& pose, const Color& color,
-                  Solids& solids) {
-  constexpr int kSides = 20;
+void add_cylinder(double radius, double length, int sides, const Eigen::Isometry3d& pose,
+                  const Color& color, Solids& solids) {
   const auto rim = [&](int k, double z) {
-    const double angle = 2 * std::numbers::pi * k / kSides;
+    const double angle = 2 * std::numbers::pi * k / sides;
     return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
   };
   std::vector<Eigen::Vector3d> bottom;
   std::vector<Eigen::Vector3d> top;
-  for (int k = 0; k < kSides; ++k) {
+  for (int k = 0; k < sides; ++k) {
     bottom.push_back(rim(k, -0.5 * length));
     top.push_back(rim(k, 0.5 * length));
-    const double middle = 2 * std::numbers::pi * (k + 0.5) / kSides;
+    const double middle = 2 * std::numbers::pi * (k + 0.5) / sides;
     add_face({bottom.back(), rim(k + 1, -0.5 * length), rim(k + 1, 0.5 * length), top.back()},
              {std::cos(middle), std::sin(middle), 0}, pose, color, solids);
   }
@@ -72,7 +71,7 @@ void add_rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radi
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translate(Eigen::Vector3d(0.5 * (from + to)));
   pose.rotate(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along));
-  add_cylinder(radius, along.norm(), pose, color, solids);
+  add_cylinder(radius, along.norm(), kThinSides, pose, color, solids);
 }
 
 }  // namespace treeline

@@ -8,6 +8,9 @@ namespace treeline {
 
 using Color = std::array<double, 3>;  ///< red, green, blue, 0 to 1
 
+inline constexpr int kThinSides = 12;  ///< of a cylinder that is thin in the picture
+inline constexpr int kThickSides = 24;
+
 /// A flat convex part of a solid's surface, in world coordinates (m).
 struct Face {
   std::vector<Eigen::Vector3d> corners;
@@ -35,11 +38,12 @@ void add_solids(const Solids& others, Solids& solids);
 void add_box(const Eigen::Vector3d& size, const Eigen::Isometry3d& pose, const Color& color,
              Solids& solids);
 
-/// Adds a cylinder about the z axis of `pose`, half of it below the origin; m.
-void add_cylinder(double radius, double length, const Eigen::Isometry3d& pose, const Color& color,
-                  Solids& solids);
+/// Adds a cylinder about the z axis of `pose`, half of it below the origin; m. It has `sides` flat
+/// ones.
+void add_cylinder(double radius, double length, int sides, const Eigen::Isometry3d& pose,
+                  const Color& color, Solids& solids);
 
-/// Adds a rod between two points, with round ends; m.
+/// Adds a thin rod between two points, with round ends; m.
 void add_rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              const Color& color, Solids& solids);
 

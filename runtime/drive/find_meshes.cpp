@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "drive/find_package.hpp"
+#include "drive/stl_form.hpp"
 
 namespace treeline::drive {
 namespace {
@@ -79,21 +80,11 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 
 /// Why an STL of triangles cannot be whole; empty if it can. One in words is not looked at.
 std::string reason_of_cut(const fs::path& path, std::uintmax_t size) {
-  std::array<char, 84> head{};
+  std::string head(StlForm::kHead, '\0');
   std::ifstream stream(path, std::ios::binary);
-  stream.read(head.data(), head.size());
-  const bool in_words = std::string_view(head.data(), 5) == "solid";
-  if (stream.gcount() < static_cast<std::streamsize>(head.size())) {
-    return in_words ? "" : fmt::format("it is cut short: it has {} bytes", size);
-  }
-  std::uintmax_t triangles = 0;
-  for (std::size_t i = 84; i-- > 80;) {
-    triangles = triangles * 256 + static_cast<unsigned char>(head[i]);
-  }
-  const std::uintmax_t whole = 84 + 50 * triangles;
-  if (size >= whole || in_words) return {};
-  return fmt::format("it is cut short: {} triangles take {} bytes, it has {}", triangles, whole,
-                     size);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return stl_form(head, size).problem;
 }
 
 ServedMesh refuse(std::string problem, std::string remedy) {

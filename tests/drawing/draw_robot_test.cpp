@@ -52,6 +52,11 @@ std::size_t count(const std::string& text, const std::string& part) {
   return times;
 }
 
+/// Faces that are drawn: closed lines.
+std::size_t count_faces(const std::string& svg) {
+  return count(svg, "zM") + count(svg, "z\"");
+}
+
 /// Highest corner of all faces, m.
 double top(const Solids& solids) {
   double highest = -1e9;
@@ -76,30 +81,48 @@ TEST(DrawRobot, HiddenFacesAreNotDrawn) {
                                     [](const Face& face) { return face.color[0] == 0.7; });
   EXPECT_EQ(of_box, 6);
   EXPECT_EQ(
-      count(arm.draw({{{0, 0}, "", {}, {}}}), "<polygon"),
+      count_faces(arm.draw({{{0, 0}, "", {}, {}}})),
       // the floor, the box with two long sides in quarters, half the sides of the rod, its end
-      1 + (4 + 4 + 1) + 10 + 1);
+      1 + (4 + 4 + 1) + 6 + 1);
+}
+
+/// Largest and least coordinates of all lines, px.
+Eigen::AlignedBox2d extent_of(const std::string& svg) {
+  Eigen::AlignedBox2d box;
+  const std::regex line("M[-0-9 l]*");
+  const std::regex number("-?[0-9]+");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), line), end; it != end; ++it) {
+    const std::string points = it->str();
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();
+    for (std::sregex_iterator n(points.begin(), points.end(), number); n != end; ++n) {
+      const double x = std::stod((n++)->str());
+      at += Eigen::Vector2d(x, std::stod(n->str())) / Camera::kUnits;
+      box.extend(at);
+    }
+  }
+  return box;
 }
 
 TEST(DrawRobot, EverythingIsInThePicture) {
   const Arm arm;
   std::string svg = arm.draw(
-      {{{0, 0}, "rest", {}, {}}, {{kQuarter, 0.9}, "far", {Eigen::Vector3d(0, -2, 3)}, {}}});
+      {{{0, 0}, "rest", {}, {}}, {{kQuarter, 0.9}, "far", {{Eigen::Vector3d(0, -2, 3)}}, {}}});
   EXPECT_EQ(count(svg, "<svg x="), 2U);
   EXPECT_NE(svg.find(">far</text>"), std::string::npos);
-  svg = std::regex_replace(svg, std::regex("<polygon class=.ground[^>]*>"), "");  // the floor
-  const std::regex corner("([0-9.-]+),([0-9.-]+)[ \"]");
-  for (std::sregex_iterator it(svg.begin(), svg.end(), corner), end; it != end; ++it) {
-    EXPECT_GE(std::stod((*it)[1]), 0) << (*it)[0];
-    EXPECT_LE(std::stod((*it)[1]), 240) << (*it)[0];
-    EXPECT_GE(std::stod((*it)[2]), 0) << (*it)[0];
-    EXPECT_LE(std::stod((*it)[2]), 280) << (*it)[0];
-  }
+  svg = std::regex_replace(svg, std::regex("<path class=.ground[^>]*>"), "");  // the floor
+  const Eigen::AlignedBox2d box = extent_of(svg);
+  EXPECT_GE(box.min().minCoeff(), 9.9);  // the margin
+  EXPECT_LE(box.max().x(), 230.1);
+  EXPECT_LE(box.max().y(), 270.1);
+  EXPECT_GT(box.sizes().maxCoeff(), 200);
 }
 
 // The link `base` has no shape, the link `hand` only a mesh.
 TEST(DrawRobot, RodsAndBallsStandForLinksWithoutShapes) {
-  const Solids solids = Arm().solids(0, 0.5);
+  Arm arm;
+  arm.robot.links[0].inertial = Inertial{};
+  arm.robot.links[0].inertial->mass = 1;
+  const Solids solids = arm.solids(0, 0.5);
   const auto ball_at = [&](double z) {
     return std::any_of(solids.balls.begin(), solids.balls.end(), [&](const Ball& ball) {
       return (ball.center - Eigen::Vector3d(0, 0, z)).norm() < 1e-12;
@@ -135,7 +158,7 @@ TEST(DrawRobot, ObstaclesStandBesideIt) {
   const std::string with =
       draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, {}}}, {}, solids);
   EXPECT_EQ(count(with, "<circle"), count(without, "<circle") + 1);
-  EXPECT_EQ(count(with, "<polygon"), count(without, "<polygon") + 8);  // cut in halves
+  EXPECT_EQ(count_faces(with), count_faces(without) + 8);  // cut in halves
 }
 
 // A red ball before the arm and a blue one behind it, as seen from x and y. Would catch: what is
@@ -147,9 +170,9 @@ TEST(DrawRobot, WhatIsNearIsDrawnLast) {
   balls.balls.push_back({{-1, -1, 0.5}, 0.2, {0, 0, 1}});
   const auto draw = [&](double azimuth) {
     return draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, balls}},
-                      {azimuth, 0.25});
+                      {azimuth, 0.25, 240, ""});
   };
-  const std::regex circle("<circle[^>]*fill=\"#(..)0000\"/>|<circle[^>]*fill=\"#0000(..)\"/>");
+  const std::regex circle("<circle color=\"#(..)0000\"|<circle color=\"#0000(..)\"");
   const auto first = [&](const std::string& svg) {
     std::smatch match;
     return std::regex_search(svg, match, circle) && match[1].matched ? "red" : "blue";
@@ -168,17 +191,36 @@ TEST(DrawRobot, LongFacesAreCutBeforeTheyAreSorted) {
   };
   add_box({4, 0.1, 0.1}, at(0, 3, 0.05), {1, 0, 0}, solids);
   add_box({0.1, 0.1, 0.1}, at(-1.5, 3.2, 0.05), {0, 0, 1}, solids);  // before it, far from the eye
-  const std::string svg =
-      draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, solids}}, {0.75, 0.25});
-  const std::regex red("<polygon[^>]*fill=\"#[^0].0000\"");
-  const std::regex blue("<polygon[^>]*fill=\"#0000..\"");
-  EXPECT_GT(std::distance(std::sregex_iterator(svg.begin(), svg.end(), red), {}), 8);
+  const std::string svg = draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, solids}},
+                                     {0.75, 0.25, 240, ""});
+  const std::regex red("<path color=\"#[^0].0000\"");
+  const std::regex blue("<path color=\"#0000..\"");
   std::smatch near;
   ASSERT_TRUE(std::regex_search(svg, near, blue));
   // The board's far end is drawn before the cube, the near end after it.
   const std::string before = svg.substr(0, static_cast<std::size_t>(near.position()));
   EXPECT_TRUE(std::regex_search(before, red));
   EXPECT_TRUE(std::regex_search(near.suffix().str(), red));
+}
+
+// Two faces of one colour that overlap in the picture and go round in opposite directions. Would
+// catch: a hole where they overlap.
+TEST(DrawRobot, FacesOfOneColourLeaveNoHole) {
+  const Arm arm;
+  Solids solids;
+  const Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+  solids.faces.push_back({{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}, normal, {1, 0, 0}});
+  solids.faces.push_back({{{2, 0, 0}, {2, 0, 1}, {2, 1, 1}, {2, 1, 0}}, normal, {1, 0, 0}});
+  const std::string svg = draw_robot(arm.robot, arm.placer, {}, {{{0, 0}, "", {}, solids}}, {});
+  std::smatch red;
+  ASSERT_TRUE(std::regex_search(svg, red, std::regex("<path color=\"#[^0].0000\" d=\"([^\"]*)\"")));
+  const std::string data = red[1];
+  EXPECT_GT(count(data, "M"), 1U);
+  const std::regex face("M[-0-9]+ ?[-0-9]+l(-?[0-9]+) ?(-?[0-9]+) ?(-?[0-9]+) ?(-?[0-9]+)");
+  for (std::sregex_iterator it(data.begin(), data.end(), face), end; it != end; ++it) {
+    const auto number = [&](std::size_t i) { return std::stod((*it)[i]); };
+    EXPECT_GT(number(1) * number(4) - number(2) * number(3), 0) << it->str();
+  }
 }
 
 // Would catch: a picture that grows without bound with a hall's floor, or a state that is no
@@ -189,7 +231,7 @@ TEST(DrawRobot, AFaceIsCutIntoFewPieces) {
   add_box({1e4, 1e4, 1e4}, Eigen::Isometry3d::Identity(), {0, 1, 0}, hall);
   const std::string svg =
       draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, hall}}, {});
-  EXPECT_EQ(count(svg, "<polygon"), 9U + 11U + 3U * 64U);  // no floor below ground
+  EXPECT_EQ(count_faces(svg), 9U + 7U + 3U * 64U);  // no floor below ground
 }
 
 // An object in the hand, whose frame is a quarter turn and 0.3 m off it. Would catch: a grasp taken
@@ -220,6 +262,86 @@ TEST(DrawRobot, IsTheSameEachTimeAndHasColoursForDarkPages) {
   EXPECT_EQ(count(svg, "prefers-color-scheme:dark"), 1U);
   EXPECT_EQ(count(svg, "<text x"), 2U);
   EXPECT_EQ(count(svg, "class=\"ground\""), 2U);
+}
+
+// A pyramid in the hand, and its mirror image. Would catch: the inside of a mesh that is drawn, a
+// rod that is drawn through it, and a colour of the file that is lost.
+TEST(DrawRobot, MeshesHideTheirInside) {
+  Arm arm;
+  const std::array<Eigen::Vector3d, 4> corners = {
+      {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}};
+  Visual& hand = arm.visuals.back();
+  for (const auto& [a, b, c] :
+       {std::array<std::size_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+    hand.triangles.push_back({{corners[a], corners[b], corners[c]}, Color{0, 0, 1}});
+  }
+  const std::size_t before = count_faces(Arm().draw({{{0, 0}, "", {}, {}}}));
+  const std::string svg = arm.draw({{{0, 0}, "", {}, {}}});
+  EXPECT_EQ(count_faces(svg), before - 7 + 1);  // from x and y the slope alone is seen
+  EXPECT_NE(svg.find("<path color=\"#0000"), std::string::npos);
+  for (Triangle& triangle : hand.triangles) {
+    triangle = moved(triangle, Eigen::Affine3d(Eigen::Scaling(-1.0, -1.0, -1.0)));
+  }
+  EXPECT_EQ(count_faces(arm.draw({{{0, 0}, "", {}, {}}})),
+            before - 7 + 3);  // its other sides
+}
+
+// Between the base and the arm stands a link without mass. Would catch: rods of axes that are no
+// part of a robot, and a stick figure that loses them.
+TEST(DrawRobot, LinksWithoutMassAreDrawnOnlyInStickFigures) {
+  Arm arm;
+  const std::size_t without = arm.solids(0, 0).balls.size();
+  arm.robot.links[0].inertial = Inertial{};
+  EXPECT_EQ(arm.solids(0, 0).balls.size(), without);
+  arm.robot.links[0].inertial->mass = 1;
+  EXPECT_EQ(arm.solids(0, 0).balls.size(), without + 2);  // its rod
+  arm.robot.links[0].inertial.reset();
+  arm.visuals.clear();
+  EXPECT_TRUE(std::ranges::any_of(arm.solids(0, 0).balls,
+                                  [](const Ball& ball) { return ball.center.isZero(1e-9); }));
+}
+
+// Would catch: a link that is not in the middle of its close-up, or no larger there.
+TEST(DrawRobot, ACloseUpShowsALink) {
+  const Arm arm;
+  View view;
+  const auto extent = [&] {
+    return extent_of(std::regex_replace(
+        draw_robot(arm.robot, arm.placer, arm.visuals, {{{0, 0}, "", {}, {}}}, view),
+        std::regex("<path class=.ground[^>]*>"), ""));
+  };
+  const double before = extent().sizes().y();
+  view.close_up = "hand";
+  const Eigen::AlignedBox2d box = extent();
+  EXPECT_GT(box.sizes().y(), 2 * before);
+  // The hand's origin is in the middle of 240 px, which are 0.3 m and two margins of 10 px; its rod
+  // of 0.25 m reaches beyond.
+  EXPECT_NEAR(box.min().y(), 120 - 0.25 * 220 / 0.3 * std::cos(0.25), 3);
+}
+
+// Would catch: a film that is out of step, that skips the first or the last moment, or that moves
+// where a reader has asked for rest.
+TEST(DrawRobot, AFilmShowsItsMomentsInTurn) {
+  const Arm arm;
+  const std::vector<Moment> moments = {
+      {{0, 0}, "a", {}, {}}, {{0, 0.3}, "b", {}, {}}, {{0, 0.6}, "c", {}, {}}};
+  const std::string svg =
+      animate_robot(arm.robot, arm.placer, arm.visuals, moments, {0.75, 0.25, 300, ""}, {10, 0.6});
+  EXPECT_NE(svg.find("<title>arm: 0.8 s, 10 frames a second, over and over</title>"),
+            std::string::npos);
+  EXPECT_NE(svg.find("animation:film 0.8s steps(2) infinite"), std::string::npos);
+  // A step each 0.1 s; the second step is the last moment, which stays from 0.2 to 0.8 s.
+  EXPECT_NE(svg.find("@keyframes film{25.0000%,to{transform:translateX(-600px)}}"),
+            std::string::npos);
+  EXPECT_NE(svg.find("@media(prefers-reduced-motion:reduce){.film{animation:none}}"),
+            std::string::npos);
+  EXPECT_EQ(count(svg, "class=\"ground\""), 1U);
+  const auto at = [&](const char* part) { return svg.find(part); };
+  EXPECT_LT(at("<g class=\"film\">"), at("<svg x=\"0\""));
+  EXPECT_LT(at("<svg x=\"0\""), at(">a</text>"));
+  EXPECT_LT(at(">a</text>"), at("<svg x=\"300\""));
+  EXPECT_LT(at("<svg x=\"600\""), at(">c</text>"));
+  EXPECT_EQ(count(svg, "<svg x="), 3U);
 }
 
 }  // namespace

@@ -66,6 +66,8 @@ class CommandsTest(OwnCacheTest):
         output_of("simulate", "arm.urdf", "--seconds=0.5", "--csv=-swing.csv")
         strip = treeline.draw("arm.urdf", motion="-swing.csv", times=[0, 0.25, 0.5])
         self.assertEqual(strip.svg.count(" s</text>"), 3)
+        film = treeline.draw("arm.urdf", motion="-swing.csv", animate=True, seconds=1, fps=5)
+        self.assertEqual(film.svg.count(" s</text>"), 6)
 
 
 if __name__ == "__main__":

@@ -94,11 +94,14 @@ class Drawing:
 
 def draw(robot: RobotPath, scene: Scene = None, *, q: Sequence[float] | None = None,
          motion: str | os.PathLike[str] | None = None, times: Sequence[float] | None = None,
-         pictures: int | None = None, path: str | None = None, azimuth: float | None = None,
-         elevation: float | None = None) -> Drawing:
+         pictures: int | None = None, path: str | Sequence[str] | None = None, azimuth: float | None = None,
+         elevation: float | None = None, width: float | None = None, animate: bool = False,
+         to: Sequence[float] | None = None, seconds: float | None = None, fps: float | None = None) -> Drawing:
     """Draws a robot at `q` (at rest if not given), or moments of a motion side by side: a table of `treeline simulate
-    --csv` or a record of `treeline drive`, at `times` in s or in so many `pictures`, with the `path` of an operational
-    point. The camera is at `azimuth` about z and `elevation` over the ground, in rad."""
+    --csv` or a record of `treeline drive`, at `times` in s or in so many `pictures`, with the `path` of operational
+    points or links. To `animate` makes one picture that moves: the motion, or from `q` to the state `to` and back, in
+    so many `seconds`. The camera is at `azimuth` about z and `elevation` over the ground, in rad."""
     options = list_options(q=q, motion=None if motion is None else read_path(motion), times=times, pictures=pictures,
-                           path=path, azimuth=azimuth, elevation=elevation)
+                           path=path, azimuth=azimuth, elevation=elevation, width=width, animate=animate, to=to,
+                           seconds=seconds, fps=fps)
     return Drawing(report("draw", robot, scene, options))
