@@ -220,8 +220,7 @@ class Surface {
       }
     }
     std::ranges::sort(neighbours);
-    const auto repeated = std::ranges::unique(neighbours);
-    neighbours.erase(repeated.begin(), repeated.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     for (const int neighbour : neighbours) push(neighbour, next.to);
   }
 
