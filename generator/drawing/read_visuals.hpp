@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/mesh.hpp"
+#include "description/mesh/mesh.hpp"
 #include "drawing/solids.hpp"
 #include "text/diagnostic.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "drawing/mesh.hpp"
+#include "description/mesh/mesh.hpp"
 
 namespace treeline {
 

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <vector>
 
-namespace treeline {
+#include "description/mesh/mesh.hpp"
 
-using Color = std::array<double, 3>;  ///< red, green, blue, 0 to 1
+namespace treeline {
 
 inline constexpr int kThinSides = 12;  ///< of a cylinder that is thin in the picture
 inline constexpr int kThickSides = 24;

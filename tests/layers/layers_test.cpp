@@ -41,7 +41,7 @@ const std::vector<Layer> kLayers = {
     {"functions", {}},
     {"joint", {}},
     {"target", {}},
-    {"description", {"text", "functions", "joint", "target"}},
+    {"description", {"text", "functions", "joint", "target", "drive"}},
     {"mechanism", {"digits", "joint", "description"}},
     {"program", {"core"}},
     {"recursion", {"functions", "core", "description", "mechanism", "program"}},

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
-#include <optional>
-#include <string>
 #include <vector>
+
+#include "description/mesh/mesh.hpp"
 
 namespace treeline {
 
@@ -15,15 +14,8 @@ struct Solid {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
-/// Three corners each, in the order that shows the outside.
-using Triangles = std::vector<std::array<Eigen::Vector3d, 3>>;
-
-/// Triangles of an STL (binary or text) or OBJ file; nothing where it is another or is malformed.
-/// Polygons of OBJ are cut into triangles at their first corner.
-std::optional<Triangles> read_triangles(const std::string& bytes);
-
 /// The solid that a closed surface bounds. `overlapping`: each triangle adds its tetrahedron with
 /// the centre, whichever side shows, as MuJoCo counts by default.
-Solid solid_within(const Triangles& surface, bool overlapping);
+Solid solid_within(const std::vector<Triangle>& surface, bool overlapping);
 
 }  // namespace treeline

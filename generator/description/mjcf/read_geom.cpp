@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <numbers>
 
-#include "text/read_text_file.hpp"
-
 namespace treeline {
 namespace {
 
@@ -176,22 +174,15 @@ std::optional<Solid> MjcfGeom::solid_of_mesh() const {
     return std::nullopt;
   }
   const fs::path folder = fs::path(element_.reading().path()).parent_path();
-  Diagnostics fault;
-  const auto bytes = read_text_file((folder / mesh_->file).string(), fault);
-  auto surface = bytes ? read_triangles(*bytes) : std::nullopt;
-  if (!surface) {
-    element_.error(bytes ? fmt::format("the mesh {} is no STL or OBJ", mesh_->file)
-                         : fmt::format("the mesh {} cannot be read: {}", mesh_->file,
-                                       fault.list().empty() ? "" : fault.list().front().fault),
+  Mesh mesh = read_mesh((folder / mesh_->file).string());
+  if (!mesh.problem.empty()) {
+    element_.error(fmt::format("the mesh {} cannot be read: {}", mesh_->file, mesh.problem),
                    kGiveInertial);
     return std::nullopt;
   }
-  const Eigen::Isometry3d from_file = mesh_->reference.inverse();
-  for (auto& triangle : *surface) {
-    for (Eigen::Vector3d& corner : triangle) corner = mesh_->scale.cwiseProduct(from_file * corner);
-    if (mesh_->scale.prod() < 0) std::swap(triangle[1], triangle[2]);
-  }
-  return solid_within(*surface, mesh_->inertia == "legacy");
+  const Eigen::Affine3d scaled(Eigen::Scaling(mesh_->scale) * mesh_->reference.inverse());
+  for (Triangle& triangle : mesh.triangles) triangle = moved(triangle, scaled);
+  return solid_within(mesh.triangles, mesh_->inertia == "legacy");
 }
 
 std::vector<FlatShape> MjcfGeom::shapes() const {

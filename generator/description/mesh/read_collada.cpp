@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include "description/mesh/mesh.hpp"
 #include "description/read_number.hpp"
-#include "drawing/mesh.hpp"
 
 namespace treeline {
 namespace {
@@ -60,7 +60,7 @@ std::optional<Eigen::Affine3d> read_step(const XMLElement& element) {
                            : name == "rotate"                       ? 4
                            : name == "translate" || name == "scale" ? 3
                                                                     : 0;
-  const auto v = read_numbers(content_of(&element));
+  const auto v = treeline::read_numbers(content_of(&element));
   if (size == 0 || !v || v->size() != size) return std::nullopt;
   const Eigen::Vector3d first = Eigen::Vector3d::Map(v->data());
   Eigen::Affine3d step = Eigen::Affine3d::Identity();
@@ -173,7 +173,7 @@ class ColladaReading {
     const XMLElement* const effect =
         find(attribute_of(descend(material, {"instance_effect"}), "url"));
     const XMLElement* const diffuse = effect == nullptr ? nullptr : first_below(*effect, "diffuse");
-    const auto rgba = read_numbers(content_of(descend(diffuse, {"color"})));
+    const auto rgba = treeline::read_numbers(content_of(descend(diffuse, {"color"})));
     if (!rgba || rgba->size() < 3) return std::nullopt;
     return Color{(*rgba)[0], (*rgba)[1], (*rgba)[2]};
   }
@@ -187,7 +187,7 @@ class ColladaReading {
       named = named->NextSiblingElement("input");
     }
     const XMLElement* const source = find_in(mesh, attribute_of(named, "source"));
-    const auto numbers = read_numbers(content_of(descend(source, {"float_array"})));
+    const auto numbers = treeline::read_numbers(content_of(descend(source, {"float_array"})));
     const auto stride =
         read_indices(attribute_of(descend(source, {"technique_common", "accessor"}), "stride"));
     const std::size_t step = stride && stride->size() == 1 ? stride->front() : 3;

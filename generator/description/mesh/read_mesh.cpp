@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "description/mesh/mesh.hpp"
 #include "description/read_number.hpp"
-#include "drawing/mesh.hpp"
 
 namespace treeline {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "drawing/mesh.hpp"
+#include "description/mesh/mesh.hpp"
 #include "drawing/simplify_triangles.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <bit>
 #include <limits>
 
-#include "../own_folder.hpp"
-#include "drawing/mesh.hpp"
+#include "../../own_folder.hpp"
+#include "description/mesh/mesh.hpp"
 
 namespace treeline {
 namespace {

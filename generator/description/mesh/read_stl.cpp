@@ -1,8 +1,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "description/mesh/mesh.hpp"
 #include "description/read_number.hpp"
-#include "drawing/mesh.hpp"
 #include "drive/stl_form.hpp"
 
 namespace treeline {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "drawing/solids.hpp"
-
 namespace treeline {
+
+using Color = std::array<double, 3>;  ///< red, green, blue, 0 to 1
 
 /// A triangle of a mesh. Its corners turn to the left as seen from outside.
 struct Triangle {

@@ -2,8 +2,8 @@
 
 #include <charconv>
 
+#include "description/mesh/mesh.hpp"
 #include "description/read_number.hpp"
-#include "drawing/mesh.hpp"
 
 namespace treeline {
 namespace {
