@@ -1,6 +1,8 @@
 #include "simulation/strike.hpp"
 
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 
 #include "interpreter/instances.hpp"
 
@@ -39,10 +41,23 @@ std::vector<core::ContactLaw<double>> laws_of(const Blow& blow, const Surface& s
     const double speed = touch.normal.dot(blow.before.segment<3>(3 * static_cast<int>(i)));
     law.restitution = std::abs(speed) >= surface.slow ? surface.restitution : 0.0;
     law.friction = surface.friction;
-    law.parting = surface.push_out * touch.depth;
     laws.push_back(law);
   }
   return laws;
+}
+
+core::ContactSolution<double> solve(const Matrix<double>& A,
+                                    const std::vector<core::ContactLaw<double>>& laws, Vector& v,
+                                    Vector& impulses) {
+  constexpr int kFew = 8, kMost = 64;
+  const int count = static_cast<int>(laws.size());
+  if (count > kMost) throw std::length_error("more than 64 shapes touch at once");
+  if (count <= kFew) {
+    core::ContactSolver<double, kFew> solver;
+    return solver.solve(count, A.data(), laws.data(), v.data(), impulses.data());
+  }
+  const auto solver = std::make_unique<core::ContactSolver<double, kMost>>();
+  return solver->solve(count, A.data(), laws.data(), v.data(), impulses.data());
 }
 
 bool can_move(const Model& model, const Touch& touch, const Vector& q) {
@@ -67,10 +82,7 @@ Blow strike(const Model& model, std::vector<Touch> touches, const Surface& surfa
   blow.after = blow.before;
   blow.impulses = Vector::Zero(n);
   const auto laws = laws_of(blow, surface);
-  std::vector<double> wanted(laws.size());
-  blow.solution = core::solve_contacts<double>(
-      static_cast<int>(laws.size()), A.data(), laws.data(), blow.after.data(), blow.impulses.data(),
-      wanted.data(), {.most_sweeps = 20000, .tolerance = 1e-10});
+  blow.solution = solve(A, laws, blow.after, blow.impulses);
   blow.work = 0.5 * blow.impulses.dot(blow.before + blow.after);
   blow.restitution = surface.restitution;
   blow.energy = -kinetic_energy(model, state);

@@ -11,8 +11,7 @@ namespace treeline::simulation {
 struct Surface {
   double restitution = 0;
   double friction = 0;
-  double slow = 0;      ///< m/s: slower approaches do not bounce
-  double push_out = 0;  ///< 1/s: separation speed of touching shapes per metre of overlap
+  double slow = 0;  ///< m/s: slower approaches do not bounce
 };
 
 /// Effect of blows. Energies are kinetic, because nothing moves during a blow.
@@ -27,12 +26,13 @@ struct Blow {
   /// states.
   interpreter::Vector6<double> momentum = interpreter::Vector6<double>::Zero();
   double restitution = 0;  ///< the restitution that was requested
-  core::ContactSolution solution;
+  core::ContactSolution<double> solution;
 };
 
 /// Computes the impulses at the touches and applies them to the state's velocities: contact-space
-/// inverse inertia by Chang table 5.3, `core::solve_contacts`, impulse propagation by table 8.2.
+/// inverse inertia by Chang table 5.3, `core::ContactSolver`, impulse propagation by table 8.2.
 /// Touches between bodies that cannot move are left out, since no impulse can separate them.
+/// Throws std::length_error for more than 64 touches.
 Blow strike(const Model& model, std::vector<Touch> touches, const Surface& surface, State& state);
 
 }  // namespace treeline::simulation

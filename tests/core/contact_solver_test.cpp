@@ -3,92 +3,108 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/LU>
-#include <cmath>
+#include <algorithm>
 #include <iostream>
 #include <limits>
-#include <random>
-#include <vector>
+#include <memory>
+
+#include "contact_cases.hpp"
+#include "emitted_contacts.h"
 
 // Would catch: impulses that pull, a cone that is a pyramid or too wide, restitution applied to
-// contacts that separate, friction that drives, a sweep that stops before its fixed point, and
-// divisions by mobilities that are 0: `converged` beside NaN, or beside a law that does not hold.
+// contacts that separate, friction that drives, energy from nothing, `converged` beside a law that
+// does not hold or beside NaN, masses far apart that cost digits, divisions by mobilities that are
+// 0, and steps without a bound.
 
-namespace treeline::core {
+namespace treeline::test {
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Vector = Eigen::VectorXd;
-using Eigen::Vector3d;
+using core::ContactLaw;
+using core::ContactSolution;
 
-struct Problem {
-  Matrix A;
-  Vector v;
-  std::vector<ContactLaw<double>> laws;
-};
+constexpr int kMost = 16;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Solved {
   Vector y, v;
-  ContactSolution solution;
+  ContactSolution<double> solution;
 };
 
-Solved solve(const Problem& problem, const ContactSolverSettings<double>& settings = {}) {
-  const int count = static_cast<int>(problem.laws.size());
-  Solved solved{Vector::Zero(3 * count), problem.v, {}};
-  std::vector<double> wanted(problem.laws.size());
-  solved.solution =
-      solve_contacts<double>(count, problem.A.data(), problem.laws.data(), solved.v.data(),
-                             solved.y.data(), wanted.data(), settings);
+Solved solve(const ContactProblem& problem, const Vector& start) {
+  static core::ContactSolver<double, kMost> solver;
+  Solved solved{start, problem.v, {}};
+  solved.solution = solver.solve(static_cast<int>(problem.laws.size()), problem.A.data(),
+                                 problem.laws.data(), solved.v.data(), solved.y.data());
   return solved;
 }
 
-Vector3d normal_of(const ContactLaw<double>& law) {
-  return Vector3d::Map(law.normal);
+Solved solve(const ContactProblem& problem) {
+  return solve(problem, Vector::Zero(problem.v.size()));
 }
 
-/// `count` contacts of a mechanism with `freedoms`; fewer than 3k make A singular.
-Problem random_problem(std::mt19937_64& engine, int count, int freedoms, double friction) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const auto draw = [&] { return uniform(engine); };
-  Problem problem;
-  const Matrix J = Matrix::NullaryExpr(3 * count, freedoms, draw);
-  problem.A = J * J.transpose();
-  problem.v = J * Vector::NullaryExpr(freedoms, draw);
-  for (int i = 0; i < count; ++i) {
-    ContactLaw<double> law;
-    const Vector3d n = Vector3d::NullaryExpr(draw).normalized();
-    Vector3d::Map(law.normal) = n;
-    law.restitution = 0.5 + 0.5 * draw();
-    law.friction = friction;
-    problem.laws.push_back(law);
-  }
-  return problem;
-}
+/// How far impulses are from the laws, by the criteria of Le Lidec et al. (2023): of the cone of
+/// impulses and of complementarity beside the largest impulse, of velocities beside the largest
+/// term of a velocity. All are computed from A, v and y alone, in world axes.
+struct Residuals {
+  double impulses = 0;         ///< by how much one leaves its cone
+  double velocities = 0;       ///< by how much u, with De Saxce's term, leaves the dual cone
+  double complementarity = 0;  ///< |y . (u + friction |u_t| n)|
 
-void expect_law(const Problem& problem, const Solved& solved, double tolerance) {
-  EXPECT_TRUE(solved.solution.converged);
-  EXPECT_LT((problem.v + problem.A * solved.y - solved.v).norm(), 1e-12 * (1 + problem.v.norm()));
+  [[nodiscard]] double worst() const { return std::max({impulses, velocities, complementarity}); }
+};
+
+Residuals residuals_of(const ContactProblem& problem, const Vector& y, double restitution) {
+  const Vector v = problem.v + problem.A * y;
+  const double largest = std::max(1e-300, y.cwiseAbs().maxCoeff());
+  const double speed =
+      std::max(1e-300, (problem.v.cwiseAbs() + problem.A.cwiseAbs() * y.cwiseAbs()).maxCoeff());
+  Residuals worst;
   for (std::size_t i = 0; i < problem.laws.size(); ++i) {
     const auto& law = problem.laws[i];
     const Vector3d n = normal_of(law);
     const auto row = 3 * static_cast<Eigen::Index>(i);
-    const Vector3d y = solved.y.segment<3>(row), v = solved.v.segment<3>(row);
-    const double before = n.dot(problem.v.segment<3>(row));
-    const double wanted = -law.restitution * before;
-    EXPECT_GE(n.dot(y), -1e-15);
-    EXPECT_GE(n.dot(v), wanted - tolerance);
-    EXPECT_NEAR(n.dot(y) * (n.dot(v) - wanted), 0, tolerance);
-    const Vector3d y_t = y - n.dot(y) * n, v_t = v - n.dot(v) * n;
-    EXPECT_LE(y_t.norm(), law.friction * n.dot(y) + 1e-14 * (1 + y.norm()));
-    if (law.friction == 0 || v_t.norm() < tolerance) continue;
-    // Sliding: impulse at the cone's edge and opposite to the motion.
-    EXPECT_LT((y_t + law.friction * n.dot(y) * v_t.normalized()).norm(), 1e3 * tolerance);
+    const Vector3d own = y.segment<3>(row), after = v.segment<3>(row);
+    const double y_n = n.dot(own);
+    const double wanted = -restitution * law.restitution * n.dot(problem.v.segment<3>(row));
+    const double u_n = n.dot(after) - wanted;
+    const Vector3d y_t = own - y_n * n, u_t = after - n.dot(after) * n;
+    const double friction = std::min(law.friction, 1e6);
+    const double beyond = std::max(-y_n, (y_t.norm() - friction * y_n) / (1 + friction));
+    const double work = y_n * u_n + y_t.dot(u_t) + friction * y_n * u_t.norm();
+    worst.impulses = std::max(worst.impulses, beyond / largest);
+    worst.velocities = std::max(worst.velocities, -u_n / speed);
+    worst.complementarity =
+        std::max(worst.complementarity, std::abs(work) / (speed * largest * (1 + friction)));
   }
+  return worst;
+}
+
+/// J that impulses give, beside the sum of its terms' sizes.
+double energy_of(const ContactProblem& problem, const Vector& y) {
+  const Vector moved = problem.A * y;
+  const double terms =
+      y.cwiseAbs().dot(problem.v.cwiseAbs()) + 0.5 * y.cwiseAbs().dot(moved.cwiseAbs());
+  return y.dot(problem.v + 0.5 * moved) / std::max(terms, 1e-300);
+}
+
+constexpr double kResidual = 1e-10;
+constexpr double kEnergy = 1e-9;  // rounding of terms that cancel
+
+/// What holds for every problem, whether it converged or not.
+void expect_sound(const ContactProblem& problem, const Solved& solved) {
+  ASSERT_TRUE(solved.y.allFinite() && solved.v.allFinite());
+  const Vector v = problem.v + problem.A * solved.y;
+  const Vector terms = problem.v.cwiseAbs() + problem.A.cwiseAbs() * solved.y.cwiseAbs();
+  EXPECT_LE((v - solved.v).norm(), 1e-13 * terms.norm());
+  const Residuals residuals = residuals_of(problem, solved.y, solved.solution.restitution);
+  EXPECT_LT(residuals.impulses, kResidual);
+  EXPECT_LE(energy_of(problem, solved.y), kEnergy);
+  EXPECT_LE(solved.solution.steps, core::kMostContactSteps);
+  if (solved.solution.converged) EXPECT_LT(residuals.worst(), kResidual);
 }
 
 /// Solves the frictionless problem by trying which contacts act: exact, 2^k linear systems.
-Vector by_enumeration(const Problem& problem) {
+Vector by_enumeration(const ContactProblem& problem) {
   const int count = static_cast<int>(problem.laws.size());
   Matrix N = Matrix::Zero(count, 3 * count);
   Vector wanted(count);
@@ -115,73 +131,154 @@ Vector by_enumeration(const Problem& problem) {
   return Vector::Zero(3 * count);
 }
 
+/// The same problem without friction, which has one solution in v.
+ContactProblem without_friction(ContactProblem problem, ContactDraw& draw, bool bounces) {
+  for (auto& law : problem.laws) {
+    law.friction = 0;
+    law.restitution = bounces ? 0.5 + 0.5 * draw.number() : 0;
+  }
+  return problem;
+}
+
 TEST(ContactSolver, WithoutFrictionFindsTheOneSolution) {
-  std::mt19937_64 engine(1);
-  int most = 0;
-  for (int trial = 0; trial < 60; ++trial) {
-    SCOPED_TRACE(trial);
-    const int count = 1 + trial % 6;
-    const Problem problem = random_problem(engine, count, 3 * count + 4, 0);
-    const Solved solved = solve(problem, {200000, 1e-13});
-    expect_law(problem, solved, 1e-9);
-    EXPECT_LT((solved.y - by_enumeration(problem)).norm(), 1e-7 * (1 + solved.y.norm()));
-    most = std::max(most, solved.solution.sweeps);
-  }
-  std::cout << "most sweeps: " << most << '\n';
-}
-
-// With more contacts than the mechanism has freedoms, impulses are not unique but velocities are.
-TEST(ContactSolver, WithoutFrictionServesRedundantContacts) {
-  std::mt19937_64 engine(2);
-  for (int trial = 0; trial < 20; ++trial) {
-    SCOPED_TRACE(trial);
-    Problem problem = random_problem(engine, 6, 4, 0);
-    for (auto& law : problem.laws) law.restitution = 0;
-    const Solved solved = solve(problem, {200000, 1e-12});
-    expect_law(problem, solved, 1e-8);
-    // Without restitution every impulse removes energy.
-    EXPECT_LE(solved.y.dot(problem.v + solved.v), 1e-10);
+  constexpr unsigned kSeed = 1;
+  ContactDraw draw(kSeed);
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", trial " << trial);
+    const ContactProblem problem =
+        without_friction(draw.problem(ContactKind::matrix, 1 + trial % 6), draw, true);
+    const Solved solved = solve(problem);
+    if (solved.solution.restitution < 1) continue;  // different coefficients may make energy
+    EXPECT_TRUE(solved.solution.converged);
+    expect_sound(problem, solved);
+    EXPECT_LT((solved.y - by_enumeration(problem)).norm(), 1e-9 * (1 + solved.y.norm()));
   }
 }
 
-// One e for all contacts, whatever their coupling, and whether they approach or separate.
-TEST(ContactSolver, WithoutFrictionMakesNoEnergy) {
-  std::mt19937_64 engine(5);
-  for (int trial = 0; trial < 60; ++trial) {
-    SCOPED_TRACE(trial);
-    const double e = 0.5 * (trial % 3);
-    Problem problem = random_problem(engine, 2 + trial % 4, 19, 0);
-    for (auto& law : problem.laws) law.restitution = e;
-    const Solved solved = solve(problem, {200000, 1e-13});
-    const double work = 0.5 * solved.y.dot(problem.v + solved.v);
-    EXPECT_NEAR(work, 0.5 * (1 - e) * solved.y.dot(problem.v), 1e-9);
-    EXPECT_LE(work, 1e-9);
-  }
-}
+/// What a thousand random problems of each kind came to.
+struct Tally {
+  int unconverged = 0, most_steps = 0;
+  double worst = 0;
+};
 
-TEST(ContactSolver, WithFrictionEndsAtCoulombsLaw) {
-  std::mt19937_64 engine(3);
-  int converged = 0, most = 0;
-  const int trials = 100;
+Tally solve_many(ContactKind kind, int count, int trials, unsigned seed) {
+  ContactDraw draw(seed);
+  Tally tally;
   for (int trial = 0; trial < trials; ++trial) {
-    SCOPED_TRACE(trial);
-    const int count = 1 + trial % 5;
-    const double friction = trial % 2 == 0 ? 0.3 : 1;
-    const Problem problem = random_problem(engine, count, 3 * count + 4, friction);
-    const Solved solved = solve(problem, {200000, 1e-12});
+    SCOPED_TRACE(testing::Message() << "seed " << seed << ", trial " << trial);
+    const ContactProblem problem = draw.problem(kind, count);
+    const Solved solved = solve(problem);
+    expect_sound(problem, solved);
+    tally.unconverged += solved.solution.converged ? 0 : 1;
+    tally.most_steps = std::max(tally.most_steps, solved.solution.steps);
     if (!solved.solution.converged) continue;
-    ++converged;
-    most = std::max(most, solved.solution.sweeps);
-    expect_law(problem, solved, 1e-8);
+    tally.worst = std::max(tally.worst, residuals_of(problem, solved.y, 1).worst());
   }
-  std::cout << converged << " of " << trials << " converged, most sweeps " << most << '\n';
-  EXPECT_GE(converged, trials * 9 / 10);
+  std::cout << "kind " << static_cast<int>(kind) << ", " << count
+            << " contacts: " << tally.unconverged << " of " << trials
+            << " unconverged, residuals to " << tally.worst << ", steps to " << tally.most_steps
+            << '\n';
+  return tally;
+}
+
+TEST(ContactSolver, SolvesEveryProblemOfRobotsAndOfMatricesOfFullRank) {
+  for (const ContactKind kind : {ContactKind::matrix, ContactKind::legs}) {
+    for (const int count : {1, 4, 16}) {
+      EXPECT_EQ(solve_many(kind, count, 2000 / count, 20).unconverged, 0);
+    }
+  }
+}
+
+// Contacts that jam bodies of masses far apart from all sides are where it may end without a
+// solution, and says so.
+TEST(ContactSolver, SolvesAlmostAllThatDependOnEachOther) {
+  for (const ContactKind kind :
+       {ContactKind::redundant, ContactKind::graded, ContactKind::bodies}) {
+    for (const int count : {1, 4, 16}) {
+      const int trials = 1600 / count;
+      EXPECT_LE(solve_many(kind, count, trials, 30).unconverged, trials / 20);
+    }
+  }
+}
+
+// Newton's law of restitution with friction may make energy; then coefficients are reduced, and the
+// laws hold with what is left of them.
+TEST(ContactSolver, NeverMakesEnergy) {
+  constexpr unsigned kSeed = 5;
+  ContactDraw draw(kSeed);
+  int reduced = 0;
+  for (const ContactKind kind : kContactKinds) {
+    for (int trial = 0; trial < 200; ++trial) {
+      SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", trial " << trial);
+      ContactProblem problem = draw.problem(kind, 1 + trial % 5);
+      for (auto& law : problem.laws) law.restitution = 0.5 * (trial % 3);
+      const Solved solved = solve(problem);
+      expect_sound(problem, solved);
+      reduced += solved.solution.restitution < 1 ? 1 : 0;
+    }
+  }
+  std::cout << reduced << " of 1000 with less restitution\n";
+  EXPECT_GT(reduced, 0);
+}
+
+// With e = 1 for all and no friction energy stays, so nothing is reduced.
+TEST(ContactSolver, KeepsTheEnergyOfElasticBlows) {
+  constexpr unsigned kSeed = 6;
+  ContactDraw draw(kSeed);
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", trial " << trial);
+    ContactProblem problem =
+        without_friction(draw.problem(ContactKind::legs, 1 + trial % 8), draw, false);
+    for (auto& law : problem.laws) law.restitution = 1;
+    const Solved solved = solve(problem);
+    EXPECT_TRUE(solved.solution.converged);
+    EXPECT_EQ(solved.solution.restitution, 1);
+    EXPECT_LT(std::abs(energy_of(problem, solved.y)), kEnergy);
+  }
+}
+
+// What was found before is found again, by a fraction of the steps.
+TEST(ContactSolver, StartsWhereItEnded) {
+  constexpr unsigned kSeed = 9;
+  ContactDraw draw(kSeed);
+  long cold = 0, warm = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", trial " << trial);
+    const ContactProblem problem = draw.problem(ContactKind::legs, 8);
+    const Solved first = solve(problem), second = solve(problem, first.y);
+    expect_sound(problem, second);
+    EXPECT_LT((second.v - first.v).norm(), 1e-8 * problem.v.norm());
+    cold += first.solution.steps;
+    warm += second.solution.steps;
+  }
+  EXPECT_LT(warm, cold);
+}
+
+// The headers as C, and as members of a template: the same bits.
+TEST(ContactSolver, GivesTheBitsOfItsC) {
+  ContactDraw draw(10);
+  for (int trial = 0; trial < 100; ++trial) {
+    const ContactProblem problem = draw.problem(ContactKind::legs, kContactsOfC);
+    std::vector<double> normals, frictions;
+    for (const auto& law : problem.laws) {
+      normals.insert(normals.end(), law.normal, law.normal + 3);
+      frictions.push_back(law.friction);
+    }
+    Vector y = Vector::Zero(problem.v.size()), v = problem.v;
+    EXPECT_TRUE(solve_contacts_in_c(problem.A.data(), normals.data(), frictions.data(), v.data(),
+                                    y.data()));
+    core::ContactSolver<double, kContactsOfC> solver;
+    Vector y_cpp = Vector::Zero(problem.v.size()), v_cpp = problem.v;
+    solver.solve(kContactsOfC, problem.A.data(), problem.laws.data(), v_cpp.data(), y_cpp.data());
+    EXPECT_EQ(y, y_cpp);
+    EXPECT_EQ(v, v_cpp);
+  }
 }
 
 // One contact that sticks, computed by hand: a ball against a wall with A = 1/m, e = 0.5, at 45
 // degrees.
 TEST(ContactSolver, OfOneContactIsTheTextbooks) {
-  Problem problem;
+  ContactProblem problem;
   problem.A = 0.5 * Matrix::Identity(3, 3);
   problem.v = Vector3d(1, 0, -1);
   problem.laws.resize(1);
@@ -199,9 +296,9 @@ TEST(ContactSolver, OfOneContactIsTheTextbooks) {
 
 // A jaw moves along its normal and in no other direction: friction has nothing to do.
 TEST(ContactSolver, ServesAJaw) {
-  for (const double friction : {0.0, 0.4, 1e300, std::numeric_limits<double>::infinity()}) {
+  for (const double friction : {0.0, 0.4, 1e300, kInfinity}) {
     SCOPED_TRACE(friction);
-    Problem problem;
+    ContactProblem problem;
     problem.A = Matrix::Zero(3, 3);
     problem.A(0, 0) = 0.5;
     problem.v = Vector3d(-1, 0, 0);
@@ -215,51 +312,15 @@ TEST(ContactSolver, ServesAJaw) {
   }
 }
 
-/// Laws in the form that holds for every size of impulse: the four of contact, by their residuals.
-/// `allowed` is a speed.
-void expect_residuals(const Problem& problem, const Solved& solved, double allowed) {
-  ASSERT_TRUE(solved.y.allFinite() && solved.v.allFinite());
-  const double rounding = 1e-13 * (problem.A.cwiseAbs() * solved.y.cwiseAbs()).maxCoeff();
-  EXPECT_LT((problem.v + problem.A * solved.y - solved.v).cwiseAbs().maxCoeff(),
-            allowed + rounding);
-  for (std::size_t i = 0; i < problem.laws.size(); ++i) {
-    const auto& law = problem.laws[i];
-    const Vector3d n = normal_of(law);
-    const auto row = 3 * static_cast<Eigen::Index>(i);
-    const Vector3d y = solved.y.segment<3>(row), v = solved.v.segment<3>(row);
-    const double y_n = n.dot(y), v_n = n.dot(v);
-    const double wanted = -law.restitution * n.dot(problem.v.segment<3>(row));
-    EXPECT_GE(y_n, -1e-13 * y.norm());
-    EXPECT_GE(v_n, wanted - allowed - rounding);                  // Signorini
-    EXPECT_LE(y_n * (v_n - wanted), (allowed + rounding) * y_n);  // either
-    const Vector3d y_t = y - y_n * n, v_t = v - v_n * n;
-    if (std::isinf(law.friction)) {
-      if (y_n > 0) EXPECT_LE(v_t.norm(), allowed + rounding);
-      continue;
-    }
-    const double most = law.friction * y_n;
-    const double of_cone =
-        1e-13 * (1 + law.friction) * y.norm();   // rounding of y_n, times friction
-    EXPECT_LE(y_t.norm(), most + of_cone);       // Coulomb
-    EXPECT_LE(most * v_t.norm() + y_t.dot(v_t),  // sliding: the cone's edge, against the motion
-              (allowed + rounding) * (most + y.norm()) + of_cone * v_t.norm());
-  }
-  const bool plastic = std::all_of(problem.laws.begin(), problem.laws.end(),
-                                   [](const auto& law) { return law.restitution == 0; });
-  const double sizes = solved.y.cwiseAbs().sum();
-  if (plastic) EXPECT_LE(0.5 * solved.y.dot(problem.v + solved.v), (allowed + rounding) * sizes);
-}
-
 /// Mechanisms of few freedoms at contacts of which some are the same point, with freedoms along or
 /// across a normal exactly, and inertias apart by up to 1e6.
-Problem degenerate_problem(std::mt19937_64& engine, int trial) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const auto draw = [&] { return uniform(engine); };
+ContactProblem degenerate_problem(ContactDraw& draws, int trial) {
+  const auto draw = [&] { return draws.number(); };
   const int count = 1 + trial % 4, freedoms = trial / 4 % 6;
-  Problem problem;
+  ContactProblem problem;
   Matrix J = Matrix::NullaryExpr(3 * count, freedoms, draw);
-  for (Eigen::Index i = 0; i < freedoms; ++i) J.col(i) *= std::pow(10.0, 3 * draw());
-  constexpr double kFrictions[] = {0, 0.4, 1, 3, 1e6, std::numeric_limits<double>::infinity()};
+  for (Eigen::Index i = 0; i < freedoms; ++i) J.col(i) *= std::pow(10.0, 1.5 * draw());
+  constexpr double kFrictions[] = {0, 0.4, 1, 3, 1e6, kInfinity};
   for (int i = 0; i < count; ++i) {
     ContactLaw<double> law;
     Vector3d n = Vector3d::NullaryExpr(draw).normalized();
@@ -271,7 +332,7 @@ Problem degenerate_problem(std::mt19937_64& engine, int trial) {
     }
     if (trial / 24 % 3 == 2 && i > 0) own = J.topRows(3);  // twice the same point
     law.restitution = trial % 2 == 0 ? 0 : 0.5;
-    law.friction = kFrictions[engine() % 6];
+    law.friction = kFrictions[draws.below(6)];
     problem.laws.push_back(law);
   }
   problem.A = J * J.transpose();
@@ -282,17 +343,15 @@ Problem degenerate_problem(std::mt19937_64& engine, int trial) {
 
 TEST(ContactSolver, NeverSaysConvergedBesideALawThatDoesNotHold) {
   constexpr unsigned kSeed = 7;
-  std::mt19937_64 engine(kSeed);
+  ContactDraw draw(kSeed);
   int converged = 0;
-  constexpr int kTrials = 4000;
+  constexpr int kTrials = 1500;
   for (int trial = 0; trial < kTrials; ++trial) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", trial " << trial);
-    const Problem problem = degenerate_problem(engine, trial);
-    const Solved solved = solve(problem, {2000, 1e-12});
-    if (!solved.solution.converged) continue;
-    ++converged;
-    // Each contact is off by the tolerance when it was visited, and by what the others move then.
-    expect_residuals(problem, solved, 1e-11 * (1 + problem.v.cwiseAbs().maxCoeff()));
+    const ContactProblem problem = degenerate_problem(draw, trial);
+    const Solved solved = solve(problem);
+    expect_sound(problem, solved);
+    converged += solved.solution.converged ? 1 : 0;
   }
   std::cout << converged << " of " << kTrials << " converged\n";
   EXPECT_GE(converged, kTrials / 2);
@@ -300,30 +359,26 @@ TEST(ContactSolver, NeverSaysConvergedBesideALawThatDoesNotHold) {
 
 // One contact that can move along its normal, whatever else it can, has an answer.
 TEST(ContactSolver, SolvesEveryBlockThatMovesAlongTheNormal) {
-  std::mt19937_64 engine(8);
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  ContactDraw draw(8);
   for (int trial = 0; trial < 300; ++trial) {
     SCOPED_TRACE(trial);
     const int freedoms = 1 + trial % 3;
-    const Matrix J = Matrix::NullaryExpr(3, freedoms, [&] { return uniform(engine); });
-    Problem problem;
-    problem.A = J * J.transpose();
-    problem.v = J * Vector::NullaryExpr(freedoms, [&] { return uniform(engine); });
-    problem.laws.resize(1);
-    Vector3d n = Vector3d::NullaryExpr([&] { return uniform(engine); }).normalized();
+    const Matrix J = draw.matrix(3, freedoms);
+    ContactProblem problem{J * J.transpose(), J * draw.matrix(freedoms, 1), {{}}};
+    Vector3d n = draw.vector().normalized();
     if (freedoms == 1 && trial % 2 == 0) n = J.col(0).normalized();
     Vector3d::Map(problem.laws[0].normal) = n;
     problem.laws[0].friction = 0.2 * (trial % 8);
-    const Solved solved = solve(problem, {100000, 1e-12});
+    const Solved solved = solve(problem);
     EXPECT_TRUE(solved.solution.converged);
-    expect_residuals(problem, solved, 1e-11);
+    expect_sound(problem, solved);
   }
 }
 
 TEST(ContactSolver, SaysThatNothingServes) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const auto solves = [](const auto& change) {
-    Problem problem;
+    ContactProblem problem;
     problem.A = 0.5 * Matrix::Identity(3, 3);
     problem.v = Vector3d(0.1, 0, -1);
     problem.laws.resize(1);
@@ -331,30 +386,22 @@ TEST(ContactSolver, SaysThatNothingServes) {
     change(problem);
     return solve(problem).solution.converged;
   };
-  EXPECT_TRUE(solves([](Problem&) {}));
-  EXPECT_FALSE(solves([](Problem& p) { p.A.setZero(); }));  // nothing moves
-  EXPECT_FALSE(solves([](Problem& p) { p.A(2, 2) = 0; }));  // nothing along the normal
-  EXPECT_TRUE(solves([](Problem& p) { p.A.setZero(), p.v(2) = 0; }));
-  EXPECT_FALSE(solves([](Problem& p) { p.A(2, 2) = 1e-17; }));  // nothing but rounding
-  for (const double bad : {kNaN, std::numeric_limits<double>::infinity()}) {
+  EXPECT_TRUE(solves([](ContactProblem&) {}));
+  EXPECT_FALSE(solves([](ContactProblem& p) { p.A.setZero(); }));  // nothing moves
+  EXPECT_FALSE(solves([](ContactProblem& p) { p.A(2, 2) = 0; }));  // nothing along the normal
+  EXPECT_TRUE(solves([](ContactProblem& p) { p.A.setZero(), p.v(2) = 0; }));
+  EXPECT_FALSE(solves([](ContactProblem& p) { p.A(2, 2) = 1e-17; }));  // nothing but rounding
+  for (const double bad : {kNaN, kInfinity}) {
     for (int i = 0; i < 3; ++i) {
-      EXPECT_FALSE(solves([&](Problem& p) { p.v(i) = bad; }));
-      EXPECT_FALSE(solves([&](Problem& p) { p.A(i, i) = bad; }));
-      EXPECT_FALSE(solves([&](Problem& p) { p.laws[0].normal[i] = bad; }));
+      EXPECT_FALSE(solves([&](ContactProblem& p) { p.v(i) = bad; }));
+      EXPECT_FALSE(solves([&](ContactProblem& p) { p.A(i, i) = bad; }));
+      EXPECT_FALSE(solves([&](ContactProblem& p) { p.laws[0].normal[i] = bad; }));
     }
-    EXPECT_FALSE(solves([&](Problem& p) { p.laws[0].restitution = bad; }));
-    EXPECT_FALSE(solves([&](Problem& p) { p.laws[0].parting = bad; }));
+    EXPECT_FALSE(solves([&](ContactProblem& p) { p.laws[0].restitution = bad; }));
   }
-  EXPECT_FALSE(solves([&](Problem& p) { p.laws[0].friction = kNaN; }));
-  EXPECT_FALSE(solves([&](Problem& p) { p.laws[0].friction = -0.1; }));
-}
-
-TEST(ContactSolver, SaysWhenItGaveUp) {
-  std::mt19937_64 engine(4);
-  const Problem problem = random_problem(engine, 5, 19, 0.5);
-  EXPECT_FALSE(solve(problem, {1, 1e-12}).solution.converged);
-  EXPECT_TRUE(solve(problem, {100000, 1e-12}).solution.converged);
+  EXPECT_FALSE(solves([&](ContactProblem& p) { p.laws[0].friction = kNaN; }));
+  EXPECT_FALSE(solves([&](ContactProblem& p) { p.laws[0].friction = -0.1; }));
 }
 
 }  // namespace
-}  // namespace treeline::core
+}  // namespace treeline::test

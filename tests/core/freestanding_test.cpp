@@ -53,7 +53,7 @@ struct Data {
   core::TwoGrasps<Real> linkage;
   core::GraspedObject<Real> object;
   core::ContactLaw<Real> law;
-  core::ContactSolverSettings<Real> settings;
+  core::ContactSolver<Real, 2> contacts;
   core::Gains<Real> gains;
   core::TaskSelection<Real> selection;
   core::ForceGains<Real> force_gains;
@@ -64,7 +64,7 @@ struct Data {
 };
 
 bool use_closed_chain(Data& data) noexcept;
-void use_contact_solver(Data& data) noexcept;
+bool use_contact_solver(Data& data) noexcept;
 Real use_damped_solve(Data& data) noexcept;
 void use_prioritized_solve(Data& data) noexcept;
 void use_posture_laws(Data& data) noexcept;
@@ -89,8 +89,8 @@ bool use_closed_chain(Data& data) noexcept {
          apart;
 }
 
-void use_contact_solver(Data& data) noexcept {
-  core::solve_contacts<Real>(1, data.a9, &data.law, data.a3, data.b3, data.a2, data.settings);
+bool use_contact_solver(Data& data) noexcept {
+  return data.contacts.solve(1, data.a9, &data.law, data.a3, data.b3).converged;
 }
 
 Real use_damped_solve(Data& data) noexcept {

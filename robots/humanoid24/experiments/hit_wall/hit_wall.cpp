@@ -134,10 +134,9 @@ class WallRobot {
     blow.restitution = blow.approach < settings_.slow ? 0 : settings_.restitution;
     law.restitution = blow.restitution;
     double y[3] = {};
-    double wanted[1];
     double v[3];
     std::copy(std::begin(hand.v), std::end(hand.v), std::begin(v));
-    core::solve_contacts<double>(1, A, &law, v, y, wanted);
+    solver_.solve(1, A, &law, v, y);
     for (int i = 0; i < 3; ++i) {
       blow.work += 0.5 * y[i] * (hand.v[i] + v[i]);
     }
@@ -157,6 +156,7 @@ class WallRobot {
     return blow.impulse;
   }
 
+  core::ContactSolver<double, 1> solver_;
   State state_;
   WallSettings settings_;
   double tau_[kJoints] = {};
