@@ -87,7 +87,7 @@ DropRun run_drop(const simulation::Model& model, const DropSettings& settings) {
   const simulation::CollisionScene scene(model, shapes_of(model));
   simulation::SimulationSettings how;
   how.step = settings.step;
-  how.surface = {settings.restitution, settings.friction, 0, 0};
+  how.surface = {settings.restitution, settings.friction, 0};
   auto simulation = start_simulation(model, scene, how, tumbler_start(model, settings.height));
   const int steps = static_cast<int>(settings.duration / settings.step);
   DropRun run{settings,
