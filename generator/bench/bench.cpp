@@ -15,6 +15,17 @@ namespace {
 
 constexpr std::size_t kTimedStates = 64;
 
+/// Summarises the times of one contender's code at each of its places.
+void summarise_places(const std::vector<Timing>& timings, BenchRow& row) {
+  const auto by_time = [](const Timing& a, const Timing& b) {
+    return a.nanoseconds < b.nanoseconds;
+  };
+  std::vector<Timing> sorted = timings;
+  std::sort(sorted.begin(), sorted.end(), by_time);
+  row.timing = sorted[sorted.size() / 2];
+  row.placement = sorted.back().nanoseconds / sorted.front().nanoseconds;
+}
+
 /// Ends of the results that are compared. Forces are not compared where rows depend on each other:
 /// their distribution is a choice.
 std::vector<std::size_t> compared_ends(const GeneratedFunction& function) {
@@ -35,7 +46,7 @@ class Bench {
 
   std::optional<BenchReport> run() {
     tell("generating", 0, 1);
-    const auto builds = plan_builds(robot_, scene_, options_.flags, diagnostics_);
+    const auto builds = plan_builds(robot_, scene_, options_.flags, options_.groups, diagnostics_);
     if (!builds) return std::nullopt;
     tell("generating", 1, 1);
     truths_.emplace(robot_, scene_, builds->front().functions, options_);
@@ -43,9 +54,9 @@ class Bench {
       if (timed_.size() < kTimedStates) timed_.push_back(reference.state);
     }
     if (!compile(*builds)) return std::nullopt;
-    add(interpreter_contenders(robot_, scene_, timed_));
-    if (!add_factorisations(builds->front())) return std::nullopt;
-    if (!add_peers(builds->front().functions)) return std::nullopt;
+    if (wants(VariantGroup::interpreter)) add(interpreter_contenders(robot_, scene_, timed_));
+    if (wants(VariantGroup::solve) && !add_factorisations(builds->front())) return std::nullopt;
+    if (wants(VariantGroup::peer) && !add_peers(builds->front().functions)) return std::nullopt;
     return measure(builds->front().functions);
   }
 
@@ -53,6 +64,8 @@ class Bench {
   void tell(const char* what, int done, int total) const {
     if (options_.progress) options_.progress(what, done, total);
   }
+
+  [[nodiscard]] bool wants(VariantGroup group) const { return is_wanted(group, options_.groups); }
 
   void add(std::vector<Contender> contenders) {
     std::move(contenders.begin(), contenders.end(), std::back_inserter(contenders_));
@@ -64,7 +77,7 @@ class Bench {
       tell("compiling", i, total);
       const std::string folder = "build" + std::to_string(i);
       auto made = compile_contenders(builds[static_cast<std::size_t>(i)], timed_, work_ / folder,
-                                     i == 0 ? &command_ : nullptr, diagnostics_);
+                                     options_.places, i == 0 ? &command_ : nullptr, diagnostics_);
       if (!made) return false;
       add(std::move(*made));
     }
@@ -83,7 +96,8 @@ class Bench {
     scene.functions = {Function::lambda_inverse};
     const auto build = plan_emitted(robot_, scene, emitted.flags, diagnostics_);
     if (!build) return false;
-    auto made = compile_contenders(*build, timed_, work_ / "lambda_inverse", nullptr, diagnostics_);
+    auto made =
+        compile_contenders(*build, timed_, work_ / "lambda_inverse", 1, nullptr, diagnostics_);
     if (!made) return false;
     const int rows = build->functions.front().program.results.front().argument.rows;
     add(factorisation_contenders(made->front(), rows));
@@ -138,6 +152,7 @@ class Bench {
     }
     const std::vector<std::size_t> ends = compared_ends(function);
     std::vector<TimedPass> passes;
+    std::vector<std::size_t> ends_of_rows;
     for (const Contender& contender : contenders_) {
       if (contender.variant.function != function.function) continue;
       BenchRow row = measure_errors(contender, i, ends);
@@ -146,10 +161,16 @@ class Bench {
         continue;
       }
       made.rows.push_back(std::move(row));
-      passes.push_back(contender.pass);
+      passes.insert(passes.end(), contender.passes.begin(), contender.passes.end());
+      ends_of_rows.push_back(passes.size());
     }
     const std::vector<Timing> timings = time_passes(passes, options_.timing);
-    for (std::size_t k = 0; k < timings.size(); ++k) made.rows[k].timing = timings[k];
+    auto next = timings.begin();
+    for (std::size_t k = 0; k < made.rows.size(); ++k) {
+      const auto end = timings.begin() + static_cast<std::ptrdiff_t>(ends_of_rows[k]);
+      summarise_places({next, end}, made.rows[k]);
+      next = end;
+    }
     mark_front(made.rows);
     return made;
   }
@@ -165,7 +186,9 @@ class Bench {
       norms.push_back(error.norm);
       components.push_back(error.component);
     }
-    return {contender.variant, {}, summarise_errors(norms), summarise_errors(components), false};
+    BenchRow row{contender.variant, {}, 1, summarise_errors(norms), summarise_errors(components)};
+    row.compiled = contender.compiled;
+    return row;
   }
 
   const Robot& robot_;

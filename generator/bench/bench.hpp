@@ -16,6 +16,11 @@ struct BenchOptions {
   std::string flags = kBenchFlags;  ///< for the compiler
   TimingOptions timing = {};
   FoundPeers peers = {};  ///< peers to measure as well
+  /// Kinds of variants that are measured beside the emitted code. Empty: all.
+  std::vector<VariantGroup> groups = {};
+  /// How many times compiled code is loaded, each at addresses of its own, and timed. The times of
+  /// large functions depend on where they lie.
+  int places = 1;
   /// Reports progress: what is done, how much of it, and how much in all ("states", 10, 300).
   std::function<void(const std::string& what, int done, int total)> progress = {};
 };

@@ -6,6 +6,7 @@
 
 #include "bench/measure_error.hpp"
 #include "bench/variant.hpp"
+#include "compilation/compile_folder.hpp"
 #include "timing/time_calls.hpp"
 
 namespace treeline {
@@ -23,11 +24,13 @@ BenchMachine describe_machine(const std::string& command);
 /// Measurements of one variant.
 struct BenchRow {
   Variant variant;
-  Timing timing;  ///< its ratio is to the first row's
+  Timing timing;         ///< its ratio is to the first row's
+  double placement = 1;  ///< time at the slowest place in memory over that at the fastest
   ErrorSummary norm, component;
   /// No other row is both as fast and as accurate, by the largest norm-wise error. Always false if
   /// the caller must do a part of the work.
   bool on_front = false;
+  std::optional<CompiledFunction> compiled = {};  ///< of code that was compiled for this
 };
 
 /// Another library that was measured.

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <sys/mman.h>
+
 #include <cmath>
 #include <utility>
 
@@ -9,10 +12,43 @@
 namespace treeline {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Loaded {
   TimedBuild build;
-  std::vector<CallArguments> arguments;  ///< by function
+  std::vector<GeneratedLibrary> elsewhere;  ///< the same library at other addresses
+  std::vector<CallArguments> arguments;     ///< by function
 };
+
+/// Moves the addresses at which the next library is loaded by some pages, which stay unused.
+void skip_pages(std::size_t pages) {
+  constexpr std::size_t kPage = 4096;
+  (void)mmap(nullptr, pages * kPage, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+}
+
+/// Loads the library again, from a copy, since the loader knows a file by its name.
+bool load_elsewhere(const VariantBuild& build, int place, Loaded& loaded,
+                    Diagnostics& diagnostics) {
+  const fs::path& original = loaded.build.compilation.library;
+  const fs::path copy = original.parent_path() / fmt::format("place_{}.so", place);
+  std::error_code failed;
+  fs::copy_file(original, copy, fs::copy_options::overwrite_existing, failed);
+  skip_pages(static_cast<std::size_t>(7 * place + 1));
+  auto library = GeneratedLibrary::load(copy, build.functions, build.scene.real, diagnostics);
+  if (!library) return false;
+  loaded.elsewhere.push_back(std::move(*library));
+  return true;
+}
+
+TimedPass pass_of(const std::shared_ptr<const Loaded>& loaded, CompiledEntry entry, std::size_t i) {
+  const auto pass = [loaded, entry, i] {
+    const CallArguments& arguments = loaded->arguments[i];
+    for (std::size_t call = 0; call < arguments.calls(); ++call) {
+      entry(arguments.in(call), arguments.out());
+    }
+  };
+  return {pass, loaded->arguments[i].calls()};
+}
 
 Contender contender_of(const std::shared_ptr<const Loaded>& loaded, const Variant& variant,
                        std::size_t i) {
@@ -20,14 +56,13 @@ Contender contender_of(const std::shared_ptr<const Loaded>& loaded, const Varian
   contender.call = [loaded, i](const State& state) {
     return loaded->build.library.call(i, with_double_sines(state)).entries;
   };
-  const CompiledEntry entry = loaded->build.library.raw_entry(i);
-  contender.pass.calls = loaded->arguments[i].calls();
-  contender.pass.pass = [loaded, entry, i] {
-    const CallArguments& arguments = loaded->arguments[i];
-    for (std::size_t call = 0; call < arguments.calls(); ++call) {
-      entry(arguments.in(call), arguments.out());
-    }
-  };
+  contender.passes.push_back(pass_of(loaded, loaded->build.library.raw_entry(i), i));
+  for (const GeneratedLibrary& library : loaded->elsewhere) {
+    contender.passes.push_back(pass_of(loaded, library.raw_entry(i), i));
+  }
+  const auto& compiled = loaded->build.compilation.functions;
+  const auto at = compiled.find(function_name(variant.function));
+  if (at != compiled.end()) contender.compiled = at->second;
   return contender;
 }
 
@@ -36,7 +71,7 @@ Contender contender_of(const std::shared_ptr<const Loaded>& loaded, const Varian
 std::optional<std::vector<Contender>> compile_contenders(const VariantBuild& build,
                                                          const std::vector<State>& timed,
                                                          const std::filesystem::path& work,
-                                                         std::string* command,
+                                                         int places, std::string* command,
                                                          Diagnostics& diagnostics) {
   const std::filesystem::path sources = work / "sources";
   if (!write_files(sources, build.files, diagnostics)) return std::nullopt;
@@ -44,7 +79,10 @@ std::optional<std::vector<Contender>> compile_contenders(const VariantBuild& bui
                          diagnostics);
   if (!made) return std::nullopt;
   if (command != nullptr) *command = made->compilation.command;
-  auto loaded = std::make_shared<Loaded>(Loaded{std::move(*made), {}});
+  auto loaded = std::make_shared<Loaded>(Loaded{std::move(*made), {}, {}});
+  for (int place = 1; place < places; ++place) {
+    if (!load_elsewhere(build, place, *loaded, diagnostics)) return std::nullopt;
+  }
   std::vector<State> states;
   for (const State& state : timed) states.push_back(with_double_sines(state));
   for (const GeneratedFunction& function : build.functions) {

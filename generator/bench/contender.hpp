@@ -19,16 +19,18 @@ struct Contender {
   Variant variant;
   /// Returns the entries of all results at a state, one after the other.
   std::function<std::vector<double>(const State&)> call;
-  TimedPass pass;  ///< one pass over the states for timing
+  /// One pass over the states for timing, of each place in memory where the code lies.
+  std::vector<TimedPass> passes;
+  std::optional<CompiledFunction> compiled = {};  ///< of code that was compiled for this
 };
 
 /// Compiles the variants of a build in the folder `work`, which is created for it, and loads them.
-/// The contenders keep the library loaded. Errors: see `load_build`. `command`, if given, receives
-/// compiler and flags.
+/// The contenders keep the library loaded, `places` times, each at addresses of its own. Errors:
+/// see `load_build`. `command`, if given, receives compiler and flags.
 std::optional<std::vector<Contender>> compile_contenders(const VariantBuild& build,
                                                          const std::vector<State>& timed,
                                                          const std::filesystem::path& work,
-                                                         std::string* command,
+                                                         int places, std::string* command,
                                                          Diagnostics& diagnostics);
 
 /// Contenders that run the generic interpreter in double and float, including all its allocations.

@@ -33,10 +33,12 @@ Contender factorise(const Contender& from, int rows, const char* name,
   // The time does not depend on the matrix as long as it is positive definite.
   Matrix A = Matrix::Constant(rows, rows, 0.1);
   A.diagonal().array() += 1;
-  contender.pass.pass = [pass = from.pass, invert, A, sink = Matrix(A)]() mutable {
-    pass.pass();
-    for (std::size_t call = 0; call < pass.calls; ++call) sink = invert(A);
-  };
+  contender.passes.push_back({[pass = from.passes.front(), invert, A, sink = Matrix(A)]() mutable {
+                                pass.pass();
+                                for (std::size_t call = 0; call < pass.calls; ++call)
+                                  sink = invert(A);
+                              },
+                              from.passes.front().calls});
   return contender;
 }
 

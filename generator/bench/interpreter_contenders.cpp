@@ -30,10 +30,10 @@ void append_contenders(const Subject<interpreter::Digits50>& exact, const Scene&
           interpret<Scalar>(function, *SubjectAt(*subject, state), state);
       return std::vector<double>(entries.begin(), entries.end());
     };
-    contender.pass.calls = few.size();
-    contender.pass.pass = [subject, function, few] {
+    const auto pass = [subject, function, few] {
       for (const auto& [at_state, state] : few) interpret<Scalar>(function, *at_state, state);
     };
+    contender.passes.push_back({pass, few.size()});
     contenders.push_back(std::move(contender));
   }
 }

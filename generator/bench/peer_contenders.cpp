@@ -85,7 +85,7 @@ Contender contender_of(const LoadedPeer& peer, const PeerRoutine& routine,
   variant.method = routine.route;
   Contender contender{std::move(variant), {}, {}};
   contender.call = [prepared](const State& state) { return prepared->call(state); };
-  contender.pass = {[prepared] { prepared->pass(); }, timed.size()};
+  contender.passes = {{[prepared] { prepared->pass(); }, timed.size()}};
   return contender;
 }
 

@@ -21,6 +21,10 @@ namespace {
 
 constexpr std::array kLanes = {8, 4, 1};
 
+constexpr std::array kGroups = {"emitted", "language", "lanes",       "real",
+                                "route",   "inertia",  "accuracy",    "contraction",
+                                "sines",   "solve",    "interpreter", "peer"};
+
 /// Difference of a build from the scene's code.
 struct Difference {
   VariantGroup group{};
@@ -28,14 +32,17 @@ struct Difference {
   Real real{};
   bool library_sines = false;
   bool contracted = true;
+  Language language = Language::cpp;
 };
 
 class Planner {
  public:
-  Planner(const Robot& robot, const Scene& scene, std::string flags, Diagnostics& diagnostics)
+  Planner(const Robot& robot, const Scene& scene, std::string flags,
+          std::vector<VariantGroup> groups, Diagnostics& diagnostics)
       : robot_(robot),
         scene_(without_callers(scene)),
         flags_(std::move(flags)),
+        groups_(std::move(groups)),
         diagnostics_(diagnostics) {
     scene_.batch = 0;
   }
@@ -49,18 +56,27 @@ class Planner {
   std::vector<VariantBuild> plan() {
     generate_emitted();
     add_emitted();
-    add_lanes();
-    add_routes();
-    add_generated({VariantGroup::inertia, "full inertias", scene_.real}, scene_, Inertias::full);
-    add_accuracies();
-    add_sines();
-    add(emitted_, {VariantGroup::contraction, "not contracted", scene_.real, false, false});
+    if (wants(VariantGroup::language)) {
+      add(emitted_, {VariantGroup::language, "C99", scene_.real, false, true, Language::c});
+    }
+    if (wants(VariantGroup::lanes) || wants(VariantGroup::real)) add_lanes();
+    if (wants(VariantGroup::route)) add_routes();
+    if (wants(VariantGroup::inertia)) {
+      add_generated({VariantGroup::inertia, "full inertias", scene_.real}, scene_, Inertias::full);
+    }
+    if (wants(VariantGroup::accuracy)) add_accuracies();
+    if (wants(VariantGroup::sines)) add_sines();
+    if (wants(VariantGroup::contraction)) {
+      add(emitted_, {VariantGroup::contraction, "not contracted", scene_.real, false, false});
+    }
     std::erase_if(builds_, [](const VariantBuild& build) { return build.variants.empty(); });
     return std::move(builds_);
   }
 
  private:
   using Functions = std::vector<GeneratedFunction>;
+
+  [[nodiscard]] bool wants(VariantGroup group) const { return is_wanted(group, groups_); }
 
   [[nodiscard]] std::string lanes_name(Real real, int lanes) const {
     return fmt::format("{}, {} lane{}", word_of(real), lanes, lanes == 1 ? "" : "s");
@@ -145,6 +161,7 @@ class Planner {
     VariantBuild build;
     build.scene = scene_;
     build.scene.real = difference.real;
+    build.scene.language = difference.language;
     build.flags = flags_ + (difference.contracted ? "" : " -ffp-contract=off");
     std::vector<Program> programs;
     for (const GeneratedFunction& each : functions) programs.push_back(each.program);
@@ -200,7 +217,8 @@ class Planner {
   /// Whether an earlier variant has the same code and flags. If so, it is noted there.
   bool is_repeat(const Variant& variant, const VariantBuild& build) {
     const std::string name = function_name(variant.function);
-    const std::string source = text_of(build, name + ".cpp");
+    const bool is_c = build.scene.language == Language::c;
+    const std::string source = text_of(build, name + (is_c ? ".c" : ".cpp"));
     const bool sines = source.find("sin_cos.hpp") != std::string::npos;
     const Key key{variant.real, build.flags, source, sines ? text_of(build, "sin_cos.hpp") : ""};
     const auto [at, is_new] = first_.emplace(key, std::pair{builds_.size(), build.variants.size()});
@@ -217,6 +235,7 @@ class Planner {
   const Robot& robot_;
   Scene scene_;
   std::string flags_;
+  std::vector<VariantGroup> groups_;  ///< that are planned; empty: all
   Diagnostics& diagnostics_;
   std::vector<Functions> routes_;  ///< by function, the emitted route first
   Functions emitted_;
@@ -227,23 +246,35 @@ class Planner {
 }  // namespace
 
 const char* group_name(VariantGroup group) {
-  constexpr std::array kNames = {"emitted", "lanes",       "real",        "route",
-                                 "inertia", "accuracy",    "contraction", "sines",
-                                 "solve",   "interpreter", "peer"};
-  return kNames[static_cast<std::size_t>(group)];
+  return kGroups[static_cast<std::size_t>(group)];
+}
+
+std::optional<VariantGroup> find_group(std::string_view name) {
+  const auto at = std::find(kGroups.begin(), kGroups.end(), name);
+  if (at == kGroups.end()) return std::nullopt;
+  return static_cast<VariantGroup>(at - kGroups.begin());
+}
+
+std::vector<std::string> group_names() {
+  return {kGroups.begin(), kGroups.end()};
+}
+
+bool is_wanted(VariantGroup group, const std::vector<VariantGroup>& groups) {
+  return groups.empty() || std::find(groups.begin(), groups.end(), group) != groups.end();
 }
 
 std::optional<std::vector<VariantBuild>> plan_builds(const Robot& robot, const Scene& scene,
                                                      const std::string& flags,
+                                                     const std::vector<VariantGroup>& groups,
                                                      Diagnostics& diagnostics) {
-  auto builds = Planner(robot, scene, flags, diagnostics).plan();
+  auto builds = Planner(robot, scene, flags, groups, diagnostics).plan();
   if (diagnostics.has_errors()) return std::nullopt;
   return builds;
 }
 
 std::optional<VariantBuild> plan_emitted(const Robot& robot, const Scene& scene,
                                          const std::string& flags, Diagnostics& diagnostics) {
-  auto build = Planner(robot, scene, flags, diagnostics).plan_first();
+  auto build = Planner(robot, scene, flags, {}, diagnostics).plan_first();
   if (diagnostics.has_errors()) return std::nullopt;
   return build;
 }

@@ -11,13 +11,18 @@
 namespace treeline {
 
 /// Plans builds of all variants of generated code for a robot in a scene, each with one difference:
-/// first the code that the scene asks for, then other lanes and the other Real, each other route,
-/// full inertias, other accuracies, sines given or from the C library, no contraction. `flags` are
-/// those of the compiler; -ffp-contract=off is appended for builds without contraction. A variant
-/// whose source equals that of an earlier one is left out and named in `Variant::repeats`.
+/// first the code that the scene asks for, then that in C, other lanes and the other Real, each
+/// other route, full inertias, other accuracies, sines given or from the C library, no contraction.
+/// `flags` are those of the compiler; -ffp-contract=off is appended for builds without contraction.
+/// Of variants, those of `groups` are planned. A variant whose source equals that of an earlier one
+/// is left out and named in `Variant::repeats`.
 std::optional<std::vector<VariantBuild>> plan_builds(const Robot& robot, const Scene& scene,
                                                      const std::string& flags,
+                                                     const std::vector<VariantGroup>& groups,
                                                      Diagnostics& diagnostics);
+
+/// Whether `groups` ask for a kind of variants, as they do for all where they are empty.
+bool is_wanted(VariantGroup group, const std::vector<VariantGroup>& groups);
 
 /// Plans only the first of these builds, the code that the scene asks for.
 std::optional<VariantBuild> plan_emitted(const Robot& robot, const Scene& scene,

@@ -20,25 +20,36 @@ Json errors(const ErrorSummary& summary) {
           {"worst", number(summary.worst)}};
 }
 
+/// Adds what the compiler made of a function.
+void add_compiled(const BenchRow& row, Json& json) {
+  if (!row.compiled) return;
+  if (row.compiled->code_bytes) json["code_bytes"] = *row.compiled->code_bytes;
+  if (row.compiled->stack_bytes) json["stack_bytes"] = *row.compiled->stack_bytes;
+  json["compile_seconds"] = row.compiled->seconds;
+}
+
 Json describe(const BenchReport& report, const BenchFunction& function, const BenchRow& row) {
   const Variant& variant = row.variant;
-  return {{"scene", report.name},
-          {"function", function_name(function.function)},
-          {"group", group_name(variant.group)},
-          {"variant", variant.name},
-          {"repeats", variant.repeats},
-          {"real", variant.real == Real::float32 ? "float" : "double"},
-          {"method", variant.method},
-          {"flags", variant.flags},
-          {"flops", variant.flops},
-          {"nanoseconds", row.timing.nanoseconds},
-          {"ratio", row.timing.ratio},
-          {"noise", row.timing.noise},
-          {"norm_error", errors(row.norm)},
-          {"component_error", errors(row.component)},
-          {"states", function.states},
-          {"singular", function.singular},
-          {"on_front", row.on_front}};
+  Json json = {{"scene", report.name},
+               {"function", function_name(function.function)},
+               {"group", group_name(variant.group)},
+               {"variant", variant.name},
+               {"repeats", variant.repeats},
+               {"real", variant.real == Real::float32 ? "float" : "double"},
+               {"method", variant.method},
+               {"flags", variant.flags},
+               {"flops", variant.flops},
+               {"nanoseconds", row.timing.nanoseconds},
+               {"ratio", row.timing.ratio},
+               {"noise", row.timing.noise},
+               {"placement", row.placement},
+               {"norm_error", errors(row.norm)},
+               {"component_error", errors(row.component)},
+               {"states", function.states},
+               {"singular", function.singular},
+               {"on_front", row.on_front}};
+  add_compiled(row, json);
+  return json;
 }
 
 /// Says whether a rejected route is faster than the emitted one.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "description/scene.hpp"
@@ -11,6 +13,7 @@ namespace treeline {
 /// Difference of a variant from the code that the scene asks for.
 enum class VariantGroup {
   emitted,      ///< none
+  language,     ///< the same in C99
   lanes,        ///< number of lanes
   real,         ///< float instead of double, or the reverse, with any number of lanes
   route,        ///< algorithm
@@ -23,6 +26,10 @@ enum class VariantGroup {
   peer,         ///< another library, in double
 };
 const char* group_name(VariantGroup group);
+/// Returns the group of a name; nothing if there is none.
+std::optional<VariantGroup> find_group(std::string_view name);
+/// Names of all groups, in their order.
+std::vector<std::string> group_names();
 
 /// One way to compute a function.
 struct Variant {

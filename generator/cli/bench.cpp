@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -11,11 +12,13 @@
 #include "bench/bench.hpp"
 #include "bench/cold_report.hpp"
 #include "bench/draw_svg.hpp"
+#include "bench/suite.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
 #include "cli/write_output.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {
@@ -39,11 +42,10 @@ constexpr const char* kHowToReadBench =
     "whose code is the same. Lambda by Eigen's factorisations starts from the emitted Lambda^-1 "
     "in\n"
     "double. The interpreter's time has its allocations in it.\n"
-    "Peers are other libraries, in double: KDL, DART, Pinocchio, where their modules lie beside "
-    "this\n"
-    "program (built with -DTREELINE_PEERS=ON). Their time has what brings joints into their order "
-    "in\n"
-    "it, not what brings matrices back. A peer that computes something else is told, not timed.\n"
+    "Peers are other libraries, in double: KDL, DART, Pinocchio, MuJoCo, dynibo, where their\n"
+    "modules lie beside this program (built with -DTREELINE_PEERS=ON). Their time has what brings\n"
+    "joints into their order in it, not what brings matrices back. A peer that computes something\n"
+    "else is told, not timed.\n"
     "With --cold, what `optimize: speed`, `balanced` and `size` make of each function of one "
     "state:\n"
     "  bytes       of code, with the sines that it calls, and constants\n"
@@ -51,21 +53,30 @@ constexpr const char* kHowToReadBench =
     "              that cores share\n"
     "  from memory  the same, code and data are in no cache\n"
     "  flag        -Os where it is compiled so\n"
+    "With --suite, the emitted code as C++ and as C beside the fastest peer, of each robot of a "
+    "list:\n"
+    "  places      time where the code lies worst in memory over that where it lies best\n"
+    "  times       how many times as long as the C++ the best peer takes\n"
+    "  error       largest norm-wise error of any state, and the best peer's\n"
     "Measure on a machine that does nothing else. The compiler is $CXX, else c++, else g++.\n\n"
     "Examples:\n"
     "  treeline bench puma560.urdf scene.yaml --svg puma560.svg\n"
     "  treeline bench puma560.urdf scene.yaml --functions control_torque --json > bench.jsonl\n"
-    "  treeline bench humanoid.urdf scene.yaml --cold --svg cold.svg";
+    "  treeline bench humanoid.urdf scene.yaml --cold --svg cold.svg\n"
+    "  treeline bench --suite robots.txt --svg suite.svg";
 
 constexpr int kQuickStates = 40;
 constexpr int kQuickRounds = 7;
 constexpr int kQuickColdRounds = 9;
+constexpr int kSuitePlaces = 5;
 
 struct BenchCommand {
   InputOptions inputs;
   BenchOptions bench;
   std::string svg;
   std::vector<std::string> peers;
+  std::vector<std::string> variants;
+  std::string suite;
   bool quick = false;
   bool cold = false;
   bool json = false;
@@ -130,25 +141,73 @@ std::optional<ColdReport> run_cold(const RobotAndScene& inputs, const BenchComma
   return run_cold_bench(inputs.robot, inputs.scene, cold, diagnostics);
 }
 
-std::optional<BenchReport> run_warm(const RobotAndScene& inputs, BenchCommand& options,
-                                    Diagnostics& diagnostics) {
+/// Completes the options by what the command line says.
+void prepare_warm(BenchCommand& options, Diagnostics& diagnostics) {
+  for (const std::string& name : options.variants) {
+    if (const auto group = find_group(name)) options.bench.groups.push_back(*group);
+  }
   options.bench.peers = find_peers(options.peers, diagnostics);
   options.bench.progress = tell_progress();
   if (options.quick) {
     options.bench.states = kQuickStates;
     options.bench.timing.rounds = kQuickRounds;
   }
+}
+
+std::optional<BenchReport> run_warm(const RobotAndScene& inputs, const BenchCommand& options,
+                                    Diagnostics& diagnostics) {
   if (diagnostics.has_errors()) return std::nullopt;
   auto report = run_bench(inputs.robot, inputs.scene, options.bench, diagnostics);
   if (report) tell_of_peers(*report, diagnostics);
   return report;
 }
 
+/// The reports of all robots of the suite; nothing where one of them has a fault.
+std::optional<std::vector<BenchReport>> measure_suite(const BenchCommand& options,
+                                                      Diagnostics& diagnostics) {
+  const auto robots = read_suite(options.suite, diagnostics);
+  if (!robots) return std::nullopt;
+  std::vector<BenchReport> reports;
+  for (const SuiteRobot& robot : *robots) {
+    InputOptions files = options.inputs;
+    files.urdf = robot.urdf;
+    files.scene = robot.scene;
+    files.name = package_name_from(std::filesystem::path(robot.urdf).stem().string());
+    const auto inputs = read_inputs(files, diagnostics);
+    if (!inputs) return std::nullopt;
+    auto report = run_warm(*inputs, options, diagnostics);
+    if (!report) return std::nullopt;
+    reports.push_back(std::move(*report));
+  }
+  return reports;
+}
+
+int run_suite(BenchCommand options) {
+  Diagnostics diagnostics;
+  if (options.variants.empty()) {
+    options.bench.groups = {VariantGroup::language, VariantGroup::peer};
+  }
+  if (options.bench.places == 1) options.bench.places = kSuitePlaces;
+  prepare_warm(options, diagnostics);
+  const auto reports = measure_suite(options, diagnostics);
+  const bool drawn =
+      reports && (options.svg.empty() ||
+                  write_output_file(options.svg, draw_suite_svg(*reports), diagnostics));
+  print_diagnostics(diagnostics, options.inputs.warnings);
+  if (!reports) return kBadInput;
+  std::string text;
+  for (const BenchReport& report : *reports) text += print_json_lines(report);
+  return write_output(options.json ? text : print_suite_table(*reports),
+                      options.json ? OutputForm::json : OutputForm::text, drawn ? kOk : kBadInput);
+}
+
 int run(BenchCommand options) {
+  if (!options.suite.empty()) return run_suite(std::move(options));
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
   if (inputs && inputs->scene.language != Language::cpp) refuse_language(diagnostics);
   if (inputs) (void)is_none_of(options.svg, list_paths(inputs->files), diagnostics);
+  if (!options.cold) prepare_warm(options, diagnostics);
   const bool ready = inputs && !diagnostics.has_errors();
   if (options.cold) {
     return deliver(ready ? run_cold(*inputs, options, diagnostics) : std::nullopt, options,
@@ -165,6 +224,7 @@ void add_bench(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("bench", "Run time and error of every way to a function's numbers");
   add_input_options(*command, options->inputs);
+  CLI::Option* urdf = command->get_option("urdf")->required(false);
   CLI::Option* states = command->add_option("--states", options->bench.states, "How many states")
                             ->capture_default_str()
                             ->check(whole_between(1, 100000));
@@ -182,12 +242,30 @@ void add_bench(CLI::App& app, int& exit_code) {
   CLI::Option* peer =
       command->add_option("--peer", options->peers, "Module of another peer, any number");
   command
+      ->add_option("--variants", options->variants,
+                   "Kinds of variants beside the emitted code, separated by commas; all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(one_of(group_names()));
+  command
+      ->add_option("--places", options->bench.places,
+                   "How many times code is loaded, each elsewhere in memory, and timed")
+      ->capture_default_str()
+      ->check(whole_between(1, 100));
+  CLI::Option* suite = command->add_option(
+      "--suite", options->suite, "List of robots and scenes, a line each, beside the best peer");
+  suite->excludes(urdf);
+  command
       ->add_flag("--cold", options->cold,
                  "Bytes, and time out of cold caches, by `optimize`, in place of error")
       ->excludes(peer)
+      ->excludes(suite)
       ->excludes(states);
   command->footer(kHowToReadBench);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, urdf, suite, &exit_code] {
+    if (urdf->count() + suite->count() == 0) throw CLI::RequiredError("urdf");
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace treeline

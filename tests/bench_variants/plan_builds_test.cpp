@@ -44,7 +44,7 @@ TEST(PlanBuilds, HaveEveryVariantOnce) {
   Subjects subjects = load("puma560");
   subjects.scene.functions = {Function::inverse_dynamics, Function::forward_dynamics};
   Diagnostics diagnostics;
-  const auto builds = plan_builds(subjects.robot, subjects.scene, "-O1", diagnostics);
+  const auto builds = plan_builds(subjects.robot, subjects.scene, "-O1", {}, diagnostics);
   ASSERT_TRUE(builds);
   EXPECT_EQ(builds->front().variants.size(), 2U);
   const Names names = names_of(*builds);
@@ -70,7 +70,7 @@ TEST(PlanBuilds, FullInertiasCostOperations) {
   Subjects subjects = load("puma560");
   subjects.scene.functions = {Function::inverse_dynamics};
   Diagnostics diagnostics;
-  const auto builds = plan_builds(subjects.robot, subjects.scene, "-O1", diagnostics);
+  const auto builds = plan_builds(subjects.robot, subjects.scene, "-O1", {}, diagnostics);
   ASSERT_TRUE(builds);
   std::map<std::string, int> flops;
   for (const VariantBuild& build : *builds) {

@@ -18,7 +18,7 @@ const std::set<std::string> kLicences = {"Apache-2.0",   "Apache-2.0 OR BSD", "A
 
 std::set<std::string> files_present() {
   std::set<std::string> files;
-  for (const char* folder : {"golden", "hands", "mjcf", "published", "odd", "written"}) {
+  for (const char* folder : {"golden", "hands", "mjcf", "published", "odd", "suite", "written"}) {
     for (const auto& entry : fs::directory_iterator(data_folder() + "/" + folder)) {
       files.insert(std::string(folder) + "/" + entry.path().filename().string());
     }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <pinocchio/multibody/data.hpp>
-#include <pinocchio/multibody/model.hpp>
+#include <pinocchio/multibody.hpp>
 #include <vector>
 
 #include "bench/peers/pinocchio/description.hpp"
