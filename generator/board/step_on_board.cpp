@@ -60,6 +60,7 @@ std::optional<StepTape> record_steps(const Robot& robot, const Scene& scene,
   fs::create_directory(place);
   CompileOptions compile = with_controller(scene, generation, CompileOptions());
   compile.jobs = options.compile.jobs;
+  compile.language = scene.language;
   const auto compiled = compile_folder(sources, scene.name, {}, compile, place, diagnostics);
   if (!compiled) return std::nullopt;
   const auto library = StepLibrary::load(compiled->library, diagnostics);

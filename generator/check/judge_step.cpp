@@ -68,7 +68,10 @@ std::optional<ReferenceBuild> write_reference(const Scene& scene, const Generati
 std::optional<References> compile_references(const Scene& scene, const Generation& generation,
                                              const CompileOptions& options, const fs::path& work,
                                              Diagnostics& diagnostics) {
-  const auto compiler = find_compiler(options, work, diagnostics);
+  CompileOptions of_laws = options;
+  of_laws.language = Language::cpp;
+  if (options.language == Language::c) of_laws.compiler.clear();
+  const auto compiler = find_compiler(of_laws, work, diagnostics);
   if (!compiler) return std::nullopt;
   const char* const real = scene.real == Real::float32 ? "float" : "double";
   const auto exact = write_reference(scene, generation, *compiler, work / "step_exact",

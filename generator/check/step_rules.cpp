@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/controller_safety.hpp"
 #include "core/mode.hpp"
+#include "emission/controller_faults.hpp"
 
 namespace treeline {
 namespace {
@@ -66,11 +66,11 @@ bool misses_lost_sensor(const SeenStep& seen) {
     return !std::isfinite(seen.number(StepPart::input, "q", i)) ||
            !std::isfinite(seen.number(StepPart::input, "qd", i));
   });
-  return lost && (seen.bits(StepPart::output, "faults") & core::kFaultMeasurement) == 0;
+  return lost && (seen.bits(StepPart::output, "faults") & kFaultMeasurement) == 0;
 }
 
 bool lacks_brakes(const SeenStep& seen) {
-  return (seen.bits(StepPart::output, "faults") & core::kFaultsUntrusted) != 0 &&
+  return (seen.bits(StepPart::output, "faults") & kFaultsUntrusted) != 0 &&
          seen.number(StepPart::output, "brakes") == 0;
 }
 

@@ -39,21 +39,32 @@ std::vector<Member> list_struct(const std::string& header, const std::string& ty
   return members;
 }
 
-/// A function that shows a visitor each member, those of a command within the input too.
-std::string print_visit(const std::string& name, const std::string& header, const char* part) {
+/// The call that visits a member. `path` leads to it from the struct.
+std::string print_visited(const std::string& name, const Member& member, const std::string& path) {
+  const char* const kind = member.type == "int32_t"    ? "SIGNED"
+                           : member.type == "uint32_t" ? "UNSIGNED"
+                                                       : "REAL";
+  const std::string number = member.type == name + "_number" ? member.type : "int32_t";
+  return fmt::format("  visit_member(visit, \"{0}\", {1}, (int)(sizeof of->{0} / sizeof({2})), "
+                     "&of->{0});\n",
+                     path, kind, number);
+}
+
+/// A function that visits each member of a struct, those of a command within the input too.
+std::string print_visit(const std::string& name, const std::string& header,
+                        const std::string& part) {
   std::string calls;
-  for (const Member& member : list_struct(header, name + part)) {
+  for (const Member& member : list_struct(header, name + "_" + part)) {
     if (member.type == name + "_command") {
       for (const Member& of_command : list_struct(header, member.type)) {
-        const std::string path = member.name + "." + of_command.name;
-        calls += fmt::format("  show(\"{0}\", of.{0});\n", path);
+        calls += print_visited(name, of_command, member.name + "." + of_command.name);
       }
     } else {
-      calls += fmt::format("  show(\"{0}\", of.{0});\n", member.name);
+      calls += print_visited(name, member, member.name);
     }
   }
-  return fmt::format("template <class Visitor>\nvoid visit({}{}& of, Visitor& show) {{\n{}}}\n",
-                     name, part, calls);
+  return fmt::format("static void visit_{0}(struct visit* visit, {1}_{0}* of) {{\n{2}}}\n", part,
+                     name, calls);
 }
 
 /// A function of the controller, which hands its arguments to the host.
@@ -99,7 +110,7 @@ std::string find_controller_header(const std::string& name,
 
 std::string print_step_entry(const std::string& name, const std::string& header, const char* flat) {
   std::string visits;
-  for (const char* part : {"_config", "_state", "_input", "_output"}) {
+  for (const char* part : {"config", "state", "input", "output"}) {
     visits += print_visit(name, header, part) + "\n";
   }
   return fill_template(compilation_templates::kStep,

@@ -311,7 +311,7 @@ std::vector<Function> default_functions(const Robot& robot, const Scene& scene) 
   return functions;
 }
 
-void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
+void complete_scene(const SceneElement& top, const Robot& robot, bool listed, Scene& scene) {
   const Freedoms freedoms = find_freedoms(robot, scene);
   if (freedoms.empty()) {
     const bool jointed =
@@ -330,7 +330,7 @@ void complete_scene(const SceneElement& top, const Robot& robot, Scene& scene) {
              "write base: fixed if that link is the ground");
   }
   const std::string singular = find_singular(robot, scene);
-  if (scene.functions.empty()) {
+  if (!listed) {
     choose_functions(robot, singular, scene);
   } else {
     check_functions(top, robot, singular, scene);

@@ -31,6 +31,10 @@ void check_robots(const SceneFields& fields, const Robot& robot) {
   }
 }
 
+bool is_empty_list(const SceneElement& element) {
+  return element.is_list() && element.items().empty();
+}
+
 Scene read_fields(const SceneElement& top, const Robot& robot) {
   Scene scene;
   scene.name = package_name_from(robot.name);
@@ -44,6 +48,11 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
     const auto field = fields.find(key.name);
     if (field != fields.end() && key.read != nullptr) key.read(field->second, robot, scene);
     if (field == fields.end() && key.note_absence != nullptr) key.note_absence(top, robot);
+  }
+  if (const auto listed = fields.find("functions");
+      listed != fields.end() && is_empty_list(listed->second) && !scene.controller) {
+    listed->second.error("no function is listed, and no controller",
+                         "list some, or leave out the key for all");
   }
   follow_target(scene);
   (void)read_surroundings(fields, robot);  // for faults: what is generated does not depend on it
@@ -72,7 +81,10 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   Scene scene = read_fields(top, robot);
   scene.file = file_name;
   if (!functions.empty()) scene.functions = functions;
-  if (!reading.failed) complete_scene(top, robot, scene);
+  if (!reading.failed) {
+    const bool listed = (*document)["functions"].IsDefined() || !functions.empty();
+    complete_scene(top, robot, listed, scene);
+  }
   if (reading.failed) return std::nullopt;
   if (from == FunctionsFrom::scene) warn_of_unused(top, scene);
   if (!file_name.empty() && scene.base == Base::floating && !(*document)["base"]) {

@@ -139,7 +139,7 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "which a list `functions` has to have.",
      "how-to/limits.md"},
     {"functions", "list of functions", "all defaults that the scene permits",
-     "functions: [gravity, mass_matrix]", "The functions to generate.", "reference/functions.md"},
+     "functions: [gravity, mass_matrix]", "The functions to generate; none, `[]`, for a controller alone.", "reference/functions.md"},
     {"regressor",
      "`parameters: all`, `base` or `none`; `links`, `payload`, `rotors`, `friction`, `width`",
      "all parameters of all links", "regressor: {parameters: base, rotors: true, friction: true}",

@@ -45,8 +45,6 @@ void read_functions(const SceneElement& element, Scene& scene) {
     return;
   }
   const std::vector<SceneElement> items = element.items();
-  if (items.empty())
-    element.error("no function is listed", "list some, or leave out the key for all");
   const std::size_t known = kSceneFunctions.size();
   if (items.size() > 2 * known) {
     element.error(fmt::format("{} functions are listed, but there are {}", items.size(), known),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include "emission/c_family_syntax.hpp"
 
@@ -12,6 +13,14 @@ namespace {
 
 bool belongs_to_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// `TL_REAL(1.5)` at the front of a text, whose first word was taken off, as a literal.
+std::string take_literal(std::string_view& text, const Adaptation& own) {
+  const std::size_t end = text.find(')');
+  const std::string digits(text.substr(1, end - 1));
+  text.remove_prefix(end + 1);
+  return digits + own.suffix;
 }
 
 std::string rename(std::string_view word, const Adaptation& own) {
@@ -60,6 +69,27 @@ Parts take_apart(std::string_view header) {
   return parts;
 }
 
+/// Leaves out the branches of `#if TL_TASK` that a robot does not have.
+std::string choose_branches(std::string_view text, const Adaptation& own) {
+  std::string chosen;
+  std::vector<bool> open;  // branches around the line: whether each stays
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, length);
+    text.remove_prefix(length);
+    if (line.starts_with("#if TL_")) {
+      open.push_back(own.words.at(std::string(line.substr(4, length - 5))) == "1");
+    } else if (line.starts_with("#else") && !open.empty()) {
+      open.back().flip();
+    } else if (line.starts_with("#endif") && !open.empty()) {
+      open.pop_back();
+    } else if (std::find(open.begin(), open.end(), false) == open.end()) {
+      chosen += line;
+    }
+  }
+  return chosen;
+}
+
 }  // namespace
 
 Adaptation make_adaptation(const EmissionContext& context, const std::string& contract) {
@@ -78,7 +108,8 @@ Adaptation make_adaptation(const EmissionContext& context, const std::string& co
            {"TL_ONE", number_literal(context, "1.0")},
            {"TL_TEN", number_literal(context, "10.0")},
            {"TL_INLINE", inlined},
-           {"TL_FUNCTION", called}}};
+           {"TL_FUNCTION", called}},
+          context.single_precision ? "F" : ""};
 }
 
 void add_number_format(const EmissionContext& context, Adaptation& own) {
@@ -90,14 +121,18 @@ void add_number_format(const EmissionContext& context, Adaptation& own) {
 }
 
 std::string constant_name(const Adaptation& own, std::string_view name) {
-  if (own.language == Language::c) return fmt::format("{}_{}", in_capitals(own.name), name);
+  if (own.language == Language::c || own.constants_of_c) {
+    return fmt::format("{}_{}", in_capitals(own.name), name);
+  }
   std::string words(name);
   for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return "k" + in_pascal_case(words);
 }
 
-std::string adapt_words(std::string_view text, const Adaptation& own) {
+std::string adapt_words(std::string_view given, const Adaptation& own) {
   std::string adapted;
+  const std::string branches = choose_branches(given, own);
+  std::string_view text = branches;
   while (!text.empty()) {
     if (is_for_c(text) && own.language == Language::cpp) {
       text.remove_prefix(text.find('\n') + 1);
@@ -106,10 +141,16 @@ std::string adapt_words(std::string_view text, const Adaptation& own) {
     std::size_t end = 0;
     while (end < text.size() && belongs_to_word(text[end])) ++end;
     const bool of_library = adapted.ends_with("#include <");
-    adapted += end > 0 ? rename(text.substr(0, end), own) : std::string(1, text.front());
-    text.remove_prefix(std::max<std::size_t>(end, 1));
-    const bool is_header =
-        end > 0 && text.starts_with(".h") && (text.size() == 2 || !belongs_to_word(text[2]));
+    const std::string_view word = text.substr(0, std::max<std::size_t>(end, 1));
+    text.remove_prefix(word.size());
+    if (word == "TL_REAL" && !own.words.contains(word)) {
+      adapted += take_literal(text, own);
+      continue;
+    }
+    adapted += rename(word, own);
+    const bool is_header = end > 0 && text.starts_with(".h") &&
+                           (text.size() == 2 || !belongs_to_word(text[2])) &&
+                           own.contract != std::string(word) + ".h";
     if (is_header && !of_library && own.language == Language::cpp) {
       adapted += ".hpp";
       text.remove_prefix(2);

@@ -16,6 +16,8 @@ struct Adaptation {
   std::string contract;  ///< the header that the reader is sent to
   /// What stands for words of the header: `real` -> `double`, `TL_ZERO` -> `0.0`.
   std::map<std::string, std::string, std::less<>> words;
+  std::string suffix = {};      ///< of literals, which headers write as `TL_REAL(1.5)`
+  bool constants_of_c = false;  ///< constants are called in C++ as they are in C
 };
 
 /// The words that every header of runtime/emitted has: the type of numbers, small numbers, and what
@@ -31,7 +33,8 @@ std::string constant_name(const Adaptation& own, std::string_view name);
 
 /// The text of a header of runtime/emitted with the robot's names. `tl_root`, `TlConeRow` and
 /// `TL_UNKNOWNS` become `arm_root`, `arm_cone_row` and `ARM_UNKNOWNS`, in C++ `root`, `ConeRow` and
-/// `kUnknowns`; words of `own` become what it says, names of headers end as the language's do.
+/// `kUnknowns`; words of `own` become what it says, names of headers end as the language's do, but
+/// for the contract's. Of `#if TL_TASK` what its word says stays, 1 or 0.
 std::string adapt_words(std::string_view text, const Adaptation& own);
 
 /// A whole header: in C++ what is behind its includes is in the namespace `arm::detail`.

@@ -3,9 +3,25 @@
 #include <array>
 #include <cstdint>
 
-#include "core/controller_safety.hpp"
-
 namespace treeline {
+
+/// Bits of faults.
+enum : std::uint32_t {
+  kFaultMeasurement = 1,
+  kFaultPosition = 2,
+  kFaultSpeed = 4,
+  kFaultTorque = 8,
+  kFaultStale = 16,
+  kFaultEmergency = 32,
+  kFaultMoved = 64,
+  kFaultJump = 128,
+  kFaultFollowing = 256,
+  kFaultConfig = 512,
+};
+
+/// Faults after which torque alone cannot be trusted.
+inline constexpr std::uint32_t kFaultsUntrusted =
+    kFaultMeasurement | kFaultTorque | kFaultMoved | kFaultJump | kFaultConfig;
 
 /// A fault of an emitted controller, for its header and for notes of safety.
 struct ControllerFault {
@@ -15,31 +31,31 @@ struct ControllerFault {
   const char* time;     ///< cycles from the event to torque that brakes
   /// Whether torque alone cannot be trusted, so that brakes are asked for at once.
   [[nodiscard]] constexpr bool asks_brakes_at_once() const {
-    return (bit & core::kFaultsUntrusted) != 0;
+    return (bit & kFaultsUntrusted) != 0;
   }
 };
 
 /// All faults, in the order of their bits. The step that finds a fault brakes by its own torque, so
 /// that times count from the event to the step that can measure it.
 inline constexpr std::array kControllerFaults = {
-    ControllerFault{core::kFaultMeasurement, "MEASUREMENT", "a measurement is not finite", "0"},
-    ControllerFault{core::kFaultPosition, "POSITION",
+    ControllerFault{kFaultMeasurement, "MEASUREMENT", "a measurement is not finite", "0"},
+    ControllerFault{kFaultPosition, "POSITION",
                     "a joint is beyond a limit by more than position_margin", "0"},
-    ControllerFault{core::kFaultSpeed, "SPEED",
+    ControllerFault{kFaultSpeed, "SPEED",
                     "a joint is faster than its limit by more than speed_margin", "0"},
-    ControllerFault{core::kFaultTorque, "TORQUE", "the law's torque is not finite", "0"},
-    ControllerFault{core::kFaultStale, "STALE", "no command for stale_ticks steps",
+    ControllerFault{kFaultTorque, "TORQUE", "the law's torque is not finite", "0"},
+    ControllerFault{kFaultStale, "STALE", "no command for stale_ticks steps",
                     "stale_ticks + 1 since the last command"},
-    ControllerFault{core::kFaultEmergency, "EMERGENCY", "EMERGENCY_STOP", "0"},
-    ControllerFault{core::kFaultMoved, "MOVED",
+    ControllerFault{kFaultEmergency, "EMERGENCY", "EMERGENCY_STOP", "0"},
+    ControllerFault{kFaultMoved, "MOVED",
                     "dragged away by more than hold_reach while it should stand",
                     "0, once it is away by twice hold_reach"},
-    ControllerFault{core::kFaultJump, "JUMP", "q moves otherwise than qd says, by more than jump",
+    ControllerFault{kFaultJump, "JUMP", "q moves otherwise than qd says, by more than jump",
                     "0 for a jump; a sensor that is frozen: once the motion it hides exceeds jump"},
-    ControllerFault{core::kFaultFollowing, "FOLLOWING",
+    ControllerFault{kFaultFollowing, "FOLLOWING",
                     "a reference is not followed; a joint is blocked",
                     "0 beyond following; 1 s after the reference came to rest beyond half of it"},
-    ControllerFault{core::kFaultConfig, "CONFIG",
+    ControllerFault{kFaultConfig, "CONFIG",
                     "the configuration is not sound: see check_config", "0"},
 };
 
@@ -50,7 +66,7 @@ static_assert(
         if (fault.bit != bit) return false;
         bit *= 2;
       }
-      return bit == 2 * core::kFaultConfig;
+      return bit == 2 * kFaultConfig;
     }(),
     "every bit has a row");
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "emission/backend/backend.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/count_stack.hpp"
 #include "passes/count_operations.hpp"
@@ -12,9 +13,10 @@
 
 namespace treeline {
 
-std::vector<std::string> list_controller_sources(const ControllerUnit& unit) {
-  std::vector<std::string> sources = {"controller.cpp"};
-  for (const Program* const program : unit.programs()) sources.push_back(program->name + ".cpp");
+std::vector<std::string> list_controller_sources(Language language, const ControllerUnit& unit) {
+  const std::string ending(backend_of(language).source);
+  std::vector<std::string> sources = {"controller" + ending};
+  for (const Program* const program : unit.programs()) sources.push_back(program->name + ending);
   return sources;
 }
 
@@ -82,9 +84,10 @@ std::string list_joint_names(const ControllerUnit& unit) {
   return text + ".";
 }
 
-std::string describe_files(const ControllerUnit& unit) {
-  return fmt::format("Files to compile, as C++17: {}. No other source of this folder is needed.",
-                     fmt::join(list_controller_sources(unit), ", "));
+std::string describe_files(const EmissionContext& context, const ControllerUnit& unit) {
+  return fmt::format("Files to compile, as {}: {}. No other source of this folder is needed.",
+                     context.language == Language::c ? "C99" : "C++17",
+                     fmt::join(list_controller_sources(context.language, unit), ", "));
 }
 
 std::string describe_step_stack(const ControllerUnit& unit, bool misra, int bytes_of_number) {

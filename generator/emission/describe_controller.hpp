@@ -8,7 +8,7 @@
 namespace treeline {
 
 /// Names of the sources that a program with the controller's step compiles.
-std::vector<std::string> list_controller_sources(const ControllerUnit& unit);
+std::vector<std::string> list_controller_sources(Language language, const ControllerUnit& unit);
 
 /// Bytes that a step is estimated to keep on the stack: what it knows of the measured state, the
 /// law's own numbers, and the values of the function that keeps most.
@@ -24,7 +24,7 @@ std::string describe_step_cost(const ControllerUnit& unit);
 std::string list_joint_names(const ControllerUnit& unit);
 
 /// Files that a program with the controller compiles.
-std::string describe_files(const ControllerUnit& unit);
+std::string describe_files(const EmissionContext& context, const ControllerUnit& unit);
 
 /// The stack of a step, and what measures it; see `count_step_stack`.
 std::string describe_step_stack(const ControllerUnit& unit, bool misra, int bytes_of_number);

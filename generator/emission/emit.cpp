@@ -9,6 +9,7 @@
 #include "emission/comment.hpp"
 #include "emission/guard_headers.hpp"
 #include "emission/list_sources.hpp"
+#include "emission/print_controller.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_prefetch.hpp"
@@ -43,6 +44,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
         {program.name + std::string(backend.source), backend.print_source(context, program)});
   }
   append(backend.print_more(context, programs, batch), files);
+  if (context.controller) append(print_controller(context, *context.controller), files);
   append(print_prefetch(context, programs, batch), files);
   for (GeneratedFile& file : files) file.text = harmless(file.text);
   append(backend.print_runtime(context, programs, batch), files);

@@ -145,7 +145,7 @@ std::string print_choice(const EmissionContext::ChoiceRow& choice) {
 std::string print_controller_entry(const EmissionContext& context) {
   if (!context.controller) return {};
   std::string sources;
-  for (const std::string& source : list_controller_sources(*context.controller)) {
+  for (const std::string& source : list_controller_sources(context.language, *context.controller)) {
     sources += (sources.empty() ? "" : ", ") + quote_json(source);
   }
   return fmt::format(

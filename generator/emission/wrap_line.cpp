@@ -41,4 +41,16 @@ std::string wrap_line(std::string_view text, std::size_t indentation) {
   return lines + std::string(blanks, ' ').append(text).append("\n");
 }
 
+std::string wrap_in_hole(std::string_view text, std::size_t indentation) {
+  const std::string wrapped = wrap_line(text, indentation);
+  std::string lines;
+  for (std::size_t at = 0; at < wrapped.size();) {
+    const std::size_t end = wrapped.find('\n', at);
+    if (!lines.empty()) lines += '\n';
+    lines.append(wrapped, at + indentation, end - at - indentation);
+    at = end + 1;
+  }
+  return lines;
+}
+
 }  // namespace treeline

@@ -1,10 +1,8 @@
 #include "generation/add_controller.hpp"
 
 #include <memory>
-#include <utility>
 
-#include "emission/cpp/print_controller.hpp"
-#include "emission/cpp/print_runtime.hpp"
+#include "emission/print_controller.hpp"
 #include "generation/compose_controller.hpp"
 
 namespace treeline {
@@ -14,12 +12,7 @@ void add_controller(const Robot& robot, const Scene& scene, EmissionContext& con
   generation.controller = std::make_shared<const ControllerUnit>(
       compose_controller(robot, scene, generation.mechanism));
   context.controller = generation.controller;
-  EmissionContext plain = context;
-  plain.misra = false;
-  generation.laws = cpp::print_controller(plain, *generation.controller);
-  for (GeneratedFile& file : cpp::print_controller_headers(plain)) {
-    generation.laws.push_back(std::move(file));
-  }
+  generation.laws = print_reference_laws(context, *generation.controller);
 }
 
 }  // namespace treeline

@@ -143,9 +143,15 @@ GeneratedFile file(const char* name, std::string_view text) {
 /// What headers of the runtime's core include.
 std::vector<GeneratedFile> emitted_headers() {
   namespace t = launch_templates;
-  return {file("emitted/damped_sizes.h", t::kEmittedDampedSizes),
+  return {file("emitted/controller_braking.h", t::kEmittedControllerBraking),
+          file("emitted/controller_measurement.h", t::kEmittedControllerMeasurement),
+          file("emitted/controller_numbers.h", t::kEmittedControllerNumbers),
+          file("emitted/controller_robot.h", t::kEmittedControllerRobot),
+          file("emitted/controller_safety.h", t::kEmittedControllerSafety),
+          file("emitted/damped_sizes.h", t::kEmittedDampedSizes),
           file("emitted/damped_solve.h", t::kEmittedDampedSolve),
           file("emitted/ldlt.h", t::kEmittedLdlt),
+          file("emitted/orientation.h", t::kEmittedOrientation),
           file("emitted/quarter_turns.h", t::kEmittedQuarterTurns),
           file("emitted/remainder_in_double.h", t::kEmittedRemainderInDouble),
           file("emitted/remainder_in_float.h", t::kEmittedRemainderInFloat),
@@ -154,7 +160,8 @@ std::vector<GeneratedFile> emitted_headers() {
           file("emitted/sin_cos_in_float.h", t::kEmittedSinCosInFloat),
           file("emitted/sin_cos.h", t::kEmittedSinCos),
           file("emitted/square_root.h", t::kEmittedSquareRoot),
-          file("emitted/symmetric_eigen.h", t::kEmittedSymmetricEigen)};
+          file("emitted/symmetric_eigen.h", t::kEmittedSymmetricEigen),
+          file("emitted/turn_motion.h", t::kEmittedTurnMotion)};
 }
 
 }  // namespace
@@ -163,23 +170,17 @@ std::vector<GeneratedFile> runtime_headers() {
   namespace t = launch_templates;
   std::vector<GeneratedFile> headers = {
       file("core/command_laws.hpp", t::kCoreCommandLaws),
-      file("core/controller_braking.hpp", t::kCoreControllerBraking),
-      file("core/controller_laws.hpp", t::kCoreControllerLaws),
-      file("core/controller_measurement.hpp", t::kCoreControllerMeasurement),
-      file("core/controller_references.hpp", t::kCoreControllerReferences),
-      file("core/controller_safety.hpp", t::kCoreControllerSafety),
       file("core/coordinates.hpp", t::kCoreCoordinates),
       file("core/damped_solve.hpp", t::kCoreDampedSolve),
+      file("core/emitted_braking.hpp", t::kCoreEmittedBraking),
       file("core/emitted_damped.hpp", t::kCoreEmittedDamped),
       file("core/ldlt.hpp", t::kCoreLdlt),
       file("core/message_queue.hpp", t::kCoreMessageQueue),
       file("core/mode.hpp", t::kCoreMode),
       file("core/orientation.hpp", t::kCoreOrientation),
-      file("core/quintic.hpp", t::kCoreQuintic),
       file("core/sin_cos.hpp", t::kCoreSinCos),
       file("core/square_root.hpp", t::kCoreSquareRoot),
       file("core/symmetric_eigen.hpp", t::kCoreSymmetricEigen),
-      file("core/turn_motion.hpp", t::kCoreTurnMotion),
       file("servo/clock.hpp", t::kServoClock),
       file("servo/cycle.hpp", t::kServoCycle),
       file("servo/integrate.hpp", t::kServoIntegrate),

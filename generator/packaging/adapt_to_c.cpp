@@ -57,12 +57,11 @@ void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnos
                      describe(kind) + " is compiled from C, whatever the scene says", ""});
   }
   scene.language = Language::c;
-  if (!scene.controller) return;
+  if (!scene.controller || kind != PackageKind::fmu) return;
   scene.controller.reset();
-  diagnostics.add(
-      {Severity::warning, scene.file, 0, "controller",
-       fmt::format("it is left out: it is compiled from C++, and {} from C", describe(kind)),
-       fmt::format("Generate it in C++, without --package {}.", option_of(kind))});
+  diagnostics.add({Severity::warning, scene.file, 0, "controller",
+                   "it is left out: an FMU has functions of the robot alone",
+                   "Generate it in C, without --package fmu."});
 }
 
 }  // namespace treeline

@@ -27,6 +27,8 @@ constexpr auto kNotCalled = std::to_array<NotCalled>({
      "the functions of several states, only those of one"},
     {"prefetch", [](const Scene& scene) { return scene.prefetch; },
      "the functions that load code into caches"},
+    {"controller", [](const Scene& scene) { return scene.controller.has_value(); },
+     "the controller"},
 });
 
 std::string describe(const NotCalled& that, std::string_view caller) {

@@ -166,10 +166,11 @@ std::string describe_step(const Scene& scene, const Generation& generation) {
   text += caller;
   return text +
          fmt::format(
-             "\nThe stack of a step is estimated at {} bytes. Its C++17 sources are compiled "
+             "\nThe stack of a step is estimated at {} bytes. Its {} sources are compiled "
              "from {} files, which `{}_controller.h` lists.\n",
              count_step_stack(unit, scene.profile == Profile::misra, bytes_of(scene.real)),
-             list_controller_sources(unit).size(), scene.name);
+             scene.language == Language::c ? "C99" : "C++17",
+             list_controller_sources(scene.language, unit).size(), scene.name);
 }
 
 }  // namespace treeline

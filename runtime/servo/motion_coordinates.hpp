@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/controller_safety.hpp"
 #include "core/coordinates.hpp"
+#include "core/emitted_braking.hpp"
 #include "servo/robot_proxy.hpp"
 
 namespace treeline::servo {

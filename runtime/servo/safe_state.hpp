@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/controller_braking.hpp"
+#include "core/emitted_braking.hpp"
 #include "servo/motion_coordinates.hpp"
 #include "servo/safety.hpp"
 
 namespace treeline::servo {
 
-/// How a robot is braked and held, see core/controller_braking.hpp. Rates are lowered to a fifth of
+/// How a robot is braked and held, see emitted/controller_braking.h. Rates are lowered to a fifth of
 /// the loop's own where that is slow.
 struct BrakeSettings {
   double damping = 20.0;       ///< 1/s, of the reference along which the robot is braked
@@ -27,8 +27,6 @@ template <class F>
 struct SafeRobot {
   using Real = double;
   static constexpr int kJoints = F::kVelocities;
-  static constexpr int kPoints = 0;
-  static constexpr bool kForce = false;
   struct Turns {
     constexpr bool operator[](int velocity) const noexcept {
       return turns_without_end<F>(velocity);
@@ -55,13 +53,14 @@ struct SafeRobot {
     double load[kJoints] = {};
     double tau[kJoints] = {};
   };
-  using Measured = core::Measured<SafeRobot>;
+  struct Measured {
+    double q[kJoints];
+    double qd[kJoints];
+    bool lost[kJoints];  ///< neither of both is finite
+  };
 
-  static bool finite(const Input&) noexcept { return true; }
-  static void adopt(const Config&, const Input&, bool, State&) noexcept {}
-  static void measure(const Input&, const State&, Measured&) noexcept {}
-  static void joint_torque(const Input& input, const State&, const Measured& at,
-                           const double (&qdd)[kJoints], double (&tau)[kJoints]) noexcept {
+  static void joint_torque(const Input& input, const Measured& at, const double (&qdd)[kJoints],
+                           double (&tau)[kJoints]) noexcept {
     double q[F::kCoordinates];
     go_from<F>(input.anchor, at.q, q);
     F::inverse_dynamics(q, at.qd, qdd, tau);
@@ -95,8 +94,8 @@ class SafeState {
   /// `state`. Returns whether there is a state to compute with.
   bool see(StateOf<F>& state) noexcept {
     express(state);
-    const bool seen = core::all_finite(input_.q) && core::all_finite(input_.qd);
-    known_ = core::complete_state<Robot>(config_, input_, seen, at_, state_);
+    const bool seen = Braking::tl_are_numbers(input_.q, nv) && Braking::tl_are_numbers(input_.qd, nv);
+    known_ = Braking::tl_complete_state(&config_, &input_, seen, &state_, &at_);
     if (known_ && !seen) {
       go_from<F>(input_.anchor, at_.q, state.q);
       std::copy(std::begin(at_.qd), std::end(at_.qd), state.qd);
@@ -134,24 +133,25 @@ class SafeState {
     bool finite = known_;
     if (known_) {
       if (state_.braking == 0) find_strengths();
-      dragged = core::brake_torque<Robot>(strengths_, input_, at_, state_, tau);
-      finite = core::all_finite(tau);
+      dragged = Braking::tl_brake_torque(&strengths_, &input_, &at_, &state_, tau);
+      finite = Braking::tl_are_numbers(tau, nv);
     }
     if (!finite) {
       std::fill(std::begin(tau), std::end(tau), 0.0);
       state_.braking = 0;
     }
-    core::limit_rate<Robot>(config_, state_, tau);
+    Braking::tl_limit_rate(&config_, &state_, tau);
     return dragged && finite;
   }
 
   /// Whether the robot is held at rest.
   bool rests() const noexcept {
-    return known_ && state_.braking != 0 && core::rests<Robot>(config_, at_, state_);
+    return known_ && state_.braking != 0 && Braking::tl_rests(&config_, &at_, &state_);
   }
 
  private:
   using Robot = SafeRobot<F>;
+  using Braking = core::EmittedBraking<Robot>;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr double kLargest = 1e6;  ///< N m or N: a larger limit is none
 
@@ -202,11 +202,11 @@ class SafeState {
     typename Robot::Measured still = at_;
     std::fill(std::begin(still.qd), std::end(still.qd), 0.0);
     double qdd[nv] = {};
-    Robot::joint_torque(input_, state_, still, qdd, weight);
+    Robot::joint_torque(input_, still, qdd, weight);
     for (int i = 0; i < nv; ++i) {
       double moved[nv];
       qdd[i] = 1.0;
-      Robot::joint_torque(input_, state_, still, qdd, moved);
+      Robot::joint_torque(input_, still, qdd, moved);
       qdd[i] = 0.0;
       inertia[i] = std::fabs(moved[i] - weight[i]);
     }

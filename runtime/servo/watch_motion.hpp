@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/controller_safety.hpp"
 #include "servo/motion_coordinates.hpp"
 #include "servo/safety.hpp"
 

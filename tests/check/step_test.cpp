@@ -3,8 +3,7 @@
 // the laws; motions that stay in one mode or never meet a fault; and figures that are not told.
 #include <nlohmann/json.hpp>
 
-#include "core/controller_safety.hpp"
-#include "core/mode.hpp"
+#include "emission/controller_faults.hpp"
 #include "fixture.hpp"
 
 namespace treeline::tests {
@@ -37,8 +36,8 @@ TEST(CheckStep, RunsAndComparesEveryLaw) {
   EXPECT_GT(report.step->compared, 200);
   EXPECT_LT(report.step->ties, report.step->compared / 20);
   for (const int steps : report.step->modes) EXPECT_GT(steps, 50);
-  for (const std::uint32_t fault : {core::kFaultMeasurement, core::kFaultSpeed,
-                                    core::kFaultEmergency, core::kFaultJump, core::kFaultConfig}) {
+  for (const std::uint32_t fault : {kFaultMeasurement, kFaultSpeed,
+                                    kFaultEmergency, kFaultJump, kFaultConfig}) {
     EXPECT_NE(report.step->faults & fault, 0U) << fault;
   }
   EXPECT_GE(report.step->refused, 4 * report.step->motions);
@@ -63,9 +62,24 @@ TEST(CheckStep, PassesCodeByRulesForSafeCode) {
 }
 
 TEST(CheckStep, PassesFloatsLocalAxesAndPayloads) {
-  const CheckReport report =
-      check_or_throw(load_arm("samm", "samm.yaml", Real::float32), quick_options(20));
+  Subjects subjects = load_arm("samm", "samm.yaml", Real::float32);
+  for (const Language language : {Language::cpp, Language::c}) {
+    subjects.scene.language = language;
+    subjects.generation = generate(subjects.robot, subjects.scene);
+    const CheckReport report = check_or_throw(subjects, quick_options(20));
+    EXPECT_TRUE(report.passed()) << print_text(report);
+  }
+}
+
+// Would catch besides: a controller alone that has no functions, and one that cannot do without.
+TEST(CheckStep, PassesAControllerAloneInC) {
+  Subjects subjects = puma();
+  subjects.scene.language = Language::c;
+  subjects.scene.functions = {};
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  const CheckReport report = check_or_throw(subjects, quick_options(20));
   EXPECT_TRUE(report.passed()) << print_text(report);
+  EXPECT_TRUE(report.functions.empty());
 }
 
 struct Change {
@@ -118,26 +132,27 @@ TEST_P(SharedFault, IsSeen) {
 }
 
 const Change kChanges[] = {
-    {"Dynamics", "controller.cpp", "controller_joint_torque(at.q, at.sin_q, at.cos_q, at.qd,",
-     "controller_joint_torque(at.q, at.cos_q, at.sin_q, at.qd,"},
-    {"Gravity", "controller_braking.hpp", "within(at.gravity[i],",
-     "within(RealOf<Robot>(1.000001) * at.gravity[i],"},
-    {"JointGain", "controller_laws.hpp", "qdd[i] += w *", "qdd[i] += Real(1.000001) * w *"},
+    {"Dynamics", "controller_robot.hpp", "controller_joint_torque(at->q, at->sin_q, at->cos_q, at->qd,",
+     "controller_joint_torque(at->q, at->cos_q, at->sin_q, at->qd,"},
+    {"Gravity", "controller_step.hpp", "within(at->gravity[i],",
+     "within(1.000001 * at->gravity[i],"},
+    {"JointGain", "controller_laws.hpp", "w * ((2.0 * config->joint_damping",
+     "1.000001 * w * ((2.0 * config->joint_damping"},
     {"TaskGain", "controller_laws.hpp", "xdd[i] = wanted.acceleration[i] +",
-     "xdd[i] = Real(0.999999) * wanted.acceleration[i] +"}};
+     "xdd[i] = 0.999999 * wanted.acceleration[i] +"}};
 
-constexpr const char* kCall = "controller_step<puma_arm::Robot>(*config, *state, *input, *output);";
+constexpr const char* kCall = "controller_step(config, state, input, output);";
 
 const Change kShared[] = {
     {"LostFault", "controller.cpp", kCall,
-     "controller_step<puma_arm::Robot>(*config, *state, *input, *output);\n"
+     "controller_step(config, state, input, output);\n"
      "  state->faults &= ~1U;\n  output->faults &= ~1U;"},
     {"Brakes", "controller.cpp", kCall,
-     "controller_step<puma_arm::Robot>(*config, *state, *input, *output);\n  output->brakes = 0;"},
+     "controller_step(config, state, input, output);\n  output->brakes = 0;"},
     {"Limit", "controller.cpp", kCall,
-     "controller_step<puma_arm::Robot>(*config, *state, *input, *output);\n  output->tau[1] *= 9;"},
+     "controller_step(config, state, input, output);\n  output->tau[1] *= 9;"},
     {"NaN", "controller.cpp", kCall,
-     "controller_step<puma_arm::Robot>(*config, *state, *input, *output);\n"
+     "controller_step(config, state, input, output);\n"
      "  if (state->brakes != 0) output->tau[1] /= 0 * output->tau[1];"}};
 
 std::string name_of(const ::testing::TestParamInfo<Change>& row) {

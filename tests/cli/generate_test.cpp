@@ -150,14 +150,22 @@ TEST_F(GenerateTest, WritesC) {
             std::string::npos);
 }
 
-// Would catch: a scene of which a part is left out without a word.
-TEST_F(GenerateTest, RefusesWhatCDoesNotHave) {
-  std::ofstream(root_ / "controlled.yaml")
-      << "{language: c, controller: {laws: [joint_impedance]}}";
-  const Outcome outcome = run(kUrdf + " controlled.yaml --output arm");
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("which C cannot include"), std::string::npos) << outcome.err;
-  EXPECT_FALSE(fs::exists(root_ / "arm"));
+// Would catch: a controller alone that needs functions, files in C++ among those in C, a list of
+// files to compile that is not what there is.
+TEST_F(GenerateTest, WritesAControllerAloneInC) {
+  std::ofstream(root_ / "alone.yaml")
+      << "{name: arm, language: c, functions: [], controller: {laws: [joint_impedance]}}";
+  const Outcome outcome = run(kUrdf + " alone.yaml --output arm");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::set<std::string> sources;
+  for (const auto& file : fs::directory_iterator(root_ / "arm")) {
+    EXPECT_FALSE(file.path().string().ends_with("pp")) << file.path();
+    if (file.path().extension() == ".c") sources.insert(file.path().filename());
+  }
+  EXPECT_EQ(sources, (std::set<std::string>{"controller.c", "controller_joint_torque.c",
+                                            "controller_kinematics.c", "id.c"}));
+  const std::string header = read_file(root_ / "arm" / "arm_controller.h");
+  EXPECT_NE(header.find("as C99: controller.c, controller_kinematics.c,"), std::string::npos);
 }
 
 // Would catch: a dump that is empty, or that also writes files.

@@ -25,6 +25,10 @@ foreach(real float double)
       ${CMAKE_CURRENT_LIST_DIR}/misra_limits.yaml
       --language c --profile ${PROFILE} --real ${real} --output ${folder}_limits
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${TREELINE} generate ${ROBOTS}/puma560/puma560.urdf
+      ${CMAKE_CURRENT_LIST_DIR}/misra_controller.yaml
+      --language c --profile ${PROFILE} --real ${real} --output ${folder}_controller
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   # Of a tree with sliding joints, friction and springs, and of one whose base floats.
   foreach(robot samm humanoid24)
     execute_process(COMMAND ${TREELINE} generate ${ROBOTS}/${robot}/${robot}.urdf
@@ -47,6 +51,7 @@ foreach(real float double)
   foreach(sources IN ITEMS
       "${folder}/damped_control_torque.c;${folder}/gravity.c;${folder}/control_torque.c"
       "${folder}_limits/limited_control_torque.c"
+      "${folder}_controller/controller.c"
       "${folder}_samm/loops.c" "${folder}_humanoid24/loops.c")
     execute_process(COMMAND ${cppcheck} -q --std=c99 --addon=misra --enable=style ${float}
         --suppress=unusedFunction --suppress=missingIncludeSystem ${sources}

@@ -16,8 +16,3 @@ run(${HOST} -std=c++17 -O2 -fPIC -shared -nostdlib -ffreestanding -fno-exception
 run(gcc -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror
   -I${generated} ${SOURCE}/from_c.c -L${FOLDER} -lpuma_arm -Wl,-rpath,${FOLDER} -o ${FOLDER}/from_c)
 run(${FOLDER}/from_c)
-execute_process(COMMAND ${TREELINE} generate ${ROBOTS}/puma560/puma560.urdf ${SOURCE}/puma.yaml
-  --language c --output ${FOLDER}/refused RESULT_VARIABLE result ERROR_VARIABLE error)
-if(result EQUAL 0 OR NOT error MATCHES "controller.*C\\+\\+17")
-  message(FATAL_ERROR "a controller in C should be refused: ${result} ${error}")
-endif()

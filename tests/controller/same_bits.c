@@ -1,6 +1,6 @@
-/* Would catch: a controller of `profile: misra` that computes something else than the plain one. Both
-   are led through every command with the same measurements; every bit of output and state of both
-   is compared, of all that is a number.
+/* Would catch: a controller in C, or of `profile: misra`, that computes something else than the plain
+   one in C++. Both are led through every command with the same measurements; every bit of output and
+   state of both is compared, of all that is a number.
    With TOLERANCE the second one has other algorithms: torques are compared up to this share of the
    largest, and modes. */
 #include <math.h>

@@ -1,4 +1,5 @@
-// Would catch: an emitted controller that the servo loop cannot run, messages that do not reach it.
+// Would catch: an emitted controller that the servo loop cannot run, messages that do not reach it,
+// numbers of modes and messages that both have otherwise.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,6 +19,23 @@ struct Puma {
   static constexpr auto& inverse_dynamics = puma_arm::inverse_dynamics;
   static constexpr auto& forward_dynamics = puma_arm::forward_dynamics;
 };
+
+// Loops pass on the numbers of their modes and messages.
+constexpr bool is(Mode mode, int number) {
+  return static_cast<int>(mode) == number;
+}
+constexpr bool is(MessageKind kind, int number) {
+  return static_cast<int>(kind) == number;
+}
+static_assert(is(Mode::idle, PUMA_ARM_IDLE) && is(Mode::running, PUMA_ARM_RUNNING) &&
+              is(Mode::stopping, PUMA_ARM_STOPPING) && is(Mode::faulted, PUMA_ARM_FAULTED));
+static_assert(is(MessageKind::emergency_stop, PUMA_ARM_EMERGENCY_STOP) &&
+              is(MessageKind::stop, PUMA_ARM_STOP) && is(MessageKind::reset, PUMA_ARM_RESET) &&
+              is(MessageKind::start, PUMA_ARM_START) &&
+              is(MessageKind::move_point, PUMA_ARM_MOVE_POINT) &&
+              is(MessageKind::set_posture, PUMA_ARM_MOVE_JOINTS) &&
+              is(MessageKind::instruction, PUMA_ARM_KEEP_ALIVE) &&
+              is(MessageKind::press, PUMA_ARM_PRESS) && is(MessageKind::comply, PUMA_ARM_COMPLY));
 
 TEST(EmittedController, RunsInTheServoLoop) {
   StateOf<Puma> initial;

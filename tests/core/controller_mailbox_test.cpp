@@ -1,7 +1,6 @@
-#include "core/controller_mailbox.hpp"
-
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <thread>
 
@@ -23,7 +22,7 @@ struct Interrupted {
   static inline std::function<void(int)> between;
 };
 
-void copy_command(const Interrupted& from, Interrupted& to) {
+void copy(const Interrupted& from, Interrupted& to) {
   for (int i = 0; i < kNumbers; ++i) {
     to.numbers[i] = from.numbers[i];
     if (!Interrupted::between) continue;
@@ -34,6 +33,14 @@ void copy_command(const Interrupted& from, Interrupted& to) {
   }
 }
 
+struct Plain {
+  uint32_t numbers[kNumbers] = {};
+};
+
+void copy(const Plain& from, Plain& to) {
+  to = from;
+}
+
 template <class Command>
 struct Mailbox {
   Command places[4];
@@ -41,6 +48,28 @@ struct Mailbox {
   uint32_t latest = 0;
   uint32_t reading = 0;
 };
+
+#define TL_INLINE static inline
+
+/// Everything of runtime/emitted/controller_mailbox.h.
+template <class Command>
+struct Emitted {
+  using TlCommand = Command;
+  using TlMailbox = Mailbox<Command>;
+  static void tl_copy_command(const Command* from, Command* to) { copy(*from, *to); }
+#include "emitted/controller_mailbox.h"
+};
+
+#undef TL_INLINE
+
+template <class Command>
+void post(Mailbox<Command>& mailbox, const Command& command) {
+  Emitted<Command>::tl_leave_command(&command, &mailbox);
+}
+template <class Command>
+void fetch(Mailbox<Command>& mailbox, Command& command) {
+  Emitted<Command>::tl_take_newest(&mailbox, &command);
+}
 
 template <class Command>
 void expect_whole(const Command& command, uint32_t least, uint32_t most) {
@@ -95,10 +124,6 @@ TEST(ControllerMailbox, PostsMayInterruptAFetch) {
     expect_whole(taken, posted, posted);
   }
 }
-
-struct Plain {
-  uint32_t numbers[kNumbers] = {};
-};
 
 TEST(ControllerMailbox, ThreadsShareIt) {
   Mailbox<Plain> mailbox;

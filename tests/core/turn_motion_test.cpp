@@ -1,13 +1,15 @@
 // Would catch: a wrong term of the angular velocity or acceleration of a turning rotation vector, a
 // series that ends too early.
-#include "core/turn_motion.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/orientation.hpp"
+
 namespace treeline::core {
 namespace {
+
+using Turning = EmittedOrientation<double>;
 
 /// A rotation vector that moves, up to 3.2 rad long.
 void vector_at(double t, double (&r)[3], double (&rd)[3], double (&rdd)[3]) {
@@ -27,7 +29,7 @@ Rates rates_at(double t) {
   double r[3], rd[3], rdd[3];
   vector_at(t, r, rd, rdd);
   Rates rates{};
-  turn_rates(r, rd, rdd, rates.w, rates.wd);
+  Turning::tl_turn_rates(r, rd, rdd, rates.w, rates.wd);
   rotation_from_vector(r, rates.R);
   return rates;
 }
@@ -48,7 +50,7 @@ TEST(TurnMotion, AngularVelocityIsThatOfTheRotation) {
 TEST(TurnMotion, AlongOneAxisItIsTheVectorsOwn) {
   const double r[3] = {1.2, -0.6, 0.3}, rd[3] = {2.4, -1.2, 0.6}, rdd[3] = {-1.2, 0.6, -0.3};
   double w[3], wd[3];
-  turn_rates(r, rd, rdd, w, wd);
+  Turning::tl_turn_rates(r, rd, rdd, w, wd);
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(w[i], rd[i], 1e-15);
     EXPECT_NEAR(wd[i], rdd[i], 1e-15);
@@ -58,8 +60,8 @@ TEST(TurnMotion, AlongOneAxisItIsTheVectorsOwn) {
 TEST(TurnMotion, SeriesAreThoseOfSineAndCosine) {
   for (const double t : {0.0, 1e-3, 0.5, 2.0, 3.4}) {
     double B = 0, C = 0, dB = 0, dC = 0;
-    steps::alternating_series(t * t, 2, B, dB);
-    steps::alternating_series(t * t, 3, C, dC);
+    Turning::tl_alternating_series(t * t, 2, &B, &dB);
+    Turning::tl_alternating_series(t * t, 3, &C, &dC);
     if (t > 0.1) {
       EXPECT_NEAR(B, (1 - std::cos(t)) / (t * t), 1e-14);
       EXPECT_NEAR(C, (t - std::sin(t)) / (t * t * t), 1e-14);
@@ -68,7 +70,7 @@ TEST(TurnMotion, SeriesAreThoseOfSineAndCosine) {
       EXPECT_NEAR(C, 1.0 / 6, t * t);
     }
     float b = 0, db = 0;
-    steps::alternating_series(static_cast<float>(t * t), 2, b, db);
+    EmittedOrientation<float>::tl_alternating_series(static_cast<float>(t * t), 2, &b, &db);
     EXPECT_NEAR(static_cast<double>(b), B, 2e-6);
   }
 }

@@ -1,4 +1,4 @@
-#include "emission/cpp/print_controller.hpp"
+#include "emission/print_controller.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ ControllerUnit odd_unit() {
 std::vector<GeneratedFile> print_odd() {
   EmissionContext context = test::sample_context("arm", false);
   context.robot = kOdd;
-  return cpp::print_controller(context, odd_unit());
+  return print_controller(context, odd_unit());
 }
 
 TEST(PrintController, KeepsNamesWithinComments) {
@@ -67,7 +67,7 @@ TEST(PrintController, LoadsAStepAndItsDynamics) {
   }
   EXPECT_NE(files.front().text.find("void prefetch_step() noexcept;"), std::string::npos);
   EXPECT_NE(source.find("load(__start_treeline_arm_controller, "), std::string::npos) << source;
-  const auto controller = cpp::print_controller(context, odd_unit());
+  const auto controller = print_controller(context, odd_unit());
   const std::string& step = controller[1].text;
   EXPECT_NE(step.find("section(\"treeline_arm_controller\"), flatten"), std::string::npos) << step;
   EXPECT_NE(step.find("TREELINE_OWN_SECTION\nvoid arm_step("), std::string::npos) << step;

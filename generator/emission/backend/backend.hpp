@@ -31,6 +31,8 @@ struct Backend {
   Syntax (*syntax)(const EmissionContext& context);
   /// The source file that defines the program's function.
   std::string (*print_source)(const EmissionContext& context, const Program& program);
+  /// The declaration of the program's function, without its contract.
+  std::string (*print_declaration)(const EmissionContext& context, const Program& program);
   /// The header NAME: where the code comes from, the order and units of joints and points, and the
   /// declaration of each function below its contract.
   std::string (*print_contract)(const EmissionContext& context, std::span<const Program> programs);

@@ -13,6 +13,7 @@
 #include "emission/c/print_source.hpp"
 #include "emission/c/refuse.hpp"
 #include "emission/c/syntax.hpp"
+#include "emission/list_sources.hpp"
 
 namespace treeline::c {
 namespace {
@@ -50,7 +51,8 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
       files.push_back(std::move(file));
     }
   }
-  for (GeneratedFile& file : print_loops(context, programs)) files.push_back(std::move(file));
+  for (GeneratedFile& file : print_loops(context, list_sources(context, programs)))
+    files.push_back(std::move(file));
   return files;
 }
 
@@ -65,6 +67,7 @@ Backend make_backend() {
   backend.reserved = reserved_suffixes;
   backend.syntax = make_syntax;
   backend.print_source = print_source;
+  backend.print_declaration = print_declaration;
   backend.print_contract = print_contract;
   backend.print_joints = print_joints;
   backend.print_project = print_project;

@@ -9,7 +9,6 @@
 #include "emission/describe_contract.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline::c {
 namespace {
@@ -65,10 +64,9 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   std::string declarations;
   for (const Program& program : programs) {
     declarations += declarations.empty() ? "" : "\n";
-    declarations +=
-        fill_template(templates::kDeclaration,
-                      {{"comment", comment("///", describe_function(context, program))},
-                       {"signature", wrap_line(print_signature(context, program) + ";", 0)}});
+    declarations += fill_template(templates::kDeclaration,
+                                  {{"comment", comment("///", describe_function(context, program))},
+                                   {"signature", print_declaration(context, program)}});
   }
   const bool single = context.single_precision;
   auto values = describe_contract(context);

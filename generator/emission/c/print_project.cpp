@@ -5,6 +5,7 @@
 #include "emission/c/print_loops.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_sources.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_optimize.hpp"
 #include "emission/print_target.hpp"
@@ -36,9 +37,11 @@ std::string print_joined(const std::string& joined, std::span<const Program> pro
 
 std::string print_project(const EmissionContext& context, std::span<const Program> programs,
                           std::span<const Program> batch) {
-  const std::string joined = joined_loops(context, programs);
+  const std::vector<Program> plain = list_sources(context, programs);
+  const std::string joined = joined_loops(context, plain);
   std::string sources = joined.empty() ? "" : joined + ".c\n";
-  for (const Program& program : programs) {
+  if (context.controller) sources += "controller.c\n";
+  for (const Program& program : plain) {
     if (joined.empty() || !program.loops) sources += program.name + ".c\n";
   }
   for (const Program& program : batch) sources += "batch_" + program.name + ".c\n";
@@ -51,7 +54,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
       templates::kCMakeLists,
       {{"robot", context.robot},
        {"name", context.name},
-       {"joined", print_joined(joined, programs)},
+       {"joined", print_joined(joined, plain)},
        {"sources", sources},
        {"contraction", contraction_default(context)},
        {"target_flags", print_target_flags(context) + print_extra_passes(context, programs, batch) +

@@ -10,6 +10,7 @@
 #include "emission/c/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_sources.hpp"
 #include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
 #include "emission/print_sin_cos.hpp"
@@ -59,20 +60,22 @@ std::string print_lanes(const EmissionContext& context, std::span<const Program>
 }  // namespace
 
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
-                                         std::span<const Program> programs,
+                                         std::span<const Program> asked,
                                          std::span<const Program> batch) {
   std::vector<GeneratedFile> files;
+  const std::vector<Program> programs = list_sources(context, asked);
+  const bool controlled = context.controller != nullptr;
   const bool damped = !context.effective_mass_limits.empty();
   const bool limited = context.limits.has_value();
   if (damped) files = print_damped_headers(context);
   if (limited) {
     for (GeneratedFile& file : print_limit_headers(context)) files.push_back(std::move(file));
   }
-  if (damped || limited) {
+  if (damped || limited || controlled) {
     files.push_back(print_square_root(context));
   }
   std::vector<GeneratedFile> loops = print_loop_headers(context, programs);
-  if (damped || limited || !loops.empty() ||
+  if (damped || limited || controlled || !loops.empty() ||
       std::any_of(batch.begin(), batch.end(), uses_trigonometry) ||
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back(print_sin_cos(context));

@@ -113,6 +113,10 @@ std::string print_signature(const EmissionContext& context, const Program& progr
   return fmt::format("void {}_{}({})", context.name, program.name, list);
 }
 
+std::string print_declaration(const EmissionContext& context, const Program& program) {
+  return wrap_line(print_signature(context, program) + ";", 0);
+}
+
 std::string print_source(const EmissionContext& context, const Program& program) {
   auto holes = list_source_holes(context, program, program.name, print_signature(context, program));
   if (program.loops) {

@@ -14,6 +14,9 @@ std::string print_signature(const EmissionContext& context, const Program& progr
 std::string print_array(const EmissionContext& context, const char* qualifier,
                         const std::string& name, int size);
 
+/// The declaration of the program's function, without its contract.
+std::string print_declaration(const EmissionContext& context, const Program& program);
+
 /// The source file that defines the program's function.
 std::string print_source(const EmissionContext& context, const Program& program);
 

@@ -7,7 +7,6 @@
 #include "emission/cpp/print_c_calls.hpp"
 #include "emission/cpp/print_calls.hpp"
 #include "emission/cpp/print_contract.hpp"
-#include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/print_damped.hpp"
 #include "emission/cpp/print_eigen.hpp"
 #include "emission/cpp/print_joints.hpp"
@@ -72,11 +71,6 @@ std::vector<GeneratedFile> print_more(const EmissionContext& context,
   if (context.limits) {
     files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});
   }
-  if (context.controller) {
-    for (GeneratedFile& file : print_controller(context, *context.controller)) {
-      files.push_back(std::move(file));
-    }
-  }
   if (has_loops(context, programs)) {
     for (GeneratedFile& file : print_loops(context, list_sources(context, programs))) {
       files.push_back(std::move(file));
@@ -110,6 +104,9 @@ Backend make_backend() {
   backend.reserved = reserved_names;
   backend.syntax = make_syntax;
   backend.print_source = print_source;
+  backend.print_declaration = [](const EmissionContext&, const Program& program) {
+    return print_declaration(program);
+  };
   backend.print_contract = print_contract;
   backend.print_joints = print_joints;
   backend.print_project = print_project;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "emission/controller_unit.hpp"
-#include "emission/cpp/print_controller.hpp"
 #include "emission/cpp/print_loop_headers.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
@@ -53,15 +51,6 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back(print_sin_cos(context));
   }
-  if (controlled) {
-    for (const GeneratedFile& file : print_controller_headers(context)) {
-      const bool has_builtins = file.name == "controller_mailbox.hpp";  // a deviation of SAFETY.md
-      files.push_back({file.name, has_builtins
-                                      ? file.text
-                                      : misra::follow_rules_in_header(context, file.text)});
-    }
-    files.push_back({"controller_sizes.hpp", misra::print_controller_sizes(context)});
-  }
   if (loops) {
     for (const GeneratedFile& file : list_loop_headers(context, programs)) {
       files.push_back({file.name, misra::follow_rules(context, file.text)});
@@ -81,12 +70,6 @@ std::vector<GeneratedFile> print_safe_runtime(const EmissionContext& context,
 
 }  // namespace
 
-std::vector<GeneratedFile> print_controller_headers(const EmissionContext& context) {
-  std::vector<GeneratedFile> files = list_controller_headers();
-  for (GeneratedFile& file : files) file.text = print_header(context, file.text);
-  return files;
-}
-
 std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,
                                          std::span<const Program> batch) {
@@ -101,13 +84,8 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
       std::any_of(programs.begin(), programs.end(), uses_trigonometry)) {
     files.push_back({"sin_cos.hpp", print_header(context, print_sines_in_lanes())});
   }
-  bool lanes = has_batch || std::any_of(programs.begin(), programs.end(), uses_lanes);
-  if (controlled) {
-    for (const Program* const program : context.controller->programs()) {
-      lanes = lanes || uses_lanes(*program);
-    }
-    for (GeneratedFile& file : print_controller_headers(context)) files.push_back(std::move(file));
-  }
+  const std::vector<Program> sources = list_sources(context, programs);
+  const bool lanes = has_batch || std::any_of(sources.begin(), sources.end(), uses_lanes);
   if (lanes) {
     files.push_back({"lanes.hpp", print_header(context, templates::kLanes)});
   }

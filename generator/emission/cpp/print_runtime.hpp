@@ -14,7 +14,4 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
                                          std::span<const Program> programs,
                                          std::span<const Program> batch);
 
-/// The headers of the controller's laws, in the profile `plain`.
-std::vector<GeneratedFile> print_controller_headers(const EmissionContext& context);
-
 }  // namespace treeline::cpp

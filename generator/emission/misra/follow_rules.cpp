@@ -9,9 +9,6 @@
 #include <utility>
 
 #include "emission/c_family_syntax.hpp"
-#include "emission/controller_unit.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/misra/templates.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::misra {
@@ -57,27 +54,6 @@ std::string follow_rules(const EmissionContext& context, const std::string& code
     throw std::logic_error(fmt::format("`{}` is not of `profile: misra`", found[0].str()));
   }
   return wrap_lines(followed);
-}
-
-std::string follow_rules_in_header(const EmissionContext& context, const std::string& code) {
-  static const std::pair<std::regex, const char*> kRules[] = {
-      {std::regex("\\bRobot::kJoints\\b"), "kJointCount"},
-      {std::regex("\\bRobot::kPoints\\b"), "kPointCount"},
-      {std::regex("\\bRobot::kRows\\b"), "kRowCount"},
-      {std::regex("#include \"mode.hpp\"\n"),
-       "#include \"controller_sizes.hpp\"\n#include \"mode.hpp\"\n"}};
-  std::string followed = code;
-  for (const auto& [pattern, by] : kRules) followed = std::regex_replace(followed, pattern, by);
-  return follow_rules(context, followed);
-}
-
-std::string print_controller_sizes(const EmissionContext& context) {
-  const ControllerUnit& unit = *context.controller;
-  return fill_template(templates::kControllerSizes,
-                       {{"name", context.name},
-                        {"joints", std::to_string(unit.joints.size())},
-                        {"points", std::to_string(unit.points.size())},
-                        {"rows", std::to_string(std::max(1, unit.rows))}});
 }
 
 }  // namespace treeline::misra

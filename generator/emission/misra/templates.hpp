@@ -5,7 +5,6 @@
 namespace treeline::misra::templates {
 
 // The files of templates/misra/, embedded when the generator is built (see embed_files.cmake).
-extern const std::string_view kControllerSizes;
 extern const std::string_view kFunction;
 extern const std::string_view kSinCos;
 

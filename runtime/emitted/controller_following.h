@@ -1,0 +1,78 @@
+#pragma once
+// How far references are left behind.
+
+#include "controller_faults.h"
+#include "controller_laws.h"
+
+/// How far a reference may be away: `following`, and half of that once it has stood
+/// for a second.
+TL_INLINE real tl_admitted_error(const TlConfig* config, real time, real rate) {
+  const bool stands = ((time - TL_ONE) * rate) > TL_ONE;
+  return stands ? (TL_REAL(0.5) * config->following) : config->following;
+}
+
+/// Whether all joints are near their reference.
+TL_INLINE bool tl_joints_follow(
+    const TlConfig* config, const TlState* state, const TlOutput* output) {
+  const real time = tl_seconds(state->joint_ticks, config->period);
+  const real most = tl_admitted_error(config, time, state->joint_rate);
+  bool follow = true;
+  for (int32_t i = 0; i < TL_JOINTS; ++i) {
+    follow = follow && (tl_magnitude(output->joint_error[i]) <= most);
+  }
+  return follow;
+}
+
+#if TL_TASK
+/// How far a point is from its reference, m or rad: the largest number of its
+/// position and orientation, each where all three of its rows are controlled. Where
+/// the point presses its position is free.
+TL_INLINE real tl_point_away(
+    int32_t point, const TlState* state, const TlOutput* output) {
+  real most = TL_ZERO;
+  int32_t part = 0;
+#if TL_FORCE
+  if (tl_is_pressing(state, point)) {
+    part = 3;
+  }
+#else
+  (void)state;
+#endif
+  while (part < 6) {
+    const int32_t row = (6 * point) + part;
+    for (int32_t i = 0; i < 3; ++i) {
+      const real error =
+          tl_is_whole(row) ? tl_magnitude(output->task_error[row + i]) : TL_ZERO;
+      most = (error <= most) ? most : error;  // NaN too
+    }
+    part += 3;
+  }
+  return most;
+}
+
+/// Whether all points are near their references.
+TL_INLINE bool tl_points_follow(
+    const TlConfig* config, TlState* state, const TlOutput* output) {
+  bool all = true;
+  state->away = TL_ZERO;
+  for (int32_t point = 0; point < TL_POINTS; ++point) {
+    const real away = tl_point_away(point, state, output);
+    const real time = tl_point_time(config, state, point);
+    all = all && (away <= tl_admitted_error(config, time, state->point_rate[point]));
+    state->away = tl_larger(away, state->away);
+  }
+  return all;
+}
+#endif
+
+/// Whether the law's references are followed.
+TL_INLINE bool tl_follows(
+    const TlConfig* config, TlState* state, const TlOutput* output) {
+#if TL_TASK
+  const bool by_points = state->law == TL_TASK_LAW;
+  const bool points = by_points && tl_points_follow(config, state, output);
+  return points || ((!by_points) && tl_joints_follow(config, state, output));
+#else
+  return tl_joints_follow(config, state, output);
+#endif
+}

@@ -1,0 +1,52 @@
+#pragma once
+// What was measured, made fit to compute with: numbers that are lost are put together
+// from those that are left.
+
+#include "controller_safety.h"
+
+/// Fills in a joint's state. A lost velocity is the difference of two coordinates,
+/// within the limit of speed; a lost coordinate is the last one, moved on by the
+/// velocity; where both are lost, the joint is taken to stand where it last was.
+TL_INLINE void tl_complete_joint(const TlConfig* config, const TlInput* input,
+    int32_t i, const TlState* state, TlMeasured* at) {
+  const bool has_q = tl_is_number(input->q[i]);
+  const bool has_qd = tl_is_number(input->qd[i]);
+  at->lost[i] = (!has_q) && (!has_qd);
+  at->qd[i] = has_qd ? input->qd[i] : TL_ZERO;
+  if (has_q && (!has_qd) && (state->posed != 0)) {
+    const real moved = tl_way_to(i, state->sound_q[i], input->q[i]);
+    at->qd[i] = tl_within(moved / config->period, config->speed[i]);
+  }
+  const real onward = config->period * tl_within(at->qd[i], config->speed[i]);
+  at->q[i] = has_q ? input->q[i] : (state->sound_q[i] + onward);
+}
+
+/// Fills in the state to compute with: what was measured, where all of it was `seen`.
+/// Returns whether there is one: every coordinate has been measured, now or before,
+/// and the arguments that change the robot are finite.
+TL_INLINE bool tl_complete_state(const TlConfig* config, const TlInput* input,
+    bool seen, TlState* state, TlMeasured* at) {
+  const bool known = seen ||
+      (((state->posed != 0) || tl_are_numbers(&input->q[0], TL_JOINTS)) &&
+          tl_inputs_are_numbers(input));
+  if (known) {
+    bool lost = false;
+    for (int32_t i = 0; i < TL_JOINTS; ++i) {
+      if (seen) {
+        at->lost[i] = false;
+        at->q[i] = input->q[i];
+        at->qd[i] = input->qd[i];
+      } else {
+        tl_complete_joint(config, input, i, state, at);
+      }
+      lost = lost || at->lost[i];
+      state->sound_q[i] = at->q[i];
+      state->sound_qd[i] = at->qd[i];
+    }
+    tl_adopt(config, input, state);
+    state->posed = 1;
+    state->blind_ticks = lost ? state->blind_ticks : 0;
+    tl_measure(input, state, at);
+  }
+  return known;
+}
