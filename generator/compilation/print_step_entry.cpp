@@ -45,9 +45,10 @@ std::string print_visited(const std::string& name, const Member& member, const s
                            : member.type == "uint32_t" ? "UNSIGNED"
                                                        : "REAL";
   const std::string number = member.type == name + "_number" ? member.type : "int32_t";
-  return fmt::format("  visit_member(visit, \"{0}\", {1}, (int)(sizeof of->{0} / sizeof({2})), "
-                     "&of->{0});\n",
-                     path, kind, number);
+  return fmt::format(
+      "  visit_member(visit, \"{0}\", {1}, (int)(sizeof of->{0} / sizeof({2})), "
+      "&of->{0});\n",
+      path, kind, number);
 }
 
 /// A function that visits each member of a struct, those of a command within the input too.

@@ -30,9 +30,7 @@ struct ControllerFault {
   const char* meaning;  ///< beside the enumerator, in the words of the configuration
   const char* time;     ///< cycles from the event to torque that brakes
   /// Whether torque alone cannot be trusted, so that brakes are asked for at once.
-  [[nodiscard]] constexpr bool asks_brakes_at_once() const {
-    return (bit & kFaultsUntrusted) != 0;
-  }
+  [[nodiscard]] constexpr bool asks_brakes_at_once() const { return (bit & kFaultsUntrusted) != 0; }
 };
 
 /// All faults, in the order of their bits. The step that finds a fault brakes by its own torque, so
@@ -52,11 +50,10 @@ inline constexpr std::array kControllerFaults = {
                     "0, once it is away by twice hold_reach"},
     ControllerFault{kFaultJump, "JUMP", "q moves otherwise than qd says, by more than jump",
                     "0 for a jump; a sensor that is frozen: once the motion it hides exceeds jump"},
-    ControllerFault{kFaultFollowing, "FOLLOWING",
-                    "a reference is not followed; a joint is blocked",
+    ControllerFault{kFaultFollowing, "FOLLOWING", "a reference is not followed; a joint is blocked",
                     "0 beyond following; 1 s after the reference came to rest beyond half of it"},
-    ControllerFault{kFaultConfig, "CONFIG",
-                    "the configuration is not sound: see check_config", "0"},
+    ControllerFault{kFaultConfig, "CONFIG", "the configuration is not sound: see check_config",
+                    "0"},
 };
 
 static_assert(

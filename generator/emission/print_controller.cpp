@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "emission/adapt.hpp"
+#include "emission/adapt_controller.hpp"
 #include "emission/backend/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
@@ -274,78 +274,6 @@ std::string print_header(const EmissionContext& context, const ControllerUnit& u
   return fill_template(templates::kControllerHeader, holes);
 }
 
-/// What stands for a place in the arguments of the robot's functions.
-void add_arrays(const EmissionContext& context, Adaptation& own) {
-  const bool is_c = context.language == Language::c;
-  const auto add = [&](const std::string& word, const std::string& type) {
-    own.words["Tl" + word + "In"] =
-        is_c ? "const " + own.words["real"] + "*" : "const " + type + "&";
-    own.words["Tl" + word + "Out"] = is_c ? own.words["real"] + "*" : type + "&";
-  };
-  add("Joints", "JointArray");
-  add("Rows", "RowArray");
-  add("Forces", "ForceArray");
-}
-
-/// Enumerators of NAME_controller.h as numbers of the types that the step has.
-void add_enumerators(const EmissionContext& context, Adaptation& own) {
-  const bool is_c = context.language == Language::c;
-  const std::string name = name_in_capitals(context);
-  const std::string_view header = templates::kControllerHeader;
-  constexpr std::string_view kPrefix = "{{NAME}}_";
-  for (std::size_t at = header.find(kPrefix); at != header.npos; at = header.find(kPrefix, at)) {
-    at += kPrefix.size();
-    const std::size_t end = header.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", at);
-    const std::string word(header.substr(at, end - at));
-    if (word == "JOINTS" || word == "POINTS") continue;
-    own.words["TL_" + word] = fmt::format("{}{}_{}", is_c ? "(int32_t)" : "", name, word);
-  }
-  const char* const cast = is_c ? "(uint32_t){}" : "static_cast<uint32_t>({})";
-  std::string untrusted;
-  for (const ControllerFault& fault : kControllerFaults) {
-    const std::string bit =
-        fmt::format(fmt::runtime(cast), fmt::format("{}_FAULT_{}", name, fault.name));
-    own.words[fmt::format("TL_FAULT_{}", fault.name)] = bit;
-    if (!fault.asks_brakes_at_once()) continue;
-    untrusted += (untrusted.empty() ? "" : " |\n      ") + bit;
-  }
-  own.words["TL_FAULTS_UNTRUSTED"] = untrusted;
-}
-
-/// Adapts the headers of the controller. For a reference its numbers are of the type `Real`.
-Adaptation make_controller_adaptation(const EmissionContext& context, const ControllerUnit& unit,
-                                      bool for_reference) {
-  const bool is_c = context.language == Language::c;
-  Adaptation own = make_adaptation(context, context.name + "_controller.h");
-  own.constants_of_c = true;
-  if (for_reference) {
-    for (const char* word : {"real", "TL_REAL"}) own.words[word] = "Real";
-    for (const auto& [word, digits] : {std::pair("ZERO", 0), {"ONE", 1}, {"TEN", 10}}) {
-      own.words[fmt::format("TL_{}", word)] = fmt::format("Real({})", digits);
-    }
-  }
-  for (const char* type : {"Config", "Command", "Input", "Output", "State", "Mailbox"}) {
-    own.words[fmt::format("Tl{}", type)] = fmt::format("{}_{}", context.name, in_snake_case(type));
-  }
-  own.words["TL_INLINE"] = "static inline";  // compilers inline what is called once
-  own.words["TL_TABLE"] = is_c ? "static const" : "inline constexpr";
-  own.words["TL_NONE"] = is_c ? "NULL" : "nullptr";
-  own.words["TL_AS_INDEX"] = is_c ? "(int32_t)" : "static_cast<int32_t>";
-  own.words["TL_AS_REAL"] =
-      fmt::format(fmt::runtime(is_c ? "({})" : "static_cast<{}>"), own.words["real"]);
-  own.words["TL_ARCTANGENT_TERMS"] = context.single_precision ? "4" : "11";
-  own.words["TL_SERIES_TERMS"] = context.single_precision ? "9" : "15";
-  own.words["TL_ATOMICS"] = is_c ? "stdatomic.h" : "atomic";
-  own.words["TL_FENCE"] = is_c ? "atomic_thread_fence(memory_order_seq_cst)"
-                               : "std::atomic_thread_fence(std::memory_order_seq_cst)";
-  own.words["TL_TASK"] = unit.task_torque ? "1" : "0";
-  own.words["TL_FORCE"] = unit.settings.force ? "1" : "0";
-  if (context.misra) own.words["tl_square_root"] = adapt_words("tl_root", own);
-  add_arrays(context, own);
-  add_enumerators(context, own);
-  return own;
-}
-
 /// The declarations of what a step calls, which the contract does not have.
 std::string print_functions(const EmissionContext& context, const ControllerUnit& unit) {
   const Backend& backend = backend_of(context.language);
@@ -463,7 +391,7 @@ constexpr std::pair<const char*, std::string_view const*> kHeaders[] = {
 std::vector<GeneratedFile> print_laws(const EmissionContext& context, const ControllerUnit& unit,
                                       bool for_reference) {
   const Backend& backend = backend_of(context.language);
-  const Adaptation own = make_controller_adaptation(context, unit, for_reference);
+  const Adaptation own = adapt_controller(context, unit, for_reference);
   const std::string header(backend.header);
   std::vector<GeneratedFile> files = {
       {context.name + "_controller.h", print_header(context, unit)},

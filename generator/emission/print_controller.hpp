@@ -8,8 +8,8 @@
 
 namespace treeline {
 
-/// `NAME_controller.h`, for C99 and C++17; the source `controller`, which defines the step, with its
-/// headers; and a source for each function that it calls.
+/// `NAME_controller.h`, for C99 and C++17; the source `controller`, which defines the step, with
+/// its headers; and a source for each function that it calls.
 std::vector<GeneratedFile> print_controller(const EmissionContext& context,
                                             const ControllerUnit& unit);
 

@@ -72,8 +72,10 @@ std::string describe_c(const Scene& scene) {
   }
   if (scene.controller) {
     text +=
-        "\ncontroller_mailbox.h reads and writes shared numbers by builtins of GCC and Clang, against "
-        "1.2 (advisory): C99 has no atomic operations. Other compilers need `<stdatomic.h>` of C11.\n";
+        "\ncontroller_mailbox.h reads and writes shared numbers by builtins of GCC and Clang, "
+        "against "
+        "1.2 (advisory): C99 has no atomic operations. Other compilers need `<stdatomic.h>` of "
+        "C11.\n";
   }
   return text;
 }
@@ -89,8 +91,7 @@ void add_controller(std::vector<Deviation>& deviations) {
       {"10.2.1 (required), 10.2.2 (advisory)",
        "enumerations of NAME_controller.h are unscoped and have no underlying type",
        "the header is for C as well"});
-  deviations.push_back({"10.2.3 (required)",
-                        "the step reads and writes their values as integers",
+  deviations.push_back({"10.2.3 (required)", "the step reads and writes their values as integers",
                         "members of the header's structs are integers of a stated size"});
 }
 

@@ -164,13 +164,12 @@ std::string describe_step(const Scene& scene, const Generation& generation) {
     caller.replace(at, 4, scene.name);
   }
   text += caller;
-  return text +
-         fmt::format(
-             "\nThe stack of a step is estimated at {} bytes. Its {} sources are compiled "
-             "from {} files, which `{}_controller.h` lists.\n",
-             count_step_stack(unit, scene.profile == Profile::misra, bytes_of(scene.real)),
-             scene.language == Language::c ? "C99" : "C++17",
-             list_controller_sources(scene.language, unit).size(), scene.name);
+  return text + fmt::format(
+                    "\nThe stack of a step is estimated at {} bytes. Its {} sources are compiled "
+                    "from {} files, which `{}_controller.h` lists.\n",
+                    count_step_stack(unit, scene.profile == Profile::misra, bytes_of(scene.real)),
+                    scene.language == Language::c ? "C99" : "C++17",
+                    list_controller_sources(scene.language, unit).size(), scene.name);
 }
 
 }  // namespace treeline

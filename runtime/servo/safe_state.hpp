@@ -10,8 +10,8 @@
 
 namespace treeline::servo {
 
-/// How a robot is braked and held, see emitted/controller_braking.h. Rates are lowered to a fifth of
-/// the loop's own where that is slow.
+/// How a robot is braked and held, see emitted/controller_braking.h. Rates are lowered to a fifth
+/// of the loop's own where that is slow.
 struct BrakeSettings {
   double damping = 20.0;       ///< 1/s, of the reference along which the robot is braked
   double frequency = 60.0;     ///< rad/s: how stiffly it is led along that, and held
@@ -94,7 +94,8 @@ class SafeState {
   /// `state`. Returns whether there is a state to compute with.
   bool see(StateOf<F>& state) noexcept {
     express(state);
-    const bool seen = Braking::tl_are_numbers(input_.q, nv) && Braking::tl_are_numbers(input_.qd, nv);
+    const bool seen =
+        Braking::tl_are_numbers(input_.q, nv) && Braking::tl_are_numbers(input_.qd, nv);
     known_ = Braking::tl_complete_state(&config_, &input_, seen, &state_, &at_);
     if (known_ && !seen) {
       go_from<F>(input_.anchor, at_.q, state.q);
