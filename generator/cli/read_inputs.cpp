@@ -63,6 +63,12 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
              diagnostics);
     }
   }
+  const bool calls_one =
+      is_compiled_from_c(options.package) || options.package == PackageKind::arduino;
+  if (calls_one && scene.functions.empty()) {
+    reject("functions", "such a package calls functions, and the scene has none",
+           "List those that it should have, for instance `inverse_dynamics`.", diagnostics);
+  }
   scene.language = value_of_word<Language>(options.language).value_or(scene.language);
   scene.profile = value_of_word<Profile>(options.profile).value_or(scene.profile);
   scene.optimize = value_of_word<Optimize>(options.optimize).value_or(scene.optimize);

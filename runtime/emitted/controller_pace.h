@@ -5,6 +5,7 @@
 
 #include "controller_following.h"
 
+#if TL_TASK
 /// The speed of the joint that is nearest to its limit, as a share of it, in twelve
 /// steps from now if it goes on rising: on the way into a singularity it does.
 TL_INLINE real tl_speed_ahead(
@@ -144,3 +145,4 @@ TL_INLINE bool tl_tend_task(const TlConfig* config, const TlInput* input,
   }
   return gives_up;
 }
+#endif

@@ -5,6 +5,7 @@
 #include "controller_references.h"
 #include "turn_motion.h"
 
+#if TL_TASK
 /// Desired motion of one point in world axes, linear over angular.
 struct TlPointMotion {
   real position[3];
@@ -147,3 +148,4 @@ TL_INLINE void tl_measured_motion(
   tl_copy_numbers(&at->velocity[6 * point], 6, &motion->velocity[0]);
   tl_clear_numbers(6, &motion->acceleration[0]);
 }
+#endif

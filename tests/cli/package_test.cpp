@@ -282,6 +282,18 @@ TEST_F(PackageTest, PythonSaysWhatItLeavesOut) {
             std::string::npos);
 }
 
+// Would catch: a package that calls its first function where there is none.
+TEST_F(PackageTest, IsRefusedWithoutAFunctionThatItCalls) {
+  std::ofstream(root_ / "alone.yaml") << "{functions: [], controller: {laws: [joint_impedance]}}";
+  for (const char* kind : {"python", "rust", "arduino"}) {
+    const auto refused =
+        test::run_program(root_, "generate " + kArm + " alone.yaml --output out --package " + kind);
+    EXPECT_EQ(refused.exit_code, 1) << kind << "\n" << refused.err;
+    EXPECT_NE(refused.err.find("calls functions, and the scene has none"), std::string::npos)
+        << refused.err;
+  }
+}
+
 // Would catch: a unit of FMI that moves otherwise than its scene says, or whose manifest names a
 // command that makes something else. What CMake makes of it and FMPy runs: tests/packaging.
 TEST_F(PackageTest, FmuRefusesWhatItCannotMove) {
