@@ -59,15 +59,15 @@ struct KnownWord {
 constexpr std::array<KnownWord, 38> kKnown = {{
     {"tcp", EndKind::tool},
     {"tool0", EndKind::tool},
-    {"tool", EndKind::tool},
-    {"toolframe", EndKind::tool},
+    {"grasp", EndKind::tool},
+    {"grasping", EndKind::tool},
+    {"pinch", EndKind::tool},
     {"ee", EndKind::tool},
     {"eef", EndKind::tool},
     {"effector", EndKind::tool},
     {"endeffector", EndKind::tool},
-    {"grasp", EndKind::tool},
-    {"grasping", EndKind::tool},
-    {"pinch", EndKind::tool},
+    {"tool", EndKind::tool},
+    {"toolframe", EndKind::tool},
     {"hand", EndKind::hand},
     {"palm", EndKind::hand},
     {"gripper", EndKind::hand},
@@ -97,7 +97,59 @@ constexpr std::array<KnownWord, 38> kKnown = {{
     {"kinect", EndKind::watching},
 }};
 
+struct RoleWords {
+  LimbRole role;
+  std::array<std::string_view, 16> words;
+};
+
+/// Words of links and joints of limbs in the habits of several exporters. They may also begin or
+/// end a longer word, as in `kneepitch`; those of three letters one longer by a letter, as in
+/// `legl`.
+constexpr std::array<RoleWords, 7> kRoleWords = {{
+    {LimbRole::finger, {"finger", "thumb", "index", "pinky", "knuckle", "phalanx", "jaw"}},
+    {LimbRole::watching,
+     {"head", "neck", "eye", "camera", "laser", "lidar", "imu", "kinect", "realsense", "display"}},
+    {LimbRole::leg,
+     {"leg", "hip", "thigh", "knee", "kne", "calf", "shank", "shin", "ankle", "ankel", "ank",
+      "foot", "toe", "sole", "tibia", "femur"}},
+    {LimbRole::arm,
+     {"arm", "shoulder", "sho", "elbow", "elb", "wrist", "wri", "hand", "palm", "gripper",
+      "forearm", "tool", "tcp", "flange", "effector", "eef"}},
+    {LimbRole::wheel, {"wheel", "caster", "castor", "roller"}},
+    {LimbRole::propeller, {"prop", "propeller", "rotor"}},
+    {LimbRole::trunk, {"torso", "waist", "trunk", "chest", "spine", "abdomen"}},
+}};
+
+/// Whether a known word is a word of a name, or begins or ends it.
+bool tells(std::string_view word, std::string_view known) {
+  if (known.empty()) return false;
+  const std::string_view plain = without_digits(word);
+  return plain == known || ((known.size() > 3 || plain.size() == known.size() + 1) &&
+                            (plain.starts_with(known) || plain.ends_with(known)));
+}
+
+constexpr std::array<std::string_view, 10> kSensors = {
+    "camera", "sensor", "imu", "ft", "force", "torque", "optical", "laser", "lidar", "realsense"};
+
 }  // namespace
+
+LimbRole limb_word(const std::string& name) {
+  const std::vector<std::string> words = words_of(name);
+  for (const auto& [role, known] : kRoleWords) {
+    for (const std::string& word : words) {
+      const auto fits = [&](std::string_view one) { return tells(word, one); };
+      if (std::any_of(known.begin(), known.end(), fits)) return role;
+    }
+  }
+  return LimbRole::unknown;
+}
+
+bool is_sensor(const std::string& link) {
+  const std::vector<std::string> words = words_of(link);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::find(kSensors.begin(), kSensors.end(), without_digits(word)) != kSensors.end();
+  });
+}
 
 EndName end_name(const std::string& link) {
   std::vector<std::string> words = words_of(link);
@@ -117,7 +169,8 @@ EndName end_name(const std::string& link) {
 
 bool is_ground(const std::string& link) {
   constexpr std::array<std::string_view, 5> kWords = {"world", "ground", "map", "odom", "floor"};
-  const std::vector<std::string> words = words_of(link);
+  std::vector<std::string> words = words_of(link);
+  while (words.size() > 1 && means_nothing(words.back())) words.pop_back();
   return words.size() == 1 && std::find(kWords.begin(), kWords.end(), words[0]) != kWords.end();
 }
 

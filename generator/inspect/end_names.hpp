@@ -23,7 +23,17 @@ struct EndName {
 
 EndName end_name(const std::string& link);
 
-/// Whether a link of this name is one to which robots are fixed: `world`, `ground`.
+/// What a limb is for.
+enum class LimbRole { unknown, finger, watching, leg, arm, wheel, propeller, trunk };
+
+/// The role that any word in the name of a link or joint tells (`left_knee_pitch`: leg). Of several
+/// words, the first role in the order of `LimbRole` wins: a finger of a hand is a finger.
+LimbRole limb_word(const std::string& name);
+
+/// Whether a word in a link's name says that it measures, as `left_hand_force_torque` does.
+bool is_sensor(const std::string& link);
+
+/// Whether a link of this name is one to which robots are fixed: `world`, `ground_link`.
 bool is_ground(const std::string& link);
 
 }  // namespace treeline

@@ -58,11 +58,11 @@ std::string remark(const std::string& text) {
   return lines + line + "\n";
 }
 
-std::string print_head(const Robot& robot, const std::string& file) {
-  return remark(fmt::format(
-             "A scene for {}, guessed by `treeline init-scene {}` from names, limits and the shape "
-             "of the tree.",
-             printable(robot.name), file)) +
+std::string print_head(const Robot& robot, const SceneProposal& proposal, const std::string& file) {
+  return remark(fmt::format("A scene for {}, taken as {}: guessed by `treeline init-scene {}` from "
+                            "the shape of the "
+                            "tree, masses, joints and names.",
+                            printable(robot.name), proposal.kind, file)) +
          "#\n# What it cannot know, and somebody who knows the robot should correct:\n" +
          "# - whether the base is held, and where the tool's tip is: points lie at origins of "
          "links\n"
@@ -95,7 +95,7 @@ std::string print_points(const Robot& robot, const SceneProposal& proposal) {
            "# operational_points:\n#   - {name: tool, link: LINK, rows: [x, y, z]}\n";
   }
   std::string text = remark(
-      fmt::format("Ends of the tree, or links before them that are called tool, hand or foot. "
+      fmt::format("Ends of limbs, or links before them that are called tool, hand or foot. "
                   "`rows` are those in world axes that the joints can move independently of each "
                   "other, of all points together, found at {} states within the limits.",
                   kRowStates));
@@ -104,9 +104,11 @@ std::string print_points(const Robot& robot, const SceneProposal& proposal) {
   scene.base = proposal.base;
   for (const ScenePoint& point : proposal.points) {
     const int freedoms = count(find_freedoms_of_link(robot, scene, point.link));
-    text += fmt::format("  - name: {}\n    link: {}  # moved by {} coordinate{}\n    rows: [{}]\n",
-                        yaml_word(point.name), yaml_word(point.link), freedoms,
-                        freedoms == 1 ? "" : "s", list_rows(point, ", "));
+    const bool at_joint = proposal.at_joints.contains(point.link);
+    text += fmt::format(
+        "  - name: {}\n    link: {}  # moved by {} coordinate{}{}\n    rows: [{}]\n",
+        yaml_word(point.name), yaml_word(point.link), freedoms, freedoms == 1 ? "" : "s",
+        at_joint ? "; at a joint: the file has no frame at the tip" : "", list_rows(point, ", "));
   }
   return text + "    # origin: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}  # of a point in its link\n";
 }
@@ -211,9 +213,9 @@ std::string print_functions(const std::vector<Function>& functions) {
 
 std::string print_scene(const Robot& robot, const SceneProposal& proposal, const std::string& file,
                         const std::vector<Function>& functions) {
-  return print_head(robot, file) + print_base(robot, proposal) + print_points(robot, proposal) +
-         print_left_out(proposal) + print_locked(robot, proposal) + print_rotors(robot) +
-         print_friction(robot) + print_springs(robot) + print_loops(robot) +
+  return print_head(robot, proposal, file) + print_base(robot, proposal) +
+         print_points(robot, proposal) + print_left_out(proposal) + print_locked(robot, proposal) +
+         print_rotors(robot) + print_friction(robot) + print_springs(robot) + print_loops(robot) +
          print_functions(functions);
 }
 

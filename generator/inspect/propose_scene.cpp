@@ -5,93 +5,142 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "description/count_freedoms.hpp"
 #include "description/default_base.hpp"
 #include "inspect/choose_rows.hpp"
 #include "inspect/end_names.hpp"
+#include "inspect/group_bodies.hpp"
+#include "inspect/recognise_robot.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {
 namespace {
 
-constexpr std::size_t kMostPoints = 6;
-
-/// Links that move as one, in the order of the tree. The first one carries the others.
-struct Body {
-  std::vector<int> links;
-  int parent = -1;  ///< index of a body
-  int joint = -1;   ///< the joint that moves it
-  bool is_leaf = true;
-};
-
-class Bodies {
- public:
-  explicit Bodies(const Robot& robot) : robot_(robot), children_(robot.links.size()) {
-    for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-      children_[static_cast<std::size_t>(robot.joints[j].parent)].push_back(static_cast<int>(j));
-    }
-    bodies.push_back({});
-    std::vector<std::pair<int, int>> stack{{robot.root, 0}};  // link and its body
-    while (!stack.empty()) {
-      const auto [link, body] = stack.back();
-      stack.pop_back();
-      bodies[static_cast<std::size_t>(body)].links.push_back(link);
-      const auto& joints = children_[static_cast<std::size_t>(link)];
-      for (auto j = joints.rbegin(); j != joints.rend(); ++j) {
-        stack.emplace_back(robot.joints[static_cast<std::size_t>(*j)].child, body_behind(*j, body));
-      }
-    }
-  }
-
-  std::vector<Body> bodies;
-
- private:
-  int body_behind(int j, int body) {
-    if (robot_.joints[static_cast<std::size_t>(j)].type == JointType::fixed) return body;
-    bodies[static_cast<std::size_t>(body)].is_leaf = false;
-    bodies.push_back({{}, body, j, true});
-    return static_cast<int>(bodies.size()) - 1;
-  }
-
-  const Robot& robot_;
-  std::vector<std::vector<int>> children_;
-};
+constexpr std::size_t kMostPoints = 8;
+constexpr double kFrameMass = 1e-6;  ///< kg, that exporters give to links that are mere frames
 
 /// A link that may get an operational point.
 struct End {
   int body = 0;
   int link = 0;
   EndName name;
+  bool at_joint = false;  ///< at the joint before it, since the file has no frame at the tip
 };
 
-bool is_better(const EndName& a, const EndName& b) {
-  return a.kind != b.kind ? a.kind < b.kind : a.rank < b.rank;
-}
+/// What the choice of ends looks at.
+struct Tree {
+  const Robot& robot;
+  BodyTree bodies;
+  std::vector<bool> is_frame;  ///< by link: without mass and without links behind it
 
-/// The link of the body with the best name; the first link if no name is known.
-End best_of(const Robot& robot, const Body& body, int index) {
-  End best{index, body.links.front(), {}};
-  best.name = end_name(robot.links[static_cast<std::size_t>(best.link)].name);
-  const EndName own = best.name;
-  for (const int link : body.links) {
-    const EndName name = end_name(robot.links[static_cast<std::size_t>(link)].name);
-    if (name.kind < EndKind::other && is_better(name, best.name)) best = {index, link, name};
+  explicit Tree(const Robot& of)
+      : robot(of), bodies(group_bodies(of)), is_frame(of.links.size(), true) {
+    for (const Joint& joint : robot.joints) {
+      is_frame[static_cast<std::size_t>(joint.parent)] = false;
+    }
+    for (std::size_t i = 0; i < robot.links.size(); ++i) {
+      const auto& inertial = robot.links[i].inertial;
+      if (inertial && inertial->mass > kFrameMass) is_frame[i] = false;
+    }
   }
-  return best.name.kind < EndKind::other ? best : End{index, body.links.front(), own};
+
+  [[nodiscard]] const Body& body(int b) const { return bodies.bodies[static_cast<std::size_t>(b)]; }
+  [[nodiscard]] const std::string& name(int link) const {
+    return robot.links[static_cast<std::size_t>(link)].name;
+  }
+};
+
+/// The frame without mass that lies farthest from the body's joint; the first link if there is none
+/// beside those of sensors.
+int tip_of(const Tree& tree, const Body& body) {
+  const auto place = [&](int link) {
+    return tree.bodies.frames[static_cast<std::size_t>(link)].translation();
+  };
+  int tip = body.links.front();
+  double farthest = 1e-3;
+  for (const int link : body.links) {
+    const double distance = (place(link) - place(body.links.front())).norm();
+    if (!tree.is_frame[static_cast<std::size_t>(link)] || is_sensor(tree.name(link))) continue;
+    if (distance <= farthest) continue;
+    farthest = distance;
+    tip = link;
+  }
+  return tip;
 }
 
-/// Finds the link for a point at a leaf of the tree: the leaf itself, or the body before it with
-/// the best name.
-End end_for(const Robot& robot, const std::vector<Body>& bodies, int leaf) {
-  End best = best_of(robot, bodies[static_cast<std::size_t>(leaf)], leaf);
-  for (int b = bodies[static_cast<std::size_t>(leaf)].parent; b > 0;
-       b = bodies[static_cast<std::size_t>(b)].parent) {
-    const End other = best_of(robot, bodies[static_cast<std::size_t>(b)], b);
+/// The link of the body with the best name; of equal names a frame without mass, which somebody
+/// placed for this, and the shortest; the tip if no name is known.
+End best_of(const Tree& tree, int index) {
+  const Body& body = tree.body(index);
+  const auto frame = [&](int link) { return tree.is_frame[static_cast<std::size_t>(link)]; };
+  End best{index, body.links.front(), end_name(tree.name(body.links.front()))};
+  const EndName own = best.name;
+  if (is_sensor(tree.name(best.link))) best.name = {};
+  for (const int link : body.links) {
+    const EndName name = end_name(tree.name(link));
+    if (name.kind >= EndKind::other || is_sensor(tree.name(link))) continue;
+    const auto key = [&](const EndName& of, int at) {
+      return std::tuple(of.kind, of.rank, !frame(at), tree.name(at).size());
+    };
+    if (key(name, link) < key(best.name, best.link)) best = {index, link, name};
+  }
+  if (best.name.kind >= EndKind::other) best = {index, tip_of(tree, body), own};
+  best.at_joint = best.link == body.links.front();
+  return best;
+}
+
+/// What the role of a limb says of its end where the end's own name does not.
+EndKind kind_of(LimbRole role, EndKind named) {
+  switch (role) {
+    case LimbRole::leg:
+      return named >= EndKind::tip ? EndKind::foot : named;
+    case LimbRole::arm:
+      return named > EndKind::other ? EndKind::other : named;
+    case LimbRole::finger:
+      return EndKind::tip;
+    case LimbRole::wheel:
+      return EndKind::wheel;
+    case LimbRole::propeller:
+      return EndKind::propeller;
+    case LimbRole::watching:
+    case LimbRole::trunk:
+      return EndKind::watching;
+    case LimbRole::unknown:
+      return named;
+  }
+  return named;
+}
+
+/// The link that carries the jaw where the last joint of an arm moves only that, by names alone: a
+/// jaw looks like one more link of the arm.
+std::optional<End> gripper_before(const Tree& tree, const Limb& limb) {
+  if (limb.carries_fingers || limb.joints <= 3) return std::nullopt;
+  const auto is_of_gripper = [&](int link) {
+    return tree.name(link).find("gripper") != std::string::npos;
+  };
+  const int before = tree.body(limb.last).parent;
+  const int own = tree.body(limb.last).links.front();
+  const auto& links = tree.body(before).links;
+  const auto holder = std::find_if(links.begin(), links.end(), is_of_gripper);
+  if (holder != links.end() && is_of_gripper(own)) return End{before, *holder, {}, false};
+  if (limb_word(tree.name(own)) == LimbRole::finger) return best_of(tree, before);
+  return std::nullopt;
+}
+
+/// Finds the link for a point of a limb: its end, or the body before it with the best name.
+End end_for(const Tree& tree, const Limb& limb) {
+  End best = best_of(tree, limb.last);
+  best.name.kind = kind_of(limb.role, best.name.kind);
+  const bool moves_itself = limb.role == LimbRole::finger || limb.role >= LimbRole::wheel;
+  if (moves_itself || limb.role == LimbRole::watching) return best;
+  for (int b = tree.body(limb.last).parent; b > 0; b = tree.body(b).parent) {
+    const End other = best_of(tree, b);
     const bool known = other.name.kind < EndKind::tip;
     if (known && other.name.kind < best.name.kind) best = other;
   }
-  return best;
+  return best.body == limb.last ? gripper_before(tree, limb).value_or(best) : best;
 }
 
 bool is_worth_a_point(const End& end) {
@@ -117,58 +166,49 @@ std::vector<End> choose_ends(const std::vector<End>& all) {
   return best;
 }
 
-std::vector<End> find_ends(const Robot& robot, const std::vector<Body>& bodies) {
+/// Whether a limb is only a joint or two that hang on the way to an end, such as springs and
+/// covers, unless its name is one of an end.
+bool is_minor(const Tree& tree, const Limb& limb) {
+  if (best_of(tree, limb.last).name.kind != EndKind::other) return false;
+  if (limb.role == LimbRole::unknown) return limb.joints <= 2;
+  const bool on_the_way = tree.body(limb.first).parent > 0 && limb.joints == 1;
+  return on_the_way && (limb.role == LimbRole::leg || limb.role == LimbRole::arm);
+}
+
+/// An end for each limb, in the order of the tree. A minor one gets no point where there are
+/// whole limbs.
+std::vector<End> find_ends(const Tree& tree, const std::vector<Limb>& limbs) {
+  const bool whole = std::any_of(limbs.begin(), limbs.end(), [](const Limb& limb) {
+    return limb.role == LimbRole::leg || limb.role == LimbRole::arm || limb.joints > 2;
+  });
   std::map<int, End> ends;
-  for (std::size_t b = 1; b < bodies.size(); ++b) {
-    if (!bodies[b].is_leaf) continue;
-    const End end = end_for(robot, bodies, static_cast<int>(b));
-    ends.emplace(end.body, end);
+  for (const Limb& limb : limbs) {
+    End end = end_for(tree, limb);
+    if (whole && is_minor(tree, limb)) end.name.kind = EndKind::watching;
+    const auto [at, added] = ends.emplace(end.body, end);
+    if (!added && end.name.kind < at->second.name.kind) at->second = end;
   }
   std::vector<End> list;
   for (const auto& [body, end] : ends) list.push_back(end);
   return list;
 }
 
-/// Whether a body hangs by one joint on the path to an end whose name is known, such as a spring or
-/// a cover.
-bool is_beside_the_way(const End& end, const std::vector<End>& ends,
-                       const std::vector<Body>& bodies) {
-  const int before = bodies[static_cast<std::size_t>(end.body)].parent;
-  if (end.name.kind != EndKind::other || before <= 0) return false;
-  return std::any_of(ends.begin(), ends.end(), [&](const End& other) {
-    if (other.name.kind >= EndKind::other) return false;
-    for (int b = other.body; b > 0; b = bodies[static_cast<std::size_t>(b)].parent) {
-      if (b == before) return true;
-    }
-    return false;
-  });
-}
-
-void guess_base(const Robot& robot, const std::vector<End>& ends, std::optional<Base> asked,
+void guess_base(const Robot& robot, const RecognisedRobot& found, std::optional<Base> asked,
                 SceneProposal& proposal) {
   const std::string& root = robot.links[static_cast<std::size_t>(robot.root)].name;
-  const auto number = [&](EndKind kind) {
-    return std::count_if(ends.begin(), ends.end(),
-                         [kind](const End& end) { return end.name.kind == kind; });
-  };
   const auto take = [&](Base base, const std::string& reason) {
     proposal.base = base;
     proposal.base_reason = reason;
   };
+  proposal.kind = found.kind;
   if (asked) {
     take(*asked, "as asked for");
   } else if (default_base(robot) == Base::floating) {
     take(Base::floating, why_floating(robot));
   } else if (is_ground(root)) {
     take(Base::fixed, fmt::format("the root link is called \"{}\"", root));
-  } else if (number(EndKind::foot) >= 2) {
-    take(Base::floating, "the robot has feet");
-  } else if (number(EndKind::propeller) >= 2) {
-    take(Base::floating, "the robot has propellers");
-  } else if (!ends.empty() && number(EndKind::wheel) == static_cast<long>(ends.size())) {
-    take(Base::floating, "wheels are all that moves");
   } else {
-    take(Base::fixed, fmt::format("the root link \"{}\" is taken as held by the ground", root));
+    take(found.floats ? Base::floating : Base::fixed, found.reason);
   }
 }
 
@@ -186,13 +226,13 @@ std::string point_name(const std::string& link, const std::vector<ScenePoint>& p
 }
 
 /// Joints of one degree of freedom beyond the bodies that have points.
-std::vector<std::string> joints_beyond(const Robot& robot, const std::vector<Body>& bodies,
-                                       const std::set<int>& pointed) {
+std::vector<std::string> joints_beyond(const Tree& tree, const std::set<int>& pointed) {
   std::vector<std::string> names;
-  for (std::size_t b = 1; b < bodies.size(); ++b) {
-    const Joint& joint = robot.joints[static_cast<std::size_t>(bodies[b].joint)];
+  for (std::size_t b = 1; b < tree.bodies.bodies.size(); ++b) {
+    const Body& body = tree.bodies.bodies[b];
+    const Joint& joint = tree.robot.joints[static_cast<std::size_t>(body.joint)];
     if (joint.mimic || !info_of(joint.type).has_one_freedom()) continue;
-    for (int a = bodies[b].parent; a > 0; a = bodies[static_cast<std::size_t>(a)].parent) {
+    for (int a = body.parent; a > 0; a = tree.body(a).parent) {
       if (!pointed.contains(a)) continue;
       names.push_back(joint.name);
       break;
@@ -209,23 +249,23 @@ bool has_rows(const ScenePoint& point) {
 
 SceneProposal propose_scene(const Robot& robot, std::optional<Base> base) {
   SceneProposal proposal;
-  const std::vector<Body> bodies = Bodies(robot).bodies;
-  const std::vector<End> ends = find_ends(robot, bodies);
-  guess_base(robot, ends, base, proposal);
-  std::vector<End> candidates = ends;
-  std::erase_if(candidates, [&](const End& end) { return is_beside_the_way(end, ends, bodies); });
-  std::vector<End> chosen = choose_ends(candidates);
-  if (ends.empty() && proposal.base == Base::floating) {
-    chosen.push_back(best_of(robot, bodies.front(), 0));
+  const Tree tree(robot);
+  const RecognisedRobot found = recognise_robot(robot, tree.bodies);
+  const std::vector<End> ends = find_ends(tree, found.limbs);
+  guess_base(robot, found, base, proposal);
+  std::vector<End> chosen = choose_ends(ends);
+  if (chosen.empty() && (proposal.base == Base::floating || found.base > 0)) {
+    chosen.push_back(best_of(tree, found.base));
+    chosen.back().at_joint = false;
   }
   std::set<int> pointed;
   for (const End& end : chosen) {
-    const std::string& link = robot.links[static_cast<std::size_t>(end.link)].name;
     ScenePoint point;
-    point.name = point_name(link, proposal.points);
-    point.link = link;
+    point.link = tree.name(end.link);
+    point.name = point_name(point.link, proposal.points);
     proposal.points.push_back(point);
     pointed.insert(end.body);
+    if (end.at_joint) proposal.at_joints.insert(point.link);
   }
   Scene scene;
   scene.base = proposal.base;
@@ -236,9 +276,9 @@ SceneProposal propose_scene(const Robot& robot, std::optional<Base> base) {
   std::erase_if(proposal.points, [](const ScenePoint& point) { return !has_rows(point); });
   for (const End& end : ends) {
     if (pointed.contains(end.body)) continue;
-    proposal.left_out.push_back(robot.links[static_cast<std::size_t>(end.link)].name);
+    proposal.left_out.push_back(tree.name(end.link));
   }
-  proposal.beyond = joints_beyond(robot, bodies, pointed);
+  proposal.beyond = joints_beyond(tree, pointed);
   return proposal;
 }
 

@@ -1,0 +1,384 @@
+#include "inspect/recognise_robot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "inspect/end_names.hpp"
+
+namespace treeline {
+namespace {
+
+constexpr double kAlike = 0.1;          ///< of the reach: tolerance of symmetry
+constexpr double kHanging = 0.4;        ///< of the reach: how far a leg reaches down at least
+constexpr double kFingerReach = 0.25;   ///< m, of the longest finger
+constexpr int kJointsOfAnArm = 3;       ///< at least, before a hand
+constexpr int kJointsBeforeAWheel = 2;  ///< at most: a fork that steers, and the wheel
+
+/// Finds limbs and what they are for.
+class Recognition {
+ public:
+  Recognition(const Robot& robot, const BodyTree& tree) : robot_(robot), tree_(tree) {
+    const auto gravity = robot.hints.gravity.value_or(std::array{0.0, 0.0, -1.0});
+    const Eigen::Vector3d down(gravity[0], gravity[1], gravity[2]);
+    if (down.norm() > 0) up_ = -down.normalized();
+    const auto& first = tree.bodies.front().children;
+    if (first.size() == 1 && !info_of(joint_of(first[0]).type).has_one_freedom() &&
+        joint_of(first[0]).type != JointType::ball) {
+      base_ = first[0];
+    }
+    find_hands();
+  }
+
+  [[nodiscard]] int base() const { return base_; }
+
+  [[nodiscard]] std::vector<Limb> find_limbs() const {
+    std::vector<Limb> limbs;
+    for (auto b = static_cast<std::size_t>(base_) + 1; b < tree_.bodies.size(); ++b) {
+      if (!beyond_hands_[b] && (hands_[b] || tree_.bodies[b].children.empty())) {
+        limbs.push_back(limb_of(static_cast<int>(b)));
+      }
+    }
+    for (Limb& limb : limbs) limb.role = role_of(limb);
+    doubt_names(limbs);
+    find_legs(limbs);
+    find_fingers(limbs);
+    return limbs;
+  }
+
+ private:
+  [[nodiscard]] const Body& body(int b) const { return tree_.bodies[static_cast<std::size_t>(b)]; }
+  [[nodiscard]] const Joint& joint_of(int b) const {
+    return robot_.joints[static_cast<std::size_t>(body(b).joint)];
+  }
+  [[nodiscard]] const Link& link(int l) const { return robot_.links[static_cast<std::size_t>(l)]; }
+  [[nodiscard]] const Eigen::Isometry3d& frame(int l) const {
+    return tree_.frames[static_cast<std::size_t>(l)];
+  }
+  [[nodiscard]] Eigen::Vector3d origin(int b) const {
+    return frame(body(b).links.front()).translation();
+  }
+
+  [[nodiscard]] int depth(int b) const { return depths_[static_cast<std::size_t>(b)]; }
+
+  /// Centres of mass and origins of the links of a body.
+  [[nodiscard]] std::vector<Eigen::Vector3d> places(int b) const {
+    std::vector<Eigen::Vector3d> places;
+    for (const int l : body(b).links) {
+      places.push_back(frame(l).translation());
+      if (link(l).inertial && link(l).inertial->mass > 0) {
+        const auto& xyz = link(l).inertial->origin.xyz;
+        places.push_back(frame(l) * Eigen::Vector3d(xyz[0], xyz[1], xyz[2]));
+      }
+    }
+    return places;
+  }
+
+  /// How far anything that a body and those beyond it hold lies from the body's joint.
+  [[nodiscard]] double reach_of(int first) const {
+    double reach = 0;
+    std::vector<int> stack{first};
+    while (!stack.empty()) {
+      const int b = stack.back();
+      stack.pop_back();
+      for (const Eigen::Vector3d& place : places(b)) {
+        reach = std::max(reach, (place - origin(first)).norm());
+      }
+      stack.insert(stack.end(), body(b).children.begin(), body(b).children.end());
+    }
+    return reach;
+  }
+
+  /// A hand carries two or more short branches, at the end of an arm that is longer than they are.
+  void find_hands() {
+    const std::size_t number = tree_.bodies.size();
+    hands_.assign(number, false);
+    beyond_hands_.assign(number, false);
+    depths_.assign(number, 0);
+    on_leg_.assign(number, false);
+    std::vector<double> lengths(number, 0);  // from the first joint on the way from the root
+    for (std::size_t i = 1; i < number; ++i) {
+      const int b = static_cast<int>(i);
+      const auto before = static_cast<std::size_t>(body(b).parent);
+      depths_[i] = b == base_ ? 0 : depths_[before] + 1;
+      on_leg_[i] = on_leg_[before] || first_word(b) == LimbRole::leg;
+      lengths[i] = body(b).parent <= base_
+                       ? 0
+                       : lengths[before] + (origin(b) - origin(body(b).parent)).norm();
+      beyond_hands_[i] = beyond_hands_[before] || hands_[before];
+      if (body(b).children.size() < 2 || depth(b) < kJointsOfAnArm || beyond_hands_[i] ||
+          on_leg_[i] || first_word(b) == LimbRole::watching) {
+        continue;
+      }
+      double fingers = 0;
+      bool named = true;
+      for (const int child : body(b).children) {
+        fingers = std::max(fingers, reach_of(child));
+        named = named && first_word(child) == LimbRole::finger;
+      }
+      hands_[i] = named || (fingers < kFingerReach && fingers < 0.5 * lengths[i]);
+    }
+  }
+
+  [[nodiscard]] LimbRole first_word(int b) const {
+    return limb_word(link(body(b).links.front()).name);
+  }
+
+  /// Whether a limb that comes from a body goes on through the one before: what else hangs there is
+  /// a single joint, such as a spring or a cover.
+  [[nodiscard]] bool goes_on_through(int before, int from) const {
+    const auto& children = body(before).children;
+    if (children.size() == 1) return true;
+    return !body(from).children.empty() &&
+           std::all_of(children.begin(), children.end(),
+                       [&](int child) { return child == from || body(child).children.empty(); });
+  }
+
+  [[nodiscard]] Limb limb_of(int last) const {
+    Limb limb;
+    limb.last = limb.first = last;
+    limb.carries_fingers = hands_[static_cast<std::size_t>(last)];
+    limb.joints = 1;
+    for (int a = body(last).parent; a > base_ && goes_on_through(a, limb.first);
+         a = body(a).parent) {
+      limb.first = a;
+      ++limb.joints;
+    }
+    limb.start = origin(limb.first);
+    limb.tip = limb.start;
+    for (const Eigen::Vector3d& place : places(last)) {
+      if ((place - limb.start).norm() > (limb.tip - limb.start).norm()) limb.tip = place;
+    }
+    limb.reach = (limb.tip - limb.start).norm();
+    return limb;
+  }
+
+  /// Whether a body turns without end about an axis through its centre of mass.
+  [[nodiscard]] bool spins(int b) const {
+    const Joint& joint = joint_of(b);
+    const bool endless =
+        joint.type == JointType::continuous ||
+        (joint.type == JointType::revolute &&
+         (!joint.limits || joint.limits->upper.value() - joint.limits->lower.value() > 25));
+    if (!endless || !body(b).children.empty()) return false;
+    double off = 0;
+    for (const Eigen::Vector3d& place : places(b)) {
+      off = std::max(off, (place - origin(b)).cross(axis(b)).norm());
+    }
+    return off < 0.01;
+  }
+  [[nodiscard]] Eigen::Vector3d axis(int b) const {
+    const auto& xyz = joint_of(b).axis;
+    return frame(joint_of(b).child).linear() * Eigen::Vector3d(xyz[0], xyz[1], xyz[2]);
+  }
+
+  /// Whether another leaf spins about a parallel axis, beside this one.
+  [[nodiscard]] bool has_companion(int b) const {
+    for (std::size_t i = 1; i < tree_.bodies.size(); ++i) {
+      const int other = static_cast<int>(i);
+      if (other != b && depth(other) == depth(b) && spins(other) &&
+          axis(other).cross(axis(b)).norm() < kAlike && (origin(other) - origin(b)).norm() > 0.03) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] LimbRole role_of(const Limb& limb) const {
+    const LimbRole named = named_role(limb);
+    const bool low = depth(limb.last) <= kJointsBeforeAWheel;
+    if (named == LimbRole::unknown && low && spins(limb.last) && has_companion(limb.last)) {
+      const double upright = std::abs(axis(limb.last).dot(up_));
+      if (upright < kAlike) return LimbRole::wheel;
+      if (upright > 1 - kAlike) return LimbRole::propeller;
+    }
+    return named;
+  }
+
+  /// The role that most names of the limb's links and joints tell; the end's name counts most.
+  [[nodiscard]] LimbRole named_role(const Limb& limb) const {
+    std::map<LimbRole, int> votes;
+    for (int b = limb.last;; b = body(b).parent) {
+      ++votes[limb_word(joint_of(b).name)];
+      for (const int l : body(b).links) votes[limb_word(link(l).name)] += b == limb.last ? 2 : 1;
+      if (b == limb.first) break;
+    }
+    votes.erase(LimbRole::unknown);
+    // A wheel at the end of a leg is its foot; a camera on an arm does not make it a head.
+    const bool long_enough = limb.joints >= kJointsOfAnArm;
+    if (long_enough && (votes.contains(LimbRole::leg) || votes.contains(LimbRole::arm))) {
+      votes.erase(LimbRole::wheel);
+      votes.erase(LimbRole::watching);
+      votes.erase(LimbRole::finger);
+      votes.erase(LimbRole::trunk);
+    }
+    const auto best =
+        std::max_element(votes.begin(), votes.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return best == votes.end() ? LimbRole::unknown : best->first;
+  }
+
+  /// No robot has a finger of the length of an arm or an arm as short as a finger, nor two necks of
+  /// three joints.
+  void doubt_names(std::vector<Limb>& limbs) const {
+    const auto is_neck = [](const Limb& limb) {
+      return limb.role == LimbRole::watching && limb.joints >= kJointsOfAnArm;
+    };
+    const bool many = std::count_if(limbs.begin(), limbs.end(), is_neck) > 1;
+    for (Limb& limb : limbs) {
+      const bool too_long = limb.role == LimbRole::finger && limb.reach > 2 * kFingerReach;
+      if (too_long || (many && is_neck(limb))) limb.role = LimbRole::unknown;
+      const bool of_gripper = limb.role == LimbRole::arm && limb.joints < kJointsOfAnArm &&
+                              body(limb.first).parent == base_ && limb.reach < kFingerReach &&
+                              limbs.size() > 1;
+      if (of_gripper) limb.role = LimbRole::finger;
+    }
+  }
+
+  /// Two limbs from one body that are alike: their tips differ along one horizontal direction.
+  [[nodiscard]] bool are_a_pair(const Limb& a, const Limb& b) const {
+    const double tolerance = kAlike * std::max(a.reach, b.reach);
+    const Eigen::Vector3d apart = b.tip - a.tip;
+    return body(a.first).parent == body(b.first).parent && a.joints == b.joints &&
+           std::abs(a.reach - b.reach) < tolerance && std::abs(apart.dot(up_)) < tolerance &&
+           apart.norm() > tolerance;
+  }
+
+  /// Legs are pairs that hang from the root to the lowest place. A name that says otherwise wins.
+  void find_legs(std::vector<Limb>& limbs) const {
+    double lowest = 0;
+    for (const Limb& limb : limbs) lowest = std::min(lowest, limb.tip.dot(up_));
+    std::vector<Limb*> legs;
+    for (Limb& limb : limbs) {
+      const bool paired = std::any_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
+        return &other != &limb && are_a_pair(limb, other);
+      });
+      const bool hangs = (limb.start - limb.tip).dot(up_) > kHanging * limb.reach &&
+                         limb.tip.dot(up_) < lowest + 0.2 * limb.reach;
+      if (limb.role == LimbRole::unknown && limb.joints >= 2 && body(limb.first).parent == base_ &&
+          paired && hangs) {
+        legs.push_back(&limb);
+      }
+    }
+    const bool is_hand = std::any_of(limbs.begin(), limbs.end(), [this](const Limb& limb) {
+      return limb.role == LimbRole::finger && body(limb.first).parent == base_;
+    });
+    if (legs.size() % 2 != 0 || is_hand) return;
+    for (Limb* const leg : legs) leg->role = LimbRole::leg;
+  }
+
+  /// Fingers are three or more short limbs on one body.
+  void find_fingers(std::vector<Limb>& limbs) const {
+    const auto is_short = [](const Limb& limb) {
+      return limb.role == LimbRole::unknown && limb.joints >= 2 && limb.reach < kFingerReach;
+    };
+    std::map<int, int> numbers;  // by the body that carries them
+    for (const Limb& limb : limbs) {
+      const bool counts = is_short(limb) || limb.role == LimbRole::finger;
+      numbers[body(limb.first).parent] += counts ? 1 : 0;
+    }
+    for (Limb& limb : limbs) {
+      if (is_short(limb) && numbers[body(limb.first).parent] >= 3) limb.role = LimbRole::finger;
+    }
+  }
+
+  const Robot& robot_;
+  const BodyTree& tree_;
+  Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();
+  int base_ = 0;
+  std::vector<bool> hands_, beyond_hands_, on_leg_;  ///< by body
+  std::vector<int> depths_;                          ///< joints from the base to a body
+};
+
+/// How many limbs of each role a robot has. Wheels and propellers count that are links of the base,
+/// as in files that leave out their joints.
+struct LimbCounts {
+  long legs = 0, arms = 0, fingers = 0, wheels = 0, propellers = 0;
+};
+
+LimbCounts count_limbs(const Robot& robot, const Body& base, const std::vector<Limb>& limbs) {
+  std::map<LimbRole, long> number;
+  LimbCounts counts;
+  for (const Limb& limb : limbs) {
+    ++number[limb.role];
+    if (limb.role == LimbRole::unknown && limb.joints >= kJointsOfAnArm) ++counts.arms;
+  }
+  for (const int l : base.links) {
+    const LimbRole role = limb_word(robot.links[static_cast<std::size_t>(l)].name);
+    if (role == LimbRole::wheel || role == LimbRole::propeller) ++number[role];
+  }
+  counts.legs = number[LimbRole::leg];
+  counts.arms += number[LimbRole::arm];
+  counts.fingers = number[LimbRole::finger];
+  counts.wheels = number[LimbRole::wheel];
+  counts.propellers = number[LimbRole::propeller];
+  return counts;
+}
+
+std::string plural(long number, const char* one, const char* many) {
+  return number == 1 ? fmt::format("one {}", one) : fmt::format("{} {}", number, many);
+}
+
+std::string kind_with_legs(long legs, long arms) {
+  if (legs == 2) return arms > 0 ? "a humanoid" : "a biped";
+  const std::string name = legs == 4 ? "a quadruped" : "a robot of " + plural(legs, "leg", "legs");
+  return arms > 0 ? name + " with " + plural(arms, "arm", "arms") : name;
+}
+
+std::string kind_with_fingers(const Robot& robot, long fingers) {
+  const long driven = std::count_if(robot.joints.begin(), robot.joints.end(), [](const Joint& j) {
+    return j.type != JointType::fixed && !j.mimic;
+  });
+  return fingers == 1 ? "a finger" : fingers == 2 || driven <= 2 ? "a gripper" : "a hand";
+}
+
+void name_kind(const Robot& robot, const LimbCounts& has, RecognisedRobot& found) {
+  const std::string& root = robot.links[static_cast<std::size_t>(robot.root)].name;
+  const auto take = [&](std::string kind, bool floats, std::string reason) {
+    found.kind = std::move(kind);
+    found.floats = floats;
+    found.reason = std::move(reason);
+  };
+  if (has.legs >= 2) {
+    take(kind_with_legs(has.legs, has.arms), true,
+         fmt::format("it stands on {} legs that nothing holds to the ground", has.legs));
+  } else if (has.propellers >= 2) {
+    take(has.arms > 0 ? "a flying robot with an arm" : "a drone", true, "it flies by propellers");
+  } else if (has.wheels >= 2) {
+    take(has.arms > 0 ? "a mobile manipulator" : "a wheeled base", true,
+         "it rolls on wheels; where it stands still while an arm works, fixed is enough");
+  } else if (has.fingers > 0 && has.arms == 0) {
+    take(kind_with_fingers(robot, has.fingers), false,
+         fmt::format("an arm or a stand holds it by the root link \"{}\"", root));
+  } else if (end_name(root).kind == EndKind::foot && has.arms > 0) {
+    take("a robot that stands on its root link", false,
+         fmt::format("it stands on the root link \"{}\"", root));
+  } else if (found.limbs.empty()) {
+    take("a single body", false, "nothing says that it floats");
+  } else {
+    take(has.arms == 0   ? "a mechanism"
+         : has.arms == 1 ? "an arm"
+                         : fmt::format("a robot of {} arms", has.arms),
+         false,
+         fmt::format("the file has no legs, wheels or propellers, and the root link \"{}\" is "
+                     "taken as held by the ground",
+                     root));
+  }
+}
+
+}  // namespace
+
+RecognisedRobot recognise_robot(const Robot& robot, const BodyTree& tree) {
+  const Recognition recognition(robot, tree);
+  RecognisedRobot found;
+  found.base = recognition.base();
+  found.limbs = recognition.find_limbs();
+  const Body& base = tree.bodies[static_cast<std::size_t>(found.base)];
+  name_kind(robot, count_limbs(robot, base, found.limbs), found);
+  return found;
+}
+
+}  // namespace treeline

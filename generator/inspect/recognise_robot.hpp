@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "inspect/end_names.hpp"
+#include "inspect/group_bodies.hpp"
+
+namespace treeline {
+
+/// Bodies in series from a branch of the tree, or from the root, to an end. Fingers belong to the
+/// hand that carries them if a limb of three or more joints does.
+struct Limb {
+  int first = 0, last = 0;  ///< indices of bodies; `last` is the hand where there is one
+  bool carries_fingers = false;
+  int joints = 0;
+  double reach = 0;  ///< from the first joint to the tip at q = 0, m
+  Eigen::Vector3d start = Eigen::Vector3d::Zero(), tip = Eigen::Vector3d::Zero();
+  LimbRole role = LimbRole::unknown;
+};
+
+/// The kind of a robot, by its shape first and by names where the shape does not tell.
+struct RecognisedRobot {
+  std::string kind;  ///< `a quadruped`
+  bool floats = false;
+  std::string reason;  ///< why it floats or does not
+  int base = 0;        ///< body that limbs start from: the root's, or the one that the file floats
+  std::vector<Limb> limbs;
+};
+
+RecognisedRobot recognise_robot(const Robot& robot, const BodyTree& tree);
+
+}  // namespace treeline
