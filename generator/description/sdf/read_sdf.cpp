@@ -36,7 +36,7 @@ SdfReader* load_reader(const std::string& file, Diagnostics& diagnostics) {
   if (module.empty()) {
 #if defined(TREELINE_READS_SDF)
     report(file, "this is SDF, and the module that reads it, treeline_sdf.so, is not there",
-           "put it in lib/treeline beside the folder of the program, or install both anew",
+           "install the package treeline-sdf (Debian 12), or export a URDF",
            diagnostics);
 #else
     report(file, "this is SDF, which this program was built without",
