@@ -36,8 +36,7 @@ SdfReader* load_reader(const std::string& file, Diagnostics& diagnostics) {
   if (module.empty()) {
 #if defined(TREELINE_READS_SDF)
     report(file, "this is SDF, and the module that reads it, treeline_sdf.so, is not there",
-           "install the package treeline-sdf (Debian 12), or export a URDF",
-           diagnostics);
+           "install the package treeline-sdf (Debian 12), or export a URDF", diagnostics);
 #else
     report(file, "this is SDF, which this program was built without",
            "install libsdformat-dev (Debian 12) and build again, or export a URDF", diagnostics);
