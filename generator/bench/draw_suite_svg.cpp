@@ -51,7 +51,8 @@ std::string draw_legend(const std::vector<std::string>& robots) {
   std::string text;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const double x = 16 + 185 * static_cast<double>(i % 4);
-    const double y = 34 + 16 * static_cast<double>(i / 4);
+    const std::size_t line = i / 4;
+    const double y = 34 + 16 * static_cast<double>(line);
     text +=
         svg_disc(x, y - 4, kDot, colour_of(i)) + svg_text_at(x + 10, y, "", escape_xml(robots[i]));
   }

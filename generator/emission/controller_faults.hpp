@@ -6,18 +6,10 @@
 namespace treeline {
 
 /// Bits of faults.
-enum : std::uint32_t {
-  kFaultMeasurement = 1,
-  kFaultPosition = 2,
-  kFaultSpeed = 4,
-  kFaultTorque = 8,
-  kFaultStale = 16,
-  kFaultEmergency = 32,
-  kFaultMoved = 64,
-  kFaultJump = 128,
-  kFaultFollowing = 256,
-  kFaultConfig = 512,
-};
+inline constexpr std::uint32_t kFaultMeasurement = 1, kFaultPosition = 2, kFaultSpeed = 4,
+                               kFaultTorque = 8, kFaultStale = 16, kFaultEmergency = 32,
+                               kFaultMoved = 64, kFaultJump = 128, kFaultFollowing = 256,
+                               kFaultConfig = 512;
 
 /// Faults after which torque alone cannot be trusted.
 inline constexpr std::uint32_t kFaultsUntrusted =

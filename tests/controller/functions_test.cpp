@@ -104,8 +104,8 @@ TEST(ControllerFunctions, AStepComputesEachSineOnce) {
     ASSERT_FALSE(text.empty()) << file;
     EXPECT_EQ(text.find("sin_cos("), std::string::npos) << file;
   }
-  const std::string step = read("controller.cpp");
-  const std::regex call("sin_cos\\(");
+  const std::string step = read("controller.cpp") + read("controller_robot.hpp");
+  const std::regex call("sin_cos\\(at->q,");
   EXPECT_EQ(
       std::distance(std::sregex_iterator(step.begin(), step.end(), call), std::sregex_iterator()),
       1);

@@ -2,6 +2,7 @@
 # same_bits.c. A shared library of each needs no other. With LOOPS, against controllers whose dynamics loop over
 # links: other roundings, and those of both profiles are the same again.
 # cmake -DTREELINE=program -DROBOTS=dir -DSOURCE=dir -DFOLDER=dir -DHOST=c++ -P same_bits.cmake
+cmake_minimum_required(VERSION 3.25)
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

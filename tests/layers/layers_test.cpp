@@ -60,7 +60,7 @@ const std::vector<Layer> kLayers = {
     {"inspect",
      {"text", "functions", "interpreter", "description", "mechanism", "recursion", "bounds",
       "oracle"}},
-    {"drawing", {"text", "report", "drive", "interpreter", "description", "mechanism", "oracle"}},
+    {"drawing", {"text", "report", "interpreter", "description", "mechanism", "oracle"}},
     {"comparison", {"text", "interpreter", "description", "bounds", "oracle"}},
     {"check",
      {"text", "functions", "core", "interpreter", "description", "program", "passes", "bounds",
