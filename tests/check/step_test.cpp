@@ -131,15 +131,15 @@ TEST_P(SharedFault, IsSeen) {
   expect_seen(subjects, quick_options(20));
 }
 
-const Change kChanges[] = {{"Dynamics", "controller_robot.hpp",
-                            "controller_joint_torque(at->q, at->sin_q, at->cos_q, at->qd,",
-                            "controller_joint_torque(at->q, at->cos_q, at->sin_q, at->qd,"},
-                           {"Gravity", "controller_step.hpp", "within(at->gravity[i],",
-                            "within(1.000001 * at->gravity[i],"},
-                           {"JointGain", "controller_laws.hpp", "w * ((2.0 * config->joint_damping",
-                            "1.000001 * w * ((2.0 * config->joint_damping"},
-                           {"TaskGain", "controller_laws.hpp", "xdd[i] = wanted.acceleration[i] +",
-                            "xdd[i] = 0.999999 * wanted.acceleration[i] +"}};
+const Change kChanges[] = {
+    {"Dynamics", "controller_robot.hpp",
+     "controller_joint_torque(at->q, at->sin_q, at->cos_q, at->qd,",
+     "controller_joint_torque(at->q, at->cos_q, at->sin_q, at->qd,"},
+    {"Gravity", "controller_step.hpp", "within(at->gravity[i],",
+     "within(1.000001 * at->gravity[i],"},
+    {"JointGain", "controller_laws.hpp", "qdd[i] += w *", "qdd[i] += 1.000001 * w *"},
+    {"TaskGain", "controller_laws.hpp", "xdd[i] = wanted.acceleration[i] +",
+     "xdd[i] = 0.999999 * wanted.acceleration[i] +"}};
 
 constexpr const char* kCall = "controller_step(config, state, input, output);";
 
