@@ -256,7 +256,9 @@ TL_INLINE int32_t tl_apply_command(const TlConfig* config, const TlInput* input,
   } else if (kind == TL_EMERGENCY_STOP) {
     tl_raise_fault(TL_FAULT_EMERGENCY, state);
   } else if ((kind == TL_DISCONNECT) || (kind == TL_STOP)) {
-    state->mode = (state->mode == TL_RUNNING) ? TL_STOPPING : state->mode;
+    if (state->mode == TL_RUNNING) {
+      state->mode = TL_STOPPING;
+    }
   } else if (kind != TL_KEEP_ALIVE) {
     refusal = tl_begin(config, input, at, seen, state, switched);
   } else {
