@@ -109,9 +109,18 @@ TL_INLINE void tl_add_slide(
   const real length = tl_square_root((y[1] * y[1]) + (y[2] * y[2]));
   const real d1 = (length > TL_ZERO) ? (y[1] / length) : TL_ONE;
   const real d2 = (length > TL_ZERO) ? (y[2] / length) : TL_ZERO;
-  const real edge[3] = {TL_ONE, friction * d1, friction * d2};
-  const real normal[3] = {TL_ONE, TL_ZERO, TL_ZERO};
-  const real aside[3] = {TL_ZERO, -d2, d1};
+  real edge[3];  // by assignments: some compilers call memset for lists with constants
+  real normal[3];
+  real aside[3];
+  edge[0] = TL_ONE;
+  edge[1] = friction * d1;
+  edge[2] = friction * d2;
+  normal[0] = TL_ONE;
+  normal[1] = TL_ZERO;
+  normal[2] = TL_ZERO;
+  aside[0] = TL_ZERO;
+  aside[1] = -d2;
+  aside[2] = d1;
   tl_add_unknown(all, c, &edge[0], &normal[0], shift, unknowns);
   if (friction > TL_ZERO) {
     const real against = tl_larger(-((d1 * u[1]) + (d2 * u[2])), TL_ZERO);
