@@ -109,7 +109,8 @@ TL_INLINE void tl_add_slide(
   const real length = tl_square_root((y[1] * y[1]) + (y[2] * y[2]));
   const real d1 = (length > TL_ZERO) ? (y[1] / length) : TL_ONE;
   const real d2 = (length > TL_ZERO) ? (y[2] / length) : TL_ZERO;
-  real edge[3];  // by assignments: some compilers call memset for lists with constants
+  // By assignments: some compilers call memset for lists with constants.
+  real edge[3];
   real normal[3];
   real aside[3];
   edge[0] = TL_ONE;
