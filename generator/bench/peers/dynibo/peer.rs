@@ -109,23 +109,30 @@ impl Solver {
     }
 }
 
-/// Our arguments of a call, and the memory of its results.
-unsafe fn arguments<'a>(
-    solver: *mut c_void, input: *const *const f64, out: *mut f64, inputs: usize, results: usize,
-) -> (&'a mut Solver, Vec<&'a [f64]>, &'a mut [f64]) {
-    let s = &mut *(solver as *mut Solver);
-    let size = s.size();
-    let read = |k: usize| from_raw_parts(*input.add(k), size + usize::from(k == 0 && s.base() > 0));
-    let given = (0..inputs).map(read).collect();
-    (s, given, from_raw_parts_mut(out, results))
+/// A call with its arguments; the coordinates of the joints are loaded.
+struct Begun<'a> {
+    solver: &'a mut Solver,
+    given: Vec<&'a [f64]>,
+    base: usize,
+    out: &'a mut [f64],
+}
+
+/// Begins a call of so many inputs, whose result is a vector, or a square matrix.
+unsafe fn begin<'a>(
+    solver: *mut c_void, input: *const *const f64, out: *mut f64, inputs: usize, is_matrix: bool,
+) -> Begun<'a> {
+    let solver = &mut *(solver as *mut Solver);
+    let (size, base) = (solver.size(), solver.base());
+    let quaternion = usize::from(base > 0); // one number more than the base has velocities
+    let read = |k: usize| from_raw_parts(*input.add(k), size + if k == 0 { quaternion } else { 0 });
+    let given: Vec<&[f64]> = (0..inputs).map(read).collect();
+    Solver::load(&solver.places, &given[0][base + quaternion..], &mut solver.q);
+    let out = from_raw_parts_mut(out, if is_matrix { size * size } else { size });
+    Begun { solver, given, base, out }
 }
 
 unsafe extern "C" fn inverse_dynamics(solver: *mut c_void, input: *const *const f64, out: *mut f64) {
-    let n = (*(solver as *mut Solver)).size();
-    let (s, given, out) = arguments(solver, input, out, 3, n);
-    let base = s.base();
-    let at = usize::from(base > 0) + base;
-    Solver::load(&s.places, &given[0][at..], &mut s.q);
+    let Begun { solver: s, given, base, out } = begin(solver, input, out, 3, false);
     Solver::load(&s.places, &given[1][base..], &mut s.qd);
     Solver::load(&s.places, &given[2][base..], &mut s.drive);
     let state = (base > 0).then(|| s.load_base(given[0], Some(given[1]), Some(given[2])));
@@ -139,11 +146,7 @@ unsafe extern "C" fn inverse_dynamics(solver: *mut c_void, input: *const *const 
 }
 
 unsafe extern "C" fn forward_dynamics(solver: *mut c_void, input: *const *const f64, out: *mut f64) {
-    let n = (*(solver as *mut Solver)).size();
-    let (s, given, out) = arguments(solver, input, out, 3, n);
-    let base = s.base();
-    let at = usize::from(base > 0) + base;
-    Solver::load(&s.places, &given[0][at..], &mut s.q);
+    let Begun { solver: s, given, base, out } = begin(solver, input, out, 3, false);
     Solver::load(&s.places, &given[1][base..], &mut s.qd);
     let state = (base > 0).then(|| s.load_base(given[0], Some(given[1]), None));
     if base > 0 {
@@ -169,11 +172,7 @@ unsafe extern "C" fn forward_dynamics(solver: *mut c_void, input: *const *const 
 }
 
 unsafe extern "C" fn mass_matrix(solver: *mut c_void, input: *const *const f64, out: *mut f64) {
-    let n = (*(solver as *mut Solver)).size();
-    let (s, given, out) = arguments(solver, input, out, 1, n * n);
-    let base = s.base();
-    let at = usize::from(base > 0) + base;
-    Solver::load(&s.places, &given[0][at..], &mut s.q);
+    let Begun { solver: s, given, base, out } = begin(solver, input, out, 1, true);
     let state = (base > 0).then(|| s.load_base(given[0], None, None));
     match &mut s.robot {
         Any::Fixed(robot) => robot.mass_matrix(&s.q, out).unwrap(),
@@ -202,11 +201,7 @@ unsafe extern "C" fn finish_mass_matrix(solver: *mut c_void, out: *mut f64) {
 }
 
 unsafe extern "C" fn gravity(solver: *mut c_void, input: *const *const f64, out: *mut f64) {
-    let n = (*(solver as *mut Solver)).size();
-    let (s, given, out) = arguments(solver, input, out, 1, n);
-    let base = s.base();
-    let at = usize::from(base > 0) + base;
-    Solver::load(&s.places, &given[0][at..], &mut s.q);
+    let Begun { solver: s, given, base, out } = begin(solver, input, out, 1, false);
     let state = (base > 0).then(|| s.load_base(given[0], None, None));
     match &mut s.robot {
         Any::Fixed(robot) => robot.gravity(&s.q, &[], &mut s.out).unwrap(),
