@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "bench/bench.hpp"
 #include "bench/cold_report.hpp"
@@ -76,6 +77,7 @@ struct BenchCommand {
   std::string svg;
   std::vector<std::string> peers;
   std::vector<std::string> variants;
+  std::optional<int> places;
   std::string suite;
   bool quick = false;
   bool cold = false;
@@ -187,7 +189,7 @@ int run_suite(BenchCommand options) {
   if (options.variants.empty()) {
     options.bench.groups = {VariantGroup::language, VariantGroup::peer};
   }
-  if (options.bench.places == 1) options.bench.places = kSuitePlaces;
+  options.bench.places = options.places.value_or(kSuitePlaces);
   prepare_warm(options, diagnostics);
   const auto reports = measure_suite(options, diagnostics);
   const bool drawn =
@@ -207,6 +209,7 @@ int run(BenchCommand options) {
   const auto inputs = read_inputs(options.inputs, diagnostics);
   if (inputs && inputs->scene.language != Language::cpp) refuse_language(diagnostics);
   if (inputs) (void)is_none_of(options.svg, list_paths(inputs->files), diagnostics);
+  options.bench.places = options.places.value_or(1);
   if (!options.cold) prepare_warm(options, diagnostics);
   const bool ready = inputs && !diagnostics.has_errors();
   if (options.cold) {
@@ -248,9 +251,10 @@ void add_bench(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false)
       ->check(one_of(group_names()));
   command
-      ->add_option("--places", options->bench.places,
-                   "How many times code is loaded, each elsewhere in memory, and timed")
-      ->capture_default_str()
+      ->add_option("--places", options->places,
+                   fmt::format("How many times code is loaded, each elsewhere in memory, and "
+                               "timed; 1, with --suite {}",
+                               kSuitePlaces))
       ->check(whole_between(1, 100));
   CLI::Option* suite = command->add_option(
       "--suite", options->suite, "List of robots and scenes, a line each, beside the best peer");
