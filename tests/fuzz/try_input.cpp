@@ -67,7 +67,11 @@ std::string find_fault(const Robot& robot) {
 /// Whether the places of inertias in the text are those that the XML reader found.
 std::string find_fault(const Robot& robot, const std::string& text) {
   const auto tags = find_inertia_tags(text);
-  if (tags.size() != robot.links.size()) return "other links are found in the text";
+  // A world that the file names and does not have is a link of the robot, behind the file's own.
+  const bool adds_world = robot.links.size() > tags.size() && robot.links.back().name == "world";
+  if (tags.size() + (adds_world ? 1 : 0) != robot.links.size()) {
+    return "other links are found in the text";
+  }
   for (std::size_t i = 0; i < tags.size(); ++i) {
     if (!tags[i] || !robot.links[i].inertial) continue;
     for (const XmlAttribute& attribute : tags[i]->attributes) {
