@@ -61,7 +61,7 @@ std::string draw_legend(const std::vector<std::string>& robots) {
 
 }  // namespace
 
-std::string draw_suite_svg(const std::vector<BenchReport>& reports) {
+std::string draw_svg(const std::vector<BenchReport>& reports) {
   std::vector<std::string> robots;
   std::map<Function, std::vector<SuiteResult>> rows;
   for (const BenchReport& report : reports) robots.push_back(report.name);

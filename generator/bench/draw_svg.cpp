@@ -46,6 +46,7 @@ constexpr const char* kStar =
     "M0,-6l1.6,3.8l4.1,0.3l-3.1,2.7l1,4l-3.6,-2.2l-3.6,2.2l1,-4l-3.1,-2.7l4.1,-0.3z";
 constexpr std::array kStyles = {
     Style{VariantGroup::emitted, "as the scene asks", "#000000", kCircle, true},
+    Style{VariantGroup::language, "C99", "#000000", kDiamond, false},
     Style{VariantGroup::lanes, "other lanes", "#1f77b4", kCircle, false},
     Style{VariantGroup::real, "other Real", "#2ca02c", kUp, false},
     Style{VariantGroup::route, "other route", "#ff7f0e", kSquare, false},

@@ -88,7 +88,13 @@ std::vector<SuiteResult> compare_to_best(const std::vector<BenchReport>& reports
   return results;
 }
 
-std::string print_suite_table(const std::vector<BenchReport>& reports) {
+std::string print_json_lines(const std::vector<BenchReport>& reports) {
+  std::string text;
+  for (const BenchReport& report : reports) text += print_json_lines(report);
+  return text;
+}
+
+std::string print_table(const std::vector<BenchReport>& reports) {
   const BenchMachine& machine = reports.front().machine;
   std::vector<std::vector<std::string>> rows;
   for (const SuiteResult& result : compare_to_best(reports)) rows.push_back(cells_of(result));

@@ -35,10 +35,13 @@ std::vector<SuiteResult> compare_to_best(const std::vector<BenchReport>& reports
 
 /// Prints a line for each function of each robot: times, errors, bytes, and how many times as long
 /// the fastest peer takes.
-std::string print_suite_table(const std::vector<BenchReport>& reports);
+std::string print_table(const std::vector<BenchReport>& reports);
+
+/// Prints the reports of all robots, a line of JSON each for machine, variant and remark.
+std::string print_json_lines(const std::vector<BenchReport>& reports);
 
 /// Draws how many times as long the fastest peer takes, a dot for each robot in a row for each
 /// function, on a scale of powers of ten.
-std::string draw_suite_svg(const std::vector<BenchReport>& reports);
+std::string draw_svg(const std::vector<BenchReport>& reports);
 
 }  // namespace treeline

@@ -191,16 +191,7 @@ int run_suite(BenchCommand options) {
   }
   options.bench.places = options.places.value_or(kSuitePlaces);
   prepare_warm(options, diagnostics);
-  const auto reports = measure_suite(options, diagnostics);
-  const bool drawn =
-      reports && (options.svg.empty() ||
-                  write_output_file(options.svg, draw_suite_svg(*reports), diagnostics));
-  print_diagnostics(diagnostics, options.inputs.warnings);
-  if (!reports) return kBadInput;
-  std::string text;
-  for (const BenchReport& report : *reports) text += print_json_lines(report);
-  return write_output(options.json ? text : print_suite_table(*reports),
-                      options.json ? OutputForm::json : OutputForm::text, drawn ? kOk : kBadInput);
+  return deliver(measure_suite(options, diagnostics), options, diagnostics);
 }
 
 int run(BenchCommand options) {

@@ -57,11 +57,11 @@ TEST(PlanBuilds, HaveEveryVariantOnce) {
     for (const char* name :
          {"double, 8 lanes", "double, 4 lanes", "double, 1 lane", "float, 8 lanes",
           "float, 4 lanes", "float, 1 lane", "full inertias", "accuracy: best", "accuracy: fastest",
-          "sines given", "sines of the C library", "not contracted"}) {
+          "sines given", "sines of the C library", "not contracted", "C99"}) {
       EXPECT_EQ(found.count(name), 1U) << function_name(function) << ": " << name;
     }
   }
-  EXPECT_EQ(names.at(Function::inverse_dynamics).size(), 12U);
+  EXPECT_EQ(names.at(Function::inverse_dynamics).size(), 13U);
   EXPECT_EQ(
       names.at(Function::forward_dynamics).count("route: articulated bodies, Chang table 4.2"), 1U);
 }

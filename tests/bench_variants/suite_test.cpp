@@ -86,14 +86,14 @@ TEST(CompareToBest, TakesTheFastestPeer) {
 }
 
 TEST(PrintSuiteTable, SaysHowManyTimesAsLongAPeerTakesAndWhoHasNone) {
-  const std::string table = print_suite_table(two_robots());
+  const std::string table = print_table(two_robots());
   EXPECT_THAT(table, HasSubstr("6.5"));
   EXPECT_THAT(table, HasSubstr("none has it"));
   EXPECT_THAT(table, HasSubstr("gripper: no peers, the robot has joints that mimic others"));
 }
 
 TEST(DrawSuite, HasADotForEachRobotThatHasAPeer) {
-  const std::string svg = draw_suite_svg(two_robots());
+  const std::string svg = draw_svg(two_robots());
   EXPECT_THAT(svg, HasSubstr("arm, gravity: 6.5 times, quick"));
   EXPECT_EQ(svg.find("gripper, gravity"), std::string::npos);
 }
