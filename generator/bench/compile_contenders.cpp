@@ -40,28 +40,31 @@ bool load_elsewhere(const VariantBuild& build, int place, Loaded& loaded,
   return true;
 }
 
-TimedPass pass_of(const std::shared_ptr<const Loaded>& loaded, CompiledEntry entry, std::size_t i) {
+/// One pass over the states, of which a call takes `states`.
+TimedPass pass_of(const std::shared_ptr<const Loaded>& loaded, CompiledEntry entry, std::size_t i,
+                  int states) {
   const auto pass = [loaded, entry, i] {
     const CallArguments& arguments = loaded->arguments[i];
     for (std::size_t call = 0; call < arguments.calls(); ++call) {
       entry(arguments.in(call), arguments.out());
     }
   };
-  return {pass, loaded->arguments[i].calls()};
+  return {pass, loaded->arguments[i].calls() * static_cast<std::size_t>(states)};
 }
 
-Contender contender_of(const std::shared_ptr<const Loaded>& loaded, const Variant& variant,
-                       std::size_t i) {
+Contender contender_of(const std::shared_ptr<const Loaded>& loaded,
+                       const GeneratedFunction& function, const Variant& variant, std::size_t i) {
   Contender contender{variant, {}, {}};
   contender.call = [loaded, i](const State& state) {
     return loaded->build.library.call(i, with_double_sines(state)).entries;
   };
-  contender.passes.push_back(pass_of(loaded, loaded->build.library.raw_entry(i), i));
+  contender.passes.push_back(
+      pass_of(loaded, loaded->build.library.raw_entry(i), i, variant.states));
   for (const GeneratedLibrary& library : loaded->elsewhere) {
-    contender.passes.push_back(pass_of(loaded, library.raw_entry(i), i));
+    contender.passes.push_back(pass_of(loaded, library.raw_entry(i), i, variant.states));
   }
   const auto& compiled = loaded->build.compilation.functions;
-  const auto at = compiled.find(function_name(variant.function));
+  const auto at = compiled.find(source_stem(function));
   if (at != compiled.end()) contender.compiled = at->second;
   return contender;
 }
@@ -90,7 +93,7 @@ std::optional<std::vector<Contender>> compile_contenders(const VariantBuild& bui
   }
   std::vector<Contender> contenders;
   for (std::size_t i = 0; i < build.variants.size(); ++i) {
-    contenders.push_back(contender_of(loaded, build.variants[i], i));
+    contenders.push_back(contender_of(loaded, build.functions[i], build.variants[i], i));
   }
   return contenders;
 }

@@ -47,6 +47,7 @@ constexpr const char* kStar =
 constexpr std::array kStyles = {
     Style{VariantGroup::emitted, "as the scene asks", "#000000", kCircle, true},
     Style{VariantGroup::language, "C99", "#000000", kDiamond, false},
+    Style{VariantGroup::batch, "8 states a call", "#17a2b8", kUp, true},
     Style{VariantGroup::lanes, "other lanes", "#1f77b4", kCircle, false},
     Style{VariantGroup::real, "other Real", "#2ca02c", kUp, false},
     Style{VariantGroup::route, "other route", "#ff7f0e", kSquare, false},

@@ -20,10 +20,11 @@ namespace treeline {
 namespace {
 
 constexpr std::array kLanes = {8, 4, 1};
+constexpr int kStatesOfBatch = 8;
 
-constexpr std::array kGroups = {"emitted", "language", "lanes",       "real",
-                                "route",   "inertia",  "accuracy",    "contraction",
-                                "sines",   "solve",    "interpreter", "peer"};
+constexpr std::array kGroups = {"emitted", "language",    "batch",    "lanes",       "real",
+                                "route",   "inertia",     "accuracy", "contraction", "sines",
+                                "solve",   "interpreter", "peer"};
 
 /// Difference of a build from the scene's code.
 struct Difference {
@@ -33,6 +34,7 @@ struct Difference {
   bool library_sines = false;
   bool contracted = true;
   Language language = Language::cpp;
+  int batch = 0;  ///< states of a call; 0: a function of one state
 };
 
 class Planner {
@@ -59,6 +61,7 @@ class Planner {
     if (wants(VariantGroup::language)) {
       add(emitted_, {VariantGroup::language, "C99", scene_.real, false, true, Language::c});
     }
+    if (wants(VariantGroup::batch)) add_batch();
     if (wants(VariantGroup::lanes) || wants(VariantGroup::real)) add_lanes();
     if (wants(VariantGroup::route)) add_routes();
     if (wants(VariantGroup::inertia)) {
@@ -102,6 +105,18 @@ class Planner {
 
   void add_emitted() {
     add(emitted_, {VariantGroup::emitted, lanes_name(scene_.real, scene_.lanes), scene_.real});
+  }
+
+  void add_batch() {
+    Functions functions;
+    FunctionMechanisms mechanisms(robot_, scene_);
+    for (const Function function : scene_.functions) {
+      functions.push_back(
+          generate_function(mechanisms.of(function), function, route_options(scene_, true)));
+      functions.back().batch = kStatesOfBatch;
+    }
+    add(functions, {VariantGroup::batch, fmt::format("{} states a call", kStatesOfBatch),
+                    scene_.real, false, true, Language::cpp, kStatesOfBatch});
   }
 
   void add_lanes() {
@@ -162,17 +177,19 @@ class Planner {
     build.scene = scene_;
     build.scene.real = difference.real;
     build.scene.language = difference.language;
+    build.scene.batch = difference.batch;
     build.flags = flags_ + (difference.contracted ? "" : " -ffp-contract=off");
     std::vector<Program> programs;
     for (const GeneratedFunction& each : functions) programs.push_back(each.program);
     const EmissionContext context =
         describe_scene(robot_, build.scene, reduced_mechanism(robot_, scene_));
-    build.files = emit(context, programs, diagnostics_);
+    build.files = emit(context, programs, diagnostics_,
+                       difference.batch > 0 ? programs : std::vector<Program>{});
     if (difference.library_sines) take_library_sines(build.files);
     for (const GeneratedFunction& each : functions) {
       Variant variant = variant_of(each, difference);
       variant.flags = build.flags;
-      if (is_repeat(variant, build)) continue;
+      if (is_repeat(variant, source_stem(each), build)) continue;
       build.variants.push_back(std::move(variant));
       build.functions.push_back(each);
     }
@@ -193,7 +210,8 @@ class Planner {
     Variant variant{generated.function, difference.group, difference.name, difference.real};
     variant.method = describe(generated.chosen.route);
     variant.flops = generated.chosen.count.flops();
-    variant.whole = !spares_sines(generated.program);
+    variant.states = std::max(generated.batch, 1);
+    variant.whole = generated.batch == 0 && !spares_sines(generated.program);
     if (difference.group == VariantGroup::route) {
       variant.name += generated.chosen.route.algorithm_words;
     }
@@ -215,10 +233,9 @@ class Planner {
   }
 
   /// Whether an earlier variant has the same code and flags. If so, it is noted there.
-  bool is_repeat(const Variant& variant, const VariantBuild& build) {
-    const std::string name = function_name(variant.function);
+  bool is_repeat(const Variant& variant, const std::string& stem, const VariantBuild& build) {
     const bool is_c = build.scene.language == Language::c;
-    const std::string source = text_of(build, name + (is_c ? ".c" : ".cpp"));
+    const std::string source = text_of(build, stem + (is_c ? ".c" : ".cpp"));
     const bool sines = source.find("sin_cos.hpp") != std::string::npos;
     const Key key{variant.real, build.flags, source, sines ? text_of(build, "sin_cos.hpp") : ""};
     const auto [at, is_new] = first_.emplace(key, std::pair{builds_.size(), build.variants.size()});

@@ -11,11 +11,11 @@
 namespace treeline {
 
 /// Plans builds of all variants of generated code for a robot in a scene, each with one difference:
-/// first the code that the scene asks for, then that in C, other lanes and the other Real, each
-/// other route, full inertias, other accuracies, sines given or from the C library, no contraction.
-/// `flags` are those of the compiler; -ffp-contract=off is appended for builds without contraction.
-/// Of variants, those of `groups` are planned. A variant whose source equals that of an earlier one
-/// is left out and named in `Variant::repeats`.
+/// first the code that the scene asks for, then that in C and that of eight states a call, other
+/// lanes and the other Real, each other route, full inertias, other accuracies, sines given or from
+/// the C library, no contraction. `flags` are those of the compiler; -ffp-contract=off is appended
+/// for builds without contraction. Only variants of `groups` are planned; empty: all. A variant
+/// whose source equals that of an earlier one is left out and named in `Variant::repeats`.
 std::optional<std::vector<VariantBuild>> plan_builds(const Robot& robot, const Scene& scene,
                                                      const std::string& flags,
                                                      const std::vector<VariantGroup>& groups,

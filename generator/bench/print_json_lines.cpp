@@ -39,6 +39,7 @@ Json describe(const BenchReport& report, const BenchFunction& function, const Be
                {"method", variant.method},
                {"flags", variant.flags},
                {"flops", variant.flops},
+               {"states_a_call", variant.states},
                {"nanoseconds", row.timing.nanoseconds},
                {"ratio", row.timing.ratio},
                {"noise", row.timing.noise},

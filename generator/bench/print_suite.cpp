@@ -19,6 +19,7 @@ std::vector<std::string> cells_of(const SuiteResult& result) {
   const double time = emitted.timing.nanoseconds;
   std::vector<std::string> cells{result.scene, function_name(result.function), print_time(time)};
   cells.push_back(result.in_c != nullptr ? print_time(result.in_c->timing.nanoseconds) : "");
+  cells.push_back(result.batch != nullptr ? print_time(result.batch->timing.nanoseconds) : "");
   cells.push_back(fmt::format("{:.2f}", emitted.placement));
   if (result.best != nullptr) {
     const double best = result.best->timing.nanoseconds;
@@ -78,6 +79,7 @@ std::vector<SuiteResult> compare_to_best(const std::vector<BenchReport>& reports
         const VariantGroup group = row.variant.group;
         if (group == VariantGroup::emitted) result.emitted = &row;
         if (group == VariantGroup::language) result.in_c = &row;
+        if (group == VariantGroup::batch) result.batch = &row;
         const bool faster =
             result.best == nullptr || row.timing.nanoseconds < result.best->timing.nanoseconds;
         if (group == VariantGroup::peer && faster) result.best = &row;
@@ -107,6 +109,7 @@ std::string print_table(const std::vector<BenchReport>& reports) {
                         {"function"},
                         {"C++", true},
                         {"C", true},
+                        {"batch", true},
                         {"places", true},
                         {"best peer", true},
                         {"times", true},

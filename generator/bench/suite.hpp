@@ -26,8 +26,9 @@ struct SuiteResult {
   std::string scene;
   Function function{};
   const BenchRow* emitted = nullptr;
-  const BenchRow* in_c = nullptr;  ///< null: not measured
-  const BenchRow* best = nullptr;  ///< the fastest peer; null: there is none
+  const BenchRow* in_c = nullptr;   ///< null: not measured
+  const BenchRow* batch = nullptr;  ///< of eight states a call; null: not measured
+  const BenchRow* best = nullptr;   ///< the fastest peer; null: there is none
 };
 
 /// Pointers into `reports`, which must outlive them.

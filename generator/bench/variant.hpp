@@ -14,6 +14,7 @@ namespace treeline {
 enum class VariantGroup {
   emitted,      ///< none
   language,     ///< the same in C99
+  batch,        ///< several states a call
   lanes,        ///< number of lanes
   real,         ///< float instead of double, or the reverse, with any number of lanes
   route,        ///< algorithm
@@ -40,7 +41,10 @@ struct Variant {
   std::string method = {};  ///< generated code: full name of the route; peers: their own name
   std::string flags = {};   ///< generated code: compiler flags
   int flops = 0;            ///< of generated code
-  bool whole = true;        ///< false: its time leaves out work of the caller, taking sines
+  int states = 1;           ///< of a call; times are of one of them
+  /// Whether a caller with one state has its result in this time: not of a batch, nor where it
+  /// takes the sines itself.
+  bool whole = true;
   std::vector<std::string> repeats = {};  ///< variants with the same code, byte by byte
 };
 

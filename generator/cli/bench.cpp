@@ -26,7 +26,7 @@ namespace {
 
 constexpr const char* kHowToReadBench =
     "Each way to a function's numbers is timed, and compared with the interpreter in 50 digits:\n"
-    "  ns          of a call: median of interleaved rounds, warm, back to back over 64 states\n"
+    "  ns          of a state: median of interleaved rounds, warm, back to back over 64 states\n"
     "  ratio       of that to the code that the scene asks for, the first line\n"
     "  norm        largest error of any entry of a result over its largest entry\n"
     "  comp        largest error of any entry over that entry\n"
@@ -35,14 +35,16 @@ constexpr const char* kHowToReadBench =
     "              where rows are held, states of double keep them, and qdd alone is compared\n"
     "  *           nothing else is as fast and as accurate (worst, norm-wise); never where the "
     "caller\n"
-    "              has to take the sines\n"
+    "              has to take the sines, or to have eight states at once\n"
     "Below stands how the fastest of the rejected routes compares with the first line.\n"
-    "Variants differ from the first line in what they are called by, and in nothing else: lanes,\n"
-    "float, the algorithm (route), inertias as in the URDF (full), accuracy, where sines and\n"
-    "cosines come from, whether products and sums may be fused. Behind a semicolon stand variants\n"
-    "whose code is the same. Lambda by Eigen's factorisations starts from the emitted Lambda^-1 "
-    "in\n"
-    "double. The interpreter's time has its allocations in it.\n"
+    "Variants differ from the first line in what they are called by, and in nothing else: C, "
+    "eight\n"
+    "states a call (batch), lanes, float, the algorithm (route), inertias as in the URDF (full),\n"
+    "accuracy, where sines and cosines come from, whether products and sums may be fused. Behind "
+    "a\n"
+    "semicolon stand variants whose code is the same. Lambda by Eigen's factorisations starts "
+    "from\n"
+    "the emitted Lambda^-1 in double. The interpreter's time has its allocations in it.\n"
     "Peers are other libraries, in double: KDL, DART, Pinocchio, MuJoCo, dynibo, where their\n"
     "modules lie beside this program (built with -DTREELINE_PEERS=ON). Their time has what brings\n"
     "joints into their order in it, not what brings matrices back. A peer that computes something\n"
@@ -54,8 +56,8 @@ constexpr const char* kHowToReadBench =
     "              that cores share\n"
     "  from memory  the same, code and data are in no cache\n"
     "  flag        -Os where it is compiled so\n"
-    "With --suite, the emitted code as C++ and as C beside the fastest peer, of each robot of a "
-    "list:\n"
+    "With --suite, the emitted code as C++, as C and of eight states a call (batch) beside the\n"
+    "fastest peer, of each robot of a list:\n"
     "  places      time where the code lies worst in memory over that where it lies best\n"
     "  times       how many times as long as the C++ the best peer takes\n"
     "  error       largest norm-wise error of any state, and the best peer's\n"
@@ -187,7 +189,7 @@ std::optional<std::vector<BenchReport>> measure_suite(const BenchCommand& option
 int run_suite(BenchCommand options) {
   Diagnostics diagnostics;
   if (options.variants.empty()) {
-    options.bench.groups = {VariantGroup::language, VariantGroup::peer};
+    options.bench.groups = {VariantGroup::language, VariantGroup::batch, VariantGroup::peer};
   }
   options.bench.places = options.places.value_or(kSuitePlaces);
   prepare_warm(options, diagnostics);
