@@ -19,7 +19,7 @@ class ExpressionPrinter {
   /// where it has no name.
   [[nodiscard]] std::string reference(std::uint32_t node) const;
 
-  /// The same, in parentheses where it is a formula.
+  /// How an expression refers to the node as a factor: its `reference`, a formula in parentheses.
   [[nodiscard]] std::string atom(std::uint32_t node) const;
 
   /// The operation itself, with parentheses so that it is evaluated exactly as the graph has it.
