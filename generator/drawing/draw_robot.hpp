@@ -16,7 +16,7 @@ namespace treeline {
 struct Moment {
   std::vector<double> q;  ///< rad, m
   std::string caption;    ///< below the picture
-  /// Of points up to this moment, m, world; each may be empty.
+  /// Where each drawn point went up to this moment, m, world. A path may be empty.
   std::vector<std::vector<Eigen::Vector3d>> paths;
   Solids held;  ///< objects in its hands
 };

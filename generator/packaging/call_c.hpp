@@ -15,10 +15,11 @@ namespace treeline {
 
 // What packages share that let another language call the C in them.
 
-/// Says what of the code the caller's language does not call. Nothing for other packages.
+/// Notes which parts of the code the package's language does not call. Adds nothing where it calls
+/// all.
 void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics);
 
-/// The same as text: a sentence in a line for each.
+/// Says in sentences, a line each, which parts of the code the language `caller` does not call.
 std::string describe_not_called(const Scene& scene, std::string_view caller);
 
 /// The functions that the caller's language calls: those of one state, and `damped_control_torque`.

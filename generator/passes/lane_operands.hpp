@@ -16,7 +16,7 @@ struct LaneOperands {
 /// first one: the same value, a value of the same aligned group, or a value of the same operation.
 LaneOperands lane_operands(const Graph& graph, const LanePack& lanes);
 
-/// The same, written to `left` and `right`, which have as many lanes.
+/// Writes the operands of a pack to `left` and `right`, which have as many lanes.
 void lane_operands(const Graph& graph, std::span<const std::uint32_t> lanes,
                    std::span<std::uint32_t> left, std::span<std::uint32_t> right);
 

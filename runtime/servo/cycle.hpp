@@ -46,8 +46,8 @@ class Cycle {
     clock_.sleep_until(tick_);
   }
 
-  /// The same, but wakes `lead` nanoseconds before the tick for `prepare()`, if so much time is
-  /// left.
+  /// Records the end of the work, wakes `lead` nanoseconds before the next tick for `prepare()`, if
+  /// so much time is left, and waits for the tick.
   template <class Prepare>
   void end_cycle(std::int64_t lead, Prepare&& prepare) {
     finish();

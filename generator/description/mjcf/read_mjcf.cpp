@@ -83,7 +83,7 @@ class Model {
     }
   }
 
-  /// Those that only measure change no motion.
+  /// Warns of tendons that would move the robot. A tendon that only measures changes no motion.
   void warn_of_tendons() const {
     for (const MjcfElement& tendon : inside("tendon")) {
       for (const char* name : {"stiffness", "damping", "frictionloss", "armature", "range"}) {

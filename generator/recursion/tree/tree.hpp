@@ -212,8 +212,8 @@ void set_masses(const Mechanism& mechanism, Tree<Scalar>& tree) {
   tree.has_world_matter = mechanism.world.mass != 0 || !mechanism.world.h.isZero(0);
 }
 
-/// What of the tree is constant: without inertias that are arguments, with the gravity and the
-/// points of the scene. See `tree_of`.
+/// Returns the constant part of the tree: without inertias that are arguments, with the gravity and
+/// the points of the scene. See `tree_of`.
 template <class Scalar>
 Tree<Scalar> constant_tree(const Mechanism& mechanism) {
   Tree<Scalar> tree;
