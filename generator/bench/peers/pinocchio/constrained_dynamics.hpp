@@ -24,7 +24,7 @@ struct ConstraintSolver : Solver<double> {
                           pinocchio::LOCAL);
       held.emplace_back(models.back());
     }
-    pinocchio::initConstraintDynamics(model, data, models);
+    pinocchio::initConstraintDynamics(model, data, models, held);
   }
 
  private:
