@@ -16,10 +16,10 @@ using report::svg_disc;
 using report::svg_line;
 using report::svg_text_at;
 
-constexpr double kSuiteWidth = 760, kSuiteLeft = 190, kSuiteRight = 24, kSuiteTop = 84;
+constexpr double kSuiteWidth = 800, kSuiteLeft = 230, kSuiteRight = 24, kSuiteTop = 84;
 constexpr double kRowHeight = 34, kDot = 5;
 constexpr std::array kFactors = {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
-/// Okabe's and Ito's colours, of robots in the order of the suite.
+/// Okabe's and Ito's colours, of robots in the order of the suite; those beyond have squares.
 constexpr std::array kColours = {"#0072b2", "#e69f00", "#009e73", "#d55e00",
                                  "#cc79a7", "#56b4e9", "#000000", "#999999"};
 
@@ -30,8 +30,14 @@ double x_of(double factor) {
   return kSuiteLeft + std::clamp(share, 0.0, 1.0) * (kSuiteWidth - kSuiteLeft - kSuiteRight);
 }
 
-std::string colour_of(std::size_t robot) {
-  return kColours.at(robot % kColours.size());
+/// The mark of a robot, `title` where a pointer rests on it.
+std::string draw_mark(double x, double y, std::size_t robot, const std::string& title = {}) {
+  const std::string colour = kColours.at(robot % kColours.size());
+  if (robot < kColours.size()) return svg_disc(x, y, kDot, colour, title);
+  return fmt::format(
+      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" fill=\"{}\">"
+      "<title>{}</title></rect>\n",
+      x - kDot, y - kDot, 2 * kDot, 2 * kDot, colour, escape_xml(title));
 }
 
 std::string draw_grid(double bottom) {
@@ -53,8 +59,7 @@ std::string draw_legend(const std::vector<std::string>& robots) {
     const double x = 16 + 185 * static_cast<double>(i % 4);
     const std::size_t line = i / 4;
     const double y = 34 + 16 * static_cast<double>(line);
-    text +=
-        svg_disc(x, y - 4, kDot, colour_of(i)) + svg_text_at(x + 10, y, "", escape_xml(robots[i]));
+    text += draw_mark(x, y - 4, i) + svg_text_at(x + 10, y, "", escape_xml(robots[i]));
   }
   return text;
 }
@@ -79,9 +84,9 @@ std::string draw_svg(const std::vector<BenchReport>& reports) {
       const auto robot = std::find(robots.begin(), robots.end(), result.scene) - robots.begin();
       const double factor = result.best->timing.nanoseconds / result.emitted->timing.nanoseconds;
       body +=
-          svg_disc(x_of(factor), y, kDot, colour_of(static_cast<std::size_t>(robot)),
-                   fmt::format("{}, {}: {:.1f} times, {}", result.scene,
-                               function_name(result.function), factor, result.best->variant.name));
+          draw_mark(x_of(factor), y, static_cast<std::size_t>(robot),
+                    fmt::format("{}, {}: {:.1f} times, {}", result.scene,
+                                function_name(result.function), factor, result.best->variant.name));
     }
     y += kRowHeight;
   }
