@@ -1,13 +1,16 @@
 # One source for each of FUNCTIONS, what a build knows of its sources before it generates: it includes the
 # generated source, or is empty where there is none.
-# The compiler's options for the scene's processor go to the file target.flags, those of a single
-# source to a file such as gravity.flags.
+# Names of all generated files go to FOLDER.files, the compiler's options for the scene's processor to
+# the file target.flags, those of a single source to a file such as gravity.flags.
 # cmake -DFOLDER=generated-folder -DFUNCTIONS=list -DENDING=cpp|c -DCROSSCOMPILING=ON|OFF
 #   -DTARGET_FLAGS=ON|OFF|"" -DCOMPILER=GNU|Clang|... -P collect_sources.cmake
 file(GLOB sources ${FOLDER}/*.${ENDING})
 if(NOT sources)
   message(FATAL_ERROR "${FOLDER} has no .${ENDING}: say which LANGUAGE treeline_generate makes")
 endif()
+file(GLOB files RELATIVE ${FOLDER} ${FOLDER}/*)
+list(JOIN files "\n" files)
+file(CONFIGURE OUTPUT ${FOLDER}.files CONTENT "${files}\n" @ONLY)  # if it differs
 cmake_policy(SET CMP0057 NEW)  # IN_LIST
 foreach(source IN LISTS sources)
   get_filename_component(stem ${source} NAME_WE)

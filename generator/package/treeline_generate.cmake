@@ -165,13 +165,23 @@ function(treeline_generate target)
   set(stamp ${folder}.stamp)
   set(flags ${folder}.sources/target.flags)
   list(TRANSFORM stems REPLACE "(.+)" "${folder}.sources/\\1.flags" OUTPUT_VARIABLE own_flags)
+  # Files that are not known to be made here would look as they were before to what includes them, and
+  # Ninja would compile that one build too late. collect_sources.cmake lists them; where their names
+  # change, the next build configures again.
+  set(list ${folder}.files)
+  if(NOT EXISTS ${list})
+    file(WRITE ${list} "")
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+  file(STRINGS ${list} files)
+  list(TRANSFORM files PREPEND ${folder}/)
   set(dependencies)
   if(NOT arg_URDF)  # which URDFs the scene lists is known once it is read
     list(APPEND options --depfile ${stamp}.d)
     set(dependencies DEPFILE ${stamp}.d)
   endif()
   add_custom_command(OUTPUT ${stamp}
-    BYPRODUCTS ${sources} ${flags} ${own_flags}
+    BYPRODUCTS ${sources} ${flags} ${own_flags} ${files}
     COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}" -DENDING=${ending}
       "-DCROSSCOMPILING=${CMAKE_CROSSCOMPILING}" "-DTARGET_FLAGS=${TREELINE_TARGET_FLAGS}"
