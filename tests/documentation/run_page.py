@@ -47,15 +47,20 @@ def faults_of(page, blocks, prose, sources, used):
     return faults
 
 
-def run(blocks, sources, prefix, folder):
-    """Writes the files and runs the commands; returns the exit status."""
+def environment_in(folder, sources, prefix):
+    """Empties the folder; the environment of somebody whose home is in it and has an installed treeline."""
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(os.path.join(folder, "home"))
-    os.makedirs(os.path.join(folder, "work"))
     os.symlink(prefix, os.path.join(folder, "home", ".local"))
-    environment = dict(os.environ, HOME=os.path.join(folder, "home"), TREELINE=sources,
-                       PATH=os.path.join(prefix, "bin") + os.pathsep + os.environ["PATH"])
+    return dict(os.environ, HOME=os.path.join(folder, "home"), TREELINE=sources,
+                PATH=os.path.join(prefix, "bin") + os.pathsep + os.environ["PATH"])
+
+
+def run(blocks, sources, prefix, folder):
+    """Writes the files and runs the commands; returns the exit status."""
+    environment = environment_in(folder, sources, prefix)
     work = os.path.join(folder, "work")
+    os.makedirs(work)
     for kind, title, code in blocks:
         if title and not title.startswith("part of "):
             with open(os.path.join(work, title), "w", encoding="utf-8") as file:

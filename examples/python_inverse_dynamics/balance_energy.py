@@ -1,24 +1,20 @@
-"""Joint torques of a recorded motion, and the energy that they take away.
-
-A UR10e is let go with friction in its joints, 0.2 N m per rad/s, and recorded. Of the log alone, inverse dynamics finds
-the torques, these the friction, and their work the energy that was lost. Usage: balance_energy.py FOLDER-OF-ROBOTS
+"""Joint torques of a recorded motion, and the energy that they take away. Of the log alone, inverse dynamics finds the
+torques, these the friction, and their work the energy that was lost. Usage: balance_energy.py URDF LOG
 """
 
 import sys
-from pathlib import Path
 
 import numpy as np
 
 import treeline
 
-urdf = Path(sys.argv[1] if len(sys.argv) > 1 else "robots") / "ur10e" / "ur10e.urdf"
-log = treeline.simulate(urdf, seconds=2, q=[0, -1, 1, 0.3, 0.5, 0], damping=0.2, integrator="adaptive")
-t = np.array(log["time_s"])
+log = np.genfromtxt(sys.argv[2], delimiter=",", names=True)
+t = log["time_s"]
 q = np.stack([log[f"q{i}"] for i in range(6)], axis=1)
 qd = np.stack([log[f"qd{i}"] for i in range(6)], axis=1)
 qdd = np.gradient(qd, t, axis=0, edge_order=2)
 
-arm = treeline.load(urdf, functions=["inverse_dynamics", "kinetic_energy", "potential_energy"])
+arm = treeline.load(sys.argv[1], functions=["inverse_dynamics", "kinetic_energy", "potential_energy"])
 tau = arm.inverse_dynamics(q, qd, qdd, threads=4)  # all rows of the log in one call
 energy = (arm.kinetic_energy(q, qd) + arm.potential_energy(q))[:, 0]
 

@@ -1,15 +1,14 @@
 """Swings a UR10e to a goal in a second by iterative LQR: each iteration linearises the motion by the derivatives of
-forward dynamics, which one call computes for all steps. Usage: iterate_lqr.py FOLDER-OF-ROBOTS
+forward dynamics, which one call computes for all steps.
 """
 
-import sys
 from pathlib import Path
 
 import numpy as np
 
 import treeline
 
-urdf = Path(sys.argv[1] if len(sys.argv) > 1 else "robots") / "ur10e" / "ur10e.urdf"
+urdf = Path(__file__).parents[2] / "robots/ur10e/ur10e.urdf"
 arm = treeline.load(urdf, functions=["forward_dynamics", "forward_dynamics_derivatives", "gravity", "mass_matrix"])
 n, steps, dt = arm.nv, 50, 0.02
 goal = np.concatenate([np.array([0.3, -0.8, 0.6, 0.2, 0.4, 0.1]), np.zeros(n)])  # and at rest
