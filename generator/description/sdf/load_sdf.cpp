@@ -1,5 +1,7 @@
 #include "description/sdf/load_sdf.hpp"
 
+#include <console_bridge/console.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -63,6 +65,21 @@ bool is_passed_over(const sdf::Error& error) {
                      [&](std::string_view part) { return place.find(part) != std::string::npos; });
 }
 
+/// Keeps urdfdom quiet for as long as it lives. libsdformat lets it try what is no SDF, and tells
+/// itself what is wrong.
+class QuietUrdfdom {
+ public:
+  QuietUrdfdom() : level_(console_bridge::getLogLevel()) {
+    console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE);
+  }
+  ~QuietUrdfdom() { console_bridge::setLogLevel(level_); }
+  QuietUrdfdom(const QuietUrdfdom&) = delete;
+  QuietUrdfdom& operator=(const QuietUrdfdom&) = delete;
+
+ private:
+  console_bridge::LogLevel level_;
+};
+
 void report(const sdf::Errors& errors, const std::string& shown, Diagnostics& diagnostics) {
   for (const sdf::Error& error : errors) {
     if (error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID) continue;
@@ -82,6 +99,7 @@ void report(const sdf::Errors& errors, const std::string& shown, Diagnostics& di
 
 std::optional<sdf::Root> load_sdf(const SdfText& text, Diagnostics& diagnostics) {
   sdf::Console::Instance()->SetQuiet(true);
+  const QuietUrdfdom quiet;
   sdf::Root root;
   Diagnostics found;
   try {

@@ -243,7 +243,9 @@ class Faults : public Sdf, public testing::WithParamInterface<BadSdf> {};
 
 TEST_P(Faults, AreTold) {
   Diagnostics diagnostics;
+  testing::internal::CaptureStderr();
   const auto text = as_robot_text(GetParam().text, "m.sdf", diagnostics);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");  // of libraries that say it themselves
   EXPECT_EQ(text.has_value(), GetParam().severity != Severity::error);
   EXPECT_EQ(diagnostics.has_errors(), GetParam().severity == Severity::error);
   EXPECT_NE(told(diagnostics).find(GetParam().told), std::string::npos) << told(diagnostics);
@@ -256,6 +258,7 @@ INSTANTIATE_TEST_SUITE_P(
     Sdf, Faults,
     testing::Values(
         BadSdf{"Xml", "<sdf version='1.9'>\n<model name='m'></sdf>", "m.sdf:2", Severity::error},
+        BadSdf{"NoName", model("<link nae='a'/>"), "Required attribute[name]", Severity::error},
         BadSdf{"NoModel", "<sdf version='1.9'/>", "no model that moves", Severity::error},
         BadSdf{"Several",
                "<sdf version='1.9'><world name='w'><model name='m'>" + kTwo +
