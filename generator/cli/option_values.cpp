@@ -16,9 +16,7 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::Validator(
       [words](std::string& given) {
         if (std::find(words.begin(), words.end(), given) != words.end()) return std::string();
-        const std::string near = find_near_name(given, words);
-        return fmt::format("\"{}\" is not known here\n{}{}the choices are {}", given, near,
-                           near.empty() ? "" : " ", list_names(words));
+        return fmt::format("\"{}\" is not known here\n{}", given, suggest_choice(given, words));
       },
       fmt::format("{{{}}}", fmt::join(words, ",")));
 }

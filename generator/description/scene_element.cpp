@@ -164,10 +164,10 @@ std::optional<std::size_t> SceneElement::choice(const std::vector<std::string>& 
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (*given == choices[i]) return i;
   }
-  // No number is a slip for another.
-  const std::string near = read_number(*given) ? "" : find_near_name(*given, choices);
+  const bool is_number = read_number(*given).has_value();  // and no slip for another
   error(fmt::format("\"{}\" is not known here", *given),
-        fmt::format("{}{}the choices are {}", near, near.empty() ? "" : " ", list_names(choices)));
+        is_number ? fmt::format("the choices are {}", list_names(choices))
+                  : suggest_choice(*given, choices));
   return std::nullopt;
 }
 

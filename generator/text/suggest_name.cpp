@@ -61,6 +61,21 @@ std::vector<std::string> find_containing(const std::string& name,
   return containing.empty() ? contained : containing;
 }
 
+struct CalledElsewhere {
+  std::string_view word;    ///< what people write
+  std::string_view choice;  ///< one of the choices where that is meant
+  std::string_view meant;   ///< what to write
+};
+
+constexpr CalledElsewhere kCalledElsewhere[] = {{"cpp", "c++", "\"c++\""},
+                                                {"cxx", "c++", "\"c++\""},
+                                                {"c99", "c++", "\"c\""},
+                                                {"python", "c++", "`generate --package python`"},
+                                                {"rust", "c++", "`generate --package rust`"},
+                                                {"float32", "float", "\"float\""},
+                                                {"single", "float", "\"float\""},
+                                                {"float64", "double", "\"double\""}};
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view left, std::string_view right) {
@@ -111,6 +126,15 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
   if (known.empty()) return {};
   const std::string near = find_near_name(name, known);
   return near.empty() ? fmt::format("{} {}", otherwise, list_names(known)) : near;
+}
+
+std::string suggest_choice(std::string_view given, const std::vector<std::string>& choices) {
+  std::string near = find_near_name(given, choices);
+  for (const auto& [word, choice, meant] : kCalledElsewhere) {
+    const bool asked = std::find(choices.begin(), choices.end(), choice) != choices.end();
+    if (asked && lower_case(given) == word) near = fmt::format("did you mean {}?", meant);
+  }
+  return fmt::format("{}{}the choices are {}", near, near.empty() ? "" : " ", list_names(choices));
 }
 
 }  // namespace treeline

@@ -23,4 +23,8 @@ std::string list_names(const std::vector<std::string>& names);
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known,
                          std::string_view otherwise = "known are");
 
+/// What to do about a word that is none of the choices: the near one, or what is called so
+/// elsewhere, and all choices.
+std::string suggest_choice(std::string_view given, const std::vector<std::string>& choices);
+
 }  // namespace treeline

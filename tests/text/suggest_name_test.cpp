@@ -42,6 +42,17 @@ TEST(SuggestName, OffersWhatContainsOrIsContained) {
             "its links are link_a, link_b");
 }
 
+// Would catch: who asks for Python as a language and is not told of packages, and a hint where
+// nothing of the kind is a choice.
+TEST(SuggestName, KnowsWhatIsCalledElsewhere) {
+  EXPECT_EQ(suggest_choice("Python", {"c++", "c"}),
+            "did you mean `generate --package python`? the choices are c++, c");
+  EXPECT_EQ(suggest_choice("cpp", {"c++", "c"}), "did you mean \"c++\"? the choices are c++, c");
+  EXPECT_EQ(suggest_choice("flot", {"float", "double"}),
+            "did you mean \"float\"? the choices are float, double");
+  EXPECT_EQ(suggest_choice("python", {"plain", "misra"}), "the choices are plain, misra");
+}
+
 // Would catch: a robot with a thousand joints that fills the screen, and a list that does not
 // mention the other names.
 TEST(SuggestName, CutsLongLists) {
