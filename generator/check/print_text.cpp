@@ -90,7 +90,7 @@ std::string print_table(const CheckReport& report) {
          print_if_known(f.stack_bytes), fmt::format("{:.1f}", f.compile_seconds)});
   }
   if (report.step) rows.push_back(print_step_row(report, *report.step));
-  return align_columns({{"function"},
+  return align_columns({{"function", false, true},
                         {"median", true},
                         {"99 %", true},
                         {"worst", true},

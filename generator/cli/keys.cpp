@@ -29,9 +29,9 @@ bool is_asked(const KeysOptions& options, const SceneKeyText& key) {
 }
 
 std::string print_text(const SceneKeyText& key) {
-  std::string text = wrap_labelled(std::string(key.name) + ": ", key.type, kPageColumns) +
-                     wrap_labelled("  Without it: ", key.fallback, kPageColumns) +
-                     wrap_labelled("  ", key.meaning, kPageColumns);
+  std::string text = wrap_labelled(std::string(key.name) + ": ", key.type, page_columns()) +
+                     wrap_labelled("  Without it: ", key.fallback, page_columns()) +
+                     wrap_labelled("  ", key.meaning, page_columns());
   if (key.page != nullptr) text += fmt::format("  More: docs/{}\n", key.page);
   return text + fmt::format("\n{}\n\n", key.example);
 }

@@ -20,6 +20,7 @@
 #include "cli/convert.hpp"
 #include "cli/describe_usage_error.hpp"
 #include "cli/diff.hpp"
+#include "cli/doctor.hpp"
 #include "cli/draw.hpp"
 #include "cli/drive.hpp"
 #include "cli/exit_code.hpp"
@@ -34,6 +35,7 @@
 #include "emission/generator_version.hpp"
 #include "interruption/clean_up.hpp"
 #include "text/printable.hpp"
+#include "text/terminal_columns.hpp"
 
 namespace {
 
@@ -90,6 +92,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   treeline::add_draw(app, exit_code);
   treeline::add_drive(app, exit_code);
   treeline::add_interpret(app, exit_code);
+  treeline::add_doctor(app, exit_code);
 }
 
 int run(int argc, char** argv) {
@@ -125,6 +128,7 @@ int main(int argc, char** argv) {
   keep_freed_memory();
   reserve_standard_streams();
   treeline::clean_up_on_signals();
+  treeline::fit_to_terminal();
   try {
     return run(argc, argv);
   } catch (const std::system_error& error) {  // of the disk, the memory or the processes

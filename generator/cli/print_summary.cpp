@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "passes/count_operations.hpp"
+#include "text/align_columns.hpp"
 #include "text/json_text.hpp"
 
 namespace treeline {
@@ -71,20 +72,31 @@ Json describe_function(const GeneratedFunction& generated) {
 }  // namespace
 
 std::string print_text(const Summary& summary) {
-  std::string text = summary.tuning != nullptr ? print_text(*summary.tuning) : "";
-  text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7} {:>6}  {}\n", "function", "flops",
-                      "add", "mul", "div", "sin,cos", "cost", "method");
+  std::vector<std::vector<std::string>> rows;
   for (const GeneratedFunction& generated : summary.functions) {
     const OperationCount count = count_operations(generated.program);
-    text += fmt::format("{:<20} {:>6} {:>6} {:>6} {:>4} {:>7} {:>6.0f}  {}\n",
-                        generated.program.name, count.flops(), count.add, count.mul, count.div,
-                        count.sin_cos, generated.chosen.weighted, describe(generated.chosen.route));
+    rows.push_back({generated.program.name, fmt::format("{}", count.flops()),
+                    fmt::format("{}", count.add), fmt::format("{}", count.mul),
+                    fmt::format("{}", count.div), fmt::format("{}", count.sin_cos),
+                    fmt::format("{:.0f}", generated.chosen.weighted),
+                    describe(generated.chosen.route)});
     for (const Cost& cost : summary.verbose ? generated.rejected : std::vector<Cost>{}) {
-      text += fmt::format("{:<20} {:>6} {:>26} {:>6.0f}  ({})\n", "  rejected", cost.count.flops(),
-                          "", cost.weighted, describe(cost.route));
+      rows.push_back({"  rejected", fmt::format("{}", cost.count.flops()), "", "", "", "",
+                      fmt::format("{:.0f}", cost.weighted),
+                      fmt::format("({})", describe(cost.route))});
     }
   }
-  return text + print_files(summary);
+  return (summary.tuning != nullptr ? print_text(*summary.tuning) : "") +
+         align_columns({{"function", false, true},
+                        {"flops", true},
+                        {"add", true},
+                        {"mul", true},
+                        {"div", true},
+                        {"sin,cos", true},
+                        {"cost", true},
+                        {"method"}},
+                       rows) +
+         print_files(summary);
 }
 
 std::string print_json(const Summary& summary) {

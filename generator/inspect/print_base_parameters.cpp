@@ -22,7 +22,7 @@ std::string print_without_effect(const BaseParameters& found) {
   for (const std::size_t k : found.without_effect) {
     names += (names.empty() ? "" : ", ") + name_of(found.parameters[k]);
   }
-  return "\n" + wrap_labelled("without effect on any motion: ", names, kPageColumns) + "\n";
+  return "\n" + wrap_labelled("without effect on any motion: ", names, page_columns()) + "\n";
 }
 
 Json to_json(const BaseParameter& base, const BaseParameters& found, const Mechanism& mechanism) {
@@ -58,7 +58,7 @@ std::string print_base_parameters(const Robot& robot, const Scene& scene) {
              "{}: {} base parameters of {}, in the frames of the URDF's links (Gautier & Khalil "
              "1990)\n\n",
              robot.name, found->base.size(), found->parameters.size()) +
-         align_columns({{"value", true}, {"combination"}}, rows, kPageColumns) +
+         align_columns({{"value", true}, {"combination"}}, rows, page_columns()) +
          print_without_effect(*found);
 }
 

@@ -27,7 +27,7 @@ std::string print_unphysical(const Report& report) {
   }
   if (rows.empty()) return {};
   std::string text =
-      "\ninertias that are not physical\n" + align_columns({{"link"}, {""}}, rows, kPageColumns);
+      "\ninertias that are not physical\n" + align_columns({{"link"}, {""}}, rows, page_columns());
   if (felt) {
     text +=
         "  The nearest possible inertia of those that the motion feels keeps mass and centre of\n"
@@ -45,7 +45,7 @@ std::string print_flat(const Report& report) {
   }
   if (rows.empty()) return {};
   return "\nbodies without extent in some direction (possible, no fault)\n" +
-         align_columns({{"link"}, {"all mass is in"}}, rows, kPageColumns);
+         align_columns({{"link"}, {"all mass is in"}}, rows, page_columns());
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ std::string name_some(const std::vector<std::string>& names) {
 std::string section(const std::string& title, const std::vector<Column>& columns,
                     const Rows& rows) {
   if (rows.empty()) return {};
-  return fmt::format("\n{}\n{}", title, align_columns(columns, rows, kPageColumns));
+  return fmt::format("\n{}\n{}", title, align_columns(columns, rows, page_columns()));
 }
 
 std::string summarise_mass_matrix(const Report& report) {
@@ -199,7 +199,7 @@ std::string print_mass_matrix(const Report& report) {
   if (!report.mass_matrix) return "\nnothing moves\n";
   const MassMatrixReport& M = *report.mass_matrix;
   std::string text = "\nmass matrix, all coordinates at 0 (SI units)\n";
-  text += wrap_labelled("  diagonal     ", numbers(M.diagonal), kPageColumns);
+  text += wrap_labelled("  diagonal     ", numbers(M.diagonal), page_columns());
   text += fmt::format("  eigenvalues  {} to {}\n", number(M.least), number(M.largest));
   text += fmt::format("  condition    {}, scaled to a unit diagonal {}\n", number(M.condition),
                       number(M.scaled_condition));
@@ -214,7 +214,7 @@ std::string print_risks(const Report& report) {
     rows.push_back({risk.joint.empty() ? "all" : risk.joint, risk.kind,
                     fmt::format("{:.1f}", risk.digits_lost), risk.finding});
     const std::string line =
-        wrap_labelled(fmt::format("  {}: ", risk.kind), risk.advice, kPageColumns);
+        wrap_labelled(fmt::format("  {}: ", risk.kind), risk.advice, page_columns());
     if (advice.find(line) == std::string::npos) advice += line;
   }
   return section("risky joints: digits that may get lost, of 15.7",
@@ -226,10 +226,10 @@ std::string print_risks(const Report& report) {
 
 std::string print_summary(const Report& report) {
   const auto line = [](const char* label, const std::string& text) {
-    return wrap_labelled(fmt::format("  {:<8} ", label), text, kPageColumns);
+    return wrap_labelled(fmt::format("  {:<8} ", label), text, page_columns());
   };
   std::string text = wrap_labelled(
-      "", fmt::format("{} ({})", printable(report.robot), printable(report.urdf)), kPageColumns);
+      "", fmt::format("{} ({})", printable(report.robot), printable(report.urdf)), page_columns());
   if (!report.scene.empty()) text += line("scene", report.scene);
   text += line("base", fmt::format("{}, gravity {} m/s^2", report.base, numbers(report.gravity)));
   text +=

@@ -8,7 +8,8 @@ namespace treeline {
 namespace {
 
 constexpr std::size_t kGap = 2;
-constexpr std::size_t kNarrowest = 8;  ///< least width of a column
+constexpr std::size_t kNarrowest = 8;     ///< least width of a column
+constexpr std::size_t kComfortable = 30;  ///< which is enough for one in a table that is divided
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -37,6 +38,10 @@ std::size_t total_of(const std::vector<std::size_t>& widths) {
   return total;
 }
 
+bool may_break(const Column& column) {
+  return !column.right && !column.whole;
+}
+
 /// Narrows the columns with the widest cells until the lines fit or no column can be narrowed
 /// further.
 void narrow(const std::vector<Column>& columns, std::size_t most,
@@ -44,12 +49,40 @@ void narrow(const std::vector<Column>& columns, std::size_t most,
   while (total_of(widths) > most) {
     std::size_t widest = columns.size();
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (columns[c].right || widths[c] <= kNarrowest) continue;
+      if (!may_break(columns[c]) || widths[c] <= kNarrowest) continue;
       if (widest == columns.size() || widths[c] > widths[widest]) widest = c;
     }
     if (widest == columns.size()) return;
     --widths[widest];
   }
+}
+
+/// Divides columns that cannot stand side by side into groups, each with the first column.
+std::vector<std::vector<std::size_t>> divide(const std::vector<Column>& columns,
+                                             const std::vector<std::size_t>& widths,
+                                             std::size_t most) {
+  const auto needed = [&](std::size_t c) {
+    return kGap + (may_break(columns[c]) ? std::min(widths[c], kComfortable) : widths[c]);
+  };
+  std::vector<std::vector<std::size_t>> groups;
+  std::size_t used = most;
+  for (std::size_t c = 1; c < widths.size(); ++c) {
+    if (widths[c] == 0) continue;
+    if (used + needed(c) > most) {
+      groups.push_back({0});
+      used = needed(0);
+    }
+    groups.back().push_back(c);
+    used += needed(c);
+  }
+  return groups;
+}
+
+template <class Item>
+std::vector<Item> choose(const std::vector<Item>& row, const std::vector<std::size_t>& group) {
+  std::vector<Item> chosen;
+  for (const std::size_t c : group) chosen.push_back(row[c]);
+  return chosen;
 }
 
 /// Prints one row, in as many lines as its tallest cell needs.
@@ -75,11 +108,28 @@ std::string print_row(const std::vector<Column>& columns, const std::vector<std:
   return text;
 }
 
+std::string print_groups(const std::vector<Column>& columns, const Rows& rows,
+                         const std::vector<std::vector<std::size_t>>& groups, std::size_t most) {
+  std::string text;
+  for (const auto& group : groups) {
+    Rows chosen;
+    for (const auto& row : rows) chosen.push_back(choose(row, group));
+    text += (text.empty() ? "" : "\n") + align_columns(choose(columns, group), chosen, most);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string align_columns(const std::vector<Column>& columns, const Rows& rows, std::size_t most) {
   std::vector<std::size_t> widths = find_widths(columns, rows);
-  if (most > 0) narrow(columns, most, widths);
+  if (most > 0) {
+    const auto groups = divide(columns, widths, most);
+    narrow(columns, most, widths);
+    if (total_of(widths) > most && groups.size() > 1) {
+      return print_groups(columns, rows, groups, most);
+    }
+  }
   std::vector<std::string> heads;
   for (const Column& column : columns) heads.push_back(column.head);
   std::string text = print_row(columns, widths, heads);

@@ -292,6 +292,27 @@ TEST_F(MessagesTest, ColoursOnATerminalOnly) {
   EXPECT_EQ(run(arguments).err.find(escape), std::string::npos);
 }
 
+// Would catch: tables that a terminal breaks in the midst of words, and a table for a program that
+// is folded.
+TEST_F(MessagesTest, TablesFitTheTerminal) {
+  const auto widest = [this](const std::string& text) {
+    std::size_t most = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with(root_.string())) most = std::max(most, line.size());
+    }
+    return most;
+  };
+  const std::string folder = "'" + root_.string() + "'";
+  const std::string arguments = "generate " + folder +
+                                "/arm.urdf --functions forward_dynamics -o " + folder +
+                                "/out --warnings none";
+  EXPECT_GT(widest(run(arguments).out), 110U);
+  const std::string shown = test::run_on_terminal("", arguments, 70);
+  EXPECT_LE(widest(shown), 71U) << shown;  // a carriage return ends lines
+  expect_parts(shown, {"forward_dynamics", "method"});
+}
+
 // Would catch: deleted files that are counted as written.
 TEST_F(MessagesTest, CountsTheFilesThatAreThere) {
   const auto count = [&] {

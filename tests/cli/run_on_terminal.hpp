@@ -11,12 +11,14 @@
 namespace treeline::test {
 
 /// Returns what the program shows on a terminal, standard output and error together. `environment`
-/// precedes the command, as in `NO_COLOR=1`.
-inline std::string run_on_terminal(const std::string& environment, const std::string& arguments) {
+/// precedes the command, as in `NO_COLOR=1`; the terminal has so many columns.
+inline std::string run_on_terminal(const std::string& environment, const std::string& arguments,
+                                   unsigned short columns = 80) {
   const std::string command =
       "env TERM=xterm " + environment + " '" TREELINE_PROGRAM "' " + arguments;
   int terminal = -1;
-  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  const winsize window{24, columns, 0, 0};
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, &window);
   if (child == 0) {
     execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
     _exit(127);

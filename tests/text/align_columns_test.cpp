@@ -23,5 +23,16 @@ TEST(AlignColumns, BreaksWhatIsTooWide) {
             "                     that\n");
 }
 
+// Would catch: numbers beyond the edge of the terminal, where no column can be made narrower.
+TEST(AlignColumns, DividesWhatCannotStandSideBySide) {
+  EXPECT_EQ(align_columns({{"name"}, {"kg", true}, {"m", true}, {"s", true}},
+                          {{"arm", "1234567", "1234567", "7654321"}}, 24),
+            "  name       kg        m\n"
+            "  arm   1234567  1234567\n"
+            "\n"
+            "  name        s\n"
+            "  arm   7654321\n");
+}
+
 }  // namespace
 }  // namespace treeline
