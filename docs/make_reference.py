@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 DOCS = os.path.dirname(os.path.abspath(__file__))
 SOURCES = os.path.dirname(DOCS)
@@ -27,6 +28,10 @@ GROUPS = {
     "links": "Links",
     "objects": "Objects in the hands",
 }
+
+# What most functions take, which the page says once.
+ARGUMENTS = ("q: joint coordinates, rad", "qd: joint velocities, rad/s", "qdd: joint accelerations, rad/s^2",
+             "qdd: joint accelerations", "tau: joint forces, N m", "tau: joint forces")
 
 POINT = "operational_points: [{name: tool, link: tool}]\n"
 # What a PUMA 560 needs in its scene so that functions of a group exist.
@@ -44,9 +49,10 @@ def call(*arguments):
     return subprocess.run(arguments, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
-def cell(text):
-    """Text as a cell of a table."""
-    return text.replace("|", "\\|").replace("\n", " ")
+def list_links(names):
+    """Names of sections of the same page, as a paragraph."""
+    return textwrap.fill(", ".join(f"[`{name}`](#{name})" for name in names), 120, break_long_words=False,
+                         break_on_hyphens=False) + "\n"
 
 
 def keys_page(treeline):
@@ -58,12 +64,9 @@ A scene is a YAML file. Every key is optional. An unknown key is an error that n
 such as `!degrees` are errors, for nothing here reads them. `treeline keys` prints what follows; links and joints in the
 examples are those of a PUMA 560.
 
-| key | value | without it |
-|---|---|---|
 """
     )
-    for key in keys:
-        page += f"| [`{key['name']}`](#{key['name']}) | {cell(key['type'])} | {cell(key['default'])} |\n"
+    page += list_links([key["name"] for key in keys])
     for key in keys:
         page += f"\n## {key['name']}\n\n{key['meaning']}"
         if key["page"]:
@@ -105,10 +108,11 @@ def function_text(name, emitted, comment, declaration):
     equation, _, rest = facts[0].partition(": that of ")
     rest = f" That of {rest}" if rest else ""
     text = f"\n### {name}\n\n`{equation}`{request}{rest}\n"
-    text += "\n" if any(re.match("in|out", line) for line in lines) else ""
-    for line in lines:
-        if match := re.match(r"(in|out) (\S+) \(([^)]*)\): (.*)", line):
-            text += f"- {match[1]} `{match[2]}` ({match[3]}): {match[4]}\n"
+    arguments = [match for line in lines if (match := re.match(r"(in|out) (\S+) \(([^)]*)\): (.*)", line))
+                 and match[2] + ": " + match[4] not in ARGUMENTS]
+    text += "\n" if arguments else ""
+    for match in arguments:
+        text += f"- {match[1]} `{match[2]}` ({match[3]}): {match[4]}\n"
     return text + f"\n```cpp\n{declaration};\n```\n" + (f"\n{way[0]}\n" if way else "")
 
 
@@ -135,21 +139,35 @@ lists them. With the keys [`inputs`](inputs.md), [`external_forces`](scene.md#ex
 Two functions have headers of their own: `limited_control_torque` with [limits](../explanation/limits.md), and
 `NAME_step` with a [controller](controller.md).
 
-| function | equation |
-|---|---|
+`q` are joint coordinates, rad or m; `qd`, `qdd` and `tau` joint velocities, accelerations and forces. They are listed
+below where they are something else. `Real` is `double` or `float`.
 """
     )
     text = ""
     for group, title in GROUPS.items():
+        page += f"\n{title}:\n" + list_links([name for name, of, _ in rows if of == group])
         text += f"\n## {title}\n"
         for name, of, emitted in rows:
             if of != group:
                 continue
-            part = function_text(name, emitted, *found[name])
-            equation = re.search(r"`(.*)`", part)[0]
-            page += f"| [`{name}`](#{name}) | {cell(equation)} |\n"
-            text += part
+            text += function_text(name, emitted, *found[name])
     return page + text
+
+
+def entries_of(help_text):
+    """Arguments and options of a command's help, each with the lines that go on with it."""
+    return re.findall(r"^  (?:-|[a-z]+ TEXT).*\n(?: {20,}.*\n)*", help_text, re.M)
+
+
+def without_shared(help_text, shared):
+    """The help with those names alone of what several commands have."""
+    names = []
+    for entry in entries_of(help_text):
+        if entry in shared:
+            help_text = help_text.replace(entry, "", 1)
+            names.append(entry.split()[0].split(",")[-1].split("=")[0])
+    names = ", ".join(name for name in names if name.startswith("-"))
+    return re.sub(r"^Positionals:\n\n", "", help_text.replace("Options:\n", f"Options, with {names}:\n"), flags=re.M)
 
 
 def commands_page(treeline):
@@ -158,9 +176,9 @@ def commands_page(treeline):
     page = HEAD + (
         """# Commands
 
-`treeline help COMMAND` prints what stands here. `-` as a file name is standard input, or standard output for what
-`init-scene`, `convert`, `draw` and `simulate --csv` write. No command writes over a robot, scene or motion that it was
-given. SI units and radians.
+`treeline help COMMAND` prints what stands here, with what [several commands](#of-several-commands) have. `-` as a file
+name is standard input, or standard output for what `init-scene`, `convert`, `draw` and `simulate --csv` write. No
+command writes over a robot, scene or motion that it was given. SI units and radians.
 
 | command | does |
 |---|---|
@@ -172,8 +190,12 @@ given. SI units and radians.
     (codes,) = re.findall(r"^Exit: (.*)\.$", help_text, re.M)
     for code in codes.split(", "):
         page += "| {} | {} |\n".format(*code.split(" ", 1))
-    for name, _ in commands:
-        page += f"\n## {name}\n\n```text\n{call(treeline, 'help', name).strip()}\n```\n"
+    helps = {name: call(treeline, "help", name) for name, _ in commands}
+    every = [entry for text in helps.values() for entry in entries_of(text)]
+    shared = [entry for entry in dict.fromkeys(every) if every.count(entry) > 3]
+    page += f"\n## Of several commands\n\n```text\n{''.join(shared)}```\n"
+    for name, text in helps.items():
+        page += f"\n## {name}\n\n```text\n{without_shared(text, shared).strip()}\n```\n"
     return page
 
 
