@@ -29,6 +29,13 @@ SOUGHT = {
     "JointState": "docs/how-to/ros/",
     "STM32": "docs/how-to/microcontroller/",
     "exit status": "docs/reference/commands/",
+    "doctor": "docs/start/install/",
+    "uninstall": "docs/start/install/",
+    "watchdog": "docs/explanation/glossary/",
+    "trajectory": "docs/explanation/glossary/",
+    "MPC": "docs/explanation/glossary/",
+    "Windows": "docs/start/install/",
+    "gravity compensation": "examples/arm_gravity_compensation/",
 }
 
 
