@@ -192,7 +192,7 @@ command writes over a robot, scene or motion that it was given. SI units and rad
         page += "| {} | {} |\n".format(*code.split(" ", 1))
     helps = {name: call(treeline, "help", name) for name, _ in commands}
     every = [entry for text in helps.values() for entry in entries_of(text)]
-    shared = [entry for entry in dict.fromkeys(every) if every.count(entry) > 3]
+    shared = [entry for entry in dict.fromkeys(every) if every.count(entry) > 1]
     page += f"\n## Of several commands\n\n```text\n{''.join(shared)}```\n"
     for name, text in helps.items():
         page += f"\n## {name}\n\n```text\n{without_shared(text, shared).strip()}\n```\n"
