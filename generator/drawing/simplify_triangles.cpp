@@ -111,9 +111,10 @@ class Surface {
     }
   }
 
-  /// Twice the area of a face, along its normal, with one corner at another place.
-  [[nodiscard]] Eigen::Vector3d area_of(const Corners& c, int moved,
-                                        const Eigen::Vector3d& place) const {
+  /// Twice the area of a face, along its normal; with a corner that is `moved` to another place.
+  [[nodiscard]] Eigen::Vector3d area_of(
+      const Corners& c, int moved = -1,
+      const Eigen::Vector3d& place = Eigen::Vector3d::Zero()) const {
     const auto at = [&](int corner) { return corner == moved ? place : positions_[index(corner)]; };
     return (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0]));
   }
@@ -124,7 +125,7 @@ class Surface {
     std::vector<std::array<int, 3>> sides;  // both ends in order, and the face
     for (std::size_t t = 0; t < corners_.size(); ++t) {
       const Corners& c = corners_[t];
-      const Eigen::Vector3d area = area_of(c, -1, {});
+      const Eigen::Vector3d area = area_of(c);
       if (is_flat(c)) continue;
       for (std::size_t i = 0; i < 3; ++i) {
         quadrics_[index(c[i])] +=
@@ -148,7 +149,7 @@ class Surface {
   void hold_border(const std::array<int, 3>& side) {
     const Eigen::Vector3d& low = positions_[index(side[0])];
     const Eigen::Vector3d along = positions_[index(side[1])] - low;
-    const Eigen::Vector3d across = area_of(corners_[index(side[2])], -1, {}).cross(along);
+    const Eigen::Vector3d across = area_of(corners_[index(side[2])]).cross(along);
     for (const int end : {side[0], side[1]}) {
       quadrics_[index(end)] += plane_quadric(across.stableNormalized(), low, along.squaredNorm());
     }
@@ -187,7 +188,7 @@ class Surface {
         if (is_flat(c)) continue;
         const bool vanishes = std::ranges::count(c, next.from) + std::ranges::count(c, next.to) > 1;
         if (vanishes) continue;
-        const Eigen::Vector3d before = area_of(c, -1, {});
+        const Eigen::Vector3d before = area_of(c);
         const Eigen::Vector3d after = area_of(c, vertex, place);
         if (before.dot(after) < 0.2 * before.norm() * after.norm()) return true;
       }

@@ -122,10 +122,10 @@ class ColladaReading {
 
   /// A scene or a node, with all that it carries.
   void visit(const XMLElement& node, Eigen::Affine3d pose, int depth) {
-    constexpr int kDeepest = 32;
+    constexpr int kDeepestNode = 32;
     constexpr int kMostNodes = 100'000;
     constexpr std::size_t kMostTriangles = 5'000'000;
-    if (depth > kDeepest || ++nodes_ > kMostNodes || triangles_.size() > kMostTriangles) {
+    if (depth > kDeepestNode || ++nodes_ > kMostNodes || triangles_.size() > kMostTriangles) {
       fail(node, "nodes stand for one another without end");
     }
     for (auto* part = node.FirstChildElement(); part; part = part->NextSiblingElement()) {

@@ -34,9 +34,9 @@ std::string read_binary(std::string_view bytes, std::size_t count,
 
 /// The next word at `at`, which moves behind it; empty at the end.
 std::string_view next_word(std::string_view text, std::size_t& at) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = std::min(text.find_first_not_of(kSpace, at), text.size());
-  at = std::min(text.find_first_of(kSpace, begin), text.size());
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t begin = std::min(text.find_first_not_of(kBlanks, at), text.size());
+  at = std::min(text.find_first_of(kBlanks, begin), text.size());
   return text.substr(begin, at - begin);
 }
 
