@@ -79,10 +79,10 @@ const std::vector<Layer> kLayers = {
      {"text", "drive", "description", "mechanism", "emission", "generation", "oracle",
       "compilation"}},
     {"cli",
-     {"text",       "functions",    "target",    "interpreter", "servo",     "drive",      "launch",
-      "simulation", "interruption", "board",     "description", "mechanism", "program",    "passes",
-      "emission",   "generation",   "oracle",    "inspect",     "drawing",   "comparison", "check",
-      "timing",     "bench",        "packaging", "certify",     "safety",    "report"}},
+     {"text",       "functions",    "target", "interpreter", "servo",     "drive",   "launch",
+      "simulation", "interruption", "board",  "description", "mechanism", "program", "passes",
+      "emission",   "generation",   "oracle", "compilation", "inspect",   "drawing", "comparison",
+      "check",      "timing",       "bench",  "packaging",   "certify",   "safety",  "report"}},
 };
 
 /// Folders of `recursion` from the bottom up: headers include their own folder and those before it.
