@@ -52,10 +52,15 @@ constexpr const char* kExamples =
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
 
 const std::vector<std::pair<std::string, PackageKind>> kPackages = {
-    {"cmake", PackageKind::cmake},   {"platformio", PackageKind::platformio},
-    {"zephyr", PackageKind::zephyr}, {"arduino", PackageKind::arduino},
-    {"cmsis", PackageKind::cmsis},   {"python", PackageKind::python},
-    {"rust", PackageKind::rust},     {"fmu", PackageKind::fmu}};
+    {"cmake", PackageKind::cmake},
+    {"platformio", PackageKind::platformio},
+    {"zephyr", PackageKind::zephyr},
+    {"arduino", PackageKind::arduino},
+    {"cmsis", PackageKind::cmsis},
+    {"python", PackageKind::python},
+    {"rust", PackageKind::rust},
+    {"fmu", PackageKind::fmu},
+    {"ros2_control", PackageKind::ros2_control}};
 
 struct GenerateOptions {
   InputOptions inputs;
@@ -302,8 +307,8 @@ void add_generate(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--package", options->inputs.package,
-          "As a library for cmake, platformio, zephyr, arduino, cmsis, python, rust or fmu: the "
-          "code in src")
+          "As a library for cmake, platformio, zephyr, arduino, cmsis, python, rust, fmu or "
+          "ros2_control: the code in src")
       ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,

@@ -18,6 +18,7 @@
 #include "oracle/leave_out_singular.hpp"
 #include "packaging/adapt_to_c.hpp"
 #include "packaging/for_fmu.hpp"
+#include "packaging/for_ros2_control.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {
@@ -64,7 +65,8 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
     }
   }
   const bool calls_one =
-      is_compiled_from_c(options.package) || options.package == PackageKind::arduino;
+      options.package != PackageKind::ros2_control &&
+      (is_compiled_from_c(options.package) || options.package == PackageKind::arduino);
   if (calls_one && scene.functions.empty()) {
     reject("functions", "such a package calls functions, and the scene has none",
            "List those that it should have, for instance `inverse_dynamics`.", diagnostics);
@@ -123,6 +125,9 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
   if (options.package == PackageKind::fmu) refuse_for_fmu(*scene, diagnostics);
+  if (options.package == PackageKind::ros2_control) {
+    refuse_for_ros2_control(read->robot, *scene, diagnostics);
+  }
   note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return RobotAndScene{std::move(read->robot), std::move(*scene), std::move(read->files)};

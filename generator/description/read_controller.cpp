@@ -167,7 +167,8 @@ void check_frequencies(const SceneElement& element, const SceneController& contr
   }
 }
 
-/// The joint without a motor or number of its own; empty where all have both.
+}  // namespace
+
 std::string find_unfit_joint(const Robot& robot, const Scene& scene) {
   for (const Joint& joint : robot.joints) {
     const JointTypeInfo& type = info_of(joint.type);
@@ -180,8 +181,6 @@ std::string find_unfit_joint(const Robot& robot, const Scene& scene) {
   if (!scene.passive.empty()) return fmt::format("joint \"{}\" is passive", scene.passive.front());
   return {};
 }
-
-}  // namespace
 
 void read_controller(const SceneElement& element, const Robot& robot, Scene& scene) {
   std::vector<std::string> keys = {"laws", "saturation", "stale_ticks", "blind_ticks", "limits"};

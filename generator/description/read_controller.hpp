@@ -14,6 +14,10 @@ namespace treeline {
 /// follow, limits of a joint that is unknown or has no coordinate of its own.
 void read_controller(const SceneElement& element, const Robot& robot, Scene& scene);
 
+/// What keeps a joint from being driven as one number by a motor: "joint "wrist" is passive"; empty
+/// where all joints can be.
+std::string find_unfit_joint(const Robot& robot, const Scene& scene);
+
 /// Functions that the scene's controller contains beside those that the scene asks for; none
 /// without a controller.
 std::vector<Function> list_controller_functions(const Scene& scene);

@@ -21,7 +21,8 @@ struct PackageOfC {
 constexpr PackageOfC kPackagesOfC[] = {
     {PackageKind::python, "a package for Python", "python", "Python"},
     {PackageKind::rust, "a package for Rust", "rust", "Rust"},
-    {PackageKind::fmu, "an FMU", "fmu", ""}};
+    {PackageKind::fmu, "an FMU", "fmu", ""},
+    {PackageKind::ros2_control, "a package for ros2_control", "ros2_control", ""}};
 
 const PackageOfC* find_package_of_c(PackageKind kind) {
   const auto* const at =

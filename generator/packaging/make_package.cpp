@@ -5,6 +5,7 @@
 #include "packaging/describe_package.hpp"
 #include "packaging/for_fmu.hpp"
 #include "packaging/for_python.hpp"
+#include "packaging/for_ros2_control.hpp"
 #include "packaging/for_rust.hpp"
 #include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
@@ -68,6 +69,8 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
       return for_fmu(facts, robot, scene, generation);
     case PackageKind::rust:
       return for_rust(facts, robot, scene, generation);
+    case PackageKind::ros2_control:
+      return for_ros2_control(facts, robot, scene, generation);
   }
   return {};
 }

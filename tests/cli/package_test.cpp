@@ -327,6 +327,36 @@ TEST_F(PackageTest, FmuRefusesWhatItCannotMove) {
   EXPECT_NE(made("language: c++").err.find("an FMU is compiled from C"), std::string::npos);
 }
 
+// Would catch: a plugin of ros2_control that drives otherwise than its scene says, and one that is
+// named by what ROS does not take. What CMake makes of it: tests/packaging/ros2_control.
+TEST_F(PackageTest, Ros2ControlRefusesWhatItCannotDrive) {
+  const auto made = [&](const std::string& scene) {
+    write("scene.yaml", "name: Arm\n" + scene);
+    return test::run_program(
+        root_, "generate " + kArm + " scene.yaml --output plugin --package ros2_control");
+  };
+  const std::string law = "controller: {laws: joint_impedance}\n";
+  EXPECT_EQ(made(law + "functions: []").exit_code, 0);
+  EXPECT_NE(read("plugin/package.xml").find("<name>arm_controller</name>"), std::string::npos);
+  EXPECT_EQ(read("plugin/law.hpp").find("pose"), std::string::npos);
+  EXPECT_NE(read("plugin/law.hpp").find("#include \"Arm_controller.h\""), std::string::npos);
+  EXPECT_EQ(made("functions: [gravity]").exit_code, 0);
+  const std::vector<std::pair<std::string, std::string>> refused = {
+      {"functions: [mass_matrix]", "error: functions: without a controller the law is gravity"},
+      {"functions: [gravity]\nsin_cos: given", "error: sin_cos: the law computes"},
+      {"functions: [gravity]\ninputs: [gravity]", "error: inputs: ros2_control has no"},
+      {"functions: [gravity]\nbase: floating", "error: base: no motor moves a floating base"},
+      {law + "external_forces: [{name: push, link: link6}]",
+       "error: external_forces: ros2_control"},
+      {"operational_points: [{name: tool, link: link6}]\ncontroller: {laws: force}",
+       "error: controller.laws: a package for ros2_control reads no sensor"}};
+  for (const auto& [scene, says] : refused) {
+    const auto outcome = made(scene);
+    EXPECT_EQ(outcome.exit_code, 1) << scene;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << scene << "\n" << outcome.err;
+  }
+}
+
 TEST_F(PackageTest, CompareKnowsThePackage) {
   EXPECT_EQ(generate("--package cmsis --compare").exit_code, 3);
   ASSERT_EQ(generate("--package cmsis").exit_code, 0);
