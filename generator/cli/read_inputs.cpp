@@ -124,7 +124,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   const bool listed = !options.functions.empty() || states_key(read->files.scene_text, "functions");
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
-  if (options.package == PackageKind::fmu) refuse_for_fmu(*scene, diagnostics);
+  if (is_fmu(options.package)) refuse_for_fmu(*scene, diagnostics);
   if (options.package == PackageKind::ros2_control) {
     refuse_for_ros2_control(read->robot, *scene, diagnostics);
   }

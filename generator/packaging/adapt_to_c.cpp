@@ -22,6 +22,7 @@ constexpr PackageOfC kPackagesOfC[] = {
     {PackageKind::python, "a package for Python", "python", "Python"},
     {PackageKind::rust, "a package for Rust", "rust", "Rust"},
     {PackageKind::fmu, "an FMU", "fmu", ""},
+    {PackageKind::fmu3, "an FMU", "fmu3", ""},
     {PackageKind::ros2_control, "a package for ros2_control", "ros2_control", ""}};
 
 const PackageOfC* find_package_of_c(PackageKind kind) {
@@ -32,6 +33,10 @@ const PackageOfC* find_package_of_c(PackageKind kind) {
 }
 
 }  // namespace
+
+bool is_fmu(PackageKind kind) {
+  return kind == PackageKind::fmu || kind == PackageKind::fmu3;
+}
 
 bool is_compiled_from_c(PackageKind kind) {
   return find_package_of_c(kind) != nullptr;
@@ -58,11 +63,11 @@ void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnos
                      describe(kind) + " is compiled from C, whatever the scene says", ""});
   }
   scene.language = Language::c;
-  if (!scene.controller || kind != PackageKind::fmu) return;
+  if (!scene.controller || !is_fmu(kind)) return;
   scene.controller.reset();
   diagnostics.add({Severity::warning, scene.file, 0, "controller",
                    "it is left out: an FMU has functions of the robot alone",
-                   "Generate it in C, without --package fmu."});
+                   "Generate it in C, without --package " + option_of(kind) + "."});
 }
 
 }  // namespace treeline

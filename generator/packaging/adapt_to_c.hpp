@@ -9,6 +9,9 @@
 
 namespace treeline {
 
+/// Whether it is a Functional Mock-up Unit, of any version.
+bool is_fmu(PackageKind kind);
+
 /// Whether such a package is compiled from C, whatever the scene says.
 bool is_compiled_from_c(PackageKind kind);
 

@@ -154,30 +154,71 @@ std::vector<Variable> list_variables(const EmissionContext& context, const Progr
   return variables;
 }
 
-std::string print_variable(std::size_t reference, const Variable& variable) {
-  std::string real = fmt::format("<Real unit=\"{}\"", variable.unit);
-  if (!variable.start.empty()) real += fmt::format(" start=\"{}\"", variable.start);
-  if (variable.derivative_of > 0) real += fmt::format(" derivative=\"{}\"", variable.derivative_of);
-  return fmt::format(
-      "<ScalarVariable name=\"{}\" valueReference=\"{}\" description=\"{}\" {}>{}/>"
-      "</ScalarVariable>\n",
-      variable.name, reference, variable.meaning, variable.attributes, real);
+/// What differs between versions of FMI in the files of a unit. Its second version counts unknowns
+/// from 1, the third calls them by their references.
+struct Version {
+  const char* variable;  ///< with holes for name, reference, meaning, attributes, and what follows
+  const char* output;    ///< lines of lists, with a hole for the unknown
+  const char* derivative;
+  const char* initial_unknown;
+  std::size_t first;        ///< number of the first variable
+  const char* derivatives;  ///< the attribute that offers directional derivatives
+  const char* source_file;  ///< with a hole for its name
+  std::string_view description, wrapper, platform;
+};
+
+constexpr const char* kUnknown = "<Unknown index=\"{}\"{}/>\n";
+const Version kSecond = {
+    "<ScalarVariable name=\"{}\" valueReference=\"{}\" description=\"{}\" {}><Real{}/>"
+    "</ScalarVariable>\n",
+    kUnknown,
+    kUnknown,
+    kUnknown,
+    1,
+    "providesDirectionalDerivative",
+    "<File name=\"{}\"/>\n",
+    templates::kFmuModelDescription2,
+    templates::kFmuWrapper2,
+    templates::kFmuPlatform2};
+const Version kThird = {"<Float64 name=\"{}\" valueReference=\"{}\" description=\"{}\" {}{}/>\n",
+                        "<Output valueReference=\"{}\"{}/>\n",
+                        "<ContinuousStateDerivative valueReference=\"{}\"{}/>\n",
+                        "<InitialUnknown valueReference=\"{}\"{}/>\n",
+                        0,
+                        "providesDirectionalDerivatives",
+                        "<SourceFile name=\"{}\"/>\n",
+                        templates::kFmuModelDescription3,
+                        templates::kFmuWrapper3,
+                        templates::kFmuPlatform3};
+
+std::string print_variable(const Version& version, std::size_t reference,
+                           const Variable& variable) {
+  std::string more = fmt::format(" unit=\"{}\"", variable.unit);
+  if (!variable.start.empty()) more += fmt::format(" start=\"{}\"", variable.start);
+  if (variable.derivative_of > 0) {
+    more += fmt::format(" derivative=\"{}\"", variable.derivative_of - 1 + version.first);
+  }
+  return fmt::format(fmt::runtime(version.variable), variable.name, reference, variable.meaning,
+                     variable.attributes, more);
 }
 
 /// Fills what modelDescription.xml says of variables. States depend on nothing else, so that no
 /// importer sees a loop through tau and q.
-void add_variables(const std::vector<Variable>& variables, PackageFacts& facts) {
+void add_variables(const Version& version, const std::vector<Variable>& variables,
+                   PackageFacts& facts) {
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    const std::string unknown = fmt::format("<Unknown index=\"{}\"/>\n", i + 1);
+    const auto add = [&](const char* list, const char* line, const std::string& depends = "") {
+      facts[list] += fmt::format(fmt::runtime(line), i + version.first, depends);
+    };
     const std::string attributes = variables[i].attributes;
-    facts["variables"] += print_variable(i, variables[i]);
+    facts["variables"] += print_variable(version, i, variables[i]);
     if (attributes == kState) {
-      facts["outputs"] += fmt::format("<Unknown index=\"{0}\" dependencies=\"{0}\"/>\n", i + 1);
+      add("outputs", version.output, fmt::format(" dependencies=\"{}\"", i + version.first));
     }
-    if (attributes == kResult) facts["outputs"] += unknown;
+    if (attributes == kResult) add("outputs", version.output);
     if (variables[i].derivative_of == 0) continue;
-    facts["derivatives"] += unknown;
-    facts["initial_unknowns"] += unknown;
+    add("derivatives", version.derivative);
+    add("initial_unknowns", version.initial_unknown);
   }
   for (const char* lines : {"variables", "outputs", "derivatives", "initial_unknowns"}) {
     facts[lines].pop_back();
@@ -206,38 +247,41 @@ std::string print_call(const Program& program, std::size_t nq, std::size_t state
   return text + "qdd";
 }
 
-std::string print_source_files(const PackageFacts& facts) {
-  std::string text = "<File name=\"fmu.c\"/>";
+std::string print_source_files(const Version& version, const PackageFacts& facts) {
+  std::string text = fmt::format(fmt::runtime(version.source_file), "fmu.c");
   std::istringstream words(facts.at("sources"));
   constexpr std::size_t kFolder = std::string_view("../src/").size();
   for (std::string word; words >> word;) {
-    text += fmt::format("\n<File name=\"{}\"/>", word.substr(kFolder));
+    text += fmt::format(fmt::runtime(version.source_file), word.substr(kFolder));
   }
+  text.pop_back();
   return text;
 }
 
 /// Offers directional derivatives where the code has them: by q, qd and tau, and of rates that are
 /// velocities.
-void add_derivatives(const Generation& generation, bool has_others, PackageFacts& facts) {
+void add_derivatives(const Version& version, const Generation& generation, bool has_others,
+                     PackageFacts& facts) {
   const bool offers =
       !has_others && find_program(generation, Function::forward_dynamics_derivatives) != nullptr;
-  facts["offers_derivatives"] = offers ? R"( providesDirectionalDerivative="true")" : "";
-  facts["directional_derivative"] = fill_facts(
-      offers ? templates::kFmuDirectionalDerivative : templates::kFmuNoDirectionalDerivative,
-      facts);
-  facts["directional_derivative"].pop_back();  // the last line break
+  facts["offers_derivatives"] = offers ? fmt::format(" {}=\"true\"", version.derivatives) : "";
+  facts["differentiate"] =
+      fill_facts(offers ? templates::kFmuDifferentiate : templates::kFmuNoDerivatives, facts);
+  facts["differentiate"].pop_back();  // the last line break
 }
 
 }  // namespace
 
-std::vector<PackageFolder> for_fmu(PackageFacts facts, const Robot& robot, const Scene& scene,
-                                   const Generation& generation) {
+std::vector<PackageFolder> for_fmu(PackageKind kind, PackageFacts facts, const Robot& robot,
+                                   const Scene& scene, const Generation& generation) {
+  const bool is_third = kind == PackageKind::fmu3;
+  const Version& version = is_third ? kThird : kSecond;
   const EmissionContext context = describe_scene(robot, scene, generation.mechanism);
   const Program& program = *find_program(generation, Function::forward_dynamics);
   const std::size_t nq = context.coordinate_rows.size();
   const std::size_t nv = context.velocity_rows.size();
   const std::vector<Variable> variables = list_variables(context, program);
-  add_variables(variables, facts);
+  add_variables(version, variables, facts);
   facts["guid"] = digest_of_files(generation.files);
   facts["step"] = kStep;
   facts["nq"] = std::to_string(nq);
@@ -245,15 +289,21 @@ std::vector<PackageFolder> for_fmu(PackageFacts facts, const Robot& robot, const
   facts["inputs"] = std::to_string(variables.size() - 2 * (nq + nv) - 1);
   facts["joints"] = print_joints(context);
   facts["call"] = print_call(program, nq, nq + nv);
-  facts["source_files"] = print_source_files(facts);
-  add_derivatives(generation, nq != nv || !context.external_forces.empty(), facts);
+  facts["time"] = std::to_string(variables.size());
+  facts["units"] = templates::kFmuUnits;
+  facts["platform"] = version.platform;
+  facts["source_files"] = print_source_files(version, facts);
+  add_derivatives(version, generation, nq != nv || !context.external_forces.empty(), facts);
   const auto fill = [&](const std::string& name, std::string_view text) {
     return GeneratedFile{name, fill_facts(text, facts)};
   };
-  return {{"",
-           {fill("CMakeLists.txt", templates::kFmuCMakeLists),
-            fill("modelDescription.xml", templates::kFmuModelDescription),
-            fill("fmu.c", templates::kFmuWrapper)}}};
+  std::vector<GeneratedFile> files = {
+      fill("CMakeLists.txt", templates::kFmuCMakeLists), fill("fmu.c", version.wrapper),
+      fill("fmu_model.h", templates::kFmuModel), fill("modelDescription.xml", version.description)};
+  if (is_third) {
+    files.push_back(fill("buildDescription.xml", templates::kFmuBuildDescription));
+  }
+  return {{"", std::move(files)}};
 }
 
 void refuse_for_fmu(const Scene& scene, Diagnostics& diagnostics) {

@@ -11,10 +11,10 @@
 
 namespace treeline {
 
-/// Files that make a Functional Mock-up Unit of FMI 2.0 of the code: its description, the source
-/// that wraps `forward_dynamics`, and a project of CMake that packs both.
-std::vector<PackageFolder> for_fmu(PackageFacts facts, const Robot& robot, const Scene& scene,
-                                   const Generation& generation);
+/// Files that make a Functional Mock-up Unit of FMI 2.0 or 3.0 of the code: its description, the
+/// source that wraps `forward_dynamics`, and a project of CMake that packs both.
+std::vector<PackageFolder> for_fmu(PackageKind kind, PackageFacts facts, const Robot& robot,
+                                   const Scene& scene, const Generation& generation);
 
 /// Refuses a scene whose motion `forward_dynamics` of q, qd, tau and external forces does not give:
 /// one without that function, with closed loops, or with a model that is passed at run time.

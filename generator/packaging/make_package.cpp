@@ -66,7 +66,8 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
     case PackageKind::python:
       return for_python(facts, scene, generation);
     case PackageKind::fmu:
-      return for_fmu(facts, robot, scene, generation);
+    case PackageKind::fmu3:
+      return for_fmu(kind, facts, robot, scene, generation);
     case PackageKind::rust:
       return for_rust(facts, robot, scene, generation);
     case PackageKind::ros2_control:

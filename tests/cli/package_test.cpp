@@ -297,11 +297,22 @@ TEST_F(PackageTest, IsRefusedWithoutAFunctionThatItCalls) {
 // Would catch: a unit of FMI that moves otherwise than its scene says, or whose manifest names a
 // command that makes something else. What CMake makes of it and FMPy runs: tests/packaging.
 TEST_F(PackageTest, FmuRefusesWhatItCannotMove) {
+  std::string kind = "fmu3";
   const auto made = [&](const std::string& scene, const std::string& options = "") {
     write("scene.yaml", "name: arm\n" + scene);
     return test::run_program(
-        root_, "generate " + kArm + " scene.yaml --output unit --package fmu " + options);
+        root_, "generate " + kArm + " scene.yaml --output unit --package " + kind + " " + options);
   };
+  EXPECT_EQ(made("functions: [gravity]").exit_code, 1);
+  EXPECT_NE(made("controller: {laws: joint_impedance}").err.find("without --package fmu3."),
+            std::string::npos);
+  const auto third = nlohmann::json::parse(read("unit/src/manifest.json"));
+  EXPECT_EQ(third["command"],
+            "treeline generate puma560.urdf scene.yaml --output arm --package fmu3");
+  EXPECT_NE(read("unit/modelDescription.xml")
+                .find("instantiationToken=\"" + third["digest"].get<std::string>() + "\""),
+            std::string::npos);
+  kind = "fmu";
   EXPECT_EQ(made("").exit_code, 0);
   const auto manifest = nlohmann::json::parse(read("unit/src/manifest.json"));
   EXPECT_EQ(manifest["command"],
