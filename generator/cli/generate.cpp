@@ -52,11 +52,17 @@ constexpr const char* kExamples =
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
 
 const std::vector<std::pair<std::string, PackageKind>> kPackages = {
-    {"cmake", PackageKind::cmake},   {"platformio", PackageKind::platformio},
-    {"zephyr", PackageKind::zephyr}, {"arduino", PackageKind::arduino},
-    {"cmsis", PackageKind::cmsis},   {"python", PackageKind::python},
-    {"rust", PackageKind::rust},     {"fmu", PackageKind::fmu},
-    {"fmu3", PackageKind::fmu3},     {"ros2_control", PackageKind::ros2_control}};
+    {"cmake", PackageKind::cmake},
+    {"platformio", PackageKind::platformio},
+    {"zephyr", PackageKind::zephyr},
+    {"arduino", PackageKind::arduino},
+    {"cmsis", PackageKind::cmsis},
+    {"python", PackageKind::python},
+    {"rust", PackageKind::rust},
+    {"fmu", PackageKind::fmu},
+    {"fmu3", PackageKind::fmu3},
+    {"wasm", PackageKind::wasm},
+    {"ros2_control", PackageKind::ros2_control}};
 
 struct GenerateOptions {
   InputOptions inputs;
@@ -301,10 +307,10 @@ void add_generate(CLI::App& app, int& exit_code) {
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);
   command
-      ->add_option(
-          "--package", options->inputs.package,
-          "As a library for cmake, platformio, zephyr, arduino, cmsis, python, rust, fmu, fmu3 or "
-          "ros2_control: the code in src")
+      ->add_option("--package", options->inputs.package,
+                   "As a library for cmake, platformio, zephyr, arduino, cmsis, python, rust, fmu, "
+                   "fmu3, wasm or "
+                   "ros2_control: the code in src")
       ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,

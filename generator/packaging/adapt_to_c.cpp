@@ -23,6 +23,7 @@ constexpr PackageOfC kPackagesOfC[] = {
     {PackageKind::rust, "a package for Rust", "rust", "Rust"},
     {PackageKind::fmu, "an FMU", "fmu", ""},
     {PackageKind::fmu3, "an FMU", "fmu3", ""},
+    {PackageKind::wasm, "a package for WebAssembly", "wasm", "JavaScript"},
     {PackageKind::ros2_control, "a package for ros2_control", "ros2_control", ""}};
 
 const PackageOfC* find_package_of_c(PackageKind kind) {

@@ -62,29 +62,6 @@ std::string print_float(double value) {
   return text;
 }
 
-/// An array of the header with names, home and limits.
-struct JointArray {
-  const char* name;
-  bool is_text;
-  bool of_velocities;  ///< else of coordinates
-  const char* meaning;
-};
-constexpr JointArray kJointArrays[] = {
-    {"coordinate_joints", true, false, "Of each entry of q: its joint, and what it measures."},
-    {"coordinate_meanings", true, false, "Of each entry of q: its joint, and what it measures."},
-    {"home", false, false,
-     "A state to begin with: 0, or the limit next to it; quaternions turn nothing."},
-    {"lower_limits", false, false, "Limits of each entry of q, rad or m."},
-    {"upper_limits", false, false, "Limits of each entry of q, rad or m."},
-    {"velocity_joints", true, true,
-     "Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd."},
-    {"velocity_names", true, true,
-     "Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd."},
-    {"velocity_limits", false, true,
-     "The largest magnitude of each entry of qd, rad/s or m/s, and of tau, N m or N."},
-    {"effort_limits", false, true,
-     "The largest magnitude of each entry of qd, rad/s or m/s, and of tau, N m or N."}};
-
 /// An array of constants; `size` is that of its entries.
 std::string print_constant(const std::string& name, const std::string& type, std::size_t size,
                            const std::string& entries, const char* meaning) {
@@ -104,9 +81,7 @@ std::string print_constants(const EmissionContext& context, bool damped, const s
       heaviest.push_back(syntax.literal(mass));
     }
     text += print_constant("heaviest", real, heaviest.size(),
-                           fmt::format("{}", fmt::join(heaviest, ", ")),
-                           "The effective mass (kg; kg m^2 in rows of rotation) beyond which a "
-                           "direction of the task yields.");
+                           fmt::format("{}", fmt::join(heaviest, ", ")), kHeaviest);
   }
   for (const JointArray& each : kJointArrays) {
     const std::size_t size =
@@ -116,7 +91,7 @@ std::string print_constants(const EmissionContext& context, bool damped, const s
   }
   if (arrays.task_rows == 0) return text;
   return text + print_constant("task_row_names", "&str", arrays.task_rows, arrays.task_row_names,
-                               "Of each task row: its point, and along or about which axis it is.");
+                               kTaskRowNames);
 }
 
 /// The functions as Rust calls them, and as C has them.

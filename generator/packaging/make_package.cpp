@@ -7,6 +7,7 @@
 #include "packaging/for_python.hpp"
 #include "packaging/for_ros2_control.hpp"
 #include "packaging/for_rust.hpp"
+#include "packaging/for_wasm.hpp"
 #include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
 
@@ -70,6 +71,8 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
       return for_fmu(kind, facts, robot, scene, generation);
     case PackageKind::rust:
       return for_rust(facts, robot, scene, generation);
+    case PackageKind::wasm:
+      return for_wasm(facts, robot, scene, generation);
     case PackageKind::ros2_control:
       return for_ros2_control(facts, robot, scene, generation);
   }

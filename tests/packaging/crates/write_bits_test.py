@@ -1,7 +1,9 @@
-"""Writes two programs that print and compare the same calls: tests/expected.c in C, tests/bits.rs in Rust.
+"""Writes programs that print and compare the same calls: tests/expected.c in C, tests/bits.rs in Rust; and the calls
+as data, tests/calls.json, for other languages.
 
 Usage: write_bits_test.py PACKAGE CRATE. Shapes and arguments are those that the headers of C state."""
 
+import json
 import math
 import os
 import random
@@ -23,15 +25,16 @@ real, bits = ("float", "uint32_t") if f"typedef float {name}_real" in headers el
 # The profile misra has no macro for the sizes.
 headers = re.sub(r"\[(\d+)\](?=[,)])", rf"[TREELINE_{name.upper()}_ARRAY(\1)]", headers)
 draw = random.Random(SEED)
-c, rust, calls = [], [], 0
+c, rust, calls = [], [], []
 for function, arguments in read_arguments(headers, name, real):
     for _ in range(STATES):
-        given, lent, results = [], [], []
+        given, lent, results, values = [], [], [], {}
         c.append("{")
         rust.append("{")
         for symbol, shape, is_result in arguments:
             size = math.prod(shape)
-            numbers = ", ".join("0.0" if is_result else repr(draw.uniform(0.5, 2)) for _ in range(size))
+            values[symbol] = [0.0 if is_result else draw.uniform(0.5, 2) for _ in range(size)]
+            numbers = ", ".join(map(repr, values[symbol]))
             c.append(f"{real} {symbol}[] = {{{numbers}}};")
             rust.append(f"let {'mut ' if is_result else ''}{symbol} = [{numbers}];")
             given.append(symbol)
@@ -43,12 +46,16 @@ for function, arguments in read_arguments(headers, name, real):
         rust.append(f"{'let returned = ' if returns else ''}{crate}::{function}({', '.join(lent)});")
         c += [f"show({symbol}, {size});" for symbol, size in results] + ["show(&returned, 1);"] * bool(returns) + ["}"]
         rust += [f"same(&{symbol});" for symbol, _ in results] + ["same(&[returned]);"] * bool(returns) + ["}"]
-        calls += 1
+        calls.append({"function": function, "results": [symbol for symbol, _ in results], "returns": bool(returns),
+                      "arguments": [values[symbol] for symbol, _, is_result in arguments if not is_result]})
 for kind, array, size in re.findall(rf"static const (char|{real})[^\n=]* {name}_(\w+)\[(\d+)\] =", headers):
     c.append(f"tell({name}_{array}, {size});" if kind == "char" else f"show({name}_{array}, {size});")
     rust.append(f"{'told' if kind == 'char' else 'same'}(&{crate}::{array.upper()});")
-assert calls >= STATES and len(c) > 8, "the headers were not understood"
+constants = re.findall(rf"static const (?:char|{real})[^\n=]* {name}_(\w+)\[\d+\] =", headers)
+assert len(calls) >= STATES and len(c) > 8, "the headers were not understood"
 
+with open(os.path.join(sys.argv[1], "tests", "calls.json"), "w", encoding="utf-8") as file:
+    json.dump({"real": real, "calls": calls, "constants": constants}, file)
 include = f'"../src/{name}_damped.h"' if f"{name}_damped_control_torque(" in headers else f'"../src/{name}.h"'
 with open(os.path.join(sys.argv[1], "tests", "expected.c"), "w", encoding="utf-8") as file:
     file.write(f"""#include <inttypes.h>
