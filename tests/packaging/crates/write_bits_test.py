@@ -78,6 +78,7 @@ int main(void) {{
 }}
 """)
 rust_real = "f32" if real == "float" else "f64"
+body = "\n".join(rust)
 with open(os.path.join(sys.argv[1], "tests", "bits.rs"), "w", encoding="utf-8") as file:
     file.write(f"""//! Results and constants are those of C.
 #[test]
@@ -95,7 +96,31 @@ fn bits_are_those_of_c() {{
             assert_eq!(Some(value.to_bits().to_string().as_str()), lines.borrow_mut().next());
         }}
     }};
-{chr(10).join(rust)}
+{body}
     assert_eq!(None, lines.borrow_mut().next());
+}}
+""")
+# Not under tests, where cargo would take it for a test with the standard library.
+with open(os.path.join(sys.argv[1], "bare.rs"), "w", encoding="utf-8") as file:
+    file.write(f"""//! The same calls without the standard library: C prints what they give.
+#![no_std]
+#![allow(non_snake_case)]
+extern "C" {{
+    fn show(values: *const {rust_real}, count: i32);
+    fn tell_bytes(text: *const u8, count: i32);
+}}
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {{
+    loop {{}}
+}}
+#[no_mangle]
+pub extern "C" fn call_all() {{
+    let told = |texts: &[&str]| {{
+        for text in texts {{
+            unsafe {{ tell_bytes(text.as_ptr(), text.len() as i32) }}
+        }}
+    }};
+    let same = |values: &[{rust_real}]| unsafe {{ show(values.as_ptr(), values.len() as i32) }};
+{body}
 }}
 """)
