@@ -64,8 +64,9 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
              diagnostics);
     }
   }
+  const bool steps = is_fmu(options.package) && scene.controller;
   const bool calls_one =
-      options.package != PackageKind::ros2_control &&
+      !steps && options.package != PackageKind::ros2_control &&
       (is_compiled_from_c(options.package) || options.package == PackageKind::arduino);
   if (calls_one && scene.functions.empty()) {
     reject("functions", "such a package calls functions, and the scene has none",

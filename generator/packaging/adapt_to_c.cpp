@@ -64,11 +64,13 @@ void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnos
                      describe(kind) + " is compiled from C, whatever the scene says", ""});
   }
   scene.language = Language::c;
-  if (!scene.controller || !is_fmu(kind)) return;
+  if (!scene.controller || !is_fmu(kind) || scene.functions.empty()) return;
   scene.controller.reset();
-  diagnostics.add({Severity::warning, scene.file, 0, "controller",
-                   "it is left out: an FMU has functions of the robot alone",
-                   "Generate it in C, without --package " + option_of(kind) + "."});
+  diagnostics.add(
+      {Severity::warning, scene.file, 0, "controller",
+       "it is left out: an FMU is that of the robot where the scene has functions",
+       "For one of the controller write functions: []. Or generate it in C, without --package " +
+           option_of(kind) + "."});
 }
 
 }  // namespace treeline

@@ -24,8 +24,8 @@ std::string option_of(PackageKind kind);
 /// The language whose programs call the C in a package of this kind; empty where C or C++ does.
 std::string_view caller_of(PackageKind kind);
 
-/// Adapts a scene to such a package: C, and no controller in an FMU. Says so where the scene, of
-/// which `text` is what was read, asks for something else.
+/// Adapts a scene to such a package: C, and no controller beside functions in an FMU. Says so where
+/// the scene, of which `text` is what was read, asks for something else.
 void adapt_to_c(PackageKind kind, const std::string& text, Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -12,6 +10,7 @@
 
 #include "emission/print_identity.hpp"
 #include "generation/describe_scene.hpp"
+#include "packaging/fmu_variables.hpp"
 #include "packaging/templates.hpp"
 
 namespace treeline {
@@ -19,139 +18,12 @@ namespace {
 
 namespace templates = package_templates;
 
-constexpr const char* kStep = "0.001";  ///< s, the longest step of the integration inside
-
-/// A name of FMI's structured convention: an identifier, or a text in quotes. What neither that
-/// convention nor XML takes as it is becomes %XX.
-std::string quote_name(const std::string& name) {
-  constexpr std::string_view kPlain = " !#$()*+,-./:;=?@[]^_{}|~";
-  std::string text;
-  bool is_identifier = true;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_word = byte < 0x80 && (std::isalnum(byte) != 0 || c == '_');
-    is_identifier = is_identifier && is_word;
-    const bool stays = is_word || kPlain.find(c) != kPlain.npos;
-    text += stays ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  is_identifier = is_identifier && !text.empty() && std::isdigit(text.front()) == 0;
-  return is_identifier ? text : "'" + text + "'";
-}
-
-/// A value of the unit. Values stand in the order of their references.
-struct Variable {
-  std::string name;
-  std::string attributes;  ///< causality, variability, initial
-  std::string meaning;
-  std::string unit;
-  std::string start = {};         ///< empty: computed
-  std::size_t derivative_of = 0;  ///< number of a state, from 1 as FMI counts; 0: of none
-};
-
-/// The unit behind the last comma of a meaning, "angle, rad"; 1 where there is none.
-std::string unit_of(const std::string& meaning) {
-  const auto comma = meaning.rfind(", ");
-  return comma == meaning.npos ? "1" : meaning.substr(comma + 2);
-}
-
-/// Names of the form `joint.symbol`, or `joint.symbol[i]` for joints with several entries.
-std::vector<std::string> name_entries(const std::vector<std::string>& joints,
-                                      const std::string& symbol) {
-  std::map<std::string, int> counts, seen;
-  std::vector<std::string> names;
-  for (const std::string& joint : joints) ++counts[joint];
-  for (const std::string& joint : joints) {
-    const std::string index = counts[joint] > 1 ? fmt::format("[{}]", ++seen[joint]) : "";
-    names.push_back(quote_name(joint) + "." + symbol + index);
-  }
-  return names;
-}
-
-constexpr const char* kState = R"(causality="output" variability="continuous" initial="exact")";
-constexpr const char* kInput = R"(causality="input" variability="continuous")";
-constexpr const char* kParameter = R"(causality="parameter" variability="fixed" initial="exact")";
-constexpr const char* kRate = R"(causality="local" variability="continuous" initial="calculated")";
-constexpr const char* kResult =
-    R"(causality="output" variability="continuous" initial="calculated")";
-
-/// Joints of the entries of q or of qd.
-template <class Rows>
-std::vector<std::string> joints_of(const Rows& rows) {
-  std::vector<std::string> joints;
-  for (const auto& row : rows) joints.push_back(row.joint);
-  return joints;
-}
-
 /// The program of a function; null if there is none.
 const Program* find_program(const Generation& generation, Function function) {
   for (const GeneratedFunction& generated : generation.functions) {
     if (generated.function == function) return &generated.program;
   }
   return nullptr;
-}
-
-void append_states(const EmissionContext& context, std::vector<Variable>& variables) {
-  const auto& rows = context.coordinate_rows;
-  const auto names = name_entries(joints_of(rows), "q");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string meaning = rows[i].meaning;
-    variables.push_back({names[i], kState, meaning.substr(0, meaning.rfind(", ")), unit_of(meaning),
-                         fmt::format("{}", rows[i].home)});
-  }
-  const auto& moves = context.velocity_rows;
-  const auto rates = name_entries(joints_of(moves), "qd");
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    const std::string& name = moves[i].name;  // "elbow, rad/s" or "base linear x, m/s"
-    const std::size_t end = name.rfind(", ");
-    const std::size_t begin = std::min(end, moves[i].joint.size() + 1);
-    const std::string which = name.substr(begin, end - begin);
-    variables.push_back({rates[i], kState, which.empty() ? "velocity" : which, unit_of(name), "0"});
-  }
-}
-
-/// The inputs in the order in which `forward_dynamics` takes them.
-void append_inputs(const EmissionContext& context, const Program& program,
-                   std::vector<Variable>& variables) {
-  for (const Argument& argument : program.arguments) {
-    if (argument.name == "tau") {
-      const auto names = name_entries(joints_of(context.velocity_rows), "tau");
-      for (std::size_t i = 0; i < names.size(); ++i) {
-        const bool slides = unit_of(context.velocity_rows[i].name) == "m/s";
-        variables.push_back({names[i], kInput, "joint force", slides ? "N" : "N.m", "0"});
-      }
-    } else if (argument.name == "f_ext") {
-      for (const EmissionContext::PointRow& point : context.external_forces) {
-        for (int i = 1; i <= 6; ++i) {
-          variables.push_back({fmt::format("{}.f_ext[{}]", quote_name(point.name), i), kInput,
-                               i <= 3 ? "force" : "moment", i <= 3 ? "N" : "N.m", "0"});
-        }
-      }
-    }
-  }
-}
-
-void append_rates(const EmissionContext& context, std::vector<Variable>& variables) {
-  const std::size_t nq = context.coordinate_rows.size();
-  for (std::size_t i = 0; i < nq; ++i) {
-    const Variable& state = variables[i];
-    const std::string unit = state.unit == "1" ? "1/s" : state.unit + "/s";
-    variables.push_back({fmt::format("der({})", state.name), kRate, "dq/dt", unit, "", i + 1});
-  }
-  const auto names = name_entries(joints_of(context.velocity_rows), "qdd");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    variables.push_back(
-        {names[i], kResult, "acceleration", variables[nq + i].unit + "2", "", nq + i + 1});
-  }
-}
-
-std::vector<Variable> list_variables(const EmissionContext& context, const Program& program) {
-  std::vector<Variable> variables;
-  append_states(context, variables);
-  append_inputs(context, program, variables);
-  variables.push_back(
-      {"step", kParameter, "longest step of the integration inside co-simulation", "s", kStep});
-  append_rates(context, variables);
-  return variables;
 }
 
 /// What differs between versions of FMI in the files of a unit. Its second version counts unknowns
@@ -164,7 +36,8 @@ struct Version {
   std::size_t first;        ///< number of the first variable
   const char* derivatives;  ///< the attribute that offers directional derivatives
   const char* source_file;  ///< with a hole for its name
-  std::string_view description, wrapper, platform;
+  const char *begin, *end;  ///< of the list of derivatives
+  std::string_view model_exchange, description, wrapper, platform;
 };
 
 constexpr const char* kUnknown = "<Unknown index=\"{}\"{}/>\n";
@@ -177,6 +50,9 @@ const Version kSecond = {
     1,
     "providesDirectionalDerivative",
     "<File name=\"{}\"/>\n",
+    "<Derivatives>\n",
+    "</Derivatives>\n",
+    templates::kFmuModelExchange2,
     templates::kFmuModelDescription2,
     templates::kFmuWrapper2,
     templates::kFmuPlatform2};
@@ -187,12 +63,15 @@ const Version kThird = {"<Float64 name=\"{}\" valueReference=\"{}\" description=
                         0,
                         "providesDirectionalDerivatives",
                         "<SourceFile name=\"{}\"/>\n",
+                        "",
+                        "",
+                        templates::kFmuModelExchange3,
                         templates::kFmuModelDescription3,
                         templates::kFmuWrapper3,
                         templates::kFmuPlatform3};
 
 std::string print_variable(const Version& version, std::size_t reference,
-                           const Variable& variable) {
+                           const FmuVariable& variable) {
   std::string more = fmt::format(" unit=\"{}\"", variable.unit);
   if (!variable.start.empty()) more += fmt::format(" start=\"{}\"", variable.start);
   if (variable.derivative_of > 0) {
@@ -204,7 +83,7 @@ std::string print_variable(const Version& version, std::size_t reference,
 
 /// Fills what modelDescription.xml says of variables. States depend on nothing else, so that no
 /// importer sees a loop through tau and q.
-void add_variables(const Version& version, const std::vector<Variable>& variables,
+void add_variables(const Version& version, const std::vector<FmuVariable>& variables,
                    PackageFacts& facts) {
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const auto add = [&](const char* list, const char* line, const std::string& depends = "") {
@@ -212,16 +91,17 @@ void add_variables(const Version& version, const std::vector<Variable>& variable
     };
     const std::string attributes = variables[i].attributes;
     facts["variables"] += print_variable(version, i, variables[i]);
-    if (attributes == kState) {
+    if (attributes == kFmuState) {
       add("outputs", version.output, fmt::format(" dependencies=\"{}\"", i + version.first));
     }
-    if (attributes == kResult) add("outputs", version.output);
-    if (variables[i].derivative_of == 0) continue;
-    add("derivatives", version.derivative);
-    add("initial_unknowns", version.initial_unknown);
+    const bool is_stepped = attributes == kFmuStepped;
+    if (attributes == kFmuResult || is_stepped) add("outputs", version.output);
+    const bool is_rate = variables[i].derivative_of > 0;
+    if (is_rate) add("derivatives", version.derivative);
+    if (is_rate || is_stepped) add("initial_unknowns", version.initial_unknown);
   }
-  for (const char* lines : {"variables", "outputs", "derivatives", "initial_unknowns"}) {
-    facts[lines].pop_back();
+  if (!facts["derivatives"].empty()) {
+    facts["derivatives"] = version.begin + facts["derivatives"] + version.end;
   }
 }
 
@@ -270,6 +150,42 @@ void add_derivatives(const Version& version, const Generation& generation, bool 
   facts["differentiate"].pop_back();  // the last line break
 }
 
+/// What the unit of a robot has of its own. Returns its values.
+std::vector<FmuVariable> add_robot(const Version& version, const EmissionContext& context,
+                                   const Generation& generation, PackageFacts& facts) {
+  const Program& program = *find_program(generation, Function::forward_dynamics);
+  const std::size_t nq = context.coordinate_rows.size();
+  const std::size_t nv = context.velocity_rows.size();
+  std::vector<FmuVariable> variables = list_fmu_variables(context, program);
+  facts["what"] = "Rigid-body dynamics";
+  facts["step"] = kFmuStep;
+  facts["nq"] = std::to_string(nq);
+  facts["nv"] = std::to_string(nv);
+  facts["inputs"] = std::to_string(variables.size() - 2 * (nq + nv) - 1);
+  facts["joints"] = print_joints(context);
+  facts["call"] = print_call(program, nq, nq + nv);
+  add_derivatives(version, generation, nq != nv || !context.external_forces.empty(), facts);
+  facts["model_exchange"] = fill_facts(version.model_exchange, facts);
+  return variables;
+}
+
+/// What the unit of a controller has of its own: it steps, and has nothing to integrate.
+std::vector<FmuVariable> add_controller(const EmissionContext& context, const ControllerUnit& unit,
+                                        PackageFacts& facts) {
+  FmuController controller = list_fmu_controller(context, unit);
+  facts["what"] = "Controller";
+  facts["step"] = fmt::format("{}", unit.settings.period);
+  facts["inputs"] = std::to_string(controller.inputs.size());
+  facts["count"] = std::to_string(controller.inputs.size() + controller.outputs.size());
+  facts["input_members"] = controller.input_members;
+  facts["output_members"] = controller.output_members;
+  facts["model_exchange"] = facts["offers_derivatives"] = "";
+  facts["differentiate"] = templates::kFmuNoDerivatives;
+  std::vector<FmuVariable> variables = std::move(controller.inputs);
+  std::move(controller.outputs.begin(), controller.outputs.end(), std::back_inserter(variables));
+  return variables;
+}
+
 }  // namespace
 
 std::vector<PackageFolder> for_fmu(PackageKind kind, PackageFacts facts, const Robot& robot,
@@ -277,29 +193,24 @@ std::vector<PackageFolder> for_fmu(PackageKind kind, PackageFacts facts, const R
   const bool is_third = kind == PackageKind::fmu3;
   const Version& version = is_third ? kThird : kSecond;
   const EmissionContext context = describe_scene(robot, scene, generation.mechanism);
-  const Program& program = *find_program(generation, Function::forward_dynamics);
-  const std::size_t nq = context.coordinate_rows.size();
-  const std::size_t nv = context.velocity_rows.size();
-  const std::vector<Variable> variables = list_variables(context, program);
-  add_variables(version, variables, facts);
   facts["guid"] = digest_of_files(generation.files);
-  facts["step"] = kStep;
-  facts["nq"] = std::to_string(nq);
-  facts["nv"] = std::to_string(nv);
-  facts["inputs"] = std::to_string(variables.size() - 2 * (nq + nv) - 1);
-  facts["joints"] = print_joints(context);
-  facts["call"] = print_call(program, nq, nq + nv);
-  facts["time"] = std::to_string(variables.size());
+  facts["exporting"] = templates::kFmuExporting;
   facts["units"] = templates::kFmuUnits;
   facts["platform"] = version.platform;
   facts["source_files"] = print_source_files(version, facts);
-  add_derivatives(version, generation, nq != nv || !context.external_forces.empty(), facts);
+  const bool controls = generation.controller != nullptr;
+  const std::vector<FmuVariable> variables =
+      controls ? add_controller(context, *generation.controller, facts)
+               : add_robot(version, context, generation, facts);
+  add_variables(version, variables, facts);
+  facts["time"] = std::to_string(variables.size());
   const auto fill = [&](const std::string& name, std::string_view text) {
     return GeneratedFile{name, fill_facts(text, facts)};
   };
   std::vector<GeneratedFile> files = {
       fill("CMakeLists.txt", templates::kFmuCMakeLists), fill("fmu.c", version.wrapper),
-      fill("fmu_model.h", templates::kFmuModel), fill("modelDescription.xml", version.description)};
+      fill("fmu_model.h", controls ? templates::kFmuController : templates::kFmuModel),
+      fill("modelDescription.xml", version.description)};
   if (is_third) {
     files.push_back(fill("buildDescription.xml", templates::kFmuBuildDescription));
   }
@@ -310,14 +221,19 @@ void refuse_for_fmu(const Scene& scene, Diagnostics& diagnostics) {
   const auto refuse = [&](bool applies, const char* key, const char* fault, const char* remedy) {
     if (applies) diagnostics.add({Severity::error, scene.file, 0, key, fault, remedy});
   };
+  refuse(!scene.inputs.empty(), "inputs", "an FMU has its model fixed, and no such inputs",
+         "Leave them out, and generate an FMU for each load.");
+  if (scene.controller) {
+    refuse(!scene.external_forces.empty(), "external_forces",
+           "an FMU of a controller has no such inputs", "Leave them out.");
+    return;
+  }
   const bool moves = std::find(scene.functions.begin(), scene.functions.end(),
                                Function::forward_dynamics) != scene.functions.end();
   refuse(!moves, "functions", "an FMU integrates forward_dynamics, which is not among them",
          "Add forward_dynamics.");
   refuse(scene.sin_cos == Sines::given, "sin_cos", "an FMU computes sines and cosines itself",
          "Leave it out.");
-  refuse(!scene.inputs.empty(), "inputs", "an FMU has its model fixed, and no such inputs",
-         "Leave them out, and generate an FMU for each load.");
   refuse(scene.implicit_friction, "joint_friction",
          "implicit friction is that of one step, and an FMU's steps are the importer's",
          "Leave out `implicit`.");

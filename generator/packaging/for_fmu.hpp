@@ -12,7 +12,8 @@
 namespace treeline {
 
 /// Files that make a Functional Mock-up Unit of FMI 2.0 or 3.0 of the code: its description, the
-/// source that wraps `forward_dynamics`, and a project of CMake that packs both.
+/// source that wraps `forward_dynamics`, or the step of a controller that has no function beside
+/// it, and a project of CMake that packs both.
 std::vector<PackageFolder> for_fmu(PackageKind kind, PackageFacts facts, const Robot& robot,
                                    const Scene& scene, const Generation& generation);
 

@@ -312,6 +312,14 @@ TEST_F(PackageTest, FmuRefusesWhatItCannotMove) {
   EXPECT_NE(read("unit/modelDescription.xml")
                 .find("instantiationToken=\"" + third["digest"].get<std::string>() + "\""),
             std::string::npos);
+  const std::string alone = "functions: []\ncontroller: {laws: joint_impedance}\n";
+  EXPECT_EQ(made(alone).exit_code, 0);
+  EXPECT_EQ(read("unit/modelDescription.xml").find("ModelExchange"), std::string::npos);
+  EXPECT_NE(made(alone + "inputs: [gravity]").err.find("error: inputs: an FMU has its model fixed"),
+            std::string::npos);
+  EXPECT_NE(made(alone + "external_forces: [{name: push, link: link6}]")
+                .err.find("error: external_forces: an FMU of a controller"),
+            std::string::npos);
   kind = "fmu";
   EXPECT_EQ(made("").exit_code, 0);
   const auto manifest = nlohmann::json::parse(read("unit/src/manifest.json"));
