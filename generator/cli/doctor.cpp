@@ -63,7 +63,7 @@ std::vector<Need> list_needs() {
   std::vector<Need> needs = {
       program("c++", "check, bench, drive, generate --tune", "g++", "CXX"),
       program("cc", "the same of C, import treeline, generate --package python", "gcc", "CC"),
-      program("cmake", "treeline_generate, generated folders, --package fmu", "cmake"),
+      program("cmake", "treeline_generate, generated folders, --package fmu and fmu3", "cmake"),
       program("python3", "import treeline", "python3"),
       {"Python.h",
        "import treeline, --package python",
@@ -76,6 +76,7 @@ std::vector<Need> list_needs() {
        "apt-get install python3-numpy",
        {"python3", "-c", "import numpy; print(numpy.__version__)"}},
       program("cargo", "generate --package rust", "cargo"),
+      program("wasm-ld", "generate --package wasm", "clang lld"),
       program("gappa", "certify", "gappa"),
       program("coqc", "certify --coq", "coq libcoq-gappa")};
   add_targets(needs);

@@ -309,8 +309,7 @@ void add_generate(CLI::App& app, int& exit_code) {
   command
       ->add_option("--package", options->inputs.package,
                    "As a library for cmake, platformio, zephyr, arduino, cmsis, python, rust, fmu, "
-                   "fmu3, wasm or "
-                   "ros2_control: the code in src")
+                   "fmu3, wasm or ros2_control: the code in src")
       ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,
