@@ -76,7 +76,7 @@ std::optional<LaunchedRobot> launch_from(DriveOptions& options, const drive::Mes
   }
   split_ball_joints(inputs->robot, inputs->scene, diagnostics);
   options.drive.meshes = find_all_meshes(inputs->files, places);
-  if (options.drive.serves) warn_of_missing(options.drive.meshes, diagnostics);
+  if (options.drive.serves) warn_of_missing(options.drive.meshes, "shown", diagnostics);
   const auto tell = [](const std::string& what) {
     if (is_watched()) show_progress("  " + what);
   };

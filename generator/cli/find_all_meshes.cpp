@@ -82,15 +82,16 @@ std::vector<drive::ServedMesh> find_all_meshes(const RobotFiles& files,
   return meshes;
 }
 
-void warn_of_missing(const std::vector<drive::ServedMesh>& meshes, Diagnostics& diagnostics) {
+void warn_of_missing(const std::vector<drive::ServedMesh>& meshes, const std::string& verb,
+                     Diagnostics& diagnostics) {
   const auto is_missing = [](const drive::ServedMesh& mesh) { return mesh.path.empty(); };
   const auto first = std::ranges::find_if(meshes, is_missing);
   if (first == meshes.end()) return;
   const auto count = std::ranges::count_if(meshes, is_missing);
   diagnostics.add({Severity::warning, "", 0, first->uri,
-                   "this mesh is not shown" +
-                       (count > 1 ? fmt::format(", and {} others are not", count - 1) : "") + ": " +
-                       first->problem,
+                   fmt::format("this mesh is not {}{}: {}", verb,
+                               count > 1 ? fmt::format(", and {} others are not", count - 1) : "",
+                               first->problem),
                    first->remedy});
 }
 

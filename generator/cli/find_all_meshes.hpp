@@ -28,7 +28,9 @@ std::optional<drive::MeshPlaces> read_mesh_places(const MeshOptions& options,
 std::vector<drive::ServedMesh> find_all_meshes(const RobotFiles& files,
                                                const drive::MeshPlaces& places);
 
-/// Tells of meshes that cannot be shown: the first, and how many others.
-void warn_of_missing(const std::vector<drive::ServedMesh>& meshes, Diagnostics& diagnostics);
+/// Tells of meshes that are missing, and so not `verb`, "shown" for instance: the first, and how
+/// many others.
+void warn_of_missing(const std::vector<drive::ServedMesh>& meshes, const std::string& verb,
+                     Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -10,16 +10,29 @@
 namespace treeline {
 namespace {
 
-/// The shapes of all robots. Links and meshes of several are named as `join_robots` and
-/// `find_all_meshes` name them.
-std::vector<Visual> read_all_visuals(const RobotFiles& files, Diagnostics& diagnostics) {
-  if (!files.urdf.empty()) {
-    return read_visuals(files.urdf_text, shown_path(files.urdf), diagnostics);
+void add_meshes(const RobotFiles& files, const drive::MeshPlaces& places, std::size_t triangles,
+                std::vector<Visual>& visuals, Diagnostics& diagnostics) {
+  std::vector<drive::ServedMesh> found = find_meshes_of(visuals, files, places);
+  std::map<std::string, std::string> paths;
+  for (const drive::ServedMesh& mesh : found) {
+    if (!mesh.path.empty()) paths[mesh.uri] = mesh.path;
   }
+  for (UnreadMesh& unread : read_meshes(visuals, paths, triangles)) {
+    *std::ranges::find(found, unread.file, &drive::ServedMesh::uri) = {
+        unread.file, "", std::move(unread.problem), std::move(unread.remedy)};
+  }
+  warn_of_missing(found, "shown", diagnostics);
+}
+
+}  // namespace
+
+std::vector<Visual> read_all_shapes(const RobotFiles& files, ShapeReader reader,
+                                    Diagnostics& diagnostics) {
+  if (!files.urdf.empty()) return reader(files.urdf_text, shown_path(files.urdf), diagnostics);
   const SceneRobots& listed = files.scene_robots;
   std::vector<std::vector<Visual>> of_files;
   for (const InputFile& file : listed.files) {
-    of_files.push_back(read_visuals(file.text, file.path, diagnostics));
+    of_files.push_back(reader(file.text, file.path, diagnostics));
   }
   std::vector<Visual> visuals;
   for (std::size_t i = 0; i < listed.robots.size(); ++i) {
@@ -32,25 +45,15 @@ std::vector<Visual> read_all_visuals(const RobotFiles& files, Diagnostics& diagn
   return visuals;
 }
 
-/// Meshes that only collisions name are not missed.
-void add_meshes(const RobotFiles& files, const drive::MeshPlaces& places, std::size_t triangles,
-                std::vector<Visual>& visuals, Diagnostics& diagnostics) {
+std::vector<drive::ServedMesh> find_meshes_of(const std::vector<Visual>& shapes,
+                                              const RobotFiles& files,
+                                              const drive::MeshPlaces& places) {
   std::vector<drive::ServedMesh> found = find_all_meshes(files, places);
   std::erase_if(found, [&](const drive::ServedMesh& mesh) {
-    return std::ranges::find(visuals, mesh.uri, &Visual::file) == visuals.end();
+    return std::ranges::find(shapes, mesh.uri, &Visual::file) == shapes.end();
   });
-  std::map<std::string, std::string> paths;
-  for (const drive::ServedMesh& mesh : found) {
-    if (!mesh.path.empty()) paths[mesh.uri] = mesh.path;
-  }
-  for (UnreadMesh& unread : read_meshes(visuals, paths, triangles)) {
-    *std::ranges::find(found, unread.file, &drive::ServedMesh::uri) = {
-        unread.file, "", std::move(unread.problem), std::move(unread.remedy)};
-  }
-  warn_of_missing(found, diagnostics);
+  return found;
 }
-
-}  // namespace
 
 std::optional<DrawnRobot> read_drawn_robot(const std::string& urdf, const std::string& scene,
                                            const drive::MeshPlaces& places, std::size_t triangles,
@@ -63,7 +66,7 @@ std::optional<DrawnRobot> read_drawn_robot(const std::string& urdf, const std::s
     if (diagnostic.severity == Severity::error) diagnostics.add(diagnostic);
   }
   if (!parsed) return std::nullopt;
-  auto visuals = read_all_visuals(read->files, diagnostics);
+  auto visuals = read_all_shapes(read->files, read_visuals, diagnostics);
   add_meshes(read->files, places, triangles, visuals, diagnostics);
   auto surroundings = surroundings_of(read->files.scene_text, read->robot);
   return DrawnRobot{std::move(read->robot), std::move(*parsed), std::move(visuals),

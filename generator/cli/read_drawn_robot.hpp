@@ -10,6 +10,20 @@
 
 namespace treeline {
 
+/// `read_visuals` or `read_collisions`.
+using ShapeReader = std::vector<Visual> (*)(const std::string& urdf, const std::string& file,
+                                            Diagnostics& diagnostics);
+
+/// The shapes of all robots. Links and meshes of several are named as `join_robots` and
+/// `find_all_meshes` name them.
+std::vector<Visual> read_all_shapes(const RobotFiles& files, ShapeReader reader,
+                                    Diagnostics& diagnostics);
+
+/// The meshes among some shapes of all robots.
+std::vector<drive::ServedMesh> find_meshes_of(const std::vector<Visual>& shapes,
+                                              const RobotFiles& files,
+                                              const drive::MeshPlaces& places);
+
 /// Content of a picture, read from the files.
 struct DrawnRobot {
   Robot robot;

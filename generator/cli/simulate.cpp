@@ -7,11 +7,14 @@
 #include <utility>
 
 #include "cli/exit_code.hpp"
+#include "cli/find_all_meshes.hpp"
+#include "cli/ground_shapes.hpp"
 #include "cli/option_values.hpp"
 #include "cli/print_diagnostics.hpp"
 #include "cli/read_robot_files.hpp"
 #include "cli/simulate_motion.hpp"
 #include "cli/write_output.hpp"
+#include "description/read_surroundings.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "text/json_text.hpp"
 #include "text/printable.hpp"
@@ -22,6 +25,8 @@ namespace {
 struct SimulateOptions {
   std::string urdf, scene;
   MotionSettings motion;
+  bool ground = false;
+  MeshOptions meshes;
   std::string csv, svg;
   bool json = false;
   Warnings warnings = Warnings::summary;
@@ -40,17 +45,40 @@ double last_time(const Motion& motion) {
   return motion.table.rows() == 0 ? 0 : motion.table.at(motion.table.rows() - 1, 0);
 }
 
+std::string print_ground(const simulation::GroundAccount& ground) {
+  std::string text = fmt::format(
+      "  contacts               at most {} at once, {} bounces, deepest {:.1e} m\n"
+      "  impulse of the ground  {:.6g} N s up, {:.6g} and {:.6g} N s along x and y\n",
+      ground.most_contacts, ground.bounces, ground.deepest, ground.impulse.z(), ground.impulse.x(),
+      ground.impulse.y());
+  if (ground.left_out > 0) {
+    text += fmt::format("  left out               points in the ground beyond {}, in {} steps\n",
+                        simulation::kMostGroundContacts, ground.left_out);
+  }
+  if (ground.unconverged > 0) {
+    text += fmt::format(
+        "  not converged          {} blows: friction or restitution are not exact there\n",
+        ground.unconverged);
+  }
+  return text;
+}
+
 std::string print_text(const std::string& robot, const MotionSettings& settings,
                        const Motion& motion) {
-  const bool conserves = !settings.holds_weight && settings.damping == 0;
+  const bool conserves = !settings.holds_weight && settings.damping == 0 && settings.stiffness == 0;
+  const std::string by = motion.ground
+                             ? fmt::format(", of which contacts {:.3e} J{}", motion.ground->energy,
+                                           conserves ? "" : ", and joint forces")
+                         : conserves ? ", the integrator's error"
+                                     : ", to which joint forces contribute";
   std::string text = fmt::format(
       "{}: {:g} s, {} rows\n"
       "  energy at the start    {:.6g} J\n"
       "  change at the end      {:.3e} J{}\n"
       "  largest change         {:.3e} J\n",
-      robot, last_time(motion), motion.table.rows(), motion.start_energy, motion.energy_change,
-      conserves ? ", the integrator's error" : ", to which joint forces contribute",
+      robot, last_time(motion), motion.table.rows(), motion.start_energy, motion.energy_change, by,
       motion.largest_change);
+  if (motion.ground) text += print_ground(*motion.ground);
   if (motion.adaptive_steps > 0) {
     text += fmt::format("  steps                  {}, {} tried and found too long\n",
                         motion.adaptive_steps, motion.rejected_steps);
@@ -69,16 +97,26 @@ std::string print_text(const std::string& robot, const MotionSettings& settings,
 }
 
 std::string print_json(const std::string& robot, const Motion& motion) {
-  const nlohmann::ordered_json json = {{"robot", robot},
-                                       {"seconds", last_time(motion)},
-                                       {"rows", motion.table.rows()},
-                                       {"given_up", gave_up(motion)},
-                                       {"start_energy", motion.start_energy},
-                                       {"energy_change", motion.energy_change},
-                                       {"largest_change", motion.largest_change},
-                                       {"quaternion_error", motion.quaternion_error},
-                                       {"adaptive_steps", motion.adaptive_steps},
-                                       {"rejected_steps", motion.rejected_steps}};
+  nlohmann::ordered_json json = {{"robot", robot},
+                                 {"seconds", last_time(motion)},
+                                 {"rows", motion.table.rows()},
+                                 {"given_up", gave_up(motion)},
+                                 {"start_energy", motion.start_energy},
+                                 {"energy_change", motion.energy_change},
+                                 {"largest_change", motion.largest_change},
+                                 {"quaternion_error", motion.quaternion_error},
+                                 {"adaptive_steps", motion.adaptive_steps},
+                                 {"rejected_steps", motion.rejected_steps}};
+  if (motion.ground) {
+    const simulation::GroundAccount& ground = *motion.ground;
+    json["ground"] = {{"energy", ground.energy},
+                      {"impulse", {ground.impulse.x(), ground.impulse.y(), ground.impulse.z()}},
+                      {"most_contacts", ground.most_contacts},
+                      {"bounces", ground.bounces},
+                      {"deepest", ground.deepest},
+                      {"steps_with_points_left_out", ground.left_out},
+                      {"unconverged", ground.unconverged}};
+  }
   return json_text(json);
 }
 
@@ -106,11 +144,27 @@ ExitCode write_data(const SimulateOptions& options, const std::string& robot, co
   return write_output(report::csv_text(motion.table), OutputForm::text, exit_code);
 }
 
+/// The ground of the scene, or the default one of `--ground`, with what may touch it.
+std::optional<GroundOfRobot> read_ground_of(const SimulateOptions& options,
+                                            const RobotWithFiles& read, Diagnostics& diagnostics) {
+  auto law = surroundings_of(read.files.scene_text, read.robot).ground;
+  if (options.ground && !law) law.emplace();
+  if (!law && options.motion.height) {
+    diagnostics.add({Severity::error, "", 0, "--height", "there is no ground to be above",
+                     "give --ground, or the key `ground` in the scene"});
+  }
+  const auto places = read_mesh_places(options.meshes, diagnostics);
+  if (!law || !places) return std::nullopt;
+  return GroundOfRobot{*law, read_ground_shapes(read.files, *places, diagnostics)};
+}
+
 int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {
   const auto read = read_robot_files(options.urdf, options.scene, diagnostics);
   const auto scene = read ? parse_scene_of(*read, diagnostics) : std::nullopt;
   if (!scene || !has_accelerations(read->robot, *scene, diagnostics)) return kBadInput;
-  const auto motion = simulate_motion(read->robot, *scene, options.motion, diagnostics);
+  const auto ground = read_ground_of(options, *read, diagnostics);
+  if (diagnostics.has_errors()) return kBadInput;
+  const auto motion = simulate_motion(read->robot, *scene, options.motion, ground, diagnostics);
   if (!motion) return kBadInput;
   const ExitCode exit_code = !write_files(options, *read, *motion, diagnostics) ? kBadInput
                              : gave_up(*motion)                                 ? kMismatch
@@ -139,6 +193,10 @@ void add_motion_options(CLI::App& command, MotionSettings& motion) {
   command.add_flag("--hold", motion.holds_weight, "Joint forces cancel gravity");
   command.add_option("--damping", motion.damping, "Joint force per joint velocity")
       ->check(between(0, 1e12));
+  command
+      .add_option("--stiffness", motion.stiffness,
+                  "Joint force per displacement from the start, as far as --step permits")
+      ->check(between(0, 1e12));
 }
 
 }  // namespace
@@ -150,7 +208,16 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("urdf", options->urdf, kRobotArgument)->required();
   command->add_option("scene", options->scene, "Base, gravity, locked joints; YAML");
   add_motion_options(*command, options->motion);
-  command->add_option("--csv", options->csv, "Table of time, q, qd, energy; - is standard output");
+  command->add_flag("--ground", options->ground,
+                    "Ground z < 0 that the shapes of <collision> touch, also where the scene has "
+                    "no key `ground`");
+  command
+      ->add_option("--height", options->motion.height,
+                   "Of a floating robot's lowest point over the ground at the start, m")
+      ->check(between(0, 1e6));
+  add_mesh_options(*command, options->meshes);
+  command->add_option("--csv", options->csv,
+                      "Table of time, q, qd, energy, contacts; - is standard output");
   command->add_option("--svg", options->svg, "The same drawn");
   command->add_flag("--json", options->json, "Summary as JSON");
   add_warnings_option(*command, options->warnings);
@@ -159,6 +226,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  treeline simulate puma560.urdf --seconds 2 --svg swing.svg\n"
       "  treeline simulate humanoid24.urdf scene_floating.yaml --integrator adaptive --json\n"
+      "  treeline simulate humanoid24.urdf scene_floating.yaml --ground --height 0.5 --csv "
+      "fall.csv\n"
       "  treeline simulate planar3r.urdf --q 0,1,0 --qd 1,0,-1 --hold --csv - | head");
   command->callback([options, &exit_code] {
     Diagnostics diagnostics;

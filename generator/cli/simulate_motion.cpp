@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/joint_springs.hpp"
 #include "cli/option_values.hpp"
+#include "cli/start_on_ground.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
@@ -39,23 +41,31 @@ std::optional<simulation::State> start_state(const simulation::Model& model,
   return state;
 }
 
-simulation::Acceleration acceleration_of(const simulation::Model& model,
-                                         const MotionSettings& settings) {
-  return [&model, &settings](double, const simulation::State& state) {
-    Vector tau = -settings.damping * state.qd;
-    if (settings.holds_weight) {
+/// On a ground nothing but the ground holds a floating base.
+simulation::Acceleration acceleration_of(const simulation::Model& model, bool holds_weight,
+                                         bool on_ground, const JointSprings& springs) {
+  return [&model, holds_weight, on_ground, springs](double, const simulation::State& state) {
+    Vector tau = force_of(springs, state);
+    if (holds_weight) {
       const Vector rest = Vector::Zero(model.nv);
       tau += interpreter::inverse_dynamics<double>(model, state.q, rest, rest);
+    }
+    for (const auto& body : model.bodies) {
+      const bool floats = body.kind == interpreter::JointKind::floating;
+      if (floats && on_ground) tau.segment<6>(body.v).setZero();
     }
     return interpreter::forward_dynamics<double>(model, state.q, state.qd, tau);
   };
 }
 
-std::vector<std::string> column_names(const simulation::Model& model) {
+std::vector<std::string> column_names(const simulation::Model& model, bool on_ground) {
   std::vector<std::string> names = {"time_s"};
   for (int i = 0; i < model.nq; ++i) names.push_back(fmt::format("q{}", i));
   for (int i = 0; i < model.nv; ++i) names.push_back(fmt::format("qd{}", i));
   names.emplace_back("energy_J");
+  if (on_ground) {
+    names.insert(names.end(), {"contacts", "ground_x_N", "ground_y_N", "ground_z_N"});
+  }
   return names;
 }
 
@@ -74,47 +84,8 @@ bool is_credible(double energy, const Motion& motion) {
          energy < motion.start_energy + kGain * (1 + std::abs(motion.start_energy));
 }
 
-/// Records a row; false where the motion has left the finite and the credible.
-bool record(const simulation::Model& model, const simulation::Coordinates& coordinates, double time,
-            const simulation::State& state, Motion& motion) {
-  const double energy = simulation::mechanical_energy(model, state);
-  if (!std::isfinite(energy) || !state.q.allFinite() || !is_credible(energy, motion)) return false;
-  if (motion.table.rows() == 0) motion.start_energy = energy;
-  motion.energy_change = energy - motion.start_energy;
-  motion.largest_change = std::max(motion.largest_change, std::abs(motion.energy_change));
-  motion.quaternion_error =
-      std::max(motion.quaternion_error, quaternion_error(coordinates, state.q));
-  std::vector<double> row = {time};
-  row.insert(row.end(), state.q.begin(), state.q.end());
-  row.insert(row.end(), state.qd.begin(), state.qd.end());
-  row.push_back(energy);
-  return motion.table.append(row.data());
-}
-
-/// One row's time further; false where an adaptive step became too short.
-bool advance(const simulation::Coordinates& coordinates, const simulation::Acceleration& qdd,
-             double time, const MotionSettings& settings, simulation::AdaptiveSettings& adaptive,
-             simulation::State& state, Motion& motion) {
-  switch (settings.integrator) {
-    case Integrator::semi_implicit_euler:
-      simulation::step_semi_implicit_euler(coordinates, qdd, time, settings.step, state);
-      return true;
-    case Integrator::runge_kutta:
-      simulation::step_runge_kutta(coordinates, qdd, time, settings.step, state);
-      return true;
-    case Integrator::adaptive:
-      break;
-  }
-  const auto report = simulation::integrate_adaptively(coordinates, qdd, time, time + settings.step,
-                                                       adaptive, state);
-  motion.adaptive_steps += report.steps;
-  motion.rejected_steps += report.rejected;
-  adaptive.first_step = report.next_step;
-  return report.arrived;
-}
-
-/// Rows after the first; nothing, with an error, where they make no table.
-std::optional<int> count_steps(const simulation::Model& model, const MotionSettings& settings,
+/// Steps after the first row; nothing, with an error, where they make no table.
+std::optional<int> count_steps(std::size_t columns, const MotionSettings& settings,
                                Diagnostics& diagnostics) {
   constexpr double kMostNumbers = 1e8;  // 800 MB
   const auto reject = [&](std::string fault, std::string remedy) {
@@ -127,34 +98,123 @@ std::optional<int> count_steps(const simulation::Model& model, const MotionSetti
                   "give a shorter --step or more --seconds");
   }
   const double steps = std::ceil(settings.seconds / settings.step - 1e-9);
-  const auto columns = static_cast<double>(column_names(model).size());
-  if ((steps + 1) * columns <= kMostNumbers) return static_cast<int>(steps);
+  if ((steps + 1) * static_cast<double>(columns) <= kMostNumbers) return static_cast<int>(steps);
   return reject(fmt::format("{:.3g} rows of {} numbers are more than {:g} numbers", steps + 1,
                             columns, kMostNumbers),
                 "give a longer --step or fewer --seconds");
 }
 
+/// A robot that is let go, and what is recorded of it.
+class Run {
+ public:
+  Run(const simulation::Model& model, const MotionSettings& settings,
+      const std::optional<simulation::Ground>& ground, const simulation::Surface& surface,
+      const JointSprings& springs, simulation::State start)
+      : model_(model),
+        settings_(settings),
+        ground_(ground),
+        surface_(surface),
+        coordinates_(simulation::coordinates_of(model)),
+        qdd_(acceleration_of(model, settings.holds_weight, ground.has_value(), springs)),
+        adaptive_{settings.tolerance, settings.tolerance, std::min(1e-3, settings.step)},
+        state_(std::move(start)) {}
+
+  [[nodiscard]] Motion run(int steps) {
+    const auto names = column_names(model_, ground_.has_value());
+    Motion motion{report::Table(names, static_cast<std::size_t>(steps) + 1)};
+    motion.rows_planned = steps + 1;
+    motion.has_quaternions = !coordinates_.quaternions.empty();
+    if (ground_) motion.ground.emplace();
+    for (int i = 0; record(i * settings_.step, motion) && i < steps; ++i) {
+      if (!advance(i * settings_.step, motion)) break;
+    }
+    return motion;
+  }
+
+ private:
+  /// Records a row; false where the motion has left the finite and the credible.
+  bool record(double time, Motion& motion) {
+    const double energy = simulation::mechanical_energy(model_, state_);
+    const bool finite = std::isfinite(energy) && state_.q.allFinite();
+    if (!finite || !is_credible(energy, motion)) return false;
+    if (motion.table.rows() == 0) motion.start_energy = energy;
+    motion.energy_change = energy - motion.start_energy;
+    motion.largest_change = std::max(motion.largest_change, std::abs(motion.energy_change));
+    motion.quaternion_error =
+        std::max(motion.quaternion_error, quaternion_error(coordinates_, state_.q));
+    std::vector<double> row = {time};
+    row.insert(row.end(), state_.q.begin(), state_.q.end());
+    row.insert(row.end(), state_.qd.begin(), state_.qd.end());
+    row.push_back(energy);
+    if (motion.ground) {
+      const simulation::Vector3 force = (motion.ground->impulse - impulse_) / settings_.step;
+      impulse_ = motion.ground->impulse;
+      row.push_back(motion.ground->contacts);
+      row.insert(row.end(), force.begin(), force.end());
+    }
+    return motion.table.append(row.data());
+  }
+
+  /// One row's time further; false where an adaptive step became too short.
+  bool advance(double time, Motion& motion) {
+    const simulation::Flight flight = [&](double from, double dt, simulation::State& state) {
+      return fly(from, dt, state, motion);
+    };
+    if (!ground_) return flight(time, settings_.step, state_);
+    const bool whole = settings_.integrator == Integrator::semi_implicit_euler;
+    return step_on_ground(model_, *ground_, surface_, flight, time, settings_.step, whole, state_,
+                          *motion.ground);
+  }
+
+  bool fly(double time, double dt, simulation::State& state, Motion& motion) {
+    switch (settings_.integrator) {
+      case Integrator::semi_implicit_euler:
+        simulation::step_semi_implicit_euler(coordinates_, qdd_, time, dt, state);
+        return true;
+      case Integrator::runge_kutta:
+        simulation::step_runge_kutta(coordinates_, qdd_, time, dt, state);
+        return true;
+      case Integrator::adaptive:
+        break;
+    }
+    const auto report =
+        simulation::integrate_adaptively(coordinates_, qdd_, time, time + dt, adaptive_, state);
+    motion.adaptive_steps += report.steps;
+    motion.rejected_steps += report.rejected;
+    adaptive_.first_step = report.next_step;
+    return report.arrived;
+  }
+
+  const simulation::Model& model_;
+  const MotionSettings& settings_;
+  const std::optional<simulation::Ground>& ground_;
+  const simulation::Surface surface_;
+  const simulation::Coordinates coordinates_;
+  const simulation::Acceleration qdd_;
+  simulation::AdaptiveSettings adaptive_;
+  simulation::State state_;
+  simulation::Vector3 impulse_ = simulation::Vector3::Zero();  ///< of the rows before
+};
+
 }  // namespace
 
 std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
-                                      const MotionSettings& settings, Diagnostics& diagnostics) {
+                                      const MotionSettings& settings,
+                                      const std::optional<GroundOfRobot>& ground,
+                                      Diagnostics& diagnostics) {
   const auto model = model_from_robot<double>(robot, scene);
   auto state = start_state(model, reduced_mechanism(robot, scene), settings, diagnostics);
   if (!state) return std::nullopt;
-  const auto coordinates = simulation::coordinates_of(model);
-  const auto qdd = acceleration_of(model, settings);
-  const auto steps = count_steps(model, settings, diagnostics);
+  const auto steps =
+      count_steps(column_names(model, ground.has_value()).size(), settings, diagnostics);
+  const auto below = ground ? make_ground(model, ground->shapes) : std::nullopt;
+  if (below && !start_on_ground(model, *below, settings, *state, diagnostics)) return std::nullopt;
   if (!steps) return std::nullopt;
-  Motion motion{report::Table(column_names(model), static_cast<std::size_t>(*steps) + 1),
-                *steps + 1};
-  motion.has_quaternions = !coordinates.quaternions.empty();
-  simulation::AdaptiveSettings adaptive{settings.tolerance, settings.tolerance,
-                                        std::min(1e-3, settings.step)};
-  for (int i = 0; record(model, coordinates, i * settings.step, *state, motion) && i < *steps;
-       ++i) {
-    if (!advance(coordinates, qdd, i * settings.step, settings, adaptive, *state, motion)) break;
-  }
-  return motion;
+  const simulation::Surface surface =
+      ground ? simulation::Surface{ground->law.restitution, ground->law.friction, 0}
+             : simulation::Surface{};
+  const JointSprings springs = make_springs(model, settings, *state, diagnostics);
+  return Run(model, settings, below, surface, springs, std::move(*state)).run(*steps);
 }
 
 report::Plot plot_motion(const std::string& robot, const Motion& motion) {
@@ -162,14 +222,23 @@ report::Plot plot_motion(const std::string& robot, const Motion& motion) {
   report::Plot plot{robot + ", let go", "time, s", motion.table.column(0), {}};
   report::PlotPanel positions{"coordinates", "rad, m", {}};
   report::PlotPanel rates{"velocities", "rad/s, m/s", {}};
-  for (std::size_t i = 1; i + 1 < names.size(); ++i) {
-    (names[i].starts_with("qd") ? rates : positions)
-        .lines.push_back({names.size() < 16 ? names[i] : "", motion.table.column(i)});
+  report::PlotPanel forces{"force of the ground", "N", {}};
+  report::PlotPanel energies{"energy since the start", "J", {}};
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const std::string& name = names[i];
+    std::vector<double> column = motion.table.column(i);
+    if (name == "energy_J") {
+      for (double& energy : column) energy -= motion.start_energy;
+      energies.lines.push_back({"", std::move(column)});
+    } else if (name.starts_with("ground")) {
+      forces.lines.push_back({name.substr(7, 1), std::move(column)});
+    } else if (name.starts_with("q")) {
+      (name.starts_with("qd") ? rates : positions)
+          .lines.push_back({names.size() < 16 ? name : "", std::move(column)});
+    }
   }
-  std::vector<double> change = motion.table.column(names.size() - 1);
-  for (double& energy : change) energy -= motion.start_energy;
-  report::PlotPanel energy{"energy since the start", "J", {{"", std::move(change)}}};
-  plot.panels = {std::move(positions), std::move(rates), std::move(energy)};
+  plot.panels = {std::move(positions), std::move(rates), std::move(energies)};
+  if (!forces.lines.empty()) plot.panels.push_back(std::move(forces));
   return plot;
 }
 

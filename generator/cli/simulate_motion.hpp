@@ -1,12 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "description/surroundings.hpp"
 #include "report/plot.hpp"
 #include "report/table.hpp"
+#include "simulation/step_on_ground.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
@@ -23,9 +26,20 @@ struct MotionSettings {
   std::vector<double> q, qd;
   bool holds_weight = false;  ///< joint forces cancel gravity
   double damping = 0;         ///< joint force per joint velocity, N s/m or N m s
+  double stiffness = 0;       ///< joint force per displacement from the start, N/m or N m
+  /// m, of a floating robot's lowest point at the start; empty: as `q` says, without `q` on the
+  /// ground where it would be in it
+  std::optional<double> height;
 };
 
-/// A motion: a row a step with time, q, qd and energy, and what became of what should not change.
+/// The ground of a scene, and what of the robot may touch it.
+struct GroundOfRobot {
+  SceneGround law;
+  std::vector<simulation::GroundShape> shapes;  ///< their links are named, bodies not yet known
+};
+
+/// A motion: a row a step with time, q, qd and energy, on a ground with contacts and force too, and
+/// what became of what should not change.
 struct Motion {
   report::Table table;
   int rows_planned = 0;       ///< fewer in the table: the motion was given up
@@ -35,12 +49,16 @@ struct Motion {
   bool has_quaternions = false;
   double quaternion_error = 0;  ///< largest | |quaternion| - 1 |
   int adaptive_steps = 0, rejected_steps = 0;
+  std::optional<simulation::GroundAccount> ground = std::nullopt;
 };
 
-/// Runs the robot freely, by forward dynamics of the generic interpreter. Errors: q or qd of
-/// another length; a mass matrix that cannot be inverted shows as a motion given up.
+/// Runs the robot freely or on a ground, by forward dynamics of the generic interpreter. Errors: q
+/// or qd of another length; a start in the ground; a mass matrix that cannot be inverted shows as a
+/// motion given up.
 std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
-                                      const MotionSettings& settings, Diagnostics& diagnostics);
+                                      const MotionSettings& settings,
+                                      const std::optional<GroundOfRobot>& ground,
+                                      Diagnostics& diagnostics);
 
 /// Coordinates and energy over time.
 report::Plot plot_motion(const std::string& robot, const Motion& motion);

@@ -145,6 +145,25 @@ void read_avoidance(const SceneElement& element, const Robot& robot, SceneAvoida
   }
 }
 
+SceneGround read_ground(const SceneElement& element) {
+  SceneGround ground;
+  const SceneFields fields = element.fields({"friction", "restitution"});
+  if (const auto friction = fields.find("friction"); friction != fields.end()) {
+    ground.friction = friction->second.number().value_or(ground.friction);
+    if (ground.friction < 0) {
+      friction->second.error("this is negative", "give Coulomb's coefficient, 0 without friction");
+    }
+  }
+  if (const auto restitution = fields.find("restitution"); restitution != fields.end()) {
+    ground.restitution = restitution->second.number().value_or(ground.restitution);
+    if (ground.restitution < 0 || ground.restitution > 1) {
+      restitution->second.error("this is not between 0 and 1",
+                                "give 0 where blows end the approach, 1 where they reverse it");
+    }
+  }
+  return ground;
+}
+
 }  // namespace
 
 SceneSurroundings read_surroundings(const SceneFields& fields, const Robot& robot) {
@@ -154,6 +173,9 @@ SceneSurroundings read_surroundings(const SceneFields& fields, const Robot& robo
     for (const SceneElement& object : objects->second.items()) {
       surroundings.shapes.push_back(read_object_shapes(object));
     }
+  }
+  if (const auto ground = fields.find("ground"); ground != fields.end()) {
+    surroundings.ground = read_ground(ground->second);
   }
   if (const auto obstacles = fields.find("obstacles"); obstacles != fields.end()) {
     read_obstacles(obstacles->second, surroundings);

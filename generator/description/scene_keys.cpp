@@ -233,6 +233,7 @@ const std::vector<SceneKey>& scene_keys() {
       {"joint_friction", read_joint_friction, note_unused_friction},
       {"joint_springs", read_joint_springs, note_unused_springs},
       {"robots"},
+      {"ground"},
       {"obstacles"},
       {"avoidance"},
   };

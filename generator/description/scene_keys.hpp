@@ -12,7 +12,7 @@ namespace treeline {
 struct SceneKey {
   const char* name;
   /// Reads its value into the scene. Null for what other readers take from the file: robots,
-  /// obstacles and avoidance.
+  /// ground, obstacles and avoidance.
   void (*read)(const SceneElement& value, const Robot& robot, Scene& scene) = nullptr;
   /// Notes for a scene without the key, if there are any.
   void (*note_absence)(const SceneElement& top, const Robot& robot) = nullptr;

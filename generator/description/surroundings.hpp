@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,15 @@ struct SceneAvoidance {
   std::vector<SceneGuard> points;  ///< beside the operational points
 };
 
-/// Obstacles around a robot, and the looks of its objects. No generated code depends on it.
+/// The ground, z < 0.
+struct SceneGround {
+  double friction = 0.8;   ///< Coulomb's coefficient
+  double restitution = 0;  ///< speed after a blow by speed before, 0 to 1
+};
+
+/// What is around a robot, and the looks of its objects. No generated code depends on it.
 struct SceneSurroundings {
+  std::optional<SceneGround> ground;
   std::vector<SceneObstacle> obstacles;
   SceneAvoidance avoidance;
   std::vector<std::vector<SceneShape>> shapes;  ///< of each object, in its frame; may be empty

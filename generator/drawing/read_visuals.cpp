@@ -17,6 +17,8 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr Color kGrey = {0.7, 0.7, 0.7};
+constexpr const char* kShapesWithSizes =
+    "Write a box, cylinder, capsule, sphere or mesh with positive sizes.";
 
 std::string text_of(const XMLElement& element, const char* attribute) {
   const char* text = element.Attribute(attribute);
@@ -52,29 +54,46 @@ std::optional<Color> read_color(const XMLElement* material) {
 }
 
 /// Sets kind and size. False if there is no shape that has a size.
-bool read_shape(const XMLElement* geometry, Visual& visual) {
-  const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
-  if (shape == nullptr) return false;
-  const std::string name = shape->Name();
+bool read_shape(const XMLElement& shape, Visual& visual) {
+  const std::string name = shape.Name();
   const auto length = [&](const char* attribute) {
-    const auto number = numbers_of(*shape, attribute, 1);
+    const auto number = numbers_of(shape, attribute, 1);
     return number && number->front() > 0 ? number->front() : 0;
   };
   if (name == "mesh") {
-    const auto scale = numbers_of(*shape, "scale", 3);
+    const auto scale = numbers_of(shape, "scale", 3);
     visual.size = scale ? Eigen::Vector3d(scale->data()) : Eigen::Vector3d::Ones();
-    visual.file = text_of(*shape, "filename");
+    visual.file = text_of(shape, "filename");
     return true;
   }
   if (name == "box") {
-    const auto size = numbers_of(*shape, "size", 3);
+    const auto size = numbers_of(shape, "size", 3);
     visual.kind = VisualKind::box;
     if (size) visual.size = Eigen::Vector3d::Map(size->data());
     return size.has_value() && visual.size.minCoeff() >= 0;
   }
   visual.size = {length("radius"), length("length"), 0};
   visual.kind = name == "sphere" ? VisualKind::sphere : VisualKind::cylinder;
-  return visual.size[0] > 0 && (name == "sphere" || (name == "cylinder" && visual.size[1] > 0));
+  const bool is_long = name == "cylinder" || name == "capsule";
+  return visual.size[0] > 0 && (name == "sphere" || (is_long && visual.size[1] > 0));
+}
+
+/// Adds what the geometry of a visual or a collision shows: a shape, of a capsule three. False if
+/// there is no shape that has a size.
+bool add_shapes(const XMLElement& element, Visual visual, std::vector<Visual>& visuals) {
+  const XMLElement* geometry = element.FirstChildElement("geometry");
+  const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+  visual.pose = read_pose(element.FirstChildElement("origin"));
+  if (shape == nullptr || !read_shape(*shape, visual)) return false;
+  visuals.push_back(visual);
+  if (std::string(shape->Name()) != "capsule") return true;
+  const double half = 0.5 * visual.size[1];
+  visual.kind = VisualKind::sphere;
+  for (const double along : {half, -2 * half}) {
+    visual.pose.translate(along * Eigen::Vector3d::UnitZ());
+    visuals.push_back(visual);
+  }
+  return true;
 }
 
 /// Colours that are given once for the robot, by name.
@@ -104,34 +123,43 @@ std::vector<Visual> visuals_of(const XMLElement& link, const std::string& file,
        element = element->NextSiblingElement("visual")) {
     Visual visual;
     visual.link = text_of(link, "name");
-    visual.pose = read_pose(element->FirstChildElement("origin"));
     visual.color = color_of(*element, materials);
-    if (read_shape(element->FirstChildElement("geometry"), visual)) {
-      visuals.push_back(visual);
-    } else {
+    if (!add_shapes(*element, visual, visuals)) {
       diagnostics.add({Severity::warning, file, element->GetLineNum(),
                        fmt::format("robot/link[{}]/visual", visual.link),
-                       "is not drawn: no shape with a size",
-                       "Write a box, cylinder, sphere or mesh with positive sizes."});
+                       "is not drawn: no shape with a size", kShapesWithSizes});
     }
   }
   return visuals;
 }
 
-/// The shapes by which a link collides, in the colour in which it is seen. By value: `visuals`
-/// grows.
-void add_collisions(const XMLElement& link, Color color, std::vector<Visual>& visuals) {
+/// The shapes by which a link collides, without those that have no size.
+std::vector<Visual> collisions_of(const XMLElement& link, const std::string& file,
+                                  Diagnostics& diagnostics) {
+  std::vector<Visual> shapes;
   for (const XMLElement* element = link.FirstChildElement("collision"); element != nullptr;
        element = element->NextSiblingElement("collision")) {
-    Visual visual;
-    visual.link = text_of(link, "name");
-    visual.pose = read_pose(element->FirstChildElement("origin"));
-    visual.color = color;
-    visual.stands_in = true;
-    if (read_shape(element->FirstChildElement("geometry"), visual) &&
-        visual.kind != VisualKind::mesh) {
-      visuals.push_back(visual);
+    Visual shape;
+    shape.link = text_of(link, "name");
+    shape.color = kGrey;
+    if (!add_shapes(*element, shape, shapes)) {
+      diagnostics.add({Severity::warning, file, element->GetLineNum(),
+                       fmt::format("robot/link[{}]/collision", shape.link),
+                       "touches nothing: no shape with a size", kShapesWithSizes});
     }
+  }
+  return shapes;
+}
+
+/// Adds the shapes that stand in for meshes, in the colour in which the link is seen.
+void add_stand_ins(const XMLElement& link, std::vector<Visual>& visuals) {
+  const Color color = visuals.front().color;
+  Diagnostics not_shown;
+  for (Visual& shape : collisions_of(link, "", not_shown)) {
+    if (shape.kind == VisualKind::mesh) continue;
+    shape.color = color;
+    shape.stands_in = true;
+    visuals.push_back(std::move(shape));
   }
 }
 
@@ -150,7 +178,7 @@ std::vector<Visual> read_visuals(const std::string& urdf, const std::string& fil
     const bool meshes = std::all_of(own.begin(), own.end(), [](const Visual& visual) {
       return visual.kind == VisualKind::mesh;
     });
-    if (!own.empty() && meshes) add_collisions(*link, own.front().color, own);
+    if (!own.empty() && meshes) add_stand_ins(*link, own);
     visuals.insert(visuals.end(), own.begin(), own.end());
   }
   return visuals;
@@ -163,7 +191,8 @@ std::vector<Visual> read_collisions(const std::string& urdf, const std::string& 
   std::vector<Visual> shapes;
   const XMLElement* link = robot == nullptr ? nullptr : robot->FirstChildElement("link");
   for (; link != nullptr; link = link->NextSiblingElement("link")) {
-    add_collisions(*link, kGrey, shapes);
+    const auto own = collisions_of(*link, file, diagnostics);
+    shapes.insert(shapes.end(), own.begin(), own.end());
   }
   return shapes;
 }

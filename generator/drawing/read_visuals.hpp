@@ -26,12 +26,14 @@ struct Visual {
 };
 
 /// The visuals of a URDF that can be read as one, in the file's order. A visual without a shape
-/// that has a size is left out, with a warning. Where all visuals of a link are meshes, the boxes,
-/// cylinders and spheres by which it collides follow them and stand in.
+/// that has a size is left out, with a warning. A capsule is a cylinder and two spheres. Where all
+/// visuals of a link are meshes, the boxes, cylinders and spheres by which it collides follow them
+/// and stand in.
 std::vector<Visual> read_visuals(const std::string& urdf, const std::string& file,
                                  Diagnostics& diagnostics);
 
-/// The boxes, cylinders and spheres by which the links of a URDF collide, in the file's order.
+/// The shapes by which the links of a URDF collide, in the file's order. Those without a size are
+/// left out, with a warning.
 std::vector<Visual> read_collisions(const std::string& urdf, const std::string& file,
                                     Diagnostics& diagnostics);
 

@@ -18,8 +18,14 @@ namespace treeline::core {
 #define TL_INLINE static inline
 #define TL_FUNCTION static inline
 
+/// 10^exponent, exact as far as `Real` holds it.
+template <class Real>
+constexpr Real power_of_ten(int exponent) {
+  return exponent == 0 ? Real(1) : Real(10) * power_of_ten<Real>(exponent - 1);
+}
+
 /// Everything of runtime/emitted/contact_solver.h, for at most so many contacts.
-template <class Number, int room>
+template <class Number, int room, int digits>
 struct EmittedContacts {
   using real = Number;
   static constexpr real TL_ZERO = real(0), TL_HALF = real(0.5), TL_ONE = real(1), TL_TWO = real(2),
@@ -27,7 +33,7 @@ struct EmittedContacts {
   static constexpr int32_t TL_CONTACTS = room, TL_CONTACT_ROWS = in_eights(3 * room);
   static constexpr bool kDouble = sizeof(real) >= sizeof(double);
   static constexpr real TL_ROUNDING = Format<real>::kEpsilon,
-                        TL_CONTACT_TOLERANCE = real(kDouble ? 1e-12 : 1e-5),
+                        TL_CONTACT_TOLERANCE = TL_ONE / power_of_ten<real>(kDouble ? digits : 5),
                         TL_CONTACT_SHIFT = real(kDouble ? 1e-12 : 1e-5),
                         TL_LARGEST_FRICTION = real(kDouble ? 1e6 : 1e3);
 
@@ -61,8 +67,9 @@ struct ContactSolution {
 /// The most steps of any problem.
 inline constexpr int kMostContactSteps = 5 * 13 * (4 + 10 * 9 + 40 + 4 * 6);
 
-/// Impulses at up to `most` contacts. The object is the memory that the method takes.
-template <class Real, int most>
+/// Impulses at up to `most` contacts, in double to `digits` digits. The object is the memory that
+/// the method takes.
+template <class Real, int most, int digits = 12>
 class ContactSolver {
  public:
   /// Impulses `y` at `count` contacts and the velocities after them, v += A y, world axes, three
@@ -72,7 +79,7 @@ class ContactSolver {
   ///
   /// Solved is, for each contact, Moreau's law: v_n >= -e v_n before, y_n >= 0, one of them equal;
   /// |y_t| <= friction y_n, with y_t against v_t wherever the contact slides. `converged` says that
-  /// every contact meets its law within 1e-12 (in float 1e-5) of the largest speed before, or
+  /// every contact meets its law within 10^-digits (in float 1e-5) of the largest speed before, or
   /// within ten units of rounding of A y, whatever the masses. Where several solutions exist it is
   /// one of them.
   ///
@@ -93,7 +100,7 @@ class ContactSolver {
   }
 
  private:
-  using Method = EmittedContacts<Real, most>;
+  using Method = EmittedContacts<Real, most, digits>;
   typename Method::TlContacts contacts_;
   typename Method::TlContactLaw laws_[most];
 };

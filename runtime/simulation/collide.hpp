@@ -30,7 +30,8 @@ struct Touch {
   int other_body = interpreter::kWorld;
   Vector3 position = Vector3::Zero();  ///< middle of the overlap, world axes
   Vector3 normal = Vector3::UnitZ();   ///< pointing out of `other`, world axes
-  double depth = 0;                    ///< m
+  double depth = 0;                    ///< m; negative where they do not touch yet
+  double allowed = 0;  ///< m/s: a blow may leave so much approach; none where they overlap
 };
 
 /// Finds the shapes that touch, using FCL. Only pairs of shapes on different roots count, so shapes

@@ -1,5 +1,7 @@
 #include "simulation/strike.hpp"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -11,25 +13,24 @@ namespace {
 
 using interpreter::Matrix;
 
-/// Points of the bodies of all touches, followed by the points of the bodies that they touch.
-interpreter::Points<double> points_of(const Model& model, const std::vector<Touch>& touches,
-                                      const Vector& q) {
+/// J of the velocities of all touching points, relative to what they touch: three rows each.
+Matrix<double> relative_jacobian(const Model& model, const std::vector<Touch>& touches,
+                                 const Vector& q) {
   const auto k = interpreter::kinematics<double>(model, q, Vector::Zero(model.nv));
   interpreter::Points<double> points;
   const auto add = [&](int body, const Vector3& position) {
     const Vector3 in_body = k.R_world[body].transpose() * (position - k.p_world[body]);
     points.push_back(interpreter::contact_point<double>(body, in_body));
   };
+  const auto in_world = [](const Touch& touch) { return touch.other_body == interpreter::kWorld; };
   for (const Touch& touch : touches) add(touch.body, touch.position);
+  const auto rows = 3 * static_cast<Eigen::Index>(touches.size());
+  if (std::all_of(touches.begin(), touches.end(), in_world)) {
+    return interpreter::jacobian<double>(model, points, q);
+  }
   for (const Touch& touch : touches) add(touch.other_body, touch.position);
-  return points;
-}
-
-/// Applies E = [1 -1], in which common motion of both bodies cancels.
-Matrix<double> relative(const Matrix<double>& A) {
-  const Eigen::Index n = A.rows() / 2;
-  return A.topLeftCorner(n, n) - A.topRightCorner(n, n) - A.bottomLeftCorner(n, n) +
-         A.bottomRightCorner(n, n);
+  const Matrix<double> J = interpreter::jacobian<double>(model, points, q);
+  return J.topRows(rows) - J.bottomRows(rows);
 }
 
 std::vector<core::ContactLaw<double>> laws_of(const Blow& blow, const Surface& surface) {
@@ -46,52 +47,77 @@ std::vector<core::ContactLaw<double>> laws_of(const Blow& blow, const Surface& s
   return laws;
 }
 
+template <int room, int digits>
+core::ContactSolution<double> solve_with_room(const Matrix<double>& A,
+                                              const std::vector<core::ContactLaw<double>>& laws,
+                                              Vector& v, Vector& impulses) {
+  const auto solver = std::make_unique<core::ContactSolver<double, room, digits>>();
+  return solver->solve(static_cast<int>(laws.size()), A.data(), laws.data(), v.data(),
+                       impulses.data());
+}
+
 core::ContactSolution<double> solve(const Matrix<double>& A,
                                     const std::vector<core::ContactLaw<double>>& laws, Vector& v,
                                     Vector& impulses) {
-  constexpr int kFew = 8, kMost = 64;
-  const int count = static_cast<int>(laws.size());
-  if (count > kMost) throw std::length_error("more than 64 shapes touch at once");
-  if (count <= kFew) {
-    core::ContactSolver<double, kFew> solver;
-    return solver.solve(count, A.data(), laws.data(), v.data(), impulses.data());
-  }
-  const auto solver = std::make_unique<core::ContactSolver<double, kMost>>();
-  return solver->solve(count, A.data(), laws.data(), v.data(), impulses.data());
+  if (laws.size() > 64) throw std::length_error("more than 64 shapes touch at once");
+  if (laws.size() <= 8) return solve_with_room<8, 12>(A, laws, v, impulses);
+  if (laws.size() <= 16) return solve_with_room<16, 8>(A, laws, v, impulses);
+  return solve_with_room<64, 8>(A, laws, v, impulses);
 }
 
-bool can_move(const Model& model, const Touch& touch, const Vector& q) {
-  const auto points = points_of(model, {touch}, q);
-  const auto A = relative(interpreter::contact_inverse_inertia<double>(model, points, q));
-  return touch.normal.dot(A * touch.normal) > 0;
+/// Leaves out touches that no impulse can separate, and their rows of J.
+void keep_movable(const Eigen::LDLT<Matrix<double>>& M, std::vector<Touch>& touches,
+                  Matrix<double>& J) {
+  constexpr double kRounding = 1e-16;  // of squares of entries of J
+  std::vector<Eigen::Index> rows;
+  std::vector<Touch> kept;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const auto row = 3 * static_cast<Eigen::Index>(i);
+    const Matrix<double> own = J.middleRows(row, 3);
+    const Matrix<double> A = own * M.solve(own.transpose());
+    const Vector3& n = touches[i].normal;
+    if (!(n.dot(A * n) > kRounding * A.trace())) continue;
+    rows.insert(rows.end(), {row, row + 1, row + 2});
+    kept.push_back(touches[i]);
+  }
+  if (kept.size() < touches.size()) J = Matrix<double>(J(rows, Eigen::all));
+  touches = std::move(kept);
+}
+
+/// Adds the approach that each touch allows to the velocities along its normal.
+void add_allowed(const std::vector<Touch>& touches, Vector& velocities) {
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    velocities.segment<3>(3 * static_cast<Eigen::Index>(i)) +=
+        touches[i].allowed * touches[i].normal;
+  }
 }
 
 }  // namespace
 
 Blow strike(const Model& model, std::vector<Touch> touches, const Surface& surface, State& state) {
-  std::erase_if(touches, [&](const Touch& touch) { return !can_move(model, touch, state.q); });
+  Matrix<double> J = relative_jacobian(model, touches, state.q);
+  const Matrix<double> M = interpreter::mass_matrix<double>(model, state.q);
+  const Eigen::LDLT<Matrix<double>> factors(M);
+  keep_movable(factors, touches, J);
   Blow blow;
   blow.touches = std::move(touches);
-  const auto n = 3 * static_cast<Eigen::Index>(blow.touches.size());
-  if (n == 0) return blow;
-  const auto points = points_of(model, blow.touches, state.q);
-  const Matrix<double> A =
-      relative(interpreter::contact_inverse_inertia<double>(model, points, state.q));
-  const Vector v = interpreter::contact_motion<double>(model, points, state.q, state.qd).velocity;
-  blow.before = v.head(n) - v.tail(n);
-  blow.after = blow.before;
-  blow.impulses = Vector::Zero(n);
+  blow.dqd = Vector::Zero(model.nv);
+  if (blow.touches.empty()) return blow;
+  const Matrix<double> response = factors.solve(J.transpose());
+  const Matrix<double> A = J * response;
+  blow.before = J * state.qd;
+  blow.impulses = Vector::Zero(J.rows());
   const auto laws = laws_of(blow, surface);
-  blow.solution = solve(A, laws, blow.after, blow.impulses);
+  Vector v = blow.before;
+  add_allowed(blow.touches, v);
+  blow.solution = solve(A, laws, v, blow.impulses);
+  blow.dqd = response * blow.impulses;
+  blow.after = blow.before + A * blow.impulses;
   blow.work = 0.5 * blow.impulses.dot(blow.before + blow.after);
   blow.restitution = surface.restitution;
-  blow.energy = -kinetic_energy(model, state);
-  blow.momentum = -momentum(model, state);
-  Vector both(2 * n);
-  both << blow.impulses, -blow.impulses;
-  state.qd += interpreter::impulse_response<double>(model, points, state.q, both).dqd;
-  blow.energy += kinetic_energy(model, state);
-  blow.momentum += momentum(model, state);
+  blow.energy = blow.dqd.dot(M * (state.qd + 0.5 * blow.dqd));
+  blow.momentum = momentum(model, {state.q, blow.dqd});
+  state.qd += blow.dqd;
   return blow;
 }
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/collide.hpp"
+
+namespace treeline::simulation {
+
+/// The part of a link's shape that reaches a plane first: balls of one radius about some points,
+/// which are corners where it is 0, or the rims of disks about them.
+struct GroundShape {
+  int body = interpreter::kWorld;
+  std::string link;                ///< for messages
+  std::vector<Vector3> points;     ///< in the body's frame, m
+  double radius = 0;               ///< m
+  Vector3 axis = Vector3::Zero();  ///< unit vector along the disks' axis; zero: balls
+};
+
+/// The most points that touch the ground at once.
+inline constexpr int kMostGroundContacts = 16;
+
+/// Points of a robot near the ground.
+struct GroundTouches {
+  std::vector<Touch> touches;  ///< the deepest first; velocities in `speeds`
+  std::vector<double> speeds;  ///< m/s, upward
+  int left_out = 0;            ///< points in the ground beyond the most that count
+};
+
+/// The ground z < 0, and what of a robot may touch it. Links that cannot move touch nothing.
+class Ground {
+ public:
+  Ground(const Model& model, std::vector<GroundShape> shapes, int most = kMostGroundContacts);
+
+  /// Whether any link that moves has a shape.
+  [[nodiscard]] bool is_in_reach() const { return !shapes_.empty(); }
+  /// The points that are lower than `margin` (m): of links that move as one at most four, the
+  /// lowest and those that span most; of all the deepest.
+  [[nodiscard]] GroundTouches touches(const Model& model, const State& state, double margin) const;
+  /// The lowest point of all; its shape is an index into `shapes`.
+  [[nodiscard]] Touch lowest(const Model& model, const Vector& q) const;
+  [[nodiscard]] const std::vector<GroundShape>& shapes() const { return shapes_; }
+
+ private:
+  std::vector<GroundShape> shapes_;  ///< those of one group after each other
+  std::vector<int> groups_;          ///< of each shape: the body that carries it
+  int most_;
+};
+
+}  // namespace treeline::simulation
