@@ -110,5 +110,26 @@ TEST(ReadSurroundings, RefusesWhatItDoesNotUnderstand) {
   }
 }
 
+TEST(ReadSurroundings, ReadsTheGround) {
+  const std::string text = "ground: {friction: 0.3, restitution: 1}\n";
+  Diagnostics diagnostics;
+  ASSERT_TRUE(parse_scene(text, "s.yaml", make_robot(), diagnostics)) << to_string(diagnostics);
+  const auto ground = surroundings_of(text, make_robot()).ground;
+  ASSERT_TRUE(ground);
+  EXPECT_EQ(ground->friction, 0.3);
+  EXPECT_EQ(ground->restitution, 1.0);
+  EXPECT_TRUE(surroundings_of("ground: {}\n", make_robot()).ground);
+  EXPECT_FALSE(surroundings_of("", make_robot()).ground);
+}
+
+TEST(ReadSurroundings, RefusesGroundThatIsNone) {
+  for (const char* text :
+       {"ground: {friction: -0.1}\n", "ground: {restitution: 1.1}\n", "ground: {restitution: -1}\n",
+        "ground: {slip: 1}\n", "ground: true\n"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_scene(text, "s.yaml", make_robot(), diagnostics)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace treeline

@@ -87,16 +87,25 @@ TEST(ReadCollisions, HasWhatLinksCollideByAndNothingElse) {
   <collision><origin xyz="1 2 3"/><geometry><sphere radius="0.5"/></geometry></collision>
   <collision><geometry><mesh filename="a.stl"/></geometry></collision>
 </link>
-<link name="b"><collision><geometry><cylinder radius="0.1" length="2"/></geometry></collision></link>
+<link name="b"><collision><geometry><cylinder radius="0.1" length="2"/></geometry></collision>
+  <collision><origin xyz="1 0 0"/><geometry><capsule radius="0.1" length="2"/></geometry></collision>
+  <collision><geometry><capsule radius="0.1"/></geometry></collision></link>
 </robot>)";
   Diagnostics diagnostics;
   const auto shapes = read_collisions(kBoth, "arm.urdf", diagnostics);
-  ASSERT_EQ(shapes.size(), 2U);
+  ASSERT_EQ(shapes.size(), 6U);
   EXPECT_EQ(shapes[0].link, "a");
   EXPECT_EQ(shapes[0].kind, VisualKind::sphere);
   EXPECT_EQ(shapes[0].pose.translation(), Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(shapes[1].kind, VisualKind::cylinder);
-  EXPECT_EQ(shapes[1].size.head(2), Eigen::Vector2d(0.1, 2));
+  EXPECT_EQ(shapes[1].kind, VisualKind::mesh);
+  EXPECT_EQ(shapes[1].file, "a.stl");
+  EXPECT_EQ(shapes[2].kind, VisualKind::cylinder);
+  EXPECT_EQ(shapes[2].size.head(2), Eigen::Vector2d(0.1, 2));
+  EXPECT_EQ(shapes[3].kind, VisualKind::cylinder);  // of a capsule, with two spheres at its ends
+  EXPECT_EQ(shapes[4].pose.translation(), Eigen::Vector3d(1, 0, 1));
+  EXPECT_EQ(shapes[5].pose.translation(), Eigen::Vector3d(1, 0, -1));
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_EQ(diagnostics.list()[0].line, 9);
 }
 
 }  // namespace
