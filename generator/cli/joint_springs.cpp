@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <algorithm>
+#include <Eigen/Eigenvalues>
 
 #include "interpreter/instances.hpp"
 
@@ -12,28 +12,46 @@ namespace {
 
 using simulation::Vector;
 
-/// The diagonal of M^-1.
-Vector mobilities(const simulation::Model& model, const Vector& q) {
+/// M^-1
+Eigen::MatrixXd mobility(const simulation::Model& model, const Vector& q) {
   const auto M = interpreter::mass_matrix<double>(model, q);
-  const Eigen::MatrixXd inverse =
-      Eigen::LDLT<Eigen::MatrixXd>(M).solve(Eigen::MatrixXd::Identity(model.nv, model.nv));
-  return inverse.diagonal();
+  return Eigen::LDLT<Eigen::MatrixXd>(M).solve(Eigen::MatrixXd::Identity(model.nv, model.nv));
+}
+
+/// Coefficients of which none is more than `share` of what its joint would bear alone: 1 / (w_ii
+/// time).
+Vector limited(const Vector& wanted, const Eigen::MatrixXd& w, double share, double time) {
+  return wanted.cwiseMin((share / time * w.diagonal().cwiseInverse()).eval());
+}
+
+/// The largest coefficients of these with which `time` times the largest eigenvalue of w diag(c) is
+/// at most 1: shares of 1, 1/2, 1/4 and so on of what each joint would bear alone.
+Vector stable(const Vector& wanted, const Eigen::MatrixXd& w, double time) {
+  for (double share = 1;; share /= 2) {
+    const Vector c = limited(wanted, w, share, time);
+    const Vector root = c.cwiseSqrt();
+    const Eigen::MatrixXd scaled = time * root.asDiagonal() * w * root.asDiagonal();
+    const double largest =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
+            .eigenvalues()
+            .maxCoeff();
+    if (!(largest > 1)) return c;
+  }
 }
 
 void limit(const simulation::Model& model, double step, const Vector& q, JointSprings& springs,
            Diagnostics& diagnostics) {
-  const Vector w = model.nv * mobilities(model, q);
+  const Eigen::MatrixXd w = mobility(model, q);
+  const Vector stiffness = stable(springs.stiffness, w, step * step);
+  const Vector damping = stable(springs.damping, w, step);
   int weaker = 0;
   for (int v = 0; v < model.nv; ++v) {
-    const double most_stiffness = 1 / (w[v] * step * step);
-    const double most_damping = 1 / (w[v] * step);
     const bool is_joint = springs.coordinates[static_cast<std::size_t>(v)] >= 0;
-    const bool is_weaker =
-        springs.stiffness[v] > most_stiffness || springs.damping[v] > most_damping;
+    const bool is_weaker = stiffness[v] < springs.stiffness[v] || damping[v] < springs.damping[v];
     weaker += is_joint && is_weaker ? 1 : 0;
-    springs.stiffness[v] = std::min(springs.stiffness[v], most_stiffness);
-    springs.damping[v] = std::min(springs.damping[v], most_damping);
   }
+  springs.stiffness = stiffness;
+  springs.damping = damping;
   if (weaker == 0) return;
   diagnostics.add({Severity::note, "", 0, "--stiffness",
                    fmt::format("{} joints are too light for the step and have weaker springs or "

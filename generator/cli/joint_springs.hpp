@@ -11,10 +11,9 @@ struct JointSprings {
 };
 
 /// Springs and dampers as `settings` has them: springs in joints of one freedom, at rest at
-/// `start`. With springs, both are as strong in each joint as the step permits: with w = (M^-1)_ii
-/// of the start and n velocities, at most 1 / (n w step^2) and 1 / (n w step), so that the sum of
-/// the eigenvalues of M^-1 K step^2 and of M^-1 D step is at most 1, where explicit integrators
-/// are stable. A note tells how many joints are weaker for that.
+/// `start`. With springs, both are as strong in each joint as the step permits: the eigenvalues of
+/// M^-1 K step^2 and of M^-1 D step at the start are at most 1, where explicit integrators are
+/// stable. A note tells how many joints are weaker for that.
 JointSprings make_springs(const simulation::Model& model, const MotionSettings& settings,
                           const simulation::State& start, Diagnostics& diagnostics);
 

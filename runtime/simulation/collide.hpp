@@ -31,7 +31,9 @@ struct Touch {
   Vector3 position = Vector3::Zero();  ///< middle of the overlap, world axes
   Vector3 normal = Vector3::UnitZ();   ///< pointing out of `other`, world axes
   double depth = 0;                    ///< m; negative where they do not touch yet
+  int point = 0;                       ///< which of the shape's, where it has several
   double allowed = 0;  ///< m/s: a blow may leave so much approach; none where they overlap
+  Vector3 start = Vector3::Zero();  ///< N s, a guess of the impulse on `body`
 };
 
 /// Finds the shapes that touch, using FCL. Only pairs of shapes on different roots count, so shapes

@@ -97,9 +97,10 @@ double upward_speed(const Touch& touch, const Kinematics& k) {
   return (R * interpreter::linear(k.v[touch.body]) + w.cross(arm)).z();
 }
 
-Touch touch_of(int shape, int body, const Vector3& point) {
+Touch touch_of(int shape, int which, int body, const Vector3& point) {
   Touch touch;
   touch.shape = shape;
+  touch.point = which;
   touch.body = body;
   touch.position = point;
   touch.depth = -point.z();
@@ -124,8 +125,11 @@ GroundTouches Ground::touches(const Model& model, const State& state, double mar
   std::vector<Touch> of_group;
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const GroundShape& shape = shapes_[i];
+    int which = 0;
     visit_points(shape, k, [&](const Vector3& point) {
-      if (point.z() < margin) of_group.push_back(touch_of(static_cast<int>(i), shape.body, point));
+      ++which;
+      if (!(point.z() < margin)) return;
+      of_group.push_back(touch_of(static_cast<int>(i), which, shape.body, point));
     });
     if (i + 1 < shapes_.size() && groups_[i + 1] == groups_[i]) continue;
     keep_extremes(of_group);
@@ -149,7 +153,7 @@ Touch Ground::lowest(const Model& model, const Vector& q) const {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     visit_points(shapes_[i], k, [&](const Vector3& point) {
       if (-point.z() <= lowest.depth) return;
-      lowest = touch_of(static_cast<int>(i), shapes_[i].body, point);
+      lowest = touch_of(static_cast<int>(i), 0, shapes_[i].body, point);
     });
   }
   return lowest;

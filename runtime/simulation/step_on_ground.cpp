@@ -21,9 +21,11 @@ void count(const Blow& blow, Step& step) {
   constexpr double kFine = 1e-9;  // m/s
   GroundAccount& account = step.account;
   int pressed = 0;
+  account.last.clear();
   for (std::size_t i = 0; i < blow.touches.size(); ++i) {
     const Vector3 impulse = blow.impulses.segment<3>(3 * static_cast<Eigen::Index>(i));
     account.impulse += impulse;
+    account.last[{blow.touches[i].shape, blow.touches[i].point}] = impulse;
     pressed += impulse.z() > 0 ? 1 : 0;
   }
   account.contacts = std::max(account.contacts, pressed);
@@ -89,6 +91,8 @@ void settle(Step& step, double dt, bool bounces_later, const State& start, State
   for (std::size_t i = 0; i < found.touches.size(); ++i) {
     Touch& touch = found.touches[i];
     touch.allowed = std::max(0.0, -(touch.depth / dt + share * found.speeds[i]));
+    const auto last = step.account.last.find({touch.shape, touch.point});
+    if (last != step.account.last.end()) touch.start = last->second;
   }
   const double energy =
       std::max(mechanical_energy(step.model, start), mechanical_energy(step.model, state));

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <utility>
 
 #include "simulation/ground.hpp"
 #include "simulation/strike.hpp"
@@ -18,7 +20,8 @@ struct GroundAccount {
   int contacts = 0;                   ///< points that were pressed in the last step
   int most_contacts = 0;              ///< the most of any step
   int bounces = 0;
-  int left_out = 0;     ///< steps in which points in the ground were more than count
+  int left_out = 0;  ///< steps in which points in the ground were more than count
+  std::map<std::pair<int, int>, Vector3> last;  ///< N s, of each point of a shape in the last blow
   int unconverged = 0;  ///< blows whose impulses miss a law of contact by more than 1e-9 m/s
 };
 

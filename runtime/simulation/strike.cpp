@@ -84,14 +84,6 @@ void keep_movable(const Eigen::LDLT<Matrix<double>>& M, std::vector<Touch>& touc
   touches = std::move(kept);
 }
 
-/// Adds the approach that each touch allows to the velocities along its normal.
-void add_allowed(const std::vector<Touch>& touches, Vector& velocities) {
-  for (std::size_t i = 0; i < touches.size(); ++i) {
-    velocities.segment<3>(3 * static_cast<Eigen::Index>(i)) +=
-        touches[i].allowed * touches[i].normal;
-  }
-}
-
 }  // namespace
 
 Blow strike(const Model& model, std::vector<Touch> touches, const Surface& surface, State& state) {
@@ -106,10 +98,14 @@ Blow strike(const Model& model, std::vector<Touch> touches, const Surface& surfa
   const Matrix<double> response = factors.solve(J.transpose());
   const Matrix<double> A = J * response;
   blow.before = J * state.qd;
-  blow.impulses = Vector::Zero(J.rows());
   const auto laws = laws_of(blow, surface);
   Vector v = blow.before;
-  add_allowed(blow.touches, v);
+  blow.impulses = Vector::Zero(J.rows());
+  for (std::size_t i = 0; i < blow.touches.size(); ++i) {
+    const Touch& touch = blow.touches[i];
+    v.segment<3>(3 * static_cast<Eigen::Index>(i)) += touch.allowed * touch.normal;
+    blow.impulses.segment<3>(3 * static_cast<Eigen::Index>(i)) = touch.start;
+  }
   blow.solution = solve(A, laws, v, blow.impulses);
   blow.dqd = response * blow.impulses;
   blow.after = blow.before + A * blow.impulses;
