@@ -208,6 +208,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("urdf", options->urdf, kRobotArgument)->required();
   command->add_option("scene", options->scene, "Base, gravity, locked joints; YAML");
   add_motion_options(*command, options->motion);
+  command->add_flag("--stops", options->motion.stops,
+                    "Joints stop at the limits of their file, without bouncing");
   command->add_flag("--ground", options->ground,
                     "Ground z < 0 that the shapes of <collision> touch, also where the scene has "
                     "no key `ground`");

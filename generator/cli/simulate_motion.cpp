@@ -107,24 +107,26 @@ std::optional<int> count_steps(std::size_t columns, const MotionSettings& settin
 /// A robot that is let go, and what is recorded of it.
 class Run {
  public:
+  /// `surface` is of the ground; there may be stops alone.
   Run(const simulation::Model& model, const MotionSettings& settings,
-      const std::optional<simulation::Ground>& ground, const simulation::Surface& surface,
-      const JointSprings& springs, simulation::State start)
+      const std::optional<simulation::Ground>& ground,
+      const std::optional<simulation::Surface>& surface, const JointSprings& springs,
+      simulation::State start)
       : model_(model),
         settings_(settings),
         ground_(ground),
         surface_(surface),
         coordinates_(simulation::coordinates_of(model)),
-        qdd_(acceleration_of(model, settings.holds_weight, ground.has_value(), springs)),
+        qdd_(acceleration_of(model, settings.holds_weight, surface.has_value(), springs)),
         adaptive_{settings.tolerance, settings.tolerance, std::min(1e-3, settings.step)},
         state_(std::move(start)) {}
 
   [[nodiscard]] Motion run(int steps) {
-    const auto names = column_names(model_, ground_.has_value());
+    const auto names = column_names(model_, surface_.has_value());
     Motion motion{report::Table(names, static_cast<std::size_t>(steps) + 1)};
     motion.rows_planned = steps + 1;
     motion.has_quaternions = !coordinates_.quaternions.empty();
-    if (ground_) motion.ground.emplace();
+    if (surface_) motion.ground.emplace();
     for (int i = 0; record(i * settings_.step, motion) && i < steps; ++i) {
       if (!advance(i * settings_.step, motion)) break;
     }
@@ -162,8 +164,11 @@ class Run {
     };
     if (!ground_) return flight(time, settings_.step, state_);
     const bool whole = settings_.integrator == Integrator::semi_implicit_euler;
-    return step_on_ground(model_, *ground_, surface_, flight, time, settings_.step, whole, state_,
-                          *motion.ground);
+    const simulation::Surface surface = surface_.value_or(simulation::Surface{});
+    const bool flew = step_on_ground(model_, *ground_, surface, flight, time, settings_.step, whole,
+                                     state_, account_);
+    if (motion.ground) motion.ground = account_;
+    return flew;
   }
 
   bool fly(double time, double dt, simulation::State& state, Motion& motion) {
@@ -188,11 +193,12 @@ class Run {
   const simulation::Model& model_;
   const MotionSettings& settings_;
   const std::optional<simulation::Ground>& ground_;
-  const simulation::Surface surface_;
+  const std::optional<simulation::Surface> surface_;
   const simulation::Coordinates coordinates_;
   const simulation::Acceleration qdd_;
   simulation::AdaptiveSettings adaptive_;
   simulation::State state_;
+  simulation::GroundAccount account_;
   simulation::Vector3 impulse_ = simulation::Vector3::Zero();  ///< of the rows before
 };
 
@@ -203,16 +209,18 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
                                       const std::optional<GroundOfRobot>& ground,
                                       Diagnostics& diagnostics) {
   const auto model = model_from_robot<double>(robot, scene);
-  auto state = start_state(model, reduced_mechanism(robot, scene), settings, diagnostics);
+  const Mechanism mechanism = reduced_mechanism(robot, scene);
+  auto state = start_state(model, mechanism, settings, diagnostics);
   if (!state) return std::nullopt;
   const auto steps =
       count_steps(column_names(model, ground.has_value()).size(), settings, diagnostics);
-  const auto below = ground ? make_ground(model, ground->shapes) : std::nullopt;
-  if (below && !start_on_ground(model, *below, settings, *state, diagnostics)) return std::nullopt;
-  if (!steps) return std::nullopt;
-  const simulation::Surface surface =
-      ground ? simulation::Surface{ground->law.restitution, ground->law.friction, 0}
-             : simulation::Surface{};
+  const auto below = make_ground(model, mechanism.coordinates, ground, settings);
+  const bool starts =
+      (!ground || start_on_ground(model, *below, settings, *state, diagnostics)) &&
+      (!settings.stops || starts_between_stops(mechanism.coordinates, *state, diagnostics));
+  if (!starts || !steps) return std::nullopt;
+  std::optional<simulation::Surface> surface;
+  if (ground) surface = {ground->law.restitution, ground->law.friction, 0};
   const JointSprings springs = make_springs(model, settings, *state, diagnostics);
   return Run(model, settings, below, surface, springs, std::move(*state)).run(*steps);
 }

@@ -26,6 +26,7 @@ struct MotionSettings {
   std::vector<double> q, qd;
   bool holds_weight = false;  ///< joint forces cancel gravity
   double damping = 0;         ///< joint force per joint velocity, N s/m or N m s
+  bool stops = false;         ///< joints stop at their limits
   double stiffness = 0;       ///< joint force per displacement from the start, N/m or N m
   /// m, of a floating robot's lowest point at the start; empty: as `q` says, without `q` on the
   /// ground where it would be in it

@@ -10,7 +10,7 @@
 namespace treeline {
 namespace {
 
-constexpr double kTyped = 1e-3;  // m: coordinates are typed to so many digits
+constexpr double kTyped = 1e-3;  // m, rad: coordinates are typed to so many digits
 
 /// Whether anything carries a body but joints that float.
 bool floats(const simulation::Model& model, int body) {
@@ -34,9 +34,36 @@ void lift(const simulation::Model& model, double height, simulation::State& stat
 }  // namespace
 
 std::optional<simulation::Ground> make_ground(const simulation::Model& model,
-                                              std::vector<simulation::GroundShape> shapes) {
+                                              const std::vector<Coordinate>& coordinates,
+                                              const std::optional<GroundOfRobot>& ground,
+                                              const MotionSettings& settings) {
+  if (!ground && !settings.stops) return std::nullopt;
+  std::vector<simulation::GroundShape> shapes;
+  if (ground) shapes = ground->shapes;
   for (auto& shape : shapes) shape.body = find_body<double>(model, shape.link);
-  return simulation::Ground(model, std::move(shapes));
+  std::vector<simulation::JointRange> ranges;
+  for (const auto& body : model.bodies) {
+    const bool has_range = interpreter::velocity_count(body.kind) == 1 && !body.mimics;
+    if (!settings.stops || !has_range) continue;
+    const Coordinate& coordinate = coordinates[static_cast<std::size_t>(body.q)];
+    ranges.push_back({body.q, body.v, coordinate.lower, coordinate.upper});
+  }
+  return simulation::Ground(model, std::move(shapes), std::move(ranges));
+}
+
+bool starts_between_stops(const std::vector<Coordinate>& coordinates,
+                          const simulation::State& start, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const Coordinate& coordinate = coordinates[i];
+    const double q = start.q[static_cast<Eigen::Index>(i)];
+    if (q >= coordinate.lower - kTyped && q <= coordinate.upper + kTyped) continue;
+    diagnostics.add({Severity::error, "", 0, "--q",
+                     fmt::format("{} would start at {:g}, beyond its stops at {:g} and {:g}",
+                                 coordinate.joint, q, coordinate.lower, coordinate.upper),
+                     "give another --q, or no --stops"});
+    return false;
+  }
+  return true;
 }
 
 bool start_on_ground(const simulation::Model& model, const simulation::Ground& ground,

@@ -45,9 +45,9 @@ draw(humanoid24/hit_wall ${FOLDER}/hit_wall.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene_hit_wall.yaml
   --times 0,0.2,0.37,0.6,2.5 --azimuth 1.5 --elevation 0.1)
 run(${treeline} simulate ${humanoid}/humanoid24.urdf ${humanoid}/scene_floating.yaml --ground --height 0.3
-  --seconds 0.7 --csv ${FOLDER}/fall.csv --warnings none)
+  --stops --seconds 1.5 --csv ${FOLDER}/fall.csv --warnings none)
 draw(humanoid24/fall ${FOLDER}/fall.csv ${humanoid}/humanoid24.urdf ${humanoid}/scene_floating.yaml
-  --times 0,0.25,0.35,0.45,0.55,0.7)
+  --times 0,0.25,0.35,0.45,0.55,1.5)
 draw(samm/carry_object ${FOLDER}/carry_object.csv ${ROBOTS}/samm/pair.yaml
   --times 0.5,3.5,5,6.5 --path first_hand,second_hand --azimuth 1.2 --elevation 0.5)
 foreach(lock elbow head)

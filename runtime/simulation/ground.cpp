@@ -107,10 +107,24 @@ Touch touch_of(int shape, int which, int body, const Vector3& point) {
   return touch;
 }
 
+/// `outward` is 1 where the coordinate grows on the way out.
+void add_stop(int velocity, int outward, double depth, double speed, GroundTouches& found) {
+  Touch stop;
+  stop.shape = -1 - velocity;
+  stop.point = outward;
+  stop.joint = velocity;
+  stop.body = interpreter::kWorld;
+  stop.normal = outward * Vector3::UnitX();
+  stop.depth = depth;
+  found.touches.push_back(stop);
+  found.speeds.push_back(speed);
+}
+
 }  // namespace
 
-Ground::Ground(const Model& model, std::vector<GroundShape> shapes, int most)
-    : shapes_(std::move(shapes)), most_(most) {
+Ground::Ground(const Model& model, std::vector<GroundShape> shapes, std::vector<JointRange> ranges,
+               int most)
+    : shapes_(std::move(shapes)), ranges_(std::move(ranges)), most_(most) {
   const auto carrier = [&](const GroundShape& shape) { return carrier_of(model, shape.body); };
   std::erase_if(shapes_,
                 [&](const GroundShape& shape) { return carrier(shape) == interpreter::kWorld; });
@@ -143,6 +157,12 @@ GroundTouches Ground::touches(const Model& model, const State& state, double mar
     found.touches.pop_back();
   }
   for (const Touch& touch : found.touches) found.speeds.push_back(upward_speed(touch, k));
+  for (const JointRange& range : ranges_) {
+    const double q = state.q[range.q];
+    const double qd = state.qd[range.v];
+    if (q - range.lower < margin) add_stop(range.v, 1, range.lower - q, qd, found);
+    if (range.upper - q < margin) add_stop(range.v, -1, q - range.upper, -qd, found);
+  }
   return found;
 }
 

@@ -17,25 +17,34 @@ struct GroundShape {
   Vector3 axis = Vector3::Zero();  ///< unit vector along the disks' axis; zero: balls
 };
 
+/// The range of a joint of one freedom; its ends may be infinite.
+struct JointRange {
+  int q = 0, v = 0;  ///< its coordinate and velocity
+  double lower = 0, upper = 0;
+};
+
 /// The most points that touch the ground at once.
 inline constexpr int kMostGroundContacts = 16;
 
-/// Points of a robot near the ground.
+/// Points of a robot near the ground, and joints near their stops.
 struct GroundTouches {
-  std::vector<Touch> touches;  ///< the deepest first; velocities in `speeds`
-  std::vector<double> speeds;  ///< m/s, upward
+  std::vector<Touch> touches;  ///< the deepest first, joints last
+  std::vector<double> speeds;  ///< m/s upward, or rad/s on the way out
   int left_out = 0;            ///< points in the ground beyond the most that count
 };
 
-/// The ground z < 0, and what of a robot may touch it. Links that cannot move touch nothing.
+/// The ground z < 0, and what of a robot may touch it; and the stops of its joints. Links that
+/// cannot move touch nothing.
 class Ground {
  public:
-  Ground(const Model& model, std::vector<GroundShape> shapes, int most = kMostGroundContacts);
+  Ground(const Model& model, std::vector<GroundShape> shapes, std::vector<JointRange> ranges = {},
+         int most = kMostGroundContacts);
 
   /// Whether any link that moves has a shape.
   [[nodiscard]] bool is_in_reach() const { return !shapes_.empty(); }
   /// The points that are lower than `margin` (m): of links that move as one at most four, the
-  /// lowest and those that span most; of all the deepest.
+  /// lowest and those that span most; of all the deepest. And the joints that are farther than
+  /// `-margin` (rad, m) beyond their ranges.
   [[nodiscard]] GroundTouches touches(const Model& model, const State& state, double margin) const;
   /// The lowest point of all; its shape is an index into `shapes`.
   [[nodiscard]] Touch lowest(const Model& model, const Vector& q) const;
@@ -44,6 +53,7 @@ class Ground {
  private:
   std::vector<GroundShape> shapes_;  ///< those of one group after each other
   std::vector<int> groups_;          ///< of each shape: the body that carries it
+  std::vector<JointRange> ranges_;
   int most_;
 };
 

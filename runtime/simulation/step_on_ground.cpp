@@ -24,8 +24,9 @@ void count(const Blow& blow, Step& step) {
   account.last.clear();
   for (std::size_t i = 0; i < blow.touches.size(); ++i) {
     const Vector3 impulse = blow.impulses.segment<3>(3 * static_cast<Eigen::Index>(i));
-    account.impulse += impulse;
     account.last[{blow.touches[i].shape, blow.touches[i].point}] = impulse;
+    if (blow.touches[i].joint >= 0) continue;
+    account.impulse += impulse;
     pressed += impulse.z() > 0 ? 1 : 0;
   }
   account.contacts = std::max(account.contacts, pressed);
@@ -80,7 +81,7 @@ void settle(Step& step, double dt, bool bounces_later, const State& start, State
   GroundTouches found = touches_after(step, state, dt);
   if (bounces_later) {
     for (std::size_t i = found.touches.size(); i-- > 0;) {
-      if (found.speeds[i] >= -step.surface.slow) continue;
+      if (found.touches[i].joint >= 0 || found.speeds[i] >= -step.surface.slow) continue;
       found.touches.erase(found.touches.begin() + static_cast<std::ptrdiff_t>(i));
       found.speeds.erase(found.speeds.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -112,6 +113,7 @@ FastPoint deepest_fast(const Step& step, const State& state, double margin) {
   const GroundTouches found = step.ground.touches(step.model, state, margin);
   FastPoint deepest{-margin, 0};
   for (std::size_t i = 0; i < found.touches.size(); ++i) {
+    if (found.touches[i].joint >= 0) continue;
     const FastPoint point{found.touches[i].depth, found.speeds[i]};
     if (point.speed < -step.surface.slow && point.depth > deepest.depth) deepest = point;
   }
@@ -187,7 +189,9 @@ bool step_on_ground(const Model& model, const Ground& ground, const Surface& sur
     dt -= part;
     if (!touched) break;
   }
-  account.deepest = std::max(account.deepest, ground.lowest(model, state.q).depth);
+  if (ground.is_in_reach()) {
+    account.deepest = std::max(account.deepest, ground.lowest(model, state.q).depth);
+  }
   return true;
 }
 

@@ -38,6 +38,8 @@ struct GroundAccount {
 /// it is struck at the moment at which it touches, and all others with it (Newton's law; what
 /// bounces again and again within one step stops).
 ///
+/// Joints stop at the ends of their ranges by the same rules, without restitution and friction.
+///
 /// Returns false where flight failed.
 bool step_on_ground(const Model& model, const Ground& ground, const Surface& surface,
                     const Flight& flight, double time, double dt, bool whole_step, State& state,

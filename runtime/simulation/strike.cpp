@@ -13,7 +13,8 @@ namespace {
 
 using interpreter::Matrix;
 
-/// J of the velocities of all touching points, relative to what they touch: three rows each.
+/// J of the velocities of all touching points, relative to what they touch: three rows each. Of a
+/// joint at its stop the first row has its velocity.
 Matrix<double> relative_jacobian(const Model& model, const std::vector<Touch>& touches,
                                  const Vector& q) {
   const auto k = interpreter::kinematics<double>(model, q, Vector::Zero(model.nv));
@@ -25,12 +26,16 @@ Matrix<double> relative_jacobian(const Model& model, const std::vector<Touch>& t
   const auto in_world = [](const Touch& touch) { return touch.other_body == interpreter::kWorld; };
   for (const Touch& touch : touches) add(touch.body, touch.position);
   const auto rows = 3 * static_cast<Eigen::Index>(touches.size());
-  if (std::all_of(touches.begin(), touches.end(), in_world)) {
-    return interpreter::jacobian<double>(model, points, q);
+  if (!std::all_of(touches.begin(), touches.end(), in_world)) {
+    for (const Touch& touch : touches) add(touch.other_body, touch.position);
   }
-  for (const Touch& touch : touches) add(touch.other_body, touch.position);
-  const Matrix<double> J = interpreter::jacobian<double>(model, points, q);
-  return J.topRows(rows) - J.bottomRows(rows);
+  const Matrix<double> all = interpreter::jacobian<double>(model, points, q);
+  Matrix<double> J = all.topRows(rows);
+  if (all.rows() > rows) J -= all.bottomRows(rows);
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (touches[i].joint >= 0) J(3 * static_cast<Eigen::Index>(i), touches[i].joint) = 1;
+  }
+  return J;
 }
 
 std::vector<core::ContactLaw<double>> laws_of(const Blow& blow, const Surface& surface) {
@@ -42,6 +47,7 @@ std::vector<core::ContactLaw<double>> laws_of(const Blow& blow, const Surface& s
     const double speed = touch.normal.dot(blow.before.segment<3>(3 * static_cast<int>(i)));
     law.restitution = std::abs(speed) >= surface.slow ? surface.restitution : 0.0;
     law.friction = surface.friction;
+    if (touch.joint >= 0) law.restitution = law.friction = 0;
     laws.push_back(law);
   }
   return laws;

@@ -160,6 +160,25 @@ TEST_F(SimulateOnGround, AHumanoidStandsOnItsFeet) {
   EXPECT_GE(table.at("contacts").back(), 3);
 }
 
+TEST_F(SimulateOnGround, AJointStopsAtItsLimit) {
+  write("pendulum.urdf", R"(<robot name="pendulum"><link name="base"/><link name="rod">
+<inertial><origin xyz="0 0 -0.5"/><mass value="1"/>
+<inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="hinge" type="revolute"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/>
+<limit lower="0.5" upper="2" effort="1" velocity="1"/></joint></robot>)");
+  const Outcome outcome = run("simulate pendulum.urdf --stops --q 1 --seconds 2 --csv -");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto table = read_columns(outcome.out);
+  EXPECT_NEAR(table.at("q0").back(), 0.5, 1e-9);
+  EXPECT_NEAR(table.at("qd0").back(), 0, 1e-9);
+  EXPECT_GT(*std::min_element(table.at("q0").begin(), table.at("q0").end()), 0.5 - 1e-5);
+  const Outcome beyond = run("simulate pendulum.urdf --stops --q 0.4");
+  EXPECT_EQ(beyond.exit_code, 1);
+  EXPECT_NE(beyond.err.find("hinge would start at 0.4, beyond its stops at 0.5 and 2"),
+            std::string::npos)
+      << beyond.err;
+}
+
 TEST_F(SimulateOnGround, SaysWhereARobotMayNotStart) {
   write("body.urdf", body(collision(kBox)));
   const Outcome sunk = run("simulate body.urdf --ground --q 0,0,0.05,0,0,0,1");

@@ -28,6 +28,17 @@ std::vector<GroundShape> balls_on(const Model& model, double radius) {
   return shapes;
 }
 
+/// Stops on either side of where the joints are.
+std::vector<JointRange> ranges_about(const Sample& sample, double reach) {
+  std::vector<JointRange> ranges;
+  for (const auto& body : sample.model.bodies) {
+    if (interpreter::velocity_count(body.kind) != 1) continue;
+    const double q = sample.state.q[body.q];
+    ranges.push_back({body.q, body.v, q - reach, q + reach});
+  }
+  return ranges;
+}
+
 GroundShape box_on(int body, const Vector3& half) {
   GroundShape box{body, "box", {}};
   for (int corner = 0; corner < 8; ++corner) {
@@ -39,13 +50,14 @@ GroundShape box_on(int body, const Vector3& half) {
 
 class Falling {
  public:
-  Falling(Sample sample, std::vector<GroundShape> shapes, const Surface& surface)
+  Falling(Sample sample, std::vector<GroundShape> shapes, const Surface& surface,
+          std::vector<JointRange> ranges = {})
       : sample_(std::move(sample)),
-        ground_(sample_.model, std::move(shapes)),
+        ground_(sample_.model, std::move(shapes), std::move(ranges)),
         surface_(surface),
         coordinates_(coordinates_of(sample_.model)) {
-    const double lowest = ground_.lowest(sample_.model, state().q).depth;
-    state().q(2) += lowest + 0.3;
+    if (!ground_.is_in_reach()) return;
+    state().q(2) += ground_.lowest(sample_.model, state().q).depth + 0.3;
   }
 
   void step(double dt) {
@@ -89,7 +101,7 @@ TEST(StepOnGround, NeverMakesEnergy) {
     SCOPED_TRACE(seed);
     const Surface surface{seed % 3 == 0 ? 0.7 : 0, seed % 2 == 0 ? 0.6 : 0, 0};
     const Sample sample = random_sample(seed, kFallingTree);
-    Falling robot(sample, balls_on(sample.model, 0.05), surface);
+    Falling robot(sample, balls_on(sample.model, 0.05), surface, ranges_about(sample, 0.2));
     const double start = robot.energy();
     double taken = 0;
     for (int i = 0; i < 500; ++i) {
@@ -123,6 +135,26 @@ TEST(StepOnGround, CountsTheMomentumThatTheGroundGives) {
     const double coarse = miss(175);
     EXPECT_LT(coarse, 0.01);
     EXPECT_LT(miss(1750), 0.2 * coarse + 1e-9);
+  }
+}
+
+// Joints that are thrown against their stops, in flight.
+TEST(StepOnGround, KeepsJointsBetweenTheirStops) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const Sample sample = random_sample(seed, kFallingTree, 3);
+    const auto ranges = ranges_about(sample, 0.1);
+    Falling robot(sample, {}, {}, ranges);
+    double farthest = 0;
+    for (int i = 0; i < 300; ++i) {
+      robot.step(1e-3);
+      for (const JointRange& range : ranges) {
+        const double q = robot.state().q[range.q];
+        farthest = std::max({farthest, range.lower - q, q - range.upper});
+      }
+    }
+    EXPECT_LT(robot.account.energy, 0);
+    EXPECT_LT(farthest, 1e-3);
   }
 }
 
