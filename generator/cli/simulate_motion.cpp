@@ -164,9 +164,9 @@ class Run {
     };
     if (!ground_) return flight(time, settings_.step, state_);
     const bool whole = settings_.integrator == Integrator::semi_implicit_euler;
-    const simulation::Surface surface = surface_.value_or(simulation::Surface{});
-    const bool flew = step_on_ground(model_, *ground_, surface, flight, time, settings_.step, whole,
-                                     state_, account_);
+    const simulation::OnGround robot{model_, *ground_, surface_.value_or(simulation::Surface{}),
+                                     flight, whole};
+    const bool flew = step_on_ground(robot, time, settings_.step, state_, account_);
     if (motion.ground) motion.ground = account_;
     return flew;
   }
@@ -220,7 +220,10 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
       (!settings.stops || starts_between_stops(mechanism.coordinates, *state, diagnostics));
   if (!starts || !steps) return std::nullopt;
   std::optional<simulation::Surface> surface;
-  if (ground) surface = {ground->law.restitution, ground->law.friction, 0};
+  if (ground) {  // what gravity makes in a step, and rounding, do not bounce
+    const double slow = 1e-6 + model.gravity.norm() * settings.step;
+    surface = {ground->law.restitution, ground->law.friction, slow};
+  }
   const JointSprings springs = make_springs(model, settings, *state, diagnostics);
   return Run(model, settings, below, surface, springs, std::move(*state)).run(*steps);
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/collide.hpp"
+#include "simulation/touch.hpp"
 
 namespace treeline::simulation {
 

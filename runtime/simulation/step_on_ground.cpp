@@ -7,14 +7,20 @@
 namespace treeline::simulation {
 namespace {
 
-/// One step: what stays the same in all of its parts.
+/// A step, and what is counted of it.
 struct Step {
-  const Model& model;
-  const Ground& ground;
-  Surface surface;
-  const Flight& flight;
-  bool whole;
+  const OnGround& robot;
   GroundAccount& account;
+
+  [[nodiscard]] bool is_fast(const Touch& touch, double speed) const {
+    return touch.joint < 0 && speed < -robot.surface.slow;
+  }
+  [[nodiscard]] GroundTouches touches(const State& state, double margin) const {
+    return robot.ground.touches(robot.model, state, margin);
+  }
+  [[nodiscard]] double energy(const State& state) const {
+    return mechanical_energy(robot.model, state);
+  }
 };
 
 void count(const Blow& blow, Step& step) {
@@ -31,6 +37,7 @@ void count(const Blow& blow, Step& step) {
   }
   account.contacts = std::max(account.contacts, pressed);
   account.most_contacts = std::max(account.most_contacts, pressed);
+  if (step.robot.on_blow) step.robot.on_blow(blow);
   const bool converged = blow.solution.converged || blow.solution.miss < kFine;
   account.unconverged += blow.touches.empty() || converged ? 0 : 1;
 }
@@ -38,10 +45,10 @@ void count(const Blow& blow, Step& step) {
 /// Touches after a flight of `dt`: what is in the ground, and with it what the fastest of these
 /// would reach in another step.
 GroundTouches touches_after(const Step& step, const State& flown, double dt) {
-  GroundTouches found = step.ground.touches(step.model, flown, 0);
+  GroundTouches found = step.touches(flown, 0);
   if (found.touches.empty() || found.left_out > 0) return found;
   const double fastest = -*std::min_element(found.speeds.begin(), found.speeds.end());
-  return fastest > 0 ? step.ground.touches(step.model, flown, fastest * dt) : found;
+  return fastest > 0 ? step.touches(flown, fastest * dt) : found;
 }
 
 /// The share of a flight for which a change of velocities acts: half of it, or as long as the
@@ -57,18 +64,18 @@ double share_in_ground(const GroundTouches& found, double dt) {
 
 State pushed(const Step& step, const State& struck, const Vector& dqd, double seconds) {
   State state = struck;
-  move(coordinates_of(step.model), dqd, seconds, state.q);
+  move(coordinates_of(step.robot.model), dqd, seconds, state.q);
   return state;
 }
 
 /// Moves the coordinates by a change of velocities for `seconds`, or for as long as the energy
 /// stays below `most`. Returns the energy.
 double push_out(const Step& step, double most, const Vector& dqd, double seconds, State& state) {
-  const double least = mechanical_energy(step.model, state);
+  const double least = step.energy(state);
   const State struck = state;
   for (int turn = 0; turn < 4; ++turn) {
     state = pushed(step, struck, dqd, seconds);
-    const double energy = mechanical_energy(step.model, state);
+    const double energy = step.energy(state);
     if (energy <= most) return energy;
     seconds *= std::max(0.0, (most - least) / (energy - least));
   }
@@ -81,23 +88,23 @@ void settle(Step& step, double dt, bool bounces_later, const State& start, State
   GroundTouches found = touches_after(step, state, dt);
   if (bounces_later) {
     for (std::size_t i = found.touches.size(); i-- > 0;) {
-      if (found.touches[i].joint >= 0 || found.speeds[i] >= -step.surface.slow) continue;
+      if (!step.is_fast(found.touches[i], found.speeds[i])) continue;
       found.touches.erase(found.touches.begin() + static_cast<std::ptrdiff_t>(i));
       found.speeds.erase(found.speeds.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
   step.account.left_out += found.left_out > 0 ? 1 : 0;
   if (found.touches.empty()) return;
-  const double share = step.whole ? 1 : share_in_ground(found, dt);
+  const double share = step.robot.whole_step ? 1 : share_in_ground(found, dt);
   for (std::size_t i = 0; i < found.touches.size(); ++i) {
     Touch& touch = found.touches[i];
     touch.allowed = std::max(0.0, -(touch.depth / dt + share * found.speeds[i]));
     const auto last = step.account.last.find({touch.shape, touch.point});
     if (last != step.account.last.end()) touch.start = last->second;
   }
-  const double energy =
-      std::max(mechanical_energy(step.model, start), mechanical_energy(step.model, state));
-  const Blow blow = strike(step.model, found.touches, {0, step.surface.friction, 0}, state);
+  const double energy = std::max(step.energy(start), step.energy(state));
+  const Blow blow =
+      strike(step.robot.model, found.touches, {0, step.robot.surface.friction, 0}, state);
   count(blow, step);
   step.account.energy += push_out(step, energy, blow.dqd, share * dt, state) - energy;
 }
@@ -110,12 +117,12 @@ struct FastPoint {
 
 /// The deepest of these below `margin` (m); where there is none, one at the margin.
 FastPoint deepest_fast(const Step& step, const State& state, double margin) {
-  const GroundTouches found = step.ground.touches(step.model, state, margin);
+  const GroundTouches found = step.touches(state, margin);
   FastPoint deepest{-margin, 0};
   for (std::size_t i = 0; i < found.touches.size(); ++i) {
-    if (found.touches[i].joint >= 0) continue;
     const FastPoint point{found.touches[i].depth, found.speeds[i]};
-    if (point.speed < -step.surface.slow && point.depth > deepest.depth) deepest = point;
+    const bool is_fast = step.is_fast(found.touches[i], point.speed);
+    if (is_fast && point.depth > deepest.depth) deepest = point;
   }
   return deepest;
 }
@@ -136,7 +143,7 @@ std::optional<double> time_of_bounce(const Step& step, double time, double dt, c
   for (int turn = 0; turn < 50; ++turn) {
     const double middle = (before * below - after * above) / (below - above);
     State at = start;
-    if (!step.flight(time, middle, at)) break;
+    if (!step.robot.flight(time, middle, at)) break;
     const double depth = deepest_fast(step, at, margin).depth;
     if (std::abs(depth) < 1e-10) return middle;
     if (depth > 0) {
@@ -156,8 +163,9 @@ std::optional<double> time_of_bounce(const Step& step, double time, double dt, c
 
 /// Strikes everything that touches, by Newton's law.
 void bounce(Step& step, double dt, State& state) {
-  GroundTouches found = step.ground.touches(step.model, state, step.surface.slow * dt);
-  const Blow blow = strike(step.model, std::move(found.touches), step.surface, state);
+  constexpr double kTouching = 1e-9;  // m
+  GroundTouches found = step.touches(state, std::max(kTouching, step.robot.surface.slow * dt));
+  const Blow blow = strike(step.robot.model, std::move(found.touches), step.robot.surface, state);
   count(blow, step);
   step.account.energy += blow.energy;
   ++step.account.bounces;
@@ -165,21 +173,19 @@ void bounce(Step& step, double dt, State& state) {
 
 }  // namespace
 
-bool step_on_ground(const Model& model, const Ground& ground, const Surface& surface,
-                    const Flight& flight, double time, double dt, bool whole_step, State& state,
+bool step_on_ground(const OnGround& robot, double time, double dt, State& state,
                     GroundAccount& account) {
   constexpr int kMostBounces = 16;  // in one step
-  Step step{model, ground, surface, flight, whole_step, account};
-  step.surface.slow = std::max(surface.slow, 1e-6 + model.gravity.norm() * dt);
+  Step step{robot, account};
   account.contacts = 0;
   for (int bounces = 0; dt > 0; ++bounces) {
     State flown = state;
-    if (!flight(time, dt, flown)) return false;
-    const bool may_bounce = surface.restitution > 0 && bounces < kMostBounces;
+    if (!robot.flight(time, dt, flown)) return false;
+    const bool may_bounce = robot.surface.restitution > 0 && bounces < kMostBounces;
     const auto touched = may_bounce ? time_of_bounce(step, time, dt, state, flown) : std::nullopt;
     if (touched && *touched < dt) {
       flown = state;
-      if (*touched > 0 && !flight(time, *touched, flown)) return false;
+      if (*touched > 0 && !robot.flight(time, *touched, flown)) return false;
     }
     const double part = touched.value_or(dt);
     if (part > 0) settle(step, part, touched.has_value(), state, flown);
@@ -189,8 +195,8 @@ bool step_on_ground(const Model& model, const Ground& ground, const Surface& sur
     dt -= part;
     if (!touched) break;
   }
-  if (ground.is_in_reach()) {
-    account.deepest = std::max(account.deepest, ground.lowest(model, state.q).depth);
+  if (robot.ground.is_in_reach()) {
+    account.deepest = std::max(account.deepest, robot.ground.lowest(robot.model, state.q).depth);
   }
   return true;
 }

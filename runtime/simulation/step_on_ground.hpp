@@ -25,24 +25,34 @@ struct GroundAccount {
   int unconverged = 0;  ///< blows whose impulses miss a law of contact by more than 1e-9 m/s
 };
 
+/// A robot on the ground.
+struct OnGround {
+  const Model& model;
+  const Ground& ground;
+  Surface surface;
+  Flight flight;
+  /// Changes of velocities act for all of a step, as flight by the semi-implicit Euler method
+  /// needs.
+  bool whole_step = false;
+  std::function<void(const Blow&)> on_blow = {};  ///< hears of each blow
+};
+
 /// Advances a robot by one step of `dt` seconds on the ground.
 ///
 /// The robot flies. Impulses then stop the points that flew into the ground, or would next: along
 /// the normal so that they are at the ground and rest there at the end, across it by Coulomb's law.
 /// `Blow::dqd` acts for half of the step, as a force that is spread over it would, or for longer
-/// where a point flew deeper; it never acts for so long that the energy exceeds both what it was
-/// before the step and what it was in flight. `whole_step` says that it always acts for all of the
-/// step, as flight by the semi-implicit Euler method needs.
+/// where a point flew deeper; never for so long that the energy exceeds both what it was before the
+/// step and what it was in flight.
 ///
-/// With restitution, a point that approaches faster than gravity makes it in a step cuts the step:
-/// it is struck at the moment at which it touches, and all others with it (Newton's law; what
-/// bounces again and again within one step stops).
+/// With restitution, a point that approaches faster than `Surface::slow` cuts the step: it is
+/// struck at the moment at which it touches, and all others with it (Newton's law; what bounces
+/// again and again within one step stops).
 ///
 /// Joints stop at the ends of their ranges by the same rules, without restitution and friction.
 ///
 /// Returns false where flight failed.
-bool step_on_ground(const Model& model, const Ground& ground, const Surface& surface,
-                    const Flight& flight, double time, double dt, bool whole_step, State& state,
+bool step_on_ground(const OnGround& robot, double time, double dt, State& state,
                     GroundAccount& account);
 
 }  // namespace treeline::simulation

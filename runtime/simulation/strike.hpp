@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/contact_solver.hpp"
-#include "simulation/collide.hpp"
+#include "simulation/touch.hpp"
 
 namespace treeline::simulation {
 

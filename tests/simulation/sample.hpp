@@ -3,7 +3,7 @@
 #include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "random_state.hpp"
-#include "simulation/simulate.hpp"
+#include "simulation/state.hpp"
 
 namespace treeline::tests {
 
@@ -39,22 +39,6 @@ inline Sample balls(int count) {
   sample.state.qd = simulation::Vector::Zero(6 * count);
   for (int i = 0; i < count; ++i) sample.state.q(7 * i + 6) = 1;
   return sample;
-}
-
-inline simulation::Shape sphere_on(int body, double radius) {
-  simulation::Shape shape;
-  shape.name = "ball";
-  shape.kind = simulation::ShapeKind::sphere;
-  shape.size.x() = radius;
-  shape.body = body;
-  return shape;
-}
-
-inline simulation::Shape ground() {
-  simulation::Shape shape;
-  shape.name = "ground";
-  shape.kind = simulation::ShapeKind::half_space;
-  return shape;
 }
 
 }  // namespace treeline::tests

@@ -69,8 +69,8 @@ class Falling {
       step_runge_kutta(coordinates_, free, time, part, at);
       return true;
     };
-    ASSERT_TRUE(
-        step_on_ground(sample_.model, ground_, surface_, flight, 0, dt, false, state(), account));
+    const OnGround robot{sample_.model, ground_, surface_, flight};
+    ASSERT_TRUE(step_on_ground(robot, 0, dt, state(), account));
   }
 
   State& state() { return sample_.state; }
@@ -99,7 +99,7 @@ double mass_of(const Model& model) {
 TEST(StepOnGround, NeverMakesEnergy) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
-    const Surface surface{seed % 3 == 0 ? 0.7 : 0, seed % 2 == 0 ? 0.6 : 0, 0};
+    const Surface surface{seed % 3 == 0 ? 0.7 : 0, seed % 2 == 0 ? 0.6 : 0, 0.01};
     const Sample sample = random_sample(seed, kFallingTree);
     Falling robot(sample, balls_on(sample.model, 0.05), surface, ranges_about(sample, 0.2));
     const double start = robot.energy();

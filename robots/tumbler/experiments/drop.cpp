@@ -6,40 +6,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interpreter/instances.hpp"
+#include "simulation/integrate.hpp"
+
 namespace treeline::experiments {
 namespace {
 
-using simulation::Shape;
-using simulation::ShapeKind;
+using simulation::GroundShape;
 using simulation::Vector3;
 
-Shape ball(const simulation::Model& model, const std::string& link, double radius, double down) {
-  Shape shape;
-  shape.name = link;
-  shape.kind = ShapeKind::sphere;
-  shape.size.x() = radius;
-  shape.body = body_named(model, link);
-  shape.p.z() = -down;
-  return shape;
+GroundShape ball(const simulation::Model& model, const std::string& link, double radius,
+                 double down) {
+  return {body_named(model, link), link, {{0, 0, -down}}, radius};
 }
 
-std::vector<Shape> shapes_of(const simulation::Model& model) {
-  std::vector<Shape> shapes{ball(model, "torso", 0.12, 0)};
+std::vector<GroundShape> shapes_of(const simulation::Model& model) {
+  std::vector<GroundShape> shapes{ball(model, "torso", 0.12, 0)};
   for (const char* limb : {"front_left", "front_right", "hind_left", "hind_right"}) {
     shapes.push_back(ball(model, std::string(limb) + "_shank", 0.03, 0));
     shapes.push_back(ball(model, std::string(limb) + "_shank", 0.03, 0.18));
   }
-  Shape ground;
-  ground.name = "ground";
-  ground.kind = ShapeKind::half_space;
-  shapes.push_back(ground);
   return shapes;
 }
 
-/// Energy that a blow without friction gains according to its restitution: -(1 - e) / 2 sum y
-/// (-v_n).
-double gain_by_restitution(const simulation::Blow& blow) {
-  return 0.5 * (1 - blow.restitution) * blow.impulses.dot(blow.before);
+/// Energy that a blow without friction gains according to its restitution, -(1 - e) / 2 sum y
+/// (-v_n), less what it takes of an approach that it leaves. What is slower than `slow` (m/s) does
+/// not bounce.
+double gain_by_restitution(const simulation::Blow& blow, double slow) {
+  double gain = 0;
+  for (std::size_t i = 0; i < blow.touches.size(); ++i) {
+    const auto row = 3 * static_cast<Eigen::Index>(i);
+    const Vector3& n = blow.touches[i].normal;
+    const double y = n.dot(blow.impulses.segment<3>(row));
+    const double v = n.dot(blow.before.segment<3>(row));
+    const double e = std::abs(v) >= slow ? blow.restitution : 0;
+    gain += 0.5 * y * ((1 - e) * v - blow.touches[i].allowed);
+  }
+  return gain;
+}
+
+/// What gravity makes in a step does not bounce, m/s.
+double slow_of(const DropSettings& settings) {
+  return 9.81 * settings.step;
 }
 
 /// Sum of the impulses and of their moments about the world's origin.
@@ -54,14 +62,11 @@ interpreter::Vector6<double> given_by(const simulation::Blow& blow) {
 
 void account(const simulation::Blow& blow, DropRun& run) {
   run.lost -= blow.work;
+  run.worst_account = std::max(run.worst_account, std::abs(blow.work - blow.energy));
   run.most_touches = std::max(run.most_touches, static_cast<int>(blow.touches.size()));
-  run.unconverged += blow.solution.converged ? 0 : 1;
-  for (const auto& touch : blow.touches) {
-    run.deepest = std::max(run.deepest, touch.depth);
-  }
   run.worst_momentum = std::max(run.worst_momentum, (blow.momentum - given_by(blow)).norm());
   if (run.settings.friction == 0) {
-    const double off = std::abs(blow.energy - gain_by_restitution(blow));
+    const double off = std::abs(blow.energy - gain_by_restitution(blow, slow_of(run.settings)));
     run.worst_loss = std::max(run.worst_loss, off);
     run.sideways = std::max(run.sideways, blow.momentum.head<2>().norm());
   }
@@ -84,42 +89,52 @@ std::string run_name(const DropSettings& settings) {
 }  // namespace
 
 DropRun run_drop(const simulation::Model& model, const DropSettings& settings) {
-  const simulation::CollisionScene scene(model, shapes_of(model));
-  simulation::SimulationSettings how;
-  how.step = settings.step;
-  how.surface = {settings.restitution, settings.friction, 0};
-  auto simulation = start_simulation(model, scene, how, tumbler_start(model, settings.height));
+  const auto coordinates = simulation::coordinates_of(model);
+  const simulation::Acceleration free = [&model](double, const simulation::State& at) {
+    return interpreter::forward_dynamics<double>(model, at.q, at.qd,
+                                                 simulation::Vector::Zero(model.nv));
+  };
   const int steps = static_cast<int>(settings.duration / settings.step);
+  auto state = tumbler_start(model, settings.height);
   DropRun run{settings,
               report::Table(report::with_coordinates({"time", "height", "kinetic", "energy",
                                                       "drift", "blows", "touches"},
-                                                     static_cast<int>(simulation.state.q.size())),
+                                                     static_cast<int>(state.q.size())),
                             static_cast<std::size_t>(steps) + 1)};
-  run.start = simulation.energy.start;
+  run.start = simulation::mechanical_energy(model, state);
+  const simulation::Ground ground(model, shapes_of(model));
+  simulation::OnGround robot{
+      model, ground, {settings.restitution, settings.friction, slow_of(settings)}, {}};
+  robot.flight = [&](double time, double dt, simulation::State& at) {
+    step_runge_kutta(coordinates, free, time, dt, at);
+    return true;
+  };
+  std::size_t touches = 0;
+  robot.on_blow = [&](const simulation::Blow& blow) {
+    account(blow, run);
+    touches = blow.touches.size();
+  };
+  simulation::GroundAccount totals;
   for (int i = 0; i < steps; ++i) {
-    std::size_t touches = 0;
-    for (const simulation::Blow& blow : step(simulation)) {
-      account(blow, run);
-      touches = blow.touches.size();
-    }
-    run.worst_quaternion =
-        std::max(run.worst_quaternion, quaternion_error(model, simulation.state.q));
-    if (i % 8 == 0) {
-      std::vector<double> row = {simulation.time,
-                                 center_of_mass(model, simulation.state.q).z(),
-                                 simulation::kinetic_energy(model, simulation.state),
-                                 simulation.energy.now,
-                                 simulation.energy.drift(),
-                                 static_cast<double>(simulation.blows),
-                                 static_cast<double>(touches)};
-      const simulation::Vector& q = simulation.state.q;
-      row.insert(row.end(), q.begin(), q.end());
-      run.table.append(row.data());
-    }
+    touches = 0;
+    step_on_ground(robot, i * settings.step, settings.step, state, totals);
+    run.blows += touches > 0 ? 1 : 0;
+    run.worst_quaternion = std::max(run.worst_quaternion, quaternion_error(model, state.q));
+    const double energy = simulation::mechanical_energy(model, state);
+    run.drift = energy - run.start - totals.energy;
+    if (i % 8 != 0) continue;
+    std::vector<double> row = {(i + 1) * settings.step,
+                               center_of_mass(model, state.q).z(),
+                               simulation::kinetic_energy(model, state),
+                               energy,
+                               run.drift,
+                               static_cast<double>(run.blows),
+                               static_cast<double>(touches)};
+    row.insert(row.end(), state.q.begin(), state.q.end());
+    run.table.append(row.data());
   }
-  run.blows = simulation.blows;
-  run.drift = simulation.energy.drift();
-  run.worst_account = simulation.worst_account;
+  run.deepest = totals.deepest;
+  run.unconverged = totals.unconverged;
   return run;
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "simulation/simulate.hpp"
+#include "simulation/step_on_ground.hpp"
 
 namespace treeline::experiments {
 
