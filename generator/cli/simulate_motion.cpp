@@ -220,8 +220,8 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
       (!settings.stops || starts_between_stops(mechanism.coordinates, *state, diagnostics));
   if (!starts || !steps) return std::nullopt;
   std::optional<simulation::Surface> surface;
-  if (ground) {  // what gravity makes in a step, and rounding, do not bounce
-    const double slow = 1e-6 + model.gravity.norm() * settings.step;
+  if (ground) {  // what gravity makes in four steps does not bounce, nor rounding
+    const double slow = 1e-6 + 4 * model.gravity.norm() * settings.step;
     surface = {ground->law.restitution, ground->law.friction, slow};
   }
   const JointSprings springs = make_springs(model, settings, *state, diagnostics);

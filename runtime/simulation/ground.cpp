@@ -109,6 +109,10 @@ Touch touch_of(int shape, int which, int body, const Vector3& point) {
 
 /// `outward` is 1 where the coordinate grows on the way out.
 void add_stop(int velocity, int outward, double depth, double speed, GroundTouches& found) {
+  if (found.touches.size() == kMostTouches) {
+    found.left_out += depth > 0 ? 1 : 0;
+    return;
+  }
   Touch stop;
   stop.shape = -1 - velocity;
   stop.point = outward;

@@ -30,7 +30,7 @@ inline constexpr int kMostGroundContacts = 16;
 struct GroundTouches {
   std::vector<Touch> touches;  ///< the deepest first, joints last
   std::vector<double> speeds;  ///< m/s upward, or rad/s on the way out
-  int left_out = 0;            ///< points in the ground beyond the most that count
+  int left_out = 0;            ///< points in the ground, and joints, beyond the most that count
 };
 
 /// The ground z < 0, and what of a robot may touch it; and the stops of its joints. Links that

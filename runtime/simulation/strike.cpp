@@ -65,10 +65,10 @@ core::ContactSolution<double> solve_with_room(const Matrix<double>& A,
 core::ContactSolution<double> solve(const Matrix<double>& A,
                                     const std::vector<core::ContactLaw<double>>& laws, Vector& v,
                                     Vector& impulses) {
-  if (laws.size() > 64) throw std::length_error("more than 64 shapes touch at once");
+  if (laws.size() > kMostTouches) throw std::length_error("more than 64 touches at once");
   if (laws.size() <= 8) return solve_with_room<8, 12>(A, laws, v, impulses);
   if (laws.size() <= 16) return solve_with_room<16, 8>(A, laws, v, impulses);
-  return solve_with_room<64, 8>(A, laws, v, impulses);
+  return solve_with_room<kMostTouches, 8>(A, laws, v, impulses);
 }
 
 /// Leaves out touches that no impulse can separate, and their rows of J.

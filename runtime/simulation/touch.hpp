@@ -4,6 +4,9 @@
 
 namespace treeline::simulation {
 
+/// The most touches of a blow.
+inline constexpr int kMostTouches = 64;
+
 /// Overlap of two shapes, as a single point; or a joint at its stop, whose `normal` is x or -x of
 /// an axis of its own, for coordinates that grow or fall on the way out.
 struct Touch {

@@ -200,6 +200,19 @@ TEST(Ground, CountsWhatIsBeyondTheMost) {
   EXPECT_EQ(found.speeds.size(), 16U);
 }
 
+TEST(Ground, CountsStopsBeyondTheMostOfABlow) {
+  const Sample sample = random_sample(1, {.joints = 70, .mix = {1, 0, 0, 0, 0, 0}});
+  ASSERT_GT(sample.model.nv, kMostTouches);
+  auto ranges = ranges_about(sample, 0);
+  for (JointRange& range : ranges) range.upper = (range.lower += 0.1) + 1;  // all are beyond
+  const Ground ground(sample.model, {}, ranges);
+  const GroundTouches found = ground.touches(sample.model, sample.state, 0);
+  EXPECT_EQ(found.touches.size(), static_cast<std::size_t>(kMostTouches));
+  EXPECT_EQ(found.left_out, sample.model.nv - kMostTouches);
+  State state = sample.state;
+  EXPECT_NO_THROW(strike(sample.model, found.touches, {}, state));
+}
+
 TEST(Ground, DoesNotTouchWhatCannotMove) {
   const Sample sample = random_sample(1, {.joints = 3, .mix = {1, 0, 0, 0, 0, 0}});
   const Ground ground(sample.model, {box_on(0, {1, 1, 1})});

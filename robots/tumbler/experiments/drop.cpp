@@ -45,9 +45,9 @@ double gain_by_restitution(const simulation::Blow& blow, double slow) {
   return gain;
 }
 
-/// What gravity makes in a step does not bounce, m/s.
+/// What gravity makes in four steps does not bounce, m/s.
 double slow_of(const DropSettings& settings) {
-  return 9.81 * settings.step;
+  return 4 * 9.81 * settings.step;
 }
 
 /// Sum of the impulses and of their moments about the world's origin.
