@@ -7,7 +7,7 @@ foreach(program ${PROGRAMS})
   list(GET parts 1 ${name})
 endforeach()
 set(pictures humanoid24/touch_floor humanoid24/touch_floor_film humanoid24/rock_torso humanoid24/put_box humanoid24/carry_ladder
-  humanoid24/fall humanoid24/hit_wall humanoid24/time_and_error puma560/elbow_lock puma560/head_lock puma560/wrist_lock
+  humanoid24/hit_wall humanoid24/time_and_error puma560/elbow_lock puma560/head_lock puma560/wrist_lock
   samm/carry_object samm/circles ur10e/reach ur10e/wrist ur10e/goal_1
   anymal_c/trot
   hands/allegro hands/shadow)
@@ -44,6 +44,7 @@ draw(humanoid24/put_box ${FOLDER}/put_box.csv
 draw(humanoid24/hit_wall ${FOLDER}/hit_wall.csv
   ${humanoid}/humanoid24.urdf ${humanoid}/scene_hit_wall.yaml
   --times 0,0.2,0.37,0.6,2.5 --azimuth 1.5 --elevation 0.1)
+# Rounding, and so the machine, decides about the end of a fall: it is drawn, but not among the pictures to compare.
 run(${treeline} simulate ${humanoid}/humanoid24.urdf ${humanoid}/scene_floating.yaml --ground --height 0.3
   --stops --seconds 1.5 --csv ${FOLDER}/fall.csv --warnings none)
 draw(humanoid24/fall ${FOLDER}/fall.csv ${humanoid}/humanoid24.urdf ${humanoid}/scene_floating.yaml
