@@ -55,7 +55,7 @@ RobotShapes::RobotShapes(const LaunchedRobot& robot) : placer_(robot.robot, robo
        read_collisions(robot.description.urdf, robot.robot.file, diagnostics)) {
     const auto link = std::find_if(links.begin(), links.end(),
                                    [&](const Link& each) { return each.name == shape.link; });
-    if (link == links.end() || shape.kind == VisualKind::mesh) continue;
+    if (link == links.end() || shape.kind == VisualKind::mesh || shape.size.isZero()) continue;
     shapes_.push_back(shape);
     links_.push_back(static_cast<std::size_t>(link - links.begin()));
   }

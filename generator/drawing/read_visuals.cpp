@@ -53,8 +53,9 @@ std::optional<Color> read_color(const XMLElement* material) {
   return Color{(*rgba)[0], (*rgba)[1], (*rgba)[2]};
 }
 
-/// Sets kind and size. False if there is no shape that has a size.
-bool read_shape(const XMLElement& shape, Visual& visual) {
+/// Sets kind and size. False if there is no shape that has a size; what collides may be a point, a
+/// sphere of radius 0.
+bool read_shape(const XMLElement& shape, bool collides, Visual& visual) {
   const std::string name = shape.Name();
   const auto length = [&](const char* attribute) {
     const auto number = numbers_of(shape, attribute, 1);
@@ -75,16 +76,18 @@ bool read_shape(const XMLElement& shape, Visual& visual) {
   visual.size = {length("radius"), length("length"), 0};
   visual.kind = name == "sphere" ? VisualKind::sphere : VisualKind::cylinder;
   const bool is_long = name == "cylinder" || name == "capsule";
+  if (collides && name == "sphere" && read_number(text_of(shape, "radius")) == 0) return true;
   return visual.size[0] > 0 && (name == "sphere" || (is_long && visual.size[1] > 0));
 }
 
 /// Adds what the geometry of a visual or a collision shows: a shape, of a capsule three. False if
 /// there is no shape that has a size.
-bool add_shapes(const XMLElement& element, Visual visual, std::vector<Visual>& visuals) {
+bool add_shapes(const XMLElement& element, bool collides, Visual visual,
+                std::vector<Visual>& visuals) {
   const XMLElement* geometry = element.FirstChildElement("geometry");
   const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
   visual.pose = read_pose(element.FirstChildElement("origin"));
-  if (shape == nullptr || !read_shape(*shape, visual)) return false;
+  if (shape == nullptr || !read_shape(*shape, collides, visual)) return false;
   visuals.push_back(visual);
   if (std::string(shape->Name()) != "capsule") return true;
   const double half = 0.5 * visual.size[1];
@@ -124,7 +127,7 @@ std::vector<Visual> visuals_of(const XMLElement& link, const std::string& file,
     Visual visual;
     visual.link = text_of(link, "name");
     visual.color = color_of(*element, materials);
-    if (!add_shapes(*element, visual, visuals)) {
+    if (!add_shapes(*element, false, visual, visuals)) {
       diagnostics.add({Severity::warning, file, element->GetLineNum(),
                        fmt::format("robot/link[{}]/visual", visual.link),
                        "is not drawn: no shape with a size", kShapesWithSizes});
@@ -142,7 +145,7 @@ std::vector<Visual> collisions_of(const XMLElement& link, const std::string& fil
     Visual shape;
     shape.link = text_of(link, "name");
     shape.color = kGrey;
-    if (!add_shapes(*element, shape, shapes)) {
+    if (!add_shapes(*element, true, shape, shapes)) {
       diagnostics.add({Severity::warning, file, element->GetLineNum(),
                        fmt::format("robot/link[{}]/collision", shape.link),
                        "touches nothing: no shape with a size", kShapesWithSizes});
@@ -156,7 +159,7 @@ void add_stand_ins(const XMLElement& link, std::vector<Visual>& visuals) {
   const Color color = visuals.front().color;
   Diagnostics not_shown;
   for (Visual& shape : collisions_of(link, "", not_shown)) {
-    if (shape.kind == VisualKind::mesh) continue;
+    if (shape.kind == VisualKind::mesh || shape.size.isZero()) continue;
     shape.color = color;
     shape.stands_in = true;
     visuals.push_back(std::move(shape));

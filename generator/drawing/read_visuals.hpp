@@ -33,7 +33,7 @@ std::vector<Visual> read_visuals(const std::string& urdf, const std::string& fil
                                  Diagnostics& diagnostics);
 
 /// The shapes by which the links of a URDF collide, in the file's order. Those without a size are
-/// left out, with a warning.
+/// left out, with a warning, but for spheres of radius 0, which are points.
 std::vector<Visual> read_collisions(const std::string& urdf, const std::string& file,
                                     Diagnostics& diagnostics);
 

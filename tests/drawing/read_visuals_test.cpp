@@ -89,11 +89,12 @@ TEST(ReadCollisions, HasWhatLinksCollideByAndNothingElse) {
 </link>
 <link name="b"><collision><geometry><cylinder radius="0.1" length="2"/></geometry></collision>
   <collision><origin xyz="1 0 0"/><geometry><capsule radius="0.1" length="2"/></geometry></collision>
-  <collision><geometry><capsule radius="0.1"/></geometry></collision></link>
+  <collision><geometry><capsule radius="0.1"/></geometry></collision>
+  <collision><geometry><sphere radius="0.0"/></geometry></collision></link>
 </robot>)";
   Diagnostics diagnostics;
   const auto shapes = read_collisions(kBoth, "arm.urdf", diagnostics);
-  ASSERT_EQ(shapes.size(), 6U);
+  ASSERT_EQ(shapes.size(), 7U);
   EXPECT_EQ(shapes[0].link, "a");
   EXPECT_EQ(shapes[0].kind, VisualKind::sphere);
   EXPECT_EQ(shapes[0].pose.translation(), Eigen::Vector3d(1, 2, 3));
@@ -104,6 +105,7 @@ TEST(ReadCollisions, HasWhatLinksCollideByAndNothingElse) {
   EXPECT_EQ(shapes[3].kind, VisualKind::cylinder);  // of a capsule, with two spheres at its ends
   EXPECT_EQ(shapes[4].pose.translation(), Eigen::Vector3d(1, 0, 1));
   EXPECT_EQ(shapes[5].pose.translation(), Eigen::Vector3d(1, 0, -1));
+  EXPECT_EQ(shapes[6].size.norm(), 0);  // a point
   ASSERT_EQ(diagnostics.list().size(), 1U);
   EXPECT_EQ(diagnostics.list()[0].line, 9);
 }
