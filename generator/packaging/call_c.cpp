@@ -95,4 +95,17 @@ std::map<std::string, const char*> list_own_flags(const Scene& scene,
   return flags;
 }
 
+std::vector<PackagedSource> list_packaged_sources(const PackageFacts& facts, const Scene& scene,
+                                                  const Generation& generation) {
+  const auto own = list_own_flags(scene, generation);
+  std::vector<PackagedSource> sources;
+  std::istringstream words(facts.at("sources"));
+  for (std::string word; words >> word;) {  // "../src/" and a name
+    const std::string file = word.substr(7);
+    const auto found = own.find(file);
+    sources.push_back({file, found == own.end() ? "" : found->second});
+  }
+  return sources;
+}
+
 }  // namespace treeline

@@ -64,4 +64,14 @@ std::string quote_flags(const PackageFacts& facts, const Scene& scene);
 /// Flags of sources that are compiled with others, by file.
 std::map<std::string, const char*> list_own_flags(const Scene& scene, const Generation& generation);
 
+/// A source in the package's folder `src`.
+struct PackagedSource {
+  std::string file;   ///< "gravity.c"
+  std::string flags;  ///< that it alone is compiled with; empty: none
+};
+
+/// Lists the sources of a package in their order, each with its own flags.
+std::vector<PackagedSource> list_packaged_sources(const PackageFacts& facts, const Scene& scene,
+                                                  const Generation& generation);
+
 }  // namespace treeline

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 #include <string_view>
 
 #include "emission/c_family_syntax.hpp"
@@ -138,13 +137,10 @@ void add_functions(const Scene& scene, const Generation& generation, PackageFact
 /// Sources with the flags that each has for itself.
 std::string list_sources(const PackageFacts& facts, const Scene& scene,
                          const Generation& generation) {
-  const auto own = list_own_flags(scene, generation);
   std::string text;
-  std::istringstream words(facts.at("sources"));
-  for (std::string word; words >> word;) {  // "../src/" and a name
-    const auto found = own.find(word.substr(7));
-    text += fmt::format("    (\"{}\", &[{}]),\n", word.substr(3),
-                        found == own.end() ? "" : fmt::format("\"{}\"", found->second));
+  for (const auto& [file, flags] : list_packaged_sources(facts, scene, generation)) {
+    text +=
+        fmt::format("    (\"src/{}\", &[{}]),\n", file, flags.empty() ? "" : "\"" + flags + "\"");
   }
   return text;
 }

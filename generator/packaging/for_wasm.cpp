@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -132,14 +131,10 @@ void bind_functions(const Scene& scene, const Generation& generation, std::size_
 /// A line of the script for each source, with the flags that it has for itself.
 std::string print_compilation(const PackageFacts& facts, const Scene& scene,
                               const Generation& generation) {
-  const auto own = list_own_flags(scene, generation);
   std::string text;
-  std::istringstream words(facts.at("sources"));
-  for (std::string word; words >> word;) {  // "../src/" and a name
-    const std::string source = word.substr(7);
-    const auto found = own.find(source);
-    text += fmt::format("{}compile {}{}", text.empty() ? "" : "\n", source,
-                        found == own.end() ? "" : fmt::format(" {}", found->second));
+  for (const auto& [file, flags] : list_packaged_sources(facts, scene, generation)) {
+    text += fmt::format("{}compile {}{}", text.empty() ? "" : "\n", file,
+                        flags.empty() ? "" : " " + flags);
   }
   return text;
 }
