@@ -1,6 +1,7 @@
 #include "cli/generate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -63,6 +64,12 @@ const std::vector<std::pair<std::string, PackageKind>> kPackages = {
     {"fmu3", PackageKind::fmu3},
     {"wasm", PackageKind::wasm},
     {"ros2_control", PackageKind::ros2_control}};
+
+std::vector<std::string> package_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : kPackages) names.push_back(name);
+  return names;
+}
 
 struct GenerateOptions {
   InputOptions inputs;
@@ -307,9 +314,9 @@ void add_generate(CLI::App& app, int& exit_code) {
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);
   command
-      ->add_option("--package", options->inputs.package,
-                   "As a library for cmake, platformio, zephyr, arduino, cmsis, python, rust, fmu, "
-                   "fmu3, wasm or ros2_control: the code in src")
+      ->add_option(
+          "--package", options->inputs.package,
+          fmt::format("As a library, the code in src: {}", fmt::join(package_names(), ", ")))
       ->transform(one_of(kPackages));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,
