@@ -21,9 +21,9 @@ FunctionReport judge_function(std::size_t i, const GeneratedFunction& generated,
 /// Whether the numbers are equal including their signs, or both are NaN.
 bool same_bits(double a, double b);
 
-/// Whether results are those of the function's graph to the bit. Of loops over links zeros may have
-/// another sign, since they add zeros that the graph leaves out, and where the function is singular
-/// there may be NaN in place of numbers.
+/// Whether results are those of the function's graph to the bit. Of loops over links, and of a
+/// solve for columns, zeros may have another sign, since they add zeros that the graph leaves out,
+/// and where the function is singular there may be NaN in place of numbers.
 bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
                        const FunctionReference& reference);
 

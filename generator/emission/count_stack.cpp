@@ -6,6 +6,7 @@
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/print_parts.hpp"
+#include "program/column_solve.hpp"
 #include "program/link_loops.hpp"
 
 namespace treeline {
@@ -56,10 +57,23 @@ std::size_t count_live_values(const Program& program) {
   return most;
 }
 
+/// Numbers of the arrays that only the solve reads.
+std::size_t count_arrays(const ColumnSolve& columns) {
+  std::size_t count = columns.count_work();
+  for (const Result& result : columns.lines.results) {
+    const std::string& name = result.argument.name;
+    if (name == kColumnFactors || name == kColumnPivots) count += result.values.size();
+  }
+  return count;
+}
+
 }  // namespace
 
 std::size_t count_stack_values(const Program& program, bool misra) {
   if (program.loops) return count_work(*program.loops);
+  if (program.columns) {
+    return count_live_values(program.columns->lines) + count_arrays(*program.columns);
+  }
   return count_live_values(program) + (misra ? count_shared_values(program) : 0);
 }
 

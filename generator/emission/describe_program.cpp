@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "passes/count_operations.hpp"
+#include "program/column_solve.hpp"
 
 namespace treeline {
 namespace {
 
 bool has_lines(const Program& program, int more_than) {
-  return !program.loops && count_operations(program).flops() > more_than;
+  return !program.loops && count_operations(printed_lines(program)).flops() > more_than;
 }
 
 }  // namespace
@@ -47,6 +48,10 @@ std::set<std::string> find_taken_names(const Program& program, std::set<std::str
   for (const Result& result : program.results) {
     taken.insert(result.argument.name);
   }
+  if (program.columns) {
+    taken.insert({kColumnFactors, kColumnPivots, "above", "above_ends", "above_entries", "below",
+                  "below_ends", "below_entries", "rows"});
+  }
   return taken;
 }
 
@@ -61,7 +66,7 @@ int count_loops(std::span<const Program> programs) {
 }
 
 bool uses_lanes(const Program& program) {
-  return !program.packs.empty();
+  return !printed_lines(program).packs.empty();
 }
 
 bool uses_trigonometry(const Program& program) {

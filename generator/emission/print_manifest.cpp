@@ -17,6 +17,7 @@
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
+#include "program/column_solve.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {
@@ -50,7 +51,8 @@ std::vector<EmissionContext::Input> files_of(const EmissionContext& context) {
 }
 
 /// How many operations share how many instructions, and what that costs.
-std::string print_lanes(const Program& program) {
+std::string print_lanes(const Program& whole) {
+  const Program& program = printed_lines(whole);
   if (program.packs.empty()) {
     return "";
   }

@@ -51,6 +51,7 @@ extern const std::string_view kSinCosByTables;
 extern const std::string_view kSinCosInDouble;
 extern const std::string_view kSinCosInFloat;
 extern const std::string_view kSinCosOfArrays;
+extern const std::string_view kSolveColumns;
 extern const std::string_view kSquareRoot;
 extern const std::string_view kSquareRootBySteps;
 extern const std::string_view kSymmetricEigen;

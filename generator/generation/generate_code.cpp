@@ -28,6 +28,7 @@
 #include "generation/run_routes.hpp"
 #include "generation/without_callers.hpp"
 #include "recursion/routes/constraint_routes.hpp"
+#include "recursion/routes/solve_for_columns.hpp"
 #include "recursion/routes/trace_loops.hpp"
 
 namespace treeline {
@@ -145,7 +146,9 @@ GeneratedFunction generated_from(Function function, Choice choice, Routes& route
   generated.rejected = std::move(choice.rejected);
   generated.rejected.insert(generated.rejected.end(), routes.pruned.begin(), routes.pruned.end());
   generated.passes = std::move(routes.logs[key_of(generated.chosen.route)]);
-  generated.program = put_in_order(choice.program, generated.passes);
+  generated.program = change_lines(std::move(choice.program), [&](const Program& lines) {
+    return put_in_order(lines, generated.passes);
+  });
   return generated;
 }
 

@@ -9,6 +9,7 @@
 #include "mechanism/find_limbs.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/take_sines.hpp"
+#include "recursion/routes/solve_for_columns.hpp"
 #include "recursion/routes/trace_function.hpp"
 #include "target/target.hpp"
 
@@ -67,11 +68,11 @@ class RouteRunner {
 
  private:
   Program finish(Program program, Routes& routes) const {
-    if (options_.sin_cos == Sines::given) {
-      program = take_sines(canonicalize(program));
-    }
     std::vector<PassReport>& log = routes.logs[key_of(program.route)];
-    return reduce_operations(std::move(program), log);
+    return change_lines(std::move(program), [&](Program lines) {
+      if (options_.sin_cos == Sines::given) lines = take_sines(canonicalize(lines));
+      return reduce_operations(std::move(lines), log);
+    });
   }
 
   Function function_;

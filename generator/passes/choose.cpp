@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "passes/critical_path.hpp"
+#include "program/column_solve.hpp"
 
 namespace treeline {
 
@@ -19,6 +20,12 @@ double beside(double operations, double waiting) {
   const double b = waiting * waiting;
   return std::sqrt(std::sqrt(a * a + b * b));
 }
+
+/// Time of an operation of a solve for columns in a lane, and of its beginning: it reads in vectors
+/// what lines have just written one by one. Of FER, UR5 and iiwa14 lines are faster by 190 ns on
+/// average, of ANYmal, humanoid24 and a floating G1 the solve by 24 to 40 %.
+constexpr double kTimeInColumns = 0.5;
+constexpr double kTimeToBeginColumns = 1000;
 
 }  // namespace
 
@@ -44,7 +51,12 @@ double cost(const Program& program, const OperationCount& count, const Operation
 
 Cost cost_of(const Program& program, const OperationCosts& costs) {
   const OperationCount count = count_operations(program);
-  return {program.route, count, cost(program, count, costs)};
+  if (!program.columns) return {program.route, count, cost(program, count, costs)};
+  const ColumnSolve& columns = *program.columns;
+  const double lines = cost(columns.lines, count_operations(columns.lines), costs);
+  return {
+      program.route, count,
+      lines + kTimeToBeginColumns + kTimeInColumns * (columns.adds + columns.muls) / costs.lanes};
 }
 
 std::optional<Choice> choose(std::vector<Program> candidates, const OperationCosts& of) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "passes/rebuild.hpp"
+#include "program/column_solve.hpp"
 #include "program/link_loops.hpp"
 
 namespace treeline {
@@ -39,6 +40,12 @@ OperationCount count_operations(const Program& program) {
   if (program.loops) {
     const LinkLoops& loops = *program.loops;
     return {loops.adds, loops.muls, loops.divs, loops.sines};
+  }
+  if (program.columns) {
+    OperationCount total = count_operations(program.columns->lines);
+    total.add += program.columns->adds;
+    total.mul += program.columns->muls;
+    return total;
   }
   const std::vector<Node>& nodes = program.graph.nodes();
   Marks live(nodes.size(), 0), angle_seen(nodes.size(), 0);

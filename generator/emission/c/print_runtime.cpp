@@ -11,10 +11,12 @@
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/list_sources.hpp"
+#include "emission/print_columns.hpp"
 #include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
 #include "emission/print_sin_cos.hpp"
 #include "emission/print_square_root.hpp"
+#include "program/column_solve.hpp"
 
 namespace treeline::c {
 namespace {
@@ -33,7 +35,7 @@ std::string list_letters(std::size_t first, std::size_t count, bool in_parenthes
 std::string print_lanes(const EmissionContext& context, std::span<const Program> programs) {
   std::size_t most = 0;
   for (const Program& program : programs) {
-    for (const LanePack& pack : program.packs) most = std::max(most, pack.size());
+    for (const LanePack& pack : printed_lines(program).packs) most = std::max(most, pack.size());
   }
   std::string types;
   for (std::size_t count = 2; count <= most; count *= 2) {
@@ -85,6 +87,9 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   }
   for (GeneratedFile& file : print_batch_runtime(context, batch)) files.push_back(std::move(file));
   for (GeneratedFile& file : loops) files.push_back(std::move(file));
+  for (GeneratedFile& file : print_column_headers(context, programs)) {
+    files.push_back(std::move(file));
+  }
   return files;
 }
 

@@ -12,8 +12,10 @@
 #include "emission/fill_template.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_columns.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/wrap_line.hpp"
+#include "program/column_solve.hpp"
 
 namespace treeline::c {
 namespace {
@@ -23,8 +25,9 @@ std::string parameter(const EmissionContext& context, const Argument& argument,
   return print_array(context, qualifier, argument.name, argument.rows * argument.cols);
 }
 
-std::string print_includes(const Program& program) {
+std::string print_includes(const EmissionContext& context, const Program& program) {
   std::string includes = uses_lanes(program) ? "#include \"lanes.h\"\n" : "";
+  includes += print_column_include(context, program);
   includes += uses_trigonometry(program) ? "#include \"sin_cos.h\"\n" : "";
   return includes;
 }
@@ -66,7 +69,10 @@ struct Body {
 Body print_body_of(const EmissionContext& context, const Program& program,
                    std::set<std::string> taken) {
   const Syntax syntax = make_syntax(context);
-  if (!context.misra) return {"", print_body(program, syntax, taken)};
+  if (!context.misra) {
+    const std::string lines = print_body(printed_lines(program), syntax, taken);
+    return {"", join(print_columns(context, program), lines)};
+  }
   taken.insert("values");
   const PartedBody body = print_parts(program, syntax, taken, "values->");
   if (body.parts.empty()) return {"", body.statements};
@@ -127,7 +133,7 @@ std::string print_source(const EmissionContext& context, const Program& program)
       find_taken_names(program, {context.name, fmt::format("{}_{}", context.name, program.name),
                                  fmt::format("{}_sin_cos", context.name)});
   const Body body = print_body_of(context, program, taken);
-  holes.insert({{"includes", print_includes(program)},
+  holes.insert({{"includes", print_includes(context, program)},
                 {"parts", body.parts},
                 {"unread", print_unread(program)},
                 {"body", body.statements}});

@@ -8,6 +8,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/list_sources.hpp"
 #include "emission/misra/follow_rules.hpp"
+#include "emission/print_columns.hpp"
 #include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
 #include "emission/print_sin_cos.hpp"
@@ -105,6 +106,9 @@ std::vector<GeneratedFile> print_runtime(const EmissionContext& context,
   }
   if (damped || limited || controlled) {
     files.push_back(print_square_root(context));
+  }
+  for (GeneratedFile& file : print_column_headers(context, programs)) {
+    files.push_back(std::move(file));
   }
   return files;
 }

@@ -12,8 +12,10 @@
 #include "emission/list_source_holes.hpp"
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
+#include "emission/print_columns.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/wrap_line.hpp"
+#include "program/column_solve.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -39,8 +41,9 @@ std::string print_head(const Program& program, const std::string& restrict) {
   return fmt::format("void {}({}) noexcept", program.name, list);
 }
 
-std::string print_includes(const Program& program) {
+std::string print_includes(const EmissionContext& context, const Program& program) {
   std::string includes = uses_lanes(program) ? "#include \"lanes.hpp\"\n" : "";
+  includes += print_column_include(context, program);
   includes += uses_trigonometry(program) ? "#include \"sin_cos.hpp\"\n" : "";
   if (!includes.empty()) {
     includes.pop_back();
@@ -110,7 +113,7 @@ std::string print_safe_source(const EmissionContext& context, const Program& pro
                        {{"head", describe_source(program)},
                         {"cost", describe_cost(program)},
                         {"name", context.name},
-                        {"includes", print_includes(program)},
+                        {"includes", print_includes(context, program)},
                         {"parts", print_parts_of(program, body)},
                         {"signature", wrap_line(print_head(program, "") + " {", 0)},
                         {"body", statements}});
@@ -137,9 +140,11 @@ std::string print_source(const EmissionContext& context, const Program& program)
     holes["body"] = print_loop_body(context, program);
     return fill_template(templates::kLoopFunction, holes);
   }
-  holes.insert({{"includes", print_includes(program)},
+  const std::string lines =
+      print_body(printed_lines(program), make_syntax(context), find_taken(context, program));
+  holes.insert({{"includes", print_includes(context, program)},
                 {"lanes", print_lanes_type(program)},
-                {"body", print_body(program, make_syntax(context), find_taken(context, program))}});
+                {"body", join(print_columns(context, program), lines)}});
   return fill_template(templates::kFunction, holes);
 }
 

@@ -111,14 +111,19 @@ DenseMatrix<Scalar> operator-(DenseMatrix<Scalar> A) {
 /// Ways to form dqdd/dq = -M^-1 dtau/dq: by a solve, or with the inverse, which is a result anyway.
 enum class DerivativeRoute { solve, multiply };
 
-/// Derivatives of forward dynamics: -M^-1 times those of inverse dynamics at the qdd that results
-/// from tau.
+/// The factors of M, and the accelerations that result from tau.
 template <class Scalar>
-AccelerationDerivatives<Scalar> forward_dynamics_derivatives(
-    const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
-    const std::vector<Scalar>& qd, const std::vector<Scalar>& tau, std::span<const Scalar> f_ext,
-    DerivativeRoute route) {
-  const LtdlFactor<Scalar> factor = factor_ltdl(mass_matrix(tree, X));
+struct SolvedMotion {
+  LtdlFactor<Scalar> factor;
+  std::vector<Scalar> qdd;
+};
+
+template <class Scalar>
+SolvedMotion<Scalar> solve_motion(const Tree<Scalar>& tree,
+                                  const std::vector<JointTransform<Scalar>>& X,
+                                  const std::vector<Scalar>& qd, const std::vector<Scalar>& tau,
+                                  std::span<const Scalar> f_ext) {
+  SolvedMotion<Scalar> motion{factor_ltdl(mass_matrix(tree, X)), {}};
   const std::vector<Wrench<Scalar>> applied =
       f_ext.empty() ? std::vector<Wrench<Scalar>>{} : applied_wrenches<Scalar>(tree, X, f_ext);
   const auto h = inverse_dynamics<Scalar>(tree, X, {qd, {}}, applied);
@@ -126,10 +131,21 @@ AccelerationDerivatives<Scalar> forward_dynamics_derivatives(
   for (std::size_t i = 0; i < net.size(); ++i) {
     net[i] = net[i] - h[i];
   }
-  const std::vector<Scalar> qdd = solve(factor, net);
+  motion.qdd = solve(motion.factor, net);
+  return motion;
+}
+
+/// Derivatives of forward dynamics: -M^-1 times those of inverse dynamics at the qdd that results
+/// from tau.
+template <class Scalar>
+AccelerationDerivatives<Scalar> forward_dynamics_derivatives(
+    const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+    const std::vector<Scalar>& qd, const std::vector<Scalar>& tau, std::span<const Scalar> f_ext,
+    DerivativeRoute route) {
+  const auto [factor, qdd] = solve_motion(tree, X, qd, tau, f_ext);
   const auto forces = inverse_dynamics_derivatives<Scalar>(tree, X, {qd, qdd}, f_ext);
   const DenseMatrix<Scalar> M_inverse = inverse(factor);
-  const auto solved = [&](const DenseMatrix<Scalar>& B) {
+  const auto solved = [&, &factor = factor](const DenseMatrix<Scalar>& B) {
     return -(route == DerivativeRoute::solve ? solve_columns(factor, B) : product(M_inverse, B));
   };
   return {solved(forces.dq), solved(forces.dqd), M_inverse};

@@ -123,7 +123,7 @@ std::vector<Route> link_routes(const TracedTree& tree) {
 }  // namespace
 
 std::vector<Route> contact_routes(const RouteQuery& query) {
-  const auto& [function, mechanism, seen, tree] = query;
+  const auto& [function, mechanism, seen, tree, lanes] = query;
   switch (function) {
     case Function::contact_motion:
       return {{{"outward", "outward recursion"}, [](const Trace& trace) {

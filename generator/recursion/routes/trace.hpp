@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "functions/function.hpp"
-#include "program/program.hpp"
+#include "program/column_solve.hpp"
 #include "recursion/methods/control_torque.hpp"
 #include "recursion/methods/task_law.hpp"
 #include "recursion/tree/declare_inputs.hpp"
@@ -65,6 +65,8 @@ struct Route {
   /// The order in which results are to be computed; empty: any.
   std::function<std::vector<ResultPlace>(const Mechanism& mechanism, std::size_t results)> order =
       {};
+  /// In place of `body`: a solve, with results of the straight lines before it.
+  std::function<ColumnSolve(const Trace&)> columns = {};
 };
 
 /// The function and the tree whose routes are asked for. They depend on its structure alone.
@@ -73,6 +75,7 @@ struct RouteQuery {
   const Mechanism& mechanism;  ///< as the scene has it
   const Mechanism& seen;       ///< as the function sees it: with constraints as points
   const Tree<Expression>& tree;
+  int lanes = 1;  ///< how many numbers the emitted code may compute together
 };
 
 }  // namespace treeline

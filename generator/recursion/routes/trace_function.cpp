@@ -15,6 +15,7 @@
 #include "recursion/routes/pruned_algorithms.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/robot_routes.hpp"
+#include "recursion/routes/solve_for_columns.hpp"
 #include "recursion/tree/lift_tree.hpp"
 #include "recursion/tree/name_constants.hpp"
 #include "recursion/tree/supported_mechanism.hpp"
@@ -133,11 +134,22 @@ class Tracer {
     Trace trace = begin(*seen);
     trace.in = TracedInputs(mechanism_, function_, scratch);
     apply_inputs(*seen, trace.in, trace.tree);
-    return list_routes({function_, mechanism_, *seen, trace.tree});
+    return list_routes({function_, mechanism_, *seen, trace.tree, lanes_});
   }
 
   /// `nodes`: about as many as the graph will have.
   [[nodiscard]] Program trace(const Route& route, Names names, std::size_t nodes) const {
+    ColumnSolve columns;
+    Program program = trace_lines(route, names, nodes, columns);
+    if (!route.columns) return program;
+    columns.lines = std::move(program);
+    return solve_for_columns(std::move(columns));
+  }
+
+ private:
+  /// The straight lines; what comes behind them goes to `columns`.
+  [[nodiscard]] Program trace_lines(const Route& route, Names names, std::size_t nodes,
+                                    ColumnSolve& columns) const {
     Program program;
     program.name = function_name(function_);
     program.equation = info_of(function_).equation;
@@ -164,12 +176,16 @@ class Tracer {
     find_transforms(trace);
     describe_singular(route, program);
     if (route.law) trace.rule = route.law->rule;
+    if (route.columns) {
+      columns = route.columns(trace);
+      program.results = std::move(columns.lines.results);
+      return program;
+    }
     program.results = route.body(trace);
     if (route.order) program.order = route.order(mechanism_, program.results.size());
     return program;
   }
 
- private:
   /// A trace in the open graph that knows no inputs.
   [[nodiscard]] Trace begin(const Mechanism& seen) const {
     Trace trace;
