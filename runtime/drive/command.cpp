@@ -2,7 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 namespace treeline::drive {
+
+double angle_unit(const Command& command) {
+  return command.degrees ? std::numbers::pi / 180.0 : 1.0;
+}
+
+const char* angle_unit_name(const Command& command) {
+  return command.degrees ? "deg" : "rad";
+}
+
 namespace {
 
 std::string name_of_point(int point, const RobotDescription& robot) {
@@ -11,9 +22,10 @@ std::string name_of_point(int point, const RobotDescription& robot) {
 
 std::string print_vector(const Command& command, int first = 0, int count = 3) {
   const auto begin = command.numbers.begin() + first;
+  const double unit = angle_unit(command);
   std::string text;
   for (auto number = begin; number != begin + count; ++number) {
-    text += fmt::format("{}{:.4g}", text.empty() ? "(" : ", ", *number);
+    text += fmt::format("{}{:.4g}", text.empty() ? "(" : ", ", *number / unit);
   }
   return text + ")";
 }
@@ -26,7 +38,8 @@ std::string describe_joint(const Command& command, const RobotDescription& robot
                            const char* what) {
   const DrivenCoordinate& joint = robot.coordinates[static_cast<std::size_t>(command.target)];
   return fmt::format("{}{} {} {:.4g} {}{}", joint.name, what, command.relative ? "by" : "to",
-                     command.numbers[0], is_angle(joint) ? "rad" : "m", print_duration(command));
+                     command.numbers[0] / (is_angle(joint) ? angle_unit(command) : 1.0),
+                     is_angle(joint) ? angle_unit_name(command) : "m", print_duration(command));
 }
 
 const char* control_name(Control control) {
@@ -56,7 +69,8 @@ std::string describe_motion(const Command& command, const RobotDescription& robo
     case Verb::turn:
       return fmt::format("{} turns {} {}{}{}", name_of_point(command.target, robot), how,
                          print_vector(command, 0, command.relative ? 3 : 4),
-                         command.relative ? " rad" : "", print_duration(command));
+                         command.relative ? fmt::format(" {}", angle_unit_name(command)) : "",
+                         print_duration(command));
     case Verb::drag_point:
       return fmt::format("{} follows to {} m", name_of_point(command.target, robot),
                          print_vector(command));

@@ -49,11 +49,17 @@ struct Command {
   int target = 0;  ///< coordinate, point (`kBasePoint`: the base) or link; -1 with `hold`: all
   bool has_target = false;
   bool relative = false;  ///< by, not to
+  bool degrees = false;   ///< angles were given in degrees, and answers say them so
   Control control = Control::joint;
   std::array<double, 7> numbers{};
   int number_count = 0;
   double duration = 0.0;  ///< s; 0: none was given
 };
+
+/// What its angles were given in and are answered in, rad; in rad itself 1.
+double angle_unit(const Command& command);
+/// Its name: `deg` or `rad`.
+const char* angle_unit_name(const Command& command);
 
 /// Why a line is no command.
 struct CommandFault {

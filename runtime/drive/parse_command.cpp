@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "drive/command.hpp"
@@ -186,7 +185,8 @@ void Parser::take_position(const DrivenCoordinate& coordinate) {
       --next_;
       fail(fmt::format("expected m for `{}`, which slides, found `deg`", coordinate.name));
     }
-    value *= std::numbers::pi / 180.0;
+    command_.degrees = true;
+    value *= angle_unit(command_);
   } else if (sees("rad") || sees("m")) {
     if (sees("rad") != angle) {
       fail(fmt::format("expected {} for `{}`, {}", angle ? "rad or deg" : "m", coordinate.name,
@@ -199,8 +199,10 @@ void Parser::take_position(const DrivenCoordinate& coordinate) {
   if (!fault_ && !command_.relative &&
       (value < coordinate.lower - kSlack || value > coordinate.upper + kSlack)) {
     next_ = start;
+    const double unit = angle_unit(command_);
     fail(fmt::format("`{}` goes from {:.4g} to {:.4g} {}, not to {:.4g}", coordinate.name,
-                     coordinate.lower, coordinate.upper, angle ? "rad" : "m", value));
+                     coordinate.lower / unit, coordinate.upper / unit,
+                     angle ? angle_unit_name(command_) : "m", value / unit));
   }
   command_.numbers[0] = std::clamp(value, command_.relative ? -kLargest : coordinate.lower,
                                    command_.relative ? kLargest : coordinate.upper);
@@ -249,11 +251,9 @@ void Parser::parse_turn() {
   take_to_or_by();
   if (command_.relative) {
     take_numbers({"rx", "ry", "rz"});
-    if (takes("deg")) {
-      for (double& number : command_.numbers) number *= std::numbers::pi / 180.0;
-    } else {
-      (void)takes("rad");
-    }
+    command_.degrees = takes("deg");
+    if (!command_.degrees) (void)takes("rad");
+    for (double& number : command_.numbers) number *= angle_unit(command_);
   } else {
     take_numbers({"qx", "qy", "qz", "qw"});
     if (!fault_ && !normalise(command_.numbers.data())) {

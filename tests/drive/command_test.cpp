@@ -55,6 +55,17 @@ TEST(Command, NamesPointsAndTheBase) {
   EXPECT_EQ(parsed("pull head at 0 0 0.1 to 1 1 1").target, 1);
 }
 
+TEST(Command, AnswersInTheUnitOfTheCommand) {
+  const auto answer = [](const std::string& line) { return describe(parsed(line), kRobot); };
+  EXPECT_EQ(answer("joint elbow to 45 deg in 2 s"), "elbow moves to 45 deg in 2 s");
+  EXPECT_EQ(answer("joint elbow by -0.5"), "elbow moves by -0.5 rad");
+  EXPECT_EQ(answer("drag joint slider to 0.25"), "slider follows to 0.25 m");
+  EXPECT_EQ(answer("turn tool by 0 0 90 deg"), "tool turns by (0, 0, 90) deg");
+  EXPECT_EQ(answer("turn tool by 0 0 1"), "tool turns by (0, 0, 1) rad");
+  EXPECT_NE(refused("joint elbow to 90 deg").text.find("goes from -57.3 to 57.3 deg, not to 90"),
+            std::string::npos);
+}
+
 // A quaternion is a direction: of any length but 0.
 TEST(Command, MakesQuaternionsUnit) {
   const Command turn = parsed("turn tool to 0 0 3 4");
