@@ -15,8 +15,9 @@ namespace {
 
 constexpr const char* kForms =
     "Columns are `time` (or `time_s`) and q0, q1, ... or q_JOINT, separated by commas, below a "
-    "line with their names, as `treeline simulate --csv` writes them; or give a file of `treeline "
-    "drive --record`.";
+    "line with their names, as `treeline simulate --csv` and the page of `treeline drive` write "
+    "them; "
+    "or give a file of `treeline drive --record`.";
 
 std::vector<std::string> split_cells(const std::string& line) {
   std::vector<std::string> cells;
@@ -25,6 +26,16 @@ std::vector<std::string> split_cells(const std::string& line) {
     cells.emplace_back(trimmed(cell));
   }
   return cells;
+}
+
+/// A column's name without the unit behind it, in brackets.
+std::string without_unit(const std::string& name) {
+  return name.substr(0, name.ends_with(']') ? name.rfind(" [") : std::string::npos);
+}
+
+/// What stands before the first blank: `q0` of `q0 base.x`.
+std::string first_word(const std::string& name) {
+  return name.substr(0, name.find(' '));
 }
 
 /// Whether this is q with digits, the name of a coordinate of some robot.
@@ -91,7 +102,7 @@ class MotionReading {
   [[nodiscard]] int coordinate_of(const std::string& name) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const bool single = std::count(joints_.begin(), joints_.end(), joints_[i]) == 1;
-      if (name == fmt::format("q{}", i) || (single && name == "q_" + joints_[i])) {
+      if (first_word(name) == fmt::format("q{}", i) || (single && name == "q_" + joints_[i])) {
         return static_cast<int>(i);
       }
     }
@@ -102,12 +113,13 @@ class MotionReading {
     names_ = split_cells(line);
     bool has_time = false;
     bool has_coordinate = false;
-    for (const std::string& name : names_) {
+    for (const std::string& cell : names_) {
+      const std::string name = without_unit(cell);
       const bool is_time = name == "time" || name == "time_s";
       has_time = has_time || is_time;
       columns_.push_back(is_time ? kTime : coordinate_of(name));
       has_coordinate = has_coordinate || columns_.back() >= 0;
-      if (columns_.back() == kNone && is_numbered(name)) {
+      if (columns_.back() == kNone && is_numbered(first_word(name))) {
         return fail(fmt::format("there is no coordinate `{}`: the robot has {}, from q0 on", name,
                                 home_.size()));
       }

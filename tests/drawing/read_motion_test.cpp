@@ -36,6 +36,19 @@ TEST_F(ReadMotion, TakesColumnsByNumber) {
   EXPECT_EQ(motion->q.front(), (std::vector<double>{7, 4, 5}));
 }
 
+// As the page of `treeline drive` saves them: with units, names behind numbers, cells without a
+// value.
+TEST_F(ReadMotion, TakesColumnsWithUnits) {
+  const auto motion = read(
+      "time [s],mode,q1 base.y [m],error_elbow [rad],q_elbow [rad],qd_elbow [rad/s]\n"
+      "0.5,idle,4,,1.5,9\n");
+  ASSERT_TRUE(motion) << fault();
+  EXPECT_EQ(motion->times.front(), 0.5);
+  EXPECT_EQ(motion->q.front(), (std::vector<double>{7, 4, 1.5}));
+  EXPECT_FALSE(read("time,q3 base.x [m]\n1,1\n"));
+  EXPECT_NE(fault().find("no coordinate `q3"), std::string::npos) << fault();
+}
+
 TEST_F(ReadMotion, TakesStatesOfARecord) {
   const auto motion = read(
       "{\"type\":\"hello\"}\n{\"time\":0.5,\"q\":[1,2,3]}\n{\"time\":1,\"command\":\"stop\"}\n"
