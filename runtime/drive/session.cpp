@@ -23,6 +23,8 @@ Session::Session(const RobotDescription& robot, double rate, bool has_center_of_
 void Session::take_report(const ReportHead& head, const double* numbers) {
   report_.head = head;
   std::copy_n(numbers, layout_.size, report_.numbers.begin());
+  const double* q = numbers + layout_.q;
+  if (start_.empty()) start_.assign(q, q + robot_.coordinates.size());
   timing_.take(head);
 }
 

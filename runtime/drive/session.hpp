@@ -70,6 +70,8 @@ class Session {
 
   void take_report(const ReportHead& head, const double* numbers);
   const LoopReport& report() const { return report_; }
+  /// q of the first report; empty before.
+  const std::vector<double>& start() const { return start_; }
   const LoopTiming& timing() const { return timing_; }
   const RobotDescription& robot() const { return robot_; }
   const ReportLayout& layout() const { return layout_; }
@@ -96,6 +98,7 @@ class Session {
   std::function<bool(const servo::Message&)> send_;
   Authority authority_;
   LoopReport report_;
+  std::vector<double> start_;
   LoopTiming timing_;
   RefusedCounts refused_;
   std::vector<Note> notes_;

@@ -193,6 +193,15 @@ TEST_F(WireTest, TellsTheStateAsJson) {
   EXPECT_EQ(state["mode"], "running");
 }
 
+TEST_F(WireTest, TellsWhereTheRobotBegan) {
+  const std::vector<double> numbers(static_cast<std::size_t>(session_.layout().size), 1.0);
+  session_.take_report({}, numbers.data());
+  EXPECT_EQ(json::parse(print_hello(session_, 1000, true, {}))["start"], std::vector<double>(13));
+  const Session fresh(test::every_kind_of_joint(), 1000, true,
+                      [](const servo::Message&) { return true; });
+  EXPECT_TRUE(json::parse(print_hello(fresh, 1000, true, {}))["start"].is_null());
+}
+
 // Before a report could tell of the reset.
 TEST_F(WireTest, StartsRightAfterAReset) {
   report(servo::Mode::faulted);

@@ -36,7 +36,7 @@ async function keep(page, name) {
 function find_clashes() {
   const clashes = [];
   const shown = [...document.querySelectorAll(
-    'button, input, select, h1, h3, .chip, .joint-name, .limit, .unit, .readout, .hint, dt, dd')]
+    'button, input, select, h1, h2, .chip, .joint-name, .limit, .unit, .readout, .hint, dt, dd')]
     .filter((one) => one.checkVisibility() && !one.closest('.offers, #view-tools') &&
       !one.matches('[type="range"]'));
   const boxes = shown.map((one) => one.getBoundingClientRect());
@@ -158,9 +158,10 @@ async function take_picture(page) {
 }
 
 for (const colorScheme of ['light', 'dark']) {
-  test(`the picture is as it was looked at: ${colorScheme}`, async () => {
+  test(`the picture is as it was looked at: ${colorScheme}`, async (t) => {
     const still = new MockServer();
     await still.listen();
+    t.after(() => still.close());
     const page = await open_page(browser, still.address, {...kSharp, colorScheme});
     const picture = await take_picture(page);
     const file = path.join(kReferences, `puma560_${colorScheme}.png`);
@@ -176,6 +177,5 @@ for (const colorScheme of ['light', 'dark']) {
     const without = await compare(page, await take_picture(page), reference);
     assert.ok(without > 0.004, 'the comparison sees that the disks are gone');
     await page.close();
-    await still.close();
   });
 }

@@ -1,6 +1,7 @@
 // Would catch: meshes of a kind that are not loaded, without their colour, scale or origin; links
 // that vanish where a mesh is missing or broken; a mesh that takes others with it, or that is asked
-// for twice, which watchers may not; a reason that is kept back; frames drawn as balls.
+// for twice, which watchers may not; a reason that is kept back; frames drawn as balls; a robot that
+// hangs through the floor.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 
@@ -89,7 +90,7 @@ async function show(t, served, collision = '', files = Object.keys(kFiles), fram
   await page.click('#tab-View');
   for (const name of ['Disks and rails of joints', 'Planes and belts of points',
     'Frames of points', 'Forces', 'Trace of points']) {
-    await page.click(`button:text-is("${name}")`);
+    await page.click(`#panel-View button:text-is("${name}")`);
   }
   await page.waitForTimeout(500);
   page.fetched = server.fetched;
@@ -147,4 +148,22 @@ test('frames that weigh nothing are no balls beside meshes', async (t) => {
   const masses = (await count_hues(await show(t, ['green.obj'], '', files, frame(heavy)))).ball;
   assert.ok(masses > without + 50, `${masses} dark pixels with balls, ${without} without`);
   assert.ok(frames < without + 10, `${frames} dark pixels with frames, ${without} without`);
+});
+
+test('the floor is under the lowest mesh, or at 0', async (t) => {
+  for (const [height, lowest] of [[-2, -2.5], [2, 0]]) {
+    const name = 'package://arm/red.stl';  // it hangs half a metre down from its link
+    const urdf = write_urdf([name], '').replace('0.5 0.5 0.5', '0.5 0.5 -0.5')
+      .replace('0.7 0 0', `0.7 0 ${height}`);
+    const server = new MockServer(urdf, {[name]: kStl});
+    await server.listen();
+    const page = await open_page(browser, server.address);
+    t.after(async () => {
+      await page.close();
+      await server.close();
+    });
+    await page.waitForFunction((expected) => document.querySelector('#panel-View .readout')
+      .textContent.startsWith(`Floor at z = ${expected} m`), lowest);
+    assert.deepEqual(page.faults, []);
+  }
 });

@@ -1,13 +1,13 @@
 // Would catch: a table that the page does not show, or shows elsewhere than where it says; an object
 // that is not in the hand; a front end that can command what is only shown; a script that is over
-// before anybody looks.
+// before anybody looks; a CSV of the page that is no table for the program.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {launch_browser, open_page, state_of, wait_for_state} from './browser.mjs';
+import {launch_browser, open_page, state_of, type_line, wait_for_state} from './browser.mjs';
 import {DriveServer} from './drive_server.mjs';
 
 let browser;
@@ -57,8 +57,35 @@ test('a table is shown', async (t) => {
     assert.ok(await page.isDisabled(control), control);
   }
   assert.match(await page.getAttribute('#command', 'placeholder'), /nothing can be commanded/);
+  const offered = await page.locator('#panel-Plots [aria-label="quantities"] button').allTextContents();
+  assert.ok(offered.includes('Position') && !offered.includes('Torque'), `${offered}`);
+  // What is looked at stays, though the motion begins again.
+  await page.focus('[aria-label="moment shown"]');
+  await page.keyboard.press('Home');
+  const {time} = await page.evaluate(() => window.treeline.shown);
+  await wait_for_state(page, (now) => now.time < time + 1.5);
+  assert.equal(await page.evaluate(() => window.treeline.shown.time), time);
+  await page.click('button:text-is("Back to now")');
   await keep(page, 'replay_planar3r');
   assert.deepEqual(page.faults, []);
+});
+
+test('what the page has saved is shown again', async (t) => {
+  const robot = 'robots/planar3r/planar3r.urdf';
+  const {page} = await start(t, [robot], []);
+  await type_line(page, 'start');
+  await type_line(page, 'joint joint1 to 30 deg in 0.5 s');
+  await wait_for_state(page, (now) => Math.abs(now.q[0] - Math.PI / 6) < 1e-3);
+  const saved = (await state_of(page)).q[1];
+  await page.click('#tab-Plots');
+  const [download] = await Promise.all([page.waitForEvent('download'),
+    page.click('button:text-is("Save CSV")')]);
+  const table = path.join(folder, 'saved.csv');
+  await download.saveAs(table);
+  const again = await start(t, [robot], ['--replay', table]);
+  await wait_for_state(again.page, (now) => Math.abs(now.q[0] - Math.PI / 6) < 1e-3);
+  assert.ok(Math.abs((await state_of(again.page)).q[1] - saved) < 1e-3);
+  assert.deepEqual(again.page.faults, []);
 });
 
 test('an object is in the hands', async (t) => {

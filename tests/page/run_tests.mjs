@@ -10,7 +10,7 @@ function reason_to_skip(file) {
   if (!page_is_built()) {
     return `there is no page in ${kPage}: node runtime/page/build.mjs ${kPage}`;
   }
-  if (!/_math_test|complete_test|recorder_test/.test(file) && !find_chromium()) {
+  if (!/_math_test|complete_test|recorder_test|quantities_test/.test(file) && !find_chromium()) {
     return 'there is no Chromium: install the package chromium, or name it in TREELINE_CHROMIUM';
   }
   if (/drive_test|replay_test/.test(file) && !fs.existsSync(process.env.TREELINE_DRIVE ?? '')) {

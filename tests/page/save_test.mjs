@@ -47,13 +47,13 @@ test('the CSV has every state, in columns with names', async () => {
   const [head, ...rows] = bytes.toString().trimEnd().split('\n').map((row) => row.split(','));
   const column = (title) => rows.map((row) => Number(row[head.indexOf(title)]));
   assert.ok(rows.every((row) => row.length === head.length));
-  const times = column('time');
+  const times = column('time [s]');
   assert.ok(times.every((time, i) => i === 0 || time > times[i - 1]), 'times grow');
   assert.ok(times.at(-1) - times[0] < rows.length * 0.2, 'no state is left out');
-  assert.ok(Math.abs(column('joint1').at(-1) - 0.5) < 1e-3);
-  assert.ok(Math.abs(column('joint2').at(-1) - server.robot.q[1]) < 1e-3);
-  assert.ok(Math.abs(column('tool z').at(-1) - server.robot.tip_at(server.robot.q).at[2]) < 1e-3);
-  assert.ok(column('control_us').every((time) => time >= 10 && time <= 12));
+  assert.ok(Math.abs(column('q_joint1 [rad]').at(-1) - 0.5) < 1e-3);
+  assert.ok(Math.abs(column('q_joint2 [rad]').at(-1) - server.robot.q[1]) < 1e-3);
+  assert.ok(Math.abs(column('at_tool.z [m]').at(-1) - server.robot.tip_at(server.robot.q).at[2]) < 1e-3);
+  assert.ok(column('control_mean [us]').every((time) => time >= 10 && time <= 12));
 });
 
 test('picture and plots are saved as they are shown', async () => {

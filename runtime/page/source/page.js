@@ -1,6 +1,6 @@
 // The page of `treeline drive`: connects the server's messages with the picture and the panels.
 import {Connection, socket_address} from './connection.js';
-import {element, set_text, toggle} from './element.js';
+import {button, element, set_text, toggle} from './element.js';
 import {CommandLine} from './panel/command_line.js';
 import {ControlPanel} from './panel/control_panel.js';
 import {JointPanel} from './panel/joint_panel.js';
@@ -8,7 +8,9 @@ import {PlotPanel} from './panel/plot_panel.js';
 import {PointPanel} from './panel/point_panel.js';
 import {StatusBar} from './panel/status_bar.js';
 import {make_tabs} from './panel/tabs.js';
+import {Timeline} from './panel/timeline.js';
 import {ViewPanel} from './panel/view_panel.js';
+import {list_columns} from './quantities.js';
 import {Recorder, write_csv} from './recorder.js';
 import {save_as, save_text} from './save.js';
 import {say} from './units.js';
@@ -24,6 +26,7 @@ const view = new RobotView(find('#view canvas'), {send: send_drag, say,
   tell: (text) => set_text(find('#tip'), text), report: (text) => command_line.say(text, 'note')});
 
 let hello = null;
+let columns = null;  // of the recorder's states, once one is shown
 let refusal = '';  // what the server last said against a drag: said once
 
 /** Sends a line, and shows it and the reply. */
@@ -66,20 +69,29 @@ const duration = add_duration(find('#panels'));
 const tabs = make_tabs(find('#panels'), ['Joints', 'Points', 'Control', 'Plots', 'View']);
 const senders = {run, send: send_drag, duration};
 const view_panel = new ViewPanel(tabs.View, view, save_picture);
-const joint_panel = new JointPanel(tabs.Joints, senders);
+const joint_panel = new JointPanel(tabs.Joints, senders, () => plot_panel.repaint());
 const point_panel = new PointPanel(tabs.Points, senders);
 const plot_panel = new PlotPanel(tabs.Plots, recorder, {
-  save_csv: () => hello && save_text(file_name('csv'), 'text/csv',
-    write_csv(hello, recorder.states)),
+  save_csv: () => columns && save_text(file_name('csv'), 'text/csv',
+    write_csv(columns, recorder.states)),
   save_png: () => save_as(file_name('plots.png'), plot_panel.draw_all().toDataURL('image/png')),
+  widen: (yes) => find('main').classList.toggle('wide', yes),
+  pick: (time) => timeline.go_to(time),
 });
+const timeline = new Timeline(find('#timeline'), recorder, show_moment);
 const panels = [status, joint_panel, point_panel, new ControlPanel(tabs.Control, run), plot_panel,
   command_line];
 
 const pull = toggle('Pull links',
   'Dragging a link pulls it with a spring, instead of turning the picture', false,
   (yes) => { view.gestures.pulls_links = yes; });
-find('#view-tools').append(pull);
+const cameras = [['Fit', 'Place the camera so that the whole robot is seen'],
+  ['Iso', 'See the whole robot from the front, the right and above'],
+  ['Front', 'See it from the front: against x'], ['Side', 'See it from its right: along y'],
+  ['Top', 'See it from above: against z, with x to the right']].map(([label, hint]) =>
+  button(label, hint, () => view.model && view.look_at_all(label.toLowerCase())));
+find('#view-tools').append(pull, element('div', {className: 'cameras', role: 'group',
+  'aria-label': 'camera'}, ...cameras));
 
 /** Whoever only watches sees that nothing but the stop is for him. */
 function enable_commands(may_command) {
@@ -89,13 +101,33 @@ function enable_commands(may_command) {
     }
   }
   find('#duration').disabled = !may_command;
+  allow_drags();
+}
+
+/** In the past nothing can be grabbed: the robot is elsewhere. */
+function allow_drags() {
+  view.may_drag = hello.may_command && !timeline.is_past;
+  pull.disabled = !view.may_drag || hello.links.length === 0;
+}
+
+/** Shows a state of the past, or, if `state` is null, the robot as it is again. */
+function show_moment(state) {
+  const is_past = state !== null;
+  if (!view.model) return;
+  view.gestures.end();
+  allow_drags();
+  document.body.classList.toggle('past', is_past);
+  set_text(find('#past'),
+    is_past ? 'This is the past. Buttons act on the robot as it is now.' : '');
+  plot_panel.show_past(state?.time ?? null);
+  const shown = state ?? window.treeline.state;
+  window.treeline.shown = shown;
+  view.show(shown);
 }
 
 async function greet(message) {
   const same = hello !== null && hello.robot === message.robot;
   hello = message;
-  view.may_drag = message.may_command;
-  pull.disabled = !message.may_command || message.links.length === 0;
   if (same) {
     status.greet(message);
     command_line.greet(message);
@@ -103,6 +135,7 @@ async function greet(message) {
     return;
   }
   recorder.clear();
+  timeline.greet(message);
   const answer = await fetch('/robot.urdf');
   if (!answer.ok) {
     command_line.say(`the robot's URDF cannot be had: ${answer.status}`, 'bad');
@@ -110,7 +143,9 @@ async function greet(message) {
   }
   view.load(await answer.text(), message);
   view_panel.apply(view);
-  for (const panel of panels) panel.greet?.(message);
+  const with_tree = {...message, tree: view.tree};
+  for (const panel of panels) panel.greet?.(with_tree);
+  columns = null;  // states that came while the URDF did were for the panels of before
   enable_commands(message.may_command);
 }
 
@@ -129,17 +164,26 @@ function show_link(link) {
 }
 
 function show_state(state) {
-  const again = recorder.add(state);
+  const again = timeline.take(state);
   if (!view.model) return;
-  if (again) view.clear_traces();
-  view.show(state);
-  for (const panel of panels) panel.update?.(state);
+  if (!columns) {
+    columns = list_columns(hello, state);
+    plot_panel.take(columns);
+  }
   window.treeline.state = state;
+  if (again) view.clear_traces();
+  view.trace(state);
+  if (!timeline.is_past) {
+    view.show(state);
+    window.treeline.shown = state;
+  }
+  for (const panel of panels) panel.update?.(state);
+  view_panel.update(state, view.stage);
 }
 
-// For tests and for people at the console: the newest state, the picture as a PNG, and where
-// handles are on the screen.
-window.treeline = {state: null, where: (name) => view.where(name), picture: () => view.write_png(),
+// For tests and for people at the console: the newest state, the one that the picture shows, the
+// picture as a PNG, and where handles are on the screen.
+window.treeline = {state: null, shown: null, where: (name) => view.where(name), picture: () => view.write_png(),
   handles: () => view.handles?.list.map((handle) => handle.name) ?? []};
 
 connection.addEventListener('hello', ({detail}) => greet(detail));

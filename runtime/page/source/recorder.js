@@ -1,14 +1,8 @@
-// What the page has received, for plots and CSV.
+// What the page has received, for plots, the timeline and CSV.
 
 const kLongest = 18000;  // samples: ten minutes at 30 a second
 
-/** Distance of a point from its goal, m; NaN where it has none. */
-export function tracking_error(point) {
-  if (!point.goal) return NaN;
-  return Math.hypot(...point.at.map((x, i) => x - point.goal[i]));
-}
-
-/** Keeps the last ten minutes of states. */
+/** Keeps the last ten minutes of states, without their histograms. */
 export class Recorder {
   states = [];
 
@@ -16,7 +10,7 @@ export class Recorder {
   add(state) {
     const again = state.time < this.states.at(-1)?.time;
     if (again) this.clear();
-    this.states.push(state);
+    this.states.push({...state, histogram: null, counts: null});
     if (this.states.length > kLongest) this.states.splice(0, kLongest / 10);
     return again;
   }
@@ -25,32 +19,50 @@ export class Recorder {
     this.states = [];
   }
 
-  /** States of the last `seconds`. */
-  recent(seconds) {
-    const last = this.states.at(-1)?.time ?? 0;
-    let first = this.states.length;
-    while (first > 0 && this.states[first - 1].time >= last - seconds) --first;
-    return this.states.slice(first);
+  /** Times of the oldest and the newest state, s; both 0 where there is none. */
+  get span() {
+    return [this.states[0]?.time ?? 0, this.states.at(-1)?.time ?? 0];
+  }
+
+  /** The newest state that is no later than `time`, else the oldest. */
+  at(time) {
+    return this.states[Math.max(this.#count_until(time) - 1, 0)];
+  }
+
+  /** States of the last `seconds` until `time`. */
+  recent(seconds, time = Infinity) {
+    const end = this.#count_until(time);
+    const last = this.states[end - 1]?.time ?? 0;
+    return this.states.slice(this.#count_until(last - seconds - 1e-9), end);
+  }
+
+  /** How many states are no later than `time`. */
+  #count_until(time) {
+    let low = 0;
+    let high = this.states.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.states[middle].time <= time) low = middle + 1;
+      else high = middle;
+    }
+    return low;
   }
 }
 
-/** A field as CSV has it: quoted where it holds a separator. */
+/** A field as CSV has it: quoted where it holds a separator; empty where there is no number. */
 function field(value) {
-  const text = value === undefined || value === null ? '' : String(value);
+  const text = value === undefined || value === null || Number.isNaN(value) ? '' : String(value);
   return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/** One row per state: time (s), mode, q, qd, tau, positions and errors of points, control time. */
-export function write_csv(hello, states) {
-  const points = hello.points.map((point) => point.name);
-  const velocities = states[0]?.qd.length ?? 0;
-  const numbered = (name, count) => Array.from({length: count}, (_, i) => `${name}${i}`);
-  const head = ['time', 'mode', ...hello.coordinates.map((c) => c.name),
-    ...numbered('qd', velocities), ...numbered('tau', states[0]?.tau.length ?? 0),
-    ...points.flatMap((name) => ['x', 'y', 'z', 'error'].map((part) => `${name} ${part}`)),
-    'control_us', 'control_max_us', 'period_us', 'period_max_us'];
-  const rows = states.map((state) => [state.time, state.mode, ...state.q, ...state.qd, ...state.tau,
-    ...state.points.flatMap((point) => [...point.at, tracking_error(point)]),
-    state.control_us.mean, state.control_us.max, state.period_us.mean, state.period_us.max]);
+/**
+ * One row per state below a line of names with units: time, mode, control and `columns`, see
+ * `list_columns`. `treeline draw --motion` and `treeline drive --replay` read it too.
+ */
+export function write_csv(columns, states) {
+  const head = ['time [s]', 'mode', 'control', ...columns.map(({quantity, name, unit, title}) =>
+    `${title ?? `${quantity}_${name}`} [${unit}]`)];
+  const rows = states.map((state) => [state.time, state.mode, state.control,
+    ...columns.map(({read}) => read(state))]);
   return [head, ...rows].map((row) => row.map(field).join(',')).join('\n') + '\n';
 }

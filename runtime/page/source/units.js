@@ -40,3 +40,10 @@ export function say(coordinate, value) {
   const sign = sign_of(coordinate);
   return `${write_value(coordinate, value)}${sign === '°' ? '' : ' '}${sign}`;
 }
+
+/** How a number in a unit of SI is shown: [factor, unit]. Angles follow the choice of degrees. */
+export function shown_as(wanted, unit = wanted) {
+  if (wanted === 'mm' && unit === 'm') return [1000, 'mm'];
+  if (degrees && unit.startsWith('rad')) return [180 / Math.PI, unit.replace('rad', '°')];
+  return [1, unit.replace('us', 'µs')];
+}

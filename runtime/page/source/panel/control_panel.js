@@ -28,11 +28,11 @@ export class ControlPanel {
     this.buttons = element('div', {className: 'choices'});
     this.counts = element('dl', {className: 'counts'});
     this.rehearsal = kRehearsal.map(([line, label, hint]) => button(label, hint, () => run(line)));
-    root.append(element('h3', {}, 'Control'), this.buttons,
-      element('h3', {}, 'Rehearse, then go'),
+    root.append(element('h2', {}, 'Control'), this.buttons,
+      element('h2', {}, 'Rehearse, then go'),
       element('div', {className: 'row', role: 'group', ariaLabel: 'rehearsal'}, ...this.rehearsal),
-      element('h3', {}, 'Gains, 1/s² and 1/s'), this.#make_gains('joint'),
-      this.#make_gains('task'), element('h3', {}, 'The loop'), this.counts);
+      element('h2', {}, 'Gains, 1/s² and 1/s'), this.#make_gains('joint'),
+      this.#make_gains('task'), element('h2', {}, 'The loop'), this.counts);
   }
 
   greet(hello) {

@@ -1,8 +1,7 @@
 // Numbers for operational points: the twins of planes, belts and pulls.
 import {button, element, set_text} from '../element.js';
 import {move_line, pull_line, turn_line} from '../lines.js';
-import {point_states_of, points_of} from '../view/robot_view.js';
-import {tracking_error} from '../recorder.js';
+import {distance_from_goal, point_states_of, points_of} from '../points.js';
 import {Lease} from '../view/lease.js';
 
 /** Three numbers with one label. `values()` is null while one is missing. */
@@ -48,7 +47,7 @@ class PointCard {
       button('Release', `Let ${point.name} go; it is only damped`,
         () => run(`release ${point.name}`))];
     this.card = element('section', {className: 'card', 'aria-label': point.name},
-      element('header', {}, element('h3', {}, point.name), ...holds),
+      element('header', {}, element('h2', {}, point.name), ...holds),
       element('p', {className: 'readout'}, 'at ', this.place, ' m, from its goal ', this.error,
         ' mm'),
       make_form(`move ${point.name}`, [element('span', {}, 'Move m'), ...move.inputs,
@@ -61,7 +60,7 @@ class PointCard {
 
   show(state) {
     set_text(this.place, write_place(state.at));
-    const error = 1000 * tracking_error(state);
+    const error = 1000 * distance_from_goal(state);
     set_text(this.error, Number.isFinite(error) ? error.toFixed(1) : '–');
   }
 }
@@ -111,7 +110,7 @@ export class PointPanel {
       setTimeout(() => this.lease.end(), 1000 * Math.min(seconds.valueAsNumber || 0, 10));
     };
     return element('section', {className: 'card', 'aria-label': 'pull a link'},
-      element('header', {}, element('h3', {}, 'Pull a link')),
+      element('header', {}, element('h2', {}, 'Pull a link')),
       element('p', {className: 'readout'},
         'A spring from a place on the link to one in the world.'),
       make_form('pull a link', [element('span', {}, 'Link'), this.link,

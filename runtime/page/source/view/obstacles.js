@@ -19,6 +19,7 @@ export function make_obstacles(hello) {
     body.position.set(...obstacle.at);
     body.quaternion.set(...obstacle.turn);
     body.name = obstacle.name;
+    body.castShadow = true;
     const edges = new three.LineSegments(new three.EdgesGeometry(body.geometry, 30),
       new three.LineBasicMaterial({color: 0x5c3a1c, transparent: true, opacity: 0.6}));
     body.add(edges);

@@ -2,7 +2,7 @@
 import * as three from 'three';
 
 import {make_axes} from './handle_shapes.js';
-import {group_coordinates, pose_robot} from './pose_robot.js';
+import {group_coordinates, pose_robot, velocity_indices} from './pose_robot.js';
 
 const kTraceLength = 900;   // states: half a minute
 const kGhostFrom = 0.005;   // rad or m from which on the goal is worth a ghost
@@ -52,6 +52,7 @@ function make_ghost(model) {
   const ghost = model.clone(true);
   const frames = [];
   ghost.traverse((part) => {
+    part.castShadow = false;
     if (part.isMesh) part.material = material;
     if (part.userData.is_frame) frames.push(part);
   });
@@ -64,16 +65,6 @@ function make_ghost(model) {
   return ghost;
 }
 
-/** First velocity of each group of coordinates: a floating joint has six for seven coordinates. */
-function velocity_indices(groups) {
-  let next = 0;
-  return groups.map(({kinds}) => {
-    const first = next;
-    next += kinds.length === 7 ? 6 : kinds.length;
-    return first;
-  });
-}
-
 /** Everything that is shown or hidden by name: see `kParts` in panel/view_panel.js. */
 export class Overlays {
   group = new three.Group();
@@ -82,7 +73,7 @@ export class Overlays {
   #ghost = null;
 
   constructor(stage, model, hello, points, size) {
-    Object.assign(this, {model, hello, size});
+    Object.assign(this, {model, hello, size, floor: () => stage.floor});
     this.traces = points.map((_, i) => new Trace([0xd6409f, 0x12a594, 0xf76b15][i % 3]));
     this.axes = points.map(() => make_axes(0.7 * size));
     this.goals = points.map(() => this.#make_goal());
@@ -173,14 +164,14 @@ export class Overlays {
 
   /** Torques and forces of one-freedom joints along their axes, as shares of the limit. */
   #add_torques(state) {
-    const groups = group_coordinates(this.hello.coordinates);
-    const first = velocity_indices(groups);
-    groups.forEach(({joint: name, first: index, kinds}, i) => {
+    const {coordinates} = this.hello;
+    const {of_coordinates} = velocity_indices(coordinates);
+    group_coordinates(coordinates).forEach(({joint: name, first: index, kinds}) => {
       const joint = this.model.joints[name];
-      const effort = this.hello.coordinates[index].effort ?? 100;
+      const effort = coordinates[index].effort ?? 100;
       if (kinds.length !== 1 || !joint) return;
       const axis = joint.axis.clone().transformDirection(joint.matrixWorld);
-      const share = axis.multiplyScalar((state.tau[first[i]] ?? 0) / effort);
+      const share = axis.multiplyScalar((state.tau[of_coordinates[index]] ?? 0) / effort);
       this.#add_arrow(joint.getWorldPosition(new three.Vector3()).toArray(), share.toArray(), 3,
         kTorqueColor);
     });
@@ -238,7 +229,7 @@ export class Overlays {
   #place_mass(place) {
     const [ball, plumb] = this.mass.children;
     ball.position.set(...place);
-    this.#span(plumb, place, [place[0], place[1], 0]);
+    this.#span(plumb, place, [place[0], place[1], this.floor()]);
     plumb.computeLineDistances();
   }
 

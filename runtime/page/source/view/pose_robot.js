@@ -15,6 +15,26 @@ export function group_coordinates(coordinates) {
   return groups;
 }
 
+/**
+ * Places in qd and tau: `of_coordinates` by index in q, -1 for those of floating joints, and
+ * `of_floating`, by joint, the first of its six.
+ */
+export function velocity_indices(coordinates) {
+  const of_coordinates = [];
+  const of_floating = {};
+  let next = 0;
+  for (const {joint, kinds} of group_coordinates(coordinates)) {
+    if (kinds.length === 7) {
+      of_floating[joint] = next;
+      of_coordinates.push(...kinds.map(() => -1));
+      next += 6;
+    } else {
+      for (const _ of kinds) of_coordinates.push(next++);
+    }
+  }
+  return {of_coordinates, of_floating};
+}
+
 /** Sets `body` to `origin` followed by position and quaternion. */
 function place(body, position, quaternion, numbers) {
   const turn = new three.Quaternion(...numbers.slice(3, 7)).normalize();

@@ -1,6 +1,7 @@
 // The picture of the robot: model, handles, overlays and gestures on one stage.
 import * as three from 'three';
 
+import {point_states_of, points_of} from '../points.js';
 import {Gestures} from './gestures.js';
 import {Handles} from './handles.js';
 import {load_robot} from './load_robot.js';
@@ -10,23 +11,6 @@ import {pose_robot} from './pose_robot.js';
 import {Stage} from './stage.js';
 
 const kSlack = 0.4;  // of its radius: so far the robot goes before the camera follows
-const kAllRows = ['x', 'y', 'z', 'rx', 'ry', 'rz'];
-
-/** Points that can be dragged: those of the scene, and a floating base. */
-export function points_of(hello) {
-  const named = hello.points.map((point) => ({...point}));
-  if (hello.base !== 'floating' || named.some((point) => point.name === 'base')) return named;
-  return [...named, {name: 'base', rows: kAllRows, is_base: true}];
-}
-
-/** States of `points_of(hello)`, in their order. */
-export function point_states_of(hello, state) {
-  const states = state.points;
-  if (points_of(hello).length === states.length) return states;
-  const goal = state.goal_q ?? state.q;
-  return [...states, {at: state.q.slice(0, 3), turn: state.q.slice(3, 7),
-    goal: goal.slice(0, 3), goal_turn: goal.slice(3, 7), free: false}];
-}
 
 export class RobotView {
   model = null;
@@ -37,6 +21,7 @@ export class RobotView {
   radius = 1;
   may_drag = false;
   follows = true;
+  #stands = false;  // the floor is where the robot began, with all meshes that have come
 
   /**
    * Shows robots in `canvas`. `send(line)` sends a line of the language, `tell(text)` says what is
@@ -50,6 +35,13 @@ export class RobotView {
     this.stage.before_draw(() => this.#prepare());
   }
 
+  /** All joints of the model, for `group_by_limb`. */
+  get tree() {
+    return Object.values(this.model.joints).map((joint) => ({joint: joint.urdfName,
+      parent: joint.parent.urdfName,
+      child: joint.children.find((one) => one.isURDFLink)?.urdfName}));
+  }
+
   /** Shows the robot of `hello`. */
   load(urdf, hello) {
     this.#clear();
@@ -57,6 +49,7 @@ export class RobotView {
     this.points = points_of(hello);
     this.model = load_robot(urdf, hello, this.report, () => {
       this.overlays?.renew_ghost();
+      this.#stands = false;
       this.stage.redraw();
     });
     this.stage.scene.add(this.model);
@@ -72,12 +65,18 @@ export class RobotView {
     if (!this.model) return;
     const is_first = this.state === null;
     this.state = state;
+    this.start ??= this.hello.start ?? state.q;
     this.point_states = point_states_of(this.hello, state);
-    pose_robot(this.model, this.hello, state.q);
-    this.overlays.trace(this.point_states);
-    if (is_first) this.look_at_all();
+    if (is_first) this.#stand();
+    else pose_robot(this.model, this.hello, state.q);
+    if (is_first) this.look_at_all('iso');
     else if (this.follows && !this.gestures.target) this.#follow();
     this.stage.redraw();
+  }
+
+  /** Lengthens the traces of points by a state. */
+  trace(state) {
+    this.overlays?.trace(point_states_of(this.hello, state));
   }
 
   clear_traces() {
@@ -89,8 +88,8 @@ export class RobotView {
     return this.hello.links.includes(link);
   }
 
-  /** Places the camera so that the whole robot is seen. */
-  look_at_all() {
+  /** Places the camera so that the whole robot is seen, `from` as `Stage.look_at` has it. */
+  look_at_all(from) {
     const box = new three.Box3();
     this.model.traverse((part) => {
       if (part.isURDFJoint || part.isURDFLink) {
@@ -106,7 +105,7 @@ export class RobotView {
     const ball = box.getBoundingSphere(new three.Sphere());
     this.radius = Math.max(ball.radius, 0.05);
     this.followed = this.#middle();
-    this.stage.look_at(ball.center, this.radius);
+    this.stage.look_at(ball.center, this.radius, from);
   }
 
   /** Where a handle can be grabbed on the screen, or the middle of `link:NAME` is; for tests. */
@@ -121,6 +120,23 @@ export class RobotView {
   write_png() {
     this.stage.draw();
     return this.stage.canvas.toDataURL('image/png');
+  }
+
+  /**
+   * Puts the floor under the robot as it began: at the height 0 of the world, or where its lowest
+   * point was, if that is lower.
+   */
+  #stand() {
+    this.#stands = true;
+    pose_robot(this.model, this.hello, this.start);
+    const box = new three.Box3();
+    this.model.traverse((part) => {
+      if (!part.isMesh) return;
+      part.castShadow = true;
+      box.expandByObject(part, true);
+    });
+    this.stage.floor = Math.min(box.min.z, 0);
+    pose_robot(this.model, this.hello, this.state.q);
   }
 
   /** Mean place of the links. */
@@ -144,6 +160,7 @@ export class RobotView {
 
   #prepare() {
     if (!this.state || !this.model) return;
+    if (!this.#stands) this.#stand();
     this.handles.group.visible = this.may_drag;
     this.handles.update(this.point_states);
     this.overlays.update(this.state, this.point_states, this.gestures.target);
@@ -156,5 +173,6 @@ export class RobotView {
     this.handles?.remove();
     this.overlays?.remove();
     this.state = null;
+    this.start = null;
   }
 }

@@ -1,11 +1,15 @@
-// The 3-D stage: renderer, camera, light and ground. Draws only when something has changed.
+// The 3-D stage: renderer, camera, light and floor. Draws only when something has changed.
 import * as three from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
+import {Floor} from './floor.js';
 import {make_axes} from './handle_shapes.js';
 
-const kCells = 24;  // of the ground, along a side
 const kSlow = 40;  // ms: pictures that take longer leave as much time again to everything else
+
+/** From where the camera looks, in the world; the sides as a robot that faces x has them. */
+export const kDirections = {iso: [1, -1.1, 0.55], front: [1, 0, 0], side: [0, -1, 0],
+  top: [0, -1e-3, 1]};
 
 /** Value of a CSS variable of the page, for instance `--view-ground`. */
 export function css_color(name) {
@@ -16,6 +20,7 @@ export function css_color(name) {
 export class Stage {
   scene = new three.Scene();
   camera = new three.PerspectiveCamera(40, 1, 0.01, 200);
+  floor_plane = new Floor();
   #wanted = false;
   #asked = 0;
   #rest_until = 0;
@@ -28,11 +33,14 @@ export class Stage {
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.addEventListener('change', () => {
-      this.#place_ground();
+      this.floor_plane.follow(this.orbit.target);
       this.redraw();
     });
-    this.#add_light();
-    this.#add_ground();
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = three.BasicShadowMap;  // soft ones take twice as long in software
+    this.axes = make_axes(1);
+    this.scene.add(new three.HemisphereLight(0xffffff, 0x8d8d99, 1.7), this.floor_plane.group,
+      this.axes);
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#paint());
     this.#paint();
@@ -68,17 +76,35 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** Turns the camera so that a ball at `center` of `radius` fills the picture. */
-  look_at(center, radius) {
-    const distance = 1.05 * radius / Math.sin(three.MathUtils.degToRad(this.camera.fov / 2));
-    const direction = new three.Vector3(1, -1.1, 0.55).normalize();
+  /**
+   * Places the camera so that a ball at `center` of `radius` fills the picture: seen from a
+   * direction of `kDirections`, or from where the camera is.
+   */
+  look_at(center, radius, from) {
+    const half = three.MathUtils.degToRad(this.camera.fov / 2);
+    const narrow = Math.atan(Math.tan(half) * Math.min(this.camera.aspect, 1));
+    const distance = 1.05 * radius / Math.sin(narrow);
+    const direction = (kDirections[from] ? new three.Vector3(...kDirections[from])
+      : this.camera.position.clone().sub(this.orbit.target)).normalize();
     this.camera.position.copy(center).addScaledVector(direction, distance);
     this.camera.near = distance / 200;
     this.camera.far = distance * 60;
     this.camera.updateProjectionMatrix();
     this.orbit.target.copy(center);
     this.orbit.update();
-    this.#fit_ground(radius);
+    this.floor_plane.fit(radius);
+    this.floor_plane.follow(center);
+    this.axes.scale.setScalar(this.floor_plane.cell);
+    this.redraw();
+  }
+
+  /** Height of the floor in the world, m. */
+  get floor() {
+    return this.floor_plane.height;
+  }
+
+  set floor(height) {
+    this.floor_plane.height = height;
     this.redraw();
   }
 
@@ -115,41 +141,9 @@ export class Stage {
     return 2 * distance * Math.tan(three.MathUtils.degToRad(this.camera.fov / 2)) / height;
   }
 
-  #add_light() {
-    this.scene.add(new three.HemisphereLight(0xffffff, 0x8d8d99, 1.7));
-    const sun = new three.DirectionalLight(0xffffff, 1.7);
-    sun.position.set(2, -3, 5);
-    this.scene.add(sun);
-  }
-
-  #add_ground() {
-    this.ground = new three.GridHelper(kCells, kCells);
-    this.ground.rotation.x = Math.PI / 2;
-    this.ground.material.vertexColors = false;
-    this.axes = make_axes(1);
-    this.scene.add(this.ground, this.axes);
-  }
-
-  /** Cells of 0.01, 0.02, 0.05, 0.1, ... m, of which the robot's radius has about four. */
-  #fit_ground(radius) {
-    const power = 10 ** Math.floor(Math.log10(radius / 4));
-    const cell = [1, 2, 5, 10].find((one) => one * power >= radius / 4) * power;
-    this.ground.scale.setScalar(cell);
-    this.axes.scale.setScalar(cell);
-    this.#place_ground();
-  }
-
-  /** Keeps the ground under what the camera looks at, its lines where they would be anyway. */
-  #place_ground() {
-    const step = kCells / 4 * this.ground.scale.x;
-    const {x, y} = this.orbit.target;
-    this.ground.position.set(Math.round(x / step) * step, Math.round(y / step) * step, 0);
-  }
-
   #paint() {
     this.scene.background = new three.Color(css_color('--view'));
-    this.ground.material.color.set(css_color('--view-ground'));
-    this.ground.material.needsUpdate = true;
+    this.floor_plane.paint(css_color('--view-ground'));
     this.redraw();
   }
 
