@@ -119,8 +119,9 @@ test('a drag of an idle robot leads to Start', async (t) => {
   await drag(page, 'disk:joint1', straight([40, 4], 4));
   await page.waitForSelector('button.offered:text-is("Start")');
   assert.match(await page.textContent('#fault'), /idle: press Start/);
-  await page.click('button:text-is("Start")');
+  await page.click('#offer button:text-is("Start")');
   await wait_for_state(page, (state) => state.mode === 'running');
   await page.waitForFunction(() => !document.querySelector('.offered'));
+  assert.ok(await page.isHidden('#offer button'));
   assert.equal(await page.textContent('#fault'), '');
 });

@@ -21,7 +21,7 @@ const find = (selector) => document.querySelector(selector);
 const connection = new Connection(socket_address(location));
 const recorder = new Recorder();
 const command_line = new CommandLine(find('#command-line'), run);
-const status = new StatusBar(find('#status'), find('#fault'), run);
+const status = new StatusBar(find('#status'), find('#fault'), find('#offer'), run);
 const view = new RobotView(find('#view canvas'), {send: send_drag, say,
   tell: (text) => set_text(find('#tip'), text), report: (text) => command_line.say(text, 'note')});
 

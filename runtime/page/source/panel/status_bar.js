@@ -33,9 +33,15 @@ export class StatusBar {
   #offered = null;
   #offered_in = '';  // the mode
 
-  /** `fault` is where faults are said; `run(line)` sends a line and shows the reply. */
-  constructor(root, fault, run) {
+  /**
+   * `fault` is where faults are said, `offer` where a button that is missing is offered;
+   * `run(line)` sends a line and shows the reply.
+   */
+  constructor(root, fault, offer, run) {
     Object.assign(this, {run, fault});
+    this.shortcut = button('', 'What has to be pressed first', () => this.#offered?.click());
+    this.shortcut.hidden = true;
+    offer.append(this.shortcut);
     this.name = element('h1', {}, 'treeline drive');
     this.link = chip('connection');
     this.mode = chip('mode');
@@ -97,12 +103,15 @@ export class StatusBar {
     this.#offered = this.controls.find((one) => one.textContent === label) ?? null;
     this.#offered_in = this.state?.mode;
     this.#offered?.classList.add('offered');
+    this.shortcut.hidden = !this.#offered;
+    set_text(this.shortcut, label);
     if (this.state) this.update(this.state);
   }
 
   #withdraw() {
     this.#offered?.classList.remove('offered');
     this.#offered = null;
+    this.shortcut.hidden = true;
   }
 
   #enable_buttons() {
