@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/print_diagnostics.hpp"
 #include "cli/read_inputs.hpp"
+#include "cli/stepped_robot.hpp"
 #include "functions/function.hpp"
+#include "generation/describe_scene.hpp"
 #include "mechanism/home_of.hpp"
 #include "oracle/interpreted_robot.hpp"
 #include "text/json_text.hpp"
@@ -44,13 +47,27 @@ void note_differences(const Scene& scene, Diagnostics& diagnostics) {
   if (scene.sin_cos == Sines::given) note("sin_cos", "interpreted functions take q alone");
 }
 
-Json describe_robot(const Scene& scene, InterpretedRobot& robot,
-                    const std::vector<Diagnostic>& messages) {
-  const Mechanism& mechanism = robot.mechanism();
-  Json coordinates = Json::array(), functions = Json::array(), told = Json::array();
+Json describe_messages(const std::vector<Diagnostic>& messages) {
+  Json told = Json::array();
   for (const Diagnostic& each : messages) {
     told.push_back({{"severity", severity_name(each.severity)}, {"text", to_string(each)}});
   }
+  return told;
+}
+
+/// What calls are answered from.
+struct Session {
+  const RobotAndScene& inputs;
+  Warnings warnings;
+  InterpretedRobot robot;
+  std::optional<SteppedRobot> stepped;  ///< empty until it is described
+};
+
+Json describe_robot(Session& session, const std::vector<Diagnostic>& messages) {
+  const RobotAndScene& inputs = session.inputs;
+  InterpretedRobot& robot = session.robot;
+  const Mechanism& mechanism = robot.mechanism();
+  Json coordinates = Json::array(), velocities = Json::array(), functions = Json::array();
   for (const Coordinate& coordinate : mechanism.coordinates) {
     coordinates.push_back({{"joint", coordinate.joint},
                            {"meaning", coordinate.meaning},
@@ -58,10 +75,16 @@ Json describe_robot(const Scene& scene, InterpretedRobot& robot,
                            {"upper", finite(coordinate.upper)},
                            {"home", home_of(coordinate)}});
   }
+  for (const auto& row : velocity_rows(inputs.robot, mechanism)) {
+    velocities.push_back({{"joint", row.joint},
+                          {"name", row.name},
+                          {"velocity", finite(row.velocity)},
+                          {"effort", finite(row.effort)}});
+  }
   for (const Function function : robot.functions()) functions.push_back(function_name(function));
-  return {{"name", scene.name},         {"task_rows", mechanism.task_rows()},
-          {"coordinates", coordinates}, {"velocities", mechanism.velocities},
-          {"functions", functions},     {"messages", told}};
+  return {{"name", inputs.scene.name},  {"task_rows", mechanism.task_rows()},
+          {"coordinates", coordinates}, {"velocities", velocities},
+          {"functions", functions},     {"messages", describe_messages(messages)}};
 }
 
 Json to_json(const std::vector<Argument>& list) {
@@ -100,12 +123,13 @@ void answer(const Json& json) {
 }
 
 /// Reads the numbers of a call and answers with those of its results. False at the input's end.
-bool call(const InterpretedRobot& robot, const InterpretedFunction& function, std::size_t states) {
-  std::vector<double> numbers(states * count_numbers(function.arguments));
+bool call(const std::vector<Argument>& arguments, std::size_t states,
+          const std::function<std::vector<double>(const std::vector<double>&)>& compute) {
+  std::vector<double> numbers(states * count_numbers(arguments));
   const auto bytes = static_cast<std::streamsize>(numbers.size() * sizeof(double));
   if (!std::cin.read(reinterpret_cast<char*>(numbers.data()), bytes)) return false;
   try {
-    const std::vector<double> results = robot.call(function, states, numbers);
+    const std::vector<double> results = compute(numbers);
     std::cout << json_line({{"numbers", results.size()}}) << '\n';
     std::cout.write(reinterpret_cast<const char*>(results.data()),
                     static_cast<std::streamsize>(results.size() * sizeof(double)));
@@ -116,22 +140,59 @@ bool call(const InterpretedRobot& robot, const InterpretedFunction& function, st
   return true;
 }
 
+/// Tells how the robot is moved on, or why it cannot be.
+void describe_step(Session& session) {
+  Diagnostics diagnostics;
+  session.stepped = make_stepped_robot(session.inputs, diagnostics);
+  if (!session.stepped) {
+    std::string text;
+    for (const Diagnostic& each : diagnostics.list()) {
+      if (each.severity == Severity::error) text += (text.empty() ? "" : "\n") + to_string(each);
+    }
+    answer({{"error", text}});
+    return;
+  }
+  answer({{"equation", "moves on through time, on the ground of the scene"},
+          {"arguments", to_json(session.stepped->arguments())},
+          {"results", to_json(session.stepped->results())},
+          {"messages", describe_messages(select_diagnostics(diagnostics, session.warnings))}});
+}
+
+/// Settings that can be computed with.
+std::optional<StepSettings> read_settings(std::istream& words) {
+  StepSettings settings;
+  const bool is_read = static_cast<bool>(words >> settings.seconds >> settings.steps >>
+                                         std::boolalpha >> settings.stops);
+  const bool fits =
+      is_read && settings.seconds > 0 && std::isfinite(settings.seconds) && settings.steps > 0;
+  return fits ? std::optional(settings) : std::nullopt;
+}
+
 /// Answers a line of the input. False where what follows it cannot be told.
-bool obey(InterpretedRobot& robot, const std::string& line) {
+bool obey(Session& session, const std::string& line) {
   std::istringstream words(line);
   std::string verb, name, count;
   words >> verb >> name >> count;
-  const auto function = find_named(robot, name);
+  const bool describes = verb == "describe";
   const auto states = read_count(count);
-  const bool is_call = verb == "call" && states;
-  if (!function || !(is_call || verb == "describe")) {
-    answer({{"error", fmt::format("cannot be understood: {}", line)}});
-    return false;
+  if (describes || (verb == "call" && states)) {
+    if (const auto function = find_named(session.robot, name)) {
+      const InterpretedFunction& described = session.robot.describe(*function);
+      if (describes) return answer(describe_function(described)), true;
+      return call(described.arguments, *states, [&](const auto& numbers) {
+        return session.robot.call(described, *states, numbers);
+      });
+    }
+    if (describes && name == "step") return describe_step(session), true;
+    const auto settings = read_settings(words);
+    if (name == "step" && session.stepped && settings) {
+      return call(session.stepped->arguments(), *states, [&](const auto& numbers) {
+        return session.stepped->step(*settings, *states, numbers);
+      });
+    }
   }
-  const InterpretedFunction& described = robot.describe(*function);
-  if (is_call) return call(robot, described, *states);
-  answer(describe_function(described));
-  return true;
+  answer({{"error", fmt::format("cannot be understood: {}", line)}});
+  return false;
 }
 
 int run(const InputOptions& options) {
@@ -142,10 +203,10 @@ int run(const InputOptions& options) {
     return kBadInput;
   }
   note_differences(inputs->scene, diagnostics);
-  InterpretedRobot robot(inputs->robot, inputs->scene);
-  answer(describe_robot(inputs->scene, robot, select_diagnostics(diagnostics, options.warnings)));
+  Session session{*inputs, options.warnings, {inputs->robot, inputs->scene}, std::nullopt};
+  answer(describe_robot(session, select_diagnostics(diagnostics, options.warnings)));
   for (std::string line; std::getline(std::cin, line);) {
-    if (!obey(robot, line)) return kBadInput;
+    if (!obey(session, line)) return kBadInput;
   }
   return kOk;
 }
@@ -165,7 +226,11 @@ void add_interpret(CLI::App& app, int& exit_code) {
       "  call FUNCTION N     and behind the line the arguments of N states, one state after the\n"
       "                      other, as doubles of this machine: {\"numbers\": COUNT} and as many\n"
       "                      doubles, the results of one state after the other; or {\"error\": "
-      "...}");
+      "...}\n"
+      "  call step N SECONDS STEPS STOPS\n"
+      "                      the same, once it was described: moves the robot on by so many "
+      "steps,\n"
+      "                      on the ground of the scene; STOPS is true or false");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

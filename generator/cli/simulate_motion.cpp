@@ -214,16 +214,12 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
   if (!state) return std::nullopt;
   const auto steps =
       count_steps(column_names(model, ground.has_value()).size(), settings, diagnostics);
-  const auto below = make_ground(model, mechanism.coordinates, ground, settings);
+  const auto below = make_ground(model, mechanism.coordinates, ground, settings.stops);
   const bool starts =
       (!ground || start_on_ground(model, *below, settings, *state, diagnostics)) &&
       (!settings.stops || starts_between_stops(mechanism.coordinates, *state, diagnostics));
   if (!starts || !steps) return std::nullopt;
-  std::optional<simulation::Surface> surface;
-  if (ground) {  // what gravity makes in four steps does not bounce, nor rounding
-    const double slow = 1e-6 + 4 * model.gravity.norm() * settings.step;
-    surface = {ground->law.restitution, ground->law.friction, slow};
-  }
+  const auto surface = make_surface(model, ground, settings.step);
   const JointSprings springs = make_springs(model, settings, *state, diagnostics);
   return Run(model, settings, below, surface, springs, std::move(*state)).run(*steps);
 }

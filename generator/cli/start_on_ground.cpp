@@ -36,19 +36,35 @@ void lift(const simulation::Model& model, double height, simulation::State& stat
 std::optional<simulation::Ground> make_ground(const simulation::Model& model,
                                               const std::vector<Coordinate>& coordinates,
                                               const std::optional<GroundOfRobot>& ground,
-                                              const MotionSettings& settings) {
-  if (!ground && !settings.stops) return std::nullopt;
+                                              bool stops) {
+  if (!ground && !stops) return std::nullopt;
   std::vector<simulation::GroundShape> shapes;
   if (ground) shapes = ground->shapes;
   for (auto& shape : shapes) shape.body = find_body<double>(model, shape.link);
   std::vector<simulation::JointRange> ranges;
   for (const auto& body : model.bodies) {
     const bool has_range = interpreter::velocity_count(body.kind) == 1 && !body.mimics;
-    if (!settings.stops || !has_range) continue;
+    if (!stops || !has_range) continue;
     const Coordinate& coordinate = coordinates[static_cast<std::size_t>(body.q)];
     ranges.push_back({body.q, body.v, coordinate.lower, coordinate.upper});
   }
   return simulation::Ground(model, std::move(shapes), std::move(ranges));
+}
+
+bool can_touch(const simulation::Ground& ground, Diagnostics& diagnostics) {
+  if (ground.is_in_reach()) return true;
+  diagnostics.add({Severity::error, "", 0, "ground",
+                   "no link that moves has a shape that could touch it",
+                   "give links a <collision>: a box, cylinder, capsule, sphere or mesh"});
+  return false;
+}
+
+std::optional<simulation::Surface> make_surface(const simulation::Model& model,
+                                                const std::optional<GroundOfRobot>& ground,
+                                                double step) {
+  if (!ground) return std::nullopt;
+  const double slow = 1e-6 + 4 * model.gravity.norm() * step;
+  return simulation::Surface{ground->law.restitution, ground->law.friction, slow};
 }
 
 bool starts_between_stops(const std::vector<Coordinate>& coordinates,
@@ -73,10 +89,7 @@ bool start_on_ground(const simulation::Model& model, const simulation::Ground& g
     diagnostics.add({Severity::error, "", 0, option, std::move(fault), std::move(remedy)});
     return false;
   };
-  if (!ground.is_in_reach()) {
-    return refuse("ground", "no link that moves has a shape that could touch it",
-                  "give links a <collision>: a box, cylinder, capsule, sphere or mesh");
-  }
+  if (!can_touch(ground, diagnostics)) return false;
   simulation::Touch lowest = ground.lowest(model, state.q);
   const bool can_lift = floats(model, lowest.body);
   if (settings.height && !can_lift) {

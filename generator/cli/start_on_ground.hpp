@@ -9,11 +9,20 @@
 namespace treeline {
 
 /// The ground, if there is one, for a model, on whose bodies the shapes are found by their links;
-/// and, if `settings` says so, the stops of its joints.
+/// and, with `stops`, the ends of its joints' ranges.
 std::optional<simulation::Ground> make_ground(const simulation::Model& model,
                                               const std::vector<Coordinate>& coordinates,
                                               const std::optional<GroundOfRobot>& ground,
-                                              const MotionSettings& settings);
+                                              bool stops);
+
+/// Whether any link can touch the ground; else with an error.
+bool can_touch(const simulation::Ground& ground, Diagnostics& diagnostics);
+
+/// How the ground, if there is one, answers in steps of so many seconds: what gravity makes in four
+/// of them does not bounce, nor rounding.
+std::optional<simulation::Surface> make_surface(const simulation::Model& model,
+                                                const std::optional<GroundOfRobot>& ground,
+                                                double step);
 
 /// Whether a start is between the stops; else with an error that names the first joint that is not.
 bool starts_between_stops(const std::vector<Coordinate>& coordinates,

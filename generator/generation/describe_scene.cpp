@@ -98,25 +98,6 @@ std::vector<EmissionContext::CoordinateRow> coordinate_rows(const Mechanism& mec
   return rows;
 }
 
-std::vector<EmissionContext::VelocityRow> velocity_rows(const Robot& robot,
-                                                        const Mechanism& mechanism) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  std::vector<EmissionContext::VelocityRow> rows;
-  for (const std::string& name : mechanism.velocities) rows.push_back({"", name, kNone, kNone});
-  for (const MovingLink& link : mechanism.links) {
-    if (link.mimics) continue;
-    for (int i = 0; i < link.velocities(); ++i) {
-      rows[static_cast<std::size_t>(link.v_index + i)].joint = link.joint;
-    }
-    const Joint* joint = find_joint(robot, link.joint);
-    if (joint == nullptr || !joint->limits) continue;
-    EmissionContext::VelocityRow& row = rows[static_cast<std::size_t>(link.v_index)];
-    row.velocity = joint->limits->velocity;
-    row.effort = joint->limits->effort;
-  }
-  return rows;
-}
-
 std::string origin_text(const Pose& origin) {
   const auto& [xyz, rpy] = origin;
   std::string text = fmt::format("origin ({}, {}, {}) m", xyz[0], xyz[1], xyz[2]);
@@ -294,6 +275,25 @@ std::string object_text(const SceneObject& object) {
 }
 
 }  // namespace
+
+std::vector<EmissionContext::VelocityRow> velocity_rows(const Robot& robot,
+                                                        const Mechanism& mechanism) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<EmissionContext::VelocityRow> rows;
+  for (const std::string& name : mechanism.velocities) rows.push_back({"", name, kNone, kNone});
+  for (const MovingLink& link : mechanism.links) {
+    if (link.mimics) continue;
+    for (int i = 0; i < link.velocities(); ++i) {
+      rows[static_cast<std::size_t>(link.v_index + i)].joint = link.joint;
+    }
+    const Joint* joint = find_joint(robot, link.joint);
+    if (joint == nullptr || !joint->limits) continue;
+    EmissionContext::VelocityRow& row = rows[static_cast<std::size_t>(link.v_index)];
+    row.velocity = joint->limits->velocity;
+    row.effort = joint->limits->effort;
+  }
+  return rows;
+}
 
 EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mechanism& mechanism) {
   EmissionContext context;

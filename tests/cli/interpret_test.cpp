@@ -67,6 +67,7 @@ TEST_F(InterpretTest, AnswersCallsOfManyStates) {
   EXPECT_EQ(robot["name"], "arm");
   EXPECT_EQ(robot["coordinates"][0]["joint"], "elbow");
   EXPECT_EQ(robot["coordinates"][0]["upper"], 1);
+  EXPECT_EQ(robot["velocities"][0]["effort"], 1);
   const nlohmann::json described = read_line(answers);
   ASSERT_EQ(described["arguments"].size(), 3U);
   EXPECT_EQ(described["arguments"][2]["name"], "qdd");
@@ -82,10 +83,30 @@ TEST_F(InterpretTest, AnswersCallsOfManyStates) {
   EXPECT_NEAR(read_numbers(answers, 1)[0], weights[1] + inertia * 3, 4 * kRounding);
 }
 
+// In the first moment a torque accelerates by what it has beyond the weight. What a longer motion
+// is: tests/python/step_test.py.
+TEST_F(InterpretTest, MovesOnByATorque) {
+  const double torque = 1;
+  const Outcome outcome =
+      ask("describe step\ncall step 1 1e-6 1 false\n" + bytes_of({0, 0, torque}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream answers(outcome.out);
+  read_line(answers);
+  EXPECT_EQ(read_line(answers)["results"].size(), 4U);
+  ASSERT_EQ(read_line(answers)["numbers"], 6);
+  const std::vector<double> moved = read_numbers(answers, 6);
+  const double inertia = 0.1 + kMass * kReach * kReach;
+  const double qdd = (torque + kMass * kGravity * kReach) / inertia;  // the weight pulls with it
+  EXPECT_NEAR(moved[1], 1e-6 * qdd, 1e-15);
+  EXPECT_NEAR(moved[0], 1e-12 * qdd / 2, 1e-20);
+}
+
 TEST_F(InterpretTest, EndsAtWhatItDoesNotUnderstand) {
   for (const char* request :
        {"call gravity many\n", "call gravity -1\n", "call gravity\n", "call gravity 99999999999\n",
-        "describe jacobian\n", "stop\n", "\n"}) {
+        "describe jacobian\n", "stop\n", "\n", "call step 1 1e-3 1 false\n",
+        "describe step\ncall step 1\n", "describe step\ncall step 1 0 1 false\n",
+        "describe step\ncall step 1 1e-3 0 false\n", "describe step\ncall step 1 inf 1 false\n"}) {
     const Outcome outcome = ask(request);
     EXPECT_EQ(outcome.exit_code, 1) << request;
     EXPECT_NE(outcome.out.find("cannot be understood"), std::string::npos) << outcome.out;

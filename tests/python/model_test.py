@@ -111,8 +111,8 @@ class ModelTest(OwnCacheTest):
 
     def test_names_and_limits(self):
         model = self.model(ROBOTS / "ur10e" / "ur10e.urdf", SCENE)
-        for name in ("nq", "nv", "task_rows", "home", "lower_limits", "upper_limits", "coordinate_joints",
-                     "coordinate_meanings", "velocity_names", "dtype"):
+        for name in ("nq", "nv", "task_rows", "home", "lower_limits", "upper_limits", "coordinate_joints", "velocity_joints",
+                     "coordinate_meanings", "velocity_names", "velocity_limits", "effort_limits", "dtype"):
             self.assertEqual(getattr(model, name), getattr(ur10e, name), name)
         self.assertIn("inverse_dynamics", dir(model))
         self.assertIn("joint accelerations", model.inverse_dynamics.__doc__)
@@ -198,7 +198,8 @@ class ModelTest(OwnCacheTest):
             model.gravity(0)
 
     def test_requests_that_cannot_be_understood(self):
-        for request in (b"call gravity many\n", b"call gravity 99999999999\n", b"describe nothing\n", b"\0\xff\n", b"\n"):
+        for request in (b"call gravity many\n", b"call gravity 99999999999\n", b"describe nothing\n", b"\0\xff\n", b"\n",
+                        b"call step 1 1e-3 1 true\n"):  # which was not described
             ran = subprocess.run([os.environ["TREELINE"], "interpret", "arm.urdf"], input=request, capture_output=True,
                                  check=False)
             self.assertEqual(ran.returncode, 1)

@@ -2,6 +2,7 @@
 
 import json
 import math
+import operator
 import threading
 from collections import namedtuple
 from collections.abc import Callable, Sequence
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias
 from treeline._commands import list_options
 from treeline._conversation import Conversation
 from treeline._inputs import RobotPath, Scene, read_inputs
-from treeline._messages import refuse, tell
+from treeline._messages import Error, refuse, tell
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     Array: TypeAlias = NDArray[np.float64]
 
 MOST_STATES = 1 << 16  # of one request
+MOST_STEPS = 1 << 30
 REAL = "float64"
 
 
@@ -49,7 +51,7 @@ class Interpreted:
     """A function of a `Model`. It takes its arguments in their order or by name, of one state or of N states with N in
     front; arguments without N hold for all states. Several results are a tuple with names."""
 
-    def __init__(self, name: str, told: dict[str, Any], call: "Callable[[str, Array], Array]") -> None:
+    def __init__(self, name: str, told: dict[str, Any], call: "Callable[[str, Array, str], Array]") -> None:
         self._name, self._call = name, call
         self.arguments = [Argument(each) for each in told["arguments"]]
         self.results = [Argument(each) for each in told["results"]]
@@ -75,9 +77,13 @@ class Interpreted:
         return [given[name] for name in names]
 
     def __call__(self, *values: Any, **named: Any) -> Any:
+        return self.compute(self._order(values, named))
+
+    def compute(self, values: Sequence[Any], options: str = "") -> Any:
+        """The results of all arguments in their order; `options` stand behind the number of states in a request."""
         import numpy as np
         rows, states = [], None
-        for argument, value in zip(self.arguments, self._order(values, named)):
+        for argument, value in zip(self.arguments, values):
             row, own = argument.read(value)
             if own is not None and states not in (None, own):
                 raise ValueError(f"{argument.name}: has {own} states, and the arguments before it {states}")
@@ -85,7 +91,7 @@ class Interpreted:
             rows.append(row)
         count = 1 if states is None else states
         numbers = np.concatenate([np.broadcast_to(row, (count, row.shape[1])) for row in rows], axis=1)
-        parts = [self._call(self._name, numbers[i:i + MOST_STATES]) for i in range(0, count, MOST_STATES)]
+        parts = [self._call(self._name, numbers[i:i + MOST_STATES], options) for i in range(0, count, MOST_STATES)]
         results = np.concatenate([np.empty(0), *parts]).reshape(count, sum(each.size for each in self.results))
         return self._split(results, () if states is None else (states,))
 
@@ -95,6 +101,16 @@ class Interpreted:
             results.append(numbers[:, first:first + each.size].reshape(leading + each.shape).copy())
             first += each.size
         return results[0] if len(results) == 1 else self._tuple(*results)
+
+
+def sort_messages(told: dict[str, Any]) -> dict[str, list[str]]:
+    """The texts of what is no error by severity."""
+    return {severity: [each["text"] for each in told["messages"] if each["severity"] == severity]
+            for severity in ("warning", "note")}
+
+
+def list_limits(rows: Sequence[dict[str, Any]], key: str, otherwise: float) -> tuple[float, ...]:
+    return tuple(otherwise if each[key] is None else each[key] for each in rows)
 
 
 class Model:
@@ -111,33 +127,59 @@ class Model:
         self._conversation = Conversation("interpret", read_inputs(robot, scene), list_options(functions=functions))
         self._one_at_a_time = threading.Lock()
         told = json.loads(self._conversation.first_line)
-        tell({severity: [each["text"] for each in told["messages"] if each["severity"] == severity]
-              for severity in ("warning", "note")})
+        tell(sort_messages(told))
+        self._moved: Interpreted | None = None
         coordinates = told["coordinates"]
         self.name: str = told["name"]
         self.functions: tuple[str, ...] = tuple(map(python_name, told["functions"]))
-        self.nq, self.nv, self.task_rows = len(coordinates), len(told["velocities"]), int(told["task_rows"])
+        velocities = told["velocities"]
+        self.nq, self.nv, self.task_rows = len(coordinates), len(velocities), int(told["task_rows"])
         self.coordinate_joints: tuple[str, ...] = tuple(each["joint"] for each in coordinates)
         self.coordinate_meanings: tuple[str, ...] = tuple(each["meaning"] for each in coordinates)
-        self.velocity_names: tuple[str, ...] = tuple(told["velocities"])
+        self.velocity_joints: tuple[str, ...] = tuple(each["joint"] for each in velocities)
+        self.velocity_names: tuple[str, ...] = tuple(each["name"] for each in velocities)
         self.home: tuple[float, ...] = tuple(each["home"] for each in coordinates)
-        self.lower_limits = tuple(-math.inf if each["lower"] is None else each["lower"] for each in coordinates)
-        self.upper_limits = tuple(math.inf if each["upper"] is None else each["upper"] for each in coordinates)
+        self.lower_limits = list_limits(coordinates, "lower", -math.inf)
+        self.upper_limits = list_limits(coordinates, "upper", math.inf)
+        self.velocity_limits = list_limits(velocities, "velocity", math.inf)
+        self.effort_limits = list_limits(velocities, "effort", math.inf)
 
     def __getattr__(self, name: str) -> Interpreted:
         if name not in self.__dict__.get("functions", ()):
             raise AttributeError(f"the model has no function {name}; the scene's key `functions` asks for more")
-        told = json.loads(self._ask(f"describe {name.removesuffix('_')}\n".encode(), lambda line: line))
-        made = Interpreted(name, told, self._call)
+        made = Interpreted(name, self._describe(name), self._call)
         self.__dict__[name] = made
         return made
+
+    def step(self, q: Any, qd: Any, tau: Any, *, seconds: float, steps: int = 1, stops: bool = False) -> Any:
+        """Moves the robot on by so many `steps` of so many `seconds`, in which the joint forces `tau` stay as they are:
+        the simulation of `treeline simulate`, on the ground if the scene has one, and with `stops` between the limits of
+        the joints. One state or N as for functions. Gives `q`, `qd`, the mean `force` (3) of the ground in N, world, and
+        how many points it pressed in the last step, `contacts` (1); NaN where a motion does not stay finite.
+
+        Entries of `tau` of a floating base are a force and a moment on it. Payloads and forces that the scene's functions
+        take as arguments are none. `Error`: the scene has constraints, or a ground that nothing can touch."""
+        count = operator.index(steps)
+        if not 0 < seconds < math.inf or not 0 < count <= MOST_STEPS:
+            raise ValueError(f"seconds: is {seconds}, wants more than 0, and steps: is {steps}, wants 1 to {MOST_STEPS}")
+        if self._moved is None:
+            told = self._describe("step")
+            tell(sort_messages(told))
+            self._moved = Interpreted("step", told, self._call)
+        return self._moved.compute([q, qd, tau], f" {float(seconds)!r} {count} {str(bool(stops)).lower()}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.functions]
 
-    def _call(self, name: str, numbers: "Array") -> "Array":
+    def _describe(self, name: str) -> dict[str, Any]:
+        told: dict[str, Any] = json.loads(self._ask(f"describe {name.removesuffix('_')}\n".encode(), lambda line: line))
+        if "error" in told:
+            raise Error(told["error"])
+        return told
+
+    def _call(self, name: str, numbers: "Array", options: str) -> "Array":
         import numpy as np
-        request = f"call {name.removesuffix('_')} {len(numbers)}\n".encode() + numbers.tobytes()
+        request = f"call {name.removesuffix('_')} {len(numbers)}{options}\n".encode() + numbers.tobytes()
         return np.frombuffer(self._ask(request, self._read_numbers), REAL)
 
     def _read_numbers(self, line: bytes) -> bytes:
