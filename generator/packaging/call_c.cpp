@@ -19,16 +19,17 @@ struct NotCalled {
   const char* key;  ///< of the scene
   bool (*is_asked_for)(const Scene& scene);
   const char* what;
+  std::string_view called_by = {};  ///< the language that calls it all the same
 };
 constexpr auto kNotCalled = std::to_array<NotCalled>({
     {"torque_limits", [](const Scene& scene) { return scene.has_limits(); },
-     "limited_control_torque"},
+     "limited_control_torque", "Python"},
     {"batch", [](const Scene& scene) { return scene.batch > 0; },
      "the functions of several states, only those of one"},
     {"prefetch", [](const Scene& scene) { return scene.prefetch; },
      "the functions that load code into caches"},
     {"controller", [](const Scene& scene) { return scene.controller.has_value(); },
-     "the controller"},
+     "the controller", "Python"},
 });
 
 std::string describe(const NotCalled& that, std::string_view caller) {
@@ -40,7 +41,7 @@ std::string describe(const NotCalled& that, std::string_view caller) {
 void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics) {
   const std::string_view caller = caller_of(kind);
   for (const NotCalled& each : kNotCalled) {
-    if (caller.empty() || !each.is_asked_for(scene)) continue;
+    if (caller.empty() || caller == each.called_by || !each.is_asked_for(scene)) continue;
     diagnostics.add({Severity::note, scene.file, 0, each.key, describe(each, caller), ""});
   }
 }
@@ -48,7 +49,8 @@ void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnost
 std::string describe_not_called(const Scene& scene, std::string_view caller) {
   std::string text;
   for (const NotCalled& each : kNotCalled) {
-    if (each.is_asked_for(scene)) text += describe(each, caller) + ".\n";
+    if (caller == each.called_by || !each.is_asked_for(scene)) continue;
+    text += describe(each, caller) + ".\n";
   }
   return text;
 }

@@ -12,6 +12,7 @@
 #include "emission/print_identity.hpp"
 #include "emission/wrap_line.hpp"
 #include "packaging/call_c.hpp"
+#include "packaging/python_structs.hpp"
 #include "packaging/templates.hpp"
 
 namespace treeline {
@@ -87,14 +88,32 @@ std::string print_row(const GeneratedFunction& generated, int operations) {
   for (const Argument& argument : program.arguments) append(argument);
   for (const Result& result : program.results) append(result.argument);
   return wrap_line(
-      fmt::format("{{\"{}\", \"{}\", {}, {}, {}, compute_{}, {{{}}}}},", python_name(generated),
+      fmt::format("{{\"{}\", \"{}\", {}, {}, -1, {}, compute_{}, {{{}}}}},", python_name(generated),
                   in_pascal_case(program.name), program.arguments.size(), program.results.size(),
                   operations, program.name, list),
       0);
 }
 
+/// Adds a function of structs to the table.
+void add_struct_call(const StructCall& call, std::size_t index, PackageFacts& facts) {
+  std::string body;
+  std::istringstream statements(call.call);
+  for (std::string line; std::getline(statements, line);) body += wrap_line(line, 2);
+  facts["calls"] +=
+      fmt::format("\nstatic void compute__{}(const Real* const* in, Real* const* out) {{\n{}}}\n",
+                  call.name, body);
+  facts["rows"] +=
+      wrap_line(fmt::format("{{\"_{0}\", \"{1}\", {2}, {3}, {4}, {5}, compute__{0}, {{{6}}}}},",
+                            call.name, call.result, call.inputs, call.outputs, call.kept,
+                            call.operations, call.arguments),
+                0);
+  facts["entries"] += fmt::format(" \\\nENTRY({}, _{})", index, call.name);
+  facts["struct_docs"] += print_text("doc_of__" + call.name, "See structs.py.\n");
+}
+
 /// extension/functions.h: the functions as a table, with the texts that C's headers have of them.
-std::string print_table(PackageFacts facts, const Scene& scene, const Generation& generation) {
+std::string print_table(PackageFacts facts, const Scene& scene, const Generation& generation,
+                        const PythonStructs& structs) {
   std::size_t count = 0, most = 0;
   int inputs = 0, operations = 0;
   std::string docs;
@@ -114,12 +133,23 @@ std::string print_table(PackageFacts facts, const Scene& scene, const Generation
     inputs = std::max(inputs, own);
     ++count;
   }
+  for (const StructCall& call : structs.calls) {
+    add_struct_call(call, count++, facts);
+    most = std::max(most, static_cast<std::size_t>(call.inputs + call.outputs));
+  }
+  facts["objects"] = structs.exported.empty()
+                         ? ""
+                         : fmt::format("\nOf structs of C, see help({}.structs): {}.", scene.name,
+                                       structs.exported);
   facts["conventions"] = harmless(generation.conventions);
-  facts["docs"] = print_text("package_doc", fill_facts(templates::kPythonDoc, facts)) + docs;
+  facts["docs"] = print_text("package_doc", fill_facts(templates::kPythonDoc, facts)) + docs +
+                  facts["struct_docs"];
   facts["includes"] =
-      generation.damped ? fmt::format("#include \"../src/{}_damped.h\"\n", scene.name) : "";
+      (generation.damped ? fmt::format("#include \"../src/{}_damped.h\"\n", scene.name) : "") +
+      structs.includes;
+  facts["has_structs"] = structs.calls.empty() ? "0" : "1";
   facts["most_arguments"] = std::to_string(most);
-  facts["most_inputs"] = std::to_string(inputs);
+  facts["most_inputs"] = std::to_string(inputs) + structs.inputs;
   return fill_facts(templates::kPythonFunctions, facts);
 }
 
@@ -136,16 +166,10 @@ std::string print_types(const GeneratedFunction& generated) {
     return "@overload\n" + declare("None = None", "_Array") + "@overload\n" +
            declare("_Given", "_Given") + "\n";
   }
-  std::string arrays, given, names, fields;
-  for (const Result& result : program.results) {
-    arrays += ", _Array";
-    given += ", _Numbers | None";
-    names += fmt::format(", \"{}\"", result.argument.name);
-    fields += fmt::format("    @property\n    def {}(self) -> _Array: ...\n", result.argument.name);
-  }
+  std::string given;
+  for (std::size_t i = 0; i < program.results.size(); ++i) given += ", _Numbers | None";
   const std::string type = in_pascal_case(program.name);
-  return fmt::format("@final\nclass {}(structseq[_Array], tuple[{}]):\n", type, arrays.substr(2)) +
-         fmt::format("    __match_args__: Final = ({})\n{}\n", names.substr(2), fields) +
+  return print_result_class(type, program.results) +
          declare(fmt::format("tuple[{}] | None = None", given.substr(2)), type) + "\n";
 }
 
@@ -180,7 +204,8 @@ void add_example(const Scene& scene, const GeneratedFunction& generated, Package
   }
 }
 
-PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation& generation) {
+PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation& generation,
+                       const PythonStructs& structs) {
   facts["version"] += "+" + digest_of_files(generation.files).substr(0, 12);
   facts["flags"] = print_flags(facts, scene);
   facts["own_flags"] = "";
@@ -189,14 +214,15 @@ PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation&
                                       facts["own_flags"].empty() ? "" : ",\n", source, flag);
   }
   facts["quoted_sources"] = quote_sources(facts);
-  facts["dtype"] = scene.real == Real::float32 ? "float32" : "float64";
   facts["task_row_names"] =
       scene.operational_points.empty() ? "NULL" : scene.name + "_task_row_names";
   facts["not_called"] = describe_not_called(scene, "Python");
   for (const GeneratedFunction& generated : list_functions(generation)) {
     facts["types"] += print_types(generated);
   }
+  facts["types"] += structs.types;
   facts["types"].pop_back();
+  facts["structs"] = structs.imports;
   add_example(scene, generation.functions.front(), facts);
   return facts;
 }
@@ -205,25 +231,32 @@ PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation&
 
 std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
                                       const Generation& generation) {
-  facts = add_facts(std::move(facts), scene, generation);
+  facts["dtype"] = scene.real == Real::float32 ? "float32" : "float64";
+  const PythonStructs structs = make_python_structs(facts, scene, generation);
+  facts = add_facts(std::move(facts), scene, generation, structs);
   const auto fill = [&](const std::string& name, std::string_view text) {
     return GeneratedFile{name, fill_facts(text, facts)};
   };
+  std::vector<GeneratedFile> package = {fill("__init__.py", templates::kPythonInit),
+                                        fill("__init__.pyi", templates::kPythonTypes),
+                                        {"py.typed", ""}};
+  std::vector<GeneratedFile> extension = {
+      fill("build.json", templates::kPythonBuild),
+      {"functions.h", print_table(facts, scene, generation, structs)},
+      fill("numpy_arrays.h", templates::kPythonNumpyArrays),
+      fill("operands.h", templates::kPythonOperands),
+      fill("loop_states.h", templates::kPythonLoopStates),
+      fill("module.c", templates::kPythonModule)};
+  if (!structs.calls.empty()) {
+    package.push_back({"structs.py", structs.module});
+    extension.push_back({"structs.h", structs.header});
+  }
   return {{"",
            {fill("pyproject.toml", templates::kPythonProject),
             fill("setup.py", templates::kPythonSetup), fill("README.md", templates::kPythonReadme),
             fill("MANIFEST.in", templates::kPythonManifest)}},
-          {"python/" + scene.name,
-           {fill("__init__.py", templates::kPythonInit),
-            fill("__init__.pyi", templates::kPythonTypes),
-            {"py.typed", ""}}},
-          {"extension",
-           {fill("build.json", templates::kPythonBuild),
-            {"functions.h", print_table(facts, scene, generation)},
-            fill("numpy_arrays.h", templates::kPythonNumpyArrays),
-            fill("operands.h", templates::kPythonOperands),
-            fill("loop_states.h", templates::kPythonLoopStates),
-            fill("module.c", templates::kPythonModule)}},
+          {"python/" + scene.name, std::move(package)},
+          {"extension", std::move(extension)},
           {"examples", {fill(scene.name + "_time.py", templates::kPythonExample)}}};
 }
 

@@ -51,7 +51,7 @@ const std::vector<Layer> kLayers = {
     {"generation",
      {"text", "functions", "core", "target", "description", "mechanism", "program", "recursion",
       "passes", "bounds", "emission"}},
-    {"packaging", {"text", "target", "description", "emission", "generation"}},
+    {"packaging", {"text", "target", "description", "program", "passes", "emission", "generation"}},
     // What tries, judges and explains it.
     {"oracle",
      {"text", "functions", "interpreter", "description", "mechanism", "program", "recursion",

@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 
+WITH_STRUCTS = ["puma_controlled", "humanoid_limited"]
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "types")
 
 
@@ -36,7 +37,11 @@ class TypesTest(unittest.TestCase):
         self.assertEqual((code, found), (1, expected), output)
 
     def test_types_are_those_of_the_module(self):
-        code, output = self.run_module("mypy.stubtest", "ur10e", "humanoid24_floating")
+        code, output = self.run_module("mypy.stubtest", "ur10e", "humanoid24_floating", *WITH_STRUCTS)
+        self.assertEqual(code, 0, output)
+
+    def test_what_is_written_in_python(self):
+        code, output = self.run_module("mypy", "--strict", *(f"--package={package}" for package in WITH_STRUCTS))
         self.assertEqual(code, 0, output)
 
 
