@@ -49,7 +49,7 @@ def main():
     environment = environment_in(folder, sources, prefix)
     if len(sys.argv) > 5:
         if not os.path.exists(os.path.join(sys.argv[5], "installed.txt")):
-            print("skipped: NumPy is not installed, see packaging.install")
+            print("skipped: what it takes is not installed, see packaging.install and examples.debian_environment")
             return 0
         environment["PATH"] = os.path.join(sys.argv[5], "bin") + os.pathsep + environment["PATH"]
         environment |= {"PYTHONPATH": os.path.join(prefix, "share/treeline/python"), "PYTHONWARNINGS": "error"}
