@@ -152,12 +152,12 @@ class ModelTest(OwnCacheTest):
         self.assertEqual(model.gravity(0.0).shape, (1,))  # it goes on
         with self.assertRaises(treeline.Error) as caught:
             treeline.Model("arm.urdf", {"gravty": 1})
-        self.assertEqual(caught.exception.place, "gravty")
+        self.assertEqual((caught.exception.place, caught.exception.file), ("gravty", "standard input"))
 
     def test_messages(self):
         with self.assertLogs("treeline", "INFO") as told:
             model = self.model("arm.urdf", {"real": "float"})
-        self.assertIn("computes in double", "".join(told.output))
+        self.assertIn("standard input: note: real: the interpreter computes in double", "".join(told.output))
         self.assertEqual(model.gravity(0).dtype, np.float64)
         text = Path("arm.urdf").read_text(encoding="utf-8")
         Path("arm.urdf").write_text(text.replace('name="base"', 'name="base" colour="red"'), encoding="utf-8")

@@ -43,6 +43,7 @@ class Conversation:
         with tempfile.NamedTemporaryFile(suffix=".yaml") as scene:  # which is read before the first line is printed
             scene.write(inputs.text)
             scene.flush()
+            self._scene = scene.name
             words = [scene.name if word == "-" else word for word in inputs.arguments()]
             process = subprocess.Popen([find_program(), command, *words, *options], stdin=subprocess.PIPE,
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -53,13 +54,17 @@ class Conversation:
             self.finish = weakref.finalize(self, end, process, listener, by_signal)
             self.input, self.output = process.stdin, process.stdout
             self._process = process
-            self.first_line = self.output.readline().decode().strip()
+            self.first_line = self._rename(self.output.readline()).strip()
         if not self.first_line:
             raise self.failure()
 
+    def _rename(self, said: bytes) -> str:
+        """What the program says, with the name that a dictionary has where it is read from standard input."""
+        return said.decode(errors="replace").replace(self._scene, "standard input")
+
     def messages(self) -> list[Diagnostic]:
         """What has been said since the start."""
-        return read_messages(b"".join(self._said).decode(errors="replace"))
+        return read_messages(self._rename(b"".join(self._said)))
 
     def failure(self) -> Error:
         """The error of a program that ended though it should not have."""
