@@ -48,7 +48,7 @@ Factors random_factors(const std::vector<int>& parents, std::mt19937_64& random)
     factors.inverse_D.push_back(1 / factors.D(k));
     for (int i = 0; i < k; ++i) {
       if (!carries(parents, i, k)) continue;
-      factors.L(k, i) = number(random);
+      factors.L(k, i) = number(random) / 2;
       places(k, i) = static_cast<int>(factors.entries.size());
       factors.entries.push_back(factors.L(k, i));
       factors.below.push_back(static_cast<std::int16_t>(i));
