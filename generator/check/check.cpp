@@ -1,5 +1,7 @@
 #include "check/check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <set>
@@ -10,10 +12,12 @@
 #include "check/judge_limits.hpp"
 #include "check/judge_step.hpp"
 #include "compilation/generated_library.hpp"
+#include "compilation/print_entry.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "emission/backend/backend.hpp"
 #include "emission/print_identity.hpp"
+#include "emission/print_selftest.hpp"
 #include "emission/write_files.hpp"
 
 namespace treeline {
@@ -137,11 +141,22 @@ CheckReport judge(const Scene& scene, const Generation& generation,
   return report;
 }
 
+/// The self-test of a folder, and an entry to it that others see.
+void add_selftest_sources(const std::string& name, CompileOptions& compile) {
+  compile.stems.emplace_back(kSelftestStem);
+  const std::string entry = entry_symbol(kSelftestStem);
+  compile.more.push_back({entry, fmt::format("#include \"{0}_selftest.h\"\n#ifdef __cplusplus\n"
+                                             "extern \"C\"\n#endif\nint {1}(void);\n"
+                                             "int {1}(void) {{\n  return {0}_selftest();\n}}\n",
+                                             name, entry)});
+}
+
 }  // namespace
 
 bool CheckReport::passed() const {
   return stale.empty() && (!limits || limits->passed()) &&
          (!batch_limits || batch_limits->passed()) && (!step || step->passed()) &&
+         selftest.value_or(0) == 0 &&
          std::all_of(functions.begin(), functions.end(),
                      [](const FunctionReport& function) { return function.passed(); });
 }
@@ -169,6 +184,7 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
   CompileOptions compile = options.compile;
   compile.more = limited_sources(scene, generation);
   compile = with_controller(scene, generation, std::move(compile));
+  if (scene.selftest > 0) add_selftest_sources(scene.name, compile);
   const auto libraries =
       build_libraries(*sources, scene, generation, compile, work->path(), diagnostics);
   if (!libraries) return std::nullopt;
@@ -192,6 +208,7 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
                              work->path(), diagnostics);
     if (!report.step) return std::nullopt;
   }
+  if (scene.selftest > 0) report.selftest = libraries->exact().run_selftest();
   report.robot = robot.name;
   report.reference_seconds = taken.count();
   return report;

@@ -236,6 +236,7 @@ std::string print_json(const CheckReport& report) {
       {"batch_limited_control_torque",
        report.batch_limits ? to_json(*report.batch_limits) : Json(nullptr)},
       {"step", report.step ? to_json(*report.step) : Json(nullptr)},
+      {"selftest", report.selftest ? Json(*report.selftest) : Json(nullptr)},
       {"named_states", list(report.named_states)}};
   return json_text(json);
 }

@@ -299,6 +299,10 @@ std::string print_text(const CheckReport& report) {
     text += print_step(*report.step);
     failed += report.step->passed() ? 0 : 1;
   }
+  if (report.selftest) {
+    text += fmt::format("{}_selftest returns {}\n", report.name, *report.selftest);
+    failed += *report.selftest == 0 ? 0 : 1;
+  }
   for (const FileDifference& file : report.stale) {
     text += fmt::format("{}/{}: {}\n", report.folder, file.name, difference_name(file.difference));
   }

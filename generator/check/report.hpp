@@ -144,6 +144,8 @@ struct CheckReport {
   std::optional<LimitsReport> limits;        ///< if the scene limits torques or forces
   std::optional<LimitsReport> batch_limits;  ///< if it has a batch besides
   std::optional<StepReport> step;            ///< if it has a controller
+  /// What NAME_selftest returns: 0, or the number of a function; -1 where it is missing.
+  std::optional<int> selftest;
   std::vector<State> named_states;  ///< states named in the reports of functions, each once
 
   [[nodiscard]] bool passed() const;

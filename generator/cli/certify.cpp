@@ -7,6 +7,7 @@
 #include <string>
 
 #include "certify/certify.hpp"
+#include "check/add_selftest.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
 #include "cli/option_values.hpp"
@@ -41,8 +42,11 @@ struct CertifyCommand {
 
 std::optional<Certificate> make_certificate(const CertifyCommand& command,
                                             Diagnostics& diagnostics) {
-  const auto made = generate_from_files(command.inputs, diagnostics);
+  auto made = generate_from_files(command.inputs, diagnostics);
   if (!made) return std::nullopt;
+  if (!add_selftest(made->inputs.robot, made->inputs.scene, made->generation, diagnostics)) {
+    return std::nullopt;
+  }
   return certify(made->inputs.scene, made->generation, command.certify, diagnostics);
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "board/check_on_board.hpp"
+#include "check/add_selftest.hpp"
 #include "check/check.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
@@ -105,6 +106,9 @@ std::optional<GeneratedInputs> make_code(const CheckCommand& options, Diagnostic
   auto made = generate_from_files(options.inputs, diagnostics);
   if (!made) return made;
   (void)retry_routes(options.inputs, *made, diagnostics);  // `check` finds what is left
+  if (!add_selftest(made->inputs.robot, made->inputs.scene, made->generation, diagnostics)) {
+    return std::nullopt;
+  }
   tell_size(options.inputs, *made);
   return made;
 }

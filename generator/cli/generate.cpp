@@ -10,6 +10,7 @@
 #include <optional>
 #include <system_error>
 
+#include "check/add_selftest.hpp"
 #include "cli/deliver_files.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
@@ -266,6 +267,10 @@ int run(const GenerateOptions& options) {
   bool failed = false;
   if (made && writes(options)) {
     made = keep_tried(options.inputs, std::move(*made), failed, diagnostics);
+  }
+  if (made &&
+      !add_selftest(made->inputs.robot, made->inputs.scene, made->generation, diagnostics)) {
+    made.reset();
   }
   if (made && writes(options)) tell_size(options.inputs, *made);
   ExitCode exit_code = failed ? kMismatch : kBadInput;

@@ -99,6 +99,13 @@ CompiledEntry GeneratedLibrary::find_entry(const std::string& name) const {
   return reinterpret_cast<CompiledEntry>(dlsym(handle_.get(), entry_symbol(name).c_str()));
 }
 
+int GeneratedLibrary::run_selftest() const {
+  using Selftest = int (*)();
+  const auto selftest =
+      reinterpret_cast<Selftest>(dlsym(handle_.get(), entry_symbol("selftest").c_str()));
+  return selftest == nullptr ? -1 : selftest();
+}
+
 template <class T>
 CallResult GeneratedLibrary::call_in(CompiledEntry entry, const Program& program,
                                      const State& state,

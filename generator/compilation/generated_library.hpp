@@ -43,6 +43,8 @@ class GeneratedLibrary {
                                       const std::vector<std::size_t>& sizes) const;
   /// The entry of a name; null if there is none.
   [[nodiscard]] CompiledEntry find_entry(const std::string& name) const;
+  /// What NAME_selftest returns; -1 if there is none.
+  [[nodiscard]] int run_selftest() const;
 
  private:
   struct LoadedFunction {

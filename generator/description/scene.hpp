@@ -243,6 +243,7 @@ struct Scene {
   Profile profile = Profile::plain;
   Optimize optimize = Optimize::speed;
   bool prefetch = false;  ///< asks for NAME_prefetch, which loads the functions' code into caches
+  int selftest = 0;       ///< states in which NAME_selftest calls each function; 0: there is none
   Sines sin_cos = Sines::computed;
   Accuracy accuracy = Accuracy::balanced;
   /// Angles of the files that are quarter turns rounded to a few digits are taken as exact

@@ -190,6 +190,10 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
     {"prefetch", "`true` or `false`", "`false`", "prefetch: true",
      "Adds `NAME_prefetch.hpp`, in C `.h`, which loads code into caches.",
      "explanation/small-code.md"},
+    {"selftest", "1, 2, 4 or 8", "none", "selftest: 2",
+     "Adds `NAME_selftest.h` with `NAME_selftest`, which calls each function in so many states and "
+     "tells the first of which a result has other bits than on every other machine.",
+     "how-to/own-board.md"},
     {"lanes", "1, 2, 4 or 8", "those of `target`, 8 for `generic`; 1 with `profile: misra`",
      "lanes: 1",
      "How many numbers the code may compute together with SIMD instructions. Compile with "

@@ -169,6 +169,10 @@ void read_prefetch(const SceneElement& element, Scene& scene) {
   scene.prefetch = element.choice({"false", "true"}) == 1;
 }
 
+void read_selftest(const SceneElement& element, Scene& scene) {
+  scene.selftest = 1 << element.choice({"1", "2", "4", "8"}).value_or(1);
+}
+
 void read_target(const SceneElement& element, Scene& scene) {
   const std::vector<std::string> names = target_names();
   scene.target = names[element.choice(names).value_or(0)];
@@ -212,6 +216,7 @@ const std::vector<SceneKey>& scene_keys() {
       {"profile", without_robot<read_profile>},
       {"optimize", without_robot<read_optimize>},
       {"prefetch", without_robot<read_prefetch>},
+      {"selftest", without_robot<read_selftest>},
       {"target", without_robot<read_target>},
       {"batch", without_robot<read_batch>},
       {"singular", without_robot<read_singular>},

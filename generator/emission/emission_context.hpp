@@ -13,6 +13,7 @@
 namespace treeline {
 
 struct ControllerUnit;
+struct SelftestFacts;
 
 /// Facts that the contract and the manifest state beside the functions, in words where they are for
 /// the reader: emission knows nothing of mechanisms. There are no paths and no dates, so that the
@@ -36,6 +37,7 @@ struct EmissionContext {
   std::optional<LimitFacts> limits;  ///< for it, where it is printed
   bool controlled = false;           ///< the scene asks for a controller
   std::shared_ptr<const ControllerUnit> controller;  ///< once it is composed
+  std::shared_ptr<const SelftestFacts> selftest;     ///< once it is made
   int coordinates = 0;                               ///< nq
   int velocities = 0;                                ///< nv
   int task_rows = 0;                                 ///< stacked over the operational points

@@ -13,6 +13,7 @@
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_prefetch.hpp"
+#include "emission/print_selftest.hpp"
 
 namespace treeline {
 namespace {
@@ -46,6 +47,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   append(backend.print_more(context, programs, batch), files);
   if (context.controller) append(print_controller(context, *context.controller), files);
   append(print_prefetch(context, programs, batch), files);
+  append(print_selftest(context, programs), files);
   for (GeneratedFile& file : files) file.text = harmless(file.text);
   append(backend.print_runtime(context, programs, batch), files);
   guard_headers(context.name, files);

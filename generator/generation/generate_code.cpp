@@ -26,7 +26,6 @@
 #include "generation/only_by_name.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
-#include "generation/without_callers.hpp"
 #include "recursion/routes/constraint_routes.hpp"
 #include "recursion/routes/solve_for_columns.hpp"
 #include "recursion/routes/trace_loops.hpp"
@@ -272,12 +271,6 @@ bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, cons
   return true;
 }
 
-std::vector<Program> programs_of(const std::vector<GeneratedFunction>& functions) {
-  std::vector<Program> programs;
-  for (const GeneratedFunction& generated : functions) programs.push_back(generated.program);
-  return programs;
-}
-
 }  // namespace
 
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function,
@@ -307,6 +300,12 @@ GeneratedFunction generated_from(Function function, Program candidate,
   generated.chosen = cost_of(candidate, costs);
   generated.program = std::move(candidate);
   return generated;
+}
+
+std::vector<Program> programs_of(const std::vector<GeneratedFunction>& functions) {
+  std::vector<Program> programs;
+  for (const GeneratedFunction& generated : functions) programs.push_back(generated.program);
+  return programs;
 }
 
 std::string source_stem(Function function, int batch) {
@@ -385,19 +384,8 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (diagnostics.has_errors()) return std::nullopt;
   generation.conventions = describe_conventions(context);
   generation.small_sources = list_small_sources(context, programs, batch);
+  generation.context = std::make_shared<const EmissionContext>(std::move(context));
   return generation;
-}
-
-std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
-                                       const Mechanism& mechanism,
-                                       const GeneratedFunction& function,
-                                       Diagnostics& diagnostics) {
-  Scene alone = without_callers(scene);
-  alone.functions = {function.function};
-  if (function.batch == 0) alone.batch = 0;
-  const std::vector<Program> programs{function.program};
-  return emit(describe_scene(robot, alone, mechanism), programs, diagnostics,
-              function.batch > 0 ? programs : std::vector<Program>{});
 }
 
 }  // namespace treeline

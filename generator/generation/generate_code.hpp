@@ -75,6 +75,7 @@ struct Generation {
   std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; only if the scene asks for it
   std::shared_ptr<const ControllerUnit> controller;  ///< only if the scene asks for one
   std::vector<GeneratedFile> laws;  ///< its step and laws in the profile `plain`, for references
+  std::shared_ptr<const EmissionContext> context;  ///< of the files
   std::string conventions;  ///< what the contract says for all functions, without marks of comments
   std::vector<GeneratedFile> files;
   std::vector<std::string> small_sources;  ///< of the files, see `list_small_sources`
@@ -95,6 +96,12 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
 std::vector<GeneratedFile> emit_to_try(const Robot& robot, const Scene& scene,
                                        const Mechanism& mechanism,
                                        const GeneratedFunction& function, Diagnostics& diagnostics);
+
+/// Emits the files once more, with NAME_selftest.
+void emit_with_selftest(std::shared_ptr<const SelftestFacts> facts, Generation& generation);
+
+/// The programs of functions, in their order.
+std::vector<Program> programs_of(const std::vector<GeneratedFunction>& functions);
 
 /// Describes the ranges of inputs within which the rounding bounds hold; empty if there are no
 /// bounds.

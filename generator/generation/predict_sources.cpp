@@ -2,6 +2,7 @@
 
 #include "emission/c/hides_header.hpp"
 #include "emission/print_identity.hpp"
+#include "emission/print_selftest.hpp"
 #include "functions/function.hpp"
 #include "generation/generate_code.hpp"
 
@@ -41,6 +42,7 @@ std::vector<std::string> predict_sources(const Scene& scene) {
   }
   stems.emplace_back(kIdentityStem);
   if (scene.prefetch) stems.emplace_back("prefetch");
+  if (scene.selftest > 0) stems.emplace_back(kSelftestStem);
   if (scene.controller) append_controller(scene, stems);
   return stems;
 }

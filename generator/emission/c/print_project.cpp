@@ -8,6 +8,7 @@
 #include "emission/list_sources.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_optimize.hpp"
+#include "emission/print_selftest.hpp"
 #include "emission/print_target.hpp"
 
 namespace treeline::c {
@@ -49,6 +50,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
   if (context.limits) sources += "limited_control_torque.c\n";
   if (context.limits && !batch.empty()) sources += "batch_limited_control_torque.c\n";
   if (context.prefetch) sources += "prefetch.c\n";
+  if (context.selftest) sources += std::string(kSelftestStem) + ".c\n";
   sources += std::string(kIdentityStem) + ".c\n";
   return fill_template(
       templates::kCMakeLists,

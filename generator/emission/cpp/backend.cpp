@@ -21,6 +21,7 @@
 #include "emission/misra/refuse.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_optimize.hpp"
+#include "emission/print_selftest.hpp"
 #include "emission/print_target.hpp"
 
 namespace treeline::cpp {
@@ -41,6 +42,7 @@ std::string print_project(const EmissionContext& context, std::span<const Progra
     sources += "batch_" + program.name + ".cpp\n";
   }
   if (context.prefetch) sources += "prefetch.cpp\n";
+  if (context.selftest) sources += std::string(kSelftestStem) + ".cpp\n";
   sources += std::string(kIdentityStem) + ".cpp\n";
   if (has_c_calls(context)) sources += "c_calls.cpp\n";
   if (context.controller) {

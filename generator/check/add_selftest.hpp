@@ -1,0 +1,15 @@
+#pragma once
+
+#include "generation/generate_code.hpp"
+
+namespace treeline {
+
+/// Adds NAME_selftest to the files, if the scene asks for it. Functions are called in states drawn
+/// within limits, the same on every machine. What is expected are the bits of the expression graph,
+/// which `check` holds compiled code to; they must be within the bounds of `check` of the
+/// interpreter in 50 digits. The controller's step is compiled and run here. Errors: too few states
+/// are within their bounds; the step does not compile.
+bool add_selftest(const Robot& robot, const Scene& scene, Generation& generation,
+                  Diagnostics& diagnostics);
+
+}  // namespace treeline
