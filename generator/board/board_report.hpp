@@ -28,6 +28,8 @@ struct BoardFunction {
   std::vector<std::string> strays;      ///< any other symbol that it needs: there must be none
   std::uint64_t least = 0, most = 0;    ///< instructions of a call, over all states
   double cycles = 0;                    ///< estimate of the longest call by `Target::cycles`
+  /// Cycles that the processor counted in a call, over all states. 0: it counts none.
+  std::uint64_t least_cycles = 0, most_cycles = 0;
 
   /// Instructions of a controller's steps that ended in a mode.
   struct Mode {
@@ -36,6 +38,7 @@ struct BoardFunction {
   };
   std::vector<Mode> modes = {};  ///< in the order of `core::Mode`; empty: no controller's step
 
+  int returned = 0;  ///< of the self-test: 0, or the number of a function
   int states = 0;
   int bits_differ = 0;  ///< states whose results are not the host's to the bit
   std::optional<int> first_bits_differ;
@@ -59,11 +62,13 @@ struct BoardReport {
   bool contracted = false;  ///< flags let the compiler fuse products and sums
   int states = 0, first_state = 0;
   std::uint64_t seed = 1;
-  std::string compiler;       ///< version
-  std::string command;        ///< compiler and flags
-  std::string long_command;   ///< for long functions; empty: there is none
-  std::string small_command;  ///< for those that `optimize` makes small; empty: there is none
-  std::string simulator;      ///< QEMU and its options
+  std::string compiler;             ///< version
+  std::string command;              ///< compiler and flags
+  std::string long_command;         ///< for long functions; empty: there is none
+  std::string small_command;        ///< for those that `optimize` makes small; empty: there is none
+  std::string runner;               ///< QEMU and its options, or what was given in its place
+  bool counts_instructions = true;  ///< a simulator does, boards may not
+  bool counts_cycles = false;       ///< boards may do, QEMU does not
   double compile_seconds = 0, run_seconds = 0;
   std::string folder;                 ///< that was compiled; empty: code generated now
   std::vector<FileDifference> stale;  ///< its differences from the code generated now

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <initializer_list>
+#include <regex>
 #include <utility>
 
 #include "compilation/print_step_entry.hpp"
@@ -44,9 +45,12 @@ struct Sources {
   std::vector<Language> languages;
   std::vector<std::string> stems, flags;
   void add(const fs::path& folder, const std::string& stem, Language language, std::string with) {
-    files.push_back(fs::absolute(folder / (stem + std::string(backend_of(language).source))));
+    add(folder / (stem + std::string(backend_of(language).source)), language, std::move(with));
+  }
+  void add(const fs::path& file, Language language, std::string with) {
+    files.push_back(fs::absolute(file));
     languages.push_back(language);
-    stems.push_back(stem);
+    stems.push_back(file.stem().string());
     flags.push_back(std::move(with));
   }
 };
@@ -59,7 +63,8 @@ std::string compiler_for(Language language, const Target& target, const Tools& t
 }
 
 Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction>& functions,
-                     const CompileOptions& options, const fs::path& work) {
+                     const CompileOptions& options, const BoardOptions& board,
+                     const fs::path& work) {
   Sources sources;
   for (const GeneratedFunction& generated : functions) {
     const bool in_header = is_composed(generated) && options.language == Language::cpp;
@@ -73,8 +78,32 @@ Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction
   for (const char* stem : {kMainStem, kEmptyStem, kStartStem}) {
     sources.add(work, stem, Language::cpp, "-O2");
   }
-  if (!options.stems.empty()) sources.add(work, kStepStem, Language::cpp, "-O2");
+  const fs::path step = work / (std::string(kStepStem) + ".cpp");
+  if (fs::exists(step)) sources.add(step, Language::cpp, "-O2");
+  if (!board.port.empty()) {
+    const bool is_c = board.port.extension() == ".c";
+    sources.add(board.port, is_c ? Language::c : Language::cpp, "-O2");
+  }
   return sources;
+}
+
+/// Options for the linker about memory: of the target's board, or of one's own.
+std::optional<Command> place_memory(const Target& target, const BoardOptions& board,
+                                    Diagnostics& diagnostics) {
+  if (board.memory.empty()) return split_words(target.board.linker);
+  static const std::regex numbers(
+      "(0x[0-9a-fA-F]+|[0-9]+),(0x[0-9a-fA-F]+|[0-9]+),"
+      "(0x[0-9a-fA-F]+|[0-9]+)");
+  std::smatch found;
+  if (!std::regex_match(board.memory, found, numbers)) {
+    diagnostics.add({Severity::error, "", 0, "--memory",
+                     fmt::format("`{}` are not three numbers with commas between", board.memory),
+                     "Write where code begins, where data begins and how many bytes it has, such "
+                     "as 0x08000000,0x20000000,0x20000."});
+    return std::nullopt;
+  }
+  return Command{"--defsym=code_begin=" + found.str(1), "--defsym=data_begin=" + found.str(2),
+                 "--defsym=data_size=" + found.str(3)};
 }
 
 }  // namespace
@@ -82,10 +111,10 @@ Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction
 std::optional<BoardObjects> cross_compile(const fs::path& sources,
                                           const std::vector<GeneratedFunction>& functions,
                                           const Target& target, const Tools& tools,
-                                          const CompileOptions& options, const fs::path& work,
-                                          Diagnostics& diagnostics) {
+                                          const CompileOptions& options, const BoardOptions& board,
+                                          const fs::path& work, Diagnostics& diagnostics) {
   const auto start = std::chrono::steady_clock::now();
-  const Sources list = list_sources(sources, functions, options, work);
+  const Sources list = list_sources(sources, functions, options, board, work);
   std::vector<Command> commands;
   for (std::size_t i = 0; i < list.files.size(); ++i) {
     Command command;
@@ -120,7 +149,10 @@ std::optional<BoardObjects> cross_compile(const fs::path& sources,
 }
 
 std::optional<fs::path> link_program(const BoardObjects& objects, const Target& target,
-                                     const Tools& tools, Diagnostics& diagnostics) {
+                                     const Tools& tools, const BoardOptions& board,
+                                     Diagnostics& diagnostics) {
+  const auto places = place_memory(target, board, diagnostics);
+  if (!places) return std::nullopt;
   const fs::path program = objects.folder / "board.elf";
   Command command{tools.compiler};
   append_words(command, target.flags);
@@ -128,9 +160,7 @@ std::optional<fs::path> link_program(const BoardObjects& objects, const Target& 
     command.emplace_back(word);
   }
   command.push_back(objects.folder / kLinkerScript);
-  for (const std::string& place : split_words(target.board.linker)) {
-    command.push_back("-Wl," + place);
-  }
+  for (const std::string& place : *places) command.push_back("-Wl," + place);
   for (const auto* stems : {&objects.harness, &objects.stems}) {
     for (const std::string& stem : *stems) command.push_back(objects.folder / (stem + ".o"));
   }

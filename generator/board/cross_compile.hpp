@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "board/board_options.hpp"
 #include "board/find_tools.hpp"
 #include "compilation/choose_flags.hpp"
 #include "generation/generate_code.hpp"
@@ -30,13 +31,14 @@ struct BoardObjects {
 std::optional<BoardObjects> cross_compile(const std::filesystem::path& sources,
                                           const std::vector<GeneratedFunction>& functions,
                                           const Target& target, const Tools& tools,
-                                          const CompileOptions& options,
+                                          const CompileOptions& options, const BoardOptions& board,
                                           const std::filesystem::path& work,
                                           Diagnostics& diagnostics);
 
-/// Links the objects. Errors: it does not link.
+/// Links the objects. Errors: it does not link; `board` says in no known way where memory is.
 std::optional<std::filesystem::path> link_program(const BoardObjects& objects, const Target& target,
-                                                  const Tools& tools, Diagnostics& diagnostics);
+                                                  const Tools& tools, const BoardOptions& board,
+                                                  Diagnostics& diagnostics);
 
 /// Stems of the program's own sources.
 inline constexpr const char* kMainStem = "board_main";

@@ -21,26 +21,37 @@ std::optional<std::string> ask_version(const std::string& program, const char* p
   return std::nullopt;
 }
 
+/// QEMU with the options that every run has. What the program prints comes on standard output.
+Command simulate(const Board& board) {
+  Command command{board.simulator};
+  for (const std::string& word : split_words(board.machine)) command.push_back(word);
+  for (const char* word : {"-icount", "shift=0", "-display", "none", "-monitor", "none", "-serial",
+                           "none", "-chardev", "stdio,id=host", "-semihosting-config",
+                           "enable=on,target=native,chardev=host", "-kernel"}) {
+    command.emplace_back(word);
+  }
+  return command;
+}
+
 }  // namespace
 
-std::optional<Tools> find_tools(const Target& target, const std::filesystem::path& work,
-                                Diagnostics& diagnostics) {
+std::optional<Tools> find_tools(const Target& target, const std::string& runner,
+                                const std::filesystem::path& work, Diagnostics& diagnostics) {
   const Board& board = target.board;
   Tools tools{std::string(target.prefix) + "g++",
               std::string(target.prefix) + "gcc",
               target.prefix,
               {},
-              {}};
+              split_words(runner)};
   const auto version = ask_version(tools.compiler, target.package, target, work, diagnostics);
-  const auto simulator = ask_version(board.simulator, board.package, target, work, diagnostics);
-  if (!version || !simulator) return std::nullopt;
-  tools.compiler_version = *version;
-  tools.simulator = {board.simulator};
-  for (const std::string& word : split_words(board.machine)) tools.simulator.push_back(word);
-  for (const char* word : {"-icount", "shift=0", "-display", "none", "-monitor", "none", "-serial",
-                           "none", "-semihosting-config", "enable=on,target=native"}) {
-    tools.simulator.emplace_back(word);
+  if (tools.runner.empty()) {
+    tools.runner = simulate(board);
+    if (!ask_version(board.simulator, board.package, target, work, diagnostics)) {
+      return std::nullopt;
+    }
   }
+  if (!version) return std::nullopt;
+  tools.compiler_version = *version;
   return tools;
 }
 

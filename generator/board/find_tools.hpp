@@ -16,12 +16,12 @@ struct Tools {
   std::string c_compiler;        ///< the same for C
   std::string prefix;            ///< of the names of nm, size and objdump
   std::string compiler_version;  ///< first line that it prints
-  Command simulator;             ///< QEMU with the options that every run has
+  Command runner;                ///< takes the program's file as its last argument
 };
 
-/// Finds compiler and simulator of a target that has a board. Errors: a program is missing, with
-/// the package of Debian that holds it.
-std::optional<Tools> find_tools(const Target& target, const std::filesystem::path& work,
-                                Diagnostics& diagnostics);
+/// Finds the compiler of a target that has a board, and QEMU unless another runner is given.
+/// Errors: a program is missing, with the package of Debian that holds it.
+std::optional<Tools> find_tools(const Target& target, const std::string& runner,
+                                const std::filesystem::path& work, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -39,6 +39,9 @@ void judge_calls(std::size_t i, const GeneratedFunction& generated, const BoardC
   function.least = *least;
   function.most = *most;
   function.cycles *= static_cast<double>(*most);
+  const auto [shortest, longest] = std::minmax_element(calls.cycles.begin(), calls.cycles.end());
+  function.least_cycles = *shortest;
+  function.most_cycles = *longest;
 }
 
 }  // namespace treeline

@@ -127,30 +127,31 @@ std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const st
   return measured;
 }
 
-BoardFunction measure_step(const BoardObjects& objects, const std::string& name, std::size_t first,
-                           const Target& target, const Tools& tools) {
+BoardFunction measure_unit(const BoardObjects& objects, const std::string& symbol,
+                           std::size_t first, std::size_t last, const Target& target,
+                           const Tools& tools) {
   const CallGraph graph = read_call_graphs(objects);
   const auto sizes = ask(tools.prefix + "size", "-A", objects);
   const auto symbols = ask(tools.prefix + "nm", "-u", objects);
   const auto listings = ask(tools.prefix + "objdump", "-d", objects);
-  BoardFunction step;
-  step.name = name + "_step";
+  BoardFunction unit;
+  unit.name = symbol;
   std::string listing;
-  for (std::size_t i = first; i < objects.stems.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     const SectionBytes bytes = add_sections(sizes[i]);
-    step.text_bytes += bytes.text;
-    step.constant_bytes += bytes.constants;
-    step.static_bytes += bytes.variables;
-    sort_symbols(symbols[i], graph, step);
+    unit.text_bytes += bytes.text;
+    unit.constant_bytes += bytes.constants;
+    unit.static_bytes += bytes.variables;
+    sort_symbols(symbols[i], graph, unit);
     listing += listings[i];
   }
-  for (auto* list : {&step.arithmetic, &step.strays}) {
+  for (auto* list : {&unit.arithmetic, &unit.strays}) {
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  step.stack_bytes = stack_of(graph, step.name);
-  step.cycles = mean_cycles(listing, target.cycles);
-  return step;
+  unit.stack_bytes = stack_of(graph, unit.name);
+  unit.cycles = mean_cycles(listing, target.cycles);
+  return unit;
 }
 
 }  // namespace treeline

@@ -30,8 +30,10 @@ std::vector<BoardFunction> measure_objects(const BoardObjects& objects, const st
                                            const std::vector<GeneratedFunction>& functions,
                                            const Target& target, const Tools& tools);
 
-/// Measures the controller's step, whose objects are those from index `first` on.
-BoardFunction measure_step(const BoardObjects& objects, const std::string& name, std::size_t first,
-                           const Target& target, const Tools& tools);
+/// Measures a function that consists of the objects from index `first` on to `last`: the
+/// controller's step, the self-test.
+BoardFunction measure_unit(const BoardObjects& objects, const std::string& symbol,
+                           std::size_t first, std::size_t last, const Target& target,
+                           const Tools& tools);
 
 }  // namespace treeline

@@ -104,6 +104,12 @@ std::string print_case(const std::string& name, const GeneratedFunction& generat
                         {"before", before}});
 }
 
+/// What the program includes and declares for a controller and a self-test.
+std::string print_heads(const std::string& name, const HarnessFiles& files) {
+  return (files.selftest ? fmt::format("#include \"{}_selftest.h\"\n", name) : "") +
+         files.step_head;
+}
+
 }  // namespace
 
 int count_outputs(const GeneratedFunction& generated) {
@@ -174,27 +180,32 @@ std::string print_main(const std::string& name, const std::vector<GeneratedFunct
                        const HarnessFiles& files) {
   const std::vector<StatePlace> places = place_arguments(functions);
   std::string cases, rows;
-  int most = 0;
+  int most = 1;
   for (const GeneratedFunction& generated : functions) {
     const std::string stem = source_stem(generated);
     cases += print_case(name, generated, places);
-    rows += fmt::format("{{count_{0}, count_empty_{0}, use_stack_{0}, call_{0}, {1}}},\n", stem,
-                        count_outputs(generated));
+    rows += fmt::format(
+        "{{count_{0}, count_empty_{0}, use_stack_{0}, call_{0}, call_empty_{0}, {1}}},\n", stem,
+        count_outputs(generated));
     most = std::max(most, count_outputs(generated));
   }
-  rows.pop_back();
-  return fill_template(board_templates::kMain,
-                       {{"name", name},
-                        {"states_file", escape(escape(files.states))},  // assembly within C++
-                        {"results_file", escape(files.results)},
-                        {"states", std::to_string(files.count)},
-                        {"state_size", std::to_string(places.back().at + places.back().size)},
-                        {"most_outputs", std::to_string(most)},
-                        {"cases", cases},
-                        {"step_head", files.step_head},
-                        {"step", files.step_part},
-                        {"run_steps", files.step_part.empty() ? "" : "run_steps();"},
-                        {"rows", rows}});
+  return fill_template(
+      board_templates::kMain,
+      {{"name", name},
+       {"states_file", escape(escape(files.states))},  // assembly within C++
+       {"id", files.id},
+       {"states", std::to_string(files.count)},
+       {"state_size", std::to_string(places.empty() ? 0 : places.back().at + places.back().size)},
+       {"case_count", std::to_string(functions.size())},
+       {"most_outputs", std::to_string(most)},
+       {"cases", cases},
+       {"heads", print_heads(name, files)},
+       {"step", files.step_part},
+       {"run_steps", files.step_part.empty() ? "" : "run_steps();"},
+       {"selftest",
+        files.selftest ? fill_template(board_templates::kSelftest, {{"name", name}}) : ""},
+       {"run_selftest", files.selftest ? "run_selftest();" : ""},
+       {"rows", rows}});
 }
 
 std::string print_start(const Board& board) {

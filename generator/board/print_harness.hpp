@@ -18,10 +18,12 @@ struct StatePlace {
 /// Arguments that the functions take, each once, one behind another.
 std::vector<StatePlace> place_arguments(const std::vector<GeneratedFunction>& functions);
 
-/// Files with the program's states and results, and the number of states.
+/// What the program has beside the functions.
 struct HarnessFiles {
-  std::string states, results;
-  int count = 0;
+  std::string states;                          ///< file with them
+  std::string id;                              ///< by which its output is told from that of others
+  int count = 0;                               ///< of states
+  bool selftest = false;                       ///< whether it calls NAME_selftest
   std::string step_head = {}, step_part = {};  ///< of a controller's steps; empty: it has none
 };
 

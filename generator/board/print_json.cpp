@@ -19,6 +19,10 @@ Json if_any(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
+Json if_counted(std::uint64_t cycles) {
+  return cycles == 0 ? Json(nullptr) : Json(cycles);
+}
+
 Json describe_modes(const BoardFunction& f) {
   if (f.modes.empty()) return nullptr;
   Json modes = Json::object();
@@ -46,7 +50,10 @@ Json describe_function(const BoardFunction& f, bool contracted) {
           {"most_instructions", f.most},
           {"constant_time", f.takes_constant_time()},
           {"cycles_estimate", f.cycles},
+          {"least_cycles", if_counted(f.least_cycles)},
+          {"most_cycles", if_counted(f.most_cycles)},
           {"modes", describe_modes(f)},
+          {"returned", f.returned},
           {"states", f.states},
           {"bits_differ", f.bits_differ},
           {"first_bits_differ", if_known(f.first_bits_differ)},
@@ -89,7 +96,9 @@ std::string print_json(const BoardReport& report) {
                   {"command", report.command},
                   {"long_command", if_any(report.long_command)},
                   {"small_command", if_any(report.small_command)},
-                  {"simulator", report.simulator},
+                  {"simulator", report.runner},
+                  {"counts_instructions", report.counts_instructions},
+                  {"counts_cycles", report.counts_cycles},
                   {"compile_seconds", report.compile_seconds},
                   {"run_seconds", report.run_seconds},
                   {"cycles", describe_costs(report.target->cycles)},

@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::size_t kColumns = 99;
 
-std::string print_instructions(const BoardFunction& f) {
-  return f.takes_constant_time() ? std::to_string(f.most) : fmt::format("{}..{}", f.least, f.most);
+/// The least and the most of a count; one number where they are the same.
+std::string print_range(std::uint64_t least, std::uint64_t most) {
+  return least == most ? std::to_string(most) : fmt::format("{}..{}", least, most);
 }
 
 /// Rounds to two digits: more would pretend to be a measurement.
@@ -31,18 +32,25 @@ std::string print_results(const BoardFunction& f, bool contracted) {
 
 std::string print_board_table(const BoardReport& report) {
   const char* const results = report.contracted ? "error" : "bits";
-  const std::vector<Column> columns{
-      {"function"},   {"text", true},         {"const", true},         {"stack", true},
-      {"seen", true}, {"instructions", true}, {"cycles, about", true}, {results, true},
-      {"library"}};
+  std::vector<Column> columns{
+      {"function"}, {"text", true}, {"const", true}, {"stack", true}, {"seen", true}};
+  if (report.counts_instructions) {
+    columns.insert(columns.end(), {{"instructions", true}, {"cycles, about", true}});
+  }
+  if (report.counts_cycles) columns.push_back({"cycles", true});
+  columns.insert(columns.end(), {{results, true}, {"library"}});
   std::vector<std::vector<std::string>> rows;
   for (const BoardFunction& f : report.functions) {
     const std::string library =
         f.arithmetic.empty() ? "" : fmt::format("{} functions", f.arithmetic.size());
-    rows.push_back({f.name, std::to_string(f.text_bytes), std::to_string(f.constant_bytes),
-                    f.stack_bytes ? std::to_string(*f.stack_bytes) : "?",
-                    std::to_string(f.stack_seen), print_instructions(f), print_estimate(f.cycles),
-                    print_results(f, report.contracted), library});
+    std::vector<std::string>& row = rows.emplace_back();
+    row = {f.name, std::to_string(f.text_bytes), std::to_string(f.constant_bytes),
+           f.stack_bytes ? std::to_string(*f.stack_bytes) : "?", std::to_string(f.stack_seen)};
+    if (report.counts_instructions) {
+      row.insert(row.end(), {print_range(f.least, f.most), print_estimate(f.cycles)});
+    }
+    if (report.counts_cycles) row.push_back(print_range(f.least_cycles, f.most_cycles));
+    row.insert(row.end(), {print_results(f, report.contracted), library});
   }
   return align_columns(columns, rows);
 }
@@ -76,7 +84,9 @@ std::string print_board_faults(const BoardReport& report, const BoardFunction& f
   if (f.static_bytes > 0) {
     text += fmt::format("{}: has {} bytes of variables\n", f.name, f.static_bytes);
   }
-  if (!report.contracted && f.bits_differ > 0) {
+  if (f.returned != 0) {
+    text += fmt::format("{}: returns {}, which its header explains\n", f.name, f.returned);
+  } else if (!report.contracted && f.bits_differ > 0) {
     text += fmt::format("{}: other bits than on the host in {} of {} states, first in {}\n", f.name,
                         f.bits_differ, f.states, *f.first_bits_differ);
   }
@@ -106,8 +116,9 @@ std::string print_verdict(const BoardReport& report) {
                        report.functions.size(), report.stale.size());
   }
   const std::string time =
-      varying == 0 ? "the same number of instructions in every state"
-                   : fmt::format("{} of them in a time that depends on the state", varying);
+      !report.counts_instructions ? "whose instructions this board does not count"
+      : varying == 0              ? "the same number of instructions in every state"
+                     : fmt::format("{} of them in a time that depends on the state", varying);
   return fmt::format("passed: {} functions {}, {}\n", report.functions.size(),
                      report.contracted ? "within their bounds" : "equal to the host's to the bit",
                      time);
@@ -124,8 +135,8 @@ std::string print_text(const BoardReport& report) {
                               "as the emitted CMakeLists.txt does for `optimize`");
   text += print_other_command(report, report.long_command, &BoardFunction::is_long,
                               "of more than 12000 operations; --flags compiles all alike");
-  text += wrap_text(report.simulator, kColumns) + "\n\n";
-  text += print_board_table(report) + "\n" + print_costs(report.target->cycles) + "\n\n";
+  text += wrap_text(report.runner, kColumns) + "\n\n" + print_board_table(report) + "\n";
+  if (report.counts_instructions) text += print_costs(report.target->cycles) + "\n\n";
   for (const BoardFunction& f : report.functions) text += print_modes(f);
   for (const std::string& name : report.not_run) {
     text += fmt::format("{}: not run, it takes several states at once\n", name);

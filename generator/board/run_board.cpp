@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <fstream>
 
 #include "board/print_harness.hpp"
+#include "board/read_printed.hpp"
 #include "board/templates.hpp"
 #include "compilation/print_step_entry.hpp"
 #include "compilation/write_work_file.hpp"
+#include "emission/digest.hpp"
 #include "oracle/graph_run.hpp"
 
 namespace treeline {
@@ -17,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kStatesFile = "states.bin";
-constexpr const char* kResultsFile = "results.bin";
 constexpr const char* kTapeFile = "steps.bin";
 
 /// Seconds that a program may take. It ends by itself much earlier.
@@ -48,7 +48,7 @@ std::string pack_states(const std::vector<GeneratedFunction>& functions,
   return bytes;
 }
 
-/// Reads numbers from the bytes that the program has written.
+/// Reads numbers from the bytes that the program has printed.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(bytes) {}
@@ -77,6 +77,7 @@ BoardCalls read_calls(int outputs, std::size_t states, Real real, Reader& reader
   calls.stack_seen = reader.take<std::uint64_t>();
   for (std::size_t s = 0; s < states; ++s) {
     calls.instructions.push_back(reader.take<std::uint64_t>());
+    calls.cycles.push_back(reader.take<std::uint64_t>());
     std::vector<double>& results = calls.results.emplace_back();
     for (int i = 0; i < outputs; ++i) {
       results.push_back(real == Real::float32 ? static_cast<double>(reader.take<float>())
@@ -90,6 +91,7 @@ StepCalls read_steps(const StepTape& tape, Reader& reader) {
   StepCalls calls;
   for (std::size_t step = 0; step < tape.results.size(); ++step) {
     calls.instructions.push_back(reader.take<std::uint64_t>());
+    calls.cycles.push_back(reader.take<std::uint64_t>());
     std::vector<double>& results = calls.results.emplace_back();
     for (std::size_t i = 0; i < tape.output_size + tape.state_size; ++i) {
       results.push_back(reader.take<double>());
@@ -99,83 +101,117 @@ StepCalls read_steps(const StepTape& tape, Reader& reader) {
   return calls;
 }
 
-std::nullopt_t fail_run(const Command& command, std::string fault, Diagnostics& diagnostics) {
-  diagnostics.add({Severity::error, "", 0, command.front(), std::move(fault),
-                   "Look at the flags; try --functions with one at a time to find which it is."});
+SelftestCall read_selftest(Reader& reader) {
+  SelftestCall call;
+  for (auto* number : {&call.stack_seen, &call.instructions, &call.cycles, &call.result}) {
+    *number = reader.take<std::uint64_t>();
+  }
+  return call;
+}
+
+std::nullopt_t fail_run(const Tools& tools, const fs::path& program, std::string fault,
+                        Diagnostics& diagnostics) {
+  diagnostics.add(
+      {Severity::error, "", 0, tools.runner.front(), std::move(fault),
+       fmt::format("Try --functions with one at a time, or fewer --states. The command was: {} {}",
+                   fmt::join(tools.runner, " "), program.string())});
   return std::nullopt;
+}
+
+/// Why there are not all results, from what is known of the command and of what it printed.
+std::string describe_run(const CommandOutcome& outcome, const std::string& fault) {
+  constexpr int kTimedOut = 124, kNoProgram = 127;
+  const std::string lines = first_lines(outcome.output);
+  if (outcome.exit_code == kNoProgram) return "there is no such program" + lines;
+  if (outcome.exit_code == kTimedOut) {
+    return fmt::format("it does not end in time; {}{}", fault, lines);
+  }
+  if (outcome.exit_code != 0) {
+    return fmt::format("the program stops with a fault (exit status {}); {}{}", outcome.exit_code,
+                       fault, lines);
+  }
+  return fault + lines;
+}
+
+/// The files of the program, by their names.
+std::vector<GeneratedFile> print_files(const BoardCase& board_case, const std::string& states,
+                                       const std::string& id, const Target& target,
+                                       const fs::path& work) {
+  const std::string& name = board_case.name;
+  const auto& functions = board_case.functions;
+  const bool is_c = board_case.language == Language::c;
+  HarnessFiles files{work / kStatesFile, id, static_cast<int>(board_case.states.size()),
+                     board_case.selftest};
+  const auto source = [](const char* stem) { return std::string(stem) + ".cpp"; };
+  std::vector<GeneratedFile> all = {
+      {kStatesFile, states},
+      {"board.hpp", std::string(board_templates::kBoard)},
+      {kLinkerScript, std::string(board_templates::kLinkerScript)},
+      {"functions.hpp", is_c ? print_c_functions_header(name, functions, board_case.real)
+                             : print_functions_header(name, functions)},
+      {source(kEmptyStem), print_empty_functions(functions)},
+      {source(kStartStem), print_start(target.board)}};
+  if (board_case.tape != nullptr) {
+    files.step_head = print_step_head(name, work / kTapeFile);
+    files.step_part = print_step_part(name, *board_case.tape);
+    all.push_back({kTapeFile, board_case.tape->bytes});
+    all.push_back({source(kStepStem), board_case.step_entry});
+  }
+  all.push_back({source(kMainStem), print_main(name, functions, files)});
+  for (const GeneratedFunction& generated : functions) {
+    if (is_c || !is_composed(generated)) continue;
+    all.push_back({source_stem(generated) + ".cpp", print_composed_function(name, generated)});
+  }
+  return all;
 }
 
 }  // namespace
 
-bool write_harness(const std::vector<GeneratedFunction>& functions,
-                   const std::vector<State>& states, const Scene& scene, const Target& target,
-                   const StepTape* tape, const std::string& step_entry, const fs::path& work,
-                   Diagnostics& diagnostics) {
-  const std::string& name = scene.name;
-  const bool c = scene.language == Language::c;
-  HarnessFiles files{work / kStatesFile, work / kResultsFile, static_cast<int>(states.size())};
-  if (tape != nullptr) {
-    files.step_head = print_step_head(name, work / kTapeFile);
-    files.step_part = print_step_part(name, *tape);
+std::optional<std::string> write_harness(const BoardCase& board_case, const Target& target,
+                                         const fs::path& work, Diagnostics& diagnostics) {
+  const std::string states = pack_states(board_case.functions, board_case.states, board_case.real);
+  std::string all = board_case.name + target.name + states;
+  for (const GeneratedFunction& generated : board_case.functions) all += source_stem(generated);
+  if (board_case.tape != nullptr) all += board_case.tape->bytes;
+  const std::string id = digest(all).substr(0, 16);
+  for (const GeneratedFile& file : print_files(board_case, states, id, target, work)) {
+    if (!write_work_file(work / file.name, file.text, diagnostics)) return std::nullopt;
   }
-  const auto write = [&](const std::string& file, const std::string& text) {
-    return write_work_file(work / file, text, diagnostics);
-  };
-  const auto source = [](const char* stem) { return std::string(stem) + ".cpp"; };
-  bool written = write(kStatesFile, pack_states(functions, states, scene.real)) &&
-                 write("board.hpp", std::string(board_templates::kBoard)) &&
-                 write(kLinkerScript, std::string(board_templates::kLinkerScript)) &&
-                 write("functions.hpp", c ? print_c_functions_header(name, functions, scene.real)
-                                          : print_functions_header(name, functions)) &&
-                 write(source(kMainStem), print_main(name, functions, files)) &&
-                 write(source(kEmptyStem), print_empty_functions(functions)) &&
-                 write(source(kStartStem), print_start(target.board));
-  if (tape != nullptr) {
-    written = written && write(kTapeFile, tape->bytes) && write(source(kStepStem), step_entry);
-  }
-  for (const GeneratedFunction& generated : functions) {
-    if (c || !is_composed(generated)) continue;
-    written =
-        written && write(source_stem(generated) + ".cpp", print_composed_function(name, generated));
-  }
-  return written;
+  return id;
 }
 
-std::optional<BoardRun> run_board(const fs::path& program,
-                                  const std::vector<GeneratedFunction>& functions,
-                                  std::size_t states, Real real, const StepTape* tape,
-                                  const Tools& tools, const fs::path& work,
-                                  Diagnostics& diagnostics) {
+std::optional<BoardRun> run_board(const fs::path& program, const std::string& id,
+                                  const BoardCase& board_case, const Tools& tools, bool simulated,
+                                  const fs::path& work, Diagnostics& diagnostics) {
   Command command{"timeout", kPatience};
-  command.insert(command.end(), tools.simulator.begin(), tools.simulator.end());
-  command.insert(command.end(), {"-kernel", program});
+  command.insert(command.end(), tools.runner.begin(), tools.runner.end());
+  command.push_back(program);
   const CommandOutcome outcome = run_commands({command}, 1, work).front();
-  constexpr int kTimedOut = 124;
-  if (outcome.exit_code == kTimedOut) {
-    return fail_run(tools.simulator, "the program does not end", diagnostics);
+  const PrintedBytes printed = read_printed(outcome.output, id);
+  if (!printed.fault.empty()) {
+    return fail_run(tools, program, describe_run(outcome, printed.fault), diagnostics);
   }
-  if (outcome.exit_code != 0) {
-    return fail_run(tools.simulator, "the program stops with a fault: " + outcome.output,
-                    diagnostics);
-  }
-  const std::string bytes = read_file(work / kResultsFile);
-  Reader reader(bytes);
+  Reader reader(printed.bytes);
   constexpr std::uint64_t kSpent = 2000;
   const auto spent = reader.take<std::uint64_t>();
-  if (spent != kSpent) {
-    return fail_run(tools.simulator,
+  BoardRun run;
+  run.counts_instructions = spent == kSpent;
+  if (simulated && !run.counts_instructions) {
+    return fail_run(tools, program,
                     fmt::format("{} instructions were counted where {} were spent", spent, kSpent),
                     diagnostics);
   }
-  BoardRun calls;
-  for (const GeneratedFunction& generated : functions) {
-    calls.functions.push_back(read_calls(count_outputs(generated), states, real, reader));
+  for (const GeneratedFunction& generated : board_case.functions) {
+    run.functions.push_back(
+        read_calls(count_outputs(generated), board_case.states.size(), board_case.real, reader));
   }
-  if (tape != nullptr) calls.steps = read_steps(*tape, reader);
+  if (board_case.tape != nullptr) run.steps = read_steps(*board_case.tape, reader);
+  if (board_case.selftest) run.selftest = read_selftest(reader);
   if (!reader.read_all()) {
-    return fail_run(tools.simulator, "the program has written less than it should", diagnostics);
+    return fail_run(tools, program, "the program prints another number of results than it should",
+                    diagnostics);
   }
-  return calls;
+  return run;
 }
 
 }  // namespace treeline

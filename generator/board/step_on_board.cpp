@@ -5,11 +5,10 @@
 #include <cstring>
 
 #include "board/templates.hpp"
+#include "check/compile_step.hpp"
 #include "check/judge_function.hpp"
-#include "check/judge_step.hpp"
 #include "check/step_dynamics.hpp"
 #include "check/step_motion.hpp"
-#include "compilation/compile_folder.hpp"
 #include "core/mode.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/fill_template.hpp"
@@ -56,14 +55,8 @@ std::optional<StepTape> record_steps(const Robot& robot, const Scene& scene,
                                      const Generation& generation, const CheckOptions& options,
                                      const fs::path& sources, const fs::path& work,
                                      Diagnostics& diagnostics) {
-  const fs::path place = work / "host";
-  fs::create_directory(place);
-  CompileOptions compile = with_controller(scene, generation, CompileOptions());
-  compile.jobs = options.compile.jobs;
-  compile.language = scene.language;
-  const auto compiled = compile_folder(sources, scene.name, {}, compile, place, diagnostics);
-  if (!compiled) return std::nullopt;
-  const auto library = StepLibrary::load(compiled->library, diagnostics);
+  const auto library =
+      compile_step(scene, generation, options.compile.jobs, sources, work, diagnostics);
   if (!library) return std::nullopt;
   const StepDynamics dynamics(robot, scene, generation, options.references.seed);
   StepTape tape;
@@ -112,6 +105,9 @@ void judge_steps(const StepTape& tape, const StepCalls& calls, BoardFunction& st
     ++of_mode.steps;
   }
   step.cycles *= static_cast<double>(step.most);
+  const auto [least, most] = std::minmax_element(calls.cycles.begin(), calls.cycles.end());
+  step.least_cycles = *least;
+  step.most_cycles = *most;
 }
 
 }  // namespace treeline

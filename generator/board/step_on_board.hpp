@@ -25,6 +25,7 @@ struct StepTape {
 struct StepCalls {
   std::uint64_t stack_seen = 0;
   std::vector<std::uint64_t> instructions;   ///< 0 where they are not counted
+  std::vector<std::uint64_t> cycles;         ///< of all steps; 0 where none are counted
   std::vector<std::vector<double>> results;  ///< as those of the tape
 };
 

@@ -12,6 +12,7 @@ extern const std::string_view kCortexM;
 extern const std::string_view kLinkerScript;
 extern const std::string_view kMain;
 extern const std::string_view kRiscv;
+extern const std::string_view kSelftest;
 extern const std::string_view kStep;
 extern const std::string_view kStepHead;
 

@@ -61,7 +61,9 @@ constexpr const char* kHowToReadCheck =
     "  treeline check puma560.urdf scene.yaml\n"
     "  treeline check puma560.urdf scene.yaml --flags '-O3 -march=native'\n"
     "  treeline check puma560.urdf scene.yaml --generated generated/puma560\n"
-    "  treeline check puma560.urdf scene.yaml --real float --target cortex-m4f";
+    "  treeline check puma560.urdf scene.yaml --real float --target cortex-m4f\n"
+    "  treeline check puma560.urdf scene.yaml --real float --target cortex-m4f --states 20\n"
+    "    --runner ./run_on_my_board --memory 0x08000000,0x20000000,0x20000";
 
 constexpr const char* kHowToReadTargets =
     "With --target NAME, unless NAME is generic or of x86, the code is compiled for that "
@@ -77,11 +79,16 @@ constexpr const char* kHowToReadTargets =
     "  bits        equal: those of this machine; with flags that fuse products and sums the "
     "largest\n"
     "              error in ulp of the scale instead\n"
-    "  library     functions of the compiler's own that emulate operations\n\n";
+    "  library     functions of the compiler's own that emulate operations\n"
+    "With --runner COMMAND a board of yours takes the place of QEMU: COMMAND ELF lets it run the\n"
+    "program and prints what it sends, by semihosting or, with --port, as that writes it. Cycles\n"
+    "are then counted by DWT's CYCCNT, mcycle or the port; instructions where the board can.\n\n";
 
 struct CheckCommand {
   InputOptions inputs;
   CheckOptions check;
+  BoardOptions board;
+  std::string port;
   std::string folder;
   bool json = false;
   bool has_flags = false;  ///< whether --flags is given
@@ -118,7 +125,7 @@ std::optional<BoardReport> make_board_report(const CheckCommand& options,
   const auto made = make_code(options, diagnostics);
   if (!made) return std::nullopt;
   return check_on_board(made->inputs.robot, made->inputs.scene, made->generation, options.check,
-                        diagnostics);
+                        options.board, diagnostics);
 }
 
 /// Compiles for the scene's processor where it is one of x86 and this machine is one, too.
@@ -159,14 +166,40 @@ int print_report(const CheckCommand& options, const std::optional<Report>& repor
 int run(CheckCommand options) {
   Diagnostics diagnostics;
   options.check.folder = options.folder;
+  options.board.port = options.port;
   options.check.compile.progress = count_progress("compiled");
   options.check.references.progress = count_progress("states");
+  if (!options.board.runner.empty() && !is_for_board(options)) {
+    diagnostics.add({Severity::error, "", 0, "--runner",
+                     "the code is to run on this machine, not on a board",
+                     "Name the board's processor, such as --target cortex-m4f."});
+    print_diagnostics(diagnostics, options.inputs.warnings);
+    return kBadInput;
+  }
   if (is_for_board(options)) {
     const auto report = make_board_report(options, diagnostics);
     return print_report(options, report, diagnostics);
   }
   const auto report = make_report(options, diagnostics);
   return print_report(options, report, diagnostics);
+}
+
+/// Options of a board that stands in the place of QEMU's.
+void add_own_board(CLI::App& command, CheckCommand& options) {
+  auto* runner = command.add_option(
+      "--runner", options.board.runner,
+      "For --target, in place of QEMU: program and arguments, before that of the ELF file, that "
+      "let a board run it and print what the board sends");
+  command
+      .add_option("--port", options.port,
+                  "C or C++ source of that board: treeline_board_begin, _write, _cycles")
+      ->check(CLI::ExistingFile)
+      ->needs(runner);
+  command
+      .add_option("--memory", options.board.memory,
+                  "Of that board: where code and data begin, and bytes of data, such as "
+                  "0x08000000,0x20000000,0x20000")
+      ->needs(runner);
 }
 
 }  // namespace
@@ -192,6 +225,7 @@ void add_check(CLI::App& app, int& exit_code) {
       ->check(whole_between(0, std::numeric_limits<std::int64_t>::max()));
   auto* flags = command->add_option("--flags", options->check.compile.flags, "For the compiler")
                     ->capture_default_str();
+  add_own_board(*command, *options);
   command->add_option("--name", options->inputs.name,
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);

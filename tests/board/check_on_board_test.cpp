@@ -7,6 +7,7 @@
 
 #include <tuple>
 
+#include "check/add_selftest.hpp"
 #include "check/fixture.hpp"
 #include "description/follow_target.hpp"
 
@@ -33,7 +34,7 @@ CheckOptions board_options(int states) {
 BoardReport run_on_board(const Subjects& subjects, const CheckOptions& options) {
   Diagnostics diagnostics;
   const auto report =
-      check_on_board(subjects.robot, subjects.scene, subjects.generation, options, diagnostics);
+      check_on_board(subjects.robot, subjects.scene, subjects.generation, options, {}, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.list()) ADD_FAILURE() << to_string(diagnostic);
   if (!report) throw std::runtime_error("nothing ran");
   return *report;
@@ -298,6 +299,42 @@ TEST(StepOnBoard, RunsInEveryMode) {
     EXPECT_GT(mode.least, 500U);
     EXPECT_LE(mode.most, step.most);
   }
+}
+
+// Would catch: a self-test that is not run or measured there, that needs a library, or that passes
+// with a changed law; and a controller without functions, for which there are no states.
+TEST(StepOnBoard, RunsTheSelftestOfAControllerAlone) {
+  Subjects subjects = load_unmade("puma560", "firmware/scene.yaml");
+  subjects.scene.target = "cortex-m4f";
+  subjects.scene.language = Language::c;
+  subjects.scene.functions = {};
+  subjects.scene.selftest = 1;
+  follow_target(subjects.scene);
+  subjects.generation = generate(subjects.robot, subjects.scene);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(add_selftest(subjects.robot, subjects.scene, subjects.generation, diagnostics));
+  const BoardReport report = run_on_board(subjects, board_options(5));
+  EXPECT_TRUE(report.passed()) << print_text(report);
+  ASSERT_EQ(report.functions.size(), 2U);
+  const BoardFunction& selftest = report.functions.back();
+  EXPECT_EQ(selftest.name, subjects.scene.name + "_selftest");
+  EXPECT_GT(selftest.most, 40 * report.functions.front().least);
+  EXPECT_LT(selftest.text_bytes + selftest.constant_bytes, 2000);
+  EXPECT_FALSE(report.counts_cycles);
+
+  const TemporaryFolder folder;
+  write_folder(folder.path() / "code", subjects.generation);
+  const auto file = folder.path() / "code" / "controller_joint_torque.c";
+  std::string text = read_file(file);
+  const auto at = text.rfind("] = ");
+  ASSERT_NE(at, std::string::npos);
+  write_file(file, text.insert(at + 4, "1 + "));
+  CheckOptions options = board_options(5);
+  options.folder = folder.path() / "code";
+  const BoardReport broken = run_on_board(subjects, options);
+  EXPECT_EQ(broken.functions.back().returned, 1);
+  EXPECT_FALSE(broken.passed());
+  EXPECT_NE(print_text(broken).find("_selftest: returns 1"), std::string::npos);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::optional<BoardReport> run(const std::string& robots, const std::string& nam
     options.references.states = name == "puma560" ? 300 : 100;
     options.compile.long_flags = "-O1 -ffp-contract=off";
     if (!functions.empty()) options.references.states = 10;
-    if (generation) report = check_on_board(*robot, *scene, *generation, options, diagnostics);
+    if (generation) report = check_on_board(*robot, *scene, *generation, options, {}, diagnostics);
   }
   print_faults(diagnostics);
   return report;

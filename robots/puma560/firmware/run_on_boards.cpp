@@ -121,15 +121,15 @@ std::optional<FirmwareRun> run_on_board(const std::string& name, const FirmwareS
   const Target* const target = find_target(name);
   if (!folder || target == nullptr) return std::nullopt;
   const fs::path& work = folder->path();
-  const auto tools = find_tools(*target, work, diagnostics);
+  const auto tools = find_tools(*target, {}, work, diagnostics);
   if (!tools || !write_board(*target, work, diagnostics)) return std::nullopt;
   const auto objects = compile(*target, *tools, sources, work, diagnostics);
   if (!objects) return std::nullopt;
-  const auto program = link_program(*objects, *target, *tools, diagnostics);
+  const auto program = link_program(*objects, *target, *tools, {}, diagnostics);
   if (!program) return std::nullopt;
   Command command{"timeout", "300"};
-  command.insert(command.end(), tools->simulator.begin(), tools->simulator.end());
-  command.insert(command.end(), {"-kernel", program->string()});
+  command.insert(command.end(), tools->runner.begin(), tools->runner.end());
+  command.push_back(program->string());
   if (!succeeded(run_commands({command}, 1, work).front(), command[2], diagnostics)) {
     return std::nullopt;
   }
