@@ -64,7 +64,8 @@ const std::vector<std::pair<std::string, PackageKind>> kPackages = {
     {"fmu", PackageKind::fmu},
     {"fmu3", PackageKind::fmu3},
     {"wasm", PackageKind::wasm},
-    {"ros2_control", PackageKind::ros2_control}};
+    {"ros2_control", PackageKind::ros2_control},
+    {"firmware", PackageKind::firmware}};
 
 std::vector<std::string> package_names() {
   std::vector<std::string> names;
@@ -144,8 +145,10 @@ bool may_write_to_default(const std::string& output, PackageKind package,
 
 /// Tools without CMake compile a library with one set of flags.
 void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
-  const bool has_flags_by_source = package == PackageKind::none || package == PackageKind::cmake ||
-                                   package == PackageKind::zephyr || is_compiled_from_c(package);
+  const bool has_flags_by_source =
+      package == PackageKind::none || package == PackageKind::cmake ||
+      package == PackageKind::zephyr ||
+      (is_compiled_from_c(package) && package != PackageKind::firmware);
   if (has_flags_by_source || scene.optimize != Optimize::balanced) return;
   diagnostics.add(
       {Severity::note, "", 0, "optimize",

@@ -17,6 +17,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "packaging/adapt_to_c.hpp"
+#include "packaging/for_firmware.hpp"
 #include "packaging/for_fmu.hpp"
 #include "packaging/for_ros2_control.hpp"
 #include "text/identifier.hpp"
@@ -126,6 +127,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
   if (is_fmu(options.package)) refuse_for_fmu(*scene, diagnostics);
+  if (options.package == PackageKind::firmware) refuse_for_firmware(*scene, diagnostics);
   if (options.package == PackageKind::ros2_control) {
     refuse_for_ros2_control(read->robot, *scene, diagnostics);
   }

@@ -24,7 +24,8 @@ constexpr PackageOfC kPackagesOfC[] = {
     {PackageKind::fmu, "an FMU", "fmu", ""},
     {PackageKind::fmu3, "an FMU", "fmu3", ""},
     {PackageKind::wasm, "a package for WebAssembly", "wasm", "JavaScript"},
-    {PackageKind::ros2_control, "a package for ros2_control", "ros2_control", ""}};
+    {PackageKind::ros2_control, "a package for ros2_control", "ros2_control", ""},
+    {PackageKind::firmware, "firmware", "firmware", ""}};
 
 const PackageOfC* find_package_of_c(PackageKind kind) {
   const auto* const at =

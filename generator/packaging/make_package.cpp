@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "packaging/describe_package.hpp"
+#include "packaging/for_firmware.hpp"
 #include "packaging/for_fmu.hpp"
 #include "packaging/for_python.hpp"
 #include "packaging/for_ros2_control.hpp"
@@ -75,6 +76,8 @@ std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts
       return for_wasm(facts, robot, scene, generation);
     case PackageKind::ros2_control:
       return for_ros2_control(facts, robot, scene, generation);
+    case PackageKind::firmware:
+      return for_firmware(facts, robot, scene, generation);
   }
   return {};
 }
