@@ -1,6 +1,7 @@
 #pragma once
-// What solve_columns.h takes as known. For a robot the generator writes this header; who
-// includes it otherwise defines the names before, as core/emitted_columns.hpp does.
+// What solve_columns.h takes as known. For a robot the generator writes this header;
+// who includes it otherwise defines the names before, as core/emitted_columns.hpp
+// does.
 //
 // - real: the type of numbers
 // - TL_INLINE: what stands before a function

@@ -1,15 +1,15 @@
 #pragma once
-// M X = B for the columns of two matrices and of the unit matrix, where M = L^T D L is
-// the mass matrix of a tree: L has zeros where M has (Featherstone, RBDA section 6.5).
-// Rows of all three stand side by side in one array, whose rows are a multiple of eight
-// numbers long, so that compilers make vector instructions of the sums. No branch on
-// data.
+// M X = B for the columns of two matrices and of the unit matrix, where M = L^T D L
+// is the mass matrix of a tree: L has zeros where M has (Featherstone, RBDA
+// section 6.5). Rows of all three stand side by side in one array, whose rows are a
+// multiple of eight numbers long, so that compilers make vector instructions of the
+// sums. No branch on data.
 
 #include "column_sizes.h"
 
 /// Rows that are subtracted from each row: of row i those of the entries from
-/// ends[i - 1] to ends[i]. An entry is two numbers: the row, and where its factor stands
-/// in L.
+/// ends[i - 1] to ends[i]. An entry is two numbers: the row, and where its factor
+/// stands in L.
 struct TlRowSums {
   const int16_t* ends;
   const int16_t* entries;
@@ -17,7 +17,8 @@ struct TlRowSums {
 typedef struct TlRowSums TlRowSums;
 
 /// to -= a x
-TL_INLINE void tl_subtract_row(real a, const real* TL_RESTRICT x, real* TL_RESTRICT to) {
+TL_INLINE void tl_subtract_row(
+    real a, const real* TL_RESTRICT x, real* TL_RESTRICT to) {
   for (int32_t j = 0; j < TL_STRIDE; ++j) {
     to[j] = to[j] - (a * x[j]);
   }
@@ -33,7 +34,8 @@ TL_INLINE void tl_subtract_four_rows(real a, const real* TL_RESTRICT x, real b,
 }
 
 /// Subtracts from row i the rows that belong to it.
-TL_INLINE void tl_subtract_rows(const TlRowSums* sums, int32_t i, const real* L, real* X) {
+TL_INLINE void tl_subtract_rows(
+    const TlRowSums* sums, int32_t i, const real* L, real* X) {
   real* const to = &X[i * TL_STRIDE];
   const int32_t end = sums->ends[i];
   int32_t e = (i > 0) ? sums->ends[i - 1] : 0;
@@ -50,8 +52,9 @@ TL_INLINE void tl_subtract_rows(const TlRowSums* sums, int32_t i, const real* L,
 }
 
 /// Makes of A and B, n x n, M^-1 A and M^-1 B, and of `inverse` M^-1. `L` has the
-/// entries of L that may not be 0, `inverse_D` 1 / D. `above` lists the rows that L^-T
-/// subtracts from each row, `below` those that L^-1 does. `X` is work space of n rows.
+/// entries of L that may not be 0, `inverse_D` 1 / D. `above` lists the rows that
+/// L^-T subtracts from each row, `below` those that L^-1 does. `X` is work space of n
+/// rows.
 TL_INLINE void tl_solve_columns(const TlRowSums* above, const TlRowSums* below,
     const real* L, const real* inverse_D, real* X, real* A, real* B, real* inverse) {
   for (int32_t i = 0; i < TL_VELOCITIES; ++i) {
