@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "compilation/print_step_entry.hpp"
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 
 namespace treeline {
 namespace {

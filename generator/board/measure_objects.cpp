@@ -8,6 +8,7 @@
 
 #include "board/count_instructions.hpp"
 #include "board/read_call_graph.hpp"
+#include "emission/backend.hpp"
 
 namespace treeline {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 std::string beginning_of_symbol(Language language, const std::string& name,
                                 const GeneratedFunction& generated) {
   const std::string& function = generated.program.name;
-  if (language == Language::c) return fmt::format("{}_{}", name, function);
+  if (!backend_of(language).has_namespaces) return fmt::format("{}_{}", name, function);
   const std::string space = is_composed(generated) ? "composed" : name;
   return fmt::format("_ZN{}{}{}{}E", space.size(), space, function.size(), function);
 }

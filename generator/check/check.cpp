@@ -15,7 +15,7 @@
 #include "compilation/print_entry.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_selftest.hpp"
 #include "emission/write_files.hpp"

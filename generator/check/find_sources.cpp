@@ -4,7 +4,7 @@
 #include <array>
 
 #include "compilation/run_commands.hpp"
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/write_files.hpp"
 
 namespace treeline {

@@ -23,7 +23,6 @@
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "generation/predict_sources.hpp"
-#include "packaging/adapt_to_c.hpp"
 #include "packaging/call_c.hpp"
 #include "program/print.hpp"
 #include "safety/describe_safety.hpp"
@@ -53,23 +52,9 @@ constexpr const char* kExamples =
     "check.json\n"
     "  treeline generate arm.urdf scene.yaml --functions gravity --dump dot | dot -Tsvg";
 
-const std::vector<std::pair<std::string, PackageKind>> kPackages = {
-    {"cmake", PackageKind::cmake},
-    {"platformio", PackageKind::platformio},
-    {"zephyr", PackageKind::zephyr},
-    {"arduino", PackageKind::arduino},
-    {"cmsis", PackageKind::cmsis},
-    {"python", PackageKind::python},
-    {"rust", PackageKind::rust},
-    {"fmu", PackageKind::fmu},
-    {"fmu3", PackageKind::fmu3},
-    {"wasm", PackageKind::wasm},
-    {"ros2_control", PackageKind::ros2_control},
-    {"firmware", PackageKind::firmware}};
-
 std::vector<std::string> package_names() {
   std::vector<std::string> names;
-  for (const auto& [name, kind] : kPackages) names.push_back(name);
+  for (const PackageKind& kind : list_packages()) names.emplace_back(kind.option);
   return names;
 }
 
@@ -128,11 +113,10 @@ std::optional<GeneratedInputs> generate_tuned(const GenerateOptions& options,
 }
 
 /// A folder that nobody named is written to only where nobody else's files are.
-bool may_write_to_default(const std::string& output, PackageKind package,
-                          Diagnostics& diagnostics) {
+bool may_write_to_default(const std::string& output, bool is_package, Diagnostics& diagnostics) {
   std::error_code ignored;
   const fs::path folder = output;
-  const fs::path sources = package == PackageKind::none ? folder : folder / "src";
+  const fs::path sources = is_package ? folder / "src" : folder;
   if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored) ||
       fs::exists(sources / kManifestName, ignored)) {
     return true;
@@ -144,12 +128,9 @@ bool may_write_to_default(const std::string& output, PackageKind package,
 }
 
 /// Tools without CMake compile a library with one set of flags.
-void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
-  const bool has_flags_by_source =
-      package == PackageKind::none || package == PackageKind::cmake ||
-      package == PackageKind::zephyr ||
-      (is_compiled_from_c(package) && package != PackageKind::firmware);
-  if (has_flags_by_source || scene.optimize != Optimize::balanced) return;
+void note_lost_flags(const PackageKind* package, const Scene& scene, Diagnostics& diagnostics) {
+  const bool loses_some = package != nullptr && package->has_one_set_of_flags;
+  if (!loses_some || scene.optimize != Optimize::balanced) return;
   diagnostics.add(
       {Severity::note, "", 0, "optimize",
        "`balanced` compiles long functions alone for small code, but packages of this tool can "
@@ -159,9 +140,8 @@ void note_lost_flags(PackageKind package, const Scene& scene, Diagnostics& diagn
 
 /// Packages for microcontrollers without a target: lanes that no such core has take stack, and more
 /// of it than the header says.
-void warn_of_lanes(PackageKind package, const Scene& scene, Diagnostics& diagnostics) {
-  const bool is_small =
-      package != PackageKind::none && package != PackageKind::cmake && !is_compiled_from_c(package);
+void warn_of_lanes(const PackageKind* package, const Scene& scene, Diagnostics& diagnostics) {
+  const bool is_small = package != nullptr && package->is_for_firmware;
   if (!is_small || scene.target != "generic" || scene.lanes == 1) return;
   diagnostics.add(
       {Severity::warning, "", 0, "target",
@@ -179,14 +159,14 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
     return write_output(print_programs(generation, options.dump), OutputForm::text, kOk);
   }
   const std::string output = options.has_output ? options.output : made.inputs.scene.name;
-  const auto folders =
-      make_package(options.inputs.package, made.inputs.robot, made.inputs.scene, generation);
-  note_lost_flags(options.inputs.package, made.inputs.scene, diagnostics);
-  warn_of_lanes(options.inputs.package, made.inputs.scene, diagnostics);
-  note_not_called(options.inputs.package, made.inputs.scene, diagnostics);
+  const PackageKind* const package = find_package(options.inputs.package);
+  const auto folders = make_package(package, made.inputs.robot, made.inputs.scene, generation);
+  note_lost_flags(package, made.inputs.scene, diagnostics);
+  warn_of_lanes(package, made.inputs.scene, diagnostics);
+  note_not_called(package, made.inputs.scene, diagnostics);
   const auto differences = compare_folders(output, folders);
   if (!options.compare &&
-      !((options.has_output || may_write_to_default(output, options.inputs.package, diagnostics)) &&
+      !((options.has_output || may_write_to_default(output, package != nullptr, diagnostics)) &&
         write_folders(output, folders, diagnostics))) {
     return kBadInput;
   }
@@ -321,11 +301,8 @@ void add_generate(CLI::App& app, int& exit_code) {
   command->add_option("--name", options->inputs.name,
                       "Namespace or prefix, and header, instead of the scene's");
   add_language_option(*command, options->inputs);
-  command
-      ->add_option(
-          "--package", options->inputs.package,
-          fmt::format("As a library, the code in src: {}", fmt::join(package_names(), ", ")))
-      ->transform(one_of(kPackages));
+  command->add_option("--package", options->inputs.package, "As a library, the code in src")
+      ->check(one_of(package_names()));
   auto* choices =
       command->add_option("--choices", options->inputs.choices,
                           "Algorithms and lanes as this manifest.json records them, not by cost");

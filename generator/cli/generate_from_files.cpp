@@ -8,7 +8,7 @@
 #include "cli/print_diagnostics.hpp"
 #include "cli/progress_line.hpp"
 #include "generation/warn_of_size.hpp"
-#include "packaging/adapt_to_c.hpp"
+#include "packaging/package_kind.hpp"
 
 namespace treeline {
 namespace {
@@ -28,7 +28,8 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
   text += options.name.empty() ? "" : " --name " + options.name;
   text += options.real.empty() ? "" : " --real " + options.real;
   text += options.language.empty() ? "" : " --language " + options.language;
-  if (is_compiled_from_c(options.package)) text += " --package " + option_of(options.package);
+  const PackageKind* const package = find_package(options.package);
+  if (package != nullptr && !package->of_c.empty()) text += " --package " + options.package;
   text += options.profile.empty() ? "" : " --profile " + options.profile;
   text += options.optimize.empty() ? "" : " --optimize " + options.optimize;
   text += options.target.empty() ? "" : " --target " + options.target;

@@ -17,9 +17,6 @@
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "packaging/adapt_to_c.hpp"
-#include "packaging/for_firmware.hpp"
-#include "packaging/for_fmu.hpp"
-#include "packaging/for_ros2_control.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {
@@ -58,17 +55,16 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
     }
   }
   scene.real = value_of_word<Real>(options.real).value_or(scene.real);
-  if (is_compiled_from_c(options.package)) {
-    adapt_to_c(options.package, scene_text, scene, diagnostics);
+  const PackageKind* const package = find_package(options.package);
+  if (package != nullptr && !package->of_c.empty()) {
+    adapt_to_c(*package, scene_text, scene, diagnostics);
     if (options.language == word_of(Language::cpp)) {
-      reject("--language", describe(options.package) + " is compiled from C", "Leave it out.",
+      reject("--language", std::string(package->of_c) + " is compiled from C", "Leave it out.",
              diagnostics);
     }
   }
-  const bool steps = is_fmu(options.package) && scene.controller;
   const bool calls_one =
-      !steps && options.package != PackageKind::ros2_control &&
-      (is_compiled_from_c(options.package) || options.package == PackageKind::arduino);
+      package != nullptr && package->calls_a_function && !(package->is_unit && scene.controller);
   if (calls_one && scene.functions.empty()) {
     reject("functions", "such a package calls functions, and the scene has none",
            "List those that it should have, for instance `inverse_dynamics`.", diagnostics);
@@ -126,10 +122,9 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   const bool listed = !options.functions.empty() || states_key(read->files.scene_text, "functions");
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
-  if (is_fmu(options.package)) refuse_for_fmu(*scene, diagnostics);
-  if (options.package == PackageKind::firmware) refuse_for_firmware(*scene, diagnostics);
-  if (options.package == PackageKind::ros2_control) {
-    refuse_for_ros2_control(read->robot, *scene, diagnostics);
+  if (const PackageKind* const package = find_package(options.package);
+      package != nullptr && package->refuse != nullptr) {
+    package->refuse(read->robot, *scene, diagnostics);
   }
   note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

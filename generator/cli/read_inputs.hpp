@@ -9,7 +9,6 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "inspect/warn_of_limits.hpp"
-#include "packaging/package_kind.hpp"
 #include "text/diagnostic.hpp"
 
 namespace CLI {
@@ -22,15 +21,15 @@ namespace treeline {
 struct InputOptions {
   std::string urdf;  ///< or a scene that lists robots
   std::string scene;
-  std::string name;                         ///< empty: the scene's
-  std::string real;                         ///< `float`, `double`; empty: the scene's
-  std::string language;                     ///< `c++`, `c`; empty: the scene's
-  std::string profile;                      ///< `plain`, `misra`; empty: the scene's
-  std::string optimize;                     ///< `speed`, `size`, `balanced`; empty: the scene's
-  std::string target;                       ///< processor; empty: the scene's
-  std::vector<std::string> functions;       ///< empty: the scene's
-  PackageKind package = PackageKind::none;  ///< that the code is for
-  std::string choices;                      ///< manifest.json whose choices to make; empty: by cost
+  std::string name;                    ///< empty: the scene's
+  std::string real;                    ///< `float`, `double`; empty: the scene's
+  std::string language;                ///< `c++`, `c`; empty: the scene's
+  std::string profile;                 ///< `plain`, `misra`; empty: the scene's
+  std::string optimize;                ///< `speed`, `size`, `balanced`; empty: the scene's
+  std::string target;                  ///< processor; empty: the scene's
+  std::vector<std::string> functions;  ///< empty: the scene's
+  std::string package;                 ///< that the code is for; empty: none
+  std::string choices;                 ///< manifest.json whose choices to make; empty: by cost
   Warnings warnings = Warnings::summary;
   FunctionsFrom functions_from = FunctionsFrom::scene;
   LimitUse limits_for = LimitUse::code;

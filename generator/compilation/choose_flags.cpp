@@ -1,22 +1,17 @@
 #include "compilation/choose_flags.hpp"
 
 #include "compilation/run_commands.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/print_optimize.hpp"
 
 namespace treeline {
 namespace {
 
-/// Whether the function compiles to small code, as in `print_small_code`. A composed function in
-/// C++ is a header: it is compiled with the sources of whoever includes it.
-bool is_small(const GeneratedFunction& generated, const CompileOptions& options) {
+/// The flags of the function's source in the emitted project. A composed function in C++ is a
+/// header: it is compiled with the sources of whoever includes it.
+OwnFlags own_flags_of(const GeneratedFunction& generated, const CompileOptions& options) {
   if (is_composed(generated)) {
-    return options.optimize == Optimize::size && options.language == Language::c;
+    return {options.optimize == Optimize::size && options.language == Language::c};
   }
-  if (generated.batch > 0) {
-    return options.optimize == Optimize::size && !is_huge(generated.program);
-  }
-  return compiles_to_small_code(options.optimize, options.target, generated.program);
+  return choose_own_flags(options.optimize, options.target, generated.program, generated.batch > 0);
 }
 
 /// Whether the last level that the flags name is not -O0, which is the default.
@@ -35,15 +30,13 @@ std::string add_extra_passes(const std::string& flags) {
 }
 
 FunctionFlags choose_flags(const GeneratedFunction& generated, const CompileOptions& options) {
-  const bool long_one = is_long(generated.program);
+  const OwnFlags own = own_flags_of(generated, options);
   const bool passes = options.flags.find(kExtraPasses) != std::string::npos;
   const std::string flags =
-      options.flags + (long_one && passes ? std::string(" ") + kNoExtraPasses : "");
-  if (is_small(generated, options)) return {flags + " " + kSmallCodeFlag, false, true};
-  const bool huge = is_huge(generated.program) && optimises(flags);
-  const bool has_flags = !options.long_flags.empty() && long_one;
-  if (has_flags) return {options.long_flags, true, false};
-  return {huge ? flags + " " + kHugeFlag : flags, false, false};
+      options.flags + (own.is_long && passes ? std::string(" ") + kNoExtraPasses : "");
+  if (own.is_small) return {flags + " " + kSmallCodeFlag, false, true};
+  if (own.is_long && !options.long_flags.empty()) return {options.long_flags, true, false};
+  return {own.is_huge && optimises(flags) ? flags + " " + kHugeFlag : flags, false, false};
 }
 
 }  // namespace treeline

@@ -16,7 +16,7 @@
 #include "compilation/print_entry.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/write_work_file.hpp"
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 
 namespace treeline {
 namespace {
@@ -27,21 +27,13 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kNoSpace = "No space left on device";  // passed on by every compiler
 constexpr const char* kEntryStem = "treeline_check_entry";
 
-const char* standard_flag(Language language) {
-  return language == Language::c ? "-std=c99" : "-std=c++17";
-}
-
-std::string source_name(const std::string& stem, Language language) {
-  return stem + std::string(backend_of(language).source);
-}
-
 Command compile_command(const Command& compiler, Language language, const std::string& flags,
                         const fs::path& include, const fs::path& source, const fs::path& object) {
   Command command = compiler;
   const auto append = [&](std::initializer_list<std::string> words) {
     command.insert(command.end(), words);
   };
-  append({standard_flag(language)});
+  append({std::string(backend_of(language).flag)});
   for (const std::string& flag : split_words(flags)) command.push_back(flag);
   append({"-fPIC", "-fstack-usage", "-I", include, "-c", source, "-o", object});
   return command;
@@ -103,16 +95,16 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
     const bool has_source = options.language == Language::c || !is_composed(generated);
     const fs::path& place = has_source ? folder : work;
     const std::string stem = source_stem(generated);
-    add(stem, fs::absolute(place / source_name(stem, options.language)),
+    add(stem, fs::absolute(place / source_name(options.language, stem)),
         choose_flags(generated, options).flags);
   }
   for (const std::string& stem : options.stems) {
-    add(stem, fs::absolute(folder / source_name(stem, options.language)), options.flags);
+    add(stem, fs::absolute(folder / source_name(options.language, stem)), options.flags);
   }
   for (const WorkSource& more : options.more) {
-    add(more.stem, work / source_name(more.stem, options.language), options.flags);
+    add(more.stem, work / source_name(options.language, more.stem), options.flags);
   }
-  add(kEntryStem, work / source_name(kEntryStem, options.language), options.flags);
+  add(kEntryStem, work / source_name(options.language, kEntryStem), options.flags);
   objects.outcomes = run_largest_first(commands, sources, options, work);
   bool all = true;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -126,7 +118,7 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
 /// other than its entry.
 bool write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
                    Language language, const fs::path& work, Diagnostics& diagnostics) {
-  const fs::path entry = work / source_name(kEntryStem, language);
+  const fs::path entry = work / source_name(language, kEntryStem);
   if (language == Language::c) {
     return write_work_file(entry, print_c_entry(name, functions), diagnostics);
   }
@@ -276,7 +268,7 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   if (found->is_gcc()) options.flags = add_extra_passes(options.flags);
   if (!write_entries(name, functions, options.language, work, diagnostics)) return std::nullopt;
   for (const WorkSource& more : options.more) {
-    const fs::path file = work / source_name(more.stem, options.language);
+    const fs::path file = work / source_name(options.language, more.stem);
     if (!write_work_file(file, more.text, diagnostics)) return std::nullopt;
   }
   const auto start = Clock::now();
@@ -285,7 +277,7 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   Compilation made;
   made.library = work / "libtreeline_check.so";
   const std::string command =
-      fmt::format("{} {}", fmt::join(compiler, " "), standard_flag(options.language));
+      fmt::format("{} {}", fmt::join(compiler, " "), backend_of(options.language).flag);
   made.command = fmt::format("{} {}", command, options.flags);
   if (!link_library(compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
   made.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -67,7 +67,7 @@ std::string describe_missing(const Joint& joint, const SceneJointLimits& own,
 
 void check_guard(const SceneElement& top, const std::vector<const Joint*>& joints,
                  const SceneController& controller, const ControllerGuard& guard) {
-  constexpr std::size_t kMostNamed = 4;
+  constexpr std::size_t kMostJointsNamed = 4;
   std::vector<std::string> missing;
   std::string first;
   for (const Joint* joint : joints) {
@@ -80,11 +80,11 @@ void check_guard(const SceneElement& top, const std::vector<const Joint*>& joint
     missing.push_back(what);
   }
   if (missing.empty()) return;
-  top.error(
-      fmt::format("the controller has no {} of {}", guard.what, list_first(missing, kMostNamed)),
-      fmt::format("state it: controller: {{limits: {{{0}: {{{1}}}}}}}; or waive it by name: "
-                  "{{{0}: {{{2}}}}}",
-                  first, guard.stated, guard.waived));
+  top.error(fmt::format("the controller has no {} of {}", guard.what,
+                        list_first(missing, kMostJointsNamed)),
+            fmt::format("state it: controller: {{limits: {{{0}: {{{1}}}}}}}; or waive it by name: "
+                        "{{{0}: {{{2}}}}}",
+                        first, guard.stated, guard.waived));
 }
 
 /// One end may be the scene's, the other the URDF's.

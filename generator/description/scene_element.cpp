@@ -19,7 +19,7 @@ constexpr int kMostSceneReports = 1000;
 constexpr std::size_t kMostItems = 4096;
 
 /// The first characters, and what says that there are more.
-std::string shortened(const std::string& text) {
+std::string shortened_scalar(const std::string& text) {
   constexpr std::size_t kMost = 60;
   std::size_t end = std::min(text.size(), kMost);
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
@@ -64,7 +64,7 @@ void SceneElement::note(std::string fact, std::string remedy) const {
 std::string SceneElement::kind() const {
   if (node_.IsMap()) return "a map";
   if (node_.IsSequence()) return "a list";
-  if (node_.IsScalar()) return fmt::format("\"{}\"", shortened(node_.Scalar()));
+  if (node_.IsScalar()) return fmt::format("\"{}\"", shortened_scalar(node_.Scalar()));
   return "empty";
 }
 

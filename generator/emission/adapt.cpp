@@ -6,6 +6,7 @@
 #include <cctype>
 #include <vector>
 
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 
 namespace treeline {
@@ -25,13 +26,12 @@ std::string take_literal(std::string_view& text, const Adaptation& own) {
 
 std::string rename(std::string_view word, const Adaptation& own) {
   if (const auto found = own.words.find(word); found != own.words.end()) return found->second;
-  const bool is_c = own.language == Language::c;
-  const auto rest = [&](std::size_t prefix) { return std::string(word.substr(prefix)); };
   if (word.starts_with("TL_")) return constant_name(own, word.substr(3));
-  if (word.starts_with("tl_")) return is_c ? own.name + "_" + rest(3) : rest(3);
-  if (word.starts_with("Tl"))
-    return is_c ? own.name + "_" + in_snake_case(word.substr(2)) : rest(2);
-  return std::string(word);
+  const bool is_type = word.starts_with("Tl");
+  if (!is_type && !word.starts_with("tl_")) return std::string(word);
+  const std::string rest(word.substr(is_type ? 2 : 3));
+  if (backend_of(own.language).has_namespaces) return rest;
+  return own.name + "_" + (is_type ? in_snake_case(rest) : rest);
 }
 
 /// What a compiler of C++ need not be told: `typedef struct TlRow TlRow;`, what `bool` is.
@@ -93,23 +93,19 @@ std::string choose_branches(std::string_view text, const Adaptation& own) {
 }  // namespace
 
 Adaptation make_adaptation(const EmissionContext& context, const std::string& contract) {
-  const bool is_c = context.language == Language::c;
-  const char* const inlined = is_c ? "static inline" : "inline";
-  // Where the compiler may choose, as it may in C, large functions are called and not repeated.
-  const char* const called = is_c            ? "static"
-                             : context.misra ? "inline"
-                                             : "[[gnu::noinline]] inline";
-  return {context.language,
-          context.name,
-          contract,
-          {{"real", number_type(context)},
-           {"TL_REAL_BYTES", std::to_string(number_bytes(context))},
-           {"TL_ZERO", number_literal(context, "0.0")},
-           {"TL_ONE", number_literal(context, "1.0")},
-           {"TL_TEN", number_literal(context, "10.0")},
-           {"TL_INLINE", inlined},
-           {"TL_FUNCTION", called}},
-          context.single_precision ? "F" : ""};
+  const Backend& backend = backend_of(context.language);
+  Adaptation own{context.language,
+                 context.name,
+                 contract,
+                 {{"real", number_type(context)},
+                  {"TL_REAL_BYTES", std::to_string(number_bytes(context))},
+                  {"TL_ZERO", number_literal(context, "0.0")},
+                  {"TL_ONE", number_literal(context, "1.0")},
+                  {"TL_TEN", number_literal(context, "10.0")}},
+                 context.single_precision ? "F" : ""};
+  own.words.insert(backend.words.begin(), backend.words.end());
+  if (context.misra) own.words["TL_FUNCTION"] = backend.words.at("TL_SAFE_FUNCTION");
+  return own;
 }
 
 void add_number_format(const EmissionContext& context, Adaptation& own) {
@@ -121,7 +117,7 @@ void add_number_format(const EmissionContext& context, Adaptation& own) {
 }
 
 std::string constant_name(const Adaptation& own, std::string_view name) {
-  if (own.language == Language::c || own.constants_of_c) {
+  if (!backend_of(own.language).has_namespaces || own.constants_of_c) {
     return fmt::format("{}_{}", in_capitals(own.name), name);
   }
   std::string words(name);
@@ -166,7 +162,7 @@ std::string adapt(std::string_view header, const Adaptation& own) {
   const std::string front =
       adapt_words(parts.comment, own) + generated + adapt_words(parts.includes, own);
   const std::string rest = adapt_words(parts.rest, own);
-  if (own.language == Language::c) return front + rest;
+  if (!backend_of(own.language).has_namespaces) return front + rest;
   return fmt::format(
       "{1}namespace {0} {{\nnamespace detail {{\n\n{2}\n}}  // namespace detail\n}}  // namespace "
       "{0}\n",

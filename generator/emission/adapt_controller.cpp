@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/controller_faults.hpp"
 #include "emission/templates.hpp"
@@ -13,11 +14,11 @@ namespace {
 
 /// What stands for a place in the arguments of the robot's functions.
 void add_arrays(const EmissionContext& context, Adaptation& own) {
-  const bool is_c = context.language == Language::c;
+  const bool references = backend_of(context.language).has_references;
   const auto add = [&](const std::string& word, const std::string& type) {
-    own.words["Tl" + word + "In"] =
-        is_c ? "const " + own.words["real"] + "*" : "const " + type + "&";
-    own.words["Tl" + word + "Out"] = is_c ? own.words["real"] + "*" : type + "&";
+    const std::string passed = references ? type + "&" : own.words["real"] + "*";
+    own.words["Tl" + word + "In"] = "const " + passed;
+    own.words["Tl" + word + "Out"] = passed;
   };
   add("Joints", "JointArray");
   add("Rows", "RowArray");
@@ -26,7 +27,8 @@ void add_arrays(const EmissionContext& context, Adaptation& own) {
 
 /// Enumerators of NAME_controller.h as numbers of the types that the step has.
 void add_enumerators(const EmissionContext& context, Adaptation& own) {
-  const bool is_c = context.language == Language::c;
+  const Backend& backend = backend_of(context.language);
+  const bool scoped = backend.has_namespaces;  // then enumerators are numbers of their own type
   const std::string name = name_in_capitals(context);
   const std::string_view header = templates::kControllerHeader;
   constexpr std::string_view kPrefix = "{{NAME}}_";
@@ -35,9 +37,10 @@ void add_enumerators(const EmissionContext& context, Adaptation& own) {
     const std::size_t end = header.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", at);
     const std::string word(header.substr(at, end - at));
     if (word == "JOINTS" || word == "POINTS") continue;
-    own.words["TL_" + word] = fmt::format("{}{}_{}", is_c ? "(int32_t)" : "", name, word);
+    own.words["TL_" + word] = fmt::format("{}{}_{}", scoped ? "" : "(int32_t)", name, word);
   }
-  const char* const cast = is_c ? "(uint32_t){}" : "static_cast<uint32_t>({})";
+  const std::string cast =
+      fmt::format(fmt::runtime(backend.cast), "uint32_t") + (scoped ? "({})" : "{}");
   std::string untrusted;
   for (const ControllerFault& fault : kControllerFaults) {
     const std::string bit =
@@ -53,7 +56,9 @@ void add_enumerators(const EmissionContext& context, Adaptation& own) {
 
 Adaptation adapt_controller(const EmissionContext& context, const ControllerUnit& unit,
                             bool for_reference) {
-  const bool is_c = context.language == Language::c;
+  const auto cast = [&](const std::string& type) {
+    return fmt::format(fmt::runtime(backend_of(context.language).cast), type);
+  };
   Adaptation own = make_adaptation(context, context.name + "_controller.h");
   own.constants_of_c = true;
   if (for_reference) {
@@ -66,16 +71,10 @@ Adaptation adapt_controller(const EmissionContext& context, const ControllerUnit
     own.words[fmt::format("Tl{}", type)] = fmt::format("{}_{}", context.name, in_snake_case(type));
   }
   own.words["TL_INLINE"] = "static inline";  // compilers inline what is called once
-  own.words["TL_TABLE"] = is_c ? "static const" : "inline constexpr";
-  own.words["TL_NONE"] = is_c ? "NULL" : "nullptr";
-  own.words["TL_AS_INDEX"] = is_c ? "(int32_t)" : "static_cast<int32_t>";
-  own.words["TL_AS_REAL"] =
-      fmt::format(fmt::runtime(is_c ? "({})" : "static_cast<{}>"), own.words["real"]);
+  own.words["TL_AS_INDEX"] = cast("int32_t");
+  own.words["TL_AS_REAL"] = cast(own.words["real"]);
   own.words["TL_ARCTANGENT_TERMS"] = context.single_precision ? "4" : "11";
   own.words["TL_SERIES_TERMS"] = context.single_precision ? "9" : "15";
-  own.words["TL_ATOMICS"] = is_c ? "stdatomic.h" : "atomic";
-  own.words["TL_FENCE"] = is_c ? "atomic_thread_fence(memory_order_seq_cst)"
-                               : "std::atomic_thread_fence(std::memory_order_seq_cst)";
   own.words["TL_TASK"] = unit.task_torque ? "1" : "0";
   own.words["TL_FORCE"] = unit.settings.force ? "1" : "0";
   if (context.misra) own.words["tl_square_root"] = adapt_words("tl_root", own);

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "emission/backend/syntax.hpp"
 #include "emission/print_expression.hpp"
 #include "emission/print_lanes.hpp"
+#include "emission/syntax.hpp"
 #include "program/program.hpp"
 
 namespace treeline {

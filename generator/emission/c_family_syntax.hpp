@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "emission/backend/syntax.hpp"
 #include "emission/emission_context.hpp"
+#include "emission/syntax.hpp"
 
 namespace treeline {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "passes/rebuild.hpp"
 #include "text/identifier.hpp"
 

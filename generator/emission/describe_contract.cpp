@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "emission/backend.hpp"
 #include "emission/comment.hpp"
 #include "emission/count_stack.hpp"
 #include "emission/describe_program.hpp"
@@ -105,10 +106,10 @@ std::string describe_stack(const EmissionContext& context, const Program& progra
 
 std::string describe_loops(const EmissionContext& context) {
   return fmt::format(
-      "Branches are on the table in {}_links{} alone, so that every input takes the same "
+      "Branches are on the table in {} alone, so that every input takes the same "
       "instructions where the target has some for Real. Rounding is that of the operations of the "
       "loops in their order, as the generator traced them.",
-      context.name, context.language == Language::c ? ".h" : ".hpp");
+      header_name(context, context.name + "_links"));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/count_stack.hpp"
 #include "passes/count_operations.hpp"
@@ -86,7 +86,7 @@ std::string list_joint_names(const ControllerUnit& unit) {
 
 std::string describe_files(const EmissionContext& context, const ControllerUnit& unit) {
   return fmt::format("Files to compile, as {}: {}. No other source of this folder is needed.",
-                     context.language == Language::c ? "C99" : "C++17",
+                     backend_of(context.language).standard,
                      fmt::join(list_controller_sources(context.language, unit), ", "));
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "emission/backend/syntax.hpp"
 #include "emission/emission_context.hpp"
+#include "emission/syntax.hpp"
 #include "program/program.hpp"
 
 namespace treeline {

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "emission/backend/syntax.hpp"
 #include "emission/emission_context.hpp"
+#include "emission/syntax.hpp"
 
 namespace treeline {
 

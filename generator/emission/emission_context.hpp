@@ -33,10 +33,8 @@ struct EmissionContext {
   int batch = 0;                ///< states a call of the functions in NAME_batch.hpp; 0: none
   std::vector<double>
       effective_mass_limits;         ///< of each task row, for NAME_damped.hpp; empty: none
-  bool limited = false;              ///< whether the scene asks for NAME_limited.hpp
-  std::optional<LimitFacts> limits;  ///< for it, where it is printed
-  bool controlled = false;           ///< the scene asks for a controller
-  std::shared_ptr<const ControllerUnit> controller;  ///< once it is composed
+  std::optional<LimitFacts> limits;  ///< for NAME_limited.hpp
+  std::shared_ptr<const ControllerUnit> controller;  ///< if the scene asks for one
   std::shared_ptr<const SelftestFacts> selftest;     ///< once it is made
   int coordinates = 0;                               ///< nq
   int velocities = 0;                                ///< nv

@@ -1,34 +1,24 @@
 #include "emission/emit.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/check_emission.hpp"
 #include "emission/comment.hpp"
 #include "emission/guard_headers.hpp"
-#include "emission/list_sources.hpp"
-#include "emission/print_controller.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
-#include "emission/print_prefetch.hpp"
-#include "emission/print_selftest.hpp"
+#include "emission/print_project.hpp"
 
 namespace treeline {
-namespace {
-
-void append(std::vector<GeneratedFile> more, std::vector<GeneratedFile>& files) {
-  std::move(more.begin(), more.end(), std::back_inserter(files));
-}
-
-}  // namespace
 
 std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const Program> programs,
                                 Diagnostics& diagnostics, std::span<const Program> batch) {
   const Backend& backend = backend_of(context.language);
+  const Contents contents(context, programs, batch);
   Diagnostics own;
-  check_emission(context, list_sources(context, programs), own);
+  check_emission(context, contents.all, own);
   for (const Diagnostic& diagnostic : own.list()) {
     diagnostics.add(diagnostic);
   }
@@ -36,23 +26,27 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
     return {};
   }
   const std::string header(backend.header);
-  std::vector<GeneratedFile> files = {
-      {context.name + header, backend.print_contract(context, programs)},
-      {context.name + "_joints" + header, backend.print_joints(context)},
-      {"CMakeLists.txt", backend.print_project(context, programs, batch)}};
+  const std::vector<Source> sources = list_sources(contents);
+  std::vector<GeneratedFile> files;
+  const auto add = [&](const std::string& name, const std::string& text) {
+    files.push_back({name, harmless(text)});
+  };
+  add(context.name + header, backend.print_contract(context, programs));
+  add(context.name + "_joints" + header, backend.print_joints(context));
+  add("CMakeLists.txt", print_project(context, sources));
   for (const Program& program : programs) {
-    files.push_back(
-        {program.name + std::string(backend.source), backend.print_source(context, program)});
+    add(source_name(context.language, program.name), backend.print_source(context, program));
   }
-  append(backend.print_more(context, programs, batch), files);
-  if (context.controller) append(print_controller(context, *context.controller), files);
-  append(print_prefetch(context, programs, batch), files);
-  append(print_selftest(context, programs), files);
-  for (GeneratedFile& file : files) file.text = harmless(file.text);
-  append(backend.print_runtime(context, programs, batch), files);
+  for (const AddOn& add_on : backend.add_ons) {
+    if (add_on.print == nullptr || !add_on.wants(contents)) continue;
+    for (GeneratedFile& file : add_on.print(contents)) {
+      if (!add_on.is_runtime) file.text = harmless(file.text);
+      files.push_back(std::move(file));
+    }
+  }
   guard_headers(context.name, files);
   files.push_back(print_identity(context, files));
-  files.push_back({kManifestName, print_manifest(context, programs, files)});
+  files.push_back({kManifestName, print_manifest(context, programs, files, sources)});
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& a, const GeneratedFile& b) { return a.name < b.name; });
   return files;

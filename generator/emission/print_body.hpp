@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "emission/backend/syntax.hpp"
+#include "emission/syntax.hpp"
 #include "program/program.hpp"
 
 namespace treeline {

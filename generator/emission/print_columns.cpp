@@ -7,7 +7,7 @@
 
 #include "core/emitted_columns.hpp"
 #include "emission/adapt.hpp"
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/print_constants.hpp"
 #include "emission/templates.hpp"
 #include "emission/wrap_line.hpp"
@@ -16,13 +16,8 @@
 namespace treeline {
 namespace {
 
-std::string with_ending(const EmissionContext& context, const std::string& stem) {
-  return stem + std::string(backend_of(context.language).header);
-}
-
 Adaptation make_column_adaptation(const EmissionContext& context) {
-  Adaptation own = make_adaptation(context, with_ending(context, context.name));
-  own.words["TL_RESTRICT"] = context.language == Language::c ? "restrict" : "__restrict";
+  Adaptation own = make_adaptation(context, header_name(context, context.name));
   return own;
 }
 
@@ -40,7 +35,7 @@ std::string print_column_sizes(const EmissionContext& context, const Adaptation&
 
 /// A name of runtime/emitted as code outside of its headers writes it.
 std::string in_detail(const EmissionContext& context, std::string_view word) {
-  const char* const scope = context.language == Language::c ? "" : "detail::";
+  const char* const scope = backend_of(context.language).has_namespaces ? "detail::" : "";
   return scope + adapt_words(word, make_column_adaptation(context));
 }
 
@@ -69,7 +64,8 @@ bool is_solved(const Program& program) {
 ColumnText print_columns(const EmissionContext& context, const Program& program) {
   if (!is_solved(program)) return {};
   const ColumnSolve& columns = *program.columns;
-  const std::string real = context.language == Language::c ? number_type(context) : "Real";
+  const std::string real =
+      backend_of(context.language).has_namespaces ? "Real" : number_type(context);
   ColumnText text;
   text.arrays = print_sums(context, "above", columns.above) +
                 print_sums(context, "below", columns.below) +
@@ -92,15 +88,18 @@ std::string join(const ColumnText& columns, const std::string& lines) {
 
 std::string print_column_include(const EmissionContext& context, const Program& program) {
   if (!is_solved(program)) return {};
-  return fmt::format("#include \"{}\"\n", with_ending(context, "solve_columns"));
+  return fmt::format("#include \"{}\"\n", header_name(context, "solve_columns"));
 }
 
-std::vector<GeneratedFile> print_column_headers(const EmissionContext& context,
-                                                std::span<const Program> programs) {
-  if (std::none_of(programs.begin(), programs.end(), is_solved)) return {};
+bool wants_columns(const Contents& contents) {
+  return std::any_of(contents.all.begin(), contents.all.end(), is_solved);
+}
+
+std::vector<GeneratedFile> print_column_headers(const Contents& contents) {
+  const EmissionContext& context = contents.context;
   const Adaptation own = make_column_adaptation(context);
-  return {{with_ending(context, "column_sizes"), print_column_sizes(context, own)},
-          {with_ending(context, "solve_columns"), adapt(templates::kSolveColumns, own)}};
+  return {{header_name(context, "column_sizes"), print_column_sizes(context, own)},
+          {header_name(context, "solve_columns"), adapt(templates::kSolveColumns, own)}};
 }
 
 }  // namespace treeline

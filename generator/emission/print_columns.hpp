@@ -1,12 +1,10 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
-#include "emission/emission_context.hpp"
+#include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
-#include "program/program.hpp"
 
 namespace treeline {
 
@@ -24,8 +22,8 @@ std::string join(const ColumnText& columns, const std::string& lines);
 /// The line that includes the header of the solve; empty for other functions.
 std::string print_column_include(const EmissionContext& context, const Program& program);
 
-/// The headers that a solve of these functions needs.
-std::vector<GeneratedFile> print_column_headers(const EmissionContext& context,
-                                                std::span<const Program> programs);
+/// The headers that the solves need, and whether a function has one.
+std::vector<GeneratedFile> print_column_headers(const Contents& contents);
+bool wants_columns(const Contents& contents);
 
 }  // namespace treeline

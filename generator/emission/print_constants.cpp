@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "emission/backend.hpp"
+
 namespace treeline {
 
 std::string print_constants(const Adaptation& own, std::span<const Constant> constants) {
-  const bool is_c = own.language == Language::c;
+  const bool is_c = !backend_of(own.language).has_namespaces;
   std::string text = is_c ? "enum {\n" : "";
   for (const Constant& each : constants) {
     const bool last = &each == &constants.back();

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include "emission/adapt_controller.hpp"
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/controller_inputs.hpp"
 #include "emission/describe_controller.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/join_arguments.hpp"
 #include "emission/print_constants.hpp"
 #include "emission/print_controller_header.hpp"
 #include "emission/print_defaults.hpp"
@@ -23,18 +24,13 @@ namespace {
 /// The call of a function in the step; `forces` are the law's own in place of known ones.
 std::string print_step_call(const EmissionContext& context, const Program& program,
                             const std::string& forces = {}) {
-  std::string list;
-  const auto append = [&](const Argument& argument) {
-    std::string variable = variable_of(argument.name);
-    if (variable.empty()) {
-      const std::string from = is_led(argument.name) ? "state->" : "input->";
-      variable = argument.name == "f_ext" && !forces.empty() ? forces : from + argument.name;
-    }
-    list += (list.empty() ? "" : ", ") + variable;
-  };
-  for (const Argument& argument : program.arguments) append(argument);
-  for (const Result& result : program.results) append(result.argument);
-  const std::string prefix = context.language == Language::c ? context.name + "_" : "";
+  const std::string list = join_arguments(program, [&](const Argument& argument, const char*) {
+    const std::string variable = variable_of(argument.name);
+    if (!variable.empty()) return variable;
+    const std::string from = is_led(argument.name) ? "state->" : "input->";
+    return argument.name == "f_ext" && !forces.empty() ? forces : from + argument.name;
+  });
+  const std::string prefix = backend_of(context.language).has_namespaces ? "" : context.name + "_";
   return wrap_in_hole(fmt::format("{}{}({});", prefix, program.name, list), 2);
 }
 
@@ -83,7 +79,7 @@ std::string print_functions(const EmissionContext& context, const ControllerUnit
       "#pragma once\n// What the controller calls beside the functions of {0}{1}.\n"
       "// Generated; see {0}_controller.h for the contract.\n#include \"{0}{1}\"\n\n",
       context.name, backend.header);
-  if (context.language == Language::c) return front + declarations;
+  if (!backend.has_namespaces) return front + declarations;
   return fmt::format("{1}namespace {0} {{\n\n{2}\n}}  // namespace {0}\n", context.name, front,
                      declarations);
 }
@@ -108,7 +104,7 @@ std::string print_sizes(const ControllerUnit& unit, const Adaptation& own) {
 
 /// C++ has references to arrays, and sines by references.
 std::string print_array_types(const EmissionContext& context, const ControllerUnit& unit) {
-  if (context.language == Language::c) return {};
+  if (!backend_of(context.language).has_references) return {};
   std::string text = "using JointArray = real[TL_JOINTS];\n";
   if (unit.task_torque) text += "using RowArray = real[TL_ROWS];\n";
   if (unit.push_torque) text += "using ForceArray = real[6 * TL_POINTS];\n";
@@ -118,9 +114,9 @@ std::string print_array_types(const EmissionContext& context, const ControllerUn
 }
 
 std::string print_measure(const EmissionContext& context, const ControllerUnit& unit) {
-  std::string text = context.language == Language::c
-                         ? "tl_sin_cos(TL_JOINTS, at->q, at->sin_q, at->cos_q);\n"
-                         : "sin_cos(at->q, at->sin_q, at->cos_q);\n";
+  std::string text = backend_of(context.language).has_references
+                         ? "sin_cos(at->q, at->sin_q, at->cos_q);\n"
+                         : "tl_sin_cos(TL_JOINTS, at->q, at->sin_q, at->cos_q);\n";
   text += print_step_call(context, unit.kinematics);
   if (unit.gravity) text += "\n" + print_step_call(context, *unit.gravity);
   return print_body({"input", "state"}, text);
@@ -145,17 +141,17 @@ std::string print_robot(const EmissionContext& context, const ControllerUnit& un
       {"task_torque", print_torque(unit.task_torque ? &*unit.task_torque : nullptr, "")},
       {"push_torque", print_torque(unit.push_torque ? &*unit.push_torque : nullptr, "f")}};
   add_controller_numbers(context, unit, holes);
-  return adapt(fill_template(templates::kControllerRobot, holes), own);
+  return adapt(fill_template(templates::kControllerOfRobot, holes), own);
 }
 
 std::string print_step(const EmissionContext& context, const ControllerUnit& unit,
                        const Adaptation& own) {
-  const bool is_c = context.language == Language::c;
+  const bool scoped = backend_of(context.language).has_namespaces;
   return adapt_words(
       fill_template(
           templates::kControllerSource,
           {{"name", context.name},
-           {"in", is_c ? "" : context.name + "::detail::"},
+           {"in", scoped ? context.name + "::detail::" : ""},
            {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
            {"section", print_section_macro(context) +
                            print_prefetch_macro(context, kControllerStem, Attributes::whole)},
@@ -202,8 +198,9 @@ std::vector<GeneratedFile> print_laws(const EmissionContext& context, const Cont
 
 }  // namespace
 
-std::vector<GeneratedFile> print_controller(const EmissionContext& context,
-                                            const ControllerUnit& unit) {
+std::vector<GeneratedFile> print_controller(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const ControllerUnit& unit = *context.controller;
   std::vector<GeneratedFile> files = print_laws(context, unit, false);
   for (const Program* const program : unit.programs()) {
     files.push_back({program->name + std::string(backend_of(context.language).source),

@@ -8,6 +8,7 @@
 
 #include "core/emitted_damped.hpp"
 #include "emission/adapt.hpp"
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/print_constants.hpp"
 #include "emission/templates.hpp"
@@ -15,13 +16,9 @@
 namespace treeline {
 namespace {
 
-const char* ending_of(const EmissionContext& context) {
-  return context.language == Language::c ? ".h" : ".hpp";
-}
-
 Adaptation make_damped_adaptation(const EmissionContext& context) {
   const bool single = context.single_precision;
-  Adaptation own = make_adaptation(context, context.name + "_damped" + ending_of(context));
+  Adaptation own = make_adaptation(context, header_name(context, context.name + "_damped"));
   const auto add = [&](const char* word, const char* digits) {
     own.words[word] = number_literal(context, digits);
   };
@@ -59,9 +56,11 @@ std::vector<GeneratedFile> print_damped_headers(const EmissionContext& context) 
       {"damped_solve", templates::kDampedSolve},
       {"ldlt", templates::kLdlt},
       {"symmetric_eigen", templates::kSymmetricEigen}};
-  const std::string ending = ending_of(context);
-  std::vector<GeneratedFile> files = {{"damped_sizes" + ending, print_damped_sizes(context, own)}};
-  for (const auto& [name, text] : headers) files.push_back({name + ending, adapt(text, own)});
+  std::vector<GeneratedFile> files = {
+      {header_name(context, "damped_sizes"), print_damped_sizes(context, own)}};
+  for (const auto& [name, text] : headers) {
+    files.push_back({header_name(context, name), adapt(text, own)});
+  }
   return files;
 }
 

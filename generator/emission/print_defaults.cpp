@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/wrap_line.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/digest.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"

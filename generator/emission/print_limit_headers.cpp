@@ -8,8 +8,8 @@
 
 #include "core/emitted_limits.hpp"
 #include "emission/adapt.hpp"
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/cpp/templates.hpp"
 #include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/limit_cost.hpp"
@@ -99,12 +99,11 @@ void add_numbers(const EmissionContext& context, Adaptation& own) {
 }
 
 bool is_c(const EmissionContext& context) {
-  return context.language == Language::c;
+  return !backend_of(context.language).has_namespaces;
 }
 
 Adaptation make_limit_adaptation(const EmissionContext& context) {
-  const std::string contract = context.name + (is_c(context) ? "_limited.h" : "_limited.hpp");
-  Adaptation own = make_adaptation(context, contract);
+  Adaptation own = make_adaptation(context, header_name(context, context.name + "_limited"));
   if (is_c(context)) own.words["torque_limits"] = context.name + "_limited";
   // square_root.hpp of C++ has the root of any number, and NaN where there is none.
   if (!is_c(context) && !context.misra) own.words["tl_root"] = "square_root";
@@ -142,7 +141,6 @@ std::string print_limit_types(const EmissionContext& context) {
 
 std::vector<GeneratedFile> print_limit_headers(const EmissionContext& context) {
   const Adaptation own = make_limit_adaptation(context);
-  const std::string ending = is_c(context) ? ".h" : ".hpp";
   const std::pair<const char*, std::string_view> headers[] = {
       {"limited_torque", templates::kLimitedTorque},
       {"limit_program", templates::kLimitProgram},
@@ -151,13 +149,16 @@ std::vector<GeneratedFile> print_limit_headers(const EmissionContext& context) {
       {"quadratic_program", templates::kQuadraticProgram},
       {"eights", context.misra ? templates::kEightsWrittenOut : templates::kEights}};
   std::vector<GeneratedFile> files;
-  for (const auto& [name, text] : headers) files.push_back({name + ending, adapt(text, own)});
-  files.push_back({"limit_sizes" + ending, print_limit_sizes(context, own)});
+  for (const auto& [name, text] : headers) {
+    files.push_back({header_name(context, name), adapt(text, own)});
+  }
+  files.push_back({header_name(context, "limit_sizes"), print_limit_sizes(context, own)});
   if (context.batch > 0) {
-    files.push_back({"limited_states" + ending, adapt(templates::kLimitedStates, own)});
+    files.push_back(
+        {header_name(context, "limited_states"), adapt(templates::kLimitedStates, own)});
   }
   if (!is_c(context)) {
-    files.push_back({"torque_limits.hpp", fill_template(cpp::templates::kTorqueLimits,
+    files.push_back({"torque_limits.hpp", fill_template(templates::kTorqueLimitsInCpp,
                                                         {{"name", context.name},
                                                          {"types", print_limit_types(context)}})});
   }

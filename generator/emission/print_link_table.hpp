@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emission/backend/syntax.hpp"
+#include "emission/syntax.hpp"
 #include "program/link_loops.hpp"
 #include "program/program.hpp"
 

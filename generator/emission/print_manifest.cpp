@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "emission/controller_unit.hpp"
 #include "emission/count_stack.hpp"
@@ -143,6 +144,17 @@ std::string print_choice(const EmissionContext::ChoiceRow& choice) {
                      quote_json(choice.function), print_method(choice.chosen), rejected);
 }
 
+/// A source with its own flags, those for GCC alone apart.
+std::string print_source_entry(const Source& source) {
+  const OwnFlags& own = source.flags;
+  std::string text = fmt::format(R"({{"file": {})", quote_json(source.file));
+  if (own.is_small) text += fmt::format(R"(, "flags": "{}")", kSmallCodeFlag);
+  if (own.is_huge) text += fmt::format(R"(, "flags": "{}")", kHugeFlag);
+  if (own.is_long) text += fmt::format(R"(, "gcc_flags": "{}")", kNoExtraPasses);
+  if (source.is_joined) text += R"(, "joined": true)";
+  return text + "}";
+}
+
 /// Prints the manifest's entry of NAME_step: sources to compile, and the estimate of its stack.
 std::string print_controller_entry(const EmissionContext& context) {
   if (!context.controller) return {};
@@ -173,10 +185,13 @@ std::string quote_json(std::string_view text) {
 }
 
 std::string print_manifest(const EmissionContext& context, std::span<const Program> programs,
-                           const std::vector<GeneratedFile>& files) {
+                           const std::vector<GeneratedFile>& files,
+                           const std::vector<Source>& sources) {
   std::vector<GeneratedFile> sorted = files;
   std::sort(sorted.begin(), sorted.end(),
             [](const GeneratedFile& a, const GeneratedFile& b) { return a.name < b.name; });
+  std::vector<Source> own_sources = sources;  // but for the one that is made of others
+  std::erase_if(own_sources, [](const Source& each) { return each.of == Source::Of::joined; });
   std::vector<std::string> names = {kManifestName};
   for (const GeneratedFile& file : sorted) names.push_back(file.name);
   std::sort(names.begin(), names.end());
@@ -189,7 +204,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"language", context.language == Language::c ? "  \"language\": \"c\",\n" : ""},
        {"profile", context.misra ? "  \"profile\": \"misra\",\n" : ""},
        {"real", context.single_precision ? "\"float\"" : "\"double\""},
-       {"target", print_target_line(context)},
+       {"target", print_target_lines(context)},
        {"coordinates", std::to_string(context.coordinates)},
        {"velocities", std::to_string(context.velocities)},
        {"task_rows", std::to_string(context.task_rows)},
@@ -206,25 +221,19 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
                         ? ""
                         : fmt::format("  \"measured\": {},\n", quote_json(context.measured))},
        {"choices", print_list(context.choices, print_choice)},
+       {"sources", print_list(own_sources, print_source_entry)},
        {"digest", quote_json(digest_of_files(sorted))},
        {"outputs",
         print_list(sorted, [](const GeneratedFile& f) { return print_digest(f.name, f.text); })},
        {"files", print_list(names, [](const std::string& f) { return quote_json(f); })}});
 }
 
-/// Reads only what `print_manifest` writes: one name a line below `"files": [`.
 std::vector<std::string> read_manifest_files(std::string_view manifest) {
+  const auto json = nlohmann::json::parse(manifest, nullptr, false);
   std::vector<std::string> files;
-  std::size_t begin = manifest.find("\n  \"files\": [\n");
-  const std::size_t end = manifest.find(']', begin);
-  while (begin < end && end != std::string_view::npos) {
-    const std::size_t open = manifest.find("\n    \"", begin);
-    const std::size_t close = manifest.find('"', open == std::string_view::npos ? end : open + 6);
-    if (open >= end || close >= end) {
-      break;
-    }
-    files.emplace_back(manifest.substr(open + 6, close - open - 6));
-    begin = close;
+  if (!json.is_object() || !json.contains("files")) return files;
+  for (const auto& file : json["files"]) {
+    if (file.is_string()) files.push_back(file.get<std::string>());
   }
   return files;
 }

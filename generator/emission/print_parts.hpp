@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emission/backend/syntax.hpp"
+#include "emission/syntax.hpp"
 #include "program/program.hpp"
 
 namespace treeline {

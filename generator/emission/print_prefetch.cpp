@@ -64,17 +64,16 @@ GeneratedFile print_header(const EmissionContext& context, const std::string& de
 
 }  // namespace
 
-std::vector<LoadedCode> list_loaded(const EmissionContext& context,
-                                    std::span<const Program> programs,
-                                    std::span<const Program> batch) {
+std::vector<LoadedCode> list_loaded(const Contents& contents) {
+  const EmissionContext& context = contents.context;
   const auto count_bytes = [&](const Program& program) {
     return count_stack_values(program, false) * static_cast<std::size_t>(number_bytes(context));
   };
   std::vector<LoadedCode> codes;
-  for (const Program& program : programs) {
+  for (const Program& program : contents.programs) {
     codes.push_back({program.name, {program.name}, count_bytes(program)});
   }
-  for (const Program& program : batch) {
+  for (const Program& program : contents.batch) {
     codes.push_back({"batch_" + program.name, {"batch_" + program.name}});
   }
   if (!context.controller) return codes;
@@ -86,22 +85,19 @@ std::vector<LoadedCode> list_loaded(const EmissionContext& context,
   return codes;
 }
 
-GeneratedFile print_prefetch_for_c(const EmissionContext& context,
-                                   std::span<const Program> programs,
-                                   std::span<const Program> batch) {
+GeneratedFile print_prefetch_for_c(const Contents& contents) {
+  const EmissionContext& context = contents.context;
   std::string declarations;
-  for (const LoadedCode& code : list_loaded(context, programs, batch)) {
+  for (const LoadedCode& code : list_loaded(contents)) {
     declarations +=
         declare(context, code, fmt::format("void {}_prefetch_{}(void)", context.name, code.name));
   }
   return print_header(context, declarations, true);
 }
 
-std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
-                                          std::span<const Program> programs,
-                                          std::span<const Program> batch) {
-  if (!context.prefetch) return {};
-  const std::vector<LoadedCode> codes = list_loaded(context, programs, batch);
+std::vector<GeneratedFile> print_prefetch(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const std::vector<LoadedCode> codes = list_loaded(contents);
   const bool is_c = context.language == Language::c;
   const std::string prefix = is_c ? context.name + "_" : "";
   const char* const arguments = is_c ? "(void)" : "() noexcept";

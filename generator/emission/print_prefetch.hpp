@@ -1,27 +1,21 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "emission/emission_context.hpp"
+#include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
-#include "program/program.hpp"
 
 namespace treeline {
 
 /// NAME_prefetch and prefetch, header and source in the context's language: functions that load the
 /// code of each of the programs' functions into caches, for one state and for `batch`, and the
-/// dynamics of the controller. None unless the scene asks for them.
-std::vector<GeneratedFile> print_prefetch(const EmissionContext& context,
-                                          std::span<const Program> programs,
-                                          std::span<const Program> batch);
+/// dynamics of the controller.
+std::vector<GeneratedFile> print_prefetch(const Contents& contents);
 
 /// NAME_prefetch.h, for C.
-GeneratedFile print_prefetch_for_c(const EmissionContext& context,
-                                   std::span<const Program> programs,
-                                   std::span<const Program> batch);
+GeneratedFile print_prefetch_for_c(const Contents& contents);
 
 /// Code that is loaded by one call.
 struct LoadedCode {
@@ -31,9 +25,7 @@ struct LoadedCode {
 };
 
 /// Lists the code that can be loaded.
-std::vector<LoadedCode> list_loaded(const EmissionContext& context,
-                                    std::span<const Program> programs,
-                                    std::span<const Program> batch);
+std::vector<LoadedCode> list_loaded(const Contents& contents);
 
 /// Stem of the source of a controller's step, whose code can be loaded too.
 inline constexpr const char* kControllerStem = "controller";

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/controller_unit.hpp"
@@ -273,18 +273,17 @@ std::string print_includes(const SelftestWriter& writer) {
 
 }  // namespace
 
-std::vector<GeneratedFile> print_selftest(const EmissionContext& context,
-                                          std::span<const Program> programs) {
-  if (!context.selftest) return {};
+std::vector<GeneratedFile> print_selftest(const Contents& contents) {
+  const EmissionContext& context = contents.context;
   const SelftestWriter writer{context, *context.selftest, context.name + "_selftest_"};
   std::string inputs, functions;
   for (const Values& argument : writer.facts.arguments) {
     inputs += print_table(writer, writer.own + "in_" + argument.name, argument.by_state);
   }
   for (const auto& called : writer.facts.functions) {
-    const auto program = std::find_if(programs.begin(), programs.end(), [&](const Program& each) {
-      return each.name == called.function;
-    });
+    const auto program =
+        std::find_if(contents.programs.begin(), contents.programs.end(),
+                     [&](const Program& each) { return each.name == called.function; });
     functions += print_function(writer, *program, called);
   }
   const std::string source =

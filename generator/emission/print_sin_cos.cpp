@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "emission/adapt.hpp"
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/cpp/templates.hpp"
+#include "emission/core_headers.hpp"
 #include "emission/fill_template.hpp"
-#include "emission/misra/templates.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {
@@ -20,8 +20,7 @@ namespace {
 /// What angle_format.h lists, and the numbers of tables of quarter turns.
 Adaptation make_sine_adaptation(const EmissionContext& context) {
   const bool single = context.single_precision;
-  const bool is_c = context.language == Language::c;
-  Adaptation own = make_adaptation(context, context.name + (is_c ? ".h" : ".hpp"));
+  Adaptation own = make_adaptation(context, header_name(context, context.name));
   const auto add = [&](const char* word, const char* digits) {
     own.words[word] = number_literal(context, digits);
   };
@@ -37,7 +36,7 @@ Adaptation make_sine_adaptation(const EmissionContext& context) {
       {"TlAngleBits", own.words["TlBits"]},
       {"TL_LARGEST_EXPONENT", single ? "20" : "32"},
       {"TL_ACCURATE_ANGLE", single ? "4000" : "1e5"},
-      {"TL_AS_INDEX", is_c ? "(int32_t)" : "static_cast<int32_t>"}};
+      {"TL_AS_INDEX", fmt::format(fmt::runtime(backend_of(context.language).cast), "int32_t")}};
   own.words.insert(words.begin(), words.end());
   return own;
 }
@@ -58,7 +57,7 @@ std::string print_for_references(const EmissionContext& context, const Adaptatio
   for (const std::string_view header : list_steps(context)) {
     steps += (steps.empty() ? "" : "\n") + adapt_declarations(header, own);
   }
-  return fill_template(misra::templates::kSinCos,
+  return fill_template(templates::kSinCosOfReferences,
                        {{"name", context.name},
                         {"real", number_type(context)},
                         {"accurate", own.words.at("TL_ACCURATE_ANGLE")},
@@ -70,10 +69,10 @@ std::string print_for_references(const EmissionContext& context, const Adaptatio
 
 GeneratedFile print_sin_cos(const EmissionContext& context) {
   const Adaptation own = make_sine_adaptation(context);
-  if (context.language == Language::cpp) {
-    return {"sin_cos.hpp", print_for_references(context, own)};
-  }
-  return {"sin_cos.h", adapt(join_headers(list_steps(context), templates::kSinCosOfArrays), own)};
+  const std::string name = header_name(context, "sin_cos");
+  if (backend_of(context.language).has_references)
+    return {name, print_for_references(context, own)};
+  return {name, adapt(join_headers(list_steps(context), templates::kSinCosOfArrays), own)};
 }
 
 std::string print_sines_in_lanes() {
@@ -85,7 +84,7 @@ std::string print_sines_in_lanes() {
       {"sin_cos_in_float", templates::kSinCosInFloat}};
   // `real` stays: there it is the number type of lanes.
   const Adaptation own{Language::cpp, "", "", {{"TL_INLINE", "TREELINE_STEP"}}};
-  std::string text(cpp::templates::kSinCos);
+  std::string text(core_headers::kSinCos);
   for (const auto& [name, header] : headers) {
     const std::string line = fmt::format("#include \"emitted/{}.h\"\n", name);
     const std::size_t at = text.find(line);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emission/adapt.hpp"
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/templates.hpp"
 
@@ -59,7 +60,7 @@ void add_steps(const EmissionContext& context, Adaptation& own) {
   own.words["TL_INVERSE_POWERS"] = list_powers(context, -2);
   own.words["TL_ROOTS"] = list_powers(context, 1);
   own.words["TL_INVERSE_ROOTS"] = list_powers(context, -1);
-  const char* const cast = context.language == Language::c ? "({})" : "static_cast<{}>";
+  const std::string_view cast = backend_of(context.language).cast;
   own.words["TL_AS_BITS"] = fmt::format(fmt::runtime(cast), own.words["TlBits"]);
   own.words["TL_AS_REAL"] = fmt::format(fmt::runtime(cast), number_type(context));
 }
@@ -67,12 +68,11 @@ void add_steps(const EmissionContext& context, Adaptation& own) {
 }  // namespace
 
 GeneratedFile print_square_root(const EmissionContext& context) {
-  const std::string ending = context.language == Language::c ? ".h" : ".hpp";
-  Adaptation own = make_adaptation(context, context.name + ending);
+  Adaptation own = make_adaptation(context, header_name(context, context.name));
   add_number_format(context, own);
   add_macros(context, own);
   if (context.misra) add_steps(context, own);
-  return {"square_root" + ending,
+  return {header_name(context, "square_root"),
           adapt(context.misra ? templates::kSquareRootBySteps : templates::kSquareRoot, own)};
 }
 

@@ -62,9 +62,13 @@ std::string print_target_flags(const EmissionContext& context) {
       target->name, target->flags, cross ? "${CMAKE_CROSSCOMPILING}" : "ON", context.name);
 }
 
-std::string print_target_line(const EmissionContext& context) {
+std::string print_target_lines(const EmissionContext& context) {
   const Target* const target = particular_target(context);
-  return target == nullptr ? "" : fmt::format("  \"target\": \"{}\",\n", target->name);
+  if (target == nullptr) return {};
+  return fmt::format(
+      "  \"target\": \"{}\",\n  \"target_flags\": \"{}\",\n  \"cross_compiled\": {},\n"
+      "  \"contraction\": {},\n",
+      target->name, target->flags, *target->prefix != '\0', target->contracts);
 }
 
 const char* contraction_default(const EmissionContext& context) {

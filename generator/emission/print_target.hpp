@@ -16,8 +16,8 @@ std::string print_section_macro(const EmissionContext& context);
 std::string print_section(const EmissionContext& context);
 /// Flags of the processor for the emitted CMakeLists.txt.
 std::string print_target_flags(const EmissionContext& context);
-/// A line of the manifest.
-std::string print_target_line(const EmissionContext& context);
+/// Lines of the manifest.
+std::string print_target_lines(const EmissionContext& context);
 
 /// Whether the emitted CMakeLists.txt lets the compiler fuse products and sums: ON or OFF.
 const char* contraction_default(const EmissionContext& context);

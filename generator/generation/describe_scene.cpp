@@ -309,8 +309,6 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.asks_for_lanes = scene.asks_for_lanes;
   context.batch = scene.batch;
   context.effective_mass_limits = effective_mass_limits(scene);
-  context.limited = scene.has_limits();
-  context.controlled = scene.controller.has_value();
   context.coordinates = mechanism.nq();
   context.velocities = mechanism.nv();
   context.task_rows = mechanism.task_rows();

@@ -22,8 +22,9 @@ void emit_with_selftest(std::shared_ptr<const SelftestFacts> facts, Generation& 
   EmissionContext context = *generation.context;
   context.selftest = std::move(facts);
   Diagnostics told;  // the first time
-  generation.files =
-      emit(context, programs_of(generation.functions), told, programs_of(generation.batch));
+  const auto programs = programs_of(generation.functions), batch = programs_of(generation.batch);
+  generation.files = emit(context, programs, told, batch);
+  generation.sources = list_sources({context, programs, batch});
   generation.context = std::make_shared<const EmissionContext>(std::move(context));
 }
 

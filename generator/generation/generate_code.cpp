@@ -9,9 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/describe_contract.hpp"
-#include "emission/print_optimize.hpp"
 #include "generation/add_controller.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
@@ -383,7 +382,7 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   generation.files = emit(context, programs, diagnostics, batch);
   if (diagnostics.has_errors()) return std::nullopt;
   generation.conventions = describe_conventions(context);
-  generation.small_sources = list_small_sources(context, programs, batch);
+  generation.sources = list_sources({context, programs, batch});
   generation.context = std::make_shared<const EmissionContext>(std::move(context));
   return generation;
 }

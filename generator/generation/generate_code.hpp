@@ -10,6 +10,7 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "emission/emit.hpp"
+#include "emission/list_sources.hpp"
 #include "generation/choices.hpp"
 #include "generation/run_routes.hpp"
 #include "mechanism/mechanism.hpp"
@@ -78,7 +79,7 @@ struct Generation {
   std::shared_ptr<const EmissionContext> context;  ///< of the files
   std::string conventions;  ///< what the contract says for all functions, without marks of comments
   std::vector<GeneratedFile> files;
-  std::vector<std::string> small_sources;  ///< of the files, see `list_small_sources`
+  std::vector<Source> sources;  ///< those of the files that are to be compiled
 };
 
 /// Receives the function that is being generated: `lambda (10 of 11)`.

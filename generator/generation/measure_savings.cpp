@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "description/check_scene.hpp"
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"

@@ -1,49 +1,55 @@
 #include "generation/predict_sources.hpp"
 
-#include "emission/c/hides_header.hpp"
-#include "emission/print_identity.hpp"
-#include "emission/print_selftest.hpp"
+#include "description/effective_mass_limits.hpp"
+#include "emission/controller_unit.hpp"
+#include "emission/list_sources.hpp"
+#include "emission/selftest_facts.hpp"
 #include "functions/function.hpp"
-#include "generation/generate_code.hpp"
 
 namespace treeline {
 namespace {
 
-/// Adds the sources in C whose counterparts in C++ are headers.
-void append_loops_of_c(const Scene& scene, std::vector<std::string>& stems) {
-  if (scene.damped) stems.emplace_back(function_name(Function::damped_control_torque));
-  if (!scene.has_limits()) return;
-  stems.emplace_back("limited_control_torque");
-  if (scene.batch > 0) stems.emplace_back("batch_limited_control_torque");
+Program name_program(const std::string& name) {
+  Program program;
+  program.name = name;
+  return program;
 }
 
-void append_controller(const Scene& scene, std::vector<std::string>& stems) {
+/// A controller of functions that are names alone.
+std::shared_ptr<const ControllerUnit> name_controller(const Scene& scene) {
   const SceneController& controller = *scene.controller;
-  for (const char* stem : {"controller", "controller_kinematics", "controller_joint_torque"}) {
-    stems.emplace_back(stem);
+  ControllerUnit unit;
+  unit.kinematics = name_program("controller_kinematics");
+  unit.joint_torque = name_program("controller_joint_torque");
+  if (scene.optimize == Optimize::size) unit.gravity = name_program("controller_gravity");
+  if (controller.task) unit.task_torque = name_program("controller_task_torque");
+  if (controller.task && controller.force) {
+    unit.push_torque = name_program("controller_push_torque");
   }
-  if (scene.optimize == Optimize::size) stems.emplace_back("controller_gravity");
-  if (controller.task) stems.emplace_back("controller_task_torque");
-  if (controller.task && controller.force) stems.emplace_back("controller_push_torque");
+  return std::make_shared<const ControllerUnit>(std::move(unit));
 }
 
 }  // namespace
 
 std::vector<std::string> predict_sources(const Scene& scene) {
-  std::vector<std::string> stems;
+  EmissionContext context;
+  context.name = scene.name;
+  context.language = scene.language;
+  context.misra = scene.profile == Profile::misra;
+  context.prefetch = scene.prefetch;
+  context.effective_mass_limits = effective_mass_limits(scene);
+  if (scene.has_limits()) context.limits.emplace();
+  if (scene.controller) context.controller = name_controller(scene);
+  if (scene.selftest > 0) context.selftest = std::make_shared<const SelftestFacts>();
+  std::vector<Program> programs;
   for (const Function function : scene.functions) {
-    stems.push_back(source_stem(function, 0));
-    if (scene.batch > 0) stems.push_back(source_stem(function, scene.batch));
+    programs.push_back(name_program(function_name(function)));
   }
-  if (scene.language == Language::c) {
-    append_loops_of_c(scene, stems);
-  } else if (scene.profile != Profile::misra && !c::hides_header(scene.name)) {
-    stems.emplace_back("c_calls");
+  std::vector<std::string> stems;
+  for (const Source& source :
+       list_sources({context, programs, scene.batch > 0 ? programs : std::vector<Program>{}})) {
+    stems.push_back(source.file.substr(0, source.file.find('.')));
   }
-  stems.emplace_back(kIdentityStem);
-  if (scene.prefetch) stems.emplace_back("prefetch");
-  if (scene.selftest > 0) stems.emplace_back(kSelftestStem);
-  if (scene.controller) append_controller(scene, stems);
   return stems;
 }
 

@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Source {
+struct PartSource {
   fs::path path;
   fs::path object;
   bool is_long = false;
   bool is_loop = false;
 };
 
-std::vector<Source> list_sources(const std::vector<CompiledPart>& parts, const fs::path& work) {
-  std::vector<Source> sources = {{work / "robot.cpp", work / "robot.o", false, true}};
+std::vector<PartSource> list_sources(const std::vector<CompiledPart>& parts, const fs::path& work) {
+  std::vector<PartSource> sources = {{work / "robot.cpp", work / "robot.o", false, true}};
   for (const CompiledPart& part : parts) {
     for (const GeneratedFunction& generated : part.generation->functions) {
       const std::string stem = source_stem(generated);
@@ -33,14 +33,14 @@ std::vector<Source> list_sources(const std::vector<CompiledPart>& parts, const f
     }
   }
   // The largest first, so that none is left at the end for a single core.
-  std::stable_sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
+  std::stable_sort(sources.begin(), sources.end(), [](const PartSource& a, const PartSource& b) {
     return fs::file_size(a.path) > fs::file_size(b.path);
   });
   return sources;
 }
 
 Command compile_command(const Command& compiler, const std::vector<CompiledPart>& parts,
-                        const fs::path& work, const Source& source) {
+                        const fs::path& work, const PartSource& source) {
   Command command = compiler;
   const auto add = [&command](std::initializer_list<std::string> words) {
     command.insert(command.end(), words);
@@ -53,8 +53,8 @@ Command compile_command(const Command& compiler, const std::vector<CompiledPart>
   return command;
 }
 
-bool all_succeeded(const std::vector<CommandOutcome>& outcomes, const std::vector<Source>& sources,
-                   Diagnostics& diagnostics) {
+bool all_succeeded(const std::vector<CommandOutcome>& outcomes,
+                   const std::vector<PartSource>& sources, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].started && outcomes[i].exit_code == 0) continue;
     diagnostics.add({Severity::error, sources[i].path.filename(), 0, "",
@@ -66,14 +66,14 @@ bool all_succeeded(const std::vector<CommandOutcome>& outcomes, const std::vecto
   return true;
 }
 
-Command link_command(const Command& compiler, const std::vector<Source>& sources,
+Command link_command(const Command& compiler, const std::vector<PartSource>& sources,
                      const fs::path& work, const fs::path& library) {
   const fs::path exported = work / "exported.map";
   std::ofstream(exported) << "{ global: treeline_drive_library; local: *; };\n";
   Command command = compiler;
   command.insert(command.end(),
                  {"-shared", "-Wl,--version-script=" + exported.string(), "-o", library.string()});
-  for (const Source& source : sources) command.push_back(source.object);
+  for (const PartSource& source : sources) command.push_back(source.object);
   return command;
 }
 
@@ -93,9 +93,9 @@ fs::path compile_robot(const std::vector<CompiledPart>& parts, const fs::path& w
                        const std::function<void(int, int)>& progress, Diagnostics& diagnostics) {
   const auto compiler = find_compiler(CompileOptions{}, work, diagnostics);
   if (!compiler) return {};
-  const std::vector<Source> sources = list_sources(parts, work);
+  const std::vector<PartSource> sources = list_sources(parts, work);
   std::vector<Command> commands;
-  for (const Source& source : sources) {
+  for (const PartSource& source : sources) {
     commands.push_back(compile_command(*compiler, parts, work, source));
   }
   const fs::path library = work / "librobot.so";

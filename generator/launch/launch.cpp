@@ -15,6 +15,7 @@
 #include "launch/driven_scenes.hpp"
 #include "launch/print_closed_loops.hpp"
 #include "launch/print_robot.hpp"
+#include "launch/runtime_headers.hpp"
 
 namespace treeline {
 namespace {
@@ -68,8 +69,8 @@ bool write_parts(const LaunchInput& input, const Parts& parts, const fs::path& w
   if (parts.link_code) {
     written = write_files(work / parts.links.name, parts.link_code->files, diagnostics) && written;
   }
-  for (const GeneratedFile& file : runtime_headers()) {
-    written = written && write_work_file(work / "runtime" / file.name, file.text, diagnostics);
+  for (const auto& [name, text] : launch_templates::kIncluded) {
+    written = written && write_work_file(work / "runtime" / name, std::string(text), diagnostics);
   }
   return written &&
          write_work_file(work / "robot.cpp",

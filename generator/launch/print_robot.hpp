@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "emission/emit.hpp"
 #include "generation/generate_code.hpp"
@@ -11,8 +10,5 @@ namespace treeline {
 /// The source that joins the generated functions with the loop: a struct for `drive::DriveLoop`.
 std::string print_robot(const Robot& robot, const Scene& control, const Generation& generation,
                         const Scene& links);
-
-/// The runtime's headers that the source includes, by their names below `runtime/`.
-std::vector<GeneratedFile> runtime_headers();
 
 }  // namespace treeline

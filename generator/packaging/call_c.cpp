@@ -6,9 +6,6 @@
 #include <array>
 #include <sstream>
 
-#include "emission/describe_program.hpp"
-#include "emission/print_optimize.hpp"
-#include "packaging/adapt_to_c.hpp"
 #include "target/target.hpp"
 
 namespace treeline {
@@ -39,8 +36,8 @@ std::string describe(const NotCalled& that, std::string_view caller) {
 
 }  // namespace
 
-void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics) {
-  const std::string_view caller = caller_of(kind);
+void note_not_called(const PackageKind* kind, const Scene& scene, Diagnostics& diagnostics) {
+  const std::string_view caller = kind == nullptr ? "" : kind->caller;
   for (const NotCalled& each : kNotCalled) {
     if (caller.empty() || caller == each.called_by || !each.is_asked_for(scene)) continue;
     diagnostics.add({Severity::note, scene.file, 0, each.key, describe(each, caller), ""});
@@ -84,31 +81,6 @@ std::string quote_flags(const PackageFacts& facts, const Scene& scene) {
   std::istringstream words(target->flags);
   for (std::string word; words >> word;) text += fmt::format(", \"{}\"", word);
   return text;
-}
-
-std::map<std::string, const char*> list_own_flags(const Scene& scene,
-                                                  const Generation& generation) {
-  std::map<std::string, const char*> flags;
-  if (scene.optimize == Optimize::balanced) {  // else all have that flag or none
-    for (const std::string& source : generation.small_sources) flags[source] = kSmallCodeFlag;
-  }
-  for (const GeneratedFunction& generated : generation.functions) {
-    if (is_huge(generated.program)) flags[generated.program.name + ".c"] = kHugeFlag;
-  }
-  return flags;
-}
-
-std::vector<PackagedSource> list_packaged_sources(const PackageFacts& facts, const Scene& scene,
-                                                  const Generation& generation) {
-  const auto own = list_own_flags(scene, generation);
-  std::vector<PackagedSource> sources;
-  std::istringstream words(facts.at("sources"));
-  for (std::string word; words >> word;) {  // "../src/" and a name
-    const std::string file = word.substr(7);
-    const auto found = own.find(file);
-    sources.push_back({file, found == own.end() ? "" : found->second});
-  }
-  return sources;
 }
 
 }  // namespace treeline

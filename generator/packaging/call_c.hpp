@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +15,8 @@ namespace treeline {
 // What packages share that let another language call the C in them.
 
 /// Notes which parts of the code the package's language does not call. Adds nothing where it calls
-/// all.
-void note_not_called(PackageKind kind, const Scene& scene, Diagnostics& diagnostics);
+/// all, or there is no package.
+void note_not_called(const PackageKind* kind, const Scene& scene, Diagnostics& diagnostics);
 
 /// Says in sentences, a line each, which parts of the code the language `caller` does not call.
 std::string describe_not_called(const Scene& scene, std::string_view caller);
@@ -60,18 +59,5 @@ inline constexpr const char* kTaskRowNames =
 
 /// Flags of all sources in quotes, with those that select the processor where it is this machine's.
 std::string quote_flags(const PackageFacts& facts, const Scene& scene);
-
-/// Flags of sources that are compiled with others, by file.
-std::map<std::string, const char*> list_own_flags(const Scene& scene, const Generation& generation);
-
-/// A source in the package's folder `src`.
-struct PackagedSource {
-  std::string file;   ///< "gravity.c"
-  std::string flags;  ///< that it alone is compiled with; empty: none
-};
-
-/// Lists the sources of a package in their order, each with its own flags.
-std::vector<PackagedSource> list_packaged_sources(const PackageFacts& facts, const Scene& scene,
-                                                  const Generation& generation);
 
 }  // namespace treeline

@@ -4,22 +4,21 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string_view>
 #include <vector>
 
+#include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
-#include "emission/print_optimize.hpp"
+#include "emission/list_sources.hpp"
 #include "target/target.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {
 namespace {
 
-bool is_source(const std::string& file) {
-  return file.ends_with(".cpp") || file.ends_with(".c");
-}
 bool is_header(const std::string& file) {
   return file.ends_with(".hpp") || file.ends_with(".h");
 }
@@ -40,39 +39,32 @@ std::vector<std::string> flags_of(const Scene& scene) {
 std::string print_small_sources(const Scene& scene, const Generation& generation) {
   if (scene.optimize != Optimize::balanced) return {};
   std::string text;
-  for (const std::string& source : generation.small_sources) text += "../src/" + source + " ";
+  for (const Source& source : generation.sources) {
+    if (source.flags.is_small) text += "../src/" + source.file + " ";
+  }
   return text.empty() ? text
                       : fmt::format("set_property(SOURCE {}APPEND PROPERTY COMPILE_OPTIONS {})",
                                     text, kSmallCodeFlag);
 }
 
-/// Sources of C that share the loops over a table of links if they are compiled as one. None where
-/// there would be only one.
-std::vector<std::string> list_looping_sources(const Scene& scene, const Generation& generation) {
-  std::vector<std::string> sources;
-  if (scene.language != Language::c) return sources;
-  for (const GeneratedFunction& generated : generation.functions) {
-    if (generated.program.loops) sources.push_back(generated.program.name + ".c");
-  }
-  if (sources.size() == 1) sources.clear();
-  return sources;
-}
-
-/// Category of a file in CMSIS.
-std::string category_of(const std::string& file, const std::vector<std::string>& included) {
-  if (is_header(file)) return "header";
-  const bool compiled = std::find(included.begin(), included.end(), file) == included.end();
-  return compiled ? "source" : "other";
-}
-
-/// The source that includes others.
-std::string print_joined_source(const std::vector<std::string>& sources) {
-  if (sources.empty()) return {};
+/// The source that includes others: those of the functions that loop.
+std::string print_joined_source(const std::vector<std::string>& joined) {
+  if (joined.empty()) return {};
   std::string text =
       "// As one source these share the loops over a table of links: do not compile them alone "
       "too.\n";
-  for (const std::string& source : sources) text += fmt::format("#include \"{}\"\n", source);
+  for (const std::string& file : joined) text += fmt::format("#include \"{}\"\n", file);
   return text;
+}
+
+std::vector<std::string> list_joined(const Generation& generation) {
+  std::vector<std::string> files;
+  for (const Source& source : generation.sources) {
+    const bool asked = source.of == Source::Of::function;
+    if (source.is_joined && asked) files.push_back(source.file);
+  }
+  if (files.size() == 1) files.clear();
+  return files;
 }
 
 /// Sources that PlatformIO compiles, where they are not all.
@@ -80,6 +72,27 @@ std::string print_source_filter(const std::vector<std::string>& left_out) {
   if (left_out.empty()) return {};
   return fmt::format(",\n    \"srcFilter\": [\"+<*>\", \"-<{}>\"]",
                      fmt::join(left_out, ">\", \"-<"));
+}
+
+/// Rows of CMSIS: headers, sources, and what sources include.
+std::string list_pack_files(const Scene& scene, const Generation& generation) {
+  std::set<std::string> compiled, included;
+  for (const PackagedSource& source : list_packaged_sources(scene, generation)) {
+    compiled.insert(source.file);
+  }
+  for (const std::string& file : list_joined(generation)) included.insert(file);
+  std::string text;
+  const auto add = [&](const char* category, const std::string& file) {
+    text += fmt::format("{}<file category=\"{}\" name=\"src/{}\"/>", text.empty() ? "" : "\n",
+                        category, file);
+  };
+  for (const GeneratedFile& file : generation.files) {
+    if (is_header(file.name)) add("header", file.name);
+    if (compiled.erase(file.name) > 0) add("source", file.name);
+    if (included.contains(file.name)) add("other", file.name);
+  }
+  for (const std::string& file : compiled) add("source", file);
+  return text;
 }
 
 /// Text that is harmless in JSON, XML and lists of properties: letters, digits, some punctuation.
@@ -95,45 +108,55 @@ std::string plain(const std::string& text) {
 
 }  // namespace
 
+std::vector<PackagedSource> list_packaged_sources(const Scene& scene,
+                                                  const Generation& generation) {
+  const std::vector<std::string> joined = list_joined(generation);
+  std::vector<PackagedSource> sources;
+  for (const Source& source : generation.sources) {
+    if (source.of == Source::Of::joined) continue;
+    if (std::find(joined.begin(), joined.end(), source.file) != joined.end()) continue;
+    const bool is_small = source.flags.is_small && scene.optimize == Optimize::balanced;
+    sources.push_back({source.file, source.flags.is_huge ? kHugeFlag
+                                    : is_small           ? kSmallCodeFlag
+                                                         : ""});
+  }
+  std::sort(sources.begin(), sources.end(),
+            [](const PackagedSource& a, const PackagedSource& b) { return a.file < b.file; });
+  if (!joined.empty()) sources.push_back({scene.name + "_loops.c", ""});
+  return sources;
+}
+
 PackageFacts describe_package(const Robot& robot, const Scene& scene,
                               const Generation& generation) {
-  std::vector<std::string> functions, keywords, sources, pack_files;
+  const Backend& backend = backend_of(scene.language);
+  const std::string prefix = backend.has_namespaces ? "" : scene.name + "_";
+  std::vector<std::string> functions, keywords, sources;
   for (const GeneratedFunction& generated : generation.functions) {
-    const bool prefixed = scene.language == Language::c;
     functions.push_back(generated.program.name);
-    keywords.push_back(
-        fmt::format("{}{}\tKEYWORD2", prefixed ? scene.name + "_" : "", generated.program.name));
+    keywords.push_back(fmt::format("{}{}\tKEYWORD2", prefix, generated.program.name));
   }
-  const std::vector<std::string> looping = list_looping_sources(scene, generation);
-  const std::string joined = print_joined_source(looping);
-  std::vector<std::string> files;
-  for (const GeneratedFile& file : generation.files) files.push_back(file.name);
-  if (!joined.empty()) files.push_back(scene.name + "_loops.c");
-  for (const std::string& file : files) {
-    if (!is_source(file) && !is_header(file)) continue;
-    const std::string category = category_of(file, looping);
-    if (category == "source") sources.push_back("../src/" + file);
-    pack_files.push_back(fmt::format("<file category=\"{}\" name=\"src/{}\"/>", category, file));
+  for (const PackagedSource& source : list_packaged_sources(scene, generation)) {
+    sources.push_back("../src/" + source.file);
   }
+  const std::vector<std::string> joined = list_joined(generation);
   const bool is_c = scene.language == Language::c;
-  const std::string ending = is_c ? "h" : "hpp";
   const auto flags = flags_of(scene);
   return {{"robot", plain(robot.name)},
           {"name", scene.name},
           {"NAME", in_capitals(scene.name)},
           {"version", generator_version()},
-          {"cmake_language", is_c ? "C" : "CXX"},
-          {"header", scene.name + "." + ending},
-          {"joints_header", scene.name + "_joints." + ending},
+          {"cmake_language", std::string(backend.cmake)},
+          {"header", scene.name + std::string(backend.header)},
+          {"joints_header", scene.name + "_joints" + std::string(backend.header)},
           {"header_patterns", is_c ? "PATTERN \"*.h\"" : "PATTERN \"*.hpp\" PATTERN \"*.h\""},
           {"functions", fmt::format("{}", fmt::join(functions, ", "))},
           {"keywords", fmt::format("{}", fmt::join(keywords, "\n"))},
           {"requirement", is_c ? "" : "\tdepends on CPP"},
           {"small_sources", print_small_sources(scene, generation)},
           {"sources", fmt::format("{}", fmt::join(sources, "\n"))},
-          {"joined", joined},
-          {"source_filter", print_source_filter(looping)},
-          {"pack_files", fmt::format("{}", fmt::join(pack_files, "\n"))},
+          {"joined", print_joined_source(joined)},
+          {"source_filter", print_source_filter(joined)},
+          {"pack_files", list_pack_files(scene, generation)},
           {"flags", fmt::format("{}", fmt::join(flags, " "))},
           {"quoted_flags", fmt::format("\"{}\"", fmt::join(flags, "\", \""))}};
 }

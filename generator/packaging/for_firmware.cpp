@@ -87,13 +87,13 @@ std::vector<PackageFolder> for_firmware(PackageFacts facts, const Robot& robot, 
   return {
       {"",
        {fill("Makefile", templates::kFirmwareMakefile),
-        fill("README.md", templates::kFirmwareReadme), fill("board.ld", templates::kFirmwareMemory),
+        fill("README.md", templates::kFirmwareReadme), fill("board.ld", templates::kLinkerScript),
         fill("can.c", templates::kFirmwareCan), fill("can.h", templates::kFirmwareCanHeader),
         fill("main.c", templates::kFirmwareMain), fill("port.h", templates::kFirmwarePort),
         fill("port_qemu.c", templates::kFirmwarePortQemu)}}};
 }
 
-void refuse_for_firmware(const Scene& scene, Diagnostics& diagnostics) {
+void refuse_for_firmware(const Robot& /*robot*/, const Scene& scene, Diagnostics& diagnostics) {
   const auto refuse = [&](bool applies, const char* key, const char* fault, const char* remedy) {
     if (applies) diagnostics.add({Severity::error, scene.file, 0, key, fault, remedy});
   };

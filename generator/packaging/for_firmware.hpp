@@ -2,7 +2,7 @@
 
 #include "generation/generate_code.hpp"
 #include "packaging/describe_package.hpp"
-#include "packaging/make_package.hpp"
+#include "packaging/package_kind.hpp"
 
 namespace treeline {
 
@@ -12,6 +12,6 @@ std::vector<PackageFolder> for_firmware(PackageFacts facts, const Robot& robot, 
                                         const Generation& generation);
 
 /// Reports what such firmware cannot be made of.
-void refuse_for_firmware(const Scene& scene, Diagnostics& diagnostics);
+void refuse_for_firmware(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace treeline

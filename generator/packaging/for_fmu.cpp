@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -127,12 +126,11 @@ std::string print_call(const Program& program, std::size_t nq, std::size_t state
   return text + "qdd";
 }
 
-std::string print_source_files(const Version& version, const PackageFacts& facts) {
+std::string print_source_files(const Version& version, const Scene& scene,
+                               const Generation& generation) {
   std::string text = fmt::format(fmt::runtime(version.source_file), "fmu.c");
-  std::istringstream words(facts.at("sources"));
-  constexpr std::size_t kFolder = std::string_view("../src/").size();
-  for (std::string word; words >> word;) {
-    text += fmt::format(fmt::runtime(version.source_file), word.substr(kFolder));
+  for (const PackagedSource& source : list_packaged_sources(scene, generation)) {
+    text += fmt::format(fmt::runtime(version.source_file), source.file);
   }
   text.pop_back();
   return text;
@@ -186,18 +184,14 @@ std::vector<FmuVariable> add_controller(const EmissionContext& context, const Co
   return variables;
 }
 
-}  // namespace
-
-std::vector<PackageFolder> for_fmu(PackageKind kind, PackageFacts facts, const Robot& robot,
+std::vector<PackageFolder> for_fmu(const Version& version, PackageFacts facts, const Robot& robot,
                                    const Scene& scene, const Generation& generation) {
-  const bool is_third = kind == PackageKind::fmu3;
-  const Version& version = is_third ? kThird : kSecond;
   const EmissionContext context = describe_scene(robot, scene, generation.mechanism);
   facts["guid"] = digest_of_files(generation.files);
   facts["exporting"] = templates::kFmuExporting;
   facts["units"] = templates::kFmuUnits;
   facts["platform"] = version.platform;
-  facts["source_files"] = print_source_files(version, facts);
+  facts["source_files"] = print_source_files(version, scene, generation);
   const bool controls = generation.controller != nullptr;
   const std::vector<FmuVariable> variables =
       controls ? add_controller(context, *generation.controller, facts)
@@ -211,13 +205,25 @@ std::vector<PackageFolder> for_fmu(PackageKind kind, PackageFacts facts, const R
       fill("CMakeLists.txt", templates::kFmuCMakeLists), fill("fmu.c", version.wrapper),
       fill("fmu_model.h", controls ? templates::kFmuController : templates::kFmuModel),
       fill("modelDescription.xml", version.description)};
-  if (is_third) {
+  if (&version == &kThird) {
     files.push_back(fill("buildDescription.xml", templates::kFmuBuildDescription));
   }
   return {{"", std::move(files)}};
 }
 
-void refuse_for_fmu(const Scene& scene, Diagnostics& diagnostics) {
+}  // namespace
+
+std::vector<PackageFolder> for_fmu2(PackageFacts facts, const Robot& robot, const Scene& scene,
+                                    const Generation& generation) {
+  return for_fmu(kSecond, std::move(facts), robot, scene, generation);
+}
+
+std::vector<PackageFolder> for_fmu3(PackageFacts facts, const Robot& robot, const Scene& scene,
+                                    const Generation& generation) {
+  return for_fmu(kThird, std::move(facts), robot, scene, generation);
+}
+
+void refuse_for_fmu(const Robot& /*robot*/, const Scene& scene, Diagnostics& diagnostics) {
   const auto refuse = [&](bool applies, const char* key, const char* fault, const char* remedy) {
     if (applies) diagnostics.add({Severity::error, scene.file, 0, key, fault, remedy});
   };

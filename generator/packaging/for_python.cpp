@@ -174,11 +174,20 @@ std::string print_types(const GeneratedFunction& generated) {
 }
 
 /// The sources as entries of a list in JSON.
-std::string quote_sources(const PackageFacts& facts) {
+std::string quote_sources(const std::vector<PackagedSource>& sources) {
   std::string text;
-  std::istringstream words(facts.at("sources"));
-  for (std::string word; words >> word;) {  // "../src/" and a name
-    text += fmt::format("{}\"{}\"", text.empty() ? "" : ",\n", word.substr(3));
+  for (const PackagedSource& source : sources) {
+    text += fmt::format("{}\"src/{}\"", text.empty() ? "" : ",\n", source.file);
+  }
+  return text;
+}
+
+/// The flags of those that have some, as members of an object in JSON.
+std::string quote_own_flags(const std::vector<PackagedSource>& sources) {
+  std::string text;
+  for (const auto& [file, flags] : sources) {
+    if (flags.empty()) continue;
+    text += fmt::format("{}\"src/{}\": [\"{}\"]", text.empty() ? "" : ",\n", file, flags);
   }
   return text;
 }
@@ -208,12 +217,9 @@ PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation&
                        const PythonStructs& structs) {
   facts["version"] += "+" + digest_of_files(generation.files).substr(0, 12);
   facts["flags"] = print_flags(facts, scene);
-  facts["own_flags"] = "";
-  for (const auto& [source, flag] : list_own_flags(scene, generation)) {
-    facts["own_flags"] += fmt::format("{}\"src/{}\": [\"{}\"]",
-                                      facts["own_flags"].empty() ? "" : ",\n", source, flag);
-  }
-  facts["quoted_sources"] = quote_sources(facts);
+  const std::vector<PackagedSource> sources = list_packaged_sources(scene, generation);
+  facts["own_flags"] = quote_own_flags(sources);
+  facts["quoted_sources"] = quote_sources(sources);
   facts["task_row_names"] =
       scene.operational_points.empty() ? "NULL" : scene.name + "_task_row_names";
   facts["not_called"] = describe_not_called(scene, "Python");
@@ -229,8 +235,8 @@ PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation&
 
 }  // namespace
 
-std::vector<PackageFolder> for_python(PackageFacts facts, const Scene& scene,
-                                      const Generation& generation) {
+std::vector<PackageFolder> for_python(PackageFacts facts, const Robot& /*robot*/,
+                                      const Scene& scene, const Generation& generation) {
   facts["dtype"] = scene.real == Real::float32 ? "float32" : "float64";
   const PythonStructs structs = make_python_structs(facts, scene, generation);
   facts = add_facts(std::move(facts), scene, generation, structs);

@@ -95,8 +95,8 @@ void add_points(const ControllerUnit& unit, PackageFacts& facts) {
       "if (unmet != told_unmet_ && unmet != 0) {\n"
       "  RCLCPP_ERROR(*logger_, \"a motion was given up: %s\", kUnmet[unmet]);\n}\n"
       "told_unmet_ = unmet;";
-  facts["point_parameters"] = templates::kRosPointParameters;
-  facts["move_point"] = fill_facts(templates::kRosMovePoint, facts);
+  facts["point_parameters"] = templates::kRos2ControlPointParameters;
+  facts["move_point"] = fill_facts(templates::kRos2ControlMovePoint, facts);
   facts["move_point"].pop_back();
 }
 
@@ -114,7 +114,7 @@ std::string_view add_step(const ControllerUnit& unit, PackageFacts& facts) {
   facts["joint_frequency"] = repeat(unit.settings.joint_frequency, unit.joints.size());
   facts["joint_damping"] = repeat(unit.settings.damping_ratio, unit.joints.size());
   add_points(unit, facts);
-  facts["law_parameters"] = fill_facts(templates::kRosStepParameters, facts);
+  facts["law_parameters"] = fill_facts(templates::kRos2ControlStepParameters, facts);
   facts["law_description"] =
       "It leads joints and points along references within limits, and brakes at faults.";
   facts["states"] = "`position` and `velocity`";
@@ -122,8 +122,8 @@ std::string_view add_step(const ControllerUnit& unit, PackageFacts& facts) {
   facts["period_note"] =
       fmt::format("\nThe period of a step is one over the update rate; it was generated for {} s.",
                   unit.settings.period);
-  facts["topics"] = fill_facts(templates::kRosTopics, facts);
-  return templates::kRosStepLaw;
+  facts["topics"] = fill_facts(templates::kRos2ControlTopics, facts);
+  return templates::kRos2ControlStepLaw;
 }
 
 /// The law by `NAME_gravity`. Returns its template.
@@ -134,7 +134,7 @@ std::string_view add_gravity(PackageFacts& facts) {
   facts["states"] = "`position`";
   facts["rate"] = "1000";
   facts["law_parameters"] = facts["period_note"] = facts["topics"] = "";
-  return templates::kRosGravityLaw;
+  return templates::kRos2ControlGravityLaw;
 }
 
 }  // namespace
@@ -155,12 +155,13 @@ std::vector<PackageFolder> for_ros2_control(PackageFacts facts, const Robot& rob
     return GeneratedFile{name, fill_facts(text, facts)};
   };
   return {{"",
-           {fill("CMakeLists.txt", templates::kRosCMakeLists),
-            fill("README.md", templates::kRosReadme), fill("controller.cpp", templates::kRosPlugin),
-            fill("controllers.yaml", templates::kRosControllers), fill("law.hpp", law),
-            fill("package.xml", templates::kRosPackage),
-            fill("parameters.yaml", templates::kRosParameters),
-            fill(facts["package"] + ".xml", templates::kRosPluginDescription)}}};
+           {fill("CMakeLists.txt", templates::kRos2ControlCMakeLists),
+            fill("README.md", templates::kRos2ControlReadme),
+            fill("controller.cpp", templates::kRos2ControlPlugin),
+            fill("controllers.yaml", templates::kRos2ControlControllers), fill("law.hpp", law),
+            fill("package.xml", templates::kRos2ControlPackage),
+            fill("parameters.yaml", templates::kRos2ControlParameters),
+            fill(facts["package"] + ".xml", templates::kRos2ControlPluginDescription)}}};
 }
 
 void refuse_for_ros2_control(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {

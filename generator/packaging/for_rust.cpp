@@ -135,10 +135,9 @@ void add_functions(const Scene& scene, const Generation& generation, PackageFact
 }
 
 /// Sources with the flags that each has for itself.
-std::string list_sources(const PackageFacts& facts, const Scene& scene,
-                         const Generation& generation) {
+std::string quote_rust_sources(const Scene& scene, const Generation& generation) {
   std::string text;
-  for (const auto& [file, flags] : list_packaged_sources(facts, scene, generation)) {
+  for (const auto& [file, flags] : list_packaged_sources(scene, generation)) {
     text +=
         fmt::format("    (\"src/{}\", &[{}]),\n", file, flags.empty() ? "" : "\"" + flags + "\"");
   }
@@ -172,7 +171,7 @@ std::vector<PackageFolder> for_rust(PackageFacts facts, const Robot& robot, cons
   facts["crate"] = crate_name(scene.name);
   facts["real"] = scene.real == Real::float32 ? "f32" : "f64";
   facts["quoted_flags"] = quote_flags(facts, scene);
-  facts["sources"] = list_sources(facts, scene, generation);
+  facts["sources"] = quote_rust_sources(scene, generation);
   facts["constants"] = print_constants(context, generation.damped.has_value(), facts["real"]);
   facts["nq"] = std::to_string(context.coordinate_rows.size());
   facts["nv"] = std::to_string(context.velocity_rows.size());

@@ -129,10 +129,9 @@ void bind_functions(const Scene& scene, const Generation& generation, std::size_
 }
 
 /// A line of the script for each source, with the flags that it has for itself.
-std::string print_compilation(const PackageFacts& facts, const Scene& scene,
-                              const Generation& generation) {
+std::string print_compilation(const Scene& scene, const Generation& generation) {
   std::string text;
-  for (const auto& [file, flags] : list_packaged_sources(facts, scene, generation)) {
+  for (const auto& [file, flags] : list_packaged_sources(scene, generation)) {
     text += fmt::format("{}compile {}{}", text.empty() ? "" : "\n", file,
                         flags.empty() ? "" : " " + flags);
   }
@@ -147,7 +146,7 @@ std::vector<PackageFolder> for_wasm(PackageFacts facts, const Robot& robot, cons
   facts["version"] += "+" + digest_of_files(generation.files).substr(0, 12);
   facts["package"] = npm_name(scene.name);
   facts["real"] = scene.real == Real::float32 ? "Float32Array" : "Float64Array";
-  facts["compile"] = print_compilation(facts, scene, generation);
+  facts["compile"] = print_compilation(scene, generation);
   facts["constants"] = facts["functions"] = facts["exports"] = "";
   PackageFacts types = facts;
   types["conventions"] = comment("//", "\n" + generation.conventions);

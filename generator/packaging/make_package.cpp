@@ -1,8 +1,8 @@
 #include "packaging/make_package.hpp"
 
+#include <algorithm>
 #include <string_view>
 
-#include "packaging/describe_package.hpp"
 #include "packaging/for_firmware.hpp"
 #include "packaging/for_fmu.hpp"
 #include "packaging/for_python.hpp"
@@ -21,23 +21,27 @@ GeneratedFile fill(const std::string& name, std::string_view text, const Package
   return {name, fill_facts(text, facts)};
 }
 
-std::vector<PackageFolder> for_cmake(const PackageFacts& facts) {
-  return {{"", {fill("CMakeLists.txt", templates::kCMakeLists, facts)}}};
+std::vector<PackageFolder> for_cmake(PackageFacts facts, const Robot& /*robot*/,
+                                     const Scene& /*scene*/, const Generation& /*generation*/) {
+  return {{"", {fill("CMakeLists.txt", templates::kCmakeCMakeLists, facts)}}};
 }
 
-std::vector<PackageFolder> for_platformio(const PackageFacts& facts) {
+std::vector<PackageFolder> for_platformio(PackageFacts facts, const Robot& /*robot*/,
+                                          const Scene& /*scene*/,
+                                          const Generation& /*generation*/) {
   return {{"", {fill("library.json", templates::kPlatformioLibrary, facts)}}};
 }
 
-std::vector<PackageFolder> for_zephyr(const PackageFacts& facts) {
+std::vector<PackageFolder> for_zephyr(PackageFacts facts, const Robot& /*robot*/,
+                                      const Scene& /*scene*/, const Generation& /*generation*/) {
   return {{"zephyr",
            {fill("module.yml", templates::kZephyrModule, facts),
             fill("Kconfig", templates::kZephyrKconfig, facts),
             fill("CMakeLists.txt", templates::kZephyrCMakeLists, facts)}}};
 }
 
-std::vector<PackageFolder> for_arduino(const PackageFacts& facts, const Scene& scene,
-                                       const Generation& generation) {
+std::vector<PackageFolder> for_arduino(PackageFacts facts, const Robot& /*robot*/,
+                                       const Scene& scene, const Generation& generation) {
   const std::string example = scene.name + "_time";
   return {{"",
            {fill("library.properties", templates::kArduinoLibrary, facts),
@@ -45,54 +49,84 @@ std::vector<PackageFolder> for_arduino(const PackageFacts& facts, const Scene& s
           {"examples/" + example, {{example + ".ino", print_example(scene, generation, facts)}}}};
 }
 
-std::vector<PackageFolder> for_cmsis(const PackageFacts& facts) {
-  return {{"", {fill("Treeline." + facts.at("name") + ".pdsc", templates::kCmsisPack, facts)}}};
+std::vector<PackageFolder> for_cmsis(PackageFacts facts, const Robot& /*robot*/, const Scene& scene,
+                                     const Generation& /*generation*/) {
+  return {{"", {fill("Treeline." + scene.name + ".pdsc", templates::kCmsisPack, facts)}}};
 }
 
-std::vector<PackageFolder> describe_to_tool(PackageKind kind, const PackageFacts& facts,
-                                            const Robot& robot, const Scene& scene,
-                                            const Generation& generation) {
-  switch (kind) {
-    case PackageKind::none:
-      return {};
-    case PackageKind::cmake:
-      return for_cmake(facts);
-    case PackageKind::platformio:
-      return for_platformio(facts);
-    case PackageKind::zephyr:
-      return for_zephyr(facts);
-    case PackageKind::arduino:
-      return for_arduino(facts, scene, generation);
-    case PackageKind::cmsis:
-      return for_cmsis(facts);
-    case PackageKind::python:
-      return for_python(facts, scene, generation);
-    case PackageKind::fmu:
-    case PackageKind::fmu3:
-      return for_fmu(kind, facts, robot, scene, generation);
-    case PackageKind::rust:
-      return for_rust(facts, robot, scene, generation);
-    case PackageKind::wasm:
-      return for_wasm(facts, robot, scene, generation);
-    case PackageKind::ros2_control:
-      return for_ros2_control(facts, robot, scene, generation);
-    case PackageKind::firmware:
-      return for_firmware(facts, robot, scene, generation);
-  }
-  return {};
-}
+constexpr PackageKind kPackages[] = {
+    // CMake's project joins sources itself, and Arduino compiles whatever it finds.
+    {.option = "cmake", .make = for_cmake, .joins_sources = false},
+    {.option = "platformio",
+     .make = for_platformio,
+     .is_for_firmware = true,
+     .has_one_set_of_flags = true},
+    {.option = "zephyr", .make = for_zephyr, .is_for_firmware = true},
+    {.option = "arduino",
+     .make = for_arduino,
+     .calls_a_function = true,
+     .is_for_firmware = true,
+     .has_one_set_of_flags = true,
+     .joins_sources = false},
+    {.option = "cmsis", .make = for_cmsis, .is_for_firmware = true, .has_one_set_of_flags = true},
+    {.option = "python",
+     .make = for_python,
+     .of_c = "a package for Python",
+     .caller = "Python",
+     .calls_a_function = true},
+    {.option = "rust",
+     .make = for_rust,
+     .of_c = "a package for Rust",
+     .caller = "Rust",
+     .calls_a_function = true},
+    {.option = "fmu",
+     .make = for_fmu2,
+     .of_c = "an FMU",
+     .is_unit = true,
+     .calls_a_function = true,
+     .refuse = refuse_for_fmu},
+    {.option = "fmu3",
+     .make = for_fmu3,
+     .of_c = "an FMU",
+     .is_unit = true,
+     .calls_a_function = true,
+     .refuse = refuse_for_fmu},
+    {.option = "wasm",
+     .make = for_wasm,
+     .of_c = "a package for WebAssembly",
+     .caller = "JavaScript",
+     .calls_a_function = true},
+    {.option = "ros2_control",
+     .make = for_ros2_control,
+     .of_c = "a package for ros2_control",
+     .refuse = refuse_for_ros2_control},
+    {.option = "firmware",
+     .make = for_firmware,
+     .of_c = "firmware",
+     .calls_a_function = true,
+     .has_one_set_of_flags = true,
+     .refuse = refuse_for_firmware}};
 
 }  // namespace
 
-std::vector<PackageFolder> make_package(PackageKind kind, const Robot& robot, const Scene& scene,
-                                        const Generation& generation) {
-  if (kind == PackageKind::none) return {{"", generation.files}};
+std::span<const PackageKind> list_packages() {
+  return kPackages;
+}
+
+const PackageKind* find_package(std::string_view option) {
+  const auto* const at =
+      std::find_if(std::begin(kPackages), std::end(kPackages),
+                   [&](const PackageKind& kind) { return kind.option == option; });
+  return at == std::end(kPackages) ? nullptr : at;
+}
+
+std::vector<PackageFolder> make_package(const PackageKind* kind, const Robot& robot,
+                                        const Scene& scene, const Generation& generation) {
+  if (kind == nullptr) return {{"", generation.files}};
   const PackageFacts facts = describe_package(robot, scene, generation);
-  std::vector<PackageFolder> folders = describe_to_tool(kind, facts, robot, scene, generation);
+  std::vector<PackageFolder> folders = kind->make(facts, robot, scene, generation);
   folders.push_back({"src", generation.files});
-  // CMake's project joins them itself, and Arduino compiles whatever it finds.
-  const bool lists_sources = kind != PackageKind::cmake && kind != PackageKind::arduino;
-  if (lists_sources && !facts.at("joined").empty()) {
+  if (kind->joins_sources && !facts.at("joined").empty()) {
     folders.back().files.push_back({scene.name + "_loops.c", facts.at("joined")});
   }
   return folders;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "emission/backend.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/wrap_line.hpp"
 #include "packaging/templates.hpp"
@@ -26,7 +27,7 @@ std::string print_example(const Scene& scene, const Generation& generation,
                           const PackageFacts& facts) {
   const Program& program = generation.functions.front().program;
   const char* real = scene.real == Real::float32 ? "float" : "double";
-  const char* between = scene.language == Language::c ? "_" : "::";
+  const char* between = backend_of(scene.language).has_namespaces ? "::" : "_";
   std::string arrays;
   std::string list;
   const auto append = [&](const Argument& argument) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "emission/backend.hpp"
 #include "emission/controller_faults.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/describe_controller.hpp"
@@ -168,7 +169,7 @@ std::string describe_step(const Scene& scene, const Generation& generation) {
                     "\nThe stack of a step is estimated at {} bytes. Its {} sources are compiled "
                     "from {} files, which `{}_controller.h` lists.\n",
                     count_step_stack(unit, scene.profile == Profile::misra, bytes_of(scene.real)),
-                    scene.language == Language::c ? "C99" : "C++17",
+                    backend_of(scene.language).standard,
                     list_controller_sources(scene.language, unit).size(), scene.name);
 }
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "emission/print_optimize.hpp"
+#include "emission/list_sources.hpp"
 #include "generation/choose_loops.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/only_by_name.hpp"
@@ -53,7 +53,8 @@ bool is_cheaper(const GeneratedFunction& a, const GeneratedFunction& b) {
 void add_small_code(const Mechanism& mechanism, const Scene& scene,
                     std::vector<GeneratedFunction>& candidates) {
   GeneratedFunction& first = candidates.front();
-  const bool is_small = compiles_to_small_code(scene.optimize, scene.target, first.program);
+  const bool is_small =
+      choose_own_flags(scene.optimize, scene.target, first.program, false).is_small;
   GeneratedFunction loops = first;
   Diagnostics not_told;
   choose_loops(mechanism, scene, true, loops, not_told);

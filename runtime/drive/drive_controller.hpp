@@ -46,7 +46,7 @@ struct ControlSettings {
 /// Goals are led smoothly. Where the control changes, the torque's step is taken away and fades. A
 /// floating joint has a pose as its goal in every control. Nothing is allocated.
 ///
-/// F offers the generated functions of a robot, see templates/drive_robot.cpp.in.
+/// F offers the generated functions of a robot, see templates/drive/robot.cpp.in.
 template <class F>
 class DriveController {
  public:

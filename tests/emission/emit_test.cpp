@@ -10,7 +10,7 @@
 #include "emission/describe_program.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/guard_headers.hpp"
-#include "emission/print_optimize.hpp"
+#include "emission/print_project.hpp"
 #include "emission/sample.hpp"
 
 namespace treeline {
@@ -164,10 +164,10 @@ TEST(Emit, LongFunctionsDoWithoutSlowPasses) {
     const std::vector<Program> usual{trace_products(12000)}, slow{trace_products(12001)};
     EXPECT_FALSE(is_long(usual.front()));
     EXPECT_TRUE(is_long(slow.front()));
-    const std::string with = print_extra_passes(context, usual, {});
+    const std::string with = print_project(context, list_sources({context, usual, {}}));
     EXPECT_NE(with.find(":-frename-registers>"), std::string::npos) << with;
-    EXPECT_EQ(with.find("set_property"), std::string::npos) << with;
-    const std::string without = print_extra_passes(context, {}, slow);
+    EXPECT_EQ(with.find("set_property("), std::string::npos) << with;
+    const std::string without = print_project(context, list_sources({context, {}, slow}));
     EXPECT_NE(without.find("    batch_products.c"), std::string::npos) << without;
     EXPECT_NE(without.find(kNoExtraPasses), std::string::npos) << without;
     const auto& print = language == Language::c ? c::print_source : cpp::print_source;
@@ -180,13 +180,19 @@ TEST(Emit, HugeFunctionsAreOptimisedLess) {
   EmissionContext context = test::sample_context("arm", false);
   context.optimize = Optimize::size;
   const std::vector<Program> usual{trace_products(12001)}, huge{trace_products(100001)};
-  EXPECT_EQ(print_huge_code(context, usual, usual), "");
-  const std::string options = print_huge_code(context, huge, huge);
+  const auto print = [&](const std::vector<Program>& programs) {
+    return print_project(context, list_sources({context, programs, programs}));
+  };
+  EXPECT_EQ(print(usual).find("Too long"), std::string::npos);
+  std::string options = print(huge);
+  options.erase(0, options.find("Too long"));
   EXPECT_NE(options.find("    products.cpp\n    batch_products.cpp\n"), std::string::npos)
       << options;
   EXPECT_NE(options.find("COMPILE_OPTIONS -O1)"), std::string::npos) << options;
-  EXPECT_NE(print_small_code(context, usual, usual), "");
-  EXPECT_EQ(print_small_code(context, huge, huge), "");
+  EXPECT_NE(print(usual).find("    batch_products.cpp\n    APPEND PROPERTY COMPILE_OPTIONS -Os)"),
+            std::string::npos);
+  EXPECT_EQ(print(huge).find("batch_products.cpp\n    APPEND PROPERTY COMPILE_OPTIONS -Os)"),
+            std::string::npos);
 }
 
 // Would catch: output without the version of the generator that made it.

@@ -4,7 +4,7 @@
 #include <regex>
 #include <sstream>
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 #include "emission/emit.hpp"
 #include "emission/guard_headers.hpp"
 #include "emission/print_damped_headers.hpp"
@@ -134,8 +134,6 @@ TEST(Misra, RefusesWhatItDoesNotHave) {
   context.misra = true;
   context.lanes = 4;
   context.batch = 4;
-  context.limited = true;
-  context.controlled = true;
   Diagnostics diagnostics;
   backend_of(Language::cpp).refuse(context, diagnostics);
   std::vector<std::string> keys;

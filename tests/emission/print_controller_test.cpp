@@ -37,7 +37,8 @@ ControllerUnit odd_unit() {
 std::vector<GeneratedFile> print_odd() {
   EmissionContext context = test::sample_context("arm", false);
   context.robot = kOdd;
-  return print_controller(context, odd_unit());
+  context.controller = std::make_shared<const ControllerUnit>(odd_unit());
+  return print_controller({context, {}, {}});
 }
 
 TEST(PrintController, KeepsNamesWithinComments) {
@@ -56,7 +57,7 @@ TEST(PrintController, LoadsAStepAndItsDynamics) {
   context.prefetch = true;
   context.controller = std::make_shared<const ControllerUnit>(odd_unit());
   const std::vector<Program> programs = {give_first("gravity", "g")};
-  const std::vector<GeneratedFile> files = print_prefetch(context, programs, {});
+  const std::vector<GeneratedFile> files = print_prefetch({context, programs, {}});
   const std::string& source = files.back().text;
   for (const char* function : {"gravity", "controller_kinematics", "controller_joint_torque"}) {
     const std::string section = std::string("treeline_arm_") + function;
@@ -67,7 +68,7 @@ TEST(PrintController, LoadsAStepAndItsDynamics) {
   }
   EXPECT_NE(files.front().text.find("void prefetch_step() noexcept;"), std::string::npos);
   EXPECT_NE(source.find("load(__start_treeline_arm_controller, "), std::string::npos) << source;
-  const auto controller = print_controller(context, odd_unit());
+  const auto controller = print_controller({context, {}, {}});
   const std::string& step = controller[1].text;
   EXPECT_NE(step.find("section(\"treeline_arm_controller\"), flatten"), std::string::npos) << step;
   EXPECT_NE(step.find("TREELINE_OWN_SECTION\nvoid arm_step("), std::string::npos) << step;

@@ -24,7 +24,7 @@ TEST(PrintTarget, SaysNothingOfTheGenericOne) {
   EXPECT_EQ(print_section_macro(context), "");
   EXPECT_EQ(print_section(context), "");
   EXPECT_EQ(print_target_flags(context), "");
-  EXPECT_EQ(print_target_line(context), "");
+  EXPECT_EQ(print_target_lines(context), "");
   EXPECT_STREQ(contraction_default(context), "ON");
 }
 
@@ -37,7 +37,11 @@ TEST(PrintTarget, FitsAMicrocontroller) {
   const std::string flags = print_target_flags(context);
   EXPECT_NE(flags.find("target_compile_options(arm PRIVATE -mcpu=cortex-m7"), std::string::npos);
   EXPECT_NE(flags.find("${CMAKE_CROSSCOMPILING})"), std::string::npos);
-  EXPECT_EQ(print_target_line(context), "  \"target\": \"cortex-m7\",\n");
+  const std::string lines = print_target_lines(context);
+  EXPECT_TRUE(
+      lines.starts_with("  \"target\": \"cortex-m7\",\n  \"target_flags\": \"-mcpu=cortex-m7"))
+      << lines;
+  EXPECT_TRUE(lines.ends_with("  \"cross_compiled\": true,\n  \"contraction\": false,\n")) << lines;
   EXPECT_STREQ(contraction_default(context), "OFF");
 }
 
@@ -68,7 +72,7 @@ TEST(PrintTarget, PlacesDampedControlInC) {
   for (const char* name : {"lambda_inverse", "jacobian", "bias_acceleration", "inverse_dynamics"}) {
     programs.push_back(give_input(name));
   }
-  const std::string source = c::print_damped(context, programs).back().text;
+  const std::string source = c::print_damped({context, programs, {}}).back().text;
   EXPECT_NE(source.find("#define TREELINE_CODE_SECTION"), std::string::npos) << source;
   EXPECT_NE(source.find("\nTREELINE_CODE_SECTION\ndouble arm_damped_control_torque("),
             std::string::npos)

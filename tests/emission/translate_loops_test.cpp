@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "emission/cpp/templates.hpp"
+#include "emission/core_headers.hpp"
 
 // Would catch: loops over links that C gets otherwise than C++ has them, and a part of C++ that is
 // passed on to C unread. Whether C computes the same is for `check`: link_loops_test.cpp there.
@@ -172,11 +172,10 @@ TEST(TranslateLoops, HasEveryFunctionOfTheHeaders) {
   c::LoopTranslator translator(arm(), {}, false);
   constexpr std::string_view kFunction = ") noexcept {\n";
   for (const std::string_view header :
-       {cpp::templates::kLinkVectors, cpp::templates::kLinkTable, cpp::templates::kLinkPose,
-        cpp::templates::kLinkFactors, cpp::templates::kLinkFriction, cpp::templates::kLinkMotion,
-        cpp::templates::kLinkInertia, cpp::templates::kLinkMatrix,
-        cpp::templates::kLinkArticulation, cpp::templates::kLinkRows,
-        cpp::templates::kLinkFunctions, cpp::templates::kLinkInputs}) {
+       {core_headers::kLinkVectors, core_headers::kLinkTable, core_headers::kLinkPose,
+        core_headers::kLinkFactors, core_headers::kLinkFriction, core_headers::kLinkMotion,
+        core_headers::kLinkInertia, core_headers::kLinkMatrix, core_headers::kLinkArticulation,
+        core_headers::kLinkRows, core_headers::kLinkFunctions, core_headers::kLinkInputs}) {
     int expected = 0;
     int found = 0;
     for (std::size_t at = 0; (at = header.find(kFunction, at)) != header.npos; ++at) ++expected;

@@ -85,10 +85,16 @@ const std::vector<Layer> kLayers = {
       "check",      "timing",       "bench",  "packaging",   "certify",   "safety",  "report"}},
 };
 
-/// Folders of `recursion` from the bottom up: headers include their own folder and those before it.
-/// A source may call what stands above: base parameters about mimics are told apart by energies.
-const std::vector<std::string> kRecursionFolders = {"algebra", "parameters", "tree", "methods",
-                                                    "routes"};
+/// Folders within a folder from the bottom up: files include their own folder and those before it.
+struct Inside {
+  std::string folder;
+  std::vector<std::string> parts;  ///< "" are the files beside them
+  bool headers_only;
+};
+const std::vector<Inside> kInside = {
+    // A source may call what stands above: base parameters about mimics are told apart by energies.
+    {"recursion", {"algebra", "parameters", "tree", "methods", "routes"}, true},
+    {"emission", {"", "misra", "c", "cpp", "languages"}, false}};
 
 bool is_source(const fs::path& path) {
   return path.extension() == ".cpp" || path.extension() == ".hpp" || path.extension() == ".h";
@@ -151,27 +157,39 @@ TEST(Layers, AreThoseOfTheSources) {
   }
 }
 
-TEST(Layers, HeadersOfTheRecursionsIncludeOnlyWhatStandsBefore) {
-  constexpr std::string_view kInclude = "#include \"recursion/";
-  const fs::path recursion = find_folder("recursion");
-  std::set<std::string> before;
-  for (const std::string& folder : kRecursionFolders) {
-    before.insert(folder);
-    ASSERT_TRUE(has_sources(recursion / folder)) << folder;
-    for (const auto& entry : fs::directory_iterator(recursion / folder)) {
-      if (entry.path().extension() != ".hpp") continue;
-      std::ifstream stream(entry.path());
-      for (std::string line; std::getline(stream, line);) {
-        if (!line.starts_with(kInclude)) continue;
-        const auto length = line.find('/', kInclude.size()) - kInclude.size();
-        const std::string included = line.substr(kInclude.size(), length);
-        EXPECT_TRUE(before.contains(included)) << entry.path() << " includes " << included;
+/// Parts of the folder that a file includes.
+std::vector<std::string> parts_included_by(const fs::path& file, const std::string& folder) {
+  const std::string include = "#include \"" + folder + "/";
+  std::vector<std::string> parts;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with(include)) continue;
+    const auto slash = line.find('/', include.size());
+    parts.push_back(
+        slash == std::string::npos ? "" : line.substr(include.size(), slash - include.size()));
+  }
+  return parts;
+}
+
+TEST(Layers, PartsOfAFolderIncludeOnlyWhatStandsBefore) {
+  for (const Inside& inside : kInside) {
+    const fs::path folder = find_folder(inside.folder);
+    std::set<std::string> before;
+    for (const std::string& part : inside.parts) {
+      before.insert(part);
+      ASSERT_TRUE(has_sources(folder / part)) << folder / part;
+      for (const auto& entry : fs::directory_iterator(folder / part)) {
+        const bool is_header = entry.path().extension() == ".hpp";
+        if (!is_header && (inside.headers_only || !is_source(entry.path()))) continue;
+        for (const std::string& included : parts_included_by(entry.path(), inside.folder)) {
+          EXPECT_TRUE(before.contains(included)) << entry.path() << " includes " << included;
+        }
       }
     }
-  }
-  for (const auto& entry : fs::directory_iterator(recursion)) {
-    if (!entry.is_directory()) continue;
-    EXPECT_TRUE(before.contains(entry.path().filename().string())) << entry.path() << " has no row";
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (!entry.is_directory()) continue;
+      EXPECT_TRUE(before.contains(entry.path().filename().string())) << entry << " has no row";
+    }
   }
 }
 

@@ -182,7 +182,8 @@ TEST(Tune, ChoicesOfSmallCodeReachTheProject) {
     Diagnostics diagnostics;
     const auto made = generate_code(subjects.robot, subjects.scene, {}, diagnostics, choices);
     ASSERT_TRUE(made);
-    EXPECT_EQ(made->small_sources.size(), small ? 1U : 0U);
+    const auto is_small = [](const Source& source) { return source.flags.is_small; };
+    EXPECT_EQ(std::count_if(made->sources.begin(), made->sources.end(), is_small), small ? 1 : 0);
     for (const GeneratedFile& file : made->files) {
       if (file.name != "manifest.json") continue;
       const auto manifest = nlohmann::json::parse(file.text);

@@ -13,7 +13,7 @@
 namespace treeline {
 namespace {
 
-constexpr double kResolution = 2e-15;  ///< of angles after a few products of rotations, rad
+constexpr double kOfProducts = 2e-15;  ///< of angles after a few products of rotations, rad
 
 /// Text of three numbers, without the sign of a zero.
 std::string three(const Eigen::Vector3d& v) {
@@ -22,8 +22,8 @@ std::string three(const Eigen::Vector3d& v) {
 
 /// Whether a joint's frame is its child's: then the child hangs on the joint itself.
 bool is_identity(const Eigen::Isometry3d& pose, double length) {
-  return pose.linear().isIdentity(kResolution) &&
-         pose.translation().cwiseAbs().maxCoeff() <= kResolution * length;
+  return pose.linear().isIdentity(kOfProducts) &&
+         pose.translation().cwiseAbs().maxCoeff() <= kOfProducts * length;
 }
 
 class UrdfPrinter {
@@ -72,11 +72,11 @@ class UrdfPrinter {
     };
     Eigen::Matrix3d R = pose.linear();
     for (double& entry : R.reshaped()) {
-      entry = clean(entry, kResolution);
-      if (std::abs(std::abs(entry) - 1) <= kResolution) entry = std::copysign(1.0, entry);
+      entry = clean(entry, kOfProducts);
+      if (std::abs(std::abs(entry) - 1) <= kOfProducts) entry = std::copysign(1.0, entry);
     }
     Eigen::Vector3d p = pose.translation();
-    for (double& entry : p) entry = clean(entry, kResolution * model_.length);
+    for (double& entry : p) entry = clean(entry, kOfProducts * model_.length);
     const auto rpy = rpy_from_rotation(R);
     attribute("xyz", three(p));
     attribute("rpy", three({rpy[0], rpy[1], rpy[2]}));
@@ -152,7 +152,7 @@ class UrdfPrinter {
 
   void print_direction(const FlatAxis& axis) {
     Eigen::Vector3d direction = axis.direction;
-    for (double& entry : direction) entry = std::abs(entry) <= kResolution ? 0 : entry;
+    for (double& entry : direction) entry = std::abs(entry) <= kOfProducts ? 0 : entry;
     printer_.OpenElement("axis");
     attribute("xyz", three(direction));
     printer_.CloseElement();

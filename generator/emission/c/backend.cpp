@@ -1,19 +1,21 @@
 #include "emission/c/backend.hpp"
 
-#include <utility>
+#include <algorithm>
 
 #include "emission/c/print_batch.hpp"
 #include "emission/c/print_contract.hpp"
 #include "emission/c/print_damped.hpp"
 #include "emission/c/print_joints.hpp"
+#include "emission/c/print_lane_types.hpp"
 #include "emission/c/print_limited.hpp"
 #include "emission/c/print_loops.hpp"
-#include "emission/c/print_project.hpp"
-#include "emission/c/print_runtime.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/refuse.hpp"
 #include "emission/c/syntax.hpp"
-#include "emission/list_sources.hpp"
+#include "emission/describe_program.hpp"
+#include "emission/print_damped_headers.hpp"
+#include "emission/print_limit_headers.hpp"
+#include "emission/print_sin_cos.hpp"
 
 namespace treeline::c {
 namespace {
@@ -36,33 +38,63 @@ std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
           "has_constants_of_double"};
 }
 
-/// Functions of several states at once, damped and limited control, tables of links.
-std::vector<GeneratedFile> print_more(const EmissionContext& context,
-                                      std::span<const Program> programs,
-                                      std::span<const Program> batch) {
-  std::vector<GeneratedFile> files;
-  if (!context.effective_mass_limits.empty()) files = print_damped(context, programs);
-  if (context.limits) {
-    for (GeneratedFile& file : print_limited(context, programs)) files.push_back(std::move(file));
-  }
-  for (GeneratedFile& file : print_batch(context, batch)) files.push_back(std::move(file));
-  if (context.limits && !batch.empty()) {
-    for (GeneratedFile& file : print_batch_limited(context, batch)) {
-      files.push_back(std::move(file));
-    }
-  }
-  for (GeneratedFile& file : print_loops(context, list_sources(context, programs)))
-    files.push_back(std::move(file));
-  return files;
+bool wants_sines(const Contents& contents) {
+  const auto takes_some = [](const auto& programs) {
+    return std::any_of(programs.begin(), programs.end(), uses_trigonometry);
+  };
+  return wants_laws(contents) || wants_loops(contents) || takes_some(contents.batch) ||
+         takes_some(contents.all);
 }
+
+std::vector<GeneratedFile> print_sines(const Contents& contents) {
+  return {print_sin_cos(contents.context)};
+}
+
+std::vector<GeneratedFile> print_damped_law(const Contents& contents) {
+  return join_files({print_damped(contents), print_damped_headers(contents.context)});
+}
+
+std::vector<GeneratedFile> print_limited_law(const Contents& contents) {
+  return join_files({print_limited(contents), print_limit_headers(contents.context)});
+}
+
+constexpr AddOn kAddOns[] = {
+    kControllerRow,
+    {wants_damping, print_damped_law, "damped_control_torque", true},
+    {wants_limits, print_limited_law, "limited_control_torque", true},
+    {wants_batch_limits, print_batch_limited, "batch_limited_control_torque", true},
+    kPrefetchRow,
+    kSelftestRow,
+    kIdentityRow,
+    {wants_batch, print_batch},
+    {wants_loops, print_loops},
+    {.wants = wants_lanes, .print = print_lane_types, .is_runtime = true},
+    {.wants = wants_sines, .print = print_sines, .is_runtime = true},
+    kColumnsRow,
+    kSquareRootRow};
 
 }  // namespace
 
 Backend make_backend() {
   Backend backend{};
   backend.name = "C";
+  backend.standard = "C99";
   backend.header = ".h";
   backend.source = ".c";
+  backend.cmake = "C";
+  backend.feature = "c_std_99";
+  backend.flag = "-std=c99";
+  backend.cast = "({})";
+  backend.words = {{"TL_FUNCTION", "static"},
+                   {"TL_SAFE_FUNCTION", "static"},
+                   {"TL_INLINE", "static inline"},
+                   {"TL_TABLE", "static const"},
+                   {"TL_NONE", "NULL"},
+                   {"TL_RESTRICT", "restrict"},
+                   {"TL_ATOMICS", "stdatomic.h"},
+                   {"TL_FENCE", "atomic_thread_fence(memory_order_seq_cst)"}};
+  backend.joins_loops = true;
+  backend.places = {{Source::Of::joined, -2}, {Source::Of::step, -1}};
   backend.refuse = refuse;
   backend.reserved = reserved_suffixes;
   backend.syntax = make_syntax;
@@ -70,9 +102,7 @@ Backend make_backend() {
   backend.print_declaration = print_declaration;
   backend.print_contract = print_contract;
   backend.print_joints = print_joints;
-  backend.print_project = print_project;
-  backend.print_more = print_more;
-  backend.print_runtime = print_runtime;
+  backend.add_ons = kAddOns;
   return backend;
 }
 

@@ -12,6 +12,7 @@
 #include "emission/comment.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/join_arguments.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_prefetch.hpp"
@@ -26,13 +27,11 @@ bool has_vectors(const EmissionContext& context) {
 }
 
 std::string head_of(const EmissionContext& context, const Program& program, const char* suffix) {
-  std::string list;
-  const auto append = [&](const Argument& argument, const char* qualifier) {
-    list += (list.empty() ? "" : ", ") + print_array(context, qualifier, argument.name + suffix,
-                                                     argument.rows * argument.cols * context.batch);
-  };
-  for (const Argument& argument : program.arguments) append(argument, "const ");
-  for (const Result& result : program.results) append(result.argument, "");
+  const std::string list =
+      join_arguments(program, [&](const Argument& argument, const char* qualifier) {
+        return print_array(context, qualifier, argument.name + suffix,
+                           argument.rows * argument.cols * context.batch);
+      });
   return fmt::format("void {}_batch_{}({})", context.name, program.name, list);
 }
 
@@ -132,6 +131,22 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
   return fill_template(templates::kBatchFunction, holes);
 }
 
+/// The header that the sources include where they have vectors.
+GeneratedFile print_states_header(const EmissionContext& context, bool sines) {
+  const int size = number_bytes(context);
+  const std::string of_states =
+      fill_template(templates::kSinCosStates, {{"name", context.name},
+                                               {"real", number_type(context)},
+                                               {"states", std::to_string(context.batch)}});
+  return {"states.h",
+          fill_template(templates::kStates, {{"name", context.name},
+                                             {"real", number_type(context)},
+                                             {"size", std::to_string(size)},
+                                             {"bytes", std::to_string(size * context.batch)},
+                                             {"sin_cos", sines ? "#include \"sin_cos.h\"\n\n" : ""},
+                                             {"of_states", sines ? of_states : ""}})};
+}
+
 }  // namespace
 
 std::string print_batch_signature(const EmissionContext& context, const Program& program) {
@@ -161,32 +176,18 @@ GeneratedFile print_batch_header(const EmissionContext& context,
                      {"declarations", declarations}})};
 }
 
-std::vector<GeneratedFile> print_batch(const EmissionContext& context,
-                                       std::span<const Program> programs) {
-  if (programs.empty()) return {};
+std::vector<GeneratedFile> print_batch(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const auto& programs = contents.batch;
   std::vector<GeneratedFile> files = {print_batch_header(context, programs)};
   for (const Program& program : programs) {
     files.push_back({"batch_" + program.name + ".c", print_batch_source(context, program)});
   }
+  if (has_vectors(context)) {
+    const bool sines = std::any_of(programs.begin(), programs.end(), uses_trigonometry);
+    files.push_back(print_states_header(context, sines));
+  }
   return files;
-}
-
-std::vector<GeneratedFile> print_batch_runtime(const EmissionContext& context,
-                                               std::span<const Program> programs) {
-  if (programs.empty() || !has_vectors(context)) return {};
-  const bool sines = std::any_of(programs.begin(), programs.end(), uses_trigonometry);
-  const int size = number_bytes(context);
-  const std::string of_states =
-      fill_template(templates::kSinCosStates, {{"name", context.name},
-                                               {"real", number_type(context)},
-                                               {"states", std::to_string(context.batch)}});
-  return {{"states.h", fill_template(templates::kStates,
-                                     {{"name", context.name},
-                                      {"real", number_type(context)},
-                                      {"size", std::to_string(size)},
-                                      {"bytes", std::to_string(size * context.batch)},
-                                      {"sin_cos", sines ? "#include \"sin_cos.h\"\n\n" : ""},
-                                      {"of_states", sines ? of_states : ""}})}};
 }
 
 }  // namespace treeline::c

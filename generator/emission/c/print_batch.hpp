@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emission/emission_context.hpp"
+#include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
 #include "program/program.hpp"
 
@@ -16,13 +16,8 @@ std::string print_batch_signature(const EmissionContext& context, const Program&
 /// NAME_batch.h: functions that take rows of states, with their contracts.
 GeneratedFile print_batch_header(const EmissionContext& context, std::span<const Program> programs);
 
-/// NAME_batch.h, and a source for each function: in vectors where the scene asks for lanes, else in
-/// a loop over the states.
-std::vector<GeneratedFile> print_batch(const EmissionContext& context,
-                                       std::span<const Program> programs);
-
-/// The header that the sources include, where they have vectors.
-std::vector<GeneratedFile> print_batch_runtime(const EmissionContext& context,
-                                               std::span<const Program> programs);
+/// NAME_batch.h, and a source for each function: in vectors where the scene asks for lanes, of
+/// which they include a header, else in a loop over the states.
+std::vector<GeneratedFile> print_batch(const Contents& contents);
 
 }  // namespace treeline::c

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "emission/c/print_runtime.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
@@ -57,8 +56,9 @@ GeneratedFile print_damped_header(const EmissionContext& context,
                {"signature", wrap_line(print_damped_signature(context, programs) + ";", 0)}})};
 }
 
-std::vector<GeneratedFile> print_damped(const EmissionContext& context,
-                                        std::span<const Program> programs) {
+std::vector<GeneratedFile> print_damped(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const auto& programs = contents.programs;
   return {print_damped_header(context, programs),
           {"damped_control_torque.c",
            fill_template(

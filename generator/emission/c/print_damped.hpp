@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emission/emission_context.hpp"
+#include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
 #include "program/program.hpp"
 
@@ -20,7 +20,6 @@ GeneratedFile print_damped_header(const EmissionContext& context,
 
 /// NAME_damped.h and damped_control_torque.c, composed of others of the functions. Throws
 /// std::logic_error where one of `kDampedFunctions` is not among them.
-std::vector<GeneratedFile> print_damped(const EmissionContext& context,
-                                        std::span<const Program> programs);
+std::vector<GeneratedFile> print_damped(const Contents& contents);
 
 }  // namespace treeline::c

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/emitted_limits.hpp"
+#include "emission/backend.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
@@ -161,13 +162,14 @@ GeneratedFile print_limited_header(const EmissionContext& context,
   holes["types"] = print_limit_types(in_c);
   holes["notes"] = comment("///", describe_cones(*context.limits));
   holes["cost"] = comment("///", describe_limited_cost(context, programs));
-  holes["method"] = context.language == Language::c ? "limited_torque.h" : "limited_torque.hpp";
+  holes["method"] = header_name(context, "limited_torque");
   holes["signature"] = wrap_line(print_limited_signature(context, programs) + ";", 0);
   return {context.name + "_limited.h", fill_limits(templates::kLimited, holes)};
 }
 
-std::vector<GeneratedFile> print_limited(const EmissionContext& context,
-                                         std::span<const Program> programs) {
+std::vector<GeneratedFile> print_limited(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const auto& programs = contents.programs;
   const std::string no_forces =
       fmt::format("{} f[1] = {{{}}};\n", number_type(context), number_literal(context, "0.0"));
   Holes holes = list_source_holes(context, programs, kOneState, no_forces);
@@ -176,8 +178,9 @@ std::vector<GeneratedFile> print_limited(const EmissionContext& context,
           {"limited_control_torque.c", fill_limits(templates::kLimitedSource, holes)}};
 }
 
-std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
-                                               std::span<const Program> batch) {
+std::vector<GeneratedFile> print_batch_limited(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const auto& batch = contents.batch;
   const Form form = form_of_batch(context);
   const std::string no_forces = fmt::format("{} f[{}];\n", number_type(context), form.states) +
                                 print_zeros(context, "f", form.states);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emission/emission_context.hpp"
+#include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
 #include "program/program.hpp"
 
@@ -14,8 +14,7 @@ namespace treeline::c {
 
 /// NAME_limited.h and limited_control_torque.c, composed of others of the functions. `context` has
 /// `limits`. Throws std::logic_error where a function that is called is missing.
-std::vector<GeneratedFile> print_limited(const EmissionContext& context,
-                                         std::span<const Program> programs);
+std::vector<GeneratedFile> print_limited(const Contents& contents);
 
 /// NAME_limited.h, which C++ has beside its own header; the head of the function that it declares,
 /// without what follows; and the definition of `NAME_default_limits`.
@@ -27,8 +26,7 @@ std::string print_default_limits(const EmissionContext& context);
 
 /// NAME_batch_limited.h and batch_limited_control_torque.c: limited control of several states, from
 /// their functions.
-std::vector<GeneratedFile> print_batch_limited(const EmissionContext& context,
-                                               std::span<const Program> batch);
+std::vector<GeneratedFile> print_batch_limited(const Contents& contents);
 
 /// Lists the texts for the holes in the templates of limited control in every language.
 std::map<std::string, std::string> list_limit_holes(const EmissionContext& context);

@@ -12,12 +12,11 @@
 #include "emission/c/templates.hpp"
 #include "emission/c/translate_loops.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/cpp/print_loop_headers.hpp"
-#include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/inline_links.hpp"
 #include "emission/keep_called.hpp"
+#include "emission/loop_templates.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/wrap_line.hpp"
@@ -185,30 +184,27 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
   return text + wrap_line(fmt::format("{}{}({});", prefix, loops.function, list), 2);
 }
 
-std::vector<GeneratedFile> print_loops(const EmissionContext& context,
-                                       std::span<const Program> programs) {
-  const std::vector<LinkTableText> tables = list_link_tables(programs, make_syntax(context));
-  if (tables.empty()) return {};
+namespace {
+
+/// NAME_links.h.
+GeneratedFile print_tables(const EmissionContext& context, std::span<const Program> programs) {
   std::string text;
-  for (const LinkTableText& table : tables) {
+  for (const LinkTableText& table : list_link_tables(programs, make_syntax(context))) {
     text += (text.empty() ? "" : "\n") + print_table(context, table);
   }
-  return {{context.name + "_links.h",
-           fill_template(templates::kLinks,
-                         {{"robot", context.robot},
-                          {"name", context.name},
-                          {"header", has_inputs(programs) ? "link_inputs" : "link_table"},
-                          {"tables", text}})}};
+  return {context.name + "_links.h",
+          fill_template(templates::kLinks,
+                        {{"robot", context.robot},
+                         {"name", context.name},
+                         {"header", has_inputs(programs) ? "link_inputs" : "link_table"},
+                         {"tables", text}})};
 }
 
-std::string joined_loops(const EmissionContext& context, std::span<const Program> programs) {
-  if (count_loops(programs) < 2) return {};
-  return fmt::format("${{CMAKE_CURRENT_BINARY_DIR}}/{}_loops", context.name);
-}
+}  // namespace
 
-std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
-                                              std::span<const Program> programs) {
-  if (!has_loops(programs)) return {};
+std::vector<GeneratedFile> print_loops(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const std::vector<Program>& programs = contents.all;
   const LinkTableData& table = find_largest(programs);
   LoopTranslator translator(
       context, list_kinds(table, std::any_of(programs.begin(), programs.end(), has_own_rotors)),
@@ -217,11 +213,11 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
     return program.loops && is_ranked(*program.loops);
   });
   std::vector<LoopHeader> translated;
-  for (const cpp::LoopTemplate& each : cpp::list_loop_templates(programs)) {
+  for (const LoopTemplate& each : list_loop_templates(programs)) {
     const std::string header = settle_inlining(context, each.text, Sharing::compilers);
     LoopHeader& next =
         translated.emplace_back(LoopHeader{each.stem + ".h", print_opening(header), {}});
-    if (each.text == cpp::templates::kLinkTable) {
+    if (each.stem == "link_table") {
       next.opening += print_sizes(context, table, ranked) + "\n";
     }
     for (const LoopItem& item : parse_loops(header)) {
@@ -232,8 +228,8 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
     }
   }
   const auto print_body = [&](const Program& program) { return print_loop_body(context, program); };
-  keep_called(join_callers(programs, print_body, print_loops(context, programs)), translated);
-  std::vector<GeneratedFile> files;
+  std::vector<GeneratedFile> files = {print_tables(context, programs)};
+  keep_called(join_callers(programs, print_body, files), translated);
   for (const LoopHeader& header : translated) {
     std::string text = header.opening;
     for (const LoopDeclaration& item : header.items) {

@@ -10,6 +10,7 @@
 #include "emission/c_family_syntax.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/join_arguments.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_columns.hpp"
@@ -109,13 +110,10 @@ std::string print_array(const EmissionContext& context, const char* qualifier,
 }
 
 std::string print_signature(const EmissionContext& context, const Program& program) {
-  std::string list;
-  for (const Argument& argument : program.arguments) {
-    list += (list.empty() ? "" : ", ") + parameter(context, argument, "const ");
-  }
-  for (const Result& result : program.results) {
-    list += (list.empty() ? "" : ", ") + parameter(context, result.argument, "");
-  }
+  const std::string list =
+      join_arguments(program, [&](const Argument& argument, const char* qualifier) {
+        return parameter(context, argument, qualifier);
+      });
   return fmt::format("void {}_{}({})", context.name, program.name, list);
 }
 

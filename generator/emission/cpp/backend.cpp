@@ -1,28 +1,25 @@
 #include "emission/cpp/backend.hpp"
 
-#include <utility>
+#include <algorithm>
 
-#include "emission/controller_unit.hpp"
+#include "emission/core_headers.hpp"
 #include "emission/cpp/print_batch.hpp"
 #include "emission/cpp/print_c_calls.hpp"
 #include "emission/cpp/print_calls.hpp"
 #include "emission/cpp/print_contract.hpp"
+#include "emission/cpp/print_core_header.hpp"
 #include "emission/cpp/print_damped.hpp"
 #include "emission/cpp/print_eigen.hpp"
 #include "emission/cpp/print_joints.hpp"
 #include "emission/cpp/print_limited.hpp"
-#include "emission/cpp/print_loops.hpp"
-#include "emission/cpp/print_runtime.hpp"
+#include "emission/cpp/print_loop_headers.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
-#include "emission/cpp/templates.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/list_sources.hpp"
+#include "emission/describe_program.hpp"
 #include "emission/misra/refuse.hpp"
-#include "emission/print_identity.hpp"
-#include "emission/print_optimize.hpp"
-#include "emission/print_selftest.hpp"
-#include "emission/print_target.hpp"
+#include "emission/print_damped_headers.hpp"
+#include "emission/print_limit_headers.hpp"
+#include "emission/print_sin_cos.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -32,76 +29,92 @@ std::set<std::string> reserved_names(const EmissionContext& context) {
           "coordinate_index", "velocity_index", "Real",  "std"};
 }
 
-std::string print_project(const EmissionContext& context, std::span<const Program> programs,
-                          std::span<const Program> batch) {
-  std::string sources;
-  for (const Program& program : programs) {
-    sources += program.name + ".cpp\n";
-  }
-  for (const Program& program : batch) {
-    sources += "batch_" + program.name + ".cpp\n";
-  }
-  if (context.prefetch) sources += "prefetch.cpp\n";
-  if (context.selftest) sources += std::string(kSelftestStem) + ".cpp\n";
-  sources += std::string(kIdentityStem) + ".cpp\n";
-  if (has_c_calls(context)) sources += "c_calls.cpp\n";
-  if (context.controller) {
-    for (const Program* const program : context.controller->programs()) {
-      sources += program->name + ".cpp\n";
-    }
-    sources += "controller.cpp\n";
-  }
-  return fill_template(
-      templates::kCMakeLists,
-      {{"robot", context.robot},
-       {"name", context.name},
-       {"contraction", contraction_default(context)},
-       {"target_flags", print_target_flags(context) + print_extra_passes(context, programs, batch) +
-                            print_small_code(context, programs, batch) +
-                            print_huge_code(context, programs, batch)},
-       {"sources", sources}});
+bool wants_own_lanes(const Contents& contents) {
+  return wants_batch(contents) || wants_lanes(contents);
 }
 
-/// Other ways to call, functions of several states at once, damped and limited control.
-std::vector<GeneratedFile> print_more(const EmissionContext& context,
-                                      std::span<const Program> programs,
-                                      std::span<const Program> batch) {
-  std::vector<GeneratedFile> files;
-  if (!context.effective_mass_limits.empty()) {
-    files.push_back({context.name + "_damped.hpp", print_damped(context, programs)});
-  }
-  if (context.limits) {
-    files.push_back({context.name + "_limited.hpp", print_limited(context, programs)});
-  }
-  if (has_loops(context, programs)) {
-    for (GeneratedFile& file : print_loops(context, list_sources(context, programs))) {
-      files.push_back(std::move(file));
-    }
-  }
-  if (context.misra) return files;  // no library, no vectors
-  files.insert(files.end(), {{context.name + "_calls.hpp", print_calls(context, programs)},
-                             {context.name + "_eigen.hpp", print_eigen(context, programs)}});
-  for (GeneratedFile& file : print_c_calls(context, programs, batch))
-    files.push_back(std::move(file));
-  if (!batch.empty()) {
-    files.push_back({context.name + "_batch.hpp", print_batch_header(context, batch)});
-  }
-  for (const Program& program : batch) {
-    files.push_back({"batch_" + program.name + ".cpp", print_batch_source(context, program)});
-  }
-  if (context.limits && !batch.empty()) {
-    files.push_back({context.name + "_batch_limited.hpp", print_batch_limited(context, batch)});
-  }
-  return files;
+bool wants_sines(const Contents& contents) {
+  const bool in_laws = contents.context.misra
+                           ? wants_damping(contents) || wants_controller(contents)
+                           : wants_laws(contents) || wants_batch(contents);
+  return in_laws || wants_loops(contents) ||
+         std::any_of(contents.programs.begin(), contents.programs.end(), uses_trigonometry);
 }
+
+std::vector<GeneratedFile> print_lanes(const Contents& contents) {
+  return {{"lanes.hpp", print_core_header(contents.context, core_headers::kLanes)}};
+}
+
+std::vector<GeneratedFile> print_sines(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  if (context.misra) return {print_sin_cos(context)};
+  return {{"sin_cos.hpp", print_core_header(context, print_sines_in_lanes())}};
+}
+
+std::vector<GeneratedFile> print_damped_law(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  return join_files({{{context.name + "_damped.hpp", print_damped(context, contents.programs)}},
+                     print_damped_headers(context)});
+}
+
+std::vector<GeneratedFile> print_limited_law(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  return join_files({{{context.name + "_limited.hpp", print_limited(context, contents.programs)}},
+                     print_limit_headers(context)});
+}
+
+/// Other ways to call the functions, which need a library.
+std::vector<GeneratedFile> print_other_calls(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  return {{context.name + "_calls.hpp", print_calls(context, contents.programs)},
+          {context.name + "_eigen.hpp", print_eigen(context, contents.programs)}};
+}
+
+constexpr AddOn kAddOns[] = {
+    kControllerRow,
+    {wants_damping, print_damped_law},
+    {wants_limits, print_limited_law},
+    {wants_batch_limits,
+     [](const Contents& each) {
+       return std::vector<GeneratedFile>{{each.context.name + "_batch_limited.hpp",
+                                          print_batch_limited(each.context, each.batch)}};
+     }},
+    kPrefetchRow,
+    kSelftestRow,
+    kIdentityRow,
+    {[](const Contents& each) { return has_c_calls(each.context); }, print_c_calls, "c_calls"},
+    {wants_batch, print_batch},
+    {wants_loops, print_loops},
+    {[](const Contents& each) { return !each.context.misra; }, print_other_calls},
+    {.wants = wants_own_lanes, .print = print_lanes, .is_runtime = true},
+    {.wants = wants_sines, .print = print_sines, .is_runtime = true},
+    kColumnsRow,
+    kSquareRootRow};
 
 }  // namespace
 
 Backend make_backend() {
   Backend backend{};
   backend.name = "C++";
+  backend.standard = "C++17";
   backend.header = ".hpp";
   backend.source = ".cpp";
+  backend.cmake = "CXX";
+  backend.feature = "cxx_std_17";
+  backend.flag = "-std=c++17";
+  backend.has_namespaces = true;
+  backend.has_references = true;
+  backend.cast = "static_cast<{}>";
+  // Where the compiler may choose, as it may in C, large functions are called and not repeated.
+  backend.words = {{"TL_FUNCTION", "[[gnu::noinline]] inline"},
+                   {"TL_SAFE_FUNCTION", "inline"},
+                   {"TL_INLINE", "inline"},
+                   {"TL_TABLE", "inline constexpr"},
+                   {"TL_NONE", "nullptr"},
+                   {"TL_RESTRICT", "__restrict"},
+                   {"TL_ATOMICS", "atomic"},
+                   {"TL_FENCE", "std::atomic_thread_fence(std::memory_order_seq_cst)"}};
+  backend.places = {{Source::Of::dynamics, 1}, {Source::Of::step, 2}};
   backend.refuse = misra::refuse;
   backend.reserved = reserved_names;
   backend.syntax = make_syntax;
@@ -111,9 +124,7 @@ Backend make_backend() {
   };
   backend.print_contract = print_contract;
   backend.print_joints = print_joints;
-  backend.print_project = print_project;
-  backend.print_more = print_more;
-  backend.print_runtime = print_runtime;
+  backend.add_ons = kAddOns;
   return backend;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "emission/backend/backend.hpp"
+#include "emission/backend.hpp"
 
 namespace treeline::cpp {
 

@@ -5,11 +5,14 @@
 #include <set>
 
 #include "emission/comment.hpp"
+#include "emission/core_headers.hpp"
+#include "emission/cpp/print_core_header.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/join_arguments.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
 #include "emission/wrap_line.hpp"
@@ -25,14 +28,7 @@ std::string row_parameter(const Argument& argument, const char* qualifier,
 /// `void NAME(...) noexcept`, with what `print` makes of each argument.
 template <class Print>
 std::string print_signature(const Program& program, Print print) {
-  std::string list;
-  for (const Argument& argument : program.arguments) {
-    list += (list.empty() ? "" : ", ") + print(argument, "const ");
-  }
-  for (const Result& result : program.results) {
-    list += (list.empty() ? "" : ", ") + print(result.argument, "");
-  }
-  return fmt::format("void {}({}) noexcept", program.name, list);
+  return fmt::format("void {}({}) noexcept", program.name, join_arguments(program, print));
 }
 
 std::string print_batch_head(const Program& program) {
@@ -67,8 +63,6 @@ std::set<std::string> find_taken_in_batch(const EmissionContext& context, const 
   return taken;
 }
 
-}  // namespace
-
 std::string print_batch_header(const EmissionContext& context, std::span<const Program> programs) {
   std::string declarations;
   for (const Program& program : programs) {
@@ -95,6 +89,20 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
                 {"body", print_body(program, make_states_syntax(context),
                                     find_taken_in_batch(context, program))}});
   return fill_template(templates::kBatchFunction, holes);
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> print_batch(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  std::vector<GeneratedFile> files = {
+      {context.name + "_batch.hpp", print_batch_header(context, contents.batch)},
+      {"load_lanes.hpp", print_core_header(context, core_headers::kLoadLanes)},
+      {"states.hpp", print_core_header(context, core_headers::kStates)}};
+  for (const Program& program : contents.batch) {
+    files.push_back({"batch_" + program.name + ".cpp", print_batch_source(context, program)});
+  }
+  return files;
 }
 
 }  // namespace treeline::cpp

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <span>
-#include <string>
+#include <vector>
 
-#include "emission/emission_context.hpp"
-#include "program/program.hpp"
+#include "emission/contents.hpp"
+#include "emission/generated_file.hpp"
 
 namespace treeline::cpp {
 
-/// `NAME_batch.hpp`, which declares the programs' functions for `context.batch` states a call.
-std::string print_batch_header(const EmissionContext& context, std::span<const Program> programs);
-
-/// The source file that defines one of them, `batch_FUNCTION.cpp`.
-std::string print_batch_source(const EmissionContext& context, const Program& program);
+/// `NAME_batch.hpp`, which declares the functions for `context.batch` states a call, a source for
+/// each, and the headers that these include.
+std::vector<GeneratedFile> print_batch(const Contents& contents);
 
 }  // namespace treeline::cpp

@@ -17,6 +17,7 @@
 #include "emission/describe_damped.hpp"
 #include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/join_arguments.hpp"
 #include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
@@ -42,13 +43,8 @@ std::string print_passed_call(const EmissionContext& context, const std::string&
 }
 
 std::string pass_function(const EmissionContext& context, const Program& program) {
-  std::string list;
-  for (const Argument& argument : program.arguments) {
-    list += (list.empty() ? "" : ", ") + pass(context, argument);
-  }
-  for (const Result& result : program.results) {
-    list += (list.empty() ? "" : ", ") + pass(context, result.argument);
-  }
+  const std::string list = join_arguments(
+      program, [&](const Argument& argument, const char*) { return pass(context, argument); });
   return print_passed_call(context, c::print_signature(context, program), program.name, list);
 }
 
@@ -66,13 +62,10 @@ std::string pass_damped_function(const EmissionContext& context,
 }
 
 std::string pass_batch_function(const EmissionContext& context, const Program& program) {
-  std::string list;
-  const auto append = [&](const Argument& argument) {
-    list += fmt::format("{}{}::rows_at<{}>({})", list.empty() ? "" : ", ", context.name,
-                        argument.rows * argument.cols, argument.name);
-  };
-  for (const Argument& argument : program.arguments) append(argument);
-  for (const Result& result : program.results) append(result.argument);
+  const std::string list = join_arguments(program, [&](const Argument& argument, const char*) {
+    return fmt::format("{}::rows_at<{}>({})", context.name, argument.rows * argument.cols,
+                       argument.name);
+  });
   return print_passed_call(context, c::print_batch_signature(context, program),
                            "batch::" + program.name, list);
 }
@@ -145,14 +138,14 @@ void pass_limited(const EmissionContext& context, std::span<const Program> progr
   parts.headers.push_back(c::print_limited_header(context, programs));
 }
 
-void pass_prefetch(const EmissionContext& context, std::span<const Program> programs,
-                   std::span<const Program> batch, Parts& parts) {
+void pass_prefetch(const Contents& contents, Parts& parts) {
+  const EmissionContext& context = contents.context;
   include_both(context, "prefetch", parts);
-  for (const LoadedCode& code : list_loaded(context, programs, batch)) {
+  for (const LoadedCode& code : list_loaded(contents)) {
     parts.definitions.push_back(fmt::format(
         "void {0}_prefetch_{1}(void) {{\n  {0}::prefetch_{1}();\n}}\n", context.name, code.name));
   }
-  parts.headers.push_back(print_prefetch_for_c(context, programs, batch));
+  parts.headers.push_back(print_prefetch_for_c(contents));
 }
 
 }  // namespace
@@ -161,14 +154,12 @@ bool has_c_calls(const EmissionContext& context) {
   return context.language == Language::cpp && !context.misra && !c::hides_header(context.name);
 }
 
-std::vector<GeneratedFile> print_c_calls(const EmissionContext& context,
-                                         std::span<const Program> programs,
-                                         std::span<const Program> batch) {
-  if (!has_c_calls(context)) return {};
-  Parts parts = pass_functions(context, programs);
-  if (!batch.empty()) pass_batch(context, batch, parts);
-  if (context.limits) pass_limited(context, programs, parts);
-  if (context.prefetch) pass_prefetch(context, programs, batch, parts);
+std::vector<GeneratedFile> print_c_calls(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  Parts parts = pass_functions(context, contents.programs);
+  if (!contents.batch.empty()) pass_batch(context, contents.batch, parts);
+  if (context.limits) pass_limited(context, contents.programs, parts);
+  if (context.prefetch) pass_prefetch(contents, parts);
   std::vector<GeneratedFile> files = std::move(parts.headers);
   files.push_back(
       {"c_calls.cpp",

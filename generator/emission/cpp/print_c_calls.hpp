@@ -1,11 +1,9 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "emission/emission_context.hpp"
+#include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
-#include "program/program.hpp"
 
 namespace treeline::cpp {
 
@@ -16,9 +14,7 @@ bool has_c_calls(const EmissionContext& context);
 
 /// NAME.h, NAME_joints.h and, where there are such functions, NAME_damped.h, NAME_batch.h,
 /// NAME_limited.h and NAME_prefetch.h, as `language: c` has them, and c_calls.cpp, which implements
-/// them by the functions of C++. Empty where there are none, see `has_c_calls`.
-std::vector<GeneratedFile> print_c_calls(const EmissionContext& context,
-                                         std::span<const Program> programs,
-                                         std::span<const Program> batch);
+/// them by the functions of C++.
+std::vector<GeneratedFile> print_c_calls(const Contents& contents);
 
 }  // namespace treeline::cpp

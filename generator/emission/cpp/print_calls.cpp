@@ -6,6 +6,7 @@
 #include "emission/comment.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/join_arguments.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {
@@ -52,16 +53,13 @@ std::string print_structs(const EmissionContext& context, const Program& program
 
 /// The function for arguments of std::array.
 std::string print_array_call(const EmissionContext& context, const Program& program) {
-  std::string parameters;
-  std::string arguments;
-  const auto append = [&](const Argument& argument, const char* qualifier) {
-    const char* comma = parameters.empty() ? "" : ", ";
-    parameters += fmt::format("{}{}std::array<Real, {}>& {}", comma, qualifier, size_of(argument),
-                              argument.name);
-    arguments += fmt::format("{}array_at<{}>({}.data())", comma, size_of(argument), argument.name);
-  };
-  for (const Argument& argument : program.arguments) append(argument, "const ");
-  for (const Result& result : program.results) append(result.argument, "");
+  const std::string parameters = join_arguments(program, [](const Argument& argument,
+                                                            const char* qualifier) {
+    return fmt::format("{}std::array<Real, {}>& {}", qualifier, size_of(argument), argument.name);
+  });
+  const std::string arguments = join_arguments(program, [](const Argument& argument, const char*) {
+    return fmt::format("array_at<{}>({}.data())", size_of(argument), argument.name);
+  });
   const std::string head =
       wrap_line(fmt::format("inline void {}({}) noexcept {{", program.name, parameters), 0);
   return head + "\n" +

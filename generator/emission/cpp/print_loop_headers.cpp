@@ -1,12 +1,13 @@
 #include "emission/cpp/print_loop_headers.hpp"
 
+#include "emission/cpp/print_core_header.hpp"
 #include "emission/cpp/print_loops.hpp"
-#include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/inline_links.hpp"
 #include "emission/keep_called.hpp"
+#include "emission/loop_templates.hpp"
+#include "emission/misra/follow_rules.hpp"
 #include "emission/parse_loops.hpp"
-#include "emission/print_link_table.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -30,24 +31,9 @@ std::string print_kept(const LoopHeader& header) {
 
 }  // namespace
 
-std::vector<LoopTemplate> list_loop_templates(std::span<const Program> programs) {
-  std::vector<LoopTemplate> headers = {{"link_vectors", templates::kLinkVectors},
-                                       {"link_table", templates::kLinkTable},
-                                       {"link_pose", templates::kLinkPose},
-                                       {"link_factors", templates::kLinkFactors},
-                                       {"link_friction", templates::kLinkFriction},
-                                       {"link_motion", templates::kLinkMotion},
-                                       {"link_inertia", templates::kLinkInertia},
-                                       {"link_matrix", templates::kLinkMatrix},
-                                       {"link_articulation", templates::kLinkArticulation},
-                                       {"link_rows", templates::kLinkRows},
-                                       {"link_functions", templates::kLinkFunctions}};
-  if (has_inputs(programs)) headers.push_back({"link_inputs", templates::kLinkInputs});
-  return headers;
-}
-
-std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
-                                              std::span<const Program> programs) {
+std::vector<GeneratedFile> print_loops(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const std::vector<Program>& programs = contents.all;
   // `prefetch` loads a function with what it calls: each has the loops in its own section.
   const Sharing sharing =
       count_loops(programs) > 1 && !context.prefetch ? Sharing::linkers : Sharing::compilers;
@@ -57,10 +43,12 @@ std::vector<GeneratedFile> print_loop_headers(const EmissionContext& context,
         read_header(each.stem + ".hpp", settle_inlining(context, each.text, sharing)));
   }
   const auto print_body = [&](const Program& program) { return print_loop_body(context, program); };
-  keep_called(join_callers(programs, print_body, print_loops(context, programs)), headers);
-  std::vector<GeneratedFile> files;
+  std::vector<GeneratedFile> files = {print_link_tables(context, programs)};
+  keep_called(join_callers(programs, print_body, files), headers);
   for (const LoopHeader& header : headers) {
-    files.push_back({header.name.substr(kFolder.size()), print_kept(header)});
+    const std::string text = print_core_header(context, print_kept(header));
+    files.push_back({header.name.substr(kFolder.size()),
+                     context.misra ? misra::follow_rules(context, text) : text});
   }
   return files;
 }

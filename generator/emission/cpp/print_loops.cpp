@@ -162,18 +162,17 @@ std::string print_loop_body(const EmissionContext& context, const Program& progr
                    2);
 }
 
-std::vector<GeneratedFile> print_loops(const EmissionContext& context,
-                                       std::span<const Program> programs) {
-  const std::vector<LinkTableText> tables = list_link_tables(programs, make_syntax(context));
-  if (tables.empty()) return {};
+GeneratedFile print_link_tables(const EmissionContext& context, std::span<const Program> programs) {
   std::string text;
-  for (const LinkTableText& table : tables) text += (text.empty() ? "" : "\n") + print_table(table);
-  return {{context.name + "_links.hpp",
-           fill_template(templates::kLinks,
-                         {{"robot", context.robot},
-                          {"name", context.name},
-                          {"header", has_inputs(programs) ? "link_inputs" : "link_table"},
-                          {"tables", text}})}};
+  for (const LinkTableText& table : list_link_tables(programs, make_syntax(context))) {
+    text += (text.empty() ? "" : "\n") + print_table(table);
+  }
+  return {context.name + "_links.hpp",
+          fill_template(templates::kLinks,
+                        {{"robot", context.robot},
+                         {"name", context.name},
+                         {"header", has_inputs(programs) ? "link_inputs" : "link_table"},
+                         {"tables", text}})};
 }
 
 }  // namespace treeline::cpp

@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "emission/emission_context.hpp"
 #include "emission/generated_file.hpp"
@@ -13,9 +12,7 @@ namespace treeline::cpp {
 /// The statements of a function that loops over a table of links: constants, work space, a call.
 std::string print_loop_body(const EmissionContext& context, const Program& program);
 
-/// NAME_links.hpp, the tables of links, and the headers that loop over them; empty where no
-/// function does.
-std::vector<GeneratedFile> print_loops(const EmissionContext& context,
-                                       std::span<const Program> programs);
+/// NAME_links.hpp: the tables of links.
+GeneratedFile print_link_tables(const EmissionContext& context, std::span<const Program> programs);
 
 }  // namespace treeline::cpp

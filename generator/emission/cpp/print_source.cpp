@@ -9,6 +9,7 @@
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/join_arguments.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
@@ -27,17 +28,12 @@ std::string parameter(const Argument& argument, const char* qualifier, const std
 /// The definition's head: restrict-qualified, and without names for arguments that straight lines
 /// do not read. `restrict` stands before the names.
 std::string print_head(const Program& program, const std::string& restrict) {
-  std::string list;
-  for (const Argument& argument : program.arguments) {
-    list += (list.empty() ? "" : ", ") + parameter(argument, "const ",
-                                                   program.loops || reads(program, argument)
-                                                       ? restrict + argument.name
-                                                       : "/*" + argument.name + "*/");
-  }
-  for (const Result& result : program.results) {
-    list += (list.empty() ? "" : ", ") +
-            parameter(result.argument, "", restrict + result.argument.name);
-  }
+  const std::string list =
+      join_arguments(program, [&](const Argument& argument, const char* qualifier) {
+        const bool named = *qualifier == '\0' || program.loops || reads(program, argument);
+        return parameter(argument, qualifier,
+                         named ? restrict + argument.name : "/*" + argument.name + "*/");
+      });
   return fmt::format("void {}({}) noexcept", program.name, list);
 }
 
@@ -122,13 +118,10 @@ std::string print_safe_source(const EmissionContext& context, const Program& pro
 }  // namespace
 
 std::string print_declaration(const Program& program) {
-  std::string list;
-  for (const Argument& argument : program.arguments) {
-    list += (list.empty() ? "" : ", ") + parameter(argument, "const ", argument.name);
-  }
-  for (const Result& result : program.results) {
-    list += (list.empty() ? "" : ", ") + parameter(result.argument, "", result.argument.name);
-  }
+  const std::string list =
+      join_arguments(program, [](const Argument& argument, const char* qualifier) {
+        return parameter(argument, qualifier, argument.name);
+      });
   return wrap_line(fmt::format("void {}({}) noexcept;", program.name, list), 0);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "emission/backend/syntax.hpp"
 #include "emission/emission_context.hpp"
+#include "emission/syntax.hpp"
 
 namespace treeline::cpp {
 

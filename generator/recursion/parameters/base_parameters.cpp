@@ -18,8 +18,8 @@ using Kind = ModelParameter::Kind;
 
 /// Coefficients that are residue of cancellation in 50 digits.
 const Digits50& residue() {
-  static const Digits50 kResidue("1e-25");
-  return kResidue;
+  static const Digits50 kOfCancellation("1e-25");
+  return kOfCancellation;
 }
 
 /// Entries of J of the parameters 4..9.

@@ -1,26 +1,37 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "description/scene.hpp"
-#include "emission/backend/syntax.hpp"
-#include "emission/emission_context.hpp"
-#include "emission/generated_file.hpp"
-#include "program/program.hpp"
+#include "emission/add_on.hpp"
+#include "emission/syntax.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
 
 /// Parts that a language gives to emission. A new language is a folder beside `cpp/` and `c/` that
-/// defines such a value, and a line in `backend_of`.
+/// defines such a value, and a line in `languages/backend_of.cpp`.
 struct Backend {
-  std::string_view name;    ///< as messages call it: `C++`
-  std::string_view header;  ///< how the names of its headers end: `.hpp`
-  std::string_view source;  ///< `.cpp`
+  std::string_view name;        ///< as messages call it: `C++`
+  std::string_view standard;    ///< `C++17`
+  std::string_view header;      ///< how the names of its headers end: `.hpp`
+  std::string_view source;      ///< `.cpp`
+  std::string_view cmake;       ///< as CMake calls it: `CXX`
+  std::string_view feature;     ///< of CMake, which asks for the standard: `cxx_std_17`
+  std::string_view flag;        ///< of compilers, the same: `-std=c++17`
+  bool has_namespaces = false;  ///< else names have the robot's in front
+  bool has_references = false;  ///< to arrays; else arguments are pointers
+  std::string_view cast;        ///< to a type, as a format: `static_cast<{}>`
+  /// Words of runtime/emitted as the language has them (see `Adaptation`).
+  std::map<std::string, std::string> words;
+  /// Whether functions that loop share the loops only as one source.
+  bool joins_loops = false;
+  /// Places of sources in the project; of all others 0.
+  std::map<Source::Of, int> places;
 
   /// Reports what is asked for and cannot be had in this language.
   void (*refuse)(const EmissionContext& context, Diagnostics& diagnostics);
@@ -38,19 +49,14 @@ struct Backend {
   std::string (*print_contract)(const EmissionContext& context, std::span<const Program> programs);
   /// The header NAME_joints: names and limits of coordinates, velocities and task rows as arrays.
   std::string (*print_joints)(const EmissionContext& context);
-  /// CMakeLists.txt, which builds the folder as part of another project.
-  std::string (*print_project)(const EmissionContext& context, std::span<const Program> programs,
-                               std::span<const Program> batch);
-  /// Further files: those that the scene asks for, and others that the language has.
-  std::vector<GeneratedFile> (*print_more)(const EmissionContext& context,
-                                           std::span<const Program> programs,
-                                           std::span<const Program> batch);
-  /// Headers of the runtime that the sources include.
-  std::vector<GeneratedFile> (*print_runtime)(const EmissionContext& context,
-                                              std::span<const Program> programs,
-                                              std::span<const Program> batch);
+  /// All that a folder may have beside these.
+  std::span<const AddOn> add_ons;
 };
 
 const Backend& backend_of(Language language);
+
+/// Names of files in the context's language: `square_root.hpp`, `gravity.cpp`.
+std::string header_name(const EmissionContext& context, const std::string& stem);
+std::string source_name(Language language, const std::string& stem);
 
 }  // namespace treeline

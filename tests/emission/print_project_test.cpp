@@ -1,11 +1,10 @@
-#include "emission/print_optimize.hpp"
+#include "emission/print_project.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <utility>
 
-#include "emission/backend/backend.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/sample.hpp"
 #include "program/link_loops.hpp"
@@ -15,11 +14,22 @@
 namespace treeline {
 namespace {
 
+std::string print_whole(const EmissionContext& context, std::span<const Program> programs) {
+  return print_project(context, list_sources({context, programs, {}}));
+}
+
+/// Lines that compile sources to small code, and what precedes them: "" where there are none.
+std::string print_small(const EmissionContext& context, std::span<const Program> programs) {
+  const std::string project = print_whole(context, programs);
+  const std::size_t begin = project.find("# `optimize` of the scene");
+  return begin == std::string::npos ? "" : project.substr(begin);
+}
+
 std::string print(Optimize optimize, Language language, const std::string& target = "generic") {
   EmissionContext context = test::sample_context("arm", false, language);
   context.optimize = optimize;
   context.target = target;
-  return print_small_code(context, test::safe_programs(), {});
+  return print_small(context, test::safe_programs());
 }
 
 TEST(PrintSmallCode, ListsWhatTheSceneAsksFor) {
@@ -46,11 +56,11 @@ TEST(PrintSmallCode, ListsControlInC) {
   context.optimize = Optimize::size;
   context.effective_mass_limits = {10, 10};
   context.limits = LimitFacts{};
-  const std::string all = print_small_code(context, test::safe_programs(), {});
+  const std::string all = print_small(context, test::safe_programs());
   EXPECT_NE(all.find("    damped_control_torque.c\n"), std::string::npos) << all;
   EXPECT_NE(all.find("    limited_control_torque.c\n"), std::string::npos) << all;
   context.language = Language::cpp;
-  const std::string headers = print_small_code(context, test::safe_programs(), {});
+  const std::string headers = print_small(context, test::safe_programs());
   EXPECT_EQ(headers.find("control_torque"), std::string::npos) << headers;
 }
 
@@ -61,11 +71,11 @@ TEST(PrintSmallCode, JoinsLoopsInC) {
   std::vector<Program> programs = test::safe_programs();
   const auto loops = std::make_shared<const LinkLoops>();
   programs[0].loops = loops;
-  EXPECT_EQ(print_small_code(context, programs, {}).find("_loops"), std::string::npos);
+  EXPECT_EQ(print_small(context, programs).find("_loops"), std::string::npos);
   programs[1].loops = loops;
   const std::string path = "${CMAKE_CURRENT_BINARY_DIR}/arm_loops.c\n";
-  EXPECT_NE(print_small_code(context, programs, {}).find("    " + path), std::string::npos);
-  const std::string project = backend_of(Language::c).print_project(context, programs, {});
+  EXPECT_NE(print_small(context, programs).find("    " + path), std::string::npos);
+  const std::string project = print_whole(context, programs);
   const std::string library = project.substr(project.find("add_library"));
   const std::string sources = library.substr(0, library.find(')'));
   EXPECT_NE(sources.find("  " + path), std::string::npos) << sources;
@@ -96,7 +106,8 @@ TEST(PrintExtraPasses, LeavesOutLongFunctionsOfTheController) {
   unit.joint_torque = trace_chain("controller_joint_torque", 100);
   unit.task_torque = trace_chain("controller_task_torque", 6500);
   context.controller = std::make_shared<const ControllerUnit>(std::move(unit));
-  const std::string options = print_extra_passes(context, {}, {});
+  const std::string project = print_whole(context, {});
+  const std::string options = project.substr(project.find("-flive-range-shrinkage"));
   EXPECT_NE(options.find("    controller_task_torque.cpp\n"), std::string::npos) << options;
   EXPECT_EQ(options.find("controller_kinematics"), std::string::npos) << options;
   EXPECT_NE(options.find(kNoExtraPasses), std::string::npos) << options;

@@ -1,0 +1,64 @@
+#include "emission/add_on.hpp"
+
+#include <algorithm>
+
+#include "emission/describe_program.hpp"
+#include "emission/print_square_root.hpp"
+
+namespace treeline {
+
+bool always(const Contents& /*contents*/) {
+  return true;
+}
+
+bool wants_damping(const Contents& contents) {
+  return !contents.context.effective_mass_limits.empty();
+}
+
+bool wants_limits(const Contents& contents) {
+  return contents.context.limits.has_value();
+}
+
+bool wants_batch(const Contents& contents) {
+  return !contents.batch.empty();
+}
+
+bool wants_batch_limits(const Contents& contents) {
+  return wants_limits(contents) && wants_batch(contents);
+}
+
+bool wants_controller(const Contents& contents) {
+  return contents.context.controller != nullptr;
+}
+
+bool wants_prefetch(const Contents& contents) {
+  return contents.context.prefetch;
+}
+
+bool wants_selftest(const Contents& contents) {
+  return contents.context.selftest != nullptr;
+}
+
+bool wants_loops(const Contents& contents) {
+  return count_loops(contents.all) > 0;
+}
+
+bool wants_lanes(const Contents& contents) {
+  return std::any_of(contents.all.begin(), contents.all.end(), uses_lanes);
+}
+
+bool wants_laws(const Contents& contents) {
+  return wants_damping(contents) || wants_limits(contents) || wants_controller(contents);
+}
+
+std::vector<GeneratedFile> join_files(std::initializer_list<std::vector<GeneratedFile>> lists) {
+  std::vector<GeneratedFile> files;
+  for (const auto& list : lists) files.insert(files.end(), list.begin(), list.end());
+  return files;
+}
+
+std::vector<GeneratedFile> print_square_root_of(const Contents& contents) {
+  return {print_square_root(contents.context)};
+}
+
+}  // namespace treeline
