@@ -72,10 +72,12 @@ function(treeline_possible_sources scene ending result)
     list(APPEND sources controller controller_kinematics controller_gravity controller_joint_torque
       controller_push_torque controller_task_torque)
   endif()
-  treeline_find_key("${scene}" prefetch prefetch)
-  if(prefetch)
-    list(APPEND sources prefetch)
-  endif()
+  foreach(key prefetch selftest)
+    treeline_find_key("${scene}" ${key} found)
+    if(found)
+      list(APPEND sources ${key})
+    endif()
+  endforeach()
   if(ending STREQUAL "c")
     list(APPEND sources damped_control_torque limited_control_torque
       batch_limited_control_torque)  # in C++ headers
