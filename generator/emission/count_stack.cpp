@@ -61,8 +61,7 @@ std::size_t count_live_values(const Program& program) {
 std::size_t count_arrays(const ColumnSolve& columns) {
   std::size_t count = columns.count_work();
   for (const Result& result : columns.lines.results) {
-    const std::string& name = result.argument.name;
-    if (name == kColumnFactors || name == kColumnPivots) count += result.values.size();
+    if (is_for_columns(result)) count += result.values.size();
   }
   return count;
 }

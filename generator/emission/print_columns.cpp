@@ -24,13 +24,11 @@ Adaptation make_column_adaptation(const EmissionContext& context) {
 std::string print_column_sizes(const EmissionContext& context, const Adaptation& own) {
   const Constant sizes[] = {{"STRIDE", core::column_stride(context.velocities),
                              "of rows that hold three rows of matrices"}};
-  Adaptation filled = own;
-  filled.words["TL_CONTRACT"] = context.name;
-  filled.words["TL_CONSTANTS"] = print_constants(own, sizes);
-  return adapt(
+  return print_sizes(
+      context.name, own,
       "#pragma once\n// Sizes of arrays that solve_columns.h computes in.\n\n#include "
       "<stdint.h>\n\n#include \"TL_CONTRACT.h\"\n\nTL_CONSTANTS",
-      filled);
+      sizes);
 }
 
 /// A name of runtime/emitted as code outside of its headers writes it.
@@ -61,29 +59,24 @@ bool is_solved(const Program& program) {
 
 }  // namespace
 
-ColumnText print_columns(const EmissionContext& context, const Program& program) {
-  if (!is_solved(program)) return {};
+std::string add_column_solve(const EmissionContext& context, const Program& program,
+                             const std::string& lines) {
+  if (!is_solved(program)) return lines;
   const ColumnSolve& columns = *program.columns;
   const std::string real =
       backend_of(context.language).has_namespaces ? "Real" : number_type(context);
-  ColumnText text;
-  text.arrays = print_sums(context, "above", columns.above) +
-                print_sums(context, "below", columns.below) +
-                fmt::format("  {} rows[{}];\n", real, columns.count_work());
+  std::string arrays = print_sums(context, "above", columns.above) +
+                       print_sums(context, "below", columns.below) +
+                       fmt::format("  {} rows[{}];\n", real, columns.count_work());
   for (const Result& result : columns.lines.results) {
-    if (result.argument.name != kColumnFactors && result.argument.name != kColumnPivots) continue;
-    text.arrays += fmt::format("  {} {}[{}];\n", real, result.argument.name, result.values.size());
+    if (!is_for_columns(result)) continue;
+    arrays += fmt::format("  {} {}[{}];\n", real, result.argument.name, result.values.size());
   }
   std::string list =
       fmt::format("&above, &below, &{}[0], &{}[0], &rows[0]", kColumnFactors, kColumnPivots);
   for (const Argument& result : columns.results) list += fmt::format(", &{}[0]", result.name);
-  text.call = wrap_line(fmt::format("{}({});", in_detail(context, "tl_solve_columns"), list), 2);
-  return text;
-}
-
-std::string join(const ColumnText& columns, const std::string& lines) {
-  if (columns.call.empty()) return lines;
-  return columns.arrays + "\n" + lines + "\n" + columns.call;
+  return arrays + "\n" + lines + "\n" +
+         wrap_line(fmt::format("{}({});", in_detail(context, "tl_solve_columns"), list), 2);
 }
 
 std::string print_column_include(const EmissionContext& context, const Program& program) {

@@ -8,16 +8,11 @@
 
 namespace treeline {
 
-/// A function whose straight lines end with a solve for all columns, see `ColumnSolve`: what stands
-/// before and behind the lines in its body. Both are empty for other functions.
-struct ColumnText {
-  std::string arrays;  ///< tables of the tree, and locals that the lines write
-  std::string call;
-};
-ColumnText print_columns(const EmissionContext& context, const Program& program);
-
-/// The lines of a body between what the solve asks for.
-std::string join(const ColumnText& columns, const std::string& lines);
+/// The body of a function whose straight lines end with a solve for all columns, see `ColumnSolve`:
+/// tables of the tree and locals before the lines, the call behind them. Bodies of other functions
+/// are their lines.
+std::string add_column_solve(const EmissionContext& context, const Program& program,
+                             const std::string& lines);
 
 /// The line that includes the header of the solve; empty for other functions.
 std::string print_column_include(const EmissionContext& context, const Program& program);

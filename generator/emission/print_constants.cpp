@@ -19,4 +19,12 @@ std::string print_constants(const Adaptation& own, std::span<const Constant> con
   return is_c ? text + "};\n" : text;
 }
 
+std::string print_sizes(const std::string& robot, const Adaptation& own, std::string_view header,
+                        std::span<const Constant> sizes) {
+  Adaptation filled = own;
+  filled.words["TL_CONTRACT"] = robot;
+  filled.words["TL_CONSTANTS"] = print_constants(own, sizes);
+  return adapt(header, filled);
+}
+
 }  // namespace treeline

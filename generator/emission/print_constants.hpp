@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "emission/adapt.hpp"
 
@@ -16,5 +17,10 @@ struct Constant {
 
 /// Enumerators in C, constants in C++.
 std::string print_constants(const Adaptation& own, std::span<const Constant> constants);
+
+/// A header of sizes, where `header` has TL_CONSTANTS in their place and TL_CONTRACT for the name
+/// of the robot's header.
+std::string print_sizes(const std::string& robot, const Adaptation& own, std::string_view header,
+                        std::span<const Constant> sizes);
 
 }  // namespace treeline

@@ -39,13 +39,11 @@ std::string print_damped_sizes(const EmissionContext& context, const Adaptation&
   const Constant sizes[] = {{"SWEEPS", sweeps, "of QL, as many as any matrix of this size takes"},
                             {"ROTATIONS", core::count_rotations(rows, sweeps),
                              "numbers that describe them, at least one"}};
-  Adaptation filled = own;
-  filled.words["TL_CONTRACT"] = context.name;
-  filled.words["TL_CONSTANTS"] = print_constants(own, sizes);
-  return adapt(
+  return print_sizes(
+      context.name, own,
       "#pragma once\n// Sizes of arrays that damped_solve.h computes in.\n\n#include "
       "<stdbool.h>\n#include <stdint.h>\n\n#include \"TL_CONTRACT.h\"\n\nTL_CONSTANTS",
-      filled);
+      sizes);
 }
 
 }  // namespace

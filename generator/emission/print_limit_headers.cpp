@@ -117,12 +117,10 @@ Adaptation make_limit_adaptation(const EmissionContext& context) {
 }
 
 std::string print_limit_sizes(const EmissionContext& context, const Adaptation& own) {
-  const std::string header =
-      "#pragma once\n// Sizes of arrays that limited_torque.h computes in.\n\n"
-      "#include \"torque_limits.h\"\n\nTL_CONSTANTS";
-  Adaptation filled = own;
-  filled.words["TL_CONSTANTS"] = print_constants(own, list_array_sizes(context));
-  return adapt(header, filled);
+  return print_sizes(context.name, own,
+                     "#pragma once\n// Sizes of arrays that limited_torque.h computes in.\n\n"
+                     "#include \"torque_limits.h\"\n\nTL_CONSTANTS",
+                     list_array_sizes(context));
 }
 
 }  // namespace

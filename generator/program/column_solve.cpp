@@ -9,6 +9,10 @@ std::size_t ColumnSolve::count_work() const {
          static_cast<std::size_t>(core::column_stride(velocities));
 }
 
+bool is_for_columns(const Result& result) {
+  return result.argument.name == kColumnFactors || result.argument.name == kColumnPivots;
+}
+
 const Program& printed_lines(const Program& program) {
   return program.columns ? program.columns->lines : program;
 }

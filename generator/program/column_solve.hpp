@@ -33,6 +33,9 @@ struct ColumnSolve {
 inline constexpr const char* kColumnFactors = "L";
 inline constexpr const char* kColumnPivots = "inverse_D";
 
+/// Whether a result of the lines is one of these arrays.
+bool is_for_columns(const Result& result);
+
 /// What is printed as straight lines of a program: itself, or what stands before its solve.
 const Program& printed_lines(const Program& program);
 

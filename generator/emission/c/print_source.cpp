@@ -72,7 +72,7 @@ Body print_body_of(const EmissionContext& context, const Program& program,
   const Syntax syntax = make_syntax(context);
   if (!context.misra) {
     const std::string lines = print_body(printed_lines(program), syntax, taken);
-    return {"", join(print_columns(context, program), lines)};
+    return {"", add_column_solve(context, program, lines)};
   }
   taken.insert("values");
   const PartedBody body = print_parts(program, syntax, taken, "values->");

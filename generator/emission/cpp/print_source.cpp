@@ -137,7 +137,7 @@ std::string print_source(const EmissionContext& context, const Program& program)
       print_body(printed_lines(program), make_syntax(context), find_taken(context, program));
   holes.insert({{"includes", print_includes(context, program)},
                 {"lanes", print_lanes_type(program)},
-                {"body", join(print_columns(context, program), lines)}});
+                {"body", add_column_solve(context, program, lines)}});
   return fill_template(templates::kFunction, holes);
 }
 

@@ -38,14 +38,30 @@ function range_of(low, high, unit, limits) {
   return [middle - wanted / 2, middle + wanted / 2];
 }
 
+/** A plot of uPlot in a figure. */
+class Plot {
+  resize(width) {
+    this.plot.setSize({width, height: kHeight});
+  }
+
+  destroy() {
+    this.plot.destroy();
+  }
+
+  get canvas() {
+    return this.plot.ctx.canvas;
+  }
+}
+
 /**
  * Lines over time: `columns` of one quantity, see `list_columns`, shown in `factor` times their
  * unit, which is then `unit`. `to_limits`: the limits are in sight. A click calls `pick(time)`.
  */
-export class TimePlot {
+export class TimePlot extends Plot {
   #marker = null;
 
   constructor({title, unit, factor, columns, width, to_limits, pick}) {
+    super();
     this.columns = columns;
     this.factor = factor;
     this.limits = columns.map((column) => column.limits.map((limit) => limit * factor));
@@ -84,18 +100,6 @@ export class TimePlot {
     if (plot.cursor.left >= 0) return;
     const idx = marked === null ? times.length - 1 : times.findLastIndex((time) => time <= marked);
     plot.setLegend({idx: Math.max(idx, 0)}, false);
-  }
-
-  resize(width) {
-    this.plot.setSize({width, height: kHeight});
-  }
-
-  destroy() {
-    this.plot.destroy();
-  }
-
-  get canvas() {
-    return this.plot.ctx.canvas;
   }
 
   #stroke(color, dash, [x, y], [to_x, to_y]) {
@@ -149,8 +153,9 @@ export function bins(counts, first_us, width_us) {
 }
 
 /** How many cycles took how long: `read(histogram)` gives [counts, first, width]. */
-export class HistogramPlot {
+export class HistogramPlot extends Plot {
   constructor({title, read, width}) {
+    super();
     this.read = read;
     this.figure = element('figure', {}, element('figcaption', {}, title));
     this.plot = new uPlot({
@@ -166,17 +171,5 @@ export class HistogramPlot {
 
   show_histogram(histogram) {
     this.plot.setData(bins(...this.read(histogram)));
-  }
-
-  resize(width) {
-    this.plot.setSize({width, height: kHeight});
-  }
-
-  destroy() {
-    this.plot.destroy();
-  }
-
-  get canvas() {
-    return this.plot.ctx.canvas;
   }
 }
