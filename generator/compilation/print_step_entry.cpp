@@ -4,43 +4,19 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 
 #include "compilation/templates.hpp"
 #include "emission/fill_template.hpp"
+#include "emission/list_members.hpp"
 
 namespace treeline {
 namespace {
 
 constexpr const char* kDynamicsStem = "treeline_check_step_dynamics";
 
-/// A member of a struct: its type and its name, without an array's size.
-struct Member {
-  std::string type, name;
-};
-
-std::string without_comments(const std::string& text) {
-  static const std::regex comment(R"(/\*[^*]*\*+(?:[^/*][^*]*\*+)*/)");
-  return std::regex_replace(text, comment, " ");
-}
-
-/// Members of `typedef struct TYPE {...}` in their order.
-std::vector<Member> list_struct(const std::string& header, const std::string& type) {
-  const std::size_t begin = header.find("typedef struct " + type + " {");
-  const std::size_t end = header.find("\n} " + type + ";", begin);
-  std::vector<Member> members;
-  if (begin == std::string::npos || end == std::string::npos) return members;
-  const std::size_t open = header.find('{', begin) + 1;
-  const std::string body = without_comments(header.substr(open, end - open));
-  static const std::regex member(R"((\w+)\s+(\w+)(?:\s*\[[^\]]*\])?\s*;)");
-  for (std::sregex_iterator at(body.begin(), body.end(), member), none; at != none; ++at) {
-    members.push_back({(*at)[1], (*at)[2]});
-  }
-  return members;
-}
-
 /// The call that visits a member. `path` leads to it from the struct.
-std::string print_visited(const std::string& name, const Member& member, const std::string& path) {
+std::string print_visited(const std::string& name, const StructMember& member,
+                          const std::string& path) {
   const char* const kind = member.type == "int32_t"    ? "SIGNED"
                            : member.type == "uint32_t" ? "UNSIGNED"
                                                        : "REAL";
@@ -55,9 +31,9 @@ std::string print_visited(const std::string& name, const Member& member, const s
 std::string print_visit(const std::string& name, const std::string& header,
                         const std::string& part) {
   std::string calls;
-  for (const Member& member : list_struct(header, name + "_" + part)) {
+  for (const StructMember& member : list_members(header, name + "_" + part)) {
     if (member.type == name + "_command") {
-      for (const Member& of_command : list_struct(header, member.type)) {
+      for (const StructMember& of_command : list_members(header, member.type)) {
         calls += print_visited(name, of_command, member.name + "." + of_command.name);
       }
     } else {

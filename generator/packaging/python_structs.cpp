@@ -7,9 +7,9 @@
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/controller_unit.hpp"
+#include "emission/list_members.hpp"
 #include "emission/print_manifest.hpp"
 #include "packaging/call_c.hpp"
-#include "packaging/list_members.hpp"
 #include "packaging/templates.hpp"
 #include "passes/count_operations.hpp"
 

@@ -1,4 +1,4 @@
-#include "packaging/list_members.hpp"
+#include "emission/list_members.hpp"
 
 #include <regex>
 #include <sstream>
