@@ -10,7 +10,7 @@
 namespace treeline {
 namespace {
 
-/// Whether two results of loops, or of a solve for columns, agree. Their graph has no products with
+/// Whether two results of loops, or of a routine behind lines, agree. Their graph has no products with
 /// constants of 0, which code multiplies: the sign of a zero may differ.
 bool same_or_zero(double code, double graph) {
   return same_bits(code, graph) || (code == 0 && graph == 0);
@@ -97,7 +97,7 @@ bool same_bits(double a, double b) {
 bool are_bits_of_graph(const GeneratedFunction& generated, const std::vector<double>& results,
                        const FunctionReference& reference) {
   const Program& program = generated.program;
-  const bool loops = program.loops != nullptr || program.columns != nullptr;
+  const bool loops = program.loops != nullptr || program.ending != nullptr;
   return std::equal(results.begin(), results.end(), reference.graph.begin(), reference.graph.end(),
                     !loops               ? same_bits
                     : reference.singular ? same_where_singular

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "emission/adapt.hpp"
+#include "emission/backend.hpp"
 #include "emission/describe_program.hpp"
 #include "emission/print_square_root.hpp"
+#include "emission/templates.hpp"
 
 namespace treeline {
 
@@ -47,6 +50,11 @@ bool wants_lanes(const Contents& contents) {
   return std::any_of(contents.all.begin(), contents.all.end(), uses_lanes);
 }
 
+bool wants_registers(const Contents& contents) {
+  const bool eights = wants_limits(contents) && !contents.context.misra;
+  return eights || has_common_frame(contents);
+}
+
 bool wants_laws(const Contents& contents) {
   return wants_damping(contents) || wants_limits(contents) || wants_controller(contents);
 }
@@ -55,6 +63,12 @@ std::vector<GeneratedFile> join_files(std::initializer_list<std::vector<Generate
   std::vector<GeneratedFile> files;
   for (const auto& list : lists) files.insert(files.end(), list.begin(), list.end());
   return files;
+}
+
+std::vector<GeneratedFile> print_registers(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const Adaptation own = make_adaptation(context, header_name(context, context.name));
+  return {{header_name(context, "registers"), adapt(templates::kRegisters, own)}};
 }
 
 std::vector<GeneratedFile> print_square_root_of(const Contents& contents) {

@@ -7,8 +7,8 @@
 #include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
 #include "emission/list_sources.hpp"
-#include "emission/print_columns.hpp"
 #include "emission/print_controller.hpp"
+#include "emission/print_endings.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_prefetch.hpp"
 #include "emission/print_selftest.hpp"
@@ -39,13 +39,16 @@ bool wants_prefetch(const Contents& contents);
 bool wants_selftest(const Contents& contents);
 bool wants_loops(const Contents& contents);
 bool wants_lanes(const Contents& contents);
+/// Whether anything computes in vectors that compilers know.
+bool wants_registers(const Contents& contents);
 /// Whether anything that is no function of straight lines computes: it takes roots and sines.
 bool wants_laws(const Contents& contents);
 
 /// The files of several printers, one behind the other.
 std::vector<GeneratedFile> join_files(std::initializer_list<std::vector<GeneratedFile>> lists);
 
-/// Headers of the runtime that the laws include.
+/// Headers of the runtime that others include.
+std::vector<GeneratedFile> print_registers(const Contents& contents);
 std::vector<GeneratedFile> print_square_root_of(const Contents& contents);
 
 // Rows of every language.
@@ -54,8 +57,10 @@ inline constexpr AddOn kControllerRow{wants_controller, print_controller, kContr
 inline constexpr AddOn kPrefetchRow{wants_prefetch, print_prefetch, "prefetch"};
 inline constexpr AddOn kSelftestRow{wants_selftest, print_selftest, kSelftestStem};
 inline constexpr AddOn kIdentityRow{always, nullptr, kIdentityStem};
-inline constexpr AddOn kColumnsRow{
-    .wants = wants_columns, .print = print_column_headers, .is_runtime = true};
+inline constexpr AddOn kEndingsRow{
+    .wants = wants_endings, .print = print_ending_headers, .is_runtime = true};
+inline constexpr AddOn kRegistersRow{
+    .wants = wants_registers, .print = print_registers, .is_runtime = true};
 inline constexpr AddOn kSquareRootRow{
     .wants = wants_laws, .print = print_square_root_of, .is_runtime = true};
 

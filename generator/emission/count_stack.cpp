@@ -6,7 +6,7 @@
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/print_parts.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 #include "program/link_loops.hpp"
 
 namespace treeline {
@@ -57,11 +57,11 @@ std::size_t count_live_values(const Program& program) {
   return most;
 }
 
-/// Numbers of the arrays that only the solve reads.
-std::size_t count_arrays(const ColumnSolve& columns) {
-  std::size_t count = columns.count_work();
-  for (const Result& result : columns.lines.results) {
-    if (is_for_columns(result)) count += result.values.size();
+/// Numbers of the arrays that only the routine reads.
+std::size_t count_arrays(const Ending& ending) {
+  std::size_t count = ending.work;
+  for (const Result& result : ending.lines.results) {
+    if (is_only_read(ending, result)) count += result.values.size();
   }
   return count;
 }
@@ -70,8 +70,8 @@ std::size_t count_arrays(const ColumnSolve& columns) {
 
 std::size_t count_stack_values(const Program& program, bool misra) {
   if (program.loops) return count_work(*program.loops);
-  if (program.columns) {
-    return count_live_values(program.columns->lines) + count_arrays(*program.columns);
+  if (program.ending) {
+    return count_live_values(program.ending->lines) + count_arrays(*program.ending);
   }
   return count_live_values(program) + (misra ? count_shared_values(program) : 0);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "passes/count_operations.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 
 namespace treeline {
 namespace {
@@ -48,9 +48,10 @@ std::set<std::string> find_taken_names(const Program& program, std::set<std::str
   for (const Result& result : program.results) {
     taken.insert(result.argument.name);
   }
-  if (program.columns) {
-    taken.insert({kColumnFactors, kColumnPivots, "above", "above_ends", "above_entries", "below",
-                  "below_ends", "below_entries", "rows"});
+  if (program.ending) {
+    taken.insert("work");
+    for (const Table& table : program.ending->tables) taken.insert(table.name);
+    for (const Result& array : program.ending->lines.results) taken.insert(array.argument.name);
   }
   return taken;
 }

@@ -18,7 +18,7 @@
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "passes/count_operations.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {

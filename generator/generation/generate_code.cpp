@@ -26,7 +26,7 @@
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
 #include "recursion/routes/constraint_routes.hpp"
-#include "recursion/routes/solve_for_columns.hpp"
+#include "recursion/routes/run_ending.hpp"
 #include "recursion/routes/trace_loops.hpp"
 
 namespace treeline {

@@ -9,7 +9,7 @@
 #include "mechanism/find_limbs.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/take_sines.hpp"
-#include "recursion/routes/solve_for_columns.hpp"
+#include "recursion/routes/run_ending.hpp"
 #include "recursion/routes/trace_function.hpp"
 #include "target/target.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "passes/rebuild.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 #include "program/link_loops.hpp"
 
 namespace treeline {
@@ -41,10 +41,11 @@ OperationCount count_operations(const Program& program) {
     const LinkLoops& loops = *program.loops;
     return {loops.adds, loops.muls, loops.divs, loops.sines};
   }
-  if (program.columns) {
-    OperationCount total = count_operations(program.columns->lines);
-    total.add += program.columns->adds;
-    total.mul += program.columns->muls;
+  if (program.ending) {
+    OperationCount total = count_operations(program.ending->lines);
+    total.add += program.ending->adds;
+    total.mul += program.ending->muls;
+    total.div += program.ending->divs;
     return total;
   }
   const std::vector<Node>& nodes = program.graph.nodes();

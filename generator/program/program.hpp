@@ -37,7 +37,7 @@ using LanePack = std::vector<std::uint32_t>;
 
 struct TaskLaw;
 struct LinkLoops;
-struct ColumnSolve;
+struct Ending;
 
 /// Names of a robot's constants, by their sizes: `mass_3`. Sizes that several constants have are
 /// left out.
@@ -66,9 +66,9 @@ struct Program {
   std::shared_ptr<const ConstantNames> constants;  ///< null where names are not kept
   /// Loops over a table of links, of which the graph is the trace; null if the function has none.
   std::shared_ptr<const LinkLoops> loops;
-  /// A solve for all columns behind straight lines, whose operations the graph has too; null if the
+  /// The call of a routine behind straight lines, whose operations the graph has too; null if the
   /// function has none.
-  std::shared_ptr<const ColumnSolve> columns;
+  std::shared_ptr<const Ending> ending;
 };
 
 /// Number of operations that the results need, as emitted. Sines and cosines are counted

@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "core/in_eights.hpp"
 #include "core/sin_cos.hpp"
 #include "core/square_root.hpp"
 
@@ -13,11 +14,6 @@
 #endif
 
 namespace treeline::core {
-
-/// Columns of matrices are padded to a multiple of eight, which compilers turn into SIMD.
-constexpr int in_eights(int count) noexcept {
-  return (count + 7) / 8 * 8;
-}
 
 /// Arrays have at least one entry.
 constexpr int one_or(int count) noexcept {

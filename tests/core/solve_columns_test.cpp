@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/emitted_columns.hpp"
+#include "core/emitted_endings.hpp"
 
 namespace treeline {
 namespace {
@@ -87,13 +87,12 @@ TEST_P(SolveColumns, AgreesWithPivoting) {
   const Matrix of_A = lu.solve(A);
   const Matrix of_B = lu.solve(B);
   const Matrix of_one = lu.inverse();
-  using Solve = core::EmittedColumns<double>;
-  Solve solve(n);
-  const Solve::TlRowSums above{factors.above_ends.data(), factors.above.data()};
-  const Solve::TlRowSums below{factors.below_ends.data(), factors.below.data()};
+  using Solve = core::EmittedEndings<double>;
+  Solve solve(n, false);
   std::vector<double> work(static_cast<std::size_t>(n * core::column_stride(n)), 1e300);
   Matrix inverse(n, n);
-  solve.tl_solve_columns(&above, &below, factors.entries.data(), factors.inverse_D.data(),
+  solve.tl_solve_columns(factors.above_ends.data(), factors.above.data(),
+                         factors.below_ends.data(), factors.below.data(), factors.entries.data(), factors.inverse_D.data(),
                          work.data(), A.data(), B.data(), inverse.data());
   // Errors of both solves: a rounding per operation of a row, times what L^-1 and L^-T enlarge.
   const Matrix growth = factors.L.inverse().cwiseAbs();

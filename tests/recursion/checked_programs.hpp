@@ -21,6 +21,9 @@ namespace treeline::tests {
 /// here. Observed: 9 without a solve, 28 with one.
 inline constexpr double kUlpBound = 64;
 
+/// Lanes for which programs are traced beside those without: some routes are for lanes alone.
+inline constexpr int kLanes = 8;
+
 /// Largest error of each function, in ulp of the result's scale times the condition number.
 class ErrorTable {
  public:
@@ -65,9 +68,9 @@ class CheckedPrograms {
   CheckedPrograms(const Robot& robot, Scene scene) : oracle_(robot, scene) {
     scene.singular = SingularTasks::exact;
     Mechanism mechanism = reduced_mechanism(robot, scene);
-    append(mechanism);
-    mechanism.limbs = find_limbs(mechanism, 8);
-    if (!mechanism.limbs.empty()) append(mechanism);
+    append(mechanism, 1);
+    mechanism.limbs = find_limbs(mechanism, kLanes);
+    append(mechanism, kLanes);
   }
 
   [[nodiscard]] const Oracle<Digits50>& oracle() const { return oracle_; }
@@ -111,10 +114,10 @@ class CheckedPrograms {
   }
 
  private:
-  void append(const Mechanism& mechanism) {
+  void append(const Mechanism& mechanism, int lanes) {
     for (const Function function : kDefaultFunctions) {
       if (!needs_points(function) || oracle_.has_points()) {
-        programs_.emplace_back(function, trace_function(mechanism, function));
+        programs_.emplace_back(function, trace_function(mechanism, function, lanes));
       }
     }
   }

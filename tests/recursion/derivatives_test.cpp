@@ -23,8 +23,8 @@ using interpreter::DynamicsDerivatives;
 
 std::vector<Seeded> derivatives_robots() {
   std::vector<Seeded> all;
-  const auto add = [&](RandomOptions options, int seeds) {
-    options.external_forces = 2;
+  const auto add = [&](RandomOptions options, int seeds, int forces = 2) {
+    options.external_forces = forces;
     for (int i = 0; i < seeds; ++i) all.push_back({700 + all.size(), options});
   };
   add({.joints = 1}, 3);
@@ -36,6 +36,12 @@ std::vector<Seeded> derivatives_robots() {
   add({.joints = 5, .branching = 0.2, .mix = {5, 1, 2, 1, 2, 2}}, 5);
   add({.joints = 5, .branching = 0.2, .mix = {2, 1, 2, 1, 1, 1, 5}}, 5);
   add({.joints = 4, .branching = 0.3, .mix = {2, 1, 1, 1, 0, 0, 5}, .floating_base = true}, 3);
+  // In one common frame, where nothing acts at points.
+  add({.joints = 1}, 1, 0);
+  add({.joints = 9, .branching = 0}, 2, 0);
+  add({.joints = 12, .branching = 0.5}, 3, 0);
+  add({.joints = 11, .branching = 0.4, .floating_base = true}, 4, 0);
+  add({.joints = 8, .branching = 0.3, .rotors = 0.7, .drives = 0.6}, 3, 0);
   return all;
 }
 

@@ -70,7 +70,8 @@ constexpr AddOn kAddOns[] = {
     {wants_loops, print_loops},
     {.wants = wants_lanes, .print = print_lane_types, .is_runtime = true},
     {.wants = wants_sines, .print = print_sines, .is_runtime = true},
-    kColumnsRow,
+    kEndingsRow,
+    kRegistersRow,
     kSquareRootRow};
 
 }  // namespace

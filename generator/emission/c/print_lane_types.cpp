@@ -6,7 +6,7 @@
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/fill_template.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 
 namespace treeline::c {
 namespace {

@@ -13,10 +13,10 @@
 #include "emission/join_arguments.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_columns.hpp"
+#include "emission/print_endings.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/wrap_line.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 
 namespace treeline::c {
 namespace {
@@ -28,7 +28,7 @@ std::string parameter(const EmissionContext& context, const Argument& argument,
 
 std::string print_includes(const EmissionContext& context, const Program& program) {
   std::string includes = uses_lanes(program) ? "#include \"lanes.h\"\n" : "";
-  includes += print_column_include(context, program);
+  includes += print_ending_include(context, program);
   includes += uses_trigonometry(program) ? "#include \"sin_cos.h\"\n" : "";
   return includes;
 }
@@ -72,7 +72,7 @@ Body print_body_of(const EmissionContext& context, const Program& program,
   const Syntax syntax = make_syntax(context);
   if (!context.misra) {
     const std::string lines = print_body(printed_lines(program), syntax, taken);
-    return {"", add_column_solve(context, program, lines)};
+    return {"", add_ending(context, program, lines)};
   }
   taken.insert("values");
   const PartedBody body = print_parts(program, syntax, taken, "values->");

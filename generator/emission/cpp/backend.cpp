@@ -88,7 +88,8 @@ constexpr AddOn kAddOns[] = {
     {[](const Contents& each) { return !each.context.misra; }, print_other_calls},
     {.wants = wants_own_lanes, .print = print_lanes, .is_runtime = true},
     {.wants = wants_sines, .print = print_sines, .is_runtime = true},
-    kColumnsRow,
+    kEndingsRow,
+    kRegistersRow,
     kSquareRootRow};
 
 }  // namespace

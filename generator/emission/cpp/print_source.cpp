@@ -13,10 +13,10 @@
 #include "emission/list_source_holes.hpp"
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_columns.hpp"
+#include "emission/print_endings.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/wrap_line.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 
 namespace treeline::cpp {
 namespace {
@@ -39,7 +39,7 @@ std::string print_head(const Program& program, const std::string& restrict) {
 
 std::string print_includes(const EmissionContext& context, const Program& program) {
   std::string includes = uses_lanes(program) ? "#include \"lanes.hpp\"\n" : "";
-  includes += print_column_include(context, program);
+  includes += print_ending_include(context, program);
   includes += uses_trigonometry(program) ? "#include \"sin_cos.hpp\"\n" : "";
   if (!includes.empty()) {
     includes.pop_back();
@@ -137,7 +137,7 @@ std::string print_source(const EmissionContext& context, const Program& program)
       print_body(printed_lines(program), make_syntax(context), find_taken(context, program));
   holes.insert({{"includes", print_includes(context, program)},
                 {"lanes", print_lanes_type(program)},
-                {"body", add_column_solve(context, program, lines)}});
+                {"body", add_ending(context, program, lines)}});
   return fill_template(templates::kFunction, holes);
 }
 

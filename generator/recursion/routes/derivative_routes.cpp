@@ -3,7 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "core/in_eights.hpp"
 #include "recursion/methods/forward_dynamics_derivatives.hpp"
+#include "recursion/routes/common_frame.hpp"
 #include "recursion/routes/result_parts.hpp"
 
 namespace treeline {
@@ -43,37 +45,43 @@ std::vector<Result> trace_forward(const Trace& trace, DerivativeRoute route) {
 
 /// Lists which rows L^-T and L^-1 subtract from which, and returns the entries of L that may not be
 /// 0, column by column.
-std::vector<Expression> list_factors(const DenseMatrix<Expression>& L, ColumnSolve& columns) {
+std::vector<Expression> list_factors(const DenseMatrix<Expression>& L, Ending& ending) {
   const std::size_t n = L.rows();
+  std::vector<std::int16_t> above_ends;
+  std::vector<std::int16_t> above;
+  std::vector<std::int16_t> below_ends;
+  std::vector<std::int16_t> below;
   std::vector<Expression> factors;
   DenseMatrix<std::int16_t> places(n, n);
-  const auto add = [](RowSums& sums, std::size_t row, std::int16_t place) {
-    sums.entries.insert(sums.entries.end(), {static_cast<std::int16_t>(row), place});
+  const auto add = [](std::vector<std::int16_t>& entries, std::size_t row, std::int16_t place) {
+    entries.insert(entries.end(), {static_cast<std::int16_t>(row), place});
   };
-  const auto end = [](RowSums& sums) {
-    sums.ends.push_back(static_cast<std::int16_t>(sums.entries.size() / 2));
+  const auto end = [](std::vector<std::int16_t>& ends, const std::vector<std::int16_t>& entries) {
+    ends.push_back(static_cast<std::int16_t>(entries.size() / 2));
   };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = n; k-- > i + 1;) {
       if (L(k, i).is_zero()) continue;
       places(k, i) = static_cast<std::int16_t>(factors.size());
       factors.push_back(L(k, i));
-      add(columns.above, k, places(k, i));
+      add(above, k, places(k, i));
     }
-    end(columns.above);
+    end(above_ends, above);
   }
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t i = 0; i < k; ++i) {
-      if (!L(k, i).is_zero()) add(columns.below, i, places(k, i));
+      if (!L(k, i).is_zero()) add(below, i, places(k, i));
     }
-    end(columns.below);
+    end(below_ends, below);
   }
   if (factors.empty()) factors.emplace_back(0.0);  // arrays have at least one
+  ending.tables = {
+      {"above_ends", above_ends}, {"above", above}, {"below_ends", below_ends}, {"below", below}};
   return factors;
 }
 
 /// Derivatives of joint forces as straight lines, then the solve.
-ColumnSolve solve_forward(const Trace& trace) {
+Ending solve_forward(const Trace& trace) {
   const auto& f_ext = trace.in[Quantity::f_ext];
   const auto [factor, qdd] =
       solve_motion<Expression>(trace.tree, trace.X, trace.qd(), trace.tau(), f_ext);
@@ -82,15 +90,17 @@ ColumnSolve solve_forward(const Trace& trace) {
   const auto argument = [&](const char* name, const std::string& meaning) {
     return Argument{name, trace.tree.nv, trace.tree.nv, meaning};
   };
-  ColumnSolve columns;
-  columns.velocities = trace.tree.nv;
-  columns.results = {argument("dqdd_dq", by_displacements(*trace.mechanism)),
-                     argument("dqdd_dqd", "by qd"), argument("dqdd_dtau", "by tau: M^-1")};
-  columns.lines.results = {{columns.results[0], (-d.dq).values()},
-                           {columns.results[1], (-d.dqd).values()},
-                           vector_result(kColumnFactors, "", list_factors(factor.L, columns)),
-                           vector_result(kColumnPivots, "", factor.inverse_D)};
-  return columns;
+  Ending ending;
+  ending.routine = Routine::solve_columns;
+  ending.velocities = trace.tree.nv;
+  ending.work = static_cast<std::size_t>(trace.tree.nv * core::column_stride(trace.tree.nv));
+  ending.results = {argument("dqdd_dq", by_displacements(*trace.mechanism)),
+                    argument("dqdd_dqd", "by qd"), argument("dqdd_dtau", "by tau: M^-1")};
+  ending.lines.results = {{ending.results[0], (-d.dq).values()},
+                          {ending.results[1], (-d.dqd).values()},
+                          vector_result("L", "", list_factors(factor.L, ending)),
+                          vector_result("inverse_D", "", factor.inverse_D)};
+  return ending;
 }
 
 std::vector<Route> list_line_routes(const RouteQuery& query) {
@@ -111,7 +121,18 @@ std::vector<Route> list_line_routes(const RouteQuery& query) {
 Route column_route() {
   Route route{
       {"columns", "-M^-1 times those of inverse dynamics, M = L^T D L, all columns together"}, {}};
-  route.columns = solve_forward;
+  route.ending = solve_forward;
+  return route;
+}
+
+/// The route in one common frame, where joints stand side by side.
+Route common_frame_route(bool forward) {
+  Route route{
+      {"common-frame", "changes of motion and wrenches in the base's frame, joints side by side"},
+      {}};
+  if (forward) route.id.algorithm_words += "; M = L^T D L, all columns together";
+  route.ending = forward ? end_with_acceleration_derivatives : end_with_force_derivatives;
+  route.keeps_inertias = true;
   return route;
 }
 
@@ -120,7 +141,11 @@ Route column_route() {
 std::vector<Route> derivative_routes(const RouteQuery& query) {
   std::vector<Route> routes = list_line_routes(query);
   const bool forward = query.function == Function::forward_dynamics_derivatives;
-  if (forward && query.lanes > 1) routes.push_back(column_route());
+  if (query.lanes == 1) return routes;
+  if (forward) routes.push_back(column_route());
+  if (suits_common_frame(query.tree) && query.mechanism.external_forces.empty()) {
+    routes.push_back(common_frame_route(forward));
+  }
   return routes;
 }
 

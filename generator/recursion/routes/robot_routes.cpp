@@ -9,6 +9,7 @@
 #include "recursion/methods/kinetic_energy.hpp"
 #include "recursion/methods/point_motion.hpp"
 #include "recursion/methods/potential_energy.hpp"
+#include "recursion/routes/common_frame.hpp"
 #include "recursion/routes/motion_derivative_routes.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/task_routes.hpp"
@@ -168,18 +169,28 @@ std::vector<Route> bias_routes() {
            }}};
 }
 
-std::vector<Route> mass_matrix_routes() {
-  return {{{"crba", "composite rigid bodies, RBDA table 6.2"}, [](const Trace& trace) {
-             return matrix_output("M", "joint-space inertia", mass_matrix(trace.tree, trace.X));
-           }}};
-}
-
 /// The mechanism whose routes are asked for, with its tree and its task laws.
 struct Traced {
   const Mechanism& mechanism;
   const Tree<Expression>& tree;
   TaskLaws& laws;
+  int lanes = 1;  ///< how many numbers the emitted code may compute together
 };
+
+std::vector<Route> mass_matrix_routes(const Traced& of) {
+  std::vector<Route> routes{
+      {{"crba", "composite rigid bodies, RBDA table 6.2"}, [](const Trace& trace) {
+         return matrix_output("M", "joint-space inertia", mass_matrix(trace.tree, trace.X));
+       }}};
+  if (of.lanes > 1 && suits_common_frame(of.tree)) {
+    Route route{{"common-frame", "composite rigid bodies in the base's frame, joints side by side"},
+                {}};
+    route.ending = end_with_mass_matrix;
+    route.keeps_inertias = true;
+    routes.push_back(std::move(route));
+  }
+  return routes;
+}
 
 struct RoutesOf {
   Function function;
@@ -193,7 +204,7 @@ constexpr auto kRoutes = std::to_array<RoutesOf>({
     {Function::inverse_dynamics, [](const Traced&) { return newton_euler_route("tau"); }},
     {Function::gravity, [](const Traced&) { return newton_euler_route("g"); }},
     {Function::nonlinear_effects, [](const Traced&) { return newton_euler_route("h"); }},
-    {Function::mass_matrix, [](const Traced&) { return mass_matrix_routes(); }},
+    {Function::mass_matrix, [](const Traced& of) { return mass_matrix_routes(of); }},
     {Function::forward_dynamics, [](const Traced& of) { return forward_dynamics_routes(of.tree); }},
     {Function::coriolis_matrix, [](const Traced&) { return coriolis_routes(); }},
     {Function::kinetic_energy, [](const Traced&) { return kinetic_energy_routes(); }},
@@ -236,7 +247,7 @@ std::vector<Route> robot_routes(const RouteQuery& query) {
   const RoutesOf* const row = find_row(kRoutes, query.function);
   if (row == nullptr) return {};
   TaskLaws laws(query.mechanism);
-  return row->routes({query.mechanism, query.tree, laws});
+  return row->routes({query.mechanism, query.tree, laws, query.lanes});
 }
 
 }  // namespace treeline

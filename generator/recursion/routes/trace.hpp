@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "functions/function.hpp"
-#include "program/column_solve.hpp"
+#include "program/ending.hpp"
 #include "recursion/methods/control_torque.hpp"
 #include "recursion/methods/task_law.hpp"
 #include "recursion/tree/declare_inputs.hpp"
@@ -48,10 +48,11 @@ struct Trace {
   [[nodiscard]] std::vector<WorldPose<Expression>> poses() const { return world_poses(tree, X); }
 };
 
-/// Finds the transforms of all joints for the inputs.
-inline void find_transforms(Trace& trace) {
+/// Finds the transforms of all joints for the inputs. Where rotations are deferred, inertias turn
+/// with joints.
+inline void find_transforms(Trace& trace, bool deferred = true) {
   trace.X = joint_transforms<Expression>(trace.tree, trace.q());
-  defer_rotations(trace.tree, trace.X);
+  if (deferred) defer_rotations(trace.tree, trace.X);
   follow_points(trace.tree, trace.objects);
 }
 
@@ -65,8 +66,9 @@ struct Route {
   /// The order in which results are to be computed; empty: any.
   std::function<std::vector<ResultPlace>(const Mechanism& mechanism, std::size_t results)> order =
       {};
-  /// In place of `body`: a solve, with results of the straight lines before it.
-  std::function<ColumnSolve(const Trace&)> columns = {};
+  /// In place of `body`: a routine that is called, with results of the straight lines before it.
+  std::function<Ending(const Trace&)> ending = {};
+  bool keeps_inertias = false;  ///< constants: no rotation is deferred
 };
 
 /// The function and the tree whose routes are asked for. They depend on its structure alone.

@@ -15,7 +15,7 @@
 #include "recursion/routes/pruned_algorithms.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/robot_routes.hpp"
-#include "recursion/routes/solve_for_columns.hpp"
+#include "recursion/routes/run_ending.hpp"
 #include "recursion/tree/lift_tree.hpp"
 #include "recursion/tree/name_constants.hpp"
 #include "recursion/tree/supported_mechanism.hpp"
@@ -139,17 +139,17 @@ class Tracer {
 
   /// `nodes`: about as many as the graph will have.
   [[nodiscard]] Program trace(const Route& route, Names names, std::size_t nodes) const {
-    ColumnSolve columns;
-    Program program = trace_lines(route, names, nodes, columns);
-    if (!route.columns) return program;
-    columns.lines = std::move(program);
-    return solve_for_columns(std::move(columns));
+    Ending ending;
+    Program program = trace_lines(route, names, nodes, ending);
+    if (!route.ending) return program;
+    ending.lines = std::move(program);
+    return end_lines(std::move(ending));
   }
 
  private:
-  /// The straight lines; what comes behind them goes to `columns`.
+  /// The straight lines; what comes behind them goes to `ending`.
   [[nodiscard]] Program trace_lines(const Route& route, Names names, std::size_t nodes,
-                                    ColumnSolve& columns) const {
+                                    Ending& ending) const {
     Program program;
     program.name = function_name(function_);
     program.equation = info_of(function_).equation;
@@ -173,12 +173,12 @@ class Tracer {
     }
     program.equation += left_out_of(function_, mechanism_);
     take_inputs(*seen, program, trace);
-    find_transforms(trace);
+    find_transforms(trace, !route.keeps_inertias);
     describe_singular(route, program);
     if (route.law) trace.rule = route.law->rule;
-    if (route.columns) {
-      columns = route.columns(trace);
-      program.results = std::move(columns.lines.results);
+    if (route.ending) {
+      ending = route.ending(trace);
+      program.results = std::move(ending.lines.results);
       return program;
     }
     program.results = route.body(trace);

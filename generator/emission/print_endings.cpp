@@ -1,0 +1,172 @@
+#include "emission/print_endings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/in_eights.hpp"
+#include "emission/adapt.hpp"
+#include "emission/backend.hpp"
+#include "emission/c_family_syntax.hpp"
+#include "emission/print_constants.hpp"
+#include "emission/templates.hpp"
+#include "emission/wrap_line.hpp"
+#include "program/ending.hpp"
+
+namespace treeline {
+namespace {
+
+struct EmittedHeader {
+  const char* name;
+  const std::string_view* text;
+};
+
+constexpr EmittedHeader kSolveColumns{"solve_columns", &templates::kSolveColumns};
+constexpr EmittedHeader kCommonFrame{"common_frame", &templates::kCommonFrame};
+constexpr EmittedHeader kAccelerationDerivatives{"acceleration_derivatives",
+                                                 &templates::kAccelerationDerivatives};
+constexpr EmittedHeader kForceDerivatives{"force_derivatives", &templates::kForceDerivatives};
+
+/// A routine's name, and its header with those that it includes.
+struct RoutineText {
+  Routine routine;
+  const char* call;
+  std::vector<EmittedHeader> headers;
+};
+
+const std::vector<RoutineText>& list_routines() {
+  static const std::vector<RoutineText> routines{
+      {Routine::solve_columns, "tl_solve_columns", {kSolveColumns}},
+      {Routine::mass_matrix, "tl_mass_in_common_frame", {kCommonFrame}},
+      {Routine::force_derivatives, "tl_force_derivatives", {kForceDerivatives, kCommonFrame}},
+      {Routine::acceleration_derivatives,
+       "tl_acceleration_derivatives",
+       {kAccelerationDerivatives, kForceDerivatives, kCommonFrame, kSolveColumns}}};
+  return routines;
+}
+
+const RoutineText& text_of(const Ending& ending) {
+  const auto& routines = list_routines();
+  return *std::find_if(routines.begin(), routines.end(),
+                       [&](const RoutineText& row) { return row.routine == ending.routine; });
+}
+
+Adaptation make_ending_adaptation(const EmissionContext& context) {
+  return make_adaptation(context, header_name(context, context.name));
+}
+
+std::string print_ending_sizes(const Contents& contents, const Adaptation& own) {
+  const EmissionContext& context = contents.context;
+  const bool floats =
+      std::any_of(contents.all.begin(), contents.all.end(),
+                  [](const Program& program) { return program.ending && program.ending->floats; });
+  const int n = context.velocities;
+  const Constant sizes[] = {
+      {"STRIDE", core::column_stride(n), "of rows that hold three rows of matrices"},
+      {"PLACES", core::in_eights(n), "of freedoms side by side"},
+      {"FLOATS", floats ? 1 : 0, "whether the base floats"}};
+  return print_sizes(
+      context.name, own,
+      "#pragma once\n// Sizes of arrays that functions end with.\n\n#include <stddef.h>\n#include "
+      "<stdint.h>\n\n#include \"TL_CONTRACT.h\"\n\nTL_CONSTANTS",
+      sizes);
+}
+
+/// A name of runtime/emitted as code outside of its headers writes it.
+std::string in_detail(const EmissionContext& context, std::string_view word) {
+  const char* const scope = backend_of(context.language).has_namespaces ? "detail::" : "";
+  return scope + adapt_words(word, make_ending_adaptation(context));
+}
+
+std::string real_of(const EmissionContext& context) {
+  return backend_of(context.language).has_namespaces ? "Real" : number_type(context);
+}
+
+/// A table of constants. Arrays have at least one number.
+std::string print_table(const EmissionContext& context, const Table& table) {
+  std::vector<std::string> texts;
+  std::string type = "int16_t";
+  if (const auto* places = std::get_if<std::vector<std::int16_t>>(&table.values)) {
+    for (const std::int16_t place : *places) texts.push_back(std::to_string(place));
+  } else {
+    type = real_of(context);
+    const Syntax syntax = make_c_family_syntax(context.single_precision);
+    for (const double number : std::get<std::vector<double>>(table.values)) {
+      texts.push_back(syntax.literal(number));
+    }
+  }
+  if (texts.empty()) texts.emplace_back("0");
+  return wrap_line(fmt::format("static const {} {}[{}] = {{{}}};", type, table.name, texts.size(),
+                               fmt::join(texts, ", ")),
+                   2);
+}
+
+bool has_ending(const Program& program) {
+  return program.ending != nullptr;
+}
+
+/// The headers of all routines, once each.
+std::map<std::string_view, std::string_view> list_headers(const Contents& contents) {
+  std::map<std::string_view, std::string_view> headers;
+  for (const Program& program : contents.all) {
+    if (!has_ending(program)) continue;
+    for (const auto& [name, text] : text_of(*program.ending).headers) headers[name] = *text;
+  }
+  return headers;
+}
+
+}  // namespace
+
+std::string add_ending(const EmissionContext& context, const Program& program,
+                       const std::string& lines) {
+  if (!has_ending(program)) return lines;
+  const Ending& ending = *program.ending;
+  const std::string real = real_of(context);
+  std::string arrays;
+  std::vector<std::string> list;
+  const auto pass = [&list](const std::string& name) { list.push_back("&" + name + "[0]"); };
+  for (const Table& table : ending.tables) {
+    arrays += print_table(context, table);
+    pass(table.name);
+  }
+  for (const Result& array : ending.lines.results) {
+    if (!is_only_read(ending, array)) continue;
+    arrays += fmt::format("  {} {}[{}];\n", real, array.argument.name, array.values.size());
+    pass(array.argument.name);
+  }
+  arrays += fmt::format("  {} work[{}];\n", real, ending.work);
+  pass("work");
+  for (const Argument& result : ending.results) pass(result.name);
+  const std::string call = in_detail(context, text_of(ending).call);
+  return arrays + "\n" + lines + "\n" +
+         wrap_line(fmt::format("{}({});", call, fmt::join(list, ", ")), 2);
+}
+
+std::string print_ending_include(const EmissionContext& context, const Program& program) {
+  if (!has_ending(program)) return {};
+  return fmt::format("#include \"{}\"\n",
+                     header_name(context, text_of(*program.ending).headers.front().name));
+}
+
+bool wants_endings(const Contents& contents) {
+  return std::any_of(contents.all.begin(), contents.all.end(), has_ending);
+}
+
+bool has_common_frame(const Contents& contents) {
+  return list_headers(contents).contains(kCommonFrame.name);
+}
+
+std::vector<GeneratedFile> print_ending_headers(const Contents& contents) {
+  const EmissionContext& context = contents.context;
+  const Adaptation own = make_ending_adaptation(context);
+  std::vector<GeneratedFile> files{
+      {header_name(context, "ending_sizes"), print_ending_sizes(contents, own)}};
+  for (const auto& [name, text] : list_headers(contents)) {
+    files.push_back({header_name(context, std::string(name)), adapt(text, own)});
+  }
+  return files;
+}
+
+}  // namespace treeline
