@@ -1,5 +1,7 @@
 #include "cli/init_scene.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,8 +12,9 @@
 #include "cli/print_diagnostics.hpp"
 #include "cli/write_output.hpp"
 #include "description/count_freedoms.hpp"
+#include "description/read_robot_text.hpp"
 #include "description/read_scene.hpp"
-#include "description/read_urdf.hpp"
+#include "drawing/read_visuals.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "inspect/propose_scene.hpp"
 #include "text/read_text_file.hpp"
@@ -28,6 +31,27 @@ struct InitOptions {
 std::optional<Base> base_asked_for(const InitOptions& options) {
   if (options.base.empty()) return std::nullopt;
   return options.base == "floating" ? Base::floating : Base::fixed;
+}
+
+/// Whether a ball is the end of a cylinder, as text of a URDF has capsules.
+bool ends_a_cylinder(const Visual& ball, const std::vector<Visual>& shapes) {
+  return std::any_of(shapes.begin(), shapes.end(), [&](const Visual& cylinder) {
+    if (cylinder.kind != VisualKind::cylinder || cylinder.link != ball.link) return false;
+    const double apart = (cylinder.pose.translation() - ball.pose.translation()).norm();
+    return cylinder.size.x() == ball.size.x() && std::abs(apart - cylinder.size.y() / 2) < 1e-6;
+  });
+}
+
+std::vector<TouchShape> find_touch_shapes(const std::string& urdf) {
+  Diagnostics ignored;  // nothing is drawn
+  const std::vector<Visual> shapes = read_collisions(urdf, "", ignored);
+  std::vector<TouchShape> found;
+  for (const Visual& shape : shapes) {
+    const bool is_ball = shape.kind == VisualKind::sphere && !ends_a_cylinder(shape, shapes);
+    if (!is_ball && shape.kind != VisualKind::box) continue;
+    found.push_back({shape.link, shape.pose, is_ball ? Eigen::Vector3d::Zero() : shape.size});
+  }
+  return found;
 }
 
 /// Whether anything moves on the proposed base; else with an error, which is about the robot: there
@@ -47,9 +71,12 @@ bool can_move(const Robot& robot, const InitOptions& options, const SceneProposa
 /// The text, which is read again as any scene is: for the functions that it permits, and so that
 /// nothing is proposed that would be refused.
 std::optional<std::string> make_scene(const InitOptions& options, Diagnostics& diagnostics) {
-  const auto robot = read_urdf(options.urdf, diagnostics);
+  const auto robot_text = read_robot_text(options.urdf, diagnostics);
+  if (!robot_text) return std::nullopt;
+  const auto robot = parse_robot(*robot_text, diagnostics);
   if (!robot) return std::nullopt;
-  const SceneProposal proposal = propose_scene(*robot, base_asked_for(options));
+  const SceneProposal proposal =
+      propose_scene(*robot, base_asked_for(options), find_touch_shapes(robot_text->urdf));
   if (!can_move(*robot, options, proposal, diagnostics)) return std::nullopt;
   const std::string file = quote_for_shell(std::filesystem::path(options.urdf).filename().string());
   const auto scene = parse_scene(print_scene(*robot, proposal, file, {}),

@@ -19,8 +19,9 @@ constexpr std::uint64_t kRowSeed = 1;
 /// A row is independent of those before it if at least this share of it remains in half of the
 /// states.
 constexpr double kIndependent = 0.03;
-/// Rows below this share of the largest row are rounding errors.
-constexpr double kRounding = 1e-7;
+/// Rows below this share of the largest row of their kind, of translations or rotations, are
+/// rounding errors: files give right angles with few digits, as 1.57.
+constexpr double kRounding = 2e-3;
 
 /// Draws a value within a coordinate's limits, or within one turn or 1 m if it has none.
 double draw(const std::vector<Coordinate>& all, const Coordinate& coordinate, Rng& rng) {
@@ -56,7 +57,10 @@ class Independence {
   explicit Independence(const Matrices& jacobians)
       : jacobians_(jacobians), bases_(jacobians.size()) {
     for (const Eigen::MatrixXd& J : jacobians) {
-      if (J.size() > 0) largest_ = std::max(largest_, J.rowwise().norm().maxCoeff());
+      for (int row = 0; row < J.rows(); ++row) {
+        double& largest = largest_[kind_of(row)];
+        largest = std::max(largest, J.row(row).norm());
+      }
     }
   }
 
@@ -69,7 +73,7 @@ class Independence {
       for (int twice = 0; twice < 2; ++twice) {
         for (const Eigen::VectorXd& taken : bases_[k]) rest -= taken.dot(rest) * taken;
       }
-      const bool is_there = whole.norm() > kRounding * largest_;
+      const bool is_there = whole.norm() > kRounding * largest_[kind_of(row)];
       shares.push_back(is_there ? rest.norm() / whole.norm() : 0);
       rests.push_back(rest);
     }
@@ -83,9 +87,12 @@ class Independence {
   }
 
  private:
+  /// 0: a translation, 1: a rotation; a point has three rows of each.
+  static std::size_t kind_of(int row) { return row % 6 < 3 ? 0 : 1; }
+
   const Matrices& jacobians_;
   std::vector<std::vector<Eigen::VectorXd>> bases_;
-  double largest_ = 0;
+  std::array<double, 2> largest_{};  ///< of translations and rotations
 };
 
 /// Selects the row for a point that one coordinate moves: the row that it moves in every state.

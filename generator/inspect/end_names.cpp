@@ -56,44 +56,26 @@ struct KnownWord {
 
 /// Known words, the best first. Words of three letters or more may also end a longer word, as in
 /// `lefthand`.
-constexpr std::array<KnownWord, 38> kKnown = {{
-    {"tcp", EndKind::tool},
-    {"tool0", EndKind::tool},
-    {"grasp", EndKind::tool},
-    {"grasping", EndKind::tool},
-    {"pinch", EndKind::tool},
-    {"ee", EndKind::tool},
-    {"eef", EndKind::tool},
-    {"effector", EndKind::tool},
-    {"endeffector", EndKind::tool},
-    {"tool", EndKind::tool},
-    {"toolframe", EndKind::tool},
-    {"hand", EndKind::hand},
-    {"palm", EndKind::hand},
-    {"gripper", EndKind::hand},
-    {"flange", EndKind::hand},
-    {"sole", EndKind::foot},
-    {"foot", EndKind::foot},
-    {"tip", EndKind::tip},
-    {"fingertip", EndKind::tip},
-    {"wheel", EndKind::wheel},
-    {"roller", EndKind::wheel},
-    {"caster", EndKind::wheel},
-    {"castor", EndKind::wheel},
-    {"prop", EndKind::propeller},
-    {"propeller", EndKind::propeller},
-    {"rotor", EndKind::propeller},
-    {"head", EndKind::watching},
-    {"neck", EndKind::watching},
-    {"camera", EndKind::watching},
-    {"cam", EndKind::watching},
-    {"laser", EndKind::watching},
-    {"lidar", EndKind::watching},
-    {"hokuyo", EndKind::watching},
-    {"sensor", EndKind::watching},
-    {"eye", EndKind::watching},
-    {"imu", EndKind::watching},
-    {"realsense", EndKind::watching},
+constexpr std::array<KnownWord, 39> kKnown = {{
+    {"tcp", EndKind::tool},         {"tool0", EndKind::tool},
+    {"grasp", EndKind::tool},       {"grasping", EndKind::tool},
+    {"pinch", EndKind::tool},       {"ee", EndKind::tool},
+    {"eef", EndKind::tool},         {"effector", EndKind::tool},
+    {"endeffector", EndKind::tool}, {"tool", EndKind::tool},
+    {"toolframe", EndKind::tool},   {"hand", EndKind::hand},
+    {"palm", EndKind::hand},        {"gripper", EndKind::hand},
+    {"flange", EndKind::hand},      {"sole", EndKind::foot},
+    {"foot", EndKind::foot},        {"tip", EndKind::tip},
+    {"fingertip", EndKind::tip},    {"pad", EndKind::tip},
+    {"wheel", EndKind::wheel},      {"roller", EndKind::wheel},
+    {"caster", EndKind::wheel},     {"castor", EndKind::wheel},
+    {"prop", EndKind::propeller},   {"propeller", EndKind::propeller},
+    {"rotor", EndKind::propeller},  {"head", EndKind::watching},
+    {"neck", EndKind::watching},    {"camera", EndKind::watching},
+    {"cam", EndKind::watching},     {"laser", EndKind::watching},
+    {"lidar", EndKind::watching},   {"hokuyo", EndKind::watching},
+    {"sensor", EndKind::watching},  {"eye", EndKind::watching},
+    {"imu", EndKind::watching},     {"realsense", EndKind::watching},
     {"kinect", EndKind::watching},
 }};
 
@@ -106,7 +88,7 @@ struct RoleWords {
 /// end a longer word, as in `kneepitch`; those of three letters one longer by a letter, as in
 /// `legl`.
 constexpr std::array<RoleWords, 7> kRoleWords = {{
-    {LimbRole::finger, {"finger", "thumb", "index", "pinky", "knuckle", "phalanx", "jaw"}},
+    {LimbRole::finger, {"finger", "fngr", "thumb", "index", "pinky", "knuckle", "phalanx", "jaw"}},
     {LimbRole::watching,
      {"head", "neck", "eye", "camera", "laser", "lidar", "imu", "kinect", "realsense", "display"}},
     {LimbRole::leg,
@@ -128,6 +110,13 @@ bool tells(std::string_view word, std::string_view known) {
                             (plain.starts_with(known) || plain.ends_with(known)));
 }
 
+/// Words of tools' points and of nothing else.
+constexpr std::array<std::string_view, 3> kToolPoints = {"tcp", "ee", "eef"};
+
+constexpr std::array<std::string_view, 12> kFlight = {
+    "flying", "drone",  "quadrotor",  "quadcopter", "hexarotor", "hexacopter",
+    "uav",    "aerial", "multirotor", "thruster",   "rov",       "auv"};
+
 constexpr std::array<std::string_view, 10> kSensors = {
     "camera", "sensor", "imu", "ft", "force", "torque", "optical", "laser", "lidar", "realsense"};
 
@@ -142,6 +131,15 @@ LimbRole limb_word(const std::string& name) {
     }
   }
   return LimbRole::unknown;
+}
+
+std::optional<std::string> word_of_flight(const std::string& name) {
+  for (const std::string& word : words_of(name)) {
+    if (std::find(kFlight.begin(), kFlight.end(), without_digits(word)) != kFlight.end()) {
+      return word;
+    }
+  }
+  return std::nullopt;
 }
 
 bool is_sensor(const std::string& link) {
@@ -163,8 +161,19 @@ EndName end_name(const std::string& link) {
     if (last == known || plain == known || ends) {
       return {kKnown[i].kind, static_cast<int>(i)};
     }
+    const auto said = std::find(words.begin(), words.end(), known);
+    const bool is_point =
+        std::find(kToolPoints.begin(), kToolPoints.end(), known) != kToolPoints.end();
+    if (is_point && said != words.end()) return {kKnown[i].kind, static_cast<int>(i)};
   }
   return {};
+}
+
+bool is_hand(const std::string& link) {
+  const EndName name = end_name(link);
+  if (name.kind != EndKind::hand) return false;
+  const std::string_view word = kKnown[static_cast<std::size_t>(name.rank)].word;
+  return word == "hand" || word == "palm";
 }
 
 bool is_ground(const std::string& link) {

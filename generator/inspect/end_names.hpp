@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace treeline {
 
-/// Kind of a link according to the last meaningful word of its name (`left_hand_link`: hand).
+/// Kind of a link according to the last meaningful word of its name (`left_hand_link`: hand); words
+/// that stand for a tool's point alone count anywhere (`ee_gripper_link`).
 enum class EndKind {
   tool,       ///< tcp, tool0, ee_link
   hand,       ///< hand, palm, gripper, flange
@@ -23,12 +25,18 @@ struct EndName {
 
 EndName end_name(const std::string& link);
 
+/// Whether the last word of a name is one of a hand, not of a gripper: `left_hand_link`.
+bool is_hand(const std::string& link);
+
 /// What a limb is for.
 enum class LimbRole { unknown, finger, watching, leg, arm, wheel, propeller, trunk };
 
 /// The role that any word in the name of a link or joint tells (`left_knee_pitch`: leg). Of several
 /// words, the first role in the order of `LimbRole` wins: a finger of a hand is a finger.
 LimbRole limb_word(const std::string& name);
+
+/// The word in a name that says that a robot flies or swims, if there is one (`flying_arm_2`).
+std::optional<std::string> word_of_flight(const std::string& name);
 
 /// Whether a word in a link's name says that it measures, as `left_hand_force_torque` does.
 bool is_sensor(const std::string& link);

@@ -87,6 +87,12 @@ std::string print_base(const Robot& robot, const SceneProposal& proposal) {
          "real: double  # or float\n\n";
 }
 
+std::string print_origin(const char* key, const Pose& pose) {
+  if (pose.xyz == Pose{}.xyz && pose.rpy == Pose{}.rpy) return {};
+  return fmt::format("    {}: {{xyz: [{}], rpy: [{}]}}\n", key, fmt::join(pose.xyz, ", "),
+                     fmt::join(pose.rpy, ", "));
+}
+
 std::string print_points(const Robot& robot, const SceneProposal& proposal) {
   if (proposal.points.empty()) {
     return remark(
@@ -104,11 +110,13 @@ std::string print_points(const Robot& robot, const SceneProposal& proposal) {
   scene.base = proposal.base;
   for (const ScenePoint& point : proposal.points) {
     const int freedoms = count(find_freedoms_of_link(robot, scene, point.link));
-    const bool at_joint = proposal.at_joints.contains(point.link);
-    text += fmt::format(
-        "  - name: {}\n    link: {}  # moved by {} coordinate{}{}\n    rows: [{}]\n",
-        yaml_word(point.name), yaml_word(point.link), freedoms, freedoms == 1 ? "" : "s",
-        at_joint ? "; at a joint: the file has no frame at the tip" : "", list_rows(point, ", "));
+    const auto remark = proposal.remarks.find(point.link);
+    text += fmt::format("  - name: {}\n    link: {}  # moved by {} coordinate{}{}\n",
+                        yaml_word(point.name), yaml_word(point.link), freedoms,
+                        freedoms == 1 ? "" : "s",
+                        remark == proposal.remarks.end() ? "" : "; " + remark->second) +
+            print_origin("origin", point.origin) +
+            fmt::format("    rows: [{}]\n", list_rows(point, ", "));
   }
   return text + "    # origin: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}  # of a point in its link\n";
 }
@@ -171,12 +179,6 @@ std::string print_springs(const Robot& robot) {
                         spring.rest);
   }
   return text;
-}
-
-std::string print_origin(const char* key, const Pose& pose) {
-  if (pose.xyz == Pose{}.xyz && pose.rpy == Pose{}.rpy) return {};
-  return fmt::format("    {}: {{xyz: [{}], rpy: [{}]}}\n", key, fmt::join(pose.xyz, ", "),
-                     fmt::join(pose.rpy, ", "));
 }
 
 std::string print_loops(const Robot& robot) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include "inspect/choose_rows.hpp"
 #include "inspect/end_names.hpp"
 #include "inspect/group_bodies.hpp"
+#include "inspect/place_foot.hpp"
 #include "inspect/recognise_robot.hpp"
 #include "text/identifier.hpp"
 
@@ -52,13 +54,23 @@ struct Tree {
   }
 };
 
-/// The frame without mass that lies farthest from the body's joint; the first link if there is none
-/// beside those of sensors.
+/// The first link of a body, or the first with mass where that is only a frame that carries it.
+int carried_link(const Tree& tree, const Body& body) {
+  const auto has_mass = [&](int link) {
+    const auto& inertial = tree.robot.links[static_cast<std::size_t>(link)].inertial;
+    return inertial && inertial->mass > kFrameMass;
+  };
+  const auto found = std::find_if(body.links.begin(), body.links.end(), has_mass);
+  return body.parent < 0 || found == body.links.end() ? body.links.front() : *found;
+}
+
+/// The frame without mass that lies farthest from the body's joint; else the link that has the
+/// body's mass. Frames of sensors do not count.
 int tip_of(const Tree& tree, const Body& body) {
   const auto place = [&](int link) {
     return tree.bodies.frames[static_cast<std::size_t>(link)].translation();
   };
-  int tip = body.links.front();
+  int tip = carried_link(tree, body);
   double farthest = 1e-3;
   for (const int link : body.links) {
     const double distance = (place(link) - place(body.links.front())).norm();
@@ -71,10 +83,13 @@ int tip_of(const Tree& tree, const Body& body) {
 }
 
 /// The link of the body with the best name; of equal names a frame without mass, which somebody
-/// placed for this, and the shortest; the tip if no name is known.
+/// placed for this, of tools the farthest, and the shortest name; the tip if no name is known.
 End best_of(const Tree& tree, int index) {
   const Body& body = tree.body(index);
   const auto frame = [&](int link) { return tree.is_frame[static_cast<std::size_t>(link)]; };
+  const auto place = [&](int link) {
+    return tree.bodies.frames[static_cast<std::size_t>(link)].translation();
+  };
   End best{index, body.links.front(), end_name(tree.name(body.links.front()))};
   const EndName own = best.name;
   if (is_sensor(tree.name(best.link))) best.name = {};
@@ -82,12 +97,16 @@ End best_of(const Tree& tree, int index) {
     const EndName name = end_name(tree.name(link));
     if (name.kind >= EndKind::other || is_sensor(tree.name(link))) continue;
     const auto key = [&](const EndName& of, int at) {
-      return std::tuple(of.kind, of.rank, !frame(at), tree.name(at).size());
+      const double reach = (place(at) - place(body.links.front())).norm();
+      return std::tuple(of.kind, of.rank, !frame(at), of.kind == EndKind::tool ? -reach : 0,
+                        tree.name(at).size());
     };
     if (key(name, link) < key(best.name, best.link)) best = {index, link, name};
   }
   if (best.name.kind >= EndKind::other) best = {index, tip_of(tree, body), own};
-  best.at_joint = best.link == body.links.front();
+  best.at_joint =
+      best.link == body.links.front() ||
+      (best.name.kind >= EndKind::other && place(best.link) == place(body.links.front()));
   return best;
 }
 
@@ -120,12 +139,16 @@ std::optional<End> gripper_before(const Tree& tree, const Limb& limb) {
   const auto is_of_gripper = [&](int link) {
     return tree.name(link).find("gripper") != std::string::npos;
   };
+  const Joint& last = tree.robot.joints[static_cast<std::size_t>(tree.body(limb.last).joint)];
   const int before = tree.body(limb.last).parent;
   const int own = tree.body(limb.last).links.front();
   const auto& links = tree.body(before).links;
   const auto holder = std::find_if(links.begin(), links.end(), is_of_gripper);
   if (holder != links.end() && is_of_gripper(own)) return End{before, *holder, {}, false};
-  if (limb_word(tree.name(own)) == LimbRole::finger) return best_of(tree, before);
+  const bool moves_a_jaw =
+      limb_word(tree.name(own)) == LimbRole::finger ||
+      (end_name(last.name).kind == EndKind::hand && end_name(tree.name(own)).kind > EndKind::hand);
+  if (moves_a_jaw) return best_of(tree, before);
   return std::nullopt;
 }
 
@@ -148,10 +171,10 @@ bool is_worth_a_point(const End& end) {
 }
 
 /// Chooses the ends that get points, in the order of the tree. Heads and cameras get one only if
-/// nothing else does.
-std::vector<End> choose_ends(const std::vector<End>& all) {
+/// nothing else does, and nothing floats that could.
+std::vector<End> choose_ends(const std::vector<End>& all, bool is_held) {
   std::vector<End> chosen;
-  const bool any = std::any_of(all.begin(), all.end(), is_worth_a_point);
+  const bool any = !is_held || std::any_of(all.begin(), all.end(), is_worth_a_point);
   for (const End& end : all) {
     if (is_worth_a_point(end) || (!any && end.name.kind == EndKind::watching)) {
       chosen.push_back(end);
@@ -168,29 +191,50 @@ std::vector<End> choose_ends(const std::vector<End>& all) {
 
 /// Whether a limb is only a joint or two that hang on the way to an end, such as springs and
 /// covers, unless its name is one of an end.
-bool is_minor(const Tree& tree, const Limb& limb) {
+bool is_minor(const Tree& tree, int base, const Limb& limb) {
   if (best_of(tree, limb.last).name.kind != EndKind::other) return false;
   if (limb.role == LimbRole::unknown) return limb.joints <= 2;
-  const bool on_the_way = tree.body(limb.first).parent > 0 && limb.joints == 1;
-  return on_the_way && (limb.role == LimbRole::leg || limb.role == LimbRole::arm);
+  const bool on_the_way = tree.body(limb.first).parent > base && limb.joints == 1;
+  return (on_the_way || limb.is_side_branch) &&
+         (limb.role == LimbRole::leg || limb.role == LimbRole::arm);
 }
 
 /// An end for each limb, in the order of the tree. A minor one gets no point where there are
 /// whole limbs.
-std::vector<End> find_ends(const Tree& tree, const std::vector<Limb>& limbs) {
-  const bool whole = std::any_of(limbs.begin(), limbs.end(), [](const Limb& limb) {
-    return limb.role == LimbRole::leg || limb.role == LimbRole::arm || limb.joints > 2;
+std::vector<End> find_ends(const Tree& tree, const RecognisedRobot& found) {
+  const auto& limbs = found.limbs;
+  const bool whole = std::any_of(limbs.begin(), limbs.end(), [&](const Limb& limb) {
+    return limb.role == LimbRole::leg || limb.role == LimbRole::arm || limb.joints > 2 ||
+           best_of(tree, limb.last).name.kind == EndKind::tip;
   });
   std::map<int, End> ends;
   for (const Limb& limb : limbs) {
     End end = end_for(tree, limb);
-    if (whole && is_minor(tree, limb)) end.name.kind = EndKind::watching;
+    if (whole && is_minor(tree, found.base, limb)) end.name.kind = EndKind::watching;
     const auto [at, added] = ends.emplace(end.body, end);
     if (!added && end.name.kind < at->second.name.kind) at->second = end;
   }
   std::vector<End> list;
   for (const auto& [body, end] : ends) list.push_back(end);
   return list;
+}
+
+/// Moves the point of a foot whose file has no frame where it touches. Returns where the point is.
+std::string place_at_tip(const Tree& tree, const End& end, const std::vector<TouchShape>& shapes,
+                         ScenePoint& point) {
+  const Body& body = tree.body(end.body);
+  const auto gravity = tree.robot.hints.gravity.value_or(Scene{}.gravity);
+  const Eigen::Vector3d down(gravity[0], gravity[1], gravity[2]);
+  if (end.name.kind == EndKind::foot && end.link == body.links.front() && !down.isZero()) {
+    if (const auto at = place_foot(tree.robot, tree.bodies, body, -down.normalized(), shapes)) {
+      for (int i = 0; i < 3; ++i) {
+        point.origin.xyz[static_cast<std::size_t>(i)] =
+            std::round((*at)[i] * 1e5) / 1e5 + 0.0;  // no -0
+      }
+      return "where it collides with the ground: the file has no frame there";
+    }
+  }
+  return "at a joint: the file has no frame at the tip";
 }
 
 void guess_base(const Robot& robot, const RecognisedRobot& found, std::optional<Base> asked,
@@ -247,16 +291,17 @@ bool has_rows(const ScenePoint& point) {
 
 }  // namespace
 
-SceneProposal propose_scene(const Robot& robot, std::optional<Base> base) {
+SceneProposal propose_scene(const Robot& robot, std::optional<Base> base,
+                            const std::vector<TouchShape>& shapes) {
   SceneProposal proposal;
   const Tree tree(robot);
   const RecognisedRobot found = recognise_robot(robot, tree.bodies);
-  const std::vector<End> ends = find_ends(tree, found.limbs);
+  const std::vector<End> ends = find_ends(tree, found);
   guess_base(robot, found, base, proposal);
-  std::vector<End> chosen = choose_ends(ends);
-  if (chosen.empty() && (proposal.base == Base::floating || found.base > 0)) {
-    chosen.push_back(best_of(tree, found.base));
-    chosen.back().at_joint = false;
+  const bool floats = proposal.base == Base::floating || found.base > 0;
+  std::vector<End> chosen = choose_ends(ends, !floats);
+  if (chosen.empty() && floats) {
+    chosen.push_back({found.base, tree.body(found.base).links.front(), {}, false});
   }
   std::set<int> pointed;
   for (const End& end : chosen) {
@@ -265,7 +310,9 @@ SceneProposal propose_scene(const Robot& robot, std::optional<Base> base) {
     point.name = point_name(point.link, proposal.points);
     proposal.points.push_back(point);
     pointed.insert(end.body);
-    if (end.at_joint) proposal.at_joints.insert(point.link);
+    if (end.at_joint) {
+      proposal.remarks[point.link] = place_at_tip(tree, end, shapes, proposal.points.back());
+    }
   }
   Scene scene;
   scene.base = proposal.base;

@@ -1,13 +1,12 @@
 #include "inspect/recognise_robot.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "inspect/end_names.hpp"
+#include "inspect/name_kind.hpp"
 
 namespace treeline {
 namespace {
@@ -15,7 +14,7 @@ namespace {
 constexpr double kAlike = 0.1;          ///< of the reach: tolerance of symmetry
 constexpr double kHanging = 0.4;        ///< of the reach: how far a leg reaches down at least
 constexpr double kFingerReach = 0.25;   ///< m, of the longest finger
-constexpr int kJointsOfAnArm = 3;       ///< at least, before a hand
+constexpr int kJointsOfAFinger = 5;     ///< at most
 constexpr int kJointsBeforeAWheel = 2;  ///< at most: a fork that steers, and the wheel
 
 /// Finds limbs and what they are for.
@@ -25,11 +24,8 @@ class Recognition {
     const auto gravity = robot.hints.gravity.value_or(std::array{0.0, 0.0, -1.0});
     const Eigen::Vector3d down(gravity[0], gravity[1], gravity[2]);
     if (down.norm() > 0) up_ = -down.normalized();
-    const auto& first = tree.bodies.front().children;
-    if (first.size() == 1 && !info_of(joint_of(first[0]).type).has_one_freedom() &&
-        joint_of(first[0]).type != JointType::ball) {
-      base_ = first[0];
-    }
+    base_ = find_base();
+    held_ = base_ == 0 && is_ground(link(robot.root).name);
     find_hands();
   }
 
@@ -38,7 +34,8 @@ class Recognition {
   [[nodiscard]] std::vector<Limb> find_limbs() const {
     std::vector<Limb> limbs;
     for (auto b = static_cast<std::size_t>(base_) + 1; b < tree_.bodies.size(); ++b) {
-      if (!beyond_hands_[b] && (hands_[b] || tree_.bodies[b].children.empty())) {
+      const bool is_end = hands_[b] || tree_.bodies[b].children.empty();
+      if (!beyond_hands_[b] && is_end && is_on(static_cast<int>(b), base_)) {
         limbs.push_back(limb_of(static_cast<int>(b)));
       }
     }
@@ -46,6 +43,7 @@ class Recognition {
     doubt_names(limbs);
     find_legs(limbs);
     find_fingers(limbs);
+    for (Limb& limb : limbs) limb.is_side_branch = is_side_branch(limb, limbs);
     return limbs;
   }
 
@@ -63,6 +61,28 @@ class Recognition {
   }
 
   [[nodiscard]] int depth(int b) const { return depths_[static_cast<std::size_t>(b)]; }
+
+  /// The body that floats in the world if most of the others hang from it, or the root's.
+  [[nodiscard]] int find_base() const {
+    const auto& first = tree_.bodies.front().children;
+    for (const int b : first) {
+      std::size_t carried = 0;
+      for (std::size_t i = 0; i < tree_.bodies.size(); ++i) {
+        carried += is_on(static_cast<int>(i), b) ? 1 : 0;
+      }
+      const bool floats = joint_of(b).type == JointType::floating;
+      if (floats && 2 * carried > tree_.bodies.size()) return b;
+    }
+    if (first.size() != 1) return 0;
+    const JointType type = joint_of(first[0]).type;
+    return info_of(type).has_one_freedom() || type == JointType::ball ? 0 : first[0];
+  }
+
+  /// Whether a body is another one or hangs from it.
+  [[nodiscard]] bool is_on(int b, int other) const {
+    while (b > other) b = body(b).parent;
+    return b == other;
+  }
 
   /// Centres of mass and origins of the links of a body.
   [[nodiscard]] std::vector<Eigen::Vector3d> places(int b) const {
@@ -104,13 +124,17 @@ class Recognition {
       const int b = static_cast<int>(i);
       const auto before = static_cast<std::size_t>(body(b).parent);
       depths_[i] = b == base_ ? 0 : depths_[before] + 1;
-      on_leg_[i] = on_leg_[before] || first_word(b) == LimbRole::leg;
+      on_leg_[i] = first_word(b) == LimbRole::leg || (on_leg_[before] && !is_above_legs(b));
       lengths[i] = body(b).parent <= base_
                        ? 0
                        : lengths[before] + (origin(b) - origin(body(b).parent)).norm();
       beyond_hands_[i] = beyond_hands_[before] || hands_[before];
       if (body(b).children.size() < 2 || depth(b) < kJointsOfAnArm || beyond_hands_[i] ||
-          on_leg_[i] || first_word(b) == LimbRole::watching) {
+          first_word(b) == LimbRole::watching) {
+        continue;
+      }
+      if (on_leg_[i]) {
+        hands_[i] = carries_jaws(b);
         continue;
       }
       double fingers = 0;
@@ -119,12 +143,39 @@ class Recognition {
         fingers = std::max(fingers, reach_of(child));
         named = named && first_word(child) == LimbRole::finger;
       }
-      hands_[i] = named || (fingers < kFingerReach && fingers < 0.5 * lengths[i]);
+      hands_[i] =
+          named || (fingers < kFingerReach && fingers < 0.5 * lengths[i] && !carries_a_hand(b));
     }
   }
 
   [[nodiscard]] LimbRole first_word(int b) const {
     return limb_word(link(body(b).links.front()).name);
+  }
+
+  /// Whether fingers and nothing else hang from a body, each a joint.
+  [[nodiscard]] bool carries_jaws(int b) const {
+    const auto& children = body(b).children;
+    const auto is_leaf = [this](int child) { return body(child).children.empty(); };
+    return std::all_of(children.begin(), children.end(), is_leaf) &&
+           std::count_if(children.begin(), children.end(),
+                         [this](int child) { return first_word(child) == LimbRole::finger; }) >= 2;
+  }
+
+  /// Whether a body's name is one of an arm or a trunk, which may stand on legs.
+  [[nodiscard]] bool is_above_legs(int b) const {
+    const LimbRole word = first_word(b);
+    return word == LimbRole::arm || word == LimbRole::trunk;
+  }
+
+  /// Whether the next body is the hand by its name, and no finger beside it. A gripper beside
+  /// another child is often a jaw.
+  [[nodiscard]] bool carries_a_hand(int b) const {
+    bool hand = false;
+    for (const int child : body(b).children) {
+      if (first_word(child) == LimbRole::finger) return false;
+      hand = hand || is_hand(link(body(child).links.front()).name);
+    }
+    return hand;
   }
 
   /// Whether a limb that comes from a body goes on through the one before: what else hangs there is
@@ -209,6 +260,7 @@ class Recognition {
     votes.erase(LimbRole::unknown);
     // A wheel at the end of a leg is its foot; a camera on an arm does not make it a head.
     const bool long_enough = limb.joints >= kJointsOfAnArm;
+    if (limb.carries_fingers) votes.erase(LimbRole::finger);
     if (long_enough && (votes.contains(LimbRole::leg) || votes.contains(LimbRole::arm))) {
       votes.erase(LimbRole::wheel);
       votes.erase(LimbRole::watching);
@@ -242,9 +294,7 @@ class Recognition {
   [[nodiscard]] bool are_a_pair(const Limb& a, const Limb& b) const {
     const double tolerance = kAlike * std::max(a.reach, b.reach);
     const Eigen::Vector3d apart = b.tip - a.tip;
-    return body(a.first).parent == body(b.first).parent && a.joints == b.joints &&
-           std::abs(a.reach - b.reach) < tolerance && std::abs(apart.dot(up_)) < tolerance &&
-           apart.norm() > tolerance;
+    return are_alike(a, b) && std::abs(apart.dot(up_)) < tolerance && apart.norm() > tolerance;
   }
 
   /// Legs are pairs that hang from the root to the lowest place. A name that says otherwise wins.
@@ -259,7 +309,7 @@ class Recognition {
       const bool hangs = (limb.start - limb.tip).dot(up_) > kHanging * limb.reach &&
                          limb.tip.dot(up_) < lowest + 0.2 * limb.reach;
       if (limb.role == LimbRole::unknown && limb.joints >= 2 && body(limb.first).parent == base_ &&
-          paired && hangs) {
+          paired && hangs && !held_) {
         legs.push_back(&limb);
       }
     }
@@ -270,104 +320,61 @@ class Recognition {
     for (Limb* const leg : legs) leg->role = LimbRole::leg;
   }
 
-  /// Fingers are three or more short limbs on one body.
+  /// Fingers are three or more short limbs on one body, short ones with a tip or a pad, and two
+  /// that slide and are all that there is.
   void find_fingers(std::vector<Limb>& limbs) const {
-    const auto is_short = [](const Limb& limb) {
-      return limb.role == LimbRole::unknown && limb.joints >= 2 && limb.reach < kFingerReach;
-    };
+    const auto is_tip = [this](int l) { return end_name(link(l).name).kind == EndKind::tip; };
     std::map<int, int> numbers;  // by the body that carries them
     for (const Limb& limb : limbs) {
-      const bool counts = is_short(limb) || limb.role == LimbRole::finger;
+      const bool counts = limb.role == LimbRole::finger || (is_short(limb) && limb.joints >= 2);
       numbers[body(limb.first).parent] += counts ? 1 : 0;
     }
+    const bool slide = limbs.size() == 2 && are_alike(limbs[0], limbs[1]) && slides(limbs[0]);
     for (Limb& limb : limbs) {
-      if (is_short(limb) && numbers[body(limb.first).parent] >= 3) limb.role = LimbRole::finger;
+      const auto& links = body(limb.last).links;
+      const bool among = limb.joints >= 2 && numbers[body(limb.first).parent] >= 3;
+      const bool tips =
+          limb.joints <= kJointsOfAFinger && std::any_of(links.begin(), links.end(), is_tip);
+      if (is_short(limb) && (slide || among || tips)) limb.role = LimbRole::finger;
     }
+  }
+  [[nodiscard]] bool is_short(const Limb& limb) const {
+    return limb.role == LimbRole::unknown && limb.reach < kFingerReach && !limb.carries_fingers;
+  }
+  [[nodiscard]] bool slides(const Limb& limb) const {
+    return limb.joints == 1 && joint_of(limb.first).type == JointType::prismatic;
+  }
+
+  /// Two limbs of one size from one body.
+  [[nodiscard]] bool are_alike(const Limb& a, const Limb& b) const {
+    return body(a.first).parent == body(b.first).parent && a.joints == b.joints &&
+           std::abs(a.reach - b.reach) <= kAlike * std::max(a.reach, b.reach);
+  }
+
+  /// Whether a limb is a joint or two beside the rest of another of its kind that ends in a better
+  /// name or goes on for longer, such as a gear, or a rod that moves the foot.
+  [[nodiscard]] bool is_side_branch(const Limb& limb, const std::vector<Limb>& limbs) const {
+    const auto goodness = [this](const Limb& of) {
+      const auto kind = end_name(link(body(of.last).links.front()).name).kind;
+      return std::tuple(-static_cast<int>(kind), depth(of.last), -of.last);
+    };
+    return std::any_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
+      if (other.role != limb.role || are_alike(limb, other)) return false;
+      int from = limb.last;
+      while (!is_on(other.last, from)) from = body(from).parent;
+      return from > base_ && depth(limb.last) - depth(from) <= 2 &&
+             goodness(limb) < goodness(other);
+    });
   }
 
   const Robot& robot_;
   const BodyTree& tree_;
   Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();
   int base_ = 0;
+  bool held_ = false;                                ///< the root is the world
   std::vector<bool> hands_, beyond_hands_, on_leg_;  ///< by body
   std::vector<int> depths_;                          ///< joints from the base to a body
 };
-
-/// How many limbs of each role a robot has. Wheels and propellers count that are links of the base,
-/// as in files that leave out their joints.
-struct LimbCounts {
-  long legs = 0, arms = 0, fingers = 0, wheels = 0, propellers = 0;
-};
-
-LimbCounts count_limbs(const Robot& robot, const Body& base, const std::vector<Limb>& limbs) {
-  std::map<LimbRole, long> number;
-  LimbCounts counts;
-  for (const Limb& limb : limbs) {
-    ++number[limb.role];
-    if (limb.role == LimbRole::unknown && limb.joints >= kJointsOfAnArm) ++counts.arms;
-  }
-  for (const int l : base.links) {
-    const LimbRole role = limb_word(robot.links[static_cast<std::size_t>(l)].name);
-    if (role == LimbRole::wheel || role == LimbRole::propeller) ++number[role];
-  }
-  counts.legs = number[LimbRole::leg];
-  counts.arms += number[LimbRole::arm];
-  counts.fingers = number[LimbRole::finger];
-  counts.wheels = number[LimbRole::wheel];
-  counts.propellers = number[LimbRole::propeller];
-  return counts;
-}
-
-std::string plural(long number, const char* one, const char* many) {
-  return number == 1 ? fmt::format("one {}", one) : fmt::format("{} {}", number, many);
-}
-
-std::string kind_with_legs(long legs, long arms) {
-  if (legs == 2) return arms > 0 ? "a humanoid" : "a biped";
-  const std::string name = legs == 4 ? "a quadruped" : "a robot of " + plural(legs, "leg", "legs");
-  return arms > 0 ? name + " with " + plural(arms, "arm", "arms") : name;
-}
-
-std::string kind_with_fingers(const Robot& robot, long fingers) {
-  const long driven = std::count_if(robot.joints.begin(), robot.joints.end(), [](const Joint& j) {
-    return j.type != JointType::fixed && !j.mimic;
-  });
-  return fingers == 1 ? "a finger" : fingers == 2 || driven <= 2 ? "a gripper" : "a hand";
-}
-
-void name_kind(const Robot& robot, const LimbCounts& has, RecognisedRobot& found) {
-  const std::string& root = robot.links[static_cast<std::size_t>(robot.root)].name;
-  const auto take = [&](std::string kind, bool floats, std::string reason) {
-    found.kind = std::move(kind);
-    found.floats = floats;
-    found.reason = std::move(reason);
-  };
-  if (has.legs >= 2) {
-    take(kind_with_legs(has.legs, has.arms), true,
-         fmt::format("it stands on {} legs that nothing holds to the ground", has.legs));
-  } else if (has.propellers >= 2) {
-    take(has.arms > 0 ? "a flying robot with an arm" : "a drone", true, "it flies by propellers");
-  } else if (has.wheels >= 2) {
-    take(has.arms > 0 ? "a mobile manipulator" : "a wheeled base", true,
-         "it rolls on wheels; where it stands still while an arm works, fixed is enough");
-  } else if (has.fingers > 0 && has.arms == 0) {
-    take(kind_with_fingers(robot, has.fingers), false,
-         fmt::format("an arm or a stand holds it by the root link \"{}\"", root));
-  } else if (end_name(root).kind == EndKind::foot && has.arms > 0) {
-    take("a robot that stands on its root link", false,
-         fmt::format("it stands on the root link \"{}\"", root));
-  } else if (found.limbs.empty()) {
-    take("a single body", false, "nothing says that it floats");
-  } else {
-    take(has.arms == 0   ? "a mechanism"
-         : has.arms == 1 ? "an arm"
-                         : fmt::format("a robot of {} arms", has.arms),
-         false,
-         fmt::format("the file has no legs, wheels or propellers, and the root link \"{}\" is "
-                     "taken as held by the ground",
-                     root));
-  }
-}
 
 }  // namespace
 
@@ -377,7 +384,7 @@ RecognisedRobot recognise_robot(const Robot& robot, const BodyTree& tree) {
   found.base = recognition.base();
   found.limbs = recognition.find_limbs();
   const Body& base = tree.bodies[static_cast<std::size_t>(found.base)];
-  name_kind(robot, count_limbs(robot, base, found.limbs), found);
+  name_kind(robot, base, found);
   return found;
 }
 

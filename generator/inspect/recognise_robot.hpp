@@ -8,11 +8,14 @@
 
 namespace treeline {
 
+inline constexpr int kJointsOfAnArm = 3;  ///< at least, before a hand
+
 /// Bodies in series from a branch of the tree, or from the root, to an end. Fingers belong to the
 /// hand that carries them if a limb of three or more joints does.
 struct Limb {
   int first = 0, last = 0;  ///< indices of bodies; `last` is the hand where there is one
   bool carries_fingers = false;
+  bool is_side_branch = false;  ///< a joint or two that hang on the way to another limb's end
   int joints = 0;
   double reach = 0;  ///< from the first joint to the tip at q = 0, m
   Eigen::Vector3d start = Eigen::Vector3d::Zero(), tip = Eigen::Vector3d::Zero();
