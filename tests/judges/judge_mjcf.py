@@ -102,11 +102,15 @@ class Comparison:
         self.errors[figure] = max(self.errors[figure], error) if error == error else np.inf
 
     def run(self):
-        self.pairs = [(b, self.theirs.body(name).id) for b, name in enumerate(
-            mujoco.mj_id2name(self.ours, mujoco.mjtObj.mjOBJ_BODY, i) for i in range(self.ours.nbody)) if b > 0]
+        names = [self.ours.body(b).name for b in range(self.ours.nbody)]
+        theirs = {self.theirs.body(b).name: b for b in range(self.theirs.nbody)}
+        # Mocap bodies, and what lies in the world of a floating robot, are no part of it: they have no joint.
+        self.pairs = [(b, theirs[name]) for b, name in enumerate(names)
+                      if b > 0 and (name in theirs or self.ours.body_mocapid[b] < 0 and self.ours.body_weldid[b] != 0)]
         self.compare_bodies()
         self.compare_joints()
         self.compare_equalities()
+        mujoco.mj_setConst(self.theirs, mujoco.MjData(self.theirs))  # with rotors: it keeps M of simple bodies
         self.compare_motion(np.random.default_rng(7))
 
     def compare_bodies(self):
@@ -137,6 +141,7 @@ class Comparison:
     def compare_equalities(self):
         """Where followers are by MuJoCo's polynomial, and where its anchors are in bodies."""
         loops = {loop.get("name"): loop for loop in ET.parse(self.urdf).findall("loop_joint")}
+        taken = set()
         for e in range(self.ours.neq):
             kind, data = int(self.ours.eq_type[e]), self.ours.eq_data[e]
             if not self.ours.eq_active0[e]:
@@ -148,9 +153,12 @@ class Comparison:
                     y = follower.qpos0[0] + np.polyval(data[4::-1], x - leader.qpos0[0])
                     self.note("followers", y, joint.multiplier * x + joint.offset)
             elif kind in (int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD)):
-                loop = loops[self.ours.equality(e).name or ("connect" if kind == 0 else "weld")]
+                loop = loops[unused(self.ours.equality(e).name or ("connect" if kind == 0 else "weld"), taken)]
                 ends = [self.pose_of(loop.find(end)) for end in ("link1", "link2")]
                 if kind == int(mujoco.mjtEq.mjEQ_CONNECT):
+                    if self.ours.eq_objtype[e] == mujoco.mjtObj.mjOBJ_SITE:
+                        sites = (self.ours.eq_obj1id[e], self.ours.eq_obj2id[e])
+                        data = np.concatenate([self.ours.site_pos[site] for site in sites])
                     self.note("anchors", data[:6], np.concatenate([p for _, p in ends]))
                 else:
                     R, quaternion = np.zeros(9), data[6:10]
@@ -171,9 +179,14 @@ class Comparison:
     def effort_of(self, j):
         """The least that its motors can do either way, at the ends of their controls."""
         m, drives = self.ours, []
-        bound = lambda limited, ends: np.min(np.abs(ends)) if limited else np.inf
+        # Of ends that differ the smaller one; of an actuator that acts one way the other.
+        least = lambda ends: np.min(ends) or np.max(ends)
+        bound = lambda limited, ends: least(np.abs(ends)) if limited else np.inf
         for u in self.motors_of(j):
             force = bound(m.actuator_forcelimited[u], m.actuator_forcerange[u])
+            if m.actuator_plugin[u] >= 0:
+                drives.append(abs(m.actuator_gear[u, 0]) * force)
+                continue
             kind = (m.actuator_gaintype[u], m.actuator_biastype[u], m.actuator_dyntype[u])
             if tuple(map(int, kind)) == (int(mujoco.mjtGain.mjGAIN_FIXED), int(mujoco.mjtBias.mjBIAS_NONE),
                                          int(mujoco.mjtDyn.mjDYN_NONE)):

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "description/mesh/mesh.hpp"
@@ -33,6 +34,8 @@ const Eigen::Vector3d* find_vertex(std::string_view word,
   return &vertices[static_cast<std::size_t>(index) - 1];
 }
 
+/// Adds the triangles of a face: of four corners along the shorter diagonal, else from the first
+/// one.
 bool add_fan(const Words& words, const std::vector<Eigen::Vector3d>& vertices,
              std::vector<Triangle>& triangles) {
   std::vector<Eigen::Vector3d> corners;
@@ -40,6 +43,9 @@ bool add_fan(const Words& words, const std::vector<Eigen::Vector3d>& vertices,
     const Eigen::Vector3d* const vertex = find_vertex(words[i], vertices);
     if (vertex == nullptr) return false;
     corners.push_back(*vertex);
+  }
+  if (corners.size() == 4 && (corners[3] - corners[1]).norm() < (corners[2] - corners[0]).norm()) {
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   }
   for (std::size_t i = 2; i < corners.size(); ++i) {
     triangles.push_back({{corners[0], corners[i - 1], corners[i]}, {}});

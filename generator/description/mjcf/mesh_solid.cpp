@@ -5,13 +5,18 @@
 namespace treeline {
 namespace {
 
+double area_of(const Triangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  return (b - a).cross(c - a).norm() / 2;
+}
+
 /// The centre of the surface's area.
 Eigen::Vector3d center_of_surface(const std::vector<Triangle>& surface) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double area = 0;
   for (const Triangle& triangle : surface) {
     const auto& [a, b, c] = triangle.corners;
-    const double part = (b - a).cross(c - a).norm() / 2;
+    const double part = area_of(triangle);
     sum += part * (a + b + c) / 3;
     area += part;
   }
@@ -44,6 +49,11 @@ Eigen::Vector3d center_of(const std::vector<Triangle>& surface, bool overlapping
   return from + moment / volume;
 }
 
+/// Moments of inertia about two axes each from second moments.
+Eigen::Matrix3d inertia_from(const Eigen::Matrix3d& second) {
+  return second.trace() * Eigen::Matrix3d::Identity() - second;
+}
+
 }  // namespace
 
 /// Second moments of a tetrahedron of volume V with corners a, b, c and 0 are
@@ -59,7 +69,28 @@ Solid solid_within(const std::vector<Triangle>& surface, bool overlapping) {
     second += volume / 20 *
               (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
   }
-  solid.inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
+  solid.inertia = inertia_from(second);
+  return solid;
+}
+
+/// Second moments of a triangle of area A with corners a, b, c are
+/// A / 12 (aa' + bb' + cc' + ss'), where s = a + b + c.
+Solid solid_on(const std::vector<Triangle>& surface) {
+  Solid solid;
+  solid.center = center_of_surface(surface);
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (const Triangle& triangle : surface) {
+    const double area = area_of(triangle);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : triangle.corners) {
+      const Eigen::Vector3d from = corner - solid.center;
+      sum += from;
+      second += area / 12 * from * from.transpose();
+    }
+    second += area / 12 * sum * sum.transpose();
+    solid.volume += area;
+  }
+  solid.inertia = inertia_from(second);
   return solid;
 }
 

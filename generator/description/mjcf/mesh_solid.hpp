@@ -18,4 +18,7 @@ struct Solid {
 /// the centre, whichever side shows, as MuJoCo counts by default.
 Solid solid_within(const std::vector<Triangle>& surface, bool overlapping);
 
+/// The surface itself as a shell: its area stands for the volume.
+Solid solid_on(const std::vector<Triangle>& surface);
+
 }  // namespace treeline

@@ -159,6 +159,9 @@ class Bodies {
     }
     const int link = is_root ? add_link(name, initial) : hang(parts, name, parent, pose, initial);
     result_.bodies[name] = link;
+    const bool jointed = std::any_of(parts.begin(), parts.end(),
+                                     [](const Placed& part) { return is_joint(part.element); });
+    if (is_root || jointed || moving_.contains(parent)) moving_.insert(link);
     read_contents(element, parts, link);
     for (const Placed& part : parts) {
       if (part.element.name() == "body") read_body(part, link, initial);
@@ -243,7 +246,7 @@ class Bodies {
         stated = read_inertial(part.element, compiler_);
       }
       if (part.element.name() != "geom") continue;
-      const MjcfGeom geom(part.element, part.frame, compiler_, assets_);
+      const MjcfGeom geom(part.element, part.frame, compiler_, assets_, moving_.contains(link));
       geom.add_shapes(shapes);
       if (from_geoms || (!states && compiler_.inertiafromgeom == "auto")) mass.add(geom.mass());
     }
@@ -257,6 +260,7 @@ class Bodies {
   const MjcfAssets& assets_;
   MjcfTree& result_;
   std::set<std::string> link_names_, joint_names_;
+  std::set<int> moving_;  ///< links
 };
 
 }  // namespace

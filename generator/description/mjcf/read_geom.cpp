@@ -92,8 +92,8 @@ void MjcfMass::add(const MjcfMass& other) {
 }
 
 MjcfGeom::MjcfGeom(const MjcfElement& element, const Eigen::Isometry3d& frame,
-                   const MjcfCompiler& compiler, const MjcfAssets& assets)
-    : element_(element), compiler_(compiler), assets_(assets) {
+                   const MjcfCompiler& compiler, const MjcfAssets& assets, bool moves)
+    : element_(element), compiler_(compiler), assets_(assets), moves_(moves) {
   type_ = element.text("type", "sphere");
   pose_ = frame * read_mjcf_pose(element, compiler);
   if (const auto name = element.find("mesh")) {
@@ -149,15 +149,22 @@ MjcfMass MjcfGeom::mass() const {
   return result;
 }
 
+void MjcfGeom::refuse(const std::string& fault) const {
+  if (moves_) {
+    element_.error(fault, kGiveInertial);
+  } else {
+    element_.note(fault + ", and need not be: nothing moves the body", "");
+  }
+}
+
 std::optional<Solid> MjcfGeom::solid() const {
   if (element_.is("shellinertia", "true")) {
-    element_.error("a mass that lies on the surface is not read", kGiveInertial);
+    refuse("a mass that lies on the surface is not read");
   } else if (mesh_ != nullptr && type_ == "mesh") {
     return solid_of_mesh();
   } else if (mesh_ != nullptr || count_sizes(type_) == 0) {
-    element_.error(fmt::format("the inertia of a {}{} is not computed", type_,
-                               mesh_ != nullptr ? " that is fitted to a mesh" : ""),
-                   kGiveInertial);
+    refuse(fmt::format("the inertia of a {}{} is not computed", type_,
+                       mesh_ != nullptr ? " that is fitted to a mesh" : ""));
   } else {
     return solid_of(type_, size_);
   }
@@ -165,23 +172,23 @@ std::optional<Solid> MjcfGeom::solid() const {
 }
 
 std::optional<Solid> MjcfGeom::solid_of_mesh() const {
-  const bool counted = mesh_->inertia == "legacy" || mesh_->inertia == "exact";
+  const bool counted =
+      mesh_->inertia == "legacy" || mesh_->inertia == "exact" || mesh_->inertia == "shell";
   if (mesh_->file.empty() || !counted) {
-    element_.error(mesh_->file.empty()
-                       ? "the inertia of a mesh that is not in a file is not computed"
-                       : fmt::format("inertia=\"{}\" of its mesh is not computed", mesh_->inertia),
-                   kGiveInertial);
+    refuse(mesh_->file.empty()
+               ? "the inertia of a mesh that is not in a file is not computed"
+               : fmt::format("inertia=\"{}\" of its mesh is not computed", mesh_->inertia));
     return std::nullopt;
   }
   const fs::path folder = fs::path(element_.reading().path()).parent_path();
   Mesh mesh = read_mesh((folder / mesh_->file).string());
   if (!mesh.problem.empty()) {
-    element_.error(fmt::format("the mesh {} cannot be read: {}", mesh_->file, mesh.problem),
-                   kGiveInertial);
+    refuse(fmt::format("the mesh {} cannot be read: {}", mesh_->file, mesh.problem));
     return std::nullopt;
   }
   const Eigen::Affine3d scaled(Eigen::Scaling(mesh_->scale) * mesh_->reference.inverse());
   for (Triangle& triangle : mesh.triangles) triangle = moved(triangle, scaled);
+  if (mesh_->inertia == "shell") return solid_on(mesh.triangles);
   return solid_within(mesh.triangles, mesh_->inertia == "legacy");
 }
 

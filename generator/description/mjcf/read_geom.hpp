@@ -40,17 +40,19 @@ struct MjcfMass {
 /// A `<geom>`: kind, sizes and pose in its body's frame.
 class MjcfGeom {
  public:
-  /// `frame` is the pose of the `<frame>` in which it stands.
+  /// `frame` is the pose of the `<frame>` in which it stands; `moves`: a joint moves its body, so
+  /// that its mass counts.
   MjcfGeom(const MjcfElement& element, const Eigen::Isometry3d& frame, const MjcfCompiler& compiler,
-           const MjcfAssets& assets);
+           const MjcfAssets& assets, bool moves);
 
-  /// What its group lets count. An error where that cannot be computed.
+  /// What its group lets count. An error where that cannot be computed but counts.
   [[nodiscard]] MjcfMass mass() const;
 
   /// Adds shapes of URDF that look like it and collide like it: of a capsule three.
   void add_shapes(std::vector<FlatShape>& shapes) const;
 
  private:
+  void refuse(const std::string& fault) const;
   void read_sizes(const Eigen::Isometry3d& frame);
   [[nodiscard]] std::optional<Solid> solid() const;
   [[nodiscard]] std::optional<Solid> solid_of_mesh() const;
@@ -59,6 +61,7 @@ class MjcfGeom {
   const MjcfElement& element_;
   const MjcfCompiler& compiler_;
   const MjcfAssets& assets_;
+  bool moves_;
   std::string type_;
   Eigen::Vector3d size_ = Eigen::Vector3d::Zero();  ///< as MuJoCo has them: radii, half lengths
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();

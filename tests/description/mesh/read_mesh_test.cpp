@@ -3,6 +3,7 @@
 // meshes_test.py.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -76,6 +77,14 @@ TEST_F(ReadMeshTest, ReadsEachFormat) {
   EXPECT_EQ(read("a.stl", binary(1, {0, 0, 0, 1, 0, 0, 0, 1, 0})).triangles.size(), 1U);
   EXPECT_EQ(read("a.STL", kWords).triangles.size(), 1U);
   EXPECT_EQ(read("a.obj", kObj).triangles.size(), 2U);
+  // A face of four corners that is not plane: along the shorter diagonal, as in other programs.
+  const Mesh bent = read("b.obj", "v 0 0 0\nv 1 0 1\nv 3 3 0\nv 0 1 1\nf 1 2 3 4\n");
+  ASSERT_EQ(bent.triangles.size(), 2U);
+  for (const Triangle& triangle : bent.triangles) {
+    for (const Eigen::Vector3d& end : {Eigen::Vector3d(1, 0, 1), Eigen::Vector3d(0, 1, 1)}) {
+      EXPECT_TRUE(std::ranges::count(triangle.corners, end));
+    }
+  }
   const Mesh mesh = read("a.dae", kCollada);
   ASSERT_EQ(mesh.triangles.size(), 1U) << mesh.problem;
   EXPECT_EQ(mesh.triangles[0].color, (Color{0.2, 0.4, 0.6}));

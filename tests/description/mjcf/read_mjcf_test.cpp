@@ -68,6 +68,12 @@ INSTANTIATE_TEST_SUITE_P(
             "Mesh",
             "<asset><mesh name='w' file='none.obj'/></asset>" + arm("<geom type='mesh' mesh='w'/>"),
             {Severity::error, 3, kArm + "/geom", "none.obj cannot be read", "<inertial>"}},
+        Told{"MeshOfWhatStandsStill",
+             "<asset><mesh name='w' file='none.obj'/></asset><worldbody><body name='base'>"
+             "<geom type='capsule' mesh='w'/></body></worldbody>" +
+                 arm(""),
+             {Severity::note, 2, "mujoco/worldbody/body[base]/geom",
+              "fitted to a mesh is not computed, and need not be: nothing moves the body", ""}},
         Told{"Global",
              "<compiler coordinate='global'/>" + arm(""),
              {Severity::error, 2, "mujoco/compiler", "\"global\" is not read", "mj_saveLastXML"}},
