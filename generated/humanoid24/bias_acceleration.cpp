@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // bias_acceleration: xdd = J qdd + Jd qd: the term Jd qd
 // By outward recursion, Chang eq. 6.11, alike limbs in lanes.
 // 824 flops (add 315, mul 509, div 0), sine and cosine of 20 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // The functions of humanoid24.hpp for C: see humanoid24.h.
 // Generated. Each call is passed on as it is; programs that make none do not link this file.
 #include "humanoid24_calls.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // forward_dynamics: qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 // By articulated bodies, Chang table 4.2, alike limbs in lanes.
 // 4579 flops (add 2154, mul 2393, div 32), sine and cosine of 24 angles

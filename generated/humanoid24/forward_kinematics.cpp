@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // forward_kinematics: x_world = R x_point + p, for every operational point
 // By outward recursion, alike limbs in lanes.
 // 370 flops (add 132, mul 238, div 0), sine and cosine of 20 angles

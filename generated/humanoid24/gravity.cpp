@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // gravity: g: the joint forces that hold the robot at rest
 // By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 // 378 flops (add 152, mul 226, div 0), sine and cosine of 24 angles

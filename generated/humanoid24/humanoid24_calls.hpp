@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_HUMANOID24_CALLS_HPP
 #define TREELINE_HUMANOID24_CALLS_HPP
 // humanoid24: other ways to call the functions of humanoid24.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_HUMANOID24_EIGEN_HPP
 #define TREELINE_HUMANOID24_EIGEN_HPP
 // humanoid24: the functions of humanoid24.hpp for Eigen.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_HUMANOID24_JOINTS_H
 #define TREELINE_HUMANOID24_JOINTS_H
 // humanoid24: names and limits, as arrays in the order of the arguments of humanoid24.h.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // inverse_dynamics: tau = M qdd + b + g - J_ext^T f_ext
 // By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 // 1939 flops (add 915, mul 1024, div 0), sine and cosine of 24 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // jacobian: xd = J qd, rows stacked over operational points
 // By from the poses of all links, alike limbs in lanes.
 // 530 flops (add 190, mul 340, div 0), sine and cosine of 20 angles

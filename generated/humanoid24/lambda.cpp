@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in
 //   lanes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // lambda_inverse: Lambda^-1 = J M^-1 J^T
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points, alike limbs in
 //   lanes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // mass_matrix: tau = M qdd + b + g: the matrix M
 // By composite rigid bodies, RBDA table 6.2, alike limbs in lanes.
 // 2233 flops (add 934, mul 1299, div 0), sine and cosine of 23 angles

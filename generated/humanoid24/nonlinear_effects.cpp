@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // nonlinear_effects: h = b + g: the joint forces at qdd = 0
 // By recursive Newton-Euler, Chang table 4.1, alike limbs in lanes.
 // 1863 flops (add 863, mul 1000, div 0), sine and cosine of 24 angles

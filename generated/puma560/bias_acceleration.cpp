@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // bias_acceleration: xdd = J qdd + Jd qd: the term Jd qd
 // By outward recursion, Chang eq. 6.11.
 // 170 flops (add 60, mul 110, div 0), sine and cosine of 5 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // The functions of puma560.hpp for C: see puma560.h.
 // Generated. Each call is passed on as it is; programs that make none do not link this file.
 #include "puma560_calls.hpp"

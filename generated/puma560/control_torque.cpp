@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J
 //   qdd_0)
 // By resolved acceleration, spherical wrist, by pivots, J in the axes of link 1 (link1) and the

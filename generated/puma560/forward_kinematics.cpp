@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // forward_kinematics: x_world = R x_point + p, for every operational point
 // By outward recursion.
 // 83 flops (add 28, mul 55, div 0), sine and cosine of 6 angles

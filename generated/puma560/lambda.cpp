@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By M = L^T D L, J carried inward, in the axes asked for at link origins.
 // 812 flops (add 328, mul 474, div 10), sine and cosine of 5 angles

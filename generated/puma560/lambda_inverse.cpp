@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // lambda_inverse: Lambda^-1 = J M^-1 J^T
 // By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
 // 560 flops (add 233, mul 323, div 4), sine and cosine of 5 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // nonlinear_effects: h = b + g: the joint forces at qdd = 0
 // By recursive Newton-Euler, Chang table 4.1.
 // 224 flops (add 87, mul 137, div 0), sine and cosine of 4 angles

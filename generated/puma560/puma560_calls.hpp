@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_PUMA560_CALLS_HPP
 #define TREELINE_PUMA560_CALLS_HPP
 // puma560: other ways to call the functions of puma560.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_PUMA560_EIGEN_HPP
 #define TREELINE_PUMA560_EIGEN_HPP
 // puma560: the functions of puma560.hpp for Eigen.

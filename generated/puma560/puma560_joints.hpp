@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_PUMA560_JOINTS_HPP
 #define TREELINE_PUMA560_JOINTS_HPP
 // puma560: names and limits, as arrays in the order of the arguments of puma560.hpp.

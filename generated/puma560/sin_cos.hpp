@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_PUMA560_SIN_COS_HPP
 #define TREELINE_PUMA560_SIN_COS_HPP
 // Sine and cosine together, without branch, table, heap or library: C++17, freestanding. Every

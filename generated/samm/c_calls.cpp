@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // The functions of samm.hpp for C: see samm.h.
 // Generated. Each call is passed on as it is; programs that make none do not link this file.
 #include "samm_calls.hpp"

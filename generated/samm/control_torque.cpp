@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // control_torque: tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, F = Lambda (xdd_cmd - Jd qd - J
 //   qdd_0)
 // By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at

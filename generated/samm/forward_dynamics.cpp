@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // forward_dynamics: qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 // By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
 // 638 flops (add 266, mul 366, div 6), sine and cosine of 6 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // gravity: g: the joint forces that hold the robot at rest
 // By recursive Newton-Euler, Chang table 4.1.
 // 35 flops (add 10, mul 25, div 0), sine and cosine of 4 angles

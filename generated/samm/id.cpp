@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: 0BSD
 // What this code is, for whoever finds it in a binary: the version of Treeline, and the SHA-256 of
 // what `LC_ALL=C sha256sum` prints of all other files in order of their names, but manifest.json.
 // Generated.
 #include "samm.hpp"
 
 const char samm_id[92] =
-    "treeline 0.1.0 samm sha256 "
-    "8d9252a87ffff7f211f37a426ea601a5276b4dc41294d0254c8538cbd596a522";
+    "treeline 0.9.0 samm sha256 "
+    "93064de33e4b12d3d0c402dd6a46b378b33fefe1f913b599923de26e392b55b0";

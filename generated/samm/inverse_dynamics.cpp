@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // inverse_dynamics: tau = M qdd + b + g - J_ext^T f_ext
 // By recursive Newton-Euler, Chang table 4.1.
 // 326 flops (add 142, mul 184, div 0), sine and cosine of 6 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // jacobian: xd = J qd, rows stacked over operational points
 // By rows carried inward from each point.
 // 78 flops (add 23, mul 55, div 0), sine and cosine of 6 angles

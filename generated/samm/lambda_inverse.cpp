@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // lambda_inverse: Lambda^-1 = J M^-1 J^T
 // By unit forces propagated inward (PV-OSIM), in the axes asked for at the points.
 // 1001 flops (add 395, mul 600, div 6), sine and cosine of 6 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // mass_matrix: tau = M qdd + b + g: the matrix M
 // By composite rigid bodies, RBDA table 6.2.
 // 177 flops (add 73, mul 104, div 0), sine and cosine of 6 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // nonlinear_effects: h = b + g: the joint forces at qdd = 0
 // By recursive Newton-Euler, Chang table 4.1.
 // 246 flops (add 96, mul 150, div 0), sine and cosine of 6 angles

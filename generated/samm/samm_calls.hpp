@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_SAMM_CALLS_HPP
 #define TREELINE_SAMM_CALLS_HPP
 // samm: other ways to call the functions of samm.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_SAMM_EIGEN_HPP
 #define TREELINE_SAMM_EIGEN_HPP
 // samm: the functions of samm.hpp for Eigen.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_SAMM_JOINTS_HPP
 #define TREELINE_SAMM_JOINTS_HPP
 // samm: names and limits, as arrays in the order of the arguments of samm.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // The functions of ur10e.hpp for C: see ur10e.h.
 // Generated. Each call is passed on as it is; programs that make none do not link this file.
 #include "ur10e_calls.hpp"

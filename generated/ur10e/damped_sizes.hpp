@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_DAMPED_SIZES_HPP
 #define TREELINE_UR10E_DAMPED_SIZES_HPP
 // Sizes of arrays that damped_solve.hpp computes in.

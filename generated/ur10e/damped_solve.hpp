@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_DAMPED_SOLVE_HPP
 #define TREELINE_UR10E_DAMPED_SOLVE_HPP
 // Forces of tasks where Lambda^-1 is nearly or wholly singular: selective damping by

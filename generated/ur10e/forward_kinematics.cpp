@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // forward_kinematics: x_world = R x_point + p, for every operational point
 // By outward recursion.
 // 73 flops (add 25, mul 48, div 0), sine and cosine of 6 angles

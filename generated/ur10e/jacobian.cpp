@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // jacobian: xd = J qd, rows stacked over operational points
 // By rows carried inward from each point.
 // 59 flops (add 17, mul 42, div 0), sine and cosine of 5 angles

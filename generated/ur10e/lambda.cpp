@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // lambda: Lambda = (J M^-1 J^T)^-1
 // By M = L^T D L, J carried inward, in the axes asked for at the points.
 // 822 flops (add 331, mul 481, div 10), sine and cosine of 5 angles

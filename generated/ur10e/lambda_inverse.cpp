@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // lambda_inverse: Lambda^-1 = J M^-1 J^T
 // By M = L^T D L, J carried inward, in the axes of link 4 (wrist_1) at link origins.
 // 541 flops (add 234, mul 303, div 4), sine and cosine of 5 angles

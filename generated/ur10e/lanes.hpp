@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_LANES_HPP
 #define TREELINE_UR10E_LANES_HPP
 // Several numbers that are computed together, with one instruction where the machine has one that

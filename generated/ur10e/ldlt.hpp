@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_LDLT_HPP
 #define TREELINE_UR10E_LDLT_HPP
 // Symmetric positive definite systems of fixed size: A = L D L^T with L unit lower

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // nonlinear_effects: h = b + g: the joint forces at qdd = 0
 // By recursive Newton-Euler, Chang table 4.1.
 // 200 flops (add 76, mul 124, div 0), sine and cosine of 4 angles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_SQUARE_ROOT_HPP
 #define TREELINE_UR10E_SQUARE_ROOT_HPP
 // Square root, because no library is at hand: the target's instruction where there is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_SYMMETRIC_EIGEN_HPP
 #define TREELINE_UR10E_SYMMETRIC_EIGEN_HPP
 // Eigenvalues of small symmetric matrices, and how their eigenvectors turn vectors:

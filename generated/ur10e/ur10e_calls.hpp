@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_CALLS_HPP
 #define TREELINE_UR10E_CALLS_HPP
 // ur10e: other ways to call the functions of ur10e.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_DAMPED_H
 #define TREELINE_UR10E_DAMPED_H
 // ur10e: control that stays bounded and smooth at singularities, from the functions of

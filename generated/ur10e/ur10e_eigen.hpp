@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_EIGEN_HPP
 #define TREELINE_UR10E_EIGEN_HPP
 // ur10e: the functions of ur10e.hpp for Eigen.

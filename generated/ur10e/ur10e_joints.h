@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_JOINTS_H
 #define TREELINE_UR10E_JOINTS_H
 // ur10e: names and limits, as arrays in the order of the arguments of ur10e.h.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 #ifndef TREELINE_UR10E_JOINTS_HPP
 #define TREELINE_UR10E_JOINTS_HPP
 // ur10e: names and limits, as arrays in the order of the arguments of ur10e.hpp.

@@ -10,6 +10,7 @@
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/print_project.hpp"
+#include "emission/state_licence.hpp"
 
 namespace treeline {
 
@@ -45,7 +46,9 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
     }
   }
   guard_headers(context.name, files);
+  for (GeneratedFile& file : files) state_licence(file);
   files.push_back(print_identity(context, files));
+  state_licence(files.back());
   files.push_back({kManifestName, print_manifest(context, programs, files, sources)});
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& a, const GeneratedFile& b) { return a.name < b.name; });

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
+#include "emission/state_licence.hpp"
 #include "packaging/for_firmware.hpp"
 #include "packaging/for_fmu.hpp"
 #include "packaging/for_python.hpp"
@@ -125,10 +127,16 @@ std::vector<PackageFolder> make_package(const PackageKind* kind, const Robot& ro
   if (kind == nullptr) return {{"", generation.files}};
   const PackageFacts facts = describe_package(robot, scene, generation);
   std::vector<PackageFolder> folders = kind->make(facts, robot, scene, generation);
-  folders.push_back({"src", generation.files});
+  std::vector<GeneratedFile> joined;
   if (kind->joins_sources && !facts.at("joined").empty()) {
-    folders.back().files.push_back({scene.name + "_loops.c", facts.at("joined")});
+    joined.push_back({scene.name + "_loops.c", facts.at("joined")});
   }
+  folders.push_back({"src", std::move(joined)});
+  for (PackageFolder& folder : folders) {
+    for (GeneratedFile& file : folder.files) state_licence(file);
+  }
+  auto& src = folders.back().files;
+  src.insert(src.begin(), generation.files.begin(), generation.files.end());
   return folders;
 }
 

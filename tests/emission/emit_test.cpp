@@ -12,6 +12,7 @@
 #include "emission/guard_headers.hpp"
 #include "emission/print_project.hpp"
 #include "emission/sample.hpp"
+#include "emission/state_licence.hpp"
 
 namespace treeline {
 namespace {
@@ -225,12 +226,13 @@ TEST(Emit, LinesStayWithinTheWidth) {
 // Would catch: headers of two robots with equal names, of which a program would see only the first.
 TEST(Emit, GuardsHeadersByRobotAndFile) {
   Diagnostics diagnostics;
+  const std::string licence = "// SPDX-License-Identifier: 0BSD\n";
   const auto files = emit_sample(diagnostics);
   for (const auto& [file, guard] : {std::pair{"arm.hpp", "TREELINE_ARM_HPP"},
                                     {"arm_joints.hpp", "TREELINE_ARM_JOINTS_HPP"},
                                     {"sin_cos.hpp", "TREELINE_ARM_SIN_COS_HPP"}}) {
     const std::string text = text_of(files, file), name = guard;
-    EXPECT_TRUE(text.starts_with("#ifndef " + name + "\n#define " + name + "\n")) << text;
+    EXPECT_TRUE(text.starts_with(licence + "#ifndef " + name + "\n#define " + name + "\n")) << text;
     EXPECT_TRUE(text.ends_with("\n#endif  // " + name + "\n")) << text;
     EXPECT_EQ(text.find("pragma once"), std::string::npos) << file;
   }
@@ -239,8 +241,23 @@ TEST(Emit, GuardsHeadersByRobotAndFile) {
     const auto own = emit(test::sample_context(robot, false), test::sample_programs(), diagnostics);
     const std::string name =
         robot == std::string("s") ? "TREELINE_S_SIN_COS_HPP" : "TREELINE_SI_SIN_COS_HPP";
-    EXPECT_TRUE(text_of(own, "sin_cos.hpp").starts_with("#ifndef " + name + "\n")) << robot;
+    EXPECT_TRUE(text_of(own, "sin_cos.hpp").starts_with(licence + "#ifndef " + name + "\n"))
+        << robot;
   }
+}
+
+// Would catch: a file that a tool for licences finds without one, and a script whose first line no
+// longer names its interpreter.
+TEST(Emit, StatesTheLicenceOfEachFile) {
+  Diagnostics diagnostics;
+  for (const GeneratedFile& file : emit_sample(diagnostics)) {
+    const bool has_comments = file.name != "manifest.json";
+    EXPECT_EQ(file.text.find("SPDX-License-Identifier: 0BSD\n") != std::string::npos, has_comments)
+        << file.name;
+  }
+  GeneratedFile script{"build", "#!/bin/sh\ncc\n"};
+  state_licence(script);
+  EXPECT_EQ(script.text, "#!/bin/sh\n# SPDX-License-Identifier: 0BSD\ncc\n");
 }
 
 // Would catch: an order that depends on addresses or hashes.
