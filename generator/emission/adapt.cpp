@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <vector>
 
 #include "emission/backend.hpp"
@@ -11,10 +12,6 @@
 
 namespace treeline {
 namespace {
-
-bool belongs_to_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// `TL_REAL(1.5)` at the front of a text, whose first word was taken off, as a literal.
 std::string take_literal(std::string_view& text, const Adaptation& own) {
@@ -24,6 +21,11 @@ std::string take_literal(std::string_view& text, const Adaptation& own) {
   return digits + own.suffix;
 }
 
+/// The robot's name and the part's, as C has them before others.
+std::string name_of_part(const Adaptation& own) {
+  return own.part.empty() ? own.name : own.name + "_" + own.part;
+}
+
 std::string rename(std::string_view word, const Adaptation& own) {
   if (const auto found = own.words.find(word); found != own.words.end()) return found->second;
   if (word.starts_with("TL_")) return constant_name(own, word.substr(3));
@@ -31,7 +33,7 @@ std::string rename(std::string_view word, const Adaptation& own) {
   if (!is_type && !word.starts_with("tl_")) return std::string(word);
   const std::string rest(word.substr(is_type ? 2 : 3));
   if (backend_of(own.language).has_namespaces) return rest;
-  return own.name + "_" + (is_type ? in_snake_case(rest) : rest);
+  return name_of_part(own) + "_" + (is_type ? in_snake_case(rest) : rest);
 }
 
 /// What a compiler of C++ need not be told: `typedef struct TlRow TlRow;`, what `bool` is.
@@ -69,25 +71,25 @@ Parts take_apart(std::string_view header) {
   return parts;
 }
 
-/// Leaves out the branches of `#if TL_TASK` that a robot does not have.
-std::string choose_branches(std::string_view text, const Adaptation& own) {
-  std::string chosen;
-  std::vector<bool> open;  // branches around the line: whether each stays
-  while (!text.empty()) {
-    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
-    const std::string_view line = text.substr(0, length);
-    text.remove_prefix(length);
-    if (line.starts_with("#if TL_")) {
-      open.push_back(own.words.at(std::string(line.substr(4, length - 5))) == "1");
-    } else if (line.starts_with("#else") && !open.empty()) {
-      open.back().flip();
-    } else if (line.starts_with("#endif") && !open.empty()) {
-      open.pop_back();
-    } else if (std::find(open.begin(), open.end(), false) == open.end()) {
-      chosen += line;
-    }
-  }
-  return chosen;
+/// A branch around a line.
+struct Branch {
+  std::string other, end;  ///< how the lines begin that turn to the other branch, and end both
+  bool stays;
+  std::size_t indentation;  ///< that its lines lose
+};
+
+/// The branch that a line opens: `#if TL_TASK`, or `if (TL_TASK) {` where the word is 1 or 0.
+std::optional<Branch> open_branch(std::string_view line, const Adaptation& own) {
+  const std::string blanks(line.substr(0, line.find_first_not_of(' ')));
+  line.remove_prefix(blanks.size());
+  const bool of_text = line.starts_with("#if TL_");
+  if (!of_text && !(line.starts_with("if (TL_") && line.ends_with(") {\n"))) return std::nullopt;
+  line.remove_prefix(4);
+  const std::string word(line.substr(0, line.find_first_of(")\n")));
+  if (of_text) return Branch{"#else", "#endif", own.words.at(word) == "1", 0};
+  const auto found = own.words.find(word);
+  if (found == own.words.end()) return std::nullopt;
+  return Branch{blanks + "} else {", blanks + "}\n", found->second == "1", 2};
 }
 
 }  // namespace
@@ -118,11 +120,38 @@ void add_number_format(const EmissionContext& context, Adaptation& own) {
 
 std::string constant_name(const Adaptation& own, std::string_view name) {
   if (!backend_of(own.language).has_namespaces || own.constants_of_c) {
-    return fmt::format("{}_{}", in_capitals(own.name), name);
+    return fmt::format("{}_{}", in_capitals(name_of_part(own)), name);
   }
   std::string words(name);
   for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return "k" + in_pascal_case(words);
+}
+
+bool belongs_to_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string choose_branches(std::string_view text, const Adaptation& own) {
+  std::string chosen;
+  std::vector<Branch> open;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
+    std::string_view line = text.substr(0, length);
+    text.remove_prefix(length);
+    if (std::optional<Branch> next = open_branch(line, own)) {
+      open.push_back(*next);
+    } else if (!open.empty() && line.starts_with(open.back().other)) {
+      open.back().stays = !open.back().stays;
+    } else if (!open.empty() && line.starts_with(open.back().end)) {
+      open.pop_back();
+    } else if (std::all_of(open.begin(), open.end(), [](const Branch& b) { return b.stays; })) {
+      for (const Branch& branch : open) {
+        line.remove_prefix(std::min(branch.indentation, line.find_first_not_of(' ')));
+      }
+      chosen += line;
+    }
+  }
+  return chosen;
 }
 
 std::string adapt_words(std::string_view given, const Adaptation& own) {
@@ -163,10 +192,14 @@ std::string adapt(std::string_view header, const Adaptation& own) {
       adapt_words(parts.comment, own) + generated + adapt_words(parts.includes, own);
   const std::string rest = adapt_words(parts.rest, own);
   if (!backend_of(own.language).has_namespaces) return front + rest;
-  return fmt::format(
-      "{1}namespace {0} {{\nnamespace detail {{\n\n{2}\n}}  // namespace detail\n}}  // namespace "
-      "{0}\n",
-      own.name, front, rest);
+  std::string text = rest;
+  for (const std::string& scope : {own.part, std::string("detail"), own.name}) {
+    if (scope.empty()) continue;
+    const bool is_inner = text.starts_with("namespace ");
+    text = fmt::format("namespace {0} {{\n{2}{1}{2}}}  // namespace {0}\n", scope, text,
+                       is_inner ? "" : "\n");
+  }
+  return front + text;
 }
 
 std::string join_headers(std::span<const std::string_view> others, std::string_view last) {

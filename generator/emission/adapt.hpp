@@ -18,6 +18,7 @@ struct Adaptation {
   std::map<std::string, std::string, std::less<>> words;
   std::string suffix = {};      ///< of literals, which headers write as `TL_REAL(1.5)`
   bool constants_of_c = false;  ///< constants are called in C++ as they are in C
+  std::string part = {};        ///< prefix behind the name in C, namespace in `detail` in C++
 };
 
 /// The words that every header of runtime/emitted has: the type of numbers, small numbers, and what
@@ -31,10 +32,17 @@ void add_number_format(const EmissionContext& context, Adaptation& own);
 /// `UNKNOWNS` as a constant of the robot's is called: `ARM_UNKNOWNS`, in C++ `kUnknowns`.
 std::string constant_name(const Adaptation& own, std::string_view name);
 
+/// Whether a name may have this character.
+bool belongs_to_word(char c);
+
+/// The text without branches that a robot does not have, and without the conditions of those that
+/// it has: of `#if TL_TASK`, and of `if (TL_TASK) {`, whose words are 1 or 0.
+std::string choose_branches(std::string_view text, const Adaptation& own);
+
 /// The text of a header of runtime/emitted with the robot's names. `tl_root`, `TlConeRow` and
 /// `TL_UNKNOWNS` become `arm_root`, `arm_cone_row` and `ARM_UNKNOWNS`, in C++ `root`, `ConeRow` and
 /// `kUnknowns`; words of `own` become what it says, names of headers end as the language's do, but
-/// for the contract's. Of `#if TL_TASK` what its word says stays, 1 or 0.
+/// for the contract's. Branches are chosen.
 std::string adapt_words(std::string_view text, const Adaptation& own);
 
 /// A whole header: in C++ what is behind its includes is in the namespace `arm::detail`.

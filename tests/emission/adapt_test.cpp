@@ -82,5 +82,59 @@ inline double first_of(const RowSet* set) {
 )");
 }
 
+// Would catch: a branch of text or code that stays for another robot, that loses its other half, or
+// whose lines stand where they stood within it.
+TEST(Adapt, ChoosesBranches) {
+  Adaptation own = make_adaptation(test::sample_context("arm", false, Language::c), "arm.h");
+  own.words["TL_SLIDING"] = "1";
+  own.words["TL_BALLS"] = "0";
+  EXPECT_EQ(adapt_words(R"(#if TL_BALLS
+balls
+#else
+none
+#endif
+  if (TL_SLIDING) {
+    if (x) {
+      slide();
+    } else {
+      if (TL_BALLS) {
+        roll();
+      } else {
+        rest();
+      }
+    }
+  } else {
+    (void)x;
+  }
+  if (TL_ZERO < x) {
+  }
+)",
+                        own),
+            R"(none
+  if (x) {
+    slide();
+  } else {
+    rest();
+  }
+  if (0.0 < x) {
+  }
+)");
+}
+
+TEST(Adapt, NamesParts) {
+  for (const Language language : {Language::c, Language::cpp}) {
+    Adaptation own = make_adaptation(test::sample_context("arm", false, language), "arm.h");
+    own.part = "loops";
+    EXPECT_EQ(adapt("#pragma once\nTlLink tl_links[TL_LINKS];\n", own),
+              language == Language::c
+                  ? "#pragma once\n// Generated; see arm.h for the contract.\n"
+                    "arm_loops_link arm_loops_links[ARM_LOOPS_LINKS];\n"
+                  : "#pragma once\n// Generated; see arm.h for the contract.\n"
+                    "namespace arm {\nnamespace detail {\nnamespace loops {\n\n"
+                    "Link links[kLinks];\n"
+                    "\n}  // namespace loops\n}  // namespace detail\n}  // namespace arm\n");
+  }
+}
+
 }  // namespace
 }  // namespace treeline
