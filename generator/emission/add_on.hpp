@@ -10,6 +10,7 @@
 #include "emission/print_controller.hpp"
 #include "emission/print_endings.hpp"
 #include "emission/print_identity.hpp"
+#include "emission/print_loops.hpp"
 #include "emission/print_prefetch.hpp"
 #include "emission/print_selftest.hpp"
 
@@ -57,6 +58,7 @@ inline constexpr AddOn kControllerRow{wants_controller, print_controller, kContr
 inline constexpr AddOn kPrefetchRow{wants_prefetch, print_prefetch, "prefetch"};
 inline constexpr AddOn kSelftestRow{wants_selftest, print_selftest, kSelftestStem};
 inline constexpr AddOn kIdentityRow{always, nullptr, kIdentityStem};
+inline constexpr AddOn kLoopsRow{wants_loops, print_loops};
 inline constexpr AddOn kEndingsRow{
     .wants = wants_endings, .print = print_ending_headers, .is_runtime = true};
 inline constexpr AddOn kRegistersRow{

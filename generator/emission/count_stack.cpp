@@ -12,7 +12,7 @@
 namespace treeline {
 namespace {
 
-/// Numbers of the work space in `runtime/core/link_*.hpp`.
+/// Numbers of the work space in `runtime/emitted/link_work.h`.
 std::size_t count_work(const LinkLoops& loops) {
   const LinkTableData& table = loops.table;
   const std::size_t links = table.links.size();
@@ -20,8 +20,11 @@ std::size_t count_work(const LinkLoops& loops) {
   const std::size_t rows = table.rows.size();
   const std::size_t points = table.points.size();
   std::size_t count = 9 * links + 9 * slots + 9 * static_cast<std::size_t>(table.rotations);
-  if (loops.uses_inertias) count += 7 * links + 21 * slots + count_base_entries(table);
-  if (loops.uses_matrix) count += 31 * links + count_base_entries(table);
+  if (loops.uses_matrix) count += 31 * links;
+  if (loops.uses_factors) {
+    count +=
+        (table.couplings.empty() ? 7 * links + 21 * slots : 31 * links) + count_base_entries(table);
+  }
   if (loops.uses_rows) count += 18 * points + (8 + rows) * rows;
   count += 10 * table.loaded_links.size();
   count += (changes_rotors(loops) ? links : 0) + (changes_drives(loops) ? 3 * links : 0) +

@@ -14,6 +14,7 @@
 #include "emission/print_controller_header.hpp"
 #include "emission/print_defaults.hpp"
 #include "emission/print_prefetch.hpp"
+#include "emission/print_sin_cos.hpp"
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 #include "emission/wrap_line.hpp"
@@ -108,9 +109,7 @@ std::string print_array_types(const EmissionContext& context, const ControllerUn
   std::string text = "using JointArray = real[TL_JOINTS];\n";
   if (unit.task_torque) text += "using RowArray = real[TL_ROWS];\n";
   if (unit.push_torque) text += "using ForceArray = real[6 * TL_POINTS];\n";
-  return text +
-         "\nTL_INLINE void tl_sin_cos_of(real x, real* sine, real* cosine) {\n"
-         "  sin_cos(x, *sine, *cosine);\n}\n";
+  return text + "\n" + std::string(kSinesByPointers);
 }
 
 std::string print_measure(const EmissionContext& context, const ControllerUnit& unit) {

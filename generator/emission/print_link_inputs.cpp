@@ -1,9 +1,11 @@
 #include "emission/print_link_inputs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "emission/print_link_table.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline {
@@ -18,19 +20,19 @@ struct InputStep {
 InputStep step_of(const LinkInput& input) {
   switch (input.gives) {
     case LinkInput::Gives::bodies:
-      return {input.entries.empty() ? "add_bodies" : "add_parts_of_bodies", "bodies"};
+      return {input.entries.empty() ? "tl_add_bodies" : "tl_add_parts_of_bodies", "bodies"};
     case LinkInput::Gives::origins:
-      return {"move_points", "points"};
+      return {"tl_move_points", "points"};
     case LinkInput::Gives::axes:
-      return {"turn_points", "points"};
+      return {"tl_turn_points", "points"};
     case LinkInput::Gives::rotors:
-      return {"give_rotors", "rotors"};
+      return {"tl_give_rotors", "rotors"};
     case LinkInput::Gives::dampings:
-      return {"give_dampings", "drives"};
+      return {"tl_give_dampings", "drives"};
     case LinkInput::Gives::frictions:
       break;
   }
-  return {"give_frictions", "frictions"};
+  return {"tl_give_frictions", "frictions"};
 }
 
 bool is_of_friction(const LinkInput& input) {
@@ -44,17 +46,9 @@ std::string call(const std::string& function, const std::string& arguments) {
 /// An array, filled from the constants.
 std::string print_array(const char* type, const char* array, const std::string& from,
                         std::size_t count, const LoopNames& names) {
-  return fmt::format("  {} {}[{}];\n", names.type(type), array, count) +
-         call(names.function(fmt::format("copy_{}", array)),
-              fmt::format("{}, {}, {}", from, count, names.array(array)));
-}
-
-/// Call that makes the table's rotors those of a step, once the table is complete.
-std::string print_step(const LoopNames& names) {
-  const std::string rotors = names.array("rotors");
-  return call(names.function("find_rotors"),
-              fmt::format("{}, {}, {}", names.table, names.array("qd"), rotors)) +
-         fmt::format("  table.rotors = {};\n", rotors);
+  return fmt::format("  {} {}[{}];\n", names.in_loops(type), array, count) +
+         call(names.in_loops(fmt::format("tl_copy_{}", array)),
+              fmt::format("{}, {}, &{}[0]", from, count, array));
 }
 
 }  // namespace
@@ -84,49 +78,47 @@ std::string entries_name(const LinkInput& input) {
   return input.argument + "_entries";
 }
 
-std::string print_members(const LinkLoops& loops, const LoopNames& names, const std::string& type,
-                          const std::vector<std::string>& gravity, bool all) {
+std::vector<LinkMember> list_members(const LinkLoops& loops, const LoopNames& names,
+                                     const std::vector<std::string>& gravity) {
   const LinkTableData& table = loops.table;
-  std::string text = wrap_line(fmt::format("{} table;", type), 2);
-  const auto set = [&](const char* member, bool has, const std::string& value) {
-    if (has || all) {
-      text += fmt::format("  table.{} = {};\n", member, has ? value : names.none);
-    }
+  const auto pointer = [&](bool has, const char* constant, bool is_changed = false) {
+    return !has         ? names.none
+           : is_changed ? fmt::format("&{}[0]", constant)
+                        : names.constant(constant);
   };
-  const auto set_number = [&](const char* member, std::size_t value) {
-    if (value > 0 || all) text += fmt::format("  table.{} = {};\n", member, value);
+  const auto argument = [&](const std::string& name) {
+    return name.empty() ? names.none : fmt::format("&{}[0]", name);
   };
-  set("links", true, names.constant("links"));
-  set_number("count", table.links.size());
-  set_number("slots", static_cast<std::size_t>(table.slots));
-  for (std::size_t k = 0; k < gravity.size(); ++k) {
-    text +=
-        fmt::format("  table.gravity[{}] = {};\n", k,
-                    loops.gravity.empty() ? gravity[k] : fmt::format("{}[{}]", loops.gravity, k));
-  }
-  set("points", !table.points.empty(),
-      moves_points(table) ? names.array("points") : names.constant("points"));
-  set_number("point_count", table.points.size());
-  set("point_rows", !table.rows.empty(), names.constant("point_rows"));
-  set_number("rows", table.rows.size());
-  set("drives", !table.drives.empty(),
-      changes_drives(loops) ? names.array("drives") : names.constant("drives"));
-  set("frictions", !table.frictions.empty(),
-      changes_frictions(loops) ? names.array("frictions") : names.constant("frictions"));
-  set("couplings", !table.couplings.empty(), names.constant("couplings"));
-  set_number("joints", static_cast<std::size_t>(table.joints));
-  set("ball_axes", !table.balls.empty(), names.constant("ball_axes"));
-  set("row_entries", !table.row_entries.empty(), names.constant("row_entries"));
+  std::vector<LinkMember> members = {
+      {"links", names.constant("links")},
+      {"count", std::to_string(table.links.size())},
+      {"slots", std::to_string(table.slots)},
+      {"gravity", fmt::format("{{{}}}", fmt::join(gravity, ", "))},
+      {"points", pointer(has_points(table), "points", moves_points(table))},
+      {"point_count", std::to_string(table.points.size())},
+      {"point_rows", pointer(!table.rows.empty(), "point_rows")},
+      {"rows", std::to_string(table.rows.size())},
+      {"couplings", pointer(!table.couplings.empty(), "couplings")},
+      {"joints", std::to_string(table.joints)},
+      {"row_entries", pointer(!table.row_entries.empty(), "row_entries")},
+      {"rotors", pointer(table.gives(LinkInput::Gives::rotors), "rotors", true)},
+      {"step", argument(loops.step)}};
+  const auto add = [&](bool has, std::initializer_list<LinkMember> more) {
+    if (has) members.insert(members.end(), more);
+  };
   const bool pushed = !loops.f_ext.empty();
-  set("pushed_points", pushed, names.constant("pushed_points"));
-  set_number("pushed_count", pushed ? table.pushed_points.size() : 0);
-  set("f_ext", pushed, names.array(loops.f_ext));
-  set("bodies", !table.loaded_links.empty(), names.array("bodies"));
-  set("loaded_links", !table.loaded_links.empty(), names.constant("loaded_links"));
-  set_number("loaded_count", table.loaded_links.size());
-  set("rotors", table.gives(LinkInput::Gives::rotors), names.array("rotors"));
-  set("step", !loops.step.empty(), names.array(loops.step));
-  return text + (loops.step.empty() ? "" : print_step(names));
+  add(!table.drives.empty(), {{"drives", pointer(true, "drives", changes_drives(loops))}});
+  add(!table.frictions.empty(),
+      {{"frictions", pointer(true, "frictions", changes_frictions(loops))}});
+  add(!table.balls.empty(), {{"ball_axes", pointer(true, "ball_axes")}});
+  add(!table.pushed_points.empty(),
+      {{"pushed_points", pointer(pushed, "pushed_points")},
+       {"pushed_count", std::to_string(pushed ? table.pushed_points.size() : 0)},
+       {"f_ext", argument(loops.f_ext)}});
+  add(!table.loaded_links.empty(), {{"bodies", pointer(true, "bodies", true)},
+                                    {"loaded_links", pointer(true, "loaded_links")},
+                                    {"loaded_count", std::to_string(table.loaded_links.size())}});
+  return members;
 }
 
 /// The arrays that take the place of constants of links, as these are.
@@ -138,14 +130,14 @@ std::string print_link_arrays(const LinkLoops& loops, const LoopNames& names) {
     text += fmt::format("  {} rotors[{}];\n", names.number, links);
   }
   if (table.gives(LinkInput::Gives::rotors)) {
-    text += call(names.function("copy_rotors"),
-                 fmt::format("{}, {}, {}", names.constant("links"), links, names.array("rotors")));
+    text += call(names.in_loops("tl_copy_rotors"),
+                 fmt::format("{}, {}, {}", names.constant("links"), links, "&rotors[0]"));
   }
   if (changes_drives(loops)) {
-    text += print_array("LinkDrive", "drives", names.constant("drives"), links, names);
+    text += print_array("TlLinkDrive", "drives", names.constant("drives"), links, names);
   }
   if (changes_frictions(loops)) {
-    text += print_array("LinkFriction", "frictions", names.constant("frictions"), links, names);
+    text += print_array("TlLinkFriction", "frictions", names.constant("frictions"), links, names);
   }
   return text;
 }
@@ -155,11 +147,11 @@ std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {
   std::string text = print_link_arrays(loops, names);
   if (!table.loaded_links.empty()) {
     const std::string from = names.constant("links") + ", " + names.constant("loaded_links");
-    text += print_array("LinkBody", "bodies", from, table.loaded_links.size(), names);
+    text += print_array("TlLinkBody", "bodies", from, table.loaded_links.size(), names);
   }
   if (moves_points(table)) {
     text +=
-        print_array("LinkPoint", "points", names.constant("points"), table.points.size(), names);
+        print_array("TlLinkPoint", "points", names.constant("points"), table.points.size(), names);
   }
   for (const LinkInput& input : table.inputs) {
     if (is_of_friction(input) && !loops.uses_friction) continue;
@@ -168,10 +160,10 @@ std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names) {
         input.entries.empty()
             ? std::string()
             : fmt::format("{}, {}, ", names.constant(entries_name(input)), input.entries.size());
-    text += call(names.function(step.function),
-                 fmt::format("{}, {}, {}{}, {}", names.constant(frames_name(input)),
+    text += call(names.in_loops(step.function),
+                 fmt::format("{}, {}, {}&{}[0], &{}[0]", names.constant(frames_name(input)),
                              std::max(input.frames.size(), input.numbers.size()), entries,
-                             names.array(input.argument), names.array(step.array)));
+                             input.argument, step.array));
   }
   return text;
 }

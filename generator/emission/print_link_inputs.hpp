@@ -10,23 +10,26 @@ namespace treeline {
 
 /// How a language names what the loops over links use.
 struct LoopNames {
-  std::function<std::string(const std::string&)> type;      ///< `LinkBody`
-  std::function<std::string(const std::string&)> function;  ///< `copy_bodies`
-  std::function<std::string(const std::string&)> array;     ///< local, or an argument
-  std::function<std::string(const std::string&)> constant;  ///< of the robot: `links`
+  std::function<std::string(const std::string&)> in_loops;  ///< `TlLinkBody`, `tl_copy_bodies`
+  std::function<std::string(const std::string&)> constant;  ///< the robot's, as a pointer: `links`
   std::string none;                                         ///< a pointer to nothing
   std::string number;                                       ///< the type of numbers
-  std::string table;                                        ///< the function's own, as an argument
 };
 
 /// Code that a function executes before it loops if arguments change the table: arrays `bodies`,
 /// `rotors`, `drives`, `frictions` and `points` take the place of constants. Empty where none does.
 std::string print_link_inputs(const LinkLoops& loops, const LoopNames& names);
 
-/// The table of a function whose arguments change it, member by member: of an initializer g++ makes
-/// a call of memset. `gravity` are constants; `all`: members without a value too.
-std::string print_members(const LinkLoops& loops, const LoopNames& names, const std::string& type,
-                          const std::vector<std::string>& gravity, bool all);
+/// A member of the table.
+struct LinkMember {
+  const char* name;
+  std::string value;
+};
+
+/// The members that the robot's table has, in their order, as arguments of the function change
+/// them. `gravity` are constants.
+std::vector<LinkMember> list_members(const LinkLoops& loops, const LoopNames& names,
+                                     const std::vector<std::string>& gravity);
 
 /// Whether arguments move points of the table.
 bool moves_points(const LinkTableData& table);

@@ -15,9 +15,6 @@
 namespace treeline {
 namespace {
 
-using core::loops::Link;
-using core::loops::LinkPoint;
-
 std::string number(const Syntax& syntax, double value) {
   if (value == 0) return syntax.literal(0);
   return fmt::format("{}{}", value < 0 ? "-" : "", syntax.literal(std::abs(value)));
@@ -29,7 +26,7 @@ std::string numbers(const Syntax& syntax, std::span<const double> values) {
   return "{" + list + "}";
 }
 
-std::string print_link(const Syntax& syntax, const Link<double>& of) {
+std::string print_link(const Syntax& syntax, const LinkTypes::TlLink& of) {
   const double turns[3][2] = {{of.a.c, of.a.s}, {of.alpha.c, of.alpha.s}, {of.b.c, of.b.s}};
   return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {{{}, {}, {}}}}}", of.parent,
                      of.slot, of.end, of.slides, of.starts, numbers(syntax, turns[0]),
@@ -41,10 +38,10 @@ std::string print_link(const Syntax& syntax, const Link<double>& of) {
 /// Frames of an input, or the numbers that it has in place of them.
 std::string print_frames(const Syntax& syntax, const LinkInput& input) {
   std::string text;
-  for (const core::loops::InputNumber& number : input.numbers) {
+  for (const LinkTypes::TlInputNumber& number : input.numbers) {
     text += fmt::format("    {{{}, {}}},\n", number.of, number.at);
   }
-  for (const core::loops::InputFrame<double>& frame : input.frames) {
+  for (const LinkTypes::TlInputFrame& frame : input.frames) {
     text += wrap_line(fmt::format("{{{}, {}, {{{}}}, {}}},", frame.of, frame.at,
                                   numbers(syntax, frame.R.Q), numbers(syntax, frame.p)),
                       4);
@@ -52,7 +49,7 @@ std::string print_frames(const Syntax& syntax, const LinkInput& input) {
   return text;
 }
 
-std::string print_point(const Syntax& syntax, const LinkPoint<double>& of) {
+std::string print_point(const Syntax& syntax, const LinkTypes::TlLinkPoint& of) {
   return fmt::format("{{{}, {}, {}, {}}}", of.link, of.world, numbers(syntax, of.axes),
                      numbers(syntax, of.p));
 }
@@ -80,32 +77,32 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
   }
-  for (const LinkPoint<double>& point : table.points) {
+  for (const LinkTypes::TlLinkPoint& point : table.points) {
     text.points += wrap_line(print_point(syntax, point) + ",", 4);
   }
-  for (const LinkPoint<double>& point : table.pushed_points) {
+  for (const LinkTypes::TlLinkPoint& point : table.pushed_points) {
     text.pushed_points += wrap_line(print_point(syntax, point) + ",", 4);
   }
-  for (const core::loops::PointRow& row : table.rows) {
+  for (const LinkTypes::TlPointRow& row : table.rows) {
     text.rows += fmt::format("    {{{}, {}, {}}},\n", row.point, row.axis, row.angular);
   }
   if (!table.row_entries.empty()) {
     text.row_entries = wrap_line(fmt::format("{}", fmt::join(table.row_entries, ", ")), 4);
   }
-  for (const core::loops::LinkDrive<double>& drive : table.drives) {
+  for (const LinkTypes::TlLinkDrive& drive : table.drives) {
     const double row[] = {drive.damping, drive.stiffness, drive.rest};
     text.drives += wrap_line(numbers(syntax, row) + ",", 4);
   }
-  for (const core::loops::LinkFriction<double>& friction : table.frictions) {
+  for (const LinkTypes::TlLinkFriction& friction : table.frictions) {
     const double row[] = {friction.force, friction.sharpness};
     text.frictions += wrap_line(numbers(syntax, row) + ",", 4);
   }
-  for (const core::loops::LinkCoupling<double>& coupling : table.couplings) {
+  for (const LinkTypes::TlLinkCoupling& coupling : table.couplings) {
     text.couplings +=
         fmt::format("    {{{}, {}, {}, {}}},\n", coupling.joint,
                     number(syntax, coupling.multiplier), coupling.spins, coupling.own_sine);
   }
-  for (const core::loops::LinkBall& ball : table.balls) {
+  for (const LinkTypes::TlLinkBall& ball : table.balls) {
     text.balls += fmt::format("    {{{}, {}, {}}},\n", ball.axis, ball.rotation, ball.q);
   }
   for (const std::int16_t link : table.loaded_links) {
@@ -138,33 +135,28 @@ std::size_t count_base_entries(const LinkTableData& table) {
 }
 
 std::vector<LinkArray> list_arrays(const LinkTableText& table) {
-  using Of = LinkArray::Of;
   const LinkTableData& data = *table.data;
   const std::size_t links = data.links.size();
   std::vector<LinkArray> of_links = {
-      {"Link", Of::numbers, "links", links, table.links},
-      {"LinkDrive", Of::numbers, "drives", links, table.drives},
-      {"LinkFriction", Of::numbers, "frictions", links, table.frictions},
-      {"LinkCoupling", Of::numbers, "couplings", links, table.couplings},
-      {"LinkBall", Of::indices, "ball_axes", links, table.balls},
-      {"int16_t", Of::built_in, "loaded_links", data.loaded_links.size(), table.loaded_links},
-      {"LinkPoint", Of::numbers, "pushed_points", data.pushed_points.size(), table.pushed_points}};
+      {"TlLink", "links", links, table.links},
+      {"TlLinkDrive", "drives", links, table.drives},
+      {"TlLinkFriction", "frictions", links, table.frictions},
+      {"TlLinkCoupling", "couplings", links, table.couplings},
+      {"TlLinkBall", "ball_axes", links, table.balls},
+      {"int16_t", "loaded_links", data.loaded_links.size(), table.loaded_links},
+      {"TlLinkPoint", "pushed_points", data.pushed_points.size(), table.pushed_points}};
   std::vector<LinkArray> of_points = {
-      {"LinkPoint", Of::numbers, "points", data.points.size(), table.points},
-      {"PointRow", Of::indices, "point_rows", data.rows.size(), table.rows},
-      {"int16_t", Of::built_in, "row_entries", data.row_entries.size(), table.row_entries}};
+      {"TlLinkPoint", "points", data.points.size(), table.points},
+      {"TlPointRow", "point_rows", data.rows.size(), table.rows},
+      {"int16_t", "row_entries", data.row_entries.size(), table.row_entries}};
   for (std::size_t i = 0; i < data.inputs.size(); ++i) {
     const LinkInput& input = data.inputs[i];
     std::vector<LinkArray>& of = input.is_of_points() ? of_points : of_links;
-    if (input.numbers.empty()) {
-      of.push_back(
-          {"InputFrame", Of::numbers, frames_name(input), input.frames.size(), table.frames[i]});
-    } else {
-      of.push_back(
-          {"InputNumber", Of::indices, frames_name(input), input.numbers.size(), table.frames[i]});
-    }
+    const bool has_frames = input.numbers.empty();
+    of.push_back({has_frames ? "TlInputFrame" : "TlInputNumber", frames_name(input),
+                  has_frames ? input.frames.size() : input.numbers.size(), table.frames[i]});
     if (input.entries.empty()) continue;
-    of_links.push_back({"int16_t", Of::built_in, entries_name(input), input.entries.size(),
+    of_links.push_back({"int16_t", entries_name(input), input.entries.size(),
                         wrap_line(fmt::format("{}", fmt::join(input.entries, ", ")), 4)});
   }
   std::vector<LinkArray> arrays;

@@ -23,11 +23,9 @@ struct LinkTableText {
   std::vector<std::string> frames;
 };
 
-/// A constant array of the robot. Names are those of C++: `LinkDrive`, and as C has them: `drives`.
+/// A constant array of the robot. The type is called as in `runtime/emitted/link_types.h`.
 struct LinkArray {
-  enum class Of { numbers, indices, built_in };  ///< a struct of numbers, of indices alone, or none
   const char* type;
-  Of of;
   std::string name;
   std::size_t count;
   std::string rows;
@@ -57,8 +55,7 @@ std::string print_yields(const LinkLoops& loops, const Syntax& syntax, const std
 /// Whether the function takes rows in the order of priority.
 bool is_ranked(const LinkLoops& loops);
 
-/// Entries of factors in the work space, see `InertiaWork` and `MatrixWork`; without any an array
-/// of C has one.
+/// Entries of factors in the work space, see `TlFactorWork`; without any an array has one.
 std::size_t count_base_entries(const LinkTableData& table);
 
 bool has_points(const LinkTableData& table);

@@ -49,8 +49,9 @@ double bytes_of_lines(const Scene& scene, int flops) {
 void LoopNeeds::add(Function function, const LinkLoops& loops) {
   const bool forward = function == Function::forward_dynamics;
   const bool control = function == Function::control_torque;
-  moves_ = moves_ || !loops.uses_inertias || forward || control;
-  has_inertias_ = has_inertias_ || loops.uses_inertias;
+  const bool has_inertias = loops.uses_factors && loops.table.couplings.empty();
+  moves_ = moves_ || !has_inertias || forward || control;
+  has_inertias_ = has_inertias_ || has_inertias;
   has_rows_ = has_rows_ || loops.uses_rows;
   accelerates_ = accelerates_ || forward;
   controls_ = controls_ || control;

@@ -6,19 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "core/link_table.hpp"
+#include "program/emitted_links.hpp"
 
 namespace treeline {
+
+/// The types of a table of links, in the numbers of the generator.
+using LinkTypes = EmittedLinks<double>;
 
 /// An argument that says something of links or points of the table.
 struct LinkInput {
   enum class Gives { bodies, origins, axes, rotors, dampings, frictions };
   std::string argument;
   Gives gives = Gives::bodies;
-  std::vector<core::loops::InputFrame<double>> frames;
+  std::vector<LinkTypes::TlInputFrame> frames;
   /// Index of each given number among the ten of its body, where bodies are given in part.
   std::vector<std::int16_t> entries = {};
-  std::vector<core::loops::InputNumber> numbers = {};  ///< of joints, in place of frames
+  std::vector<LinkTypes::TlInputNumber> numbers = {};  ///< of joints, in place of frames
 
   [[nodiscard]] bool is_of_points() const {
     return gives == Gives::origins || gives == Gives::axes;
@@ -26,7 +29,7 @@ struct LinkInput {
 };
 
 /// The robot as a table of its links, for functions that loop over it: see
-/// `runtime/core/link_table.hpp`.
+/// `runtime/emitted/link_types.h`.
 struct LinkTableData {
   bool floats = false;     ///< the first link is a floating base
   bool sliding = false;    ///< there are prismatic joints
@@ -36,22 +39,22 @@ struct LinkTableData {
   bool turning = false;    ///< linear rows of points are along axes that turn with their links
   int slots = 1;
   std::array<double, 3> gravity{};
-  std::vector<core::loops::Link<double>> links;
+  std::vector<LinkTypes::TlLink> links;
   std::vector<std::string> names;  ///< of the links
-  std::vector<core::loops::LinkPoint<double>> points;
-  std::vector<core::loops::PointRow> rows;
+  std::vector<LinkTypes::TlLinkPoint> points;
+  std::vector<LinkTypes::TlPointRow> rows;
   std::vector<std::int16_t>
       row_entries;  ///< of all rows in arguments and results; none: their order
   // Of all links, or none.
-  std::vector<core::loops::LinkDrive<double>> drives;
-  std::vector<core::loops::LinkFriction<double>> frictions;
-  std::vector<core::loops::LinkCoupling<double>> couplings;
+  std::vector<LinkTypes::TlLinkDrive> drives;
+  std::vector<LinkTypes::TlLinkFriction> frictions;
+  std::vector<LinkTypes::TlLinkCoupling> couplings;
   int joints = 0;  ///< that have coordinates of their own, where there are couplings
-  std::vector<core::loops::LinkBall> balls;  ///< of all links, or none
-  int rotations = 1;                         ///< of a floating base and of ball joints
-  std::vector<core::loops::LinkPoint<double>> pushed_points;  ///< of external forces
-  std::vector<LinkInput> inputs;                              ///< which the functions take
-  std::vector<std::int16_t> loaded_links;                     ///< whose inertia depends on them
+  std::vector<LinkTypes::TlLinkBall> balls;           ///< of all links, or none
+  int rotations = 1;                                  ///< of a floating base and of ball joints
+  std::vector<LinkTypes::TlLinkPoint> pushed_points;  ///< of external forces
+  std::vector<LinkInput> inputs;                      ///< which the functions take
+  std::vector<std::int16_t> loaded_links;             ///< whose inertia depends on them
 
   /// Whether an argument gives this.
   [[nodiscard]] bool gives(LinkInput::Gives what) const {
@@ -64,12 +67,12 @@ struct LinkTableData {
 inline constexpr int kPowerOfPriorities = 8;
 
 /// How a function is emitted that loops over a table of links: a call of `function` in
-/// `runtime/core/link_functions.hpp`, of which the program's graph is the trace.
+/// `runtime/emitted/link_functions.h`, of which the program's graph is the trace.
 struct LinkLoops {
   std::string function;
   LinkTableData table;
-  /// Work space beside motions: `InertiaWork`, or else `MatrixWork`; `RowWork`.
-  bool uses_inertias = false, uses_matrix = false, uses_rows = false;
+  /// Work space beside motions: `TlFactorWork`, `TlMatrixWork`, `TlRowWork`.
+  bool uses_factors = false, uses_matrix = false, uses_rows = false;
   bool solves = false;         ///< takes the law by which rows yield
   bool uses_friction = false;  ///< depends on that of joints
   std::string f_ext;           ///< the argument of external forces; empty: none

@@ -219,9 +219,7 @@ TEST(LinkLoopsCheck, HeadersHaveWhatIsCalledAlone) {
       humanoid.scene.profile = profile;
       const auto [names, text] =
           loop_headers(as_loops(humanoid, Real::float32, {Function::mass_matrix}));
-      EXPECT_EQ(names,
-                (std::set<std::string>{"link_functions", "link_inertia", "link_matrix",
-                                       "link_motion", "link_pose", "link_table", "link_vectors"}));
+      EXPECT_EQ(names, std::set<std::string>{"link_functions"});
       EXPECT_NE(text.find("find_mass_matrix("), std::string::npos);
       for (const char* other :
            {"inverse_dynamics(", "move_links(", "articulate(", "solve_lower("}) {
@@ -238,7 +236,7 @@ TEST(LinkLoopsCheck, WhatSeveralFunctionsCallStandsAlone) {
   const auto stands_alone = [&](const std::vector<Function>& functions) {
     const std::string text = loop_headers(as_loops(humanoid, Real::float32, functions)).second;
     EXPECT_NE(text.find("gather_forces("), std::string::npos);
-    const bool alone = text.find("\nTREELINE_LINK_SHARED void gather_forces(") != text.npos;
+    const bool alone = text.find("\nTREELINE_LINK_SHARED inline void gather_forces(") != text.npos;
     EXPECT_EQ(text.find("TREELINE_LINK_SHARED") != text.npos, alone);
     return alone;
   };

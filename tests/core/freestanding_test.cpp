@@ -8,8 +8,6 @@
 #include "core/coordinates.hpp"
 #include "core/damped_solve.hpp"
 #include "core/ldlt.hpp"
-#include "core/link_functions.hpp"
-#include "core/link_inputs.hpp"
 #include "core/orientation.hpp"
 #include "core/posture_laws.hpp"
 #include "core/prioritized_solve.hpp"
@@ -76,7 +74,6 @@ void use_spline(Data& data) noexcept;
 void use_orientation(Data& data) noexcept;
 bool use_small_solvers(Data& data) noexcept;
 void use_states(Data& data) noexcept;
-void use_link_loops(Data& data) noexcept;
 
 bool use_closed_chain(Data& data) noexcept {
   const bool apart = core::make_two_grasps(data.a3, data.b3, data.linkage);
@@ -118,108 +115,6 @@ void use_posture_laws(Data& data) noexcept {
       data.a6, data.b6);
   core::add_potential_by_differences([](const Real(&at)[6]) noexcept { return at[0] * at[5]; },
                                      data.x, data.a6, data.b6);
-}
-
-namespace loops = core::loops;
-
-// Six coordinates of a floating base and those of two joints, one of which slides.
-constexpr loops::Link<Real> kLinks[3] = {
-    {-1, 0, 3, false, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {3, {}, {1, 0, 0, 1, 0, 1}}},
-    {0, 1, 2, false, false, {1, 0}, {0, 1}, {1, 0}, {}, 0, {2, {}, {1, 0, 0, 1, 0, 1}}},
-    {0, 1, 3, true, true, {1, 0}, {1, 0}, {1, 0}, {}, 0, {1, {}, {1, 0, 0, 1, 0, 1}}}};
-constexpr loops::LinkPoint<Real> kPoint[1] = {{2, true, {}, {}}};
-constexpr loops::PointRow kRows[2] = {{0, 0, false}, {0, 1, false}};
-constexpr loops::LinkDrive<Real> kDrives[3] = {{0, 0, 0}, {1, 2, 0}, {1, 0, 0}};
-constexpr loops::LinkFriction<Real> kFrictions[3] = {{0, 0}, {1, 100}, {2, 100}};
-
-struct LoopWork {
-  loops::MotionWork<Real, 3, 2> motions;
-  loops::InertiaWork<Real, 3, 2, 36> inertias;
-  loops::MatrixWork<Real, 3, 1> matrices;
-  loops::RowWork<Real, 1, 2> rows;
-};
-
-void use_link_loops(Data& data, LoopWork& work) noexcept {
-  static constexpr loops::LinkTable<Real, true, true, true, true> kTable = {
-      kLinks, 3, 2, {0, 0, -10}, kPoint, 1, kRows, 2, kDrives, kFrictions};
-  const loops::ComputedSines sines;
-  const Real* const q = data.a9;
-  const Real* const qd = data.b9;
-  loops::mass_matrix(kTable, q, sines, &data.a64[0], work.motions, work.matrices);
-  loops::forward_dynamics(kTable, q, sines, qd, qd, data.b36 + 0, work.motions, work.inertias);
-  loops::lambda<4>(kTable, data.a2 + 0, q, sines, data.a4 + 0, work.motions, work.inertias,
-                   work.rows);
-  loops::control_torque<6>(kTable, data.a2 + 0, q, sines, qd, qd, data.b2 + 0, data.b36 + 0,
-                           work.motions, work.inertias, work.rows);
-}
-
-/// What arguments change of a table.
-struct LoopArrays {
-  loops::LinkBody<Real> bodies[1];
-  loops::LinkPoint<Real> points[1];
-  Real rotors[3];
-  loops::LinkDrive<Real> drives[3];
-  loops::LinkFriction<Real> frictions[3];
-};
-
-void enter_arguments(const Data& data, LoopArrays& arrays) noexcept {
-  static constexpr int16_t kLoaded[1] = {2};
-  static constexpr loops::InputFrame<Real> kFrames[1] = {
-      {0, 0, {{1, 0, 0, 0, 1, 0, 0, 0, 1}}, {0, 0, 1}}};
-  static constexpr loops::InputNumber kNumbers[2] = {{1, 0}, {2, -1}};
-  loops::copy_bodies(kLinks, kLoaded, 1, arrays.bodies);
-  loops::add_bodies(kFrames, 1, data.a36 + 0, arrays.bodies);
-  loops::copy_points(kPoint, 1, arrays.points);
-  loops::move_points(kFrames, 1, data.a3 + 0, arrays.points);
-  loops::turn_points(kFrames, 1, data.a4 + 0, arrays.points);
-  loops::copy_rotors(kLinks, 3, arrays.rotors);
-  loops::give_rotors(kNumbers, 2, data.a3 + 0, arrays.rotors);
-  loops::copy_drives(kDrives, 3, arrays.drives);
-  loops::give_dampings(kNumbers, 2, data.a3 + 0, arrays.drives);
-  loops::copy_frictions(kFrictions, 3, arrays.frictions);
-  loops::give_frictions(kNumbers, 2, data.a3 + 0, arrays.frictions);
-}
-
-void use_link_inputs(Data& data, LoopWork& work) noexcept {
-  static constexpr int16_t kLoaded[1] = {2};
-  static constexpr int16_t kEntries[2] = {1, 0};
-  LoopArrays arrays;
-  enter_arguments(data, arrays);
-  loops::LinkTable<Real, true, true, true, true, false, false, false, true, true, true, true> table;
-  table.links = kLinks;
-  table.count = 3;
-  table.slots = 2;
-  for (int k = 0; k < 3; ++k) {
-    table.gravity[k] = data.a3[k];
-  }
-  table.points = arrays.points;
-  table.point_count = 1;
-  table.point_rows = kRows;
-  table.rows = 2;
-  table.drives = arrays.drives;
-  table.frictions = arrays.frictions;
-  table.pushed_points = kPoint;
-  table.pushed_count = 1;
-  table.f_ext = data.a6 + 0;
-  table.bodies = arrays.bodies;
-  table.loaded_links = kLoaded;
-  table.loaded_count = 1;
-  table.row_entries = kEntries;
-  table.rotors = arrays.rotors;
-  table.step = data.a2 + 0;
-  const Real* const q = data.a9;
-  const Real* const qd = data.b9;
-  const loops::ComputedSines sines;
-  loops::find_rotors(table, qd, arrays.rotors);
-  loops::inverse_dynamics(table, q, sines, qd, qd, &data.a64[0], work.motions);
-  loops::lambda<4>(table, data.a2 + 0, q, sines, data.a4 + 0, work.motions, work.inertias,
-                   work.rows);
-}
-
-void use_link_loops(Data& data) noexcept {
-  LoopWork work;
-  use_link_loops(data, work);
-  use_link_inputs(data, work);
 }
 
 bool use_quadratic_program(Data& data) noexcept {

@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "core/link_functions.hpp"
 #include "emission/sample.hpp"
 #include "program/link_loops.hpp"
 
@@ -12,13 +11,33 @@
 namespace treeline {
 namespace {
 
-namespace loops = core::loops;
+// The types of the work space as emitted code has them.
+using real = double;
+using TlLinkPose = LinkTypes::TlLinkPose;
+using TlLinkRotation = LinkTypes::TlLinkRotation;
+using TlSpatial = LinkTypes::TlSpatial;
+using TlLinkMotion = LinkTypes::TlLinkMotion;
+using TlLinkInertia = LinkTypes::TlLinkInertia;
+using TlLinkProjection = LinkTypes::TlLinkProjection;
+using TlLinkFrame = LinkTypes::TlLinkFrame;
+using TlLinkBody = LinkTypes::TlLinkBody;
+using TlLinkAxes = LinkTypes::TlLinkAxes;
+constexpr int TL_LINKS = 24;
+constexpr int TL_SLOTS = 3;
+constexpr int TL_TURNED = 1;
+constexpr int TL_POINTS = 2;
+constexpr int TL_ROWS = 12;
+constexpr int TL_RANKED = 1;
+constexpr int TL_BASE_ENTRIES = 1;
+#define TL_ARTICULATED 1
+#include "emitted/link_work.h"
+#undef TL_ARTICULATED
 
 Program looping(bool uses_rows) {
   LinkLoops plan;
   plan.table.links.resize(24);
   plan.table.slots = 3;
-  plan.uses_inertias = true;
+  plan.uses_factors = true;
   plan.uses_rows = uses_rows;
   if (uses_rows) {
     plan.table.points.resize(2);
@@ -36,21 +55,18 @@ void expect_about(std::size_t bytes, std::size_t values) {
 }
 
 TEST(CountStackValues, AreThoseOfTheWorkSpaceOfLoops) {
-  const std::size_t joints =
-      sizeof(loops::MotionWork<double, 24, 3>) + sizeof(loops::InertiaWork<double, 24, 3, 1>);
+  const std::size_t joints = sizeof(TlMotionWork) + sizeof(TlFactorWork);
   expect_about(joints, count_stack_values(looping(false), false));
-  expect_about(joints + sizeof(loops::RowWork<double, 2, 12>),
-               count_stack_values(looping(true), false));
+  expect_about(joints + sizeof(TlRowWork), count_stack_values(looping(true), false));
 }
 
 TEST(CountStackValues, AreThoseOfTheWorkSpaceOfTheMassMatrix) {
   Program program = looping(false);
   LinkLoops plan = *program.loops;
-  plan.uses_inertias = false;
+  plan.uses_factors = false;
   plan.uses_matrix = true;
   program.loops = std::make_shared<const LinkLoops>(plan);
-  expect_about(sizeof(loops::MotionWork<double, 24, 3>) + sizeof(loops::MatrixWork<double, 24, 1>),
-               count_stack_values(program, false));
+  expect_about(sizeof(TlMotionWork) + sizeof(TlMatrixWork), count_stack_values(program, false));
 }
 
 TEST(CountStackValues, AreThoseAliveAtOnceInStraightLines) {

@@ -37,7 +37,7 @@ constexpr Measured kMeasured[] = {
 LinkLoops loops_of(Function function, std::size_t links) {
   LinkLoops loops;
   loops.table.links.resize(links);
-  loops.uses_inertias = function != Function::inverse_dynamics;
+  loops.uses_factors = function != Function::inverse_dynamics;
   loops.uses_rows = function == Function::lambda_inverse || function == Function::control_torque;
   return loops;
 }

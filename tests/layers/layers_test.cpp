@@ -43,7 +43,7 @@ const std::vector<Layer> kLayers = {
     {"target", {}},
     {"description", {"text", "functions", "joint", "target", "drive"}},
     {"mechanism", {"digits", "joint", "description"}},
-    {"program", {"core"}},
+    {"program", {"core", "emitted"}},
     {"recursion", {"functions", "core", "description", "mechanism", "program"}},
     {"passes", {"program", "target"}},
     {"bounds", {"functions", "description", "mechanism", "program"}},

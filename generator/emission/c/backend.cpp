@@ -8,7 +8,6 @@
 #include "emission/c/print_joints.hpp"
 #include "emission/c/print_lane_types.hpp"
 #include "emission/c/print_limited.hpp"
-#include "emission/c/print_loops.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/refuse.hpp"
 #include "emission/c/syntax.hpp"
@@ -67,7 +66,7 @@ constexpr AddOn kAddOns[] = {
     kSelftestRow,
     kIdentityRow,
     {wants_batch, print_batch},
-    {wants_loops, print_loops},
+    kLoopsRow,
     {.wants = wants_lanes, .print = print_lane_types, .is_runtime = true},
     {.wants = wants_sines, .print = print_sines, .is_runtime = true},
     kEndingsRow,

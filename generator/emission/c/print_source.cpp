@@ -4,7 +4,6 @@
 
 #include <cctype>
 
-#include "emission/c/print_loops.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
@@ -14,6 +13,7 @@
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_endings.hpp"
+#include "emission/print_loops.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/wrap_line.hpp"
 #include "program/ending.hpp"

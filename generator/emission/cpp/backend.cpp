@@ -12,7 +12,6 @@
 #include "emission/cpp/print_eigen.hpp"
 #include "emission/cpp/print_joints.hpp"
 #include "emission/cpp/print_limited.hpp"
-#include "emission/cpp/print_loop_headers.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/describe_program.hpp"
@@ -84,7 +83,7 @@ constexpr AddOn kAddOns[] = {
     kIdentityRow,
     {[](const Contents& each) { return has_c_calls(each.context); }, print_c_calls, "c_calls"},
     {wants_batch, print_batch},
-    {wants_loops, print_loops},
+    kLoopsRow,
     {[](const Contents& each) { return !each.context.misra; }, print_other_calls},
     {.wants = wants_own_lanes, .print = print_lanes, .is_runtime = true},
     {.wants = wants_sines, .print = print_sines, .is_runtime = true},

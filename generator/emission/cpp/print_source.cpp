@@ -4,7 +4,6 @@
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/cpp/print_loops.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_program.hpp"
@@ -14,6 +13,7 @@
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
 #include "emission/print_endings.hpp"
+#include "emission/print_loops.hpp"
 #include "emission/print_parts.hpp"
 #include "emission/wrap_line.hpp"
 #include "program/ending.hpp"

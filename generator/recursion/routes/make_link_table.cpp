@@ -13,11 +13,9 @@
 
 namespace treeline {
 
-namespace loops = core::loops;
-
 namespace {
 
-loops::Turn<double> table_turn(const PlanarRotation<double>& r) {
+LinkTypes::TlTurn table_turn(const PlanarRotation<double>& r) {
   return {r.c, r.s};
 }
 
@@ -30,9 +28,9 @@ PlanarRotation<double> turned_on(const PlanarRotation<double>& b, double offset)
   return {b.c * c - b.s * s, b.s * c + b.c * s};
 }
 
-loops::Link<double> table_link(const TreeLink<double>& link) {
+LinkTypes::TlLink table_link(const TreeLink<double>& link) {
   const auto& [mass, h, Sigma, J] = link.inertia;
-  loops::Link<double> row{};
+  LinkTypes::TlLink row{};
   row.parent = static_cast<std::int16_t>(link.parent);
   row.slides = link.kind == JointKind::prismatic;
   row.a = table_turn(link.R.a);
@@ -51,8 +49,8 @@ loops::Link<double> table_link(const TreeLink<double>& link) {
   return row;
 }
 
-loops::LinkPoint<double> table_point(const TreePoint<double>& point) {
-  loops::LinkPoint<double> row{};
+LinkTypes::TlLinkPoint table_point(const TreePoint<double>& point) {
+  LinkTypes::TlLinkPoint row{};
   row.link = static_cast<std::int16_t>(point.link);
   row.world = point.axes == Axes::world;
   const Matrix3<double> axes = transposed(point.R);
@@ -173,9 +171,8 @@ void add_balls(const SplitTree& split, LinkTableData& table) {
 }
 
 /// The frame in which an argument is given, from its entry `at` on.
-loops::InputFrame<double> input_frame(const MechanismPoint& frame, int of, std::size_t at) {
-  loops::InputFrame<double> row{
-      static_cast<std::int16_t>(of), static_cast<std::int16_t>(at), {}, {}};
+LinkTypes::TlInputFrame input_frame(const MechanismPoint& frame, int of, std::size_t at) {
+  LinkTypes::TlInputFrame row{static_cast<std::int16_t>(of), static_cast<std::int16_t>(at), {}, {}};
   const Rotation<double> R = planar_factors<double>(frame.pose.R);
   const Matrix3<double> columns{rotate(R, Vector3<double>{1, 0, 0}),
                                 rotate(R, Vector3<double>{0, 1, 0}),

@@ -10,7 +10,7 @@ namespace treeline {
 /// A robot each of whose joints beyond the base moves along or about one axis.
 struct SplitTree {
   Tree<double> tree;
-  std::vector<int> axes;    ///< of all links, see `core::loops::LinkBall::axis`
+  std::vector<int> axes;    ///< of all links, see `LinkTypes::TlLinkBall::axis`
   std::vector<int> places;  ///< in `tree`, of all links of the mechanism
 };
 

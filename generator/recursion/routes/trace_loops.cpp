@@ -23,13 +23,13 @@ namespace {
 struct LoopForm {
   Function function;
   const char* words;
-  bool inertias = false, rows = false, solves = false;
+  bool factors = false, rows = false, solves = false;
 };
 constexpr LoopForm kForms[] = {
     {Function::inverse_dynamics, "recursive Newton-Euler"},
     {Function::nonlinear_effects, "recursive Newton-Euler"},
     {Function::gravity, "recursive Newton-Euler"},
-    {Function::mass_matrix, "composite rigid bodies", true},
+    {Function::mass_matrix, "composite rigid bodies"},
     {Function::forward_dynamics, "recursive Newton-Euler, articulated bodies", true},
     {Function::lambda_inverse, "unit forces propagated inward (PV-OSIM)", true, true},
     {Function::lambda, "unit forces propagated inward (PV-OSIM), LDL^T", true, true, true},
@@ -65,7 +65,7 @@ void take_floors(const Tree<double>& tree, LinkLoops& plan, const TaskLaw* law) 
   constexpr double kLargest = 0x1p100;  // of rows that nothing moves: they yield completely
   plan.power = kPowerOfPriorities;
   for (std::size_t r = 0; r < plan.table.rows.size(); ++r) {
-    const loops::PointRow& row = plan.table.rows[r];
+    const LinkTypes::TlPointRow& row = plan.table.rows[r];
     const int link = tree.operational_points[static_cast<std::size_t>(row.point)].link;
     const double floor = law == nullptr ? 0 : law->rule.borders[entry_of(plan.table, r)];
     plan.yields.push_back(may_move(tree, link, row.angular) ? floor : kLargest);
@@ -133,10 +133,8 @@ std::optional<Program> trace_loops(const Mechanism& mechanism, Function function
   const auto plan = std::make_shared<LinkLoops>();
   plan->function = function_name(function);
   plan->table = make_link_table(mechanism, form->rows);
-  const bool finds_matrix =
-      form->function == Function::mass_matrix || !plan->table.couplings.empty();
-  plan->uses_inertias = form->inertias && !finds_matrix;
-  plan->uses_matrix = form->inertias && finds_matrix;
+  plan->uses_factors = form->factors;
+  plan->uses_matrix = form->function == Function::mass_matrix;
   plan->uses_rows = form->rows;
   plan->solves = form->solves;
   plan->uses_friction = takes(function, Quantity::qd);

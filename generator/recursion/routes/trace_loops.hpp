@@ -15,11 +15,11 @@ inline constexpr const char* kLoopsKey = "loops";
 bool has_loop_form(Function function);
 
 /// The function as a loop over a table of links, for small code; nothing where it has no such form.
-/// The graph is the trace of `runtime/core/link_functions.hpp`: it has the operations that the
+/// The graph is the trace of `runtime/emitted/link_functions.h`: it has the operations that the
 /// loops execute, in their order, but for products and sums with the constants 0 and 1, which are
 /// exact (a zero may have another sign). So what is evaluated, bounded and proven of the graph
 /// holds for the loops, as long as no pass changes it. `lines` is the function as straight lines.
-/// With `given_sines` it reads sin_q[i] and cos_q[i] of angles, as `take_sines` names them; its
+/// With `given_sines` it reads sin_q[i] and cos_q[i] of angles; its
 /// arguments do not list them.
 std::optional<Program> trace_loops(const Mechanism& mechanism, Function function,
                                    const Program& lines, bool given_sines);

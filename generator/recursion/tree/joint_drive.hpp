@@ -2,13 +2,12 @@
 
 #include <vector>
 
-#include "core/link_friction.hpp"
 #include "recursion/tree/joint_rates.hpp"
 #include "recursion/tree/joint_transform.hpp"
 
 namespace treeline {
 
-/// Constants of the smooth sign s of Coulomb friction, see core/link_friction.hpp.
+/// Constants of the smooth sign s of Coulomb friction, see runtime/emitted/link_friction.h.
 inline constexpr double kSignDegree = 128;
 inline constexpr int kQuadruplings = 3;
 
@@ -24,14 +23,14 @@ SmoothSign<Scalar> smooth_sign(const Scalar& x) {
   Scalar t = x * Scalar(1 / kSignDegree);
   Scalar square = t * t;
   Scalar divisor = one + square;
-  SmoothSign<Scalar> sign{core::loops::double_tangent<Scalar>(t),
+  SmoothSign<Scalar> sign{(Scalar(2.0) * t) / divisor,
                           Scalar(2 / kSignDegree) * (one - square) / (divisor * divisor)};
   for (int i = 0; i < kQuadruplings; ++i) {
     t = sign.value;
     square = t * t;
     divisor = one + square * (Scalar(6.0) + square);
     const Scalar rest = one - square;
-    sign = {core::loops::quadruple_tangent<Scalar>(t),
+    sign = {(Scalar(4.0) * t * (one + square)) / divisor,
             sign.slope * (Scalar(4.0) * rest * rest * rest / (divisor * divisor))};
   }
   return sign;
