@@ -110,14 +110,15 @@ std::vector<Route> link_routes(const TracedTree& tree) {
     return std::vector<Result>{vector_result(
         "Omega", "6x6 row-major for each link, at its frame and in its axes", std::move(entries))};
   };
-  if (tree.has_mimics) {
-    return {{{"ltdl-inward", "M = L^T D L, J carried inward link by link"},
-             [result](const Trace& trace) {
-               return result(link_inverse_inertias_by_factors(trace.tree, trace.X, trace.poses()));
-             }}};
-  }
-  return {{{"force-propagation", "force propagation, Chang table 5.2, over all links"},
-           [result](const Trace& t) { return result(link_inverse_inertias(t.tree, t.X)); }}};
+  std::vector<Route> routes{
+      {{"ltdl-inward", "M = L^T D L, J carried inward link by link"}, [result](const Trace& trace) {
+         return result(link_inverse_inertias_by_factors(trace.tree, trace.X, trace.poses()));
+       }}};
+  if (tree.has_mimics) return routes;
+  routes.push_back(
+      {{"force-propagation", "force propagation, Chang table 5.2, over all links"},
+       [result](const Trace& t) { return result(link_inverse_inertias(t.tree, t.X)); }});
+  return routes;
 }
 
 }  // namespace
