@@ -6,8 +6,8 @@
 namespace treeline {
 
 const Equation* find_equation(Function function) {
-  for (const auto rows :
-       {equations_of_robot(), equations_of_points(), equations_of_constraints()}) {
+  for (const auto rows : {equations_of_robot(), equations_of_points(), equations_of_constraints(),
+                          equations_of_objects()}) {
     const auto found = std::find_if(rows.begin(), rows.end(),
                                     [=](const Equation& row) { return row.function == function; });
     if (found != rows.end()) return &*found;

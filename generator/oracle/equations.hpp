@@ -10,8 +10,9 @@ namespace treeline {
 
 /// Equations with a derivative, a row for each function that has one.
 std::span<const Equation> equations_of_robot();
-std::span<const Equation> equations_of_points();       ///< and of contacts
-std::span<const Equation> equations_of_constraints();  ///< and of held objects
+std::span<const Equation> equations_of_points();  ///< and of contacts
+std::span<const Equation> equations_of_constraints();
+std::span<const Equation> equations_of_objects();
 
 /// The equation of a function; null where it has no derivative in it.
 const Equation* find_equation(Function function);

@@ -15,18 +15,30 @@ Vector50 held_bias(const At& at) {
   return differentiate_rows(at, [&](const Vector50& q) { return held_jacobian(at, q); });
 }
 
-/// Velocities of a loop's rows seen from its second frame, from differences of both poses; as
-/// stated where material points are in contact, which no pose gives.
-Vector50 differentiate_loop(const At& at, const ip::Loop<Digits50>& loop, const Vector50& stated) {
-  if (loop.rolling) return stated;
-  ip::Points<Digits50> both{loop.first, loop.second};
+/// Where a loop's first body touches, in the world.
+ip::Vector3<Digits50> touching_place(const At& at, const ip::Loop<Digits50>& loop) {
+  const auto k = ip::kinematics<Digits50>(at.model, at.q,
+                                          Vector50::Zero(static_cast<Eigen::Index>(at.model.nv)));
+  const ip::Points<Digits50> first{loop.first};
+  return ip::forward_kinematics<Digits50>(at.model, first, at.q).front().position +
+         ip::detail::to_contact(*loop.rolling, ip::detail::LoopState<Digits50>(loop, k));
+}
+
+/// Velocities of a loop's rows seen from its second frame, from differences of both poses: of the
+/// first frame's origin, or of the matter that touches where the loop rolls.
+Vector50 differentiate_loop(const At& at, const ip::Loop<Digits50>& loop) {
+  const ip::Points<Digits50> both{loop.first, loop.second};
   const Vector50 v = differentiate_poses(at, ip::with_all_rows<Digits50>(both));
   const auto poses = ip::forward_kinematics<Digits50>(at.model, both, at.q);
-  const ip::Vector3<Digits50> apart = poses[0].position - poses[1].position;
-  const ip::Vector3<Digits50> w = v.segment<3>(9);
-  const ip::Vector3<Digits50> turning = v.segment<3>(3) - w;
-  const ip::Vector3<Digits50> moving =
-      v.segment<3>(0) - v.segment<3>(6) - ip::cross<Digits50>(w, apart);
+  const ip::Vector3<Digits50> place =
+      loop.rolling ? touching_place(at, loop) : ip::Vector3<Digits50>(poses[0].position);
+  const auto velocity_there = [&](Eigen::Index k) {
+    const ip::Vector3<Digits50> w = v.segment<3>(6 * k + 3);
+    const ip::Vector3<Digits50> arm = place - poses[static_cast<std::size_t>(k)].position;
+    return ip::Vector3<Digits50>(v.segment<3>(6 * k) + ip::cross<Digits50>(w, arm));
+  };
+  const ip::Vector3<Digits50> moving = velocity_there(0) - velocity_there(1);
+  const ip::Vector3<Digits50> turning = v.segment<3>(3) - v.segment<3>(9);
   const ip::Matrix3<Digits50> back = poses[1].rotation.transpose();
   const Vector50 all = joined(back * moving, back * turning);
   return all(ip::controlled_rows<Digits50>({loop.second}));
@@ -37,8 +49,7 @@ EquationSides held_rows(const At& at) {
   const Vector50 stated = at.block(0, at.value.size() / nv, nv) * at.qd;
   Vector50 found = differentiate_poses(at, at.subject.constraints);
   for (const auto& loop : at.subject.loops.frames) {
-    const int rows = ip::row_count<Digits50>({loop.second});
-    found = joined(found, differentiate_loop(at, loop, stated.segment(found.size(), rows)));
+    found = joined(found, differentiate_loop(at, loop));
   }
   const auto couplings = static_cast<Eigen::Index>(at.subject.loops.couplings.size());
   const Vector50 of_joints = rate_along(at, at.qd, [&](const Vector50& q) {
@@ -87,12 +98,6 @@ EquationSides constrained(const At& at) {
                     -gains(0) * (held_jacobian(at, at.q) * at.qd) - gains(1) * drift);
 }
 
-/// Whether each hand can move in all ways.
-bool can_move_objects(const At& at) {
-  const auto points = ip::object_points(at.subject.chain, 0);
-  return are_independent(ip::lambda_inverse<Digits50>(at.model, points, at.q));
-}
-
 /// Sides of the equation under the torques and the forces of constraints in the value.
 EquationSides supported(const At& at) {
   const Matrix50 J = held_jacobian(at, at.q);
@@ -103,52 +108,11 @@ EquationSides supported(const At& at) {
   return held_still(at, qdd, Vector50::Zero(J.rows()));
 }
 
-/// Velocities [v; w] of the objects by each of their grasps.
-Vector50 grasp_velocities(const At& at, const Vector50& q, const Vector50& qd) {
-  Vector50 all;
-  for (const auto& held : ip::held_poses<Digits50>(at.subject.chain, {q}, {qd})) {
-    for (const auto& pose : held) all = joined(all, pose.v);
-  }
-  return all;
-}
-
-/// Accelerations that each grasp asks of its object if all move as `of_objects` says, with those
-/// that bring later grasps back to the first.
-Vector50 by_grasp(const At& at, const Vector50& of_objects, const Vector50& gains) {
-  Vector50 all;
-  Eigen::Index k = 0;
-  for (const auto& held : ip::held_poses<Digits50>(at.subject.chain, {at.q}, {at.qd})) {
-    for (const auto& pose : held) {
-      const auto drift = ip::grasp_drift<Digits50>(held.front(), pose);
-      all = joined(all, of_objects.segment(6 * k, 6) - gains(0) * Vector50(drift.velocity) -
-                            gains(1) * Vector50(drift.pose));
-    }
-    ++k;
-  }
-  return all;
-}
-
-EquationSides object_motion(const At& at, const Vector50& qdd, const Vector50& of_objects,
-                            const Vector50& gains) {
-  const auto velocities = [&](const Vector50& q, const Vector50& qd) {
-    return grasp_velocities(at, q, qd);
-  };
-  return {by_grasp(at, of_objects, gains), rate_along(at, at.qd, qdd, velocities),
-          Digits50(1) + largest_of(qdd) + at.rate * at.rate};
-}
-
 constexpr auto kEquationsOfConstraints = std::to_array<Equation>({
     {Function::constraint_jacobian, "J_s qd = d/dt of the poses", held_rows},
     {Function::constrained_forward_dynamics, "J_s qdd + d/dt (J_s qd) = -stabilisation",
      constrained},
     {Function::supported_control_torque, "J_s qdd + d/dt (J_s qd) = 0", supported},
-    {Function::object_forward_dynamics, "d/dt (J qd) = xdd_object by every grasp",
-     [](const At& at) {
-       if (!can_move_objects(at)) return EquationSides{};
-       const Eigen::Index objects = 6 * static_cast<Eigen::Index>(at.subject.chain.objects.size());
-       return object_motion(at, at.value.head(at.model.nv), at.value.segment(at.model.nv, objects),
-                            at.other(Quantity::stabilisation));
-     }},
 });
 
 }  // namespace

@@ -1,3 +1,7 @@
+#include <numeric>
+#include <vector>
+
+#include "interpreter/prioritized_control_torque.hpp"
 #include "oracle/equations.hpp"
 
 namespace treeline {
@@ -29,18 +33,41 @@ EquationSides bias_force(const At& at) {
           size_of_accelerations(at) + largest_of(driven) + largest_of(moved)};
 }
 
+/// A row yields to those before it by the eighth power of border over inverse inertia: where this
+/// is so many borders it does not, to all digits of differences.
+constexpr int kBordersInFull = 1000;
+
+/// Rows of a task in strict priority that are done in full: all before the first that yields to
+/// those above it.
+std::vector<Eigen::Index> rows_in_full(const At& at, Matrix50 left) {
+  const auto& points = at.subject.points;
+  const Vector50 borders = ip::relaxation_borders<Digits50>(points, Vector50(left.diagonal()));
+  std::vector<Eigen::Index> rows;
+  for (const int row : ip::rows_by_priority(points)) {
+    const Digits50 mobility = left(row, row);
+    if (mobility <= kBordersInFull * borders(row)) break;
+    left -= (left.col(row) * left.row(row) / mobility).eval();
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 /// The rows accelerate as they are told to, by the torque that is the value, beside 1 m/s^2 or
 /// 1 rad/s^2: at rest nothing is left of what holds the weight.
 EquationSides commanded(const At& at) {
   const auto& points = at.subject.points;
-  if (ip::has_priorities(points) ||
-      !are_independent(ip::lambda_inverse<Digits50>(at.model, points, at.q))) {
-    return {};
+  const Matrix50 Lambda_inverse = ip::lambda_inverse<Digits50>(at.model, points, at.q);
+  std::vector<Eigen::Index> rows;
+  if (ip::has_priorities(points)) {
+    rows = rows_in_full(at, Lambda_inverse);
+  } else if (are_independent(Lambda_inverse)) {
+    rows.resize(static_cast<std::size_t>(Lambda_inverse.rows()));
+    std::iota(rows.begin(), rows.end(), 0);
   }
   const Vector50 qdd = ip::forward_dynamics<Digits50>(at.model, at.q, at.qd, at.value,
                                                       at.subject.external, at.f_ext);
-  const Vector50 driven = ip::jacobian<Digits50>(at.model, points, at.q) * qdd;
-  return {at.xdd_cmd, driven + bias(at), Digits50(1) + size_of_accelerations(at) + largest_of(qdd)};
+  const Vector50 moved = ip::jacobian<Digits50>(at.model, points, at.q) * qdd + bias(at);
+  return {at.xdd_cmd(rows), moved(rows), Digits50(1) + size_of_accelerations(at) + largest_of(qdd)};
 }
 
 constexpr auto kEquationsOfPoints = std::to_array<Equation>({

@@ -7,7 +7,9 @@
 
 #include "check/fixture.hpp"
 #include "data/list_data.hpp"
+#include "description/count_freedoms.hpp"
 #include "interpreter/supported_cases.hpp"
+#include "joined_mechanisms.hpp"
 #include "limbed_robot.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/interpret.hpp"
@@ -30,12 +32,79 @@ constexpr double kExact = 1e-18;
 /// formula is another one.
 constexpr double kByProgram = 1e-6;
 
+/// What changes a random mechanism and its scene.
+using Change = void (*)(Rng& rng, RandomMechanism& made);
+
 struct Sweep {
   const char* name;
   RandomOptions options;
   int contacts = 0;
-  bool inputs = false;
+  Change change = nullptr;
 };
+
+std::string random_moving_link(Rng& rng, const RandomMechanism& made) {
+  std::vector<std::string> links;
+  for (const Link& link : made.robot.links) {
+    if (!find_freedoms_of_link(made.robot, made.scene, link.name).empty()) {
+      links.push_back(link.name);
+    }
+  }
+  return links[static_cast<std::size_t>(rng.below(static_cast<int>(links.size())))];
+}
+
+/// Gravity, a payload, a point with its axes, another link's parameters and a contact as arguments.
+void pass_model(Rng& rng, RandomMechanism& made) {
+  SceneInputs& inputs = made.scene.inputs;
+  const ScenePoint& tool = made.scene.operational_points.front();
+  inputs.gravity = true;
+  inputs.payloads.push_back({tool.link});
+  inputs.tools.push_back({tool.name, 1, true});
+  inputs.parameters.push_back({random_moving_link(rng, made)});
+  inputs.contacts.push_back({made.scene.contacts.front().name});
+}
+
+/// All that motion depends on as one argument, with rotors and friction.
+void pass_base_parameters(Rng& rng, RandomMechanism& made) {
+  made.scene.inputs.base_parameters = true;
+  SceneRegressor& asked = made.scene.regressor;
+  asked.rotors = asked.friction = asked.coulomb = rng.chance(0.5);
+}
+
+/// A strict order of the points, others than that of the list.
+void order_points(Rng& rng, RandomMechanism& made) {
+  auto& points = made.scene.operational_points;
+  const int first = rng.below(static_cast<int>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].priority = 1 + (static_cast<int>(i) + first) % static_cast<int>(points.size());
+  }
+}
+
+/// Rotors that are bodies, on the link before the joint or on the base, about axes of their own.
+void add_rotors(Rng& rng, RandomMechanism& made) {
+  for (const Joint& joint : made.robot.joints) {
+    if (!info_of(joint.type).has_one_freedom()) continue;
+    SceneRotor rotor{rng.rounded(0.001, 0.01), rng.rounded(-20, 20), "", std::nullopt};
+    if (rng.chance(0.5)) {
+      rotor.link = made.robot.links[static_cast<std::size_t>(made.robot.root)].name;
+      rotor.axis = detail::random_axis(rng, 0);
+    }
+    made.scene.rotors[joint.name] = rotor;
+  }
+}
+
+/// Another robot beside it, which floats.
+void add_robot(Rng& rng, RandomMechanism& made) {
+  const RandomOptions options{.joints = 3,
+                              .floating_base = true,
+                              .mimic = 0.3,
+                              .operational_points = 1,
+                              .all_rows = false,
+                              .external_forces = 1};
+  PlacedMechanism one{made, detail::random_pose(rng, 1, 0)};
+  PlacedMechanism other{random_mechanism(static_cast<std::uint64_t>(rng.below(1000)), options), {}};
+  other.made.scene.gravity = made.scene.gravity;
+  made = joined({one, other});
+}
 
 const std::vector<Sweep>& sweeps() {
   static const std::vector<Sweep> kSweeps{
@@ -65,7 +134,29 @@ const std::vector<Sweep>& sweeps() {
       {"inputs",
        {.joints = 4, .floating_base = true, .operational_points = 2, .all_rows = false},
        1,
-       true},
+       pass_model},
+      {"base_parameters", {.joints = 4, .all_rows = false}, 0, pass_base_parameters},
+      {"priorities",
+       {.joints = 8, .mix = {5, 1, 2, 0.3, 0, 1, 1}, .operational_points = 3, .all_rows = false},
+       0,
+       order_points},
+      {"rotors_as_bodies",
+       {.joints = 4,
+        .branching = 0.4,
+        .mix = {4, 1, 2, 0.5, 0, 0, 1},
+        .floating_base = true,
+        .operational_points = 1,
+        .all_rows = false},
+       1,
+       add_rotors},
+      {"two_robots",
+       {.joints = 4,
+        .mimic = 0.3,
+        .operational_points = 1,
+        .all_rows = false,
+        .external_forces = 1},
+       0,
+       add_robot},
   };
   return kSweeps;
 }
@@ -75,6 +166,7 @@ void add_object(Rng& rng, Scene& scene) {
   SceneObject object;
   object.name = "object";
   object.inertial = detail::random_inertial(rng, 0);
+  object.inertial.origin.rpy = {};  // its moments are in the axes of the object
   for (const ScenePoint& point : scene.operational_points) {
     object.grasps.push_back({point.name, detail::random_pose(rng, 0.4, 0)});
   }
@@ -88,12 +180,7 @@ Subjects draw_subjects(const Sweep& sweep, std::uint64_t seed) {
     made.scene.contacts.push_back(
         detail::random_point(rng, sweep.options, made.robot, "contact_" + std::to_string(i)));
   }
-  if (sweep.inputs) {
-    const ScenePoint& tool = made.scene.operational_points.front();
-    made.scene.inputs.gravity = true;
-    made.scene.inputs.payloads.push_back({tool.link});
-    made.scene.inputs.tools.push_back({tool.name, 1, true});
-  }
+  if (sweep.change != nullptr) sweep.change(rng, made);
   return {made.robot, made.scene, {}};
 }
 
@@ -125,6 +212,9 @@ class Tally {
 
 bool is_offered(Function function, const Scene& scene) {
   if (!scene.objects.empty()) return needs_objects(function);
+  // A base that is fixed leaves open where all masses are.
+  const bool is_of_masses = info_of(function).group == FunctionGroup::center_of_mass;
+  if (scene.inputs.base_parameters && is_of_masses) return false;
   return (!needs_points(function) || !scene.operational_points.empty()) &&
          (!needs_objects(function) || !scene.objects.empty()) &&
          (!needs_contacts(function) || !scene.contacts.empty()) &&
@@ -206,7 +296,9 @@ TEST(EquationsOfObjects, HoldForTwoHands) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     LimbedRobot made = make_limbed_robot({.trunk = 2, .limbs = 2, .limb_links = 7, .hands = 2});
     made.scene.base = seed % 2 == 0 ? Base::floating : Base::fixed;
+    made.scene.singular = SingularTasks::exact;
     Rng rng(seed);
+    made.robot.links.front().inertial = detail::random_inertial(rng, 0);
     add_object(rng, made.scene);
     compare({made.robot, made.scene, {}}, seed, tally);
   }
