@@ -62,6 +62,7 @@ std::vector<std::pair<std::string, MessageKind>> list_commands(const ControllerU
   if (unit.task_torque) commands.emplace_back("MOVE_POINT", MessageKind::move_point);
   if (unit.settings.force) commands.emplace_back("PRESS", MessageKind::press);
   commands.emplace_back("COMPLY", MessageKind::comply);
+  commands.emplace_back("LEAD_JOINTS", MessageKind::lead_posture);
   commands.emplace_back("STOP", MessageKind::stop);
   return commands;
 }

@@ -42,9 +42,30 @@ StepMotion::StepMotion(const StepLibrary& library, const StepDynamics& dynamics,
   upper_ = of_config("upper");
   speed_ = of_config("speed");
   period_ = static_cast<double>(of_config("period").front());
+  if (mishap_ == kObserves) observe();
   robot_.q = start_pose(rng_);
   robot_.qd.assign(robot_.q.size(), 0);
   std::fill(robot_.f_ext.begin(), robot_.f_ext.end(), 0.0);
+}
+
+/// Lets velocities be found from coordinates, as soon as steps can follow.
+void StepMotion::observe() {
+  const long double fastest = 0.45L / static_cast<long double>(period_);
+  const StepMember& hold = *library_.find(StepPart::config, "hold_frequency");
+  if (4 * config_[hold.at] > fastest) return;
+  config_[library_.find(StepPart::config, "observer")->at] = fastest;
+  default_config_ = config_;
+}
+
+/// Springs of an ordinary arm, damped by a ratio.
+void StepMotion::comply() {
+  const auto fill = [&](const char* name, long double value) {
+    const StepMember& member = *library_.find(StepPart::config, name);
+    std::fill_n(config_.begin() + static_cast<std::ptrdiff_t>(member.at), member.count, value);
+  };
+  fill("joint_stiffness", 20);
+  fill("joint_damping_ratio", 0.7L);
+  command(static_cast<int>(MessageKind::comply));
 }
 
 /// Somewhere in the middle half of the joints' ranges.
@@ -76,7 +97,7 @@ void StepMotion::command(int kind, double duration) {
   reset_ = kind == static_cast<int>(MessageKind::reset);
 }
 
-void StepMotion::move_joints(double size, double duration) {
+void StepMotion::move_joints(double size, double duration, MessageKind kind) {
   std::vector<long double> goal;
   for (std::size_t i = 0; i < robot_.q.size(); ++i) {
     const auto slow = 0.2 * duration * static_cast<double>(std::min(speed_[i], 100.0L));
@@ -84,7 +105,7 @@ void StepMotion::move_joints(double size, double duration) {
     goal.push_back(std::clamp(to, lower_[i], upper_[i]));
   }
   set("command.goal", goal);
-  command(static_cast<int>(MessageKind::set_posture), duration);
+  command(static_cast<int>(kind), duration);
 }
 
 /// The first point to a place nearby, turned as it is.
@@ -157,6 +178,8 @@ void StepMotion::follow_script() {
   if (tick_ == 440) command(kind(MessageKind::emergency_stop));
   if (tick_ == 470) command(kind(MessageKind::reset));
   if (tick_ == 480) command(kind(MessageKind::start));
+  if (tick_ == 484) comply();
+  if (tick_ == 488) move_joints(0.1, 60 * period_, MessageKind::lead_posture);
 }
 
 void StepMotion::prepare() {

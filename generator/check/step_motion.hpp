@@ -7,6 +7,7 @@
 #include "bounds/rng.hpp"
 #include "check/step_dynamics.hpp"
 #include "check/step_library.hpp"
+#include "core/mode.hpp"
 
 namespace treeline {
 
@@ -35,9 +36,12 @@ class StepMotion {
  private:
   void set(const std::string& member, const std::vector<long double>& values);
   void command(int kind, double duration = 0);
-  void move_joints(double size, double duration);
+  void move_joints(double size, double duration,
+                   core::MessageKind kind = core::MessageKind::set_posture);
   void move_point(double size, double duration);
   void press();
+  void observe();
+  void comply();
   void command_nonsense(int which);
   void go_wrong(int since);
   void follow_script();
@@ -45,6 +49,7 @@ class StepMotion {
 
   const StepLibrary& library_;
   const StepDynamics& dynamics_;
+  static constexpr int kObserves = 3;  ///< of the mishaps: velocities are not measured
   int mishap_;
   Rng rng_;
   State robot_;

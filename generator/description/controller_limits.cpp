@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,20 +43,29 @@ const std::array<ControllerGuard, 3> kGuards = {
       "torque: 10",
       "torque: none"}}};
 
-bool has_motor(const Joint& joint, const Scene& scene) {
-  return info_of(joint.type).has_one_freedom() && !joint.mimic &&
-         !scene.locked.contains(joint.name);
+/// What the largest current of a joint's motor gives, N m or N; infinite where it states none.
+double torque_of_current(const Joint& joint, const SceneController& controller) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto motor = controller.motors.find(joint.name);
+  if (motor == controller.motors.end() || !(motor->second.current > 0)) return kNone;
+  return std::abs(motor->second.ratio) * motor->second.constant * motor->second.current;
 }
 
 /// Limits that a joint lacks, with the placeholders that stand in their place; empty where none is
 /// missing.
-std::string describe_missing(const Joint& joint, const SceneJointLimits& own,
+std::string describe_missing(const Joint& joint, const SceneController& controller,
                              const ControllerGuard& guard) {
+  const auto stated = controller.limits.find(joint.name);
+  const SceneJointLimits own =
+      stated == controller.limits.end() ? SceneJointLimits{} : stated->second;
   bool missing = false;
   std::string placeholders;
   for (const ControllerLimit& each : guard.limits) {
     const Limit limit = joint.limits.value_or(Limits{}).*each.of_file;
     if ((own.*each.of_scene).has_value() || limit.is_stated()) continue;
+    if (each.of_file == &Limits::effort && std::isfinite(torque_of_current(joint, controller))) {
+      continue;
+    }
     missing = true;
     if (limit.state() != LimitState::implausible) continue;
     placeholders +=
@@ -72,9 +83,7 @@ void check_guard(const SceneElement& top, const std::vector<const Joint*>& joint
   std::string first;
   for (const Joint* joint : joints) {
     if (guard.limits.size() > 1 && !info_of(joint->type).has_range) continue;
-    const auto own = controller.limits.find(joint->name);
-    const std::string what = describe_missing(
-        *joint, own == controller.limits.end() ? SceneJointLimits{} : own->second, guard);
+    const std::string what = describe_missing(*joint, controller, guard);
     if (what.empty()) continue;
     if (missing.empty()) first = joint->name;
     missing.push_back(what);
@@ -99,22 +108,29 @@ void check_ends(const SceneElement& top, const Joint& joint, const SceneControll
 
 }  // namespace
 
+bool is_driven(const Joint& joint, const Scene& scene) {
+  return info_of(joint.type).has_one_freedom() && !joint.mimic &&
+         !scene.locked.contains(joint.name);
+}
+
 Limits limits_in_controller(const Joint& joint, const SceneController& controller) {
   Limits limits = joint.limits.value_or(Limits{});
   const auto own = controller.limits.find(joint.name);
-  if (own == controller.limits.end()) return limits;
   for (const ControllerGuard& guard : kGuards) {
     for (const ControllerLimit& each : guard.limits) {
+      if (own == controller.limits.end()) break;
       if (const auto stated = own->second.*each.of_scene) limits.*each.of_file = *stated;
     }
   }
+  const double most = torque_of_current(joint, controller);
+  if (most < limits.effort) limits.effort = most;
   return limits;
 }
 
 void check_controller_limits(const SceneElement& top, const Robot& robot, const Scene& scene) {
   std::vector<const Joint*> joints;
   for (const Joint& joint : robot.joints) {
-    if (has_motor(joint, scene)) joints.push_back(&joint);
+    if (is_driven(joint, scene)) joints.push_back(&joint);
   }
   for (const ControllerGuard& guard : kGuards) check_guard(top, joints, *scene.controller, guard);
   for (const Joint* joint : joints) check_ends(top, *joint, *scene.controller);

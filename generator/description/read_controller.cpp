@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "description/controller_limits.hpp"
+#include "description/read_motors.hpp"
 #include "description/read_scene_point.hpp"
 
 namespace treeline {
@@ -49,6 +50,7 @@ const std::vector<NumberKey> kNumbers = {
     {"damping_ratio", &SceneController::damping_ratio, 0, 10, "1 damps critically"},
     {"brake_damping", &SceneController::brake_damping, 0, 1e4, "1/s, such as 20"},
     {"hold_frequency", &SceneController::hold_frequency, 1e-3, 1e4, "rad/s, such as 60"},
+    {"observer", &SceneController::observer, 1e-3, 1e4, "rad/s, such as 300"},
     {"hold_reach", &SceneController::hold_reach, 1e-6, 10, "rad or m, such as 0.05"},
     {"jump", &SceneController::jump, 1e-6, 1e9, "rad or m, such as 0.05"},
     {"following", &SceneController::following, 1e-6, 1e9, "rad or m, such as 0.3"},
@@ -158,6 +160,14 @@ void check_frequencies(const SceneElement& element, const SceneController& contr
   check("brake_damping", controller.brake_damping);
   check("hold_frequency", controller.hold_frequency);
   check("force_damping", controller.force_damping);
+  check("observer", controller.observer);
+  if (controller.observer > 0 && controller.observer < 4 * controller.hold_frequency) {
+    element.error(fmt::format("what an observer of {} rad/s finds is too late for a hold_frequency "
+                              "of {} rad/s",
+                              controller.observer, controller.hold_frequency),
+                  fmt::format("let observer be {} rad/s or more, or lower hold_frequency",
+                              4 * controller.hold_frequency));
+  }
   if (controller.force && !(controller.force_rate < controller.force_damping)) {
     element.error(
         fmt::format("with force_rate {} and force_damping {} the force swings ever more against "
@@ -183,7 +193,8 @@ std::string find_unfit_joint(const Robot& robot, const Scene& scene) {
 }
 
 void read_controller(const SceneElement& element, const Robot& robot, Scene& scene) {
-  std::vector<std::string> keys = {"laws", "saturation", "stale_ticks", "blind_ticks", "limits"};
+  std::vector<std::string> keys = {"laws",        "saturation", "stale_ticks",
+                                   "blind_ticks", "limits",     "motors"};
   for (const NumberKey& row : kNumbers) keys.emplace_back(row.key);
   const auto fields = element.fields(keys);
   SceneController controller;
@@ -203,6 +214,9 @@ void read_controller(const SceneElement& element, const Robot& robot, Scene& sce
   }
   if (const auto limits = fields.find("limits"); limits != fields.end()) {
     read_limits(limits->second, robot, scene, controller);
+  }
+  if (const auto motors = fields.find("motors"); motors != fields.end()) {
+    read_motors(motors->second, robot, scene, controller);
   }
   check_frequencies(element, controller);
   scene.controller = controller;
@@ -235,6 +249,7 @@ void check_controller(const SceneElement& top, const Robot& robot, const std::st
               kRemedy);
   }
   check_controller_limits(top, robot, scene);
+  check_motors(top, robot, scene);
   if (scene.controller->task && scene.operational_points.empty()) {
     top.error("the controller has a law of tasks, but there is no operational point",
               "add a list operational_points, or keep to laws: [joint_impedance]");

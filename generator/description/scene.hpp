@@ -187,6 +187,13 @@ struct SceneJointLimits {
   std::optional<double> lower, upper, speed, torque;
 };
 
+/// A joint's motor and gear: the controller's torque as a current.
+struct SceneMotor {
+  double ratio = 1;     ///< turns of the motor for one of the joint; rad/m of a sliding joint
+  double constant = 0;  ///< torque of the motor per current, N m/A
+  double current = 0;   ///< largest current, A; 0: no limit of its own
+};
+
 /// The controller to emit, `NAME_step`. All numbers are defaults of its configuration.
 struct SceneController {
   bool task = false;            ///< has the law of tasks beside that of joints
@@ -200,6 +207,7 @@ struct SceneController {
   double brake_damping = 20;      ///< 1/s, of the reference along which the robot is braked
   double hold_frequency = 60;     ///< rad/s: how stiffly it is led along that, and held
   double hold_reach = 0.05;       ///< rad or m that the reference leaves a joint behind
+  double observer = 0;            ///< rad/s, of one that finds velocities; 0: they are measured
   double jump = 0.05;             ///< rad or m of q that qd does not explain
   double following = 0.3;         ///< rad or m that a reference may be away
   double speed_rise = 0.15;       ///< s in which a reference may rise from rest to its limit
@@ -216,6 +224,7 @@ struct SceneController {
   int stale_ticks = 200;          ///< steps without a command that are a fault; 0: never
   int blind_ticks = 100;          ///< steps that gravity is held without a measurement
   std::map<std::string, SceneJointLimits> limits;  ///< by joint
+  std::map<std::string, SceneMotor> motors;        ///< by joint: of all or of none
 };
 
 /// Choices for the code of one robot; every key but `operational_points` has a default.

@@ -26,7 +26,8 @@ struct ControllerUnit {
     std::string name;
     bool slides = false;
     double lower = 0, upper = 0, speed = 0, torque = 0;
-    bool led = false;  ///< other joints follow it
+    bool led = false;              ///< other joints follow it
+    double torque_per_ampere = 0;  ///< of its motor behind its gear; 0: not told
 
     /// Whether the joint turns without end, so that angles a turn apart are the same pose.
     [[nodiscard]] bool turns() const {
@@ -44,6 +45,8 @@ struct ControllerUnit {
   std::vector<Point> points;
   int rows = 0;  ///< of all points
 
+  /// Whether the output has currents beside torques.
+  [[nodiscard]] bool tells_currents() const { return !settings.motors.empty(); }
   [[nodiscard]] std::vector<const Program*> programs() const {
     std::vector<const Program*> all = {&kinematics, &joint_torque};
     if (gravity) all.push_back(&*gravity);

@@ -21,7 +21,7 @@ std::vector<std::string> list_controller_sources(Language language, const Contro
 }
 
 std::size_t count_step_stack(const ControllerUnit& unit, bool misra, int bytes_of_number) {
-  constexpr std::size_t kOfAJoint = 12;  // measured, sines, gravity, references, accelerations
+  constexpr std::size_t kOfAJoint = 15;  // measured, sines, gravity, references, accelerations
   constexpr std::size_t kOfAPoint = 18;  // pose and velocity
   constexpr std::size_t kOfTheLaw = 80;  // motion of the point at work, its errors
   std::size_t values = 0;
@@ -53,13 +53,15 @@ std::string describe_laws(const ControllerUnit& unit) {
         "measured force f is compensated, tau += J^T n f. The integral rests while the torque is "
         "cut. The other directions follow their task. ";
   }
-  text += "COMPLY: springs and dampers, tau = g + K (p - q) - D qd - c M qd";
-  text += unit.settings.force ? " + sum J^T (K e - D xd)" : "";
+  text += "COMPLY: springs and dampers, tau = g + K (p - q) + (D + c M) (v - qd)";
+  text += unit.settings.force ? " + sum J^T (K e + D (v - xd))" : "";
   text +=
-      ", about the pose where it was told, with joint_stiffness in N m/rad and so on; it is "
-      "passive, "
-      "and without stiffness the robot is led by hand. At the ends of their range springs turn "
-      "joints back.";
+      ", about the pose where it was told, with joint_stiffness in N m/rad and so on; D of a joint "
+      "is its viscosity and what joint_damping_ratio asks for. It is passive, and without "
+      "stiffness "
+      "the robot is led by hand. LEAD_JOINTS";
+  text += unit.settings.force ? " and LEAD_POINT move" : " moves";
+  text += " p along a quintic. At the ends of their range springs turn joints back.";
   return text;
 }
 

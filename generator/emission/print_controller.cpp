@@ -172,6 +172,7 @@ constexpr std::pair<const char*, std::string_view const*> kHeaders[] = {
     {"controller_mailbox", &templates::kControllerMailbox},
     {"controller_measurement", &templates::kControllerMeasurement},
     {"controller_numbers", &templates::kControllerNumbers},
+    {"controller_observer", &templates::kControllerObserver},
     {"controller_pace", &templates::kControllerPace},
     {"controller_points", &templates::kControllerPoints},
     {"controller_references", &templates::kControllerReferences},

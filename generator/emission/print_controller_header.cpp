@@ -139,6 +139,17 @@ void add_force_holes(const EmissionContext& context, const ControllerUnit& unit,
                      {"direction[3]", ""}});
 }
 
+/// Members of controllers that tell the currents of motors.
+void add_current_holes(const EmissionContext& context, const ControllerUnit& unit, Holes& holes) {
+  holes["current_config"] = holes["current_output"] = "";
+  if (!unit.tells_currents()) return;
+  const std::string joints = "[" + name_in_capitals(context) + "_JOINTS]";
+  holes["current_config"] =
+      declare(context.name, {{"torque_per_ampere" + joints, "N m/A, N/A, behind the gear"}});
+  holes["current_output"] =
+      declare(context.name, {{"current" + joints, "A: tau over torque_per_ampere"}});
+}
+
 /// Enumerators of the faults, each with its meaning.
 std::string print_faults(const EmissionContext& context) {
   std::string text;
@@ -173,6 +184,7 @@ std::string print_controller_header(const EmissionContext& context, const Contro
       {"model_state", print_led_inputs(context, unit)}};
   add_task_holes(context, unit, holes);
   add_force_holes(context, unit, holes);
+  add_current_holes(context, unit, holes);
   return fill_template(templates::kControllerHeader, holes);
 }
 

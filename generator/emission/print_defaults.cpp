@@ -87,6 +87,7 @@ std::vector<Member> list_defaults(const EmissionContext& context, const Controll
   members.add("speed", &Joint::speed);
   members.add("torque", &Joint::torque);
   members.add("torque_rate", &Joint::torque, own.torque_rise);
+  if (unit.tells_currents()) members.add("torque_per_ampere", &Joint::torque_per_ampere);
   members.add("position_margin", own.position_margin);
   members.add("speed_margin", own.speed_margin);
   members.add_to_all("joint_frequency", joints, own.joint_frequency);
@@ -94,11 +95,13 @@ std::vector<Member> list_defaults(const EmissionContext& context, const Controll
   members.add("comply_damping", kComplyDamping);
   members.add_to_all("joint_stiffness", joints, 0);
   members.add_to_all("joint_viscosity", joints, 0);
+  members.add_to_all("joint_damping_ratio", joints, 0);
   if (unit.task_torque) add_task(own, joints, rows, members);
   if (own.force) add_force(own, rows, members);
   members.add("brake_damping", own.brake_damping);
   members.add("hold_frequency", own.hold_frequency);
   members.add("hold_reach", own.hold_reach);
+  members.add("observer", own.observer);
   members.add("rest_speed", kRestSpeed);
   members.add("jump", own.jump);
   members.add("following", own.following);

@@ -121,8 +121,11 @@ std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& 
     const bool led = std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& each) {
       return each.mimic && &robot.joints[static_cast<std::size_t>(each.mimic->joint)] == &joint;
     });
+    const auto motor = scene.controller->motors.find(coordinate.joint);
+    const bool told = motor != scene.controller->motors.end();
     joints.push_back({coordinate.joint, coordinate.kind == CoordinateKind::displacement,
-                      limits.lower, limits.upper, limits.velocity, limits.effort, led});
+                      limits.lower, limits.upper, limits.velocity, limits.effort, led,
+                      told ? motor->second.ratio * motor->second.constant : 0});
   }
   return joints;
 }

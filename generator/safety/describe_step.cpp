@@ -39,6 +39,13 @@ constexpr const char* kPoints =
 constexpr const char* kCompliance =
     " While the robot complies (COMPLY) it yields: a blocked joint is then no fault.\n\n";
 
+constexpr const char* kObserver =
+    "Velocities are not measured: an observer of {0} rad/s finds them from coordinates. Under an "
+    "acceleration a they are too slow by 2 a / {0}; an encoder's count of d rad changes them by "
+    "{1} d rad/s. A coordinate that jumps is a fault at once. **One that is frozen is no fault of "
+    "its own**: the joint seems to stand, and only a motion that leaves it behind by `following` "
+    "is a fault.\n\n";
+
 constexpr const char* kReactions =
     "Every fault is looked for in every step, and the torque of the step that finds it brakes "
     "already, within torque_rate; a cycle is {} s. Reaction: mode "
@@ -147,6 +154,10 @@ std::string describe_step_behaviour(const std::string& name) {
 std::string describe_step(const Scene& scene, const Generation& generation) {
   const ControllerUnit& unit = *generation.controller;
   std::string text = kSafeState;
+  if (const double observer = unit.settings.observer; observer > 0) {
+    text +=
+        fmt::format(fmt::runtime(kObserver), observer, observer * observer * unit.settings.period);
+  }
   text += fmt::format(fmt::runtime(kReactions), unit.settings.period) + print_reactions();
   text += std::string("\n### Commands that cannot be met\n\n") + kCommands +
           (unit.task_torque ? kPoints : "") + kCompliance;

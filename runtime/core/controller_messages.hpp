@@ -6,8 +6,8 @@
 namespace treeline::core {
 
 /// Writes what a message asks for to the command of a controller, with the sequence number that
-/// makes it a new one: move_point, set_posture and press with their values as `MessageKind` lists
-/// them. `Message` has kind, index, duration, values.
+/// makes it a new one, with the values that `MessageKind` lists. `Message` has kind, index,
+/// duration, values.
 template <class Controller, class Message>
 inline void fill_command(const Message& message, uint32_t sequence,
                          typename Controller::Command& command) noexcept {
@@ -16,13 +16,13 @@ inline void fill_command(const Message& message, uint32_t sequence,
   command.sequence = sequence;
   command.point = message.index;
   command.duration = static_cast<Real>(message.duration);
-  if (message.kind == MessageKind::set_posture) {
+  if (message.kind == MessageKind::set_posture || message.kind == MessageKind::lead_posture) {
     for (int i = 0; i < Controller::kJoints; ++i) {
       command.goal[i] = static_cast<Real>(message.values[i]);
     }
   }
   if constexpr (Controller::kTask) {
-    if (message.kind == MessageKind::move_point) {
+    if (message.kind == MessageKind::move_point || message.kind == MessageKind::lead_point) {
       for (int i = 0; i < 3; ++i) {
         command.position[i] = static_cast<Real>(message.values[i]);
       }

@@ -70,12 +70,14 @@ enum class MessageKind : uint8_t {
   instruction,     ///< for controllers with messages of their own; index: which
   press,           ///< index: point; values: direction (3), force; duration until it is reached
   comply,          ///< yield like springs and dampers about the present pose
+  lead_posture,    ///< while it complies: values, duration: posture that springs pull to by then
+  lead_point,      ///< while it complies: index, values, duration as of `move_point`
 };
 
 /// Whether a number that came from outside is a kind. A message kind has eight bits: without this
 /// question, 256 would be taken for an emergency stop and 260 for a start.
 constexpr bool is_message_kind(int32_t kind) noexcept {
-  return (kind >= 0) && (kind <= static_cast<int32_t>(MessageKind::comply));
+  return (kind >= 0) && (kind <= static_cast<int32_t>(MessageKind::lead_point));
 }
 
 /// Urgency of a message. Of two waiting messages the more urgent one is applied first. The order is

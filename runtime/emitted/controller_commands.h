@@ -11,20 +11,20 @@ TL_INLINE bool tl_is_stale(const TlConfig* config, TlState* state) {
       (state->mode == TL_RUNNING);
 }
 
-/// Joints to a posture, from the reference if they were following one.
-TL_INLINE int32_t tl_begin_posture(
-    const TlConfig* config, const TlInput* input, TlState* state) {
+/// Joints to a posture by a law, from the reference if it was following one.
+TL_INLINE int32_t tl_begin_posture(const TlConfig* config, const TlInput* input,
+    const TlMeasured* at, int32_t law, TlState* state) {
   const real* const goal = &input->command.goal[0];
   const real duration = input->command.duration;
-  const bool switched = state->law != TL_JOINT_LAW;
+  const bool switched = state->law != law;
   bool within = true;
   real p[TL_JOINTS];
   real v[TL_JOINTS];
   real a[TL_JOINTS];
   tl_joint_reference(config, state, &p[0], &v[0], &a[0]);
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
-    p[i] = switched ? input->q[i] : p[i];
-    v[i] = switched ? input->qd[i] : v[i];
+    p[i] = switched ? at->q[i] : p[i];
+    v[i] = switched ? at->qd[i] : v[i];
     a[i] = switched ? TL_ZERO : a[i];
     within = within && (goal[i] >= config->lower[i]) && (goal[i] <= config->upper[i]);
   }
@@ -36,7 +36,7 @@ TL_INLINE int32_t tl_begin_posture(
   } else if (!tl_move_joints(config, &p[0], &v[0], &a[0], goal, duration, state)) {
     refusal = TL_REFUSED_LIMITS;
   } else {
-    state->law = TL_JOINT_LAW;
+    state->law = law;
   }
   return refusal;
 }
@@ -116,7 +116,7 @@ TL_INLINE int32_t tl_begin_pose(const TlConfig* config, const TlInput* input,
 TL_INLINE int32_t tl_check_point(const TlConfig* config, const TlCommand* command) {
   bool sound = true;
   bool weak = true;
-  if (command->kind == TL_MOVE_POINT) {
+  if (command->kind != TL_PRESS) {
     sound = tl_are_numbers(&command->position[0], 3) &&
         tl_is_rotation(&command->rotation[0]);
   }
@@ -171,6 +171,31 @@ TL_INLINE void tl_begin_compliance(const TlConfig* config, const TlInput* input,
   state->law = TL_COMPLIANCE_LAW;
 }
 
+/// Leads what springs pull to, of joints or of a point.
+TL_INLINE int32_t tl_begin_leading(const TlConfig* config, const TlInput* input,
+    const TlMeasured* at, TlState* state) {
+  int32_t refusal = TL_REFUSED_KIND;
+  if (state->law != TL_COMPLIANCE_LAW) {
+    refusal = TL_REFUSED_MODE;
+  } else if (input->command.kind == TL_LEAD_JOINTS) {
+    refusal = tl_begin_posture(config, input, at, TL_COMPLIANCE_LAW, state);
+  } else {
+#if TL_FORCE
+    const TlCommand* const command = &input->command;
+    refusal = tl_check_point(config, command);
+    if (refusal == TL_ACCEPTED) {
+      TlPointMotion now;
+      tl_point_reference(config, state, command->point, &now);
+      refusal = tl_move_point(config, &now, &command->position[0],
+                    &command->rotation[0], command->duration, command->point, state)
+          ? TL_ACCEPTED
+          : TL_REFUSED_DURATION;
+    }
+#endif
+  }
+  return refusal;
+}
+
 /// Begins a motion, or refuses to. `switched` becomes whether the law becomes
 /// another.
 TL_INLINE int32_t tl_begin_motion(const TlConfig* config, const TlInput* input,
@@ -179,13 +204,16 @@ TL_INLINE int32_t tl_begin_motion(const TlConfig* config, const TlInput* input,
   int32_t refusal = TL_REFUSED_KIND;
   if (kind == TL_MOVE_JOINTS) {
     const int32_t before = state->law;
-    refusal = tl_begin_posture(config, input, state);
+    refusal = tl_begin_posture(config, input, at, TL_JOINT_LAW, state);
     *switched = state->law != before;
   }
   if (kind == TL_COMPLY) {
     refusal = TL_ACCEPTED;
     *switched = true;
     tl_begin_compliance(config, input, at, state);
+  }
+  if ((kind == TL_LEAD_JOINTS) || (kind == TL_LEAD_POINT)) {
+    refusal = tl_begin_leading(config, input, at, state);
   }
 #if TL_TASK
   if (kind == TL_MOVE_POINT) {
@@ -251,7 +279,7 @@ TL_INLINE int32_t tl_apply_command(const TlConfig* config, const TlInput* input,
     const TlMeasured* at, bool seen, TlState* state, bool* switched) {
   const int32_t kind = input->command.kind;
   int32_t refusal = TL_ACCEPTED;
-  if ((kind < TL_EMERGENCY_STOP) || (kind > TL_COMPLY)) {
+  if ((kind < TL_EMERGENCY_STOP) || (kind > TL_LEAD_POINT)) {
     refusal = TL_REFUSED_KIND;
   } else if (kind == TL_EMERGENCY_STOP) {
     tl_raise_fault(TL_FAULT_EMERGENCY, state);

@@ -38,6 +38,11 @@ TL_INLINE int32_t tl_check_joints(
       field = TL_CONFIG_TORQUE;
     } else if (!tl_is_positive(config->torque_rate[i])) {
       field = TL_CONFIG_TORQUE_RATE;
+#if TL_CURRENT
+    } else if (!(tl_is_number(config->torque_per_ampere[i]) &&
+                   (tl_magnitude(config->torque_per_ampere[i]) > TL_ZERO))) {
+      field = TL_CONFIG_TORQUE_PER_AMPERE;
+#endif
     } else if (!tl_is_from(config->joint_frequency[i], TL_ZERO, fastest)) {
       field = TL_CONFIG_JOINT_FREQUENCY;
     } else if (!tl_is_from(config->joint_damping[i], TL_ZERO, TL_TEN)) {
@@ -122,6 +127,8 @@ TL_INLINE int32_t tl_check_compliance(
       field = TL_CONFIG_JOINT_STIFFNESS;
     } else if (!tl_is_not_negative(config->joint_viscosity[i])) {
       field = TL_CONFIG_JOINT_VISCOSITY;
+    } else if (!tl_is_from(config->joint_damping_ratio[i], TL_ZERO, TL_TEN)) {
+      field = TL_CONFIG_JOINT_DAMPING_RATIO;
     } else {
       // They can be used.
     }
@@ -158,6 +165,10 @@ TL_INLINE int32_t tl_check_safety(
     field = TL_CONFIG_HOLD_FREQUENCY;
   } else if (!tl_is_positive(config->hold_reach)) {
     field = TL_CONFIG_HOLD_REACH;
+  } else if (!((config->observer == TL_ZERO) ||
+                 tl_is_from(config->observer, TL_REAL(3.999) * config->hold_frequency,
+                     fastest))) {
+    field = TL_CONFIG_OBSERVER;
   } else if (!tl_is_positive(config->rest_speed)) {
     field = TL_CONFIG_REST_SPEED;
   } else if (!tl_is_positive(config->jump)) {

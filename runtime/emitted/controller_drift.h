@@ -6,14 +6,14 @@
 /// Adds to each joint's drift how far q moved in a step otherwise than by the mean of
 /// both velocities. Old drift fades within a tenth of a second. All that was measured
 /// is finite.
-TL_INLINE void tl_add_drift(
-    const TlConfig* config, const TlInput* input, TlState* state) {
+TL_INLINE void tl_add_drift(const TlConfig* config, const TlMeasured* at,
+    const TlInput* input, TlState* state) {
   const real fading = TL_TEN * config->period;
   const real kept = tl_larger(TL_ONE - fading, TL_ZERO);
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
     const real moved = tl_way_to(i, state->sound_q[i], input->q[i]);
     const real told =
-        TL_REAL(0.5) * config->period * (state->sound_qd[i] + input->qd[i]);
+        TL_REAL(0.5) * config->period * (state->sound_qd[i] + at->qd[i]);
     const real apart = moved - told;
     const real more = (state->posed != 0) ? apart : TL_ZERO;
     state->drift[i] =

@@ -19,8 +19,8 @@ TL_INLINE real tl_beyond_limits(
 
 /// The faults of what was measured, which is finite. A joint that was beyond its
 /// limit at a reset may stay there and be led back: what is admitted shrinks with it.
-TL_INLINE uint32_t tl_check_motion(
-    const TlConfig* config, const TlInput* input, TlState* state) {
+TL_INLINE uint32_t tl_check_motion(const TlConfig* config, const TlInput* input,
+    const TlMeasured* at, TlState* state) {
   uint32_t faults = 0U;
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
     const real beyond = tl_beyond_limits(config, input, i);
@@ -30,7 +30,7 @@ TL_INLINE uint32_t tl_check_motion(
     const real now = (beyond > TL_ZERO) ? beyond : TL_ZERO;
     state->admitted[i] = tl_smaller(state->admitted[i], now);
     const real most = config->speed[i] * (TL_ONE + config->speed_margin);
-    if (!(tl_magnitude(input->qd[i]) <= most)) {
+    if (!(tl_magnitude(at->qd[i]) <= most)) {
       faults |= TL_FAULT_SPEED;
     }
   }

@@ -10,16 +10,16 @@
 
 #include "controller_points.h"
 
-TL_INLINE void tl_joint_law(const TlConfig* config, const TlInput* input,
+TL_INLINE void tl_joint_law(const TlConfig* config, const TlMeasured* at,
     TlState* state, TlOutput* output, TlJointsOut qdd) {
   real p[TL_JOINTS];
   real v[TL_JOINTS];
   tl_joint_reference(config, state, &p[0], &v[0], &qdd[0]);
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
     const real w = config->joint_frequency[i];
-    output->joint_error[i] = tl_way_to(i, input->q[i], p[i]);
+    output->joint_error[i] = tl_way_to(i, at->q[i], p[i]);
     qdd[i] += w *
-        ((TL_REAL(2.0) * config->joint_damping[i] * (v[i] - input->qd[i])) +
+        ((TL_REAL(2.0) * config->joint_damping[i] * (v[i] - at->qd[i])) +
             (w * output->joint_error[i]));
   }
   state->joint_ticks = tl_count_tick(state->joint_ticks);
@@ -182,10 +182,10 @@ TL_INLINE void tl_task_law(const TlConfig* config, const TlInput* input,
   }
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
     const real w = config->posture_frequency[i];
-    const real way = tl_way_to(i, input->q[i], state->posture[i]);
+    const real way = tl_way_to(i, at->q[i], state->posture[i]);
     // Twice the speed that the joint gets to.
     const real wanted = tl_within(w * way, config->speed[i]);
-    qdd_0[i] = w * (wanted - (TL_REAL(2.0) * input->qd[i]));
+    qdd_0[i] = w * (wanted - (TL_REAL(2.0) * at->qd[i]));
   }
   tl_task_torque(input, state, at, qdd_0, xdd_cmd, tau);
 #if TL_FORCE

@@ -4,15 +4,16 @@
 
 #include "controller_safety.h"
 
-/// Fills in a joint's state. A lost velocity is the difference of two coordinates,
-/// within the limit of speed; a lost coordinate is the last one, moved on by the
-/// velocity; where both are lost, the joint is taken to stand where it last was.
+/// Fills in a joint's state, of which `at` has the velocity. A lost velocity is the
+/// difference of two coordinates, within the limit of speed; a lost coordinate is the
+/// last one, moved on by the velocity; where both are lost, the joint is taken to
+/// stand where it last was.
 TL_INLINE void tl_complete_joint(const TlConfig* config, const TlInput* input,
     int32_t i, const TlState* state, TlMeasured* at) {
   const bool has_q = tl_is_number(input->q[i]);
-  const bool has_qd = tl_is_number(input->qd[i]);
+  const bool has_qd = tl_is_number(at->qd[i]);
   at->lost[i] = (!has_q) && (!has_qd);
-  at->qd[i] = has_qd ? input->qd[i] : TL_ZERO;
+  at->qd[i] = has_qd ? at->qd[i] : TL_ZERO;
   if (has_q && (!has_qd) && (state->posed != 0)) {
     const real moved = tl_way_to(i, state->sound_q[i], input->q[i]);
     at->qd[i] = tl_within(moved / config->period, config->speed[i]);
@@ -21,7 +22,8 @@ TL_INLINE void tl_complete_joint(const TlConfig* config, const TlInput* input,
   at->q[i] = has_q ? input->q[i] : (state->sound_q[i] + onward);
 }
 
-/// Fills in the state to compute with: what was measured, where all of it was `seen`.
+/// Fills in the state to compute with, of which `at` has the velocities: what was
+/// measured, where all of it was `seen`.
 /// Returns whether there is one: every coordinate has been measured, now or before,
 /// and the arguments that change the robot are finite.
 TL_INLINE bool tl_complete_state(const TlConfig* config, const TlInput* input,
@@ -35,7 +37,6 @@ TL_INLINE bool tl_complete_state(const TlConfig* config, const TlInput* input,
       if (seen) {
         at->lost[i] = false;
         at->q[i] = input->q[i];
-        at->qd[i] = input->qd[i];
       } else {
         tl_complete_joint(config, input, i, state, at);
       }

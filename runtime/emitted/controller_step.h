@@ -5,6 +5,7 @@
 #include "controller_commands.h"
 #include "controller_compliance.h"
 #include "controller_config.h"
+#include "controller_observer.h"
 #include "controller_pace.h"
 
 /// How the law of a step takes over from that of the step before: what it lacks of
@@ -25,7 +26,7 @@ TL_INLINE void tl_law_torque(const TlConfig* config, const TlInput* input,
 #endif
   } else {
     real qdd[TL_JOINTS];
-    tl_joint_law(config, input, state, output, qdd);
+    tl_joint_law(config, at, state, output, qdd);
     tl_joint_torque(input, state, at, qdd, tau);
   }
 }
@@ -115,9 +116,9 @@ TL_INLINE void tl_clear_output(TlOutput* output) {
 }
 
 /// Whether all that was measured is finite.
-TL_INLINE bool tl_measured_all(const TlInput* input) {
+TL_INLINE bool tl_measured_all(const TlInput* input, const TlMeasured* at) {
   bool finite = tl_are_numbers(&input->q[0], TL_JOINTS) &&
-      tl_are_numbers(&input->qd[0], TL_JOINTS) && tl_inputs_are_numbers(input);
+      tl_are_numbers(&at->qd[0], TL_JOINTS) && tl_inputs_are_numbers(input);
 #if TL_FORCE
   finite = finite && tl_are_numbers(&input->force[0], 3);
 #endif
@@ -127,7 +128,7 @@ TL_INLINE bool tl_measured_all(const TlInput* input) {
 /// Faults of a step: of what was measured, of the configuration, of commands that
 /// stay away.
 TL_INLINE void tl_find_faults(const TlConfig* config, bool sound, bool seen,
-    const TlInput* input, TlState* state) {
+    const TlInput* input, const TlMeasured* at, TlState* state) {
   uint32_t found = 0U;
   if (!sound) {
     found |= TL_FAULT_CONFIG;
@@ -135,7 +136,7 @@ TL_INLINE void tl_find_faults(const TlConfig* config, bool sound, bool seen,
   if (!seen) {
     found |= TL_FAULT_MEASUREMENT;
   } else {
-    found |= tl_check_motion(config, input, state);
+    found |= tl_check_motion(config, input, at, state);
     if (tl_drifts(config, state)) {
       found |= TL_FAULT_JUMP;
     }
@@ -189,6 +190,15 @@ TL_INLINE void tl_step_torque(const TlConfig* config, const TlInput* input,
   state->cut = tl_flag((output->factor < TL_ONE) || late);
 }
 
+#if TL_CURRENT
+/// Currents that give the torques, where motors and gears lose nothing.
+TL_INLINE void tl_tell_currents(const TlConfig* config, TlOutput* output) {
+  for (int32_t i = 0; i < TL_JOINTS; ++i) {
+    output->current[i] = output->tau[i] / config->torque_per_ampere[i];
+  }
+}
+#endif
+
 /// One step of the controller, every `period` seconds. By a configuration that is not
 /// sound the robot is not driven: it is braked by the emitted defaults.
 TL_INLINE void tl_controller_step(
@@ -196,11 +206,12 @@ TL_INLINE void tl_controller_step(
   int32_t index = 0;
   const bool sound = tl_find_config_fault(given, &index) == TL_CONFIG_SOUND;
   const TlConfig* const config = sound ? given : &TL_DEFAULTS;
-  const bool seen = tl_measured_all(input);
   TlMeasured at;
   tl_clear_output(output);
-  if (seen) {
-    tl_add_drift(config, input, state);
+  tl_find_velocities(config, input, state, &at);
+  const bool seen = tl_measured_all(input, &at);
+  if (seen && (!(config->observer > TL_ZERO))) {
+    tl_add_drift(config, &at, input, state);
   }
   const bool known = tl_complete_state(config, input, seen, state, &at);
   if (known) {
@@ -214,8 +225,11 @@ TL_INLINE void tl_controller_step(
   }
   output->unmet = state->unmet;
 #endif
-  tl_find_faults(config, sound, seen, input, state);
+  tl_find_faults(config, sound, seen, input, &at, state);
   tl_step_torque(config, input, &at, known, how, state, output);
+#if TL_CURRENT
+  tl_tell_currents(config, output);
+#endif
   state->brakes = tl_flag(tl_wants_brakes(config, &at, known, state));
   output->brakes = state->brakes;
   output->saturated = state->cut;

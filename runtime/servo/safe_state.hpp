@@ -42,7 +42,6 @@ struct SafeRobot {
   };
   struct Input {
     double q[kJoints] = {};
-    double qd[kJoints] = {};
     double anchor[F::kCoordinates] = {};  ///< poses of floating joints, else 0
   };
   struct State {
@@ -94,8 +93,7 @@ class SafeState {
   /// `state`. Returns whether there is a state to compute with.
   bool see(StateOf<F>& state) noexcept {
     express(state);
-    const bool seen =
-        Braking::tl_are_numbers(input_.q, nv) && Braking::tl_are_numbers(input_.qd, nv);
+    const bool seen = Braking::tl_are_numbers(input_.q, nv) && Braking::tl_are_numbers(at_.qd, nv);
     known_ = Braking::tl_complete_state(&config_, &input_, seen, &state_, &at_);
     if (known_ && !seen) {
       go_from<F>(input_.anchor, at_.q, state.q);
@@ -193,7 +191,7 @@ class SafeState {
                       });
     for (int i = 0; i < nv; ++i) {
       input_.q[i] -= offset_[i];
-      input_.qd[i] = state.qd[i];
+      at_.qd[i] = state.qd[i];
     }
   }
 

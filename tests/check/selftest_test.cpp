@@ -175,9 +175,9 @@ TEST(Selftest, MovesTheStep) {
         load_tested("puma560", "firmware/scene.yaml", {Function::gravity}, language, Real::float32);
     const auto& motion = subjects.generation.context->selftest->motion;
     ASSERT_TRUE(motion);
-    EXPECT_EQ(motion->kinds,
-              (std::vector<std::string>{"START", "MOVE_JOINTS", "MOVE_POINT", "COMPLY", "STOP"}));
-    EXPECT_EQ(motion->modes, (std::vector<int>{1, 1, 1, 1, 2}));
+    EXPECT_EQ(motion->kinds, (std::vector<std::string>{"START", "MOVE_JOINTS", "MOVE_POINT",
+                                                       "COMPLY", "LEAD_JOINTS", "STOP"}));
+    EXPECT_EQ(motion->modes, (std::vector<int>{1, 1, 1, 1, 1, 2}));
     for (const std::uint32_t faults : motion->faults) EXPECT_EQ(faults, 0U);
     EXPECT_EQ(std::set(motion->tau.begin(), motion->tau.end()).size(), motion->tau.size());
     const TemporaryFolder folder;

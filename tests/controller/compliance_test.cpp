@@ -129,6 +129,92 @@ TEST(Compliance, HasTheStiffnessOfTheConfiguration) {
   EXPECT_NEAR(p[2] - point.state.point_motion[2], 6.0 / 300, 1e-3);
 }
 
+/// Lets one joint move for a period, while the others are held.
+void move_alone(SimulatedArm& arm, int joint) {
+  double still[n] = {}, unit[n] = {}, without[n], with[n];
+  unit[joint] = 1;
+  puma_arm::inverse_dynamics(arm.input.q, arm.input.qd, still, without);
+  puma_arm::inverse_dynamics(arm.input.q, arm.input.qd, unit, with);
+  const double inertia = with[joint] - without[joint];
+  arm.input.qd[joint] += arm.config.period * (arm.output.tau[joint] - without[joint]) / inertia;
+  arm.input.q[joint] += arm.config.period * arm.input.qd[joint];
+}
+
+// Would catch: a ratio that damps by another inertia. One joint swings about its spring, the others
+// are held; the overshoot of a ratio z is exp(-pi z / sqrt(1 - z^2)).
+TEST(Compliance, DampsByARatio) {
+  for (const int joint : {0, 1, 2}) {
+    for (const double ratio : {0.2, 0.5, 1.0}) {
+      SimulatedArm arm = complying(0, 0, 0);
+      arm.config.comply_damping = 0;
+      for (int i = 0; i < n; ++i) arm.config.joint_stiffness[i] = i == joint ? 60 : 0;
+      arm.config.joint_damping_ratio[joint] = ratio;
+      arm.input.q[joint] += 0.05;
+      const double start = arm.input.q[joint];
+      double beyond = 0;
+      for (int k = 0; k < 30000; ++k) {
+        arm.step();
+        move_alone(arm, joint);
+        beyond = std::max(beyond, arm.state.joint_motion[joint] - arm.input.q[joint]);
+      }
+      const double root = std::sqrt(1 - ratio * ratio);
+      const double expected = ratio < 1 ? std::exp(-M_PI * ratio / root) : 0;
+      EXPECT_NEAR(beyond / (start - arm.state.joint_motion[joint]), expected, 0.01)
+          << "joint " << joint << " ratio " << ratio;
+    }
+  }
+}
+
+// Would catch: springs that stay where they were, a step in torque where they set out, and a goal
+// beyond a joint's limits that is accepted.
+TEST(Compliance, IsLedAlong) {
+  SimulatedArm arm = complying(200, 0, 0);
+  std::array<double, 6> goal{};
+  for (int i = 0; i < n; ++i) goal[static_cast<std::size_t>(i)] = arm.input.q[i] + 0.1;
+  for (int i = 0; i < n; ++i) {
+    arm.config.joint_damping_ratio[i] = 1;
+    arm.input.command.goal[i] = goal[static_cast<std::size_t>(i)];
+  }
+  arm.run(0.01);
+  double before[n];
+  for (int i = 0; i < n; ++i) before[i] = arm.output.tau[i];
+  arm.input.command.duration = 1;
+  arm.send(PUMA_ARM_LEAD_JOINTS);
+  arm.step();
+  EXPECT_EQ(arm.output.refused, 0);
+  for (int i = 0; i < n; ++i) EXPECT_NEAR(arm.output.tau[i], before[i], 1e-6) << i;
+  arm.run(6);
+  EXPECT_EQ(arm.state.law, 2);
+  for (int i = 0; i < n; ++i) {
+    EXPECT_NEAR(arm.input.q[i], goal[static_cast<std::size_t>(i)], 2e-3) << i;
+  }
+  arm.input.command.goal[0] = 2e3;
+  arm.send(PUMA_ARM_LEAD_JOINTS);
+  arm.step();
+  EXPECT_EQ(arm.output.refused, PUMA_ARM_REFUSED_LIMITS);
+  SimulatedArm stiff = running();
+  stiff.send(PUMA_ARM_LEAD_JOINTS);
+  stiff.step();
+  EXPECT_EQ(stiff.output.refused, PUMA_ARM_REFUSED_MODE);
+}
+
+TEST(Compliance, LeadsAPoint) {
+  SimulatedArm arm = complying(0, 400, 0.05);
+  double p[3], R[9];
+  arm.pose(p, R);
+  for (int i = 0; i < 3; ++i) arm.input.command.position[i] = p[i] + (i == 2 ? 0.05 : 0);
+  for (int i = 0; i < 9; ++i) arm.input.command.rotation[i] = R[i];
+  arm.input.command.duration = 1;
+  arm.send(PUMA_ARM_LEAD_POINT);
+  arm.step();
+  EXPECT_EQ(arm.output.refused, 0);
+  arm.run(6);
+  double there[3];
+  arm.pose(there, R);
+  EXPECT_NEAR(there[2], p[2] + 0.05, 2e-3);
+  EXPECT_EQ(arm.state.law, 2);
+}
+
 TEST(Compliance, BeginsAndEndsWithoutAStepInTorque) {
   SimulatedArm arm = running();
   arm.input.qd[1] = 0.3;

@@ -67,12 +67,14 @@ TEST(Refusal, OfForcesAndPoints) {
 TEST(Refusal, OfKindsAndModes) {
   SimulatedArm arm = running();
   SimulatedArm unknown = arm;
-  for (const int kind : {7, 11, -1, 256, 260}) {  // the lowest eight bits of 256 are a stop's
+  for (const int kind : {7, 13, -1, 256, 260}) {  // the lowest eight bits of 256 are a stop's
     unknown.send(PUMA_ARM_START);
     unknown.input.command.kind = kind;
     expect_refused(unknown, PUMA_ARM_REFUSED_KIND);
   }
   arm.send(PUMA_ARM_START);
+  expect_refused(arm, PUMA_ARM_REFUSED_MODE);
+  arm.send(PUMA_ARM_LEAD_JOINTS);  // it does not comply
   expect_refused(arm, PUMA_ARM_REFUSED_MODE);
   SimulatedArm idle;
   idle.move_joints({0, 0, 0.5, 0, 0.1, 0}, 1);

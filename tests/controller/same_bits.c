@@ -51,6 +51,19 @@ static void command(int step) {
       input.command.force = 20;
       send(PUMA_ARM_PRESS, 0.2);
       break;
+    case 1100:
+      for (i = 0; i < n; ++i) config.joint_stiffness[i] = 30;
+      for (i = 0; i < n; ++i) config.joint_damping_ratio[i] = 0.7;
+      send(PUMA_ARM_COMPLY, 0);
+      break;
+    case 1150:
+      config.observer = 300;
+      send(PUMA_ARM_LEAD_JOINTS, 0.3);
+      break;
+    case 1200:
+      config.observer = 0;
+      send(PUMA_ARM_LEAD_POINT, 0.3);
+      break;
     case 1300:
       send(PUMA_ARM_STOP, 0);
       break;
@@ -111,14 +124,15 @@ int main(void) {
     return 1;
   }
   /* The arm swings whatever it is told, which shall be no fault. */
-  config.following = safe_config.following = 1e6;
-  config.hold_reach = safe_config.hold_reach = 10;
+  config.following = 1e6;
+  config.hold_reach = 10;
   /* Within the torques, for at a limit it hangs on a rounding whether an integral stops. */
-  config.point_speed = safe_config.point_speed = 100;
-  config.point_turn = safe_config.point_turn = 100;
+  config.point_speed = 100;
+  config.point_turn = 100;
   for (step = 0; step < 2000; ++step) {
     measure(step);
     command(step);
+    memcpy(&safe_config, &config, sizeof config);
     memcpy(&safe_input, &input, sizeof input);
     puma_arm_step(&config, &state, &input, &output);
     puma_safe_step(&safe_config, &safe_state, &safe_input, &safe_output);

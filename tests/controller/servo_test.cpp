@@ -35,7 +35,9 @@ static_assert(is(MessageKind::emergency_stop, PUMA_ARM_EMERGENCY_STOP) &&
               is(MessageKind::move_point, PUMA_ARM_MOVE_POINT) &&
               is(MessageKind::set_posture, PUMA_ARM_MOVE_JOINTS) &&
               is(MessageKind::instruction, PUMA_ARM_KEEP_ALIVE) &&
-              is(MessageKind::press, PUMA_ARM_PRESS) && is(MessageKind::comply, PUMA_ARM_COMPLY));
+              is(MessageKind::press, PUMA_ARM_PRESS) && is(MessageKind::comply, PUMA_ARM_COMPLY) &&
+              is(MessageKind::lead_posture, PUMA_ARM_LEAD_JOINTS) &&
+              is(MessageKind::lead_point, PUMA_ARM_LEAD_POINT));
 
 TEST(EmittedController, RunsInTheServoLoop) {
   StateOf<Puma> initial;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "description/controller_limits.hpp"
 #include "description/read_scene.hpp"
 #include "scene_robot.hpp"
 
@@ -53,6 +54,57 @@ TEST(ReadController, ReadsEverySetting) {
   EXPECT_EQ(elbow.upper, 0.5);
   EXPECT_EQ(elbow.speed, 2);
   EXPECT_EQ(elbow.torque, 3);
+}
+
+/// A controller with these keys beside its law.
+std::optional<Scene> read_with(const std::string& keys, Diagnostics& diagnostics) {
+  return parse_scene("controller: {laws: joint_impedance, " + keys + "}\n", "s.yaml", make_robot(),
+                     diagnostics);
+}
+
+// Would catch: a current without a torque, a motor that gives more than its current, a joint whose
+// current nobody tells.
+TEST(ReadController, ReadsMotors) {
+  const std::string limits = "limits: {shoulder: {speed: 2}}, ";
+  const std::string elbow = "elbow: {ratio: -50, torque_constant: 0.1, current: 2}";
+  const std::string shoulder =
+      "slide: {ratio: 900, torque_constant: 0.1}, "
+      "shoulder: {ratio: 100, torque_constant: 0.05, current: 4}";
+  Diagnostics diagnostics;
+  const auto scene = read_with(limits + "motors: {" + elbow + ", " + shoulder + "}", diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  EXPECT_EQ(scene->controller->motors.at("elbow").ratio, -50);
+  EXPECT_EQ(scene->controller->motors.at("shoulder").constant, 0.05);
+  const Robot robot = make_robot();
+  for (const Joint& joint : robot.joints) {
+    // 100 * 0.05 N m/A * 4 A, where the URDF states nothing.
+    if (joint.name == "shoulder") {
+      EXPECT_EQ(limits_in_controller(joint, *scene->controller).effort.value(), 20);
+    }
+    if (joint.name == "elbow") {
+      EXPECT_LE(limits_in_controller(joint, *scene->controller).effort.value(), 10);
+    }
+  }
+  const auto expect_refused = [&](const std::string& keys, const std::string& fault) {
+    Diagnostics refused;
+    EXPECT_FALSE(read_with(limits + keys, refused)) << keys;
+    EXPECT_NE(to_string(refused).find(fault), std::string::npos) << to_string(refused);
+  };
+  expect_refused("motors: {" + shoulder + "}", "not of joint \"elbow\"");
+  expect_refused("motors: {" + shoulder + ", elbow: {ratio: 2}}", "\"torque_constant\" is missing");
+  expect_refused("motors: {" + shoulder + ", elbow: {torque_constant: -1}}", "not positive");
+  expect_refused("motors: {" + shoulder + ", elbow: {ratio: 0, torque_constant: 1}}", "no ratio");
+}
+
+TEST(ReadController, RefusesAnObserverThatIsTooLate) {
+  const std::string limits = "limits: {" + kShoulder + "}, ";
+  Diagnostics diagnostics;
+  EXPECT_TRUE(read_with(limits + "observer: 300", diagnostics)) << to_string(diagnostics);
+  EXPECT_FALSE(read_with(limits + "observer: 100", diagnostics));
+  EXPECT_NE(to_string(diagnostics).find("too late for a hold_frequency"), std::string::npos);
+  Diagnostics fast;
+  EXPECT_FALSE(read_with(limits + "observer: 600", fast));
+  EXPECT_NE(to_string(fast).find("which a period of 0.001 s cannot follow"), std::string::npos);
 }
 
 TEST(ReadController, OneLawNeedsNoListAndJointsNoPoint) {

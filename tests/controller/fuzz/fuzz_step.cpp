@@ -103,7 +103,7 @@ class Run {
   void command(Bytes& bytes) {
     auto& command = input_.command;
     const unsigned kind = bytes.byte();
-    command.kind = kind < 240 ? static_cast<std::int32_t>(kind % 12) : INT32_MAX - 255 + kind;
+    command.kind = kind < 240 ? static_cast<std::int32_t>(kind % 14) : INT32_MAX - 255 + kind;
     ++command.sequence;
     command.point = kind % 16 == 15 ? -1 : 0;
     command.duration = static_cast<Number>(bytes.number(2));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace treeline::tests {
@@ -16,6 +17,7 @@ struct Imperfection {
   double friction = 0;  ///< Coulomb, as a share of each torque limit
   int delay = 0;        ///< steps between the controller and the motors
   double encoder = 0;   ///< rad or m, of a count; velocities are differences
+  bool blind = false;   ///< to velocities, which the controller observes
 };
 
 /// An emitted controller with the robot that it drives, of which a payload is an argument of
@@ -38,6 +40,9 @@ class Plant {
     payload_[4] = payload_[6] = is_.payload * reach * reach + thickness;
     payload_[9] = thickness;
     for (int i = 0; i < n; ++i) torque_[static_cast<std::size_t>(i)] = config.torque[i];
+    if constexpr (requires { config.observer; }) {
+      if (is_.blind) config.observer = 300;
+    }
     late_.assign(static_cast<std::size_t>(is_.delay), Vector{});
   }
 
@@ -77,6 +82,10 @@ class Plant {
  private:
   /// Encoders count, and their velocities are filtered differences over five periods or so.
   void measure(int i) {
+    measure_motion(i);
+    if (is_.blind) input.qd[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+  void measure_motion(int i) {
     const auto at = static_cast<std::size_t>(i);
     if (!(is_.encoder > 0)) {
       input.q[i] = q[at];

@@ -117,17 +117,18 @@ class SafeState : public testing::Test {
   }
 
   static std::vector<std::pair<const char*, Imperfection>> imperfections() {
-    Imperfection heavy, light, loaded, rubbing, late, counted, all;
+    Imperfection heavy, light, loaded, rubbing, late, counted, blind, all;
     heavy.mass_scale = 1.1;
     light.mass_scale = 0.9;
     loaded.payload = Robot::kCarried;
     rubbing.friction = 0.03;
     late.delay = 2;
     counted.encoder = 5e-5;
+    blind = {1.1, Robot::kCarried, 0.05, 0.03, 0, 5e-5, true};
     all = {1.1, Robot::kCarried, 0.05, 0.03, 2, 5e-5};
-    return {{"as modelled", {}},         {"masses + 10 %", heavy}, {"masses - 10 %", light},
-            {"unknown payload", loaded}, {"friction", rubbing},    {"two steps late", late},
-            {"encoders", counted},       {"all of them", all}};
+    return {{"as modelled", {}},         {"masses + 10 %", heavy},     {"masses - 10 %", light},
+            {"unknown payload", loaded}, {"friction", rubbing},        {"two steps late", late},
+            {"encoders", counted},       {"coordinates alone", blind}, {"all of them", all}};
   }
 };
 
