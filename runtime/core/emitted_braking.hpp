@@ -28,8 +28,8 @@ template <class Robot>
 struct EmittedBraking : EmittedNumbers<typename Robot::Real> {
   using Numbers = EmittedNumbers<typename Robot::Real>;
   using Numbers::TL_ZERO, Numbers::TL_ONE, Numbers::TL_TEN, Numbers::tl_is_number,
-      Numbers::tl_are_numbers, Numbers::tl_magnitude, Numbers::tl_smaller, Numbers::tl_within,
-      Numbers::tl_shortest_turn;
+      Numbers::tl_are_numbers, Numbers::tl_magnitude, Numbers::tl_smaller, Numbers::tl_larger,
+      Numbers::tl_within, Numbers::tl_shortest_turn, Numbers::tl_seconds, Numbers::tl_count_tick;
   using typename Numbers::real;
   using TlConfig = typename Robot::Config;
   using TlInput = typename Robot::Input;

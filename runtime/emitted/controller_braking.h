@@ -14,6 +14,11 @@ TL_INLINE void tl_start_braking(
     state->brake_qd[i] = tl_within(at->qd[i], config->speed[i]);
     state->stand_q[i] = at->q[i];
     state->load[i] = TL_ZERO;
+    state->softness[i] = TL_ZERO;
+    state->swing[i] = TL_ZERO;
+    state->swing_peak[i] = TL_ZERO;
+    state->last_peak[i] = TL_ZERO;
+    state->swing_ticks[i] = 0;
   }
 }
 
@@ -73,6 +78,31 @@ TL_INLINE real tl_firm_torque(const TlConfig* config, int32_t i, real share) {
   return most * share * share * share;
 }
 
+/// The share of its firmness that is left to what holds a joint. A joint that is far
+/// lighter than its motor would be swung to and fro by it, torque at its limits: each
+/// half of a swing within 30 ms that does not fade takes half of the firmness away,
+/// until the robot brakes anew. `error` is how much faster the reference is than the
+/// joint, rad/s or m/s; below 0.3 it is noise.
+TL_INLINE real tl_find_firmness(
+    const TlConfig* config, real error, int32_t i, TlState* state) {
+  const real size = tl_magnitude(error);
+  if ((error * state->swing[i]) < TL_ZERO) {
+    const bool quick =
+        tl_seconds(state->swing_ticks[i], config->period) < TL_REAL(0.03);
+    const bool fades = state->swing_peak[i] < (TL_REAL(0.9) * state->last_peak[i]);
+    if (quick && (!fades) && (state->swing_peak[i] > TL_REAL(0.3))) {
+      state->softness[i] += TL_REAL(0.5) * (TL_REAL(0.9999) - state->softness[i]);
+    }
+    state->last_peak[i] = state->swing_peak[i];
+    state->swing_peak[i] = TL_ZERO;
+    state->swing_ticks[i] = 0;
+  }
+  state->swing_peak[i] = tl_larger(size, state->swing_peak[i]);
+  state->swing[i] = (size > TL_ZERO) ? error : state->swing[i];
+  state->swing_ticks[i] = tl_count_tick(state->swing_ticks[i]);
+  return TL_ONE - state->softness[i];
+}
+
 /// Torque of the firm spring, which damps as it stiffens, and of the load that it has
 /// handed over. While the joint stands, the spring hands over what it bears beyond
 /// half its reach, within some tenths of a second: the torque stays, and the
@@ -82,17 +112,19 @@ TL_INLINE real tl_hold_torque(const TlConfig* config, const TlMeasured* at, int3
   const real way = tl_way_to(i, at->q[i], state->brake_q[i]);
   const real share = tl_within(way / config->hold_reach, TL_ONE);
   const real damping_time = TL_REAL(0.01);  // s
-  real firm = tl_firm_torque(config, i, share);
+  const real firmness =
+      tl_find_firmness(config, state->brake_qd[i] - at->qd[i], i, state);
+  real firm = firmness * tl_firm_torque(config, i, share);
   const real slope = (tl_magnitude(share) > TL_REAL(0.01))
       ? (TL_REAL(3.0) * firm / (share * config->hold_reach))
       : TL_ZERO;
   const real damping =
       tl_within(slope * damping_time * (state->brake_qd[i] - at->qd[i]),
-          TL_REAL(0.6) * config->torque[i]);
+          TL_REAL(0.6) * firmness * config->torque[i]);
   if (stands && (tl_magnitude(share) > TL_REAL(0.5))) {
     const real rate = tl_smaller(TL_TEN * config->period, TL_ONE);
     const real left = share - (rate * (share - tl_within(share, TL_REAL(0.5))));
-    const real kept = tl_firm_torque(config, i, left);
+    const real kept = firmness * tl_firm_torque(config, i, left);
     state->load[i] = tl_within(state->load[i] + (firm - kept), config->torque[i]);
     state->brake_q[i] = at->q[i] + (left * config->hold_reach);
     firm = kept;

@@ -50,6 +50,9 @@ struct SafeRobot {
     double brake_share = 0.0;
     double brake_q[kJoints] = {}, brake_qd[kJoints] = {}, stand_q[kJoints] = {};
     double load[kJoints] = {};
+    double softness[kJoints] = {}, swing[kJoints] = {};
+    double swing_peak[kJoints] = {}, last_peak[kJoints] = {};
+    int swing_ticks[kJoints] = {};
     double tau[kJoints] = {};
   };
   struct Measured {
