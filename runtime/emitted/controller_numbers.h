@@ -53,7 +53,7 @@ TL_INLINE real tl_seconds(int32_t ticks, real period) {
 /// A counter of steps, one further; stops where it would run over.
 TL_INLINE int32_t tl_count_tick(int32_t ticks) {
   int32_t counted = ticks;
-  if (ticks < 0x3fffffff) {
+  if (ticks < 1073741823) {
     counted += 1;
   }
   return counted;

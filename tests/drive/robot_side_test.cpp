@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <optional>
 #include <thread>
 
@@ -154,6 +155,38 @@ TEST_F(UdpTest, CutsTorquesToTheLimits) {
     }
     EXPECT_EQ(last_, cut);
   }
+}
+
+// Would catch: a torque of NaN that passes a clamp, and makes the robot's state NaN until somebody
+// starts it again.
+TEST_F(UdpTest, ObeysNoNumberThatIsNotFinite) {
+  Stranger stranger(address_);
+  PacketHead state;
+  std::uint64_t sent = 0;
+  for (int i = 0; i < 1000 && state.kind != PacketKind::state; ++i) {
+    pass(1);  // until it listens
+    stranger.send({PacketKind::request, 0xaa, ++sent, 0, 0}, nullptr);
+    state = stranger.receive();
+  }
+  ASSERT_EQ(state.kind, PacketKind::state);
+  const auto command = [&](double tau) {
+    stranger.send({PacketKind::command, 0xaa, ++sent, 0, state.run}, &tau);
+    pass(1);
+  };
+  for (int i = 0; i < 1000 && last_ != 7.0; ++i) command(7.0);
+  ASSERT_EQ(last_, 7.0);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double odd : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    const int before = braked_;
+    for (int i = 0; i < 5; ++i) command(odd);
+    EXPECT_EQ(last_, 7.0) << odd;
+    // Nor do they keep the robot from braking, as commands would.
+    for (int i = 0; i < 1000 && braked_ < before + 5; ++i) command(odd);
+    EXPECT_GE(braked_, before + 5) << odd;
+    for (int i = 0; i < 1000 && last_ != 7.0; ++i) command(7.0);
+  }
+  for (int i = 0; i < 1000 && last_ != 8.0; ++i) command(8.0);
+  EXPECT_EQ(last_, 8.0);
 }
 
 // A packet that was made without asking the robot is of no run of its process.
