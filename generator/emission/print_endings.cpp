@@ -124,7 +124,9 @@ std::string add_ending(const EmissionContext& context, const Program& program,
   if (!has_ending(program)) return lines;
   const Ending& ending = *program.ending;
   const std::string real = real_of(context);
-  std::string arrays;
+  const RoutineText& routine = text_of(ending);
+  std::string arrays = fmt::format("  // Constants of {}, which tells what they are.\n",
+                                   header_name(context, routine.headers.front().name));
   std::vector<std::string> list;
   const auto pass = [&list](const std::string& name) { list.push_back("&" + name + "[0]"); };
   for (const Table& table : ending.tables) {
@@ -139,7 +141,7 @@ std::string add_ending(const EmissionContext& context, const Program& program,
   arrays += fmt::format("  {} work[{}];\n", real, ending.work);
   pass("work");
   for (const Argument& result : ending.results) pass(result.name);
-  const std::string call = in_detail(context, text_of(ending).call);
+  const std::string call = in_detail(context, routine.call);
   return arrays + "\n" + lines + "\n" +
          wrap_line(fmt::format("{}({});", call, fmt::join(list, ", ")), 2);
 }

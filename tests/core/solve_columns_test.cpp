@@ -91,8 +91,8 @@ TEST_P(SolveColumns, AgreesWithPivoting) {
   Solve solve(n, false);
   std::vector<double> work(static_cast<std::size_t>(n * core::column_stride(n)), 1e300);
   Matrix inverse(n, n);
-  solve.tl_solve_columns(factors.above_ends.data(), factors.above.data(),
-                         factors.below_ends.data(), factors.below.data(), factors.entries.data(), factors.inverse_D.data(),
+  solve.tl_solve_columns(factors.above_ends.data(), factors.above.data(), factors.below_ends.data(),
+                         factors.below.data(), factors.entries.data(), factors.inverse_D.data(),
                          work.data(), A.data(), B.data(), inverse.data());
   // Errors of both solves: a rounding per operation of a row, times what L^-1 and L^-T enlarge.
   const Matrix growth = factors.L.inverse().cwiseAbs();
