@@ -30,10 +30,12 @@ struct EmittedContacts {
   using real = Number;
   static constexpr real TL_ZERO = real(0), TL_HALF = real(0.5), TL_ONE = real(1), TL_TWO = real(2),
                         TL_TEN = real(10);
-  static constexpr int32_t TL_CONTACTS = room, TL_CONTACT_ROWS = in_eights(3 * room);
+  static constexpr int32_t TL_CONTACTS = room, TL_FEW_CONTACTS = room,
+                           TL_CONTACT_ROWS = in_eights(3 * room);
   static constexpr bool kDouble = sizeof(real) >= sizeof(double);
   static constexpr real TL_ROUNDING = Format<real>::kEpsilon,
                         TL_CONTACT_TOLERANCE = TL_ONE / power_of_ten<real>(kDouble ? digits : 5),
+                        TL_TOLERANCE_OF_MANY = TL_CONTACT_TOLERANCE,
                         TL_CONTACT_SHIFT = real(kDouble ? 1e-12 : 1e-5),
                         TL_LARGEST_FRICTION = real(kDouble ? 1e6 : 1e3);
 

@@ -54,24 +54,24 @@ TL_INLINE real tl_share_within(const real* x, const real* change, real most) {
 /// A factor between 0.1 and 10 that differs by contact and start; 1 in the first.
 TL_INLINE real tl_spread(int32_t c, int32_t start) {
   const int32_t drawn = (((c + 1) * 7919) + (start * 104729)) % 1009;
-  real spread = TL_ONE;
+  real stretch = TL_ONE;
   for (int32_t k = 0; (start > 0) && (k < (drawn % 21)); ++k) {
-    spread *= (TL_TEN + TL_TWO + TL_HALF) / TL_TEN;
+    stretch *= (TL_TEN + TL_TWO + TL_HALF) / TL_TEN;
   }
-  return (start > 0) ? (spread / TL_TEN) : TL_ONE;
+  return (start > 0) ? (stretch / TL_TEN) : TL_ONE;
 }
 
 /// The point from which a start goes. Starts differ in the sizes of x and z.
 TL_FUNCTION void tl_begin_inside(const TlContacts* all, int32_t start, TlInside* in) {
   real speed = TL_ZERO;
   for (int32_t i = 0; i < (3 * all->count); ++i) {
-    speed = tl_larger(speed, tl_size(all->free[i]));
+    speed = tl_larger(speed, tl_magnitude(all->free[i]));
   }
   const real impulse = ((start % 3) == 1) ? (TL_TEN * speed) : speed;
   for (int32_t c = 0; c < all->count; ++c) {
-    const real spread = tl_spread(c, start);
-    in->x[3 * c] = impulse * spread;
-    in->z[3 * c] = speed / spread;
+    const real stretch = tl_spread(c, start);
+    in->x[3 * c] = impulse * stretch;
+    in->z[3 * c] = speed / stretch;
     for (int32_t i = 1; i < 3; ++i) {
       in->x[(3 * c) + i] = TL_ZERO;
       in->z[(3 * c) + i] = TL_ZERO;
@@ -109,7 +109,7 @@ TL_FUNCTION void tl_measure_inside(TlContacts* all, TlInside* in) {
       left[i] = slides ? (z[i] - u[i]) : TL_ZERO;
     }
     for (int32_t i = 0; i < 3; ++i) {
-      in->miss = tl_larger(in->miss, tl_size(left[i]) / all->scales[c]);
+      in->miss = tl_larger(in->miss, tl_magnitude(left[i]) / all->scales[c]);
     }
     in->gap += tl_product(&in->x[3 * c], z);
     number += TL_ONE;

@@ -12,9 +12,9 @@ TL_FUNCTION bool tl_factor(TlContacts* all, int32_t size) {
   for (int32_t p = 0; p < size; ++p) {
     int32_t best = p;
     for (int32_t row = p + 1; row < size; ++row) {
-      const bool larger = tl_size(A[(row * TL_CONTACT_ROWS) + p]) >
-          tl_size(A[(best * TL_CONTACT_ROWS) + p]);
-      best = larger ? row : best;
+      const bool exceeds = tl_magnitude(A[(row * TL_CONTACT_ROWS) + p]) >
+          tl_magnitude(A[(best * TL_CONTACT_ROWS) + p]);
+      best = exceeds ? row : best;
     }
     all->pivots[p] = best;
     real pivot[TL_CONTACT_ROWS];
@@ -24,7 +24,7 @@ TL_FUNCTION bool tl_factor(TlContacts* all, int32_t size) {
       A[(best * TL_CONTACT_ROWS) + i] = A[(p * TL_CONTACT_ROWS) + i];
       A[(p * TL_CONTACT_ROWS) + i] = pivot[i];
     }
-    if (!(tl_size(pivot[p]) > TL_ZERO)) {
+    if (!(tl_magnitude(pivot[p]) > TL_ZERO)) {
       return false;
     }
     const real inverse = TL_ONE / pivot[p];
@@ -213,7 +213,7 @@ TL_FUNCTION bool tl_alternate(TlContacts* all, int32_t sweeps, int32_t most) {
   tl_find_velocities(all);
   real miss = tl_find_miss(all);
   int32_t burst = 1;
-  real larger = TL_ONE;
+  real growth = TL_ONE;
   const real hundred = TL_TEN * TL_TEN;
   for (int32_t turn = 0; (turn < most) && !tl_is_met(all, miss); ++turn) {
     real kept[TL_CONTACT_ROWS];
@@ -223,12 +223,12 @@ TL_FUNCTION bool tl_alternate(TlContacts* all, int32_t sweeps, int32_t most) {
     const real shift =
         tl_larger(TL_CONTACT_SHIFT, miss / (hundred * hundred * all->speed));
     const bool stepped =
-        tl_newton_step(all, ((larger * shift) < TL_ONE) ? (larger * shift) : TL_ONE);
+        tl_newton_step(all, ((growth * shift) < TL_ONE) ? (growth * shift) : TL_ONE);
     const real next = stepped ? tl_find_miss(all) : (TL_ONE / TL_ROUNDING);
     if (tl_is_met(all, next) || (next < (TL_HALF * miss))) {
       miss = next;
       burst = 1;
-      larger = (larger > TL_ONE) ? (larger / TL_TEN) : TL_ONE;
+      growth = (growth > TL_ONE) ? (growth / TL_TEN) : TL_ONE;
       continue;
     }
     if (!(next < (TL_TWO * TL_TWO * miss))) {
@@ -237,7 +237,7 @@ TL_FUNCTION bool tl_alternate(TlContacts* all, int32_t sweeps, int32_t most) {
       }
       tl_find_velocities(all);
     }
-    larger *= TL_TEN;
+    growth *= TL_TEN;
     for (int32_t i = 0; i < burst; ++i) {
       tl_sweep(all, (i % 2) == 1);
     }

@@ -8,7 +8,8 @@
 // - TL_ZERO, TL_HALF, TL_ONE, TL_TWO, TL_TEN: numbers
 // - TL_CONTACTS: the most contacts; TL_CONTACT_ROWS: three times that, in eights
 // - TL_ROUNDING: the unit of rounding, 2^-52 in double
-// - TL_CONTACT_TOLERANCE: of speeds, beside the largest before
+// - TL_CONTACT_TOLERANCE: of speeds, beside the largest before; TL_TOLERANCE_OF_MANY:
+//   the same of more contacts than TL_FEW_CONTACTS
 // - TL_CONTACT_SHIFT: what stabilises matrices that have no inverse
 // - TL_LARGEST_FRICTION: more than that is taken for that
 // - tl_square_root

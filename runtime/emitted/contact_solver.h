@@ -100,7 +100,7 @@ TL_FUNCTION void tl_solve_without_gain(
     real square = TL_ZERO;
     result->converged = tl_solve_with(all, result->restitution);
     const real work = tl_find_work(all, &linear, &square);
-    const real rounding = TL_TEN * TL_TEN * TL_CONTACT_TOLERANCE * tl_size(linear);
+    const real rounding = TL_TEN * TL_TEN * all->tolerance * tl_magnitude(linear);
     const bool plastic = !bounces || (result->restitution == TL_ZERO);
     if (plastic || (result->converged && (work <= rounding))) {
       break;
@@ -150,6 +150,8 @@ TL_FUNCTION TlContactResult tl_solve_contacts(TlContacts* all, int32_t count,
   TlContactResult result = {false, 0, TL_ZERO, TL_ONE};
   all->count = count;
   all->steps = 0;
+  all->tolerance =
+      (count > TL_FEW_CONTACTS) ? TL_TOLERANCE_OF_MANY : TL_CONTACT_TOLERANCE;
   if (!tl_is_sound(count, A, laws, v)) {
     for (int32_t i = 0; i < (3 * count); ++i) {
       y[i] = TL_ZERO;

@@ -26,7 +26,7 @@ TL_FUNCTION void tl_slide(
     y[0] = -(u[0] + (W[1] * y[1]) + (W[2] * y[2])) / W[0];
     const real length = tl_square_root((y[1] * y[1]) + (y[2] * y[2]));
     const real psi = (friction * y[0] / length) - TL_ONE;
-    if (tl_size(psi) <= (TL_TWO * TL_ROUNDING)) {
+    if (tl_magnitude(psi) <= (TL_TWO * TL_ROUNDING)) {
       break;
     }
     low = (psi < TL_ZERO) ? rate : low;
@@ -41,7 +41,7 @@ TL_FUNCTION void tl_slide(
           (low > TL_ZERO) ? tl_square_root(low * high) : (high / TL_TEN);
       next = (high > TL_ZERO) ? middle : (TL_TEN * rate);
     }
-    if (tl_size(next - rate) <= (TL_ROUNDING * rate)) {
+    if (tl_magnitude(next - rate) <= (TL_ROUNDING * rate)) {
       break;
     }
     rate = next;
@@ -73,7 +73,7 @@ TL_INLINE int32_t tl_meet_law(TlContacts* all, int32_t c, const real* u, real* y
     const real mobility = all->across[(2 * c) + i];
     offset[i] = u[i + 1] - (W[i + 1] * u[0] / W[0]);
     const bool still =
-        tl_size(offset[i]) <= (TL_CONTACT_TOLERANCE * all->speed * all->scales[c]);
+        tl_magnitude(offset[i]) <= (all->tolerance * all->speed * all->scales[c]);
     const real divisor = (mobility > noise) ? mobility : noise;
     y[i + 1] = (still && !(mobility > noise)) ? TL_ZERO : (-offset[i] / divisor);
   }
@@ -123,7 +123,8 @@ TL_INLINE real tl_miss_of(TlContacts* all, int32_t c) {
   const real mobility = (W > least) ? W : least;
   if (!(((y[0] * mobility) - u[0]) > TL_ZERO)) {
     all->states[c] = TL_PARTS;
-    return mobility * tl_larger(y[0], tl_larger(tl_size(y[1]), tl_size(y[2])));
+    return mobility *
+        tl_larger(y[0], tl_larger(tl_magnitude(y[1]), tl_magnitude(y[2])));
   }
   const real across[2] = {y[1] - u[1], y[2] - u[2]};
   const real length =
@@ -131,13 +132,14 @@ TL_INLINE real tl_miss_of(TlContacts* all, int32_t c) {
   const real most = all->friction[c] * y[0];
   if (length <= most) {
     all->states[c] = TL_STICKS;
-    return tl_larger(tl_size(u[0]), tl_larger(tl_size(u[1]), tl_size(u[2])));
+    return tl_larger(
+        tl_magnitude(u[0]), tl_larger(tl_magnitude(u[1]), tl_magnitude(u[2])));
   }
   all->states[c] = TL_SLIDES;
   const real share = most / length;
-  return tl_larger(tl_size(u[0]),
-      tl_larger(
-          tl_size(y[1] - (share * across[0])), tl_size(y[2] - (share * across[1]))));
+  return tl_larger(tl_magnitude(u[0]),
+      tl_larger(tl_magnitude(y[1] - (share * across[0])),
+          tl_magnitude(y[2] - (share * across[1]))));
 }
 
 /// The largest miss of all contacts, a speed. Keeps the impulses with the least one.
@@ -160,17 +162,17 @@ TL_FUNCTION real tl_find_miss(TlContacts* all) {
 
 /// Whether a miss is no more than the tolerance, or than rounding in u.
 TL_FUNCTION bool tl_is_met(const TlContacts* all, real miss) {
-  if (miss <= (TL_CONTACT_TOLERANCE * all->speed)) {
+  if (miss <= (all->tolerance * all->speed)) {
     return true;
   }
-  if (miss > (TL_TEN * TL_TEN * TL_TEN * TL_CONTACT_TOLERANCE * all->speed)) {
+  if (miss > (TL_TEN * TL_TEN * TL_TEN * all->tolerance * all->speed)) {
     return false;
   }
   real most = TL_ZERO;
   for (int32_t row = 0; row < (3 * all->count); ++row) {
-    real sum = tl_size(all->free[row]);
+    real sum = tl_magnitude(all->free[row]);
     for (int32_t i = 0; i < (3 * all->count); ++i) {
-      sum += tl_size(all->G[(row * TL_CONTACT_ROWS) + i] * all->y[i]);
+      sum += tl_magnitude(all->G[(row * TL_CONTACT_ROWS) + i] * all->y[i]);
     }
     most = tl_larger(most, sum / all->scales[row / 3]);
   }

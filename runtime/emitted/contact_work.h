@@ -43,10 +43,11 @@ struct TlContacts {
   int32_t count;  // of contacts
   int32_t steps;
   real speed;  // the largest before
+  real tolerance;  // of speeds, beside that
 };
 typedef struct TlContacts TlContacts;
 
-TL_INLINE real tl_size(real x) {
+TL_INLINE real tl_magnitude(real x) {
   return (x < TL_ZERO) ? -x : x;
 }
 
@@ -105,8 +106,8 @@ TL_INLINE real tl_between(
 /// is not coupled: one Jacobi rotation of two by two.
 TL_FUNCTION void tl_choose_axes(
     const real* normal, const real* A, int32_t stride, real* axes) {
-  int32_t least = (tl_size(normal[1]) < tl_size(normal[0])) ? 1 : 0;
-  least = (tl_size(normal[2]) < tl_size(normal[least])) ? 2 : least;
+  int32_t least = (tl_magnitude(normal[1]) < tl_magnitude(normal[0])) ? 1 : 0;
+  least = (tl_magnitude(normal[2]) < tl_magnitude(normal[least])) ? 2 : least;
   real first[3];
   real second[3];
   for (int32_t i = 0; i < 3; ++i) {
@@ -132,7 +133,7 @@ TL_FUNCTION void tl_choose_axes(
   real sine = TL_ZERO;
   if (b != TL_ZERO) {
     const real theta = (d - a) / (TL_TWO * b);
-    const real size = tl_size(theta) + tl_square_root((theta * theta) + TL_ONE);
+    const real size = tl_magnitude(theta) + tl_square_root((theta * theta) + TL_ONE);
     const real tangent = ((theta < TL_ZERO) ? -TL_ONE : TL_ONE) / size;
     cosine = TL_ONE / tl_square_root((tangent * tangent) + TL_ONE);
     sine = tangent * cosine;
@@ -224,7 +225,7 @@ TL_INLINE void tl_want_speeds(TlContacts* all, real share) {
     all->free[i] =
         before + (along ? (share * all->restitution[i / 3] * before) : TL_ZERO);
     all->speed = real_row
-        ? tl_larger(all->speed, tl_size(before) / all->scales[i / 3])
+        ? tl_larger(all->speed, tl_magnitude(before) / all->scales[i / 3])
         : all->speed;
   }
 }
