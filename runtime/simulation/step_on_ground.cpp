@@ -71,13 +71,14 @@ State pushed(const Step& step, const State& struck, const Vector& dqd, double se
 /// Moves the coordinates by a change of velocities for `seconds`, or for as long as the energy
 /// stays below `most`. Returns the energy.
 double push_out(const Step& step, double most, const Vector& dqd, double seconds, State& state) {
+  constexpr double kShorter = 1 - 1e-6;  // so that rounding does not refuse the next turn
   const double least = step.energy(state);
   const State struck = state;
   for (int turn = 0; turn < 4; ++turn) {
     state = pushed(step, struck, dqd, seconds);
     const double energy = step.energy(state);
     if (energy <= most) return energy;
-    seconds *= std::max(0.0, (most - least) / (energy - least));
+    seconds *= kShorter * std::max(0.0, (most - least) / (energy - least));
   }
   state = struck;
   return least;
