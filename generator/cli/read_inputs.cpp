@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/complete_ground_step.hpp"
 #include "cli/option_values.hpp"
 #include "description/follow_target.hpp"
 #include "description/noise.hpp"
@@ -126,6 +127,7 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
       package != nullptr && package->refuse != nullptr) {
     package->refuse(read->robot, *scene, diagnostics);
   }
+  complete_ground_step(*read, *scene, diagnostics);
   note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return RobotAndScene{std::move(read->robot), std::move(*scene), std::move(read->files)};

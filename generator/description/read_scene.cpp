@@ -49,13 +49,15 @@ Scene read_fields(const SceneElement& top, const Robot& robot) {
     if (field != fields.end() && key.read != nullptr) key.read(field->second, robot, scene);
     if (field == fields.end() && key.note_absence != nullptr) key.note_absence(top, robot);
   }
-  if (const auto listed = fields.find("functions");
-      listed != fields.end() && is_empty_list(listed->second) && !scene.controller) {
+  const auto ground = read_surroundings(fields, robot).ground;
+  if (ground && ground->step) scene.ground_step = ground;
+  if (const auto listed = fields.find("functions"); listed != fields.end() &&
+                                                    is_empty_list(listed->second) &&
+                                                    !scene.controller && !scene.ground_step) {
     listed->second.error("no function is listed, and no controller",
                          "list some, or leave out the key for all");
   }
   follow_target(scene);
-  (void)read_surroundings(fields, robot);  // for faults: what is generated does not depend on it
   return scene;
 }
 

@@ -147,7 +147,7 @@ void read_avoidance(const SceneElement& element, const Robot& robot, SceneAvoida
 
 SceneGround read_ground(const SceneElement& element) {
   SceneGround ground;
-  const SceneFields fields = element.fields({"friction", "restitution"});
+  const SceneFields fields = element.fields({"friction", "restitution", "step"});
   if (const auto friction = fields.find("friction"); friction != fields.end()) {
     ground.friction = friction->second.number().value_or(ground.friction);
     if (ground.friction < 0) {
@@ -160,6 +160,9 @@ SceneGround read_ground(const SceneElement& element) {
       restitution->second.error("this is not between 0 and 1",
                                 "give 0 where blows end the approach, 1 where they reverse it");
     }
+  }
+  if (const auto step = fields.find("step"); step != fields.end()) {
+    ground.step = step->second.choice({"false", "true"}) == 1;
   }
   return ground;
 }

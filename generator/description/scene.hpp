@@ -9,6 +9,7 @@
 #include "description/noise_decision.hpp"
 #include "description/robot.hpp"
 #include "description/support_limits.hpp"
+#include "description/surroundings.hpp"
 #include "functions/function.hpp"
 
 namespace treeline {
@@ -273,6 +274,8 @@ struct Scene {
   SingularTasks singular = SingularTasks::smooth;
   std::optional<EffectiveMassLimit> damped;   ///< asks for NAME_damped.hpp: damped_control_torque
   std::optional<SceneController> controller;  ///< asks for NAME_controller.h
+  std::optional<SceneGround> ground_step;     ///< the ground, where it asks for NAME_ground.h
+  std::vector<SceneTouch> touches;            ///< of the robot, where there is such a ground
   /// Joint name -> inertia that its motor's rotor adds to the joint, kg m^2 (kg for sliding
   /// joints).
   std::map<std::string, double> armature;

@@ -40,9 +40,20 @@ struct SceneAvoidance {
 struct SceneGround {
   double friction = 0.8;   ///< Coulomb's coefficient
   double restitution = 0;  ///< speed after a blow by speed before, 0 to 1
+  bool step = false;       ///< asks for NAME_ground.h: a step of time on it
 };
 
-/// What is around a robot, and the looks of its objects. No generated code depends on it.
+/// What of a link's shape reaches a plane first: balls of one radius about some points, or the rims
+/// of disks about them. In the link's frame, m.
+struct SceneTouch {
+  std::string link;
+  std::vector<std::array<double, 3>> points;
+  double radius = 0;
+  std::array<double, 3> axis{};  ///< unit vector along the disks' axis; zero: balls
+};
+
+/// What is around a robot, and the looks of its objects. Of it generated code depends on a ground
+/// with a step alone.
 struct SceneSurroundings {
   std::optional<SceneGround> ground;
   std::vector<SceneObstacle> obstacles;

@@ -34,6 +34,10 @@ bool wants_controller(const Contents& contents) {
   return contents.context.controller != nullptr;
 }
 
+bool wants_ground(const Contents& contents) {
+  return contents.context.ground != nullptr;
+}
+
 bool wants_prefetch(const Contents& contents) {
   return contents.context.prefetch;
 }
@@ -56,7 +60,8 @@ bool wants_registers(const Contents& contents) {
 }
 
 bool wants_laws(const Contents& contents) {
-  return wants_damping(contents) || wants_limits(contents) || wants_controller(contents);
+  return wants_damping(contents) || wants_limits(contents) || wants_controller(contents) ||
+         wants_ground(contents);
 }
 
 std::vector<GeneratedFile> join_files(std::initializer_list<std::vector<GeneratedFile>> lists) {

@@ -9,6 +9,7 @@
 #include "emission/list_sources.hpp"
 #include "emission/print_controller.hpp"
 #include "emission/print_endings.hpp"
+#include "emission/print_ground.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_loops.hpp"
 #include "emission/print_prefetch.hpp"
@@ -36,6 +37,7 @@ bool wants_limits(const Contents& contents);
 bool wants_batch(const Contents& contents);
 bool wants_batch_limits(const Contents& contents);
 bool wants_controller(const Contents& contents);
+bool wants_ground(const Contents& contents);
 bool wants_prefetch(const Contents& contents);
 bool wants_selftest(const Contents& contents);
 bool wants_loops(const Contents& contents);
@@ -55,6 +57,7 @@ std::vector<GeneratedFile> print_square_root_of(const Contents& contents);
 // Rows of every language.
 inline constexpr AddOn kControllerRow{wants_controller, print_controller, kControllerStem, true,
                                       Source::Of::step};
+inline constexpr AddOn kGroundRow{wants_ground, print_ground, kGroundStem, true};
 inline constexpr AddOn kPrefetchRow{wants_prefetch, print_prefetch, "prefetch"};
 inline constexpr AddOn kSelftestRow{wants_selftest, print_selftest, kSelftestStem};
 inline constexpr AddOn kIdentityRow{always, nullptr, kIdentityStem};

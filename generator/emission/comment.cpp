@@ -60,6 +60,20 @@ std::string wrap_text(const std::string& text, std::size_t columns) {
   return wrapped + text.substr(begin);
 }
 
+std::string in_comment(std::string text, std::size_t columns) {
+  for (const char* mark : {"*/", "/*"}) {
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {
+      text.insert(at + 1, 1, ' ');
+    }
+  }
+  std::string wrapped = wrap_text(text, columns);
+  for (std::size_t at = wrapped.find('\n'); at != std::string::npos; at = wrapped.find('\n', at)) {
+    wrapped.insert(at + 1, 1, ' ');
+    at += 2;
+  }
+  return wrapped;
+}
+
 std::string describe_method(const Program& program) {
   const std::string words = describe(program.route);
   return words.empty() ? "" : wrap_text("By " + words + ".", 95) + "\n";

@@ -18,6 +18,9 @@ std::string harmless(const std::string& source);
 /// Lines of so many columns, broken at blanks; those behind the first are indented.
 std::string wrap_text(const std::string& text, std::size_t columns);
 
+/// Text within a comment of C: no end and no begin of one, lines of the width of the rest.
+std::string in_comment(std::string text, std::size_t columns = 94);
+
 /// "By recursive Newton-Euler.", wrapped, with a line break; empty where the program does not say.
 std::string describe_method(const Program& program);
 

@@ -15,7 +15,7 @@ struct Contents {
   const EmissionContext& context;
   std::span<const Program> programs;  ///< functions that the scene asks for
   std::span<const Program> batch;     ///< those for several states as well, without packs
-  std::vector<Program> all;           ///< `programs`, then those that only a controller calls
+  std::vector<Program> all;           ///< `programs`, then those that only add-ons call
 };
 
 }  // namespace treeline

@@ -13,6 +13,7 @@
 namespace treeline {
 
 struct ControllerUnit;
+struct GroundUnit;
 struct SelftestFacts;
 
 /// Facts that the contract and the manifest state beside the functions, in words where they are for
@@ -35,6 +36,7 @@ struct EmissionContext {
       effective_mass_limits;         ///< of each task row, for NAME_damped.hpp; empty: none
   std::optional<LimitFacts> limits;  ///< for NAME_limited.hpp
   std::shared_ptr<const ControllerUnit> controller;  ///< if the scene asks for one
+  std::shared_ptr<const GroundUnit> ground;          ///< of a step on it, if the scene asks for one
   std::shared_ptr<const SelftestFacts> selftest;     ///< once it is made
   int coordinates = 0;                               ///< nq
   int velocities = 0;                                ///< nv

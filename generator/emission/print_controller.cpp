@@ -13,6 +13,7 @@
 #include "emission/print_constants.hpp"
 #include "emission/print_controller_header.hpp"
 #include "emission/print_defaults.hpp"
+#include "emission/print_own_functions.hpp"
 #include "emission/print_prefetch.hpp"
 #include "emission/print_sin_cos.hpp"
 #include "emission/print_target.hpp"
@@ -67,31 +68,6 @@ std::string print_adopt(const std::vector<Argument>& inputs) {
                         argument.rows * argument.cols);
   }
   return print_body({"config", "input", "state"}, text);
-}
-
-/// The declarations of what a step calls, which the contract does not have.
-std::string print_functions(const EmissionContext& context, const ControllerUnit& unit) {
-  const Backend& backend = backend_of(context.language);
-  std::string declarations;
-  for (const Program* const program : unit.programs()) {
-    declarations += backend.print_declaration(context, *program) + "\n";
-  }
-  const std::string front = fmt::format(
-      "#pragma once\n// What the controller calls beside the functions of {0}{1}.\n"
-      "// Generated; see {0}_controller.h for the contract.\n#include \"{0}{1}\"\n\n",
-      context.name, backend.header);
-  if (!backend.has_namespaces) return front + declarations;
-  return fmt::format("{1}namespace {0} {{\n\n{2}\n}}  // namespace {0}\n", context.name, front,
-                     declarations);
-}
-
-/// A function of the controller, which another header than that of the contract declares.
-std::string print_step_function(const EmissionContext& context, const Program& program) {
-  const Backend& backend = backend_of(context.language);
-  const std::string contract = fmt::format("#include \"{}{}\"", context.name, backend.header);
-  std::string text = backend.print_source(context, program);
-  return text.replace(text.find(contract), contract.size(),
-                      fmt::format("#include \"controller_functions{}\"", backend.header));
 }
 
 std::string print_sizes(const ControllerUnit& unit, const Adaptation& own) {
@@ -190,7 +166,8 @@ std::vector<GeneratedFile> print_laws(const EmissionContext& context, const Cont
   std::vector<GeneratedFile> files = {
       {context.name + "_controller.h", print_controller_header(context, unit)},
       {"controller" + std::string(backend.source), print_step(context, unit, own)},
-      {"controller_functions" + header, print_functions(context, unit)},
+      {"controller_functions" + header,
+       print_own_functions(context, unit.programs(), kControllerStem, "the controller")},
       {"controller_robot" + header, print_robot(context, unit, own)}};
   for (const auto& [name, text] : kHeaders) files.push_back({name + header, adapt(*text, own)});
   return files;
@@ -204,7 +181,7 @@ std::vector<GeneratedFile> print_controller(const Contents& contents) {
   std::vector<GeneratedFile> files = print_laws(context, unit, false);
   for (const Program* const program : unit.programs()) {
     files.push_back({program->name + std::string(backend_of(context.language).source),
-                     print_step_function(context, *program)});
+                     print_own_source(context, *program, kControllerStem)});
   }
   return files;
 }

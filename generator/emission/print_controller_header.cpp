@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emission/c_family_syntax.hpp"
+#include "emission/comment.hpp"
 #include "emission/controller_faults.hpp"
 #include "emission/controller_inputs.hpp"
 #include "emission/describe_controller.hpp"
@@ -16,21 +17,6 @@
 
 namespace treeline {
 namespace {
-
-/// Text within a comment of C: no end and no begin of one, lines of the width of the rest.
-std::string in_comment(std::string text, std::size_t columns = 94) {
-  for (const char* mark : {"*/", "/*"}) {
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {
-      text.insert(at + 1, 1, ' ');
-    }
-  }
-  std::string wrapped = wrap_text(text, columns);
-  for (std::size_t at = wrapped.find('\n'); at != std::string::npos; at = wrapped.find('\n', at)) {
-    wrapped.insert(at + 1, 1, ' ');
-    at += 2;
-  }
-  return wrapped;
-}
 
 /// A member of a struct and its meaning, beside it or before it.
 std::string print_commented(const std::string& declaration, const std::string& meaning) {

@@ -216,6 +216,20 @@ void append_constraint_notes(const Scene& scene, const Mechanism& mechanism,
       fmt::format("passive, without a motor: qd[i] of i = {}", passive.empty() ? "none" : passive));
 }
 
+/// Notes on the steps that have headers of their own.
+void append_step_notes(const Scene& scene, std::vector<std::string>& notes) {
+  if (scene.controller) {
+    notes.push_back(fmt::format(
+        "a controller is in {0}_controller.h: {0}_step(config, state, input, output)", scene.name));
+  }
+  if (scene.ground_step) {
+    notes.push_back(fmt::format(
+        "a step on the ground is in {0}_ground.h: {0}_ground_step(ground, dt, tau, q, qd, memory, "
+        "report)",
+        scene.name));
+  }
+}
+
 /// Note on tasks that conflict.
 constexpr const char* kPriorityNote =
     "control_torque keeps strict priority: each row acts in the dynamically consistent null space "
@@ -330,10 +344,7 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   for (const auto& [joint, value] : scene.locked) {
     context.notes.push_back(fmt::format("joint {} is locked at {}", joint, value));
   }
-  if (scene.controller) {
-    context.notes.push_back(fmt::format(
-        "a controller is in {0}_controller.h: {0}_step(config, state, input, output)", scene.name));
-  }
+  append_step_notes(scene, context.notes);
   append_drive_notes(robot, scene, context.notes);
   for (const Joint& joint : robot.joints) {
     if (joint.mimic) {

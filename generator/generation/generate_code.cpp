@@ -12,6 +12,7 @@
 #include "emission/backend.hpp"
 #include "emission/describe_contract.hpp"
 #include "generation/add_controller.hpp"
+#include "generation/add_ground.hpp"
 #include "generation/base_parameter_domain.hpp"
 #include "generation/bound_damped.hpp"
 #include "generation/choose_loops.hpp"
@@ -376,6 +377,11 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   if (scene.controller) {
     if (tell) tell("the controller");
     add_controller(robot, scene, context, generation);
+  }
+  if (scene.ground_step) {
+    if (tell) tell("the step on the ground");
+    add_ground(robot, scene, context, diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
   }
   const std::vector<Program> programs = programs_of(generation.functions);
   const std::vector<Program> batch = programs_of(generation.batch);

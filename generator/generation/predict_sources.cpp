@@ -2,6 +2,7 @@
 
 #include "description/effective_mass_limits.hpp"
 #include "emission/controller_unit.hpp"
+#include "emission/ground_unit.hpp"
 #include "emission/list_sources.hpp"
 #include "emission/selftest_facts.hpp"
 #include "functions/function.hpp"
@@ -29,6 +30,16 @@ std::shared_ptr<const ControllerUnit> name_controller(const Scene& scene) {
   return std::make_shared<const ControllerUnit>(std::move(unit));
 }
 
+/// A step on the ground of functions that are names alone.
+std::shared_ptr<const GroundUnit> name_ground() {
+  GroundUnit unit;
+  unit.flight = name_program("ground_flight");
+  unit.heights = name_program("ground_heights");
+  unit.dynamics = name_program("ground_dynamics");
+  unit.energy = name_program("ground_energy");
+  return std::make_shared<const GroundUnit>(std::move(unit));
+}
+
 }  // namespace
 
 std::vector<std::string> predict_sources(const Scene& scene) {
@@ -40,6 +51,7 @@ std::vector<std::string> predict_sources(const Scene& scene) {
   context.effective_mass_limits = effective_mass_limits(scene);
   if (scene.has_limits()) context.limits.emplace();
   if (scene.controller) context.controller = name_controller(scene);
+  if (scene.ground_step) context.ground = name_ground();
   if (scene.selftest > 0) context.selftest = std::make_shared<const SelftestFacts>();
   std::vector<Program> programs;
   for (const Function function : scene.functions) {

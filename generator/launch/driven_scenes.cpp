@@ -30,6 +30,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(scene.has_limits(), "limits of torque and friction");
   add(!scene.passive.empty() && !is_closed(scene), "passive (every joint of a tree is moved)");
   add(scene.controller.has_value(), "controller");
+  add(scene.ground_step.has_value(), "the step on the ground");
   add(scene.real == Real::float32, "real: float");
   add(scene.sin_cos == Sines::given, "sin_cos: given");
   add(scene.implicit_friction, "implicit friction");
@@ -122,6 +123,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
   assume_damping(robot, control, diagnostics);
   control.remove_limits();
   control.controller.reset();
+  control.ground_step.reset();
   control.external_forces.clear();
   control.inputs = {};
   control.implicit_friction = false;

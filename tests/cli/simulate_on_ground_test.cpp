@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -195,6 +196,29 @@ TEST_F(SimulateOnGround, SaysWhereARobotMayNotStart) {
   const Outcome bare = run("simulate bare.urdf --ground");
   EXPECT_EQ(bare.exit_code, 1);
   EXPECT_NE(bare.err.find("no link that moves has a shape"), std::string::npos) << bare.err;
+}
+
+TEST_F(SimulateOnGround, CodeHasAStepOrSaysWhyNot) {
+  const auto generate = [&](const std::string& shape, const std::string& scene) {
+    write("body.urdf", body(shape));
+    write("scene.yaml", "base: floating\nfunctions: []\n" + scene);
+    return run("generate body.urdf scene.yaml --output code");
+  };
+  const Outcome bare = generate("", "ground: {step: true}\n");
+  EXPECT_EQ(bare.exit_code, 1);
+  EXPECT_NE(bare.err.find("no link that moves has a shape"), std::string::npos) << bare.err;
+  const std::pair<const char*, const char*> refused[] = {
+      {"ground: {step: true, restitution: 0.5}\n", "restitution"},
+      {"ground: {step: true}\nprofile: misra\n", "misra"},
+      {"ground: {step: true}\ninputs: {gravity: true}\n", "inputs"}};
+  for (const auto& [scene, what] : refused) {
+    const Outcome outcome = generate(collision(kBox), scene);
+    EXPECT_EQ(outcome.exit_code, 1) << scene;
+    EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
+  }
+  const Outcome made = generate(collision(kBox), "ground: {step: true}\n");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_TRUE(std::filesystem::exists(root_ / "code" / "body_ground.h"));
 }
 
 TEST_F(SimulateOnGround, NamesAMeshThatIsMissing) {

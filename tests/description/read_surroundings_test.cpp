@@ -119,13 +119,18 @@ TEST(ReadSurroundings, ReadsTheGround) {
   EXPECT_EQ(ground->friction, 0.3);
   EXPECT_EQ(ground->restitution, 1.0);
   EXPECT_TRUE(surroundings_of("ground: {}\n", make_robot()).ground);
+  EXPECT_FALSE(parse_scene(text, "s.yaml", make_robot(), diagnostics)->ground_step);
+  const auto stepped = parse_scene("functions: []\nground: {friction: 0.3, step: true}\n", "s.yaml",
+                                   make_robot(), diagnostics);
+  ASSERT_TRUE(stepped && stepped->ground_step) << to_string(diagnostics);
+  EXPECT_EQ(stepped->ground_step->friction, 0.3);
   EXPECT_FALSE(surroundings_of("", make_robot()).ground);
 }
 
 TEST(ReadSurroundings, RefusesGroundThatIsNone) {
   for (const char* text :
        {"ground: {friction: -0.1}\n", "ground: {restitution: 1.1}\n", "ground: {restitution: -1}\n",
-        "ground: {slip: 1}\n", "ground: true\n"}) {
+        "ground: {slip: 1}\n", "ground: {step: 2}\n", "ground: true\n"}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(parse_scene(text, "s.yaml", make_robot(), diagnostics)) << text;
   }

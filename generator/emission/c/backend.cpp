@@ -59,6 +59,7 @@ std::vector<GeneratedFile> print_limited_law(const Contents& contents) {
 
 constexpr AddOn kAddOns[] = {
     kControllerRow,
+    kGroundRow,
     {wants_damping, print_damped_law, "damped_control_torque", true},
     {wants_limits, print_limited_law, "limited_control_torque", true},
     {wants_batch_limits, print_batch_limited, "batch_limited_control_torque", true},

@@ -71,6 +71,7 @@ std::vector<GeneratedFile> print_other_calls(const Contents& contents) {
 
 constexpr AddOn kAddOns[] = {
     kControllerRow,
+    kGroundRow,
     {wants_damping, print_damped_law},
     {wants_limits, print_limited_law},
     {wants_batch_limits,

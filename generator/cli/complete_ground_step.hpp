@@ -1,0 +1,13 @@
+#pragma once
+
+#include "cli/read_robot_files.hpp"
+#include "description/scene.hpp"
+#include "text/diagnostic.hpp"
+
+namespace treeline {
+
+/// Reads what may touch the ground, where a scene asks for a step on it. Errors: what such a step
+/// does not have. Meshes that are missing are a warning.
+void complete_ground_step(const RobotWithFiles& read, Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace treeline
