@@ -10,8 +10,8 @@
 namespace treeline {
 namespace {
 
-/// Whether two results of loops, or of a routine behind lines, agree. Their graph has no products with
-/// constants of 0, which code multiplies: the sign of a zero may differ.
+/// Whether two results of loops, or of a routine behind lines, agree. Their graph has no products
+/// with constants of 0, which code multiplies: the sign of a zero may differ.
 bool same_or_zero(double code, double graph) {
   return same_bits(code, graph) || (code == 0 && graph == 0);
 }

@@ -14,7 +14,8 @@ namespace treeline::core {
 #define TL_NONE nullptr
 #define TREELINE_REGISTER_BYTES 0  // each number by itself
 
-/// Everything of runtime/emitted/acceleration_derivatives.h and what it includes, for so many velocities.
+/// Everything of runtime/emitted/acceleration_derivatives.h and what it includes, for so many
+/// velocities.
 template <class Number>
 struct EmittedEndings {
   using real = Number;
@@ -26,8 +27,7 @@ struct EmittedEndings {
 
   const bool TL_FLOATS;
 
-  EmittedEndings(int32_t velocities, bool floats)
-      : TL_VELOCITIES(velocities), TL_FLOATS(floats) {}
+  EmittedEndings(int32_t velocities, bool floats) : TL_VELOCITIES(velocities), TL_FLOATS(floats) {}
 
 #include "emitted/acceleration_derivatives.h"
 };

@@ -131,9 +131,9 @@ TEST(KeepTried, LeavesOutWhatFailed) {
   const InputOptions options = planar3r();
   GeneratedInputs made = make(options);
   const std::size_t functions = made.generation.functions.size();
-  ASSERT_TRUE(has(made.generation.files, "mass_matrix.cpp"));
+  ASSERT_TRUE(has(made.generation.files, "inverse_dynamics.cpp"));
   for (GeneratedFunction& each : made.generation.functions) {
-    if (each.function == Function::mass_matrix) spoil(each);
+    if (each.function == Function::inverse_dynamics) spoil(each);
   }
   bool failed = false;
   Diagnostics diagnostics;
@@ -141,14 +141,14 @@ TEST(KeepTried, LeavesOutWhatFailed) {
   EXPECT_TRUE(failed);
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->generation.functions.size(), functions - 1);
-  EXPECT_FALSE(has(kept->generation.files, "mass_matrix.cpp"));
+  EXPECT_FALSE(has(kept->generation.files, "inverse_dynamics.cpp"));
   EXPECT_TRUE(has(kept->generation.files, "gravity.cpp"));
   ASSERT_TRUE(diagnostics.has_errors());
   const Diagnostic& error = diagnostics.list().back();
-  EXPECT_EQ(error.element, "mass_matrix");
+  EXPECT_EQ(error.element, "inverse_dynamics");
   EXPECT_NE(error.fault.find("at state"), std::string::npos) << error.fault;
   EXPECT_NE(error.fault.find("is not written"), std::string::npos) << error.fault;
-  EXPECT_NE(error.remedy.find("--functions mass_matrix --first"), std::string::npos)
+  EXPECT_NE(error.remedy.find("--functions inverse_dynamics --first"), std::string::npos)
       << error.remedy;
 }
 
@@ -158,14 +158,14 @@ TEST(KeepTried, LeavesOutWhatIsBeyondTheBoundOfCheck) {
   for (const double ulp : {4, 100}) {
     GeneratedInputs made = make(options);
     for (GeneratedFunction& each : made.generation.functions) {
-      if (each.function == Function::mass_matrix) spoil(each, 1 + ulp * 0x1p-52);
+      if (each.function == Function::inverse_dynamics) spoil(each, 1 + ulp * 0x1p-52);
     }
     const std::vector<StateReference> references =
         make_references(made.inputs.robot, made.inputs.scene, made.generation, {});
     const std::vector<GeneratedFunction> functions = all_callable(made.generation);
     std::size_t i = 0;
-    while (functions[i].function != Function::mass_matrix) ++i;
-    const Bound bound = find_bound(i, Function::mass_matrix, references);
+    while (functions[i].function != Function::inverse_dynamics) ++i;
+    const Bound bound = find_bound(i, Function::inverse_dynamics, references);
     const bool beyond =
         std::any_of(references.begin(), references.end(), [&](const StateReference& reference) {
           const FunctionReference& at = reference.functions[i];
@@ -177,14 +177,14 @@ TEST(KeepTried, LeavesOutWhatIsBeyondTheBoundOfCheck) {
     const auto kept = keep_tried(options, std::move(made), failed, diagnostics);
     EXPECT_EQ(failed, beyond);
     ASSERT_TRUE(kept);
-    EXPECT_EQ(has(kept->generation.files, "mass_matrix.cpp"), !beyond);
+    EXPECT_EQ(has(kept->generation.files, "inverse_dynamics.cpp"), !beyond);
     EXPECT_EQ(diagnostics.has_errors(), beyond);
   }
 }
 
 TEST(KeepTried, LeavesNothingWhereAllFailed) {
   InputOptions options = planar3r();
-  options.functions = {"mass_matrix", "inverse_dynamics"};  // each by one algorithm
+  options.functions = {"nonlinear_effects", "inverse_dynamics"};  // each by one algorithm
   GeneratedInputs made = make(options);
   for (GeneratedFunction& each : made.generation.functions) spoil(each);
   bool failed = false;
