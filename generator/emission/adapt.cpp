@@ -110,6 +110,11 @@ Adaptation make_adaptation(const EmissionContext& context, const std::string& co
   return own;
 }
 
+void add_literals(const EmissionContext& context, std::initializer_list<WordOfNumber> numbers,
+                  Adaptation& own) {
+  for (const auto& [word, digits] : numbers) own.words[word] = number_literal(context, digits);
+}
+
 void add_number_format(const EmissionContext& context, Adaptation& own) {
   const bool single = context.single_precision;
   own.words["TlBits"] = single ? "uint32_t" : "uint64_t";

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "emission/emission_context.hpp"
 
@@ -24,6 +26,13 @@ struct Adaptation {
 /// The words that every header of runtime/emitted has: the type of numbers, small numbers, and what
 /// stands before a function.
 Adaptation make_adaptation(const EmissionContext& context, const std::string& contract);
+
+/// A word and the number that stands for it, as it is written: `{"TL_HALF", "0.5"}`.
+using WordOfNumber = std::pair<const char*, const char*>;
+
+/// Adds words for numbers, as literals of the context's type.
+void add_literals(const EmissionContext& context, std::initializer_list<WordOfNumber> numbers,
+                  Adaptation& own);
 
 /// Adds the words for how numbers are made of bits: `TlBits`, an integer of their size, and sizes
 /// of their fields.

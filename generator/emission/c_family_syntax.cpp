@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 #include <stdexcept>
 
 #include "program/format_literal.hpp"
@@ -74,6 +75,11 @@ void follow_misra(bool single_precision, Syntax& syntax) {
 
 std::string number_literal(const EmissionContext& context, const char* digits) {
   return std::string(digits) + (context.single_precision ? "F" : "");
+}
+
+std::string signed_literal(const Syntax& syntax, double value) {
+  if (value == 0) return syntax.literal(0);
+  return (value < 0 ? "-" : "") + syntax.literal(std::abs(value));
 }
 
 std::string in_capitals(std::string name) {

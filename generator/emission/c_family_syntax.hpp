@@ -15,6 +15,9 @@ Syntax make_c_family_syntax(bool single_precision);
 /// A number as it is written, as a literal of the context's type: `0.25`, `0.25F`.
 std::string number_literal(const EmissionContext& context, const char* digits);
 
+/// A number with its sign, which 0 has none of.
+std::string signed_literal(const Syntax& syntax, double value);
+
 /// Changes the syntax as rules for safe code ask: suffixes in capitals, all parentheses.
 void follow_misra(bool single_precision, Syntax& syntax);
 

@@ -1,8 +1,10 @@
 #include "emission/print_constants.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "emission/backend.hpp"
+#include "emission/wrap_line.hpp"
 
 namespace treeline {
 
@@ -17,6 +19,14 @@ std::string print_constants(const Adaptation& own, std::span<const Constant> con
     text += *each.comment != '\0' ? fmt::format("  // {}\n", each.comment) : "\n";
   }
   return is_c ? text + "};\n" : text;
+}
+
+std::string print_table(const std::string& declared, std::vector<std::string> entries,
+                        std::size_t indentation) {
+  if (entries.empty()) entries.emplace_back("0");
+  return wrap_line(
+      fmt::format("{}[{}] = {{{}}};", declared, entries.size(), fmt::join(entries, ", ")),
+      indentation);
 }
 
 std::string print_sizes(const std::string& robot, const Adaptation& own, std::string_view header,

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "emission/adapt.hpp"
 
@@ -17,6 +18,11 @@ struct Constant {
 
 /// Enumerators in C, constants in C++.
 std::string print_constants(const Adaptation& own, std::span<const Constant> constants);
+
+/// A table: `declared[n] = {entries};`, with what stands before the name in `declared`. Arrays have
+/// at least one entry: 0, which nothing reads.
+std::string print_table(const std::string& declared, std::vector<std::string> entries,
+                        std::size_t indentation);
 
 /// A header of sizes, where `header` has TL_CONSTANTS in their place and TL_CONTRACT for the name
 /// of the robot's header.

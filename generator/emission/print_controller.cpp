@@ -32,8 +32,7 @@ std::string print_step_call(const EmissionContext& context, const Program& progr
     const std::string from = is_led(argument.name) ? "state->" : "input->";
     return argument.name == "f_ext" && !forces.empty() ? forces : from + argument.name;
   });
-  const std::string prefix = backend_of(context.language).has_namespaces ? "" : context.name + "_";
-  return wrap_in_hole(fmt::format("{}{}({});", prefix, program.name, list), 2);
+  return print_own_call(context, program, list);
 }
 
 /// Statements of a function of the robot, before which C is told what they do not read.

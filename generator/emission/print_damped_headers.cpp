@@ -19,14 +19,13 @@ namespace {
 Adaptation make_damped_adaptation(const EmissionContext& context) {
   const bool single = context.single_precision;
   Adaptation own = make_adaptation(context, header_name(context, context.name + "_damped"));
-  const auto add = [&](const char* word, const char* digits) {
-    own.words[word] = number_literal(context, digits);
-  };
-  add("TL_HALF", "0.5");
-  add("TL_TWO", "2.0");
-  add("TL_LOST_SQUARE", single ? "1e-30" : "1e-280");
-  add("TL_NEGLIGIBLE", single ? "0x1p-21" : "0x1p-50");
-  add("TL_UNRESOLVED", single ? "0x1p-17" : "0x1p-46");
+  add_literals(context,
+               {{"TL_HALF", "0.5"},
+                {"TL_TWO", "2.0"},
+                {"TL_LOST_SQUARE", single ? "1e-30" : "1e-280"},
+                {"TL_NEGLIGIBLE", single ? "0x1p-21" : "0x1p-50"},
+                {"TL_UNRESOLVED", single ? "0x1p-17" : "0x1p-46"}},
+               own);
   // By `profile: misra` there is no root but that of numbers that are not negative.
   if (context.misra) own.words["tl_square_root"] = adapt_words("tl_root", own);
   return own;

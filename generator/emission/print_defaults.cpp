@@ -47,8 +47,7 @@ class Members {
 
  private:
   [[nodiscard]] std::string print(double value) const {
-    const double size = std::isfinite(value) ? std::fabs(value) : largest_;
-    return (value < 0 ? "-" : "") + syntax_.literal(size);
+    return signed_literal(syntax_, std::isfinite(value) ? value : std::copysign(largest_, value));
   }
   Syntax syntax_;
   const ControllerUnit& unit_;

@@ -84,23 +84,19 @@ std::string real_of(const EmissionContext& context) {
   return backend_of(context.language).has_namespaces ? "Real" : number_type(context);
 }
 
-/// A table of constants. Arrays have at least one number.
-std::string print_table(const EmissionContext& context, const Table& table) {
+std::string print_ending_table(const EmissionContext& context, const Table& table) {
   std::vector<std::string> texts;
   std::string type = "int16_t";
   if (const auto* places = std::get_if<std::vector<std::int16_t>>(&table.values)) {
     for (const std::int16_t place : *places) texts.push_back(std::to_string(place));
   } else {
     type = real_of(context);
-    const Syntax syntax = make_c_family_syntax(context.single_precision);
+    const Syntax syntax = backend_of(context.language).syntax(context);
     for (const double number : std::get<std::vector<double>>(table.values)) {
-      texts.push_back(syntax.literal(number));
+      texts.push_back(signed_literal(syntax, number));
     }
   }
-  if (texts.empty()) texts.emplace_back("0");
-  return wrap_line(fmt::format("static const {} {}[{}] = {{{}}};", type, table.name, texts.size(),
-                               fmt::join(texts, ", ")),
-                   2);
+  return print_table(fmt::format("static const {} {}", type, table.name), std::move(texts), 2);
 }
 
 bool has_ending(const Program& program) {
@@ -130,7 +126,7 @@ std::string add_ending(const EmissionContext& context, const Program& program,
   std::vector<std::string> list;
   const auto pass = [&list](const std::string& name) { list.push_back("&" + name + "[0]"); };
   for (const Table& table : ending.tables) {
-    arrays += print_table(context, table);
+    arrays += print_ending_table(context, table);
     pass(table.name);
   }
   for (const Result& array : ending.lines.results) {

@@ -43,17 +43,16 @@ void add_ground_arrays(const EmissionContext& context, Adaptation& own) {
 /// those of the simulation.
 void add_solver_numbers(const EmissionContext& context, Adaptation& own) {
   const bool single = context.single_precision;
-  const auto add = [&](const char* word, const char* digits) {
-    own.words[word] = number_literal(context, digits);
-  };
-  add("TL_HALF", "0.5");
-  add("TL_TWO", "2.0");
-  add("TL_ROUNDING", single ? "0x1p-23" : "0x1p-52");
-  add("TL_CONTACT_TOLERANCE", single ? "1e-5" : "1e-12");
-  add("TL_TOLERANCE_OF_MANY", single ? "1e-5" : "1e-8");
+  add_literals(context,
+               {{"TL_HALF", "0.5"},
+                {"TL_TWO", "2.0"},
+                {"TL_ROUNDING", single ? "0x1p-23" : "0x1p-52"},
+                {"TL_CONTACT_TOLERANCE", single ? "1e-5" : "1e-12"},
+                {"TL_TOLERANCE_OF_MANY", single ? "1e-5" : "1e-8"},
+                {"TL_CONTACT_SHIFT", single ? "1e-5" : "1e-12"},
+                {"TL_LARGEST_FRICTION", single ? "1e3" : "1e6"}},
+               own);
   own.words["TL_FEW_CONTACTS"] = "8";
-  add("TL_CONTACT_SHIFT", single ? "1e-5" : "1e-12");
-  add("TL_LARGEST_FRICTION", single ? "1e3" : "1e6");
 }
 
 Adaptation adapt_ground(const EmissionContext& context) {
@@ -76,8 +75,7 @@ std::string print_ground_call(const EmissionContext& context, const Program& pro
   const std::string list = join_arguments(program, [&](const Argument& argument, const char* kind) {
     return (*kind == '\0' ? into : "") + argument.name;
   });
-  const std::string prefix = backend_of(context.language).has_namespaces ? "" : context.name + "_";
-  return wrap_in_hole(fmt::format("{}{}({});", prefix, program.name, list), 2);
+  return print_own_call(context, program, list);
 }
 
 /// C++ has references to arrays, and sines by references.

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "emission/backend.hpp"
+#include "emission/c_family_syntax.hpp"
 #include "emission/print_constants.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {
@@ -24,19 +24,16 @@ void append_three(std::vector<double>& numbers, const std::array<double, 3>& v) 
   numbers.insert(numbers.end(), v.begin(), v.end());
 }
 
-/// `TL_TABLE real TL_NAME[3] = {1.0, 2.0, 3.0};`; of no numbers one that nothing reads.
+/// `TL_TABLE real TL_GROUND_RADII[3] = {1.0, 2.0, 3.0};`
 std::string print_ground_table(const Syntax& syntax, const GroundTable& table) {
-  std::string list;
-  const auto add = [&](const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; };
-  for (const int entry : table.whole) add(std::to_string(entry));
+  std::vector<std::string> entries;
+  for (const int entry : table.whole) entries.push_back(std::to_string(entry));
   for (const double entry : table.numbers) {
-    add((std::signbit(entry) && entry != 0 ? "-" : "") + syntax.literal(std::abs(entry)));
+    entries.push_back(signed_literal(syntax, entry));
   }
-  const std::size_t size = std::max<std::size_t>(table.whole.size() + table.numbers.size(), 1);
-  return wrap_line(fmt::format("TL_TABLE {} TL_GROUND_{}[{}] = {{{}}};",
-                               table.numbers.empty() ? "int32_t" : "real", table.name, size,
-                               list.empty() ? "0" : list),
-                   0) +
+  const char* const type = table.numbers.empty() ? "int32_t" : "real";
+  return print_table(fmt::format("TL_TABLE {} TL_GROUND_{}", type, table.name), std::move(entries),
+                     0) +
          "\n";
 }
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
 
+#include "emission/c_family_syntax.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/wrap_line.hpp"
 #include "text/printable.hpp"
@@ -15,14 +15,10 @@
 namespace treeline {
 namespace {
 
-std::string number(const Syntax& syntax, double value) {
-  if (value == 0) return syntax.literal(0);
-  return fmt::format("{}{}", value < 0 ? "-" : "", syntax.literal(std::abs(value)));
-}
-
 std::string numbers(const Syntax& syntax, std::span<const double> values) {
   std::string list;
-  for (const double value : values) list += (list.empty() ? "" : ", ") + number(syntax, value);
+  for (const double value : values)
+    list += (list.empty() ? "" : ", ") + signed_literal(syntax, value);
   return "{" + list + "}";
 }
 
@@ -31,7 +27,7 @@ std::string print_link(const Syntax& syntax, const LinkTypes::TlLink& of) {
   return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {{{}, {}, {}}}}}", of.parent,
                      of.slot, of.end, of.slides, of.starts, numbers(syntax, turns[0]),
                      numbers(syntax, turns[1]), numbers(syntax, turns[2]), numbers(syntax, of.p),
-                     number(syntax, of.rotor), number(syntax, of.body.mass),
+                     signed_literal(syntax, of.rotor), signed_literal(syntax, of.body.mass),
                      numbers(syntax, of.body.h), numbers(syntax, of.body.J));
 }
 
@@ -72,7 +68,7 @@ bool agree(const LinkTableText& one, const LinkTableText& other) {
 LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax) {
   LinkTableText text;
   text.data = &table;
-  for (const double g : table.gravity) text.gravity.push_back(number(syntax, g));
+  for (const double g : table.gravity) text.gravity.push_back(signed_literal(syntax, g));
   for (std::size_t i = 0; i < table.links.size(); ++i) {
     text.links += fmt::format("    // {}\n", printable(table.names[i])) +
                   wrap_line(print_link(syntax, table.links[i]) + ",", 4);
@@ -100,7 +96,7 @@ LinkTableText print_link_table(const LinkTableData& table, const Syntax& syntax)
   for (const LinkTypes::TlLinkCoupling& coupling : table.couplings) {
     text.couplings +=
         fmt::format("    {{{}, {}, {}, {}}},\n", coupling.joint,
-                    number(syntax, coupling.multiplier), coupling.spins, coupling.own_sine);
+                    signed_literal(syntax, coupling.multiplier), coupling.spins, coupling.own_sine);
   }
   for (const LinkTypes::TlLinkBall& ball : table.balls) {
     text.balls += fmt::format("    {{{}, {}, {}}},\n", ball.axis, ball.rotation, ball.q);

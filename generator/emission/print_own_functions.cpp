@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "emission/backend.hpp"
+#include "emission/wrap_line.hpp"
 
 namespace treeline {
 
@@ -30,6 +31,12 @@ std::string print_own_source(const EmissionContext& context, const Program& prog
   std::string text = backend.print_source(context, program);
   return text.replace(text.find(contract), contract.size(),
                       fmt::format("#include \"{}_functions{}\"", stem, backend.header));
+}
+
+std::string print_own_call(const EmissionContext& context, const Program& program,
+                           const std::string& arguments) {
+  const std::string prefix = backend_of(context.language).has_namespaces ? "" : context.name + "_";
+  return wrap_in_hole(fmt::format("{}{}({});", prefix, program.name, arguments), 2);
 }
 
 }  // namespace treeline

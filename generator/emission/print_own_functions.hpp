@@ -18,4 +18,9 @@ std::string print_own_functions(const EmissionContext& context,
 std::string print_own_source(const EmissionContext& context, const Program& program,
                              const std::string& stem);
 
+/// The call of one of them, or of another function of the robot, in a hole of a body. `arguments`
+/// are written, with commas between.
+std::string print_own_call(const EmissionContext& context, const Program& program,
+                           const std::string& arguments);
+
 }  // namespace treeline

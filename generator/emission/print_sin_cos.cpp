@@ -21,15 +21,14 @@ namespace {
 Adaptation make_sine_adaptation(const EmissionContext& context) {
   const bool single = context.single_precision;
   Adaptation own = make_adaptation(context, header_name(context, context.name));
-  const auto add = [&](const char* word, const char* digits) {
-    own.words[word] = number_literal(context, digits);
-  };
-  add("TL_TWO_OVER_PI", single ? "0x1.45f306p-1" : "0.6366197723675814");
-  add("TL_ROUNDING_SHIFT", single ? "12582912.0" : "6755399441055744.0");
-  add("TL_LARGEST_ANGLE", single ? "0x1p+20" : "0x1p+32");
-  add("TL_FOURTH", "0.25");
-  add("TL_TWO", "2.0");
-  add("TL_FOUR", "4.0");
+  add_literals(context,
+               {{"TL_TWO_OVER_PI", single ? "0x1.45f306p-1" : "0.6366197723675814"},
+                {"TL_ROUNDING_SHIFT", single ? "12582912.0" : "6755399441055744.0"},
+                {"TL_LARGEST_ANGLE", single ? "0x1p+20" : "0x1p+32"},
+                {"TL_FOURTH", "0.25"},
+                {"TL_TWO", "2.0"},
+                {"TL_FOUR", "4.0"}},
+               own);
   add_number_format(context, own);
   const std::map<std::string, std::string> words = {
       {"TlAngle", number_type(context)},

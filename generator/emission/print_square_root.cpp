@@ -44,16 +44,15 @@ void add_macros(const EmissionContext& context, Adaptation& own) {
 /// The numbers of Heron's steps.
 void add_steps(const EmissionContext& context, Adaptation& own) {
   const bool single = context.single_precision;
-  const auto add = [&](const char* word, const char* digits) {
-    own.words[word] = number_literal(context, digits);
-  };
-  add("TL_HALF", "0.5");
-  add("TL_TWO", "2.0");
-  add("TL_FOUR", "4.0");
-  add("TL_THIRD", single ? "0x1.555556p-2" : "0x1.5555555555555p-2");
-  add("TL_UNIT", single ? "0x1p+23" : "0x1p+52");
-  add("TL_INVERSE_UNIT", single ? "0x1p-23" : "0x1p-52");
-  add("TL_LARGEST", single ? "0x1.fffffep+127" : "0x1.fffffffffffffp+1023");
+  add_literals(context,
+               {{"TL_HALF", "0.5"},
+                {"TL_TWO", "2.0"},
+                {"TL_FOUR", "4.0"},
+                {"TL_THIRD", single ? "0x1.555556p-2" : "0x1.5555555555555p-2"},
+                {"TL_UNIT", single ? "0x1p+23" : "0x1p+52"},
+                {"TL_INVERSE_UNIT", single ? "0x1p-23" : "0x1p-52"},
+                {"TL_LARGEST", single ? "0x1.fffffep+127" : "0x1.fffffffffffffp+1023"}},
+               own);
   own.words["TL_HERON_STEPS"] = single ? "3" : "4";
   own.words["TL_POWER_COUNT"] = std::to_string(list_exponents(single).size());
   own.words["TL_POWERS"] = list_powers(context, 2);

@@ -43,9 +43,10 @@ OperationCount count_operations(const Program& program) {
   }
   if (program.ending) {
     OperationCount total = count_operations(program.ending->lines);
-    total.add += program.ending->adds;
-    total.mul += program.ending->muls;
-    total.div += program.ending->divs;
+    const OperationCount& executed = program.ending->executed;
+    total.add += executed.add;
+    total.mul += executed.mul;
+    total.div += executed.div;
     return total;
   }
   const std::vector<Node>& nodes = program.graph.nodes();

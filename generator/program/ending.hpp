@@ -28,9 +28,9 @@ struct Ending {
   std::vector<Argument> results;  ///< of the function
   std::vector<Table> tables;      ///< in the order of the routine's parameters
   int velocities = 0;
-  bool floats = false;               ///< whether the first six are those of a floating base
-  std::size_t work = 0;              ///< numbers of the work space
-  int adds = 0, muls = 0, divs = 0;  ///< that the routine executes, those with zeros too
+  bool floats = false;      ///< whether the first six are those of a floating base
+  std::size_t work = 0;     ///< numbers of the work space
+  OperationCount executed;  ///< by the routine, with zeros too
 };
 
 /// Whether an array of the lines is read by the routine alone: it is no result of the function.

@@ -74,7 +74,7 @@ TL_INLINE void tl_accelerate(const int16_t* parents, const real* own, const real
   tl_multiply_inertias(own, more, wrench);
   tl_add_up(parents, 6, wrench);
   if (TL_FLOATS) {
-    tl_place_base(6, of->S, wrench);
+    tl_share_base(6, wrench);
   }
   for (int32_t k = 0; k < (6 * TL_PLACES); ++k) {
     of->a[k] = of->a[k] + more[k];

@@ -95,12 +95,18 @@ TL_INLINE TREELINE_IN_PLACE void tl_add_up(
   }
 }
 
-/// The base's axes and composites, at the places of its freedoms.
-TL_INLINE void tl_place_base(int32_t count, real* S, real* body) {
+/// The axes of a floating base's freedoms.
+TL_INLINE void tl_place_base(real* S) {
   for (int32_t i = 0; i < 6; ++i) {
     for (int32_t k = 0; k < 6; ++k) {
       S[(k * TL_PLACES) + i] = (k == i) ? TL_ONE : TL_ZERO;
     }
+  }
+}
+
+/// Gives all freedoms of a floating base the numbers of its link.
+TL_INLINE void tl_share_base(int32_t count, real* body) {
+  for (int32_t i = 0; i < 5; ++i) {
     for (int32_t k = 0; k < count; ++k) {
       body[(k * TL_PLACES) + i] = body[(k * TL_PLACES) + 5];
     }
@@ -245,7 +251,8 @@ TL_INLINE void tl_mass_in_common_frame(const real* links, const real* joints,
   tl_add_up(parents, 5, body);
   tl_add_up(parents, 5, &body[5 * TL_PLACES]);
   if (TL_FLOATS) {
-    tl_place_base(10, S, body);
+    tl_place_base(S);
+    tl_share_base(10, body);
   }
   tl_multiply_inertias(body, S, P);
   tl_multiply_blocks(&all, P, S, 6, S, P, M);

@@ -91,12 +91,16 @@ TL_INLINE void tl_find_accelerations(const int16_t* parents, const real* S,
   }
 }
 
-/// Numbers of links that depend on motion, behind the ten of inertia.
+/// Numbers of links that depend on motion, behind the ten of inertia. `momentum` is
+/// work space.
 TL_INLINE void tl_find_wrenches(const real* TL_RESTRICT v, const real* TL_RESTRICT a,
-    const real* TL_RESTRICT inertia, real* TL_RESTRICT to) {
+    const real* TL_RESTRICT inertia, real* TL_RESTRICT momentum,
+    real* TL_RESTRICT to) {
   const int32_t n = TL_PLACES;
+  real* const wrench = &to[12 * n];
+  tl_multiply_inertias(inertia, v, momentum);
+  tl_multiply_inertias(inertia, a, wrench);
   for (int32_t i = 0; i < TL_PLACES; ++i) {
-    const real m = inertia[i];
     const real hx = inertia[n + i], hy = inertia[(2 * n) + i],
                hz = inertia[(3 * n) + i];
     const real xx = inertia[(4 * n) + i], yy = inertia[(5 * n) + i];
@@ -104,9 +108,9 @@ TL_INLINE void tl_find_wrenches(const real* TL_RESTRICT v, const real* TL_RESTRI
     const real xz = inertia[(8 * n) + i], yz = inertia[(9 * n) + i];
     const real vx = v[i], vy = v[n + i], vz = v[(2 * n) + i];
     const real wx = v[(3 * n) + i], wy = v[(4 * n) + i], wz = v[(5 * n) + i];
-    const real px = (m * vx) + ((wy * hz) - (wz * hy));
-    const real py = (m * vy) + ((wz * hx) - (wx * hz));
-    const real pz = (m * vz) + ((wx * hy) - (wy * hx));
+    const real px = momentum[i], py = momentum[n + i], pz = momentum[(2 * n) + i];
+    const real lx = momentum[(3 * n) + i], ly = momentum[(4 * n) + i];
+    const real lz = momentum[(5 * n) + i];
     to[i] = px + px;
     to[n + i] = py + py;
     to[(2 * n) + i] = pz + pz;
@@ -130,34 +134,26 @@ TL_INLINE void tl_find_wrenches(const real* TL_RESTRICT v, const real* TL_RESTRI
     to[(9 * n) + i] = k6 + k6;
     to[(10 * n) + i] = k7 + k7;
     to[(11 * n) + i] = k8 + k8;
-    const real lx =
-        (((yy + zz) * wx) - (xy * wy) - (xz * wz)) + ((hy * vz) - (hz * vy));
-    const real ly =
-        (((xx + zz) * wy) - (xy * wx) - (yz * wz)) + ((hz * vx) - (hx * vz));
-    const real lz =
-        (((xx + yy) * wz) - (xz * wx) - (yz * wy)) + ((hx * vy) - (hy * vx));
-    const real ax = a[i], ay = a[n + i], az = a[(2 * n) + i];
-    const real bx = a[(3 * n) + i], by = a[(4 * n) + i], bz = a[(5 * n) + i];
-    to[(12 * n) + i] = (m * ax) + ((by * hz) - (bz * hy)) + ((wy * pz) - (wz * py));
-    to[(13 * n) + i] = (m * ay) + ((bz * hx) - (bx * hz)) + ((wz * px) - (wx * pz));
-    to[(14 * n) + i] = (m * az) + ((bx * hy) - (by * hx)) + ((wx * py) - (wy * px));
-    to[(15 * n) + i] = (((yy + zz) * bx) - (xy * by) - (xz * bz)) +
-        ((hy * az) - (hz * ay)) + ((wy * lz) - (wz * ly)) + ((vy * pz) - (vz * py));
-    to[(16 * n) + i] = (((xx + zz) * by) - (xy * bx) - (yz * bz)) +
-        ((hz * ax) - (hx * az)) + ((wz * lx) - (wx * lz)) + ((vz * px) - (vx * pz));
-    to[(17 * n) + i] = (((xx + yy) * bz) - (xz * bx) - (yz * by)) +
-        ((hx * ay) - (hy * ax)) + ((wx * ly) - (wy * lx)) + ((vx * py) - (vy * px));
+    wrench[i] = wrench[i] + ((wy * pz) - (wz * py));
+    wrench[n + i] = wrench[n + i] + ((wz * px) - (wx * pz));
+    wrench[(2 * n) + i] = wrench[(2 * n) + i] + ((wx * py) - (wy * px));
+    wrench[(3 * n) + i] =
+        (wrench[(3 * n) + i] + ((wy * lz) - (wz * ly))) + ((vy * pz) - (vz * py));
+    wrench[(4 * n) + i] =
+        (wrench[(4 * n) + i] + ((wz * lx) - (wx * lz))) + ((vz * px) - (vx * pz));
+    wrench[(5 * n) + i] =
+        (wrench[(5 * n) + i] + ((wx * ly) - (wy * lx))) + ((vx * py) - (vy * px));
   }
 }
 
 /// Numbers of everything beyond each joint.
 TL_INLINE void tl_add_up_links(const int16_t* parents, const TlMotionArrays* of) {
-  tl_find_wrenches(of->v, of->a, of->body, &of->body[10 * TL_PLACES]);
+  tl_find_wrenches(of->v, of->a, of->body, of->P, &of->body[10 * TL_PLACES]);
   for (int32_t k = 0; k < 28; k += 7) {
     tl_add_up(parents, 7, &of->body[k * TL_PLACES]);
   }
   if (TL_FLOATS) {
-    tl_place_base(28, of->S, of->body);
+    tl_share_base(28, of->body);
   }
 }
 
@@ -230,7 +226,7 @@ TL_INLINE void tl_begin_motion(const real* links, const real* joints,
     const TlMotionArrays* of) {
   tl_place_links(links, joints, R, p, of->S, of->body);
   if (TL_FLOATS) {
-    tl_place_base(0, of->S, of->body);
+    tl_place_base(of->S);
   }
   for (int32_t k = 0; k < (12 * TL_PLACES); ++k) {
     of->v[k] = TL_ZERO;  // and a, at places that stand for nothing

@@ -188,19 +188,18 @@ TEST(ProposeScene, KnowsHandsAndWheelsByTheirShape) {
   };
   const std::string arm = joined("a", "b", "0 0 1") + joined("b", "c", "0 1 0") +
                           joined("c", "d", "0 1 0") + joined("d", "e", "1 0 0");
-  const SceneProposal held =
-      propose_scene(read(robot_text("a", arm + short_one("e", "x", "0 .02 -.1", "0 0 1") +
-                                             short_one("e", "y", "0 -.02 -.1", "0 0 1"))),
-                    std::nullopt);
+  const auto with_two = [&](const std::string& on, const char* left, const char* right,
+                            const char* axis) {
+    const std::string two = short_one(on, "x", left, axis) + short_one(on, "y", right, axis);
+    return propose_scene(read(robot_text("a", arm + two)), std::nullopt);
+  };
+  const SceneProposal held = with_two("e", "0 .02 -.1", "0 -.02 -.1", "0 0 1");
   EXPECT_EQ(held.kind, "an arm");
   EXPECT_EQ(held.base, Base::fixed);
   ASSERT_EQ(held.points.size(), 1U) << list_points(held);
   EXPECT_EQ(held.points[0].link, "e");
   EXPECT_EQ(held.beyond.size(), 2U);
-  const SceneProposal rolling =
-      propose_scene(read(robot_text("a", arm + short_one("a", "x", "0 .2 0", "0 1 0") +
-                                             short_one("a", "y", "0 -.2 0", "0 1 0"))),
-                    std::nullopt);
+  const SceneProposal rolling = with_two("a", "0 .2 0", "0 -.2 0", "0 1 0");
   EXPECT_EQ(rolling.kind, "a mobile manipulator");
   EXPECT_EQ(rolling.base, Base::floating);
   ASSERT_EQ(rolling.points.size(), 1U) << list_points(rolling);

@@ -6,6 +6,7 @@
 
 #include "core/in_eights.hpp"
 #include "recursion/methods/forward_kinematics.hpp"
+#include "recursion/routes/list_row_sums.hpp"
 #include "recursion/routes/result_parts.hpp"
 
 namespace treeline {
@@ -221,31 +222,6 @@ void list_tables(const Tree<Expression>& tree, Table of_drives, Ending& ending) 
   BlockList(parents, ending).append_to(ending.tables);
 }
 
-/// Lists which rows L^-T and L^-1 subtract from which, see `tl_solve_columns`, with factors in rows
-/// of as many numbers as there are places.
-void list_carriers(Ending& ending) {
-  const auto& parents = std::get<PlaceList>(ending.tables[3].values);
-  const int n = ending.velocities;
-  const int stride = core::in_eights(n);
-  PlaceList ends[2];
-  PlaceList entries[2];
-  const auto add = [&](int side, int row, int k, int i) {
-    if (!are_related(ending, parents, i, k)) return;
-    entries[side].push_back(static_cast<std::int16_t>(row));
-    entries[side].push_back(static_cast<std::int16_t>(k * stride + i));
-  };
-  for (int row = 0; row < n; ++row) {
-    for (int k = n; k-- > row + 1;) add(0, k, k, row);
-    for (int i = 0; i < row; ++i) add(1, i, row, i);
-    for (const int side : {0, 1})
-      ends[side].push_back(static_cast<std::int16_t>(entries[side].size() / 2));
-  }
-  ending.tables.push_back({"above_ends", ends[0]});
-  ending.tables.push_back({"above", entries[0]});
-  ending.tables.push_back({"below_ends", ends[1]});
-  ending.tables.push_back({"below", entries[1]});
-}
-
 /// The acceleration that stands for gravity, in the axes of the common frame.
 Vector3<Expression> find_up(const Trace& trace) {
   const Vector3<Expression> up = -trace.tree.gravity;
@@ -317,7 +293,11 @@ Ending end_with_acceleration_derivatives(const Trace& trace) {
                     {"dqdd_dqd", n, n, "by qd"},
                     {"dqdd_dtau", n, n, "by tau: M^-1"}};
   list_tables(tree, list_drives(tree), ending);
-  list_carriers(ending);
+  const PlaceList parents = list_parents(tree);
+  const int stride = core::in_eights(n);
+  list_row_sums(
+      [&](int k, int i) { return are_related(ending, parents, i, k) ? k * stride + i : -1; },
+      ending);
   place_links(trace, ending);
   std::vector<Expression> taken(static_cast<std::size_t>(tree.nv), Expression(0.0));
   add_drive_forces<Expression>(tree, trace.X, {trace.qd(), {}}, taken);

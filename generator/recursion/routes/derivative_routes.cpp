@@ -6,6 +6,7 @@
 #include "core/in_eights.hpp"
 #include "recursion/methods/forward_dynamics_derivatives.hpp"
 #include "recursion/routes/common_frame.hpp"
+#include "recursion/routes/list_row_sums.hpp"
 #include "recursion/routes/result_parts.hpp"
 
 namespace treeline {
@@ -43,40 +44,22 @@ std::vector<Result> trace_forward(const Trace& trace, DerivativeRoute route) {
           matrix_result("dqdd_dtau", "by tau: M^-1", d.dtau)};
 }
 
-/// Lists which rows L^-T and L^-1 subtract from which, and returns the entries of L that may not be
-/// 0, column by column.
+/// Returns the entries of L that may not be 0, column by column, and lists them for the solve.
 std::vector<Expression> list_factors(const DenseMatrix<Expression>& L, Ending& ending) {
-  const std::size_t n = L.rows();
-  std::vector<std::int16_t> above_ends;
-  std::vector<std::int16_t> above;
-  std::vector<std::int16_t> below_ends;
-  std::vector<std::int16_t> below;
+  const int n = ending.velocities;
   std::vector<Expression> factors;
-  DenseMatrix<std::int16_t> places(n, n);
-  const auto add = [](std::vector<std::int16_t>& entries, std::size_t row, std::int16_t place) {
-    entries.insert(entries.end(), {static_cast<std::int16_t>(row), place});
+  DenseMatrix<int> places(L.rows(), L.rows());
+  const auto entry = [](auto& matrix, int k, int i) -> decltype(auto) {
+    return matrix(static_cast<std::size_t>(k), static_cast<std::size_t>(i));
   };
-  const auto end = [](std::vector<std::int16_t>& ends, const std::vector<std::int16_t>& entries) {
-    ends.push_back(static_cast<std::int16_t>(entries.size() / 2));
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = n; k-- > i + 1;) {
-      if (L(k, i).is_zero()) continue;
-      places(k, i) = static_cast<std::int16_t>(factors.size());
-      factors.push_back(L(k, i));
-      add(above, k, places(k, i));
+  for (int i = 0; i < n; ++i) {
+    for (int k = n; k-- > i + 1;) {
+      entry(places, k, i) = entry(L, k, i).is_zero() ? -1 : static_cast<int>(factors.size());
+      if (entry(places, k, i) >= 0) factors.push_back(entry(L, k, i));
     }
-    end(above_ends, above);
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = 0; i < k; ++i) {
-      if (!L(k, i).is_zero()) add(below, i, places(k, i));
-    }
-    end(below_ends, below);
   }
   if (factors.empty()) factors.emplace_back(0.0);  // arrays have at least one
-  ending.tables = {
-      {"above_ends", above_ends}, {"above", above}, {"below_ends", below_ends}, {"below", below}};
+  list_row_sums([&](int k, int i) { return entry(places, k, i); }, ending);
   return factors;
 }
 

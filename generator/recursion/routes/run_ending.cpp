@@ -116,9 +116,7 @@ void count(Ending& ending) {
   }
   const CountedOperations operations;
   run(ending, arrays);
-  ending.adds = operations.since().add;
-  ending.muls = operations.since().mul;
-  ending.divs = operations.since().div;
+  ending.executed = operations.since();
 }
 
 std::vector<PlainExpression> plain(const std::vector<Expression>& values) {
@@ -130,7 +128,7 @@ std::vector<PlainExpression> plain(const std::vector<Expression>& values) {
 }  // namespace
 
 Program end_lines(Ending ending) {
-  if (ending.muls == 0) count(ending);
+  if (ending.executed.flops() == 0) count(ending);
   Program program = ending.lines;
   program.packs.clear();
   program.results.clear();

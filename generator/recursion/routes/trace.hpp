@@ -48,6 +48,14 @@ struct Trace {
   [[nodiscard]] std::vector<WorldPose<Expression>> poses() const { return world_poses(tree, X); }
 };
 
+/// A trace in the open graph that knows the robot as it is in the files, but no inputs.
+inline Trace begin_trace(const Mechanism& mechanism) {
+  Trace trace;
+  trace.mechanism = &mechanism;
+  trace.tree = constant_tree<Expression>(mechanism);
+  return trace;
+}
+
 /// Finds the transforms of all joints for the inputs. Where rotations are deferred, inertias turn
 /// with joints.
 inline void find_transforms(Trace& trace, bool deferred = true) {

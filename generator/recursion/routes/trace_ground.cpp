@@ -27,9 +27,7 @@ Program trace_of_robot(const Mechanism& mechanism, Function function, int lanes,
   Program program;
   program.graph = Graph::for_trace(lanes);
   const Graph::Scope scope(program.graph);
-  Trace trace;
-  trace.mechanism = &mechanism;
-  trace.tree = constant_tree<Expression>(mechanism);
+  Trace trace = begin_trace(mechanism);
   trace.in = TracedInputs(mechanism, function, program);
   find_transforms(trace);
   program.results = body(trace);

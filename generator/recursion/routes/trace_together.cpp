@@ -29,14 +29,6 @@ std::vector<Argument> list_once(const std::vector<Argument>& arguments) {
   return once;
 }
 
-/// A trace in the open graph that knows the mechanism but no inputs.
-Trace begin_trace(const Mechanism& mechanism) {
-  Trace trace;
-  trace.mechanism = &mechanism;
-  trace.tree = constant_tree<Expression>(mechanism);
-  return trace;
-}
-
 }  // namespace
 
 Program trace_together(const Mechanism& mechanism, std::span<const Function> functions, int lanes) {
