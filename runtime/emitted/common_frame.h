@@ -186,12 +186,14 @@ struct TlBlocks {
 };
 typedef struct TlBlocks TlBlocks;
 
-/// Copies what is at and below the diagonal of a block of eight rows.
+/// Copies what is at and below the diagonal of a block of eight rows. Rows are read
+/// and written whole, which is faster than parts of changing length.
 TL_INLINE void tl_copy_below(
     const real* from, int32_t rows, int32_t stride, real* to) {
   for (int32_t i = 0; i < rows; ++i) {
-    for (int32_t j = 0; j <= i; ++j) {
-      to[(i * stride) + j] = from[(8 * i) + j];
+    for (int32_t j = 0; j < 8; ++j) {
+      const int32_t at = (i * stride) + j;
+      to[at] = (j <= i) ? from[(8 * i) + j] : to[at];
     }
   }
 }
