@@ -193,6 +193,7 @@ constexpr std::pair<const char*, std::string_view const*> kGroundHeaders[] = {
     {"ground_blow", &templates::kGroundBlow},
     {"ground_motion", &templates::kGroundMotion},
     {"ground_points", &templates::kGroundPoints},
+    {"ground_paths", &templates::kGroundPaths},
     {"ground_step", &templates::kGroundStep}};
 
 }  // namespace

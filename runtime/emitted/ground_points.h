@@ -2,7 +2,7 @@
 // Points of a robot's shapes that are in the ground z < 0 or near it: of links that
 // move as one at most four, the lowest and those that span most.
 
-#include "ground_motion.h"
+#include "ground_paths.h"
 
 /// A point near the ground; `arm` leads to it from the origin of TlGroundPose.
 struct TlGroundTouch {
@@ -27,6 +27,16 @@ struct TlGroundGroup {
   int32_t count;
 };
 typedef struct TlGroundGroup TlGroundGroup;
+
+/// What counts as near the ground: what is lower than a margin, or was before a step
+/// at the speed that it has now. In a flight a light foot under a strong motor turns
+/// away from a ground on which it stands.
+struct TlGroundNearness {
+  real margin;  // m
+  real dt;  // s
+  real twist[6];  // of a group: linear at the origin of TlGroundPose, angular
+};
+typedef struct TlGroundNearness TlGroundNearness;
 
 /// Whether the ball about a group reaches below a margin. `heights` are those of
 /// tl_find_heights: of each group the world's z axis in its own, and its height.
@@ -78,24 +88,41 @@ TL_INLINE void tl_lay_rim(const real* R, int32_t shape, real* steepest, real* le
   }
 }
 
-/// Adds middle + radius * along if that is below the margin.
-TL_INLINE void tl_add_point(const TlGroundTouch* middle, const real* along,
-    real radius, real margin, TlGroundGroup* found) {
-  if (((radius * along[2]) - middle->depth) < margin) {
-    TlGroundTouch* const point = &found->list[found->count];
-    *point = *middle;
-    for (int32_t i = 0; i < 3; ++i) {
-      point->arm[i] += radius * along[i];
-    }
-    point->depth -= radius * along[2];
-    ++found->count;
+/// A speed above that with which any point of a group rises, at least 0.
+TL_FUNCTION real tl_largest_rise(
+    const TlGroundPose* at, int32_t group, const TlGroundNearness* near) {
+  const real* const ball = &TL_GROUND_BALLS[4 * group];
+  const real* const w = &near->twist[3];
+  real arm[3];
+  tl_turn(&at->rotation[9 * group], ball, &arm[0]);
+  for (int32_t i = 0; i < 3; ++i) {
+    arm[i] += at->position[(3 * group) + i];
   }
+  const real rise = near->twist[2] + ((w[0] * arm[1]) - (w[1] * arm[0])) +
+      (ball[3] * tl_square_root((w[0] * w[0]) + (w[1] * w[1])));
+  return (rise > TL_ZERO) ? rise : TL_ZERO;
 }
 
-/// Adds the points of a shape that are below a margin: of a ball the lowest, of a rim
-/// the lowest, the highest and the two between.
+/// Adds middle + radius * along if that is near.
+TL_INLINE void tl_add_point(const TlGroundTouch* middle, const real* along,
+    real radius, const TlGroundNearness* near, TlGroundGroup* found) {
+  TlGroundTouch* const point = &found->list[found->count];
+  *point = *middle;
+  for (int32_t i = 0; i < 3; ++i) {
+    point->arm[i] += radius * along[i];
+  }
+  point->depth -= radius * along[2];
+  const real gap = -point->depth;
+  const real rise = near->twist[2] +
+      ((near->twist[3] * point->arm[1]) - (near->twist[4] * point->arm[0]));
+  found->count +=
+      ((gap < near->margin) || ((gap - (near->dt * rise)) < near->margin)) ? 1 : 0;
+}
+
+/// Adds the points of a shape that are near: of a ball the lowest, of a rim the
+/// lowest, the highest and the two between.
 TL_FUNCTION void tl_add_shape(const TlGroundPose* at, int32_t group, int32_t shape,
-    real margin, TlGroundGroup* found) {
+    const TlGroundNearness* near, TlGroundGroup* found) {
   const real* const R = &at->rotation[9 * group];
   const real* const axis = &TL_GROUND_AXES[3 * shape];
   const bool is_rim =
@@ -118,7 +145,7 @@ TL_FUNCTION void tl_add_shape(const TlGroundPose* at, int32_t group, int32_t sha
     for (int32_t side = 0; side < (is_rim ? 4 : 1); ++side) {
       middle.id = (4 * i) + side;
       tl_add_point(&middle, (side < 2) ? &steepest[0] : &level[0],
-          ((side % 2) == 0) ? radius : -radius, margin, found);
+          ((side % 2) == 0) ? radius : -radius, near, found);
     }
   }
 }
@@ -215,18 +242,24 @@ TL_INLINE void tl_sort_in(const TlGroundTouch* point, TlGroundTouches* found) {
   found->count += is_full ? 0 : 1;
 }
 
-/// All points below a margin.
+/// All points that are lower than a margin, or were before a step of `dt` seconds at
+/// the velocities `qd`.
 TL_FUNCTION void tl_find_touches(const TlGroundPose* at, const real* heights,
-    real margin, TlGroundTouches* found) {
+    const real* qd, real margin, real dt, TlGroundTouches* found) {
   TlGroundGroup points;
+  TlGroundNearness near;
+  near.margin = margin;
+  near.dt = dt;
   found->count = 0;
   found->left_out = 0;
   for (int32_t group = 0; group < TL_GROUND_GROUPS; ++group) {
-    if (tl_may_touch(heights, group, margin)) {
+    tl_twist_of(at, qd, group, &near.twist[0]);
+    if (tl_may_touch(
+            heights, group, margin + (dt * tl_largest_rise(at, group, &near)))) {
       points.count = 0;
       for (int32_t shape = TL_GROUND_SHAPES_OF[group];
            shape < TL_GROUND_SHAPES_OF[group + 1]; ++shape) {
-        tl_add_shape(at, group, shape, margin, &points);
+        tl_add_shape(at, group, shape, &near, &points);
       }
       if (points.count > 0) {
         tl_keep_extremes(&points);

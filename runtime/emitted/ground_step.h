@@ -6,10 +6,10 @@
 #include "ground_blow.h"
 
 /// The points in the ground after a flight, and with them what the fastest of these
-/// would reach in another step.
+/// would reach in another step, and what was so near before.
 TL_FUNCTION void tl_touches_after(const TlGroundPose* at, const real* heights,
     const real* qd, real dt, TlGroundTouches* found) {
-  tl_find_touches(at, heights, TL_ZERO, found);
+  tl_find_touches(at, heights, qd, TL_ZERO, TL_ZERO, found);
   real fastest = TL_ZERO;
   for (int32_t c = 0; c < found->count; ++c) {
     real v[3];
@@ -17,7 +17,8 @@ TL_FUNCTION void tl_touches_after(const TlGroundPose* at, const real* heights,
     fastest = (-v[2] > fastest) ? -v[2] : fastest;
   }
   if ((found->left_out == 0) && (fastest > TL_ZERO)) {
-    tl_find_touches(at, heights, fastest * dt, found);
+    const real touching = TL_REAL(1e-6);  // m
+    tl_find_touches(at, heights, qd, tl_larger(touching, fastest * dt), dt, found);
   }
 }
 

@@ -137,7 +137,7 @@ Ground::Ground(const Model& model, std::vector<GroundShape> shapes, std::vector<
   for (const GroundShape& shape : shapes_) groups_.push_back(carrier(shape));
 }
 
-GroundTouches Ground::touches(const Model& model, const State& state, double margin) const {
+GroundTouches Ground::touches(const Model& model, const State& state, const Nearness& near) const {
   const auto k = interpreter::kinematics<double>(model, state.q, state.qd);
   GroundTouches found;
   std::vector<Touch> of_group;
@@ -145,9 +145,8 @@ GroundTouches Ground::touches(const Model& model, const State& state, double mar
     const GroundShape& shape = shapes_[i];
     int which = 0;
     visit_points(shape, k, [&](const Vector3& point) {
-      ++which;
-      if (!(point.z() < margin)) return;
-      of_group.push_back(touch_of(static_cast<int>(i), which, shape.body, point));
+      const Touch touch = touch_of(static_cast<int>(i), ++which, shape.body, point);
+      if (near.has(point.z(), upward_speed(touch, k))) of_group.push_back(touch);
     });
     if (i + 1 < shapes_.size() && groups_[i + 1] == groups_[i]) continue;
     keep_extremes(of_group);
@@ -164,8 +163,8 @@ GroundTouches Ground::touches(const Model& model, const State& state, double mar
   for (const JointRange& range : ranges_) {
     const double q = state.q[range.q];
     const double qd = state.qd[range.v];
-    if (q - range.lower < margin) add_stop(range.v, 1, range.lower - q, qd, found);
-    if (range.upper - q < margin) add_stop(range.v, -1, q - range.upper, -qd, found);
+    if (near.has(q - range.lower, qd)) add_stop(range.v, 1, range.lower - q, qd, found);
+    if (near.has(range.upper - q, -qd)) add_stop(range.v, -1, q - range.upper, -qd, found);
   }
   return found;
 }

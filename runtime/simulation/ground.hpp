@@ -33,6 +33,19 @@ struct GroundTouches {
   int left_out = 0;            ///< points in the ground, and joints, beyond the most that count
 };
 
+/// What counts as near a surface: what is nearer than a margin, or was before a step at the speed
+/// that it has now. In a flight a light foot under a strong motor turns away from a ground on which
+/// it stands.
+struct Nearness {
+  double margin = 0;  ///< m or rad
+  double step = 0;    ///< s
+
+  /// `gap` is the distance, `speed` that away from the surface.
+  [[nodiscard]] bool has(double gap, double speed) const {
+    return gap < margin || gap - step * speed < margin;
+  }
+};
+
 /// The ground z < 0, and what of a robot may touch it; and the stops of its joints. Links that
 /// cannot move touch nothing.
 class Ground {
@@ -42,10 +55,10 @@ class Ground {
 
   /// Whether any link that moves has a shape.
   [[nodiscard]] bool is_in_reach() const { return !shapes_.empty(); }
-  /// The points that are lower than `margin` (m): of links that move as one at most four, the
-  /// lowest and those that span most; of all the deepest. And the joints that are farther than
-  /// `-margin` (rad, m) beyond their ranges.
-  [[nodiscard]] GroundTouches touches(const Model& model, const State& state, double margin) const;
+  /// The points that are near: of links that move as one at most four, the lowest and those that
+  /// span most; of all the deepest. And the joints that are near the ends of their ranges.
+  [[nodiscard]] GroundTouches touches(const Model& model, const State& state,
+                                      const Nearness& near) const;
   /// The lowest point of all; its shape is an index into `shapes`.
   [[nodiscard]] Touch lowest(const Model& model, const Vector& q) const;
   [[nodiscard]] const std::vector<GroundShape>& shapes() const { return shapes_; }

@@ -15,8 +15,8 @@ struct Step {
   [[nodiscard]] bool is_fast(const Touch& touch, double speed) const {
     return touch.joint < 0 && speed < -robot.surface.slow;
   }
-  [[nodiscard]] GroundTouches touches(const State& state, double margin) const {
-    return robot.ground.touches(robot.model, state, margin);
+  [[nodiscard]] GroundTouches touches(const State& state, const Nearness& near) const {
+    return robot.ground.touches(robot.model, state, near);
   }
   [[nodiscard]] double energy(const State& state) const {
     return mechanical_energy(robot.model, state);
@@ -43,12 +43,13 @@ void count(const Blow& blow, Step& step) {
 }
 
 /// Touches after a flight of `dt`: what is in the ground, and with it what the fastest of these
-/// would reach in another step.
+/// would reach in another step, and what was so near before.
 GroundTouches touches_after(const Step& step, const State& flown, double dt) {
-  GroundTouches found = step.touches(flown, 0);
+  GroundTouches found = step.touches(flown, {});
   if (found.touches.empty() || found.left_out > 0) return found;
   const double fastest = -*std::min_element(found.speeds.begin(), found.speeds.end());
-  return fastest > 0 ? step.touches(flown, fastest * dt) : found;
+  constexpr double kTouching = 1e-6;  // m
+  return fastest > 0 ? step.touches(flown, {std::max(kTouching, fastest * dt), dt}) : found;
 }
 
 /// The share of a flight for which a change of velocities acts: half of it, or as long as the
@@ -118,7 +119,7 @@ struct FastPoint {
 
 /// The deepest of these below `margin` (m); where there is none, one at the margin.
 FastPoint deepest_fast(const Step& step, const State& state, double margin) {
-  const GroundTouches found = step.touches(state, margin);
+  const GroundTouches found = step.touches(state, {margin});
   FastPoint deepest{-margin, 0};
   for (std::size_t i = 0; i < found.touches.size(); ++i) {
     const FastPoint point{found.touches[i].depth, found.speeds[i]};
@@ -165,7 +166,7 @@ std::optional<double> time_of_bounce(const Step& step, double time, double dt, c
 /// Strikes everything that touches, by Newton's law.
 void bounce(Step& step, double dt, State& state) {
   constexpr double kTouching = 1e-9;  // m
-  GroundTouches found = step.touches(state, std::max(kTouching, step.robot.surface.slow * dt));
+  GroundTouches found = step.touches(state, {std::max(kTouching, step.robot.surface.slow * dt)});
   const Blow blow = strike(step.robot.model, std::move(found.touches), step.robot.surface, state);
   count(blow, step);
   step.account.energy += blow.energy;

@@ -180,7 +180,7 @@ TEST(Ground, ChoosesPointsThatABodyCanStandOn) {
   }
   const Ground ground(sample.model, {many});
   sample.state.q(2) = 0.0999;
-  const GroundTouches found = ground.touches(sample.model, sample.state, 0);
+  const GroundTouches found = ground.touches(sample.model, sample.state, {});
   ASSERT_EQ(found.touches.size(), 4U);
   for (const Touch& touch : found.touches) {
     EXPECT_NEAR(std::abs(touch.position.x()), 0.2, 1e-12);
@@ -194,7 +194,7 @@ TEST(Ground, CountsWhatIsBeyondTheMost) {
   std::vector<GroundShape> shapes;
   for (int i = 0; i < 6; ++i) shapes.push_back(box_on(i, {0.1, 0.1, 0.1}));
   const Ground ground(sample.model, shapes);
-  const GroundTouches found = ground.touches(sample.model, sample.state, 0);  // all at z = 0
+  const GroundTouches found = ground.touches(sample.model, sample.state, {});  // all at z = 0
   EXPECT_EQ(found.touches.size(), 16U);
   EXPECT_EQ(found.left_out, 8);
   EXPECT_EQ(found.speeds.size(), 16U);
@@ -206,7 +206,7 @@ TEST(Ground, CountsStopsBeyondTheMostOfABlow) {
   auto ranges = ranges_about(sample, 0);
   for (JointRange& range : ranges) range.upper = (range.lower += 0.1) + 1;  // all are beyond
   const Ground ground(sample.model, {}, ranges);
-  const GroundTouches found = ground.touches(sample.model, sample.state, 0);
+  const GroundTouches found = ground.touches(sample.model, sample.state, {});
   EXPECT_EQ(found.touches.size(), static_cast<std::size_t>(kMostTouches));
   EXPECT_EQ(found.left_out, sample.model.nv - kMostTouches);
   State state = sample.state;
