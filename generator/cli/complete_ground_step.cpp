@@ -47,11 +47,18 @@ void refuse_ground_step(const Robot& robot, const Scene& scene, Diagnostics& dia
 void complete_ground_step(const RobotWithFiles& read, Scene& scene, Diagnostics& diagnostics) {
   if (!scene.ground_step) return;
   refuse_ground_step(read.robot, scene, diagnostics);
-  const auto places = read_mesh_places({}, diagnostics);
-  if (!places) return;
-  for (const auto& shape : read_ground_shapes(read.files, *places, diagnostics)) {
-    scene.touches.push_back(touch_of(shape));
+  if (const auto places = read_mesh_places({}, diagnostics)) {
+    scene.touches = read_touches(read.files, *places, diagnostics);
   }
+}
+
+std::vector<SceneTouch> read_touches(const RobotFiles& files, const drive::MeshPlaces& places,
+                                     Diagnostics& diagnostics) {
+  std::vector<SceneTouch> touches;
+  for (const auto& shape : read_ground_shapes(files, places, diagnostics)) {
+    touches.push_back(touch_of(shape));
+  }
+  return touches;
 }
 
 }  // namespace treeline

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/complete_ground_step.hpp"
 #include "cli/driver.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/find_all_meshes.hpp"
@@ -43,6 +44,7 @@ struct DriveOptions {
   std::string script, reference, replay;
   MeshOptions meshes;
   bool headless = false;
+  bool ground = false;
   std::string robot = "simulated";
   std::string act_as_robot, robot_secret;
 };
@@ -81,6 +83,10 @@ std::optional<LaunchedRobot> launch_from(DriveOptions& options, const drive::Mes
     if (is_watched()) show_progress("  " + what);
   };
   auto surroundings = surroundings_of(inputs->files.scene_text, inputs->robot);
+  if (options.ground && !surroundings.ground) surroundings.ground.emplace();
+  if (surroundings.ground) {
+    inputs->scene.touches = read_touches(inputs->files, places, diagnostics);
+  }
   const auto accepts = [&](const drive::RobotDescription& robot) {
     return read_motion_and_robot(options, robot, diagnostics);
   };
@@ -120,7 +126,7 @@ bool read_script(const std::string& path, DriveSettings& drive, Diagnostics& dia
 
 /// A robot elsewhere has the friction that it has.
 void refuse_imperfect_hardware(const DriveOptions& options, Diagnostics& diagnostics) {
-  const std::string given = options.simulation.first_given();
+  const std::string given = options.ground ? "--ground" : options.simulation.first_given();
   if (given.empty() || options.drive.udp_robot.empty()) return;
   diagnostics.add({Severity::error, "", 0, given, "this is of a simulated robot, --robot is not",
                    "Give it to the process that has --act-as-robot."});
@@ -295,6 +301,8 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
                   "Address of this machine that others may reach; they can watch")
       ->capture_default_str();
   add_robot_options(command, options);
+  command.add_flag("--ground", options.ground,
+                   "It stands on the ground z < 0, also where the scene has no key `ground`");
   command.add_option("--q", drive.start, "Where it starts, separated by commas; else near 0")
       ->delimiter(',')
       ->check(any_number());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/find_bent_start.hpp"
+#include "cli/find_standing_start.hpp"
 #include "cli/find_start.hpp"
 #include "cli/loop_handle.hpp"
 #include "cli/robot_shapes.hpp"
@@ -46,15 +47,22 @@ void stand_on_ground(const LaunchedRobot& robot, const RobotShapes& shapes,
   start[static_cast<std::size_t>(z - coordinates.begin())] -= shapes.lowest(start);
 }
 
-/// Where all joints are at 0, or as near as the robot can hold its weight and move its points, and
-/// no link is in another.
-std::vector<double> choose_start(const LaunchedRobot& robot) {
+/// A start whose lowest point is not in the ground; else empty, with an error.
+std::vector<double> above_ground(const LaunchedRobot& robot, std::vector<double> start,
+                                 Diagnostics& diagnostics) {
+  constexpr double kTyped = 1e-3;  // m: coordinates are typed to so many digits
+  const double lowest = start.empty() ? 0 : RobotShapes(robot).lowest(start);
+  if (lowest >= -kTyped) return start;
+  diagnostics.add({Severity::error, "", 0, "--q",
+                   fmt::format("the robot would start {:.4g} m deep in the ground", -lowest),
+                   "Give --q with a place above it."});
+  return {};
+}
+
+/// Where joints are near 0 and the robot can hold its weight and move its points.
+std::vector<double> choose_place(const LaunchedRobot& robot, std::vector<double> start,
+                                 const AdmitsStart& is_clear) {
   const drive::RobotLibrary& library = robot.library.functions();
-  std::vector<double> start = default_start(robot.description);
-  const RobotShapes shapes(robot);
-  const AdmitsStart is_clear = [&shapes, first = start](const std::vector<double>& q) {
-    return shapes.is_clear(q, first);
-  };
   if (const auto better = find_holdable_start(library, robot.description, start, is_clear)) {
     print_message(
         "with all joints at 0 the robot cannot hold its weight: it starts elsewhere; --q "
@@ -66,6 +74,26 @@ std::vector<double> choose_start(const LaunchedRobot& robot) {
         "with its joints near 0 the robot cannot move its points in every direction: it "
         "starts bent; --q chooses the place\n");
     start = *better;
+  }
+  return start;
+}
+
+/// Where all joints are at 0, or as near as the robot can hold its weight and move its points or
+/// stand on its feet, and no link is in another.
+std::vector<double> choose_start(const LaunchedRobot& robot) {
+  std::vector<double> start = default_start(robot.description);
+  const RobotShapes shapes(robot);
+  const AdmitsStart is_clear = [&shapes, first = start](const std::vector<double>& q) {
+    return shapes.is_clear(q, first);
+  };
+  if (!robot.description.on_ground || !robot.description.held) {
+    start = choose_place(robot, start, is_clear);
+  } else if (const auto standing = find_standing_start(robot, start, is_clear)) {
+    start = *standing;
+  } else {
+    print_message(
+        "no place was found at which the robot stands with its centre of mass above its feet: "
+        "--q chooses one\n");
   }
   stand_on_ground(robot, shapes, start);
   return start;
@@ -86,7 +114,9 @@ bool has_as_many(const drive::RobotDescription& robot, const std::vector<double>
 std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<double>& given,
                              Diagnostics& diagnostics) {
   if (!has_as_many(robot.description, given, diagnostics)) return {};
-  return closed(robot, given.empty() ? choose_start(robot) : given, diagnostics);
+  std::vector<double> start =
+      closed(robot, given.empty() ? choose_start(robot) : given, diagnostics);
+  return robot.description.on_ground ? above_ground(robot, std::move(start), diagnostics) : start;
 }
 
 std::optional<std::string> read_robot_secret(const std::string& file, Diagnostics& diagnostics) {

@@ -1,6 +1,7 @@
 #include "cli/robot_shapes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "cli/convex_distance.hpp"
@@ -46,18 +47,40 @@ double reach_of(const Visual& shape) {
   return std::hypot(shape.size.x(), 0.5 * shape.size.y());
 }
 
+/// The height of the lowest point of what may touch the ground, of a link at `pose`, m.
+double lowest_of(const SceneTouch& touch, const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d axis(touch.axis.data());
+  const double slope = (pose.linear() * axis).z();
+  const double below = touch.radius * std::sqrt(std::max(0.0, 1 - slope * slope));
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const auto& point : touch.points) {
+    lowest = std::min(lowest, (pose * Eigen::Vector3d(point.data())).z() - below);
+  }
+  return lowest;
+}
+
 }  // namespace
 
 RobotShapes::RobotShapes(const LaunchedRobot& robot) : placer_(robot.robot, robot.scene) {
   Diagnostics diagnostics;  // they have been said of the robot
   const auto& links = robot.robot.links;
+  const auto find_link = [&](const std::string& name) {
+    const auto is_it = [&](const Link& each) { return each.name == name; };
+    const auto found = std::find_if(links.begin(), links.end(), is_it);
+    return static_cast<std::size_t>(found - links.begin());
+  };
   for (const Visual& shape :
        read_collisions(robot.description.urdf, robot.robot.file, diagnostics)) {
-    const auto link = std::find_if(links.begin(), links.end(),
-                                   [&](const Link& each) { return each.name == shape.link; });
-    if (link == links.end() || shape.kind == VisualKind::mesh || shape.size.isZero()) continue;
+    const std::size_t link = find_link(shape.link);
+    if (link == links.size() || shape.kind == VisualKind::mesh || shape.size.isZero()) continue;
     shapes_.push_back(shape);
-    links_.push_back(static_cast<std::size_t>(link - links.begin()));
+    links_.push_back(link);
+  }
+  for (const SceneTouch& touch : robot.scene.touches) {
+    const std::size_t link = find_link(touch.link);
+    if (link == links.size()) continue;
+    touches_.push_back(touch);
+    touched_links_.push_back(link);
   }
   const auto near = find_near(robot.robot);
   for (std::size_t j = 0; j < shapes_.size(); ++j) {
@@ -93,7 +116,12 @@ bool RobotShapes::is_clear(const std::vector<double>& q, const std::vector<doubl
 
 double RobotShapes::lowest(const std::vector<double>& q) const {
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Eigen::Isometry3d& pose : placer_.place(q)) {
+  const auto poses = placer_.place(q);
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    lowest = std::min(lowest, lowest_of(touches_[i], poses[touched_links_[i]]));
+  }
+  if (!touches_.empty()) return lowest;
+  for (const Eigen::Isometry3d& pose : poses) {
     lowest = std::min(lowest, pose.translation().z());
   }
   for (const Visual& shape : place(q)) lowest = std::min(lowest, lowest_of(shape));

@@ -10,7 +10,8 @@
 
 namespace treeline {
 
-/// The boxes, cylinders and spheres by which a robot collides, where it has any.
+/// The boxes, cylinders and spheres by which a robot collides, where it has any, and what of it may
+/// touch the ground it is driven on.
 class RobotShapes {
  public:
   explicit RobotShapes(const LaunchedRobot& robot);
@@ -18,7 +19,8 @@ class RobotShapes {
   /// Whether no two links come nearer to each other than 5 mm, or than they are at `other`. Links
   /// that at most two joints connect may: shapes meet where joints turn.
   [[nodiscard]] bool is_clear(const std::vector<double>& q, const std::vector<double>& other) const;
-  /// z of the lowest shape, or of the lowest frame of a link, m.
+  /// z of the lowest point that may touch the ground; without a ground that of the lowest shape, or
+  /// of the lowest frame of a link, m.
   [[nodiscard]] double lowest(const std::vector<double>& q) const;
 
  private:
@@ -28,6 +30,8 @@ class RobotShapes {
   LinkPlacer placer_;
   std::vector<Visual> shapes_;
   std::vector<std::size_t> links_;  ///< of each shape
+  std::vector<SceneTouch> touches_;
+  std::vector<std::size_t> touched_links_;  ///< of each touch
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;
 };
 

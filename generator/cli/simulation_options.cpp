@@ -138,6 +138,10 @@ std::optional<SimulationNumbers> read_simulation(const SimulationTexts& texts,
     list.resize(static_cast<std::size_t>(robot.velocities));
     for (const std::string& given : texts.*part.text) reader.read(given, list);
   }
+  if (robot.on_ground && !texts.backlash.empty()) {
+    diagnostics.add({Severity::error, "", 0, "--backlash", "on a ground gears have no play",
+                     "Leave it out, or the ground."});
+  }
   const double cycles = std::round(texts.delay * rate);
   if (cycles > drive::kLongestDelay) {
     diagnostics.add(

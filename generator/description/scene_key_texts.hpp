@@ -98,9 +98,9 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "reference/driving.md#obstacles"},
     {"ground", "`friction`, `restitution` (0 to 1), `step` (`true` or `false`)",
      "none; 0.8, 0 and false", "ground: {friction: 0.6, restitution: 0.3}",
-     "The ground z < 0, on which `simulate` lets the robot fall, stand and slide. With `step: "
-     "true` "
-     "the code has a step of time on it, NAME_ground.h.",
+     "The ground z < 0, on which `simulate` lets the robot fall, stand and slide, and `drive` lets "
+     "it "
+     "stand. With `step: true` the code has a step of time on it, NAME_ground.h.",
      "how-to/ground.md"},
     {"avoidance", "`reach`, `clearance` (m), `strength` (m⁴/s²), `points: [{link, xyz}]`",
      "0.15, 0.02, 5e-4; no points",

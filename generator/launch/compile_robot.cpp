@@ -23,6 +23,17 @@ struct PartSource {
   bool is_loop = false;
 };
 
+void list_ground_sources(const CompiledPart& part, const fs::path& work,
+                         std::vector<PartSource>& sources) {
+  for (const Source& source : part.generation->sources) {
+    const fs::path file = source.file;
+    if (!source.file.starts_with("ground")) continue;
+    sources.push_back({work / part.name / file,
+                       work / (part.name + "_" + file.stem().string() + ".o"), source.flags.is_long,
+                       false});
+  }
+}
+
 std::vector<PartSource> list_sources(const std::vector<CompiledPart>& parts, const fs::path& work) {
   std::vector<PartSource> sources = {{work / "robot.cpp", work / "robot.o", false, true}};
   for (const CompiledPart& part : parts) {
@@ -31,6 +42,7 @@ std::vector<PartSource> list_sources(const std::vector<CompiledPart>& parts, con
       sources.push_back({work / part.name / (stem + ".cpp"), work / (part.name + "_" + stem + ".o"),
                          is_long(generated.program), false});
     }
+    if (part.has_ground) list_ground_sources(part, work, sources);
   }
   // The largest first, so that none is left at the end for a single core.
   std::stable_sort(sources.begin(), sources.end(), [](const PartSource& a, const PartSource& b) {

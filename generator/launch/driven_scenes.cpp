@@ -108,6 +108,28 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
   return functions;
 }
 
+/// Refuses what a robot that is driven on a ground does not have.
+void check_ground(const Robot& robot, const Scene& control, const SceneGround& ground,
+                  Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* element, const char* fault, const char* remedy) {
+    diagnostics.add({Severity::error, control.file, 0, element, fault, remedy});
+  };
+  if (!control.loops.empty() || !control.couplings.empty() ||
+      build_mechanism(robot, control).has_mimics()) {
+    refuse("ground", "on a ground no robot with closed loops or followers can be driven",
+           "leave out `ground`, or lock joints that follow others");
+  }
+  if (control.base == Base::floating && control.constraints.empty()) {
+    refuse("ground", "nothing says on which links the robot stands",
+           "list its feet in `constraints`, each between the foot and the world: its motors then "
+           "carry it by these");
+  }
+  if (ground.restitution > 0) {
+    diagnostics.add({Severity::note, control.file, 0, "ground",
+                     "left out while the robot is driven: restitution", ""});
+  }
+}
+
 }  // namespace
 
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
@@ -159,6 +181,20 @@ Scene link_scene(const Robot& robot, const Scene& control) {
     scene.operational_points.push_back(point);
   }
   scene.external_forces = scene.operational_points;
+  return scene;
+}
+
+Scene ground_scene(const Robot& robot, const Scene& control, const SceneGround& ground,
+                   Diagnostics& diagnostics) {
+  check_ground(robot, control, ground, diagnostics);
+  Scene scene = control;
+  scene.name = control.name + "_standing";
+  scene.damped.reset();
+  scene.constraints.clear();
+  scene.passive.clear();
+  scene.operational_points.clear();
+  scene.functions = {Function::forward_dynamics};
+  scene.ground_step = ground;
   return scene;
 }
 

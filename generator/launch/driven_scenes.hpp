@@ -2,6 +2,7 @@
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "description/surroundings.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
@@ -16,5 +17,11 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
 /// The scene for pulling at links: each is a point where a force acts and where its frame is
 /// computed. Its points are empty where pulling is not possible: too many links.
 Scene link_scene(const Robot& robot, const Scene& control);
+
+/// The scene of the simulated robot on a ground: a step of time on it, of the robot that nothing
+/// holds, with the shapes of `control` that may touch it. Errors: what such a step does not have;
+/// a floating base for which no constraint says where it stands.
+Scene ground_scene(const Robot& robot, const Scene& control, const SceneGround& ground,
+                   Diagnostics& diagnostics);
 
 }  // namespace treeline

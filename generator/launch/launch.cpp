@@ -23,11 +23,13 @@ namespace {
 namespace fs = std::filesystem;
 using Tell = std::function<void(const std::string&)>;
 
-/// The generated code of both scenes; that of the links is absent where nothing can be pulled.
+/// The generated code of all scenes. That of the links is absent where nothing can be pulled, that
+/// of the ground where there is none.
 struct Parts {
   Scene control, links;
+  std::optional<Scene> ground;
   Generation control_code;
-  std::optional<Generation> link_code;
+  std::optional<Generation> link_code, ground_code;
 };
 
 std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
@@ -36,6 +38,11 @@ std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
   parts.control = control_scene(input.robot, input.scene, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   parts.links = link_scene(input.robot, parts.control);
+  if (input.surroundings.ground) {
+    parts.ground =
+        ground_scene(input.robot, parts.control, *input.surroundings.ground, diagnostics);
+  }
+  if (diagnostics.has_errors()) return std::nullopt;
   const auto tell_function = [&tell](const std::string& function) {
     tell("generating " + function);
   };
@@ -44,6 +51,11 @@ std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
   auto made = generate_code(input.robot, generated, {}, diagnostics, {}, tell_function);
   if (!made) return std::nullopt;
   parts.control_code = std::move(*made);
+  if (parts.ground) {
+    parts.ground_code =
+        generate_code(input.robot, *parts.ground, {}, diagnostics, {}, tell_function);
+    if (!parts.ground_code) return std::nullopt;
+  }
   if (parts.links.operational_points.empty()) return parts;
   Diagnostics of_links;  // what is said of the links has been said of the robot
   parts.link_code = generate_code(input.robot, parts.links, {}, of_links, {}, tell_function);
@@ -58,6 +70,7 @@ std::optional<drive::RobotDescription> describe(const LaunchInput& input, const 
   if (!describe_surroundings(input.surroundings, parts.control, description, diagnostics)) {
     return std::nullopt;
   }
+  description.on_ground = parts.ground.has_value();
   description.checksum = checksum_of(input.urdf_text, input.scene_text);
   description.urdf = input.urdf_text;
   return description;
@@ -69,19 +82,24 @@ bool write_parts(const LaunchInput& input, const Parts& parts, const fs::path& w
   if (parts.link_code) {
     written = write_files(work / parts.links.name, parts.link_code->files, diagnostics) && written;
   }
+  if (parts.ground_code) {
+    written =
+        write_files(work / parts.ground->name, parts.ground_code->files, diagnostics) && written;
+  }
   for (const auto& [name, text] : launch_templates::kIncluded) {
     written = written && write_work_file(work / "runtime" / name, std::string(text), diagnostics);
   }
-  return written &&
-         write_work_file(work / "robot.cpp",
-                         print_robot(input.robot, parts.control, parts.control_code, parts.links),
-                         diagnostics);
+  return written && write_work_file(work / "robot.cpp",
+                                    print_robot(input.robot, parts.control, parts.control_code,
+                                                parts.links, parts.ground),
+                                    diagnostics);
 }
 
 fs::path compile_parts(const Parts& parts, const fs::path& work, const Tell& tell,
                        Diagnostics& diagnostics) {
   std::vector<CompiledPart> compiled = {{parts.control.name, &parts.control_code}};
   if (parts.link_code) compiled.push_back({parts.links.name, &*parts.link_code});
+  if (parts.ground_code) compiled.push_back({parts.ground->name, &*parts.ground_code, true});
   return compile_robot(
       compiled, work,
       [&tell](int done, int total) { tell(fmt::format("compiled {}/{}", done, total)); },

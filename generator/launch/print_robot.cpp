@@ -9,6 +9,7 @@
 #include "emission/fill_template.hpp"
 #include "launch/describe_robot.hpp"
 #include "launch/print_closed_loops.hpp"
+#include "launch/print_soles.hpp"
 #include "launch/templates.hpp"
 #include "text/printable.hpp"
 
@@ -109,15 +110,41 @@ std::string print_functions(const Scene& control, const Generation& generation,
   return text;
 }
 
+/// The step of time on a ground, how the robot moves where nothing touches it, and how one that
+/// stands by its feet is braked.
+std::string print_ground_step(const std::string& name, bool stands) {
+  const char* const braking =
+      "\n  static void braking_dynamics(const double (&q)[kCoordinates], const double "
+      "(&)[kVelocities],\n"
+      "                               const double (&qdd)[kVelocities], double "
+      "(&tau)[kVelocities]) noexcept {\n"
+      "    treeline::drive::brake_standing<Robot>(q, qdd, tau);\n  }";
+  return fmt::format(
+      "\n{1}"
+      "  using GroundMemory = {0}_ground_memory;\n"
+      "  static void ground_step(double dt, const double (&tau)[kVelocities], double "
+      "(&q)[kCoordinates],\n"
+      "                          double (&qd)[kVelocities], GroundMemory& memory) noexcept {{\n"
+      "    {0}_ground ground;\n"
+      "    {0}_ground_report report;\n"
+      "    {0}_default_ground(&ground);\n"
+      "    {0}_ground_step(&ground, dt, tau, q, qd, &memory, &report);\n"
+      "  }}{2}",
+      name, print_alias("flight_dynamics", name, "forward_dynamics"), stands ? braking : "");
+}
+
 }  // namespace
 
 std::string print_robot(const Robot& robot, const Scene& control, const Generation& generation,
-                        const Scene& links) {
+                        const Scene& links, const std::optional<Scene>& ground) {
   std::string includes = fmt::format("#include \"{}.hpp\"", control.name);
   const bool is_damped = control.damped && !is_closed(control);
   if (is_damped) includes += fmt::format("\n#include \"{}_damped.hpp\"", control.name);
   if (!links.operational_points.empty()) {
     includes += fmt::format("\n#include \"{}.hpp\"", links.name);
+  }
+  if (ground) {
+    includes += fmt::format("\n#include \"{0}.hpp\"\n#include \"{0}_ground.h\"", ground->name);
   }
   const Mechanism& mechanism = generation.mechanism;
   return fill_template(
@@ -131,7 +158,11 @@ std::string print_robot(const Robot& robot, const Scene& control, const Generati
        {"links", std::to_string(links.operational_points.size())},
        {"has_center_of_mass", has(generation, Function::center_of_mass) ? "true" : "false"},
        {"floating", fmt::format("{{{}}}", fmt::join(floating_joints(mechanism), ", "))},
-       {"functions", print_functions(control, generation, links)}});
+       {"functions",
+        print_functions(control, generation, links) +
+            (ground ? print_ground_step(ground->name, is_closed(control)) : std::string()) +
+            (ground && is_closed(control) ? print_soles(robot, *ground, control)
+                                          : std::string())}});
 }
 
 }  // namespace treeline

@@ -10,6 +10,7 @@
 #include "core/ldlt.hpp"
 #include "core/orientation.hpp"
 #include "drive/avoidance.hpp"
+#include "drive/ground.hpp"
 #include "drive/instruction.hpp"
 #include "drive/reference_motion.hpp"
 #include "drive/smooth_reference.hpp"
@@ -42,6 +43,7 @@ struct ControlSettings {
 ///   joint    tau = ID(q, qd, qdd_ref + kv (qd_ref - qd) + kp (q_ref - q))
 ///   task     tau = control_torque(q, qd, posture law, xdd_ref + kv (xd_ref - xd) + kp (x_ref - x))
 ///   gravity  tau = ID(q, qd, -damping qd) plus a pull, within limits of position and speed
+/// On a ground a pull is no part of tau: it is the robot's to bear (`push`).
 /// In each, guarded points keep away from obstacles: see `Avoidance`.
 /// Goals are led smoothly. Where the control changes, the torque's step is taken away and fades. A
 /// floating joint has a pose as its goal in every control. Nothing is allocated.
@@ -87,6 +89,8 @@ class DriveController {
   int pulled_link() const noexcept { return pull_link_; }
   const double (&pull_at() const noexcept)[3] { return pull_at_; }
   const double (&pull_force() const noexcept)[3] { return pull_force_; }
+  /// Joint forces of a hand that pulls a robot on a ground, which its motors do not exert.
+  const double (&push() const noexcept)[nv] { return push_; }
   const SmoothNumber& joint(int coordinate) const noexcept { return joints_[at(coordinate)]; }
   const SmoothPose& floating(int joint) const noexcept { return floating_[at(joint)]; }
   const SmoothPose& point(int k) const noexcept { return points_[at(k)]; }
@@ -231,7 +235,7 @@ class DriveController {
                      double velocity) const noexcept;
   void add_acceleration(const State& state, const double (&qdd)[nv], double (&tau)[nv]) noexcept;
   void command_task(double time, const State& state, double* jacobian, double (&tau)[nv]) noexcept;
-  void add_pull(const State& state, double (&tau)[nv]) noexcept;
+  bool add_pull(const State& state, double (&tau)[nv]) noexcept;
   void leave_to_motors(const State& state, double (&tau)[nv]) const noexcept;
   void blend(double time, double (&tau)[nv]) noexcept;
   void cut(double (&tau)[nv]) noexcept;
@@ -267,6 +271,7 @@ class DriveController {
   double pull_share_ = 0.0;   ///< of the spring that acts, 0 to 1
   double pull_at_[3] = {};
   double pull_force_[3] = {};
+  double push_[nv] = {};
 };
 
 }  // namespace treeline::drive

@@ -244,8 +244,7 @@ void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) no
   for_each_joint([&](int, int iv) { qdd[iv] = -kHandDamping * state.qd[iv]; },
                  [](int, int, int) {});
   F::inverse_dynamics(state.q, state.qd, qdd, tau);
-  if (pulled()) {
-    add_pull(state, tau);
+  if (pulled() && add_pull(state, tau)) {
     F::forward_dynamics(state.q, state.qd, tau, qdd);
   }
   avoid_obstacles(state, qdd);
@@ -287,6 +286,7 @@ template <class F>
 void DriveController<F>::control(double time, const State& state, double (&tau)[nv]) noexcept {
   state_ = state;
   saturated_ = false;
+  std::fill(std::begin(push_), std::end(push_), 0.0);
   advance(time);
   double J[room(task_rows() * nv)];
   if (control_ == Control::gravity) {
@@ -299,8 +299,7 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
     avoid_obstacles(state, qdd);
     F::inverse_dynamics(state.q, state.qd, qdd, tau);
   }
-  if (pulled() && control_ != Control::gravity) {
-    add_pull(state, tau);
+  if (pulled() && control_ != Control::gravity && add_pull(state, tau)) {
     leave_to_motors(state, tau);
   }
   blend(time, tau);

@@ -142,6 +142,10 @@ class DriveLoop {
   void observe(const servo::Report<F>& report) noexcept {
     fill_head(report);
     fill_numbers(report);
+    if constexpr (kIsOnGround<F>) {
+      const double none[nv] = {};
+      robot_.simulated().push(filled_.head.pulled ? controller_.push() : none);
+    }
     if (!reports_.push(filled_)) {
       ++dropped_reports_;
     }
@@ -174,7 +178,7 @@ class DriveLoop {
     double* const numbers = filled_.numbers;
     std::copy_n(report.state.q, nq, numbers + kLayout.q);
     std::copy_n(report.state.qd, nv, numbers + kLayout.qd);
-    std::copy_n(report.tau, nv, numbers + kLayout.tau);
+    std::copy_n(robot_.torque(), nv, numbers + kLayout.tau);
     const bool running = report.mode == servo::Mode::running;
     for (int i = 0; i < nq; ++i) {
       numbers[kLayout.goal + i] = running ? controller_.joint(i).position() : report.state.q[i];

@@ -175,9 +175,10 @@ void DriveController<F>::command_task(double time, const State& state, double* j
   }
 }
 
-/// A spring from the link to the hand: J^T f.
+/// Finds the spring from the link to the hand, J^T f. Returns whether the motors pull by it: on a
+/// ground a hand is outside.
 template <class F>
-void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcept {
+bool DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcept {
   hand_.place(state.q);
   hand_.place_of(pull_link_, pull_on_link_, pull_at_);
   double squared = 0.0;
@@ -194,8 +195,9 @@ void DriveController<F>::add_pull(const State& state, double (&tau)[nv]) noexcep
   double added[nv] = {};
   hand_.joint_forces(state.q, pull_link_, pull_at_, pull_force_, added);
   for (int i = 0; i < nv; ++i) {
-    tau[i] += added[i];
+    (kIsOnGround<F> ? push_ : tau)[i] += added[i];
   }
+  return !kIsOnGround<F>;
 }
 
 }  // namespace treeline::drive

@@ -1,5 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <type_traits>
+
+#include "drive/flat_feet.hpp"
 #include "drive/imperfect_robot.hpp"
 #include "drive/robot_library.hpp"
 
@@ -15,7 +21,10 @@ class DrivenRobot {
               const LoopOptions& options) noexcept
       : simulated_(start, options.substeps, floating, options.simulation, options.surroundings,
                    options.lower, options.upper),
-        external_(options.robot) {}
+        external_(options.robot) {
+    if constexpr (kStands) feet_.emplace(start.q);
+    std::copy_n(options.torque, F::kVelocities, limit_);
+  }
 
   bool connected() const noexcept {
     return external_.connected == nullptr || external_.connected(external_.self);
@@ -28,34 +37,51 @@ class DrivenRobot {
     }
   }
   void write(const double (&tau)[F::kVelocities]) noexcept {
-    for (int i = 0; i < F::kVelocities; ++i) {
-      torque_[i] = tau[i];
-    }
+    std::copy(std::begin(tau), std::end(tau), torque_);
     if (external_.connected != nullptr) {
       external_.write(external_.self, tau);
-    } else {
-      simulated_.write(tau);
+      return;
     }
+    if constexpr (kStands) stand();
+    simulated_.write(torque_);
   }
   void pass_time(double seconds) noexcept {
     if (external_.connected == nullptr) {
       simulated_.pass_time(seconds);
     }
   }
-  /// Puts a simulated robot that was lost where it began.
+  /// Whether a simulated robot on a ground lies.
+  bool has_fallen() const noexcept { return is_simulated() && simulated_.has_fallen(); }
+  /// Puts a simulated robot that was lost, or fell, where it began.
   void restore() noexcept {
     if (is_simulated()) simulated_.restore();
   }
   const ImperfectRobot<F>& simulated() const noexcept { return simulated_; }
   ImperfectRobot<F>& simulated() noexcept { return simulated_; }
   bool is_simulated() const noexcept { return external_.connected == nullptr; }
-  /// Torque that was written last.
+  /// Torque that the robot was given last: what was written, on a ground less what its feet cannot
+  /// bear.
   const double (&torque() const noexcept)[F::kVelocities] { return torque_; }
 
  private:
+  static constexpr bool kStands = kIsOnGround<F> && HeldPlaces<F>::kIsHeld;
+  struct Nothing {};
+
+  /// Cuts the torque to what the feet bear; motors of a robot that lies are off.
+  void stand() noexcept {
+    const auto& now = simulated_.links();
+    if (!has_fallen()) feet_->keep(now.q, now.qd, torque_);
+    for (int i = 0; i < F::kVelocities; ++i) {
+      const double limit = has_fallen() ? 0.0 : limit_[i];
+      torque_[i] = std::clamp(torque_[i], -limit, limit);
+    }
+  }
+
   ImperfectRobot<F> simulated_;
   ExternalRobot external_;
+  std::conditional_t<kStands, std::optional<FlatFeet<F>>, Nothing> feet_;
   double torque_[F::kVelocities] = {};
+  double limit_[F::kVelocities];
 };
 
 }  // namespace treeline::drive

@@ -40,7 +40,6 @@ class HeldPlaces {
     }
   }
 
- private:
   static constexpr bool kIsHeld = [] {
     if constexpr (requires { F::kWorldRows; }) {
       return F::kWorldRows > 0;
@@ -55,6 +54,7 @@ class HeldPlaces {
       return 1;
     }
   }();
+  /// Of a hold, in the world.
   struct Frame {
     double p[3] = {};
     double R[9] = {};
@@ -80,6 +80,7 @@ class HeldPlaces {
     }
   }
 
+ private:
   /// By row: the way of the frame's origin, and the sine of its turn.
   void find_drift(const double (&q)[nq], double* drift) const noexcept {
     Frame now[kHolds];

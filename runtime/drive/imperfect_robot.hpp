@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "drive/end_stops.hpp"
+#include "drive/ground.hpp"
 #include "drive/held_places.hpp"
 #include "drive/link_forces.hpp"
 #include "drive/robot_library.hpp"
@@ -51,6 +52,10 @@ class Noise {
 /// out like springs with dampers, without friction. Joints end at `EndStops`. A motion whose
 /// numbers are not finite any more, or beyond 1000 rad/s or m/s, is measured as such once; then the
 /// robot rests where it last was, until `restore` puts it where it began.
+///
+/// On a ground (`kIsOnGround`) it moves by the generated step there: nothing else carries its base,
+/// the motors neither, and it may slip and fall. Once it lies its motors are off, until `restore`
+/// puts it where it began.
 template <class F>
 class ImperfectRobot {
  public:
@@ -94,16 +99,33 @@ class ImperfectRobot {
   void pass_time(double seconds) noexcept {
     lost_ = false;
     for (int step = 0; step < substeps_ && !lost_; ++step) {
-      integrate(seconds / substeps_);
+      if constexpr (kIsOnGround<F>) {
+        step_on_ground(seconds / substeps_);
+      } else {
+        integrate(seconds / substeps_);
+      }
     }
     feel(links_);
     if (has_sensors_) measure(seconds);
   }
 
-  /// A robot whose motion was lost rests where it began; others stay where they are.
+  /// Pushes a robot on a ground by joint forces in every step until this is called again.
+  void push(const double (&force)[nv]) noexcept {
+    if constexpr (kIsOnGround<F>) copy(force, on_ground_.push);
+  }
+
+  /// Whether it lies, once it has stood on its feet.
+  bool has_fallen() const noexcept {
+    if constexpr (kIsOnGround<F>) return on_ground_.fell;
+    return false;
+  }
+
+  /// A robot whose motion was lost, or which fell, rests where it began; others stay where they
+  /// are.
   void restore() noexcept {
-    if (!broken_) return;
+    if (!broken_ && !has_fallen()) return;
     broken_ = lost_ = false;
+    on_ground_ = {};
     links_ = motors_ = measured_ = start_;
     for (auto& entry : line_) std::fill(std::begin(entry), std::end(entry), 0.0);
     std::fill(std::begin(tau_), std::end(tau_), 0.0);
@@ -151,6 +173,7 @@ class ImperfectRobot {
   void accelerations(const State& links, const State& motors, double (&of_links)[nv],
                      double (&of_motors)[nv]) noexcept;
   void integrate(double dt) noexcept;
+  void step_on_ground(double dt) noexcept;
   void accept(const State& links, const State& motors) noexcept;
 
   State start_;
@@ -178,6 +201,7 @@ class ImperfectRobot {
   int obstacle_count_ = 0;
   int guarded_count_ = 0;
   LinkForces<F> link_forces_;
+  OnGround<F> on_ground_;
 };
 
 }  // namespace treeline::drive

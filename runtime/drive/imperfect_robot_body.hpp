@@ -198,6 +198,31 @@ void ImperfectRobot<F>::integrate(double dt) noexcept {
   accept(sum, motor_sum);
 }
 
+template <class F>
+void ImperfectRobot<F>::step_on_ground(double dt) noexcept {
+  double torques[nv];
+  for (int i = 0; i < nv; ++i) {
+    const Joint& joint = joints_[static_cast<std::size_t>(i)];
+    const bool has_motor = joint.coordinate >= 0 && !on_ground_.fell;
+    torques[i] = on_ground_.push[i] + (has_motor ? tau_[i] : 0.0);
+    if (joint.coordinate >= 0) {
+      torques[i] -= servo::friction_torque(joint.friction, links_.qd[i]);
+    }
+  }
+  add_contacts(links_, torques);
+  // Stops push as strongly as they would in flight: what stands on the ground is harder to move.
+  const auto fly = [&](const double(&tau)[nv], double(&qdd)[nv]) {
+    F::flight_dynamics(links_.q, links_.qd, tau, qdd);
+  };
+  double qdd[nv];
+  fly(torques, qdd);
+  stops_.push(links_.q, links_.qd, fly, torques, qdd);
+  State next = links_;
+  F::ground_step(dt, torques, next.q, next.qd, on_ground_.memory);
+  accept(next, motors_);
+  on_ground_.fell = on_ground_.fell || is_down<F>(start_.q, links_.q);
+}
+
 /// Takes the state at the end of a step if it is one.
 template <class F>
 void ImperfectRobot<F>::accept(const State& links, const State& motors) noexcept {

@@ -47,9 +47,10 @@ struct DrivenObstacle {
 /// Properties of a robot for front ends and the command language.
 struct RobotDescription {
   std::string name;
-  std::string checksum;   ///< of the files that it was made of, 16 hexadecimal digits
-  bool floating = false;  ///< the base floats, held by ideal forces, and can be moved
-  bool held = false;      ///< the base floats, and constraints hold the robot to the world
+  std::string checksum;    ///< of the files that it was made of, 16 hexadecimal digits
+  bool floating = false;   ///< the base floats, held by ideal forces, and can be moved
+  bool held = false;       ///< the base floats, and constraints hold the robot to the world
+  bool on_ground = false;  ///< simulated on the ground z < 0, which holds nothing and only pushes
   int velocities = 0;
   std::vector<DrivenCoordinate> coordinates;  ///< in the order of q
   std::vector<DrivenPoint> points;

@@ -241,6 +241,9 @@ class ServoLoop {
     } else if (jumped_) {
       raise(jumped_);
     }
+    if constexpr (requires { robot_.has_fallen(); }) {
+      if (robot_.has_fallen()) raise({FaultKind::fell});
+    }
     follow_back(limits_, report_.state, admitted_);
     if (report_.mode == Mode::running) {
       control();

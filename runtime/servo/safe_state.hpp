@@ -22,7 +22,8 @@ struct BrakeSettings {
 };
 
 /// A robot F as the braking of emitted controllers knows robots. Coordinates are counted by
-/// velocities: those of a floating joint are its way from an anchor.
+/// velocities: those of a floating joint are its way from an anchor. F may have
+/// `braking_dynamics` beside `inverse_dynamics`, by which it is braked.
 template <class F>
 struct SafeRobot {
   using Real = double;
@@ -65,7 +66,11 @@ struct SafeRobot {
                            double (&tau)[kJoints]) noexcept {
     double q[F::kCoordinates];
     go_from<F>(input.anchor, at.q, q);
-    F::inverse_dynamics(q, at.qd, qdd, tau);
+    if constexpr (requires { F::braking_dynamics(q, at.qd, qdd, tau); }) {
+      F::braking_dynamics(q, at.qd, qdd, tau);
+    } else {
+      F::inverse_dynamics(q, at.qd, qdd, tau);
+    }
   }
 };
 

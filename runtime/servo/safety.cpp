@@ -44,6 +44,8 @@ std::string describe(const Fault& fault, const std::string& name) {
       return beyond_limit(who, "moves otherwise than its velocity says, by", fault);
     case FaultKind::moved:
       return "the robot was dragged away while it should stand";
+    case FaultKind::fell:
+      return "the robot has fallen";
   }
   return {};
 }

@@ -24,6 +24,7 @@ enum class FaultKind : std::uint8_t {
   stalled,         ///< a cycle was late by more than `SafetyLimits::longest_delay`, s
   jump,            ///< q moves otherwise than qd says: rad or m
   moved,           ///< dragged away while it should stand
+  fell,            ///< a robot that stood on its feet lies
 };
 
 /// The reason why the loop went to its safe state.
