@@ -121,6 +121,27 @@ std::string print_points(const Robot& robot, const SceneProposal& proposal) {
   return text + "    # origin: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}  # of a point in its link\n";
 }
 
+/// How it stands in `drive`, which no robot with closed loops does: two feet flat, more of them on
+/// points.
+std::string print_feet(const Robot& robot, const SceneProposal& proposal) {
+  if (proposal.feet.size() < 2 || !robot.hints.loops.empty()) return {};
+  const bool flat = proposal.feet.size() == 2;
+  std::string text = "\n";
+  text += remark(
+      "To let it stand on the ground in `treeline drive`, by its motors, in place of its feet's "
+      "points:");
+  text += "# ground: {friction: 0.8}\n# constraints:\n";
+  for (const ScenePoint& foot : proposal.feet) {
+    const auto& xyz = foot.origin.xyz;
+    const std::string origin = xyz == Pose{}.xyz
+                                   ? std::string()
+                                   : fmt::format(", origin: {{xyz: [{}]}}", fmt::join(xyz, ", "));
+    text += fmt::format("#   - {{name: {}, between: [{}, world]{}{}}}\n", yaml_word(foot.name),
+                        yaml_word(foot.link), flat ? "" : ", contact: point", origin);
+  }
+  return text;
+}
+
 std::string print_left_out(const SceneProposal& proposal) {
   if (proposal.left_out.empty()) return {};
   std::string list;
@@ -216,9 +237,9 @@ std::string print_functions(const std::vector<Function>& functions) {
 std::string print_scene(const Robot& robot, const SceneProposal& proposal, const std::string& file,
                         const std::vector<Function>& functions) {
   return print_head(robot, proposal, file) + print_base(robot, proposal) +
-         print_points(robot, proposal) + print_left_out(proposal) + print_locked(robot, proposal) +
-         print_rotors(robot) + print_friction(robot) + print_springs(robot) + print_loops(robot) +
-         print_functions(functions);
+         print_points(robot, proposal) + print_left_out(proposal) + print_feet(robot, proposal) +
+         print_locked(robot, proposal) + print_rotors(robot) + print_friction(robot) +
+         print_springs(robot) + print_loops(robot) + print_functions(functions);
 }
 
 }  // namespace treeline

@@ -313,6 +313,9 @@ SceneProposal propose_scene(const Robot& robot, std::optional<Base> base,
     if (end.at_joint) {
       proposal.remarks[point.link] = place_at_tip(tree, end, shapes, proposal.points.back());
     }
+    if (end.name.kind == EndKind::foot && proposal.base == Base::floating) {
+      proposal.feet.push_back(proposal.points.back());
+    }
   }
   Scene scene;
   scene.base = proposal.base;

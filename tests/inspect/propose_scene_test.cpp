@@ -17,6 +17,20 @@ namespace {
 using test::joined, test::kBody, test::leg, test::list_points, test::read, test::read_back,
     test::read_own, test::robot_text, test::rows_of;
 
+/// What is proposed in comments from `begin` on is a valid scene, too.
+Scene read_with(const Robot& robot, const SceneProposal& proposal, const std::string& begin) {
+  std::string text = print_scene(robot, proposal, "r.urdf", {});
+  const auto at = text.find(begin);
+  EXPECT_NE(at, std::string::npos) << text;
+  for (auto line = at; line < text.size() && text[line] == '#'; line = text.find('\n', line) + 1) {
+    text.replace(line, 2, "");
+  }
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(text, "scene.yaml", robot, diagnostics);
+  EXPECT_TRUE(scene) << text;
+  return scene.value_or(Scene{});
+}
+
 TEST(ProposeScene, HoldsTheToolOfAnArm) {
   const Robot robot = read_own("puma560");
   const SceneProposal proposal = propose_scene(robot, std::nullopt);
@@ -44,6 +58,7 @@ TEST(ProposeScene, LetsADogFloatOnFeetThatPush) {
   EXPECT_EQ(proposal.left_out, std::vector<std::string>{"head"});
   EXPECT_EQ(read_back(robot, proposal).base, Base::floating);
   EXPECT_EQ(propose_scene(robot, Base::fixed).base, Base::fixed);
+  EXPECT_EQ(read_with(robot, proposal, "# ground:").constraints.size(), 4U);
 }
 
 // Would catch: points on fingers instead of on the hand that carries them.
@@ -57,17 +72,7 @@ TEST(ProposeScene, TakesTheHandNotItsFingers) {
   EXPECT_EQ(proposal.points[0].link, "my_hand");
   EXPECT_EQ(proposal.beyond.size(), 2U);
   EXPECT_EQ(std::count(proposal.points[0].rows.begin(), proposal.points[0].rows.end(), true), 4);
-  // What is proposed in comments is also a valid scene.
-  std::string text = print_scene(robot, proposal, "r.urdf", {});
-  const auto at = text.find("# locked:");
-  ASSERT_NE(at, std::string::npos);
-  for (auto line = at; line < text.size() && text[line] == '#'; line = text.find('\n', line) + 1) {
-    text.replace(line, 2, "");
-  }
-  Diagnostics diagnostics;
-  const auto scene = parse_scene(text, "scene.yaml", robot, diagnostics);
-  ASSERT_TRUE(scene) << text;
-  EXPECT_EQ(scene->locked.size(), 2U);
+  EXPECT_EQ(read_with(robot, proposal, "# locked:").locked.size(), 2U);
 }
 
 TEST(ProposeScene, TakesFingersWhereThereIsNothingElse) {
