@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "description/follow_target.hpp"
 #include "description/total_mass.hpp"
 #include "launch/assume_damping.hpp"
 #include "launch/print_closed_loops.hpp"
+#include "launch/print_soles.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 
@@ -111,8 +113,8 @@ std::vector<Function> functions_for(const Scene& scene, const Robot& robot) {
 /// Refuses what a robot that is driven on a ground does not have.
 void check_ground(const Robot& robot, const Scene& control, const SceneGround& ground,
                   Diagnostics& diagnostics) {
-  const auto refuse = [&](const char* element, const char* fault, const char* remedy) {
-    diagnostics.add({Severity::error, control.file, 0, element, fault, remedy});
+  const auto refuse = [&](const char* element, std::string fault, const char* remedy) {
+    diagnostics.add({Severity::error, control.file, 0, element, std::move(fault), remedy});
   };
   if (!control.loops.empty() || !control.couplings.empty() ||
       build_mechanism(robot, control).has_mimics()) {
@@ -123,6 +125,11 @@ void check_ground(const Robot& robot, const Scene& control, const SceneGround& g
     refuse("ground", "nothing says on which links the robot stands",
            "list its feet in `constraints`, each between the foot and the world: its motors then "
            "carry it by these");
+  }
+  for (const ScenePoint& hold : control.constraints) {
+    if (has_sole(robot, hold.link, control.touches)) continue;
+    refuse("ground", fmt::format("\"{}\" has nothing that could touch the ground", hold.link),
+           "give it a <collision>: a box, cylinder, capsule, sphere or mesh, whose file is there");
   }
   if (ground.restitution > 0) {
     diagnostics.add({Severity::note, control.file, 0, "ground",

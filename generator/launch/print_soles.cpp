@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -61,6 +62,13 @@ std::vector<Eigen::Vector3d> corners_of(const SceneTouch& touch) {
 
 }  // namespace
 
+bool has_sole(const Robot& robot, const std::string& link, const std::vector<SceneTouch>& touches) {
+  const int by = carry(robot, link).by;
+  return std::any_of(touches.begin(), touches.end(), [&](const SceneTouch& touch) {
+    return !touch.points.empty() && carry(robot, touch.link).by == by;
+  });
+}
+
 std::string print_soles(const Robot& robot, const Scene& ground, const Scene& control) {
   std::string points;
   std::string ends;
@@ -84,7 +92,7 @@ std::string print_soles(const Robot& robot, const Scene& ground, const Scene& co
       "\n  static constexpr treeline::drive::SolePoint kSolePoints[] = {{\n{}  }};\n"
       "  static constexpr int kSoleEnds[] = {{{}}};\n"
       "  static constexpr double kFriction = {};",
-      count > 0 ? points : "      {{0, 0, 0}, 0},\n", ends, ground.ground_step->friction);
+      points, ends, ground.ground_step->friction);
 }
 
 }  // namespace treeline
