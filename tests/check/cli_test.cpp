@@ -5,7 +5,7 @@
 #include "target/executes.hpp"
 
 // `treeline check` as a shell runs it. Would catch: exit codes that hide a failure, output that is
-// not JSON, and messages among the data.
+// not JSON, messages among the data, and a route of a large robot that is fast and loses digits.
 
 namespace treeline::tests {
 namespace {
@@ -41,6 +41,16 @@ TEST_F(CheckCommand, TellsOneStateAsJson) {
   EXPECT_EQ(json.at("named_states")[0].at("q").size(), 3U);
   EXPECT_EQ(json.at("functions")[0].at("name"), "jacobian");
   EXPECT_GT(json.at("functions")[0].at("code_bytes"), 0);
+}
+
+// The last joints of a humanoid's limbs are far from the origin of a common frame.
+TEST_F(CheckCommand, LargeRobotsKeepTheirDigits) {
+  const std::string tests = TREELINE_ROBOTS_DIR "/../tests/";
+  const Outcome outcome = test::run_program(
+      folder_.path(), "check '" + tests + "data/golden/humanoid24.urdf' '" + tests +
+                          "bench/suite/humanoid24.yaml' --first 720 --states 14 --functions "
+                          "mass_matrix,inverse_dynamics_derivatives,forward_dynamics_derivatives");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
 }
 
 TEST_F(CheckCommand, CorruptFolderIsThree) {
