@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/rotation.hpp"
+#include "description/isometry_of.hpp"
 #include "drawing/place_links.hpp"
 
 namespace treeline {
@@ -14,13 +14,6 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-Isometry3d frame_of(const Pose& origin) {
-  Isometry3d frame = Isometry3d::Identity();
-  frame.linear() = rotation_from_rpy<double>(origin.rpy);
-  frame.translation() = Vector3d(origin.xyz.data());
-  return frame;
-}
 
 /// A foot: a frame of a link, and whether it must not tilt.
 struct Foot {
@@ -42,7 +35,7 @@ class Stance {
     const auto poses = placer_.place(upright());
     for (const ScenePoint& point : robot.scene.constraints) {
       const bool is_level = point.rows[3] || point.rows[4];
-      feet_.push_back({find_link(point.link), frame_of(point.origin), is_level});
+      feet_.push_back({find_link(point.link), isometry_of(point.origin), is_level});
       first_.push_back(poses[feet_.back().link] * feet_.back().origin);
     }
     find_middle(poses);

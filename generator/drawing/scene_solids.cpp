@@ -2,21 +2,14 @@
 
 #include <algorithm>
 
-#include "description/rotation.hpp"
+#include "description/isometry_of.hpp"
 
 namespace treeline {
 namespace {
 
-Eigen::Isometry3d as_isometry(const Pose& origin) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = rotation_from_rpy<double>(origin.rpy);
-  pose.translation() = Eigen::Vector3d(origin.xyz.data());
-  return pose;
-}
-
 void add_shape(const SceneShape& shape, const Eigen::Isometry3d& frame, const Color& color,
                Solids& solids) {
-  const Eigen::Isometry3d pose = frame * as_isometry(shape.origin);
+  const Eigen::Isometry3d pose = frame * isometry_of(shape.origin);
   if (shape.radius > 0) {
     solids.balls.push_back({pose.translation(), shape.radius, color});
   } else {
@@ -49,7 +42,7 @@ Solids object_solids(const std::vector<SceneObject>& objects,
       return point.name == grasp.point;
     });
     const Eigen::Isometry3d frame =
-        points[static_cast<std::size_t>(hand - names.begin())] * as_isometry(grasp.origin);
+        points[static_cast<std::size_t>(hand - names.begin())] * isometry_of(grasp.origin);
     for (const SceneShape& shape : shapes[i]) add_shape(shape, frame, kHeld, solids);
   }
   return solids;

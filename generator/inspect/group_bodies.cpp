@@ -2,20 +2,9 @@
 
 #include <utility>
 
-#include "description/rotation.hpp"
+#include "description/isometry_of.hpp"
 
 namespace treeline {
-namespace {
-
-Eigen::Isometry3d isometry_of(const Pose& pose) {
-  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
-  frame.linear() = rotation_from_rpy<double>(pose.rpy);
-  frame.translation() = Eigen::Vector3d(pose.xyz[0], pose.xyz[1], pose.xyz[2]);
-  return frame;
-}
-
-}  // namespace
-
 BodyTree group_bodies(const Robot& robot) {
   std::vector<std::vector<int>> joints(robot.links.size());  // by their parents
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {

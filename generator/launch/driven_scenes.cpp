@@ -137,6 +137,19 @@ void check_ground(const Robot& robot, const Scene& control, const SceneGround& g
   }
 }
 
+/// The robot's tree alone, without what holds or leads it.
+Scene scene_of_tree(const Scene& control, const char* ending) {
+  Scene scene = control;
+  scene.name = control.name + ending;
+  scene.damped.reset();
+  scene.constraints.clear();
+  scene.loops.clear();
+  scene.couplings.clear();
+  scene.passive.clear();
+  scene.operational_points.clear();
+  return scene;
+}
+
 }  // namespace
 
 Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
@@ -170,14 +183,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
 }
 
 Scene link_scene(const Robot& robot, const Scene& control) {
-  Scene scene = control;
-  scene.name = control.name + "_links";
-  scene.damped.reset();
-  scene.constraints.clear();
-  scene.loops.clear();
-  scene.couplings.clear();
-  scene.passive.clear();
-  scene.operational_points.clear();
+  Scene scene = scene_of_tree(control, "_links");
   scene.functions = {Function::forward_kinematics, Function::inverse_dynamics};
   if (robot.links.size() > kMostLinks) return scene;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -194,12 +200,7 @@ Scene link_scene(const Robot& robot, const Scene& control) {
 Scene ground_scene(const Robot& robot, const Scene& control, const SceneGround& ground,
                    Diagnostics& diagnostics) {
   check_ground(robot, control, ground, diagnostics);
-  Scene scene = control;
-  scene.name = control.name + "_standing";
-  scene.damped.reset();
-  scene.constraints.clear();
-  scene.passive.clear();
-  scene.operational_points.clear();
+  Scene scene = scene_of_tree(control, "_standing");
   scene.functions = {Function::forward_dynamics};
   scene.ground_step = ground;
   return scene;

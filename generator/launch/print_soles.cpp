@@ -7,17 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "description/rotation.hpp"
+#include "description/isometry_of.hpp"
 
 namespace treeline {
 namespace {
-
-Eigen::Isometry3d isometry_of(const Pose& pose) {
-  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
-  frame.linear() = rotation_from_rpy<double>(pose.rpy);
-  frame.translation() = Eigen::Vector3d(pose.xyz.data());
-  return frame;
-}
 
 /// A link's frame in that of the first link before which a joint moves.
 struct Carried {

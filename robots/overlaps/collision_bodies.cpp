@@ -2,18 +2,11 @@
 
 #include <algorithm>
 
+#include "description/isometry_of.hpp"
 #include "description/read_surroundings.hpp"
-#include "description/rotation.hpp"
 
 namespace treeline::experiments {
 namespace {
-
-Eigen::Isometry3d isometry_of(const Pose& origin) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = rotation_from_rpy<double>(origin.rpy);
-  pose.translation() = Eigen::Vector3d(origin.xyz.data());
-  return pose;
-}
 
 CollisionBody body_of(const SceneShape& shape, const std::string& name, Carrier carrier, int index,
                       const Eigen::Isometry3d& frame) {
