@@ -284,6 +284,7 @@ class LoneRobot {
       safe_.see(state);
       safe_.brake(torque);
     }
+    if (robot_.has_fallen()) std::fill(std::begin(torque), std::end(torque), 0.0);
     robot_.write(torque);
     robot_.pass_time(seconds);
   }

@@ -67,16 +67,20 @@ class DrivenRobot {
   static constexpr bool kStands = kIsOnGround<F> && HeldPlaces<F>::kIsHeld;
   struct Nothing {};
 
-  /// Cuts the torque to what the feet bear; motors of a robot that lies are off.
+  /// Cuts the torque to what the feet bear. Motors of a robot that lies are short-circuited: they
+  /// drag with their largest torque at 200 rad/s or m/s.
   void stand() noexcept {
+    constexpr double kShorted = 0.005;  // s/rad or s/m
     const auto& now = simulated_.links();
     if (!has_fallen()) feet_->keep(now.q, now.qd, torque_);
     for (int i = 0; i < F::kVelocities; ++i) {
-      const double limit = has_fallen() ? 0.0 : limit_[i];
+      const double limit = limit_[i];
+      if (has_fallen()) torque_[i] = limit < kUnlimited ? -kShorted * limit * now.qd[i] : 0.0;
       torque_[i] = std::clamp(torque_[i], -limit, limit);
     }
   }
 
+  static constexpr double kUnlimited = 1e6;  ///< N m or N: a larger limit is none
   ImperfectRobot<F> simulated_;
   ExternalRobot external_;
   std::conditional_t<kStands, std::optional<FlatFeet<F>>, Nothing> feet_;

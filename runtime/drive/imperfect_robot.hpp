@@ -54,8 +54,7 @@ class Noise {
 /// robot rests where it last was, until `restore` puts it where it began.
 ///
 /// On a ground (`kIsOnGround`) it moves by the generated step there: nothing else carries its base,
-/// the motors neither, and it may slip and fall. Once it lies its motors are off, until `restore`
-/// puts it where it began.
+/// the motors neither, and it may slip and fall, until `restore` puts it where it began.
 template <class F>
 class ImperfectRobot {
  public:

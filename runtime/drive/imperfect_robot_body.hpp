@@ -203,11 +203,9 @@ void ImperfectRobot<F>::step_on_ground(double dt) noexcept {
   double torques[nv];
   for (int i = 0; i < nv; ++i) {
     const Joint& joint = joints_[static_cast<std::size_t>(i)];
-    const bool has_motor = joint.coordinate >= 0 && !on_ground_.fell;
-    torques[i] = on_ground_.push[i] + (has_motor ? tau_[i] : 0.0);
-    if (joint.coordinate >= 0) {
-      torques[i] -= servo::friction_torque(joint.friction, links_.qd[i]);
-    }
+    const bool has_motor = joint.coordinate >= 0;
+    torques[i] = has_motor ? tau_[i] - servo::friction_torque(joint.friction, links_.qd[i]) : 0.0;
+    torques[i] += on_ground_.push[i];
   }
   add_contacts(links_, torques);
   // Stops push as strongly as they would in flight: what stands on the ground is harder to move.

@@ -376,7 +376,7 @@ TEST_F(DriveWaysTest, AHumanoidStandsOnAGround) {
   }
 }
 
-// A hand pulls a quadruped over: it yields, tips and lies, its motors go off, and that is said.
+// A hand pulls a quadruped over: it yields, tips and lies, its motors drag, and that is said.
 // Would catch a pull that motors exert and the ground does not feel, and a fall that nobody
 // notices.
 TEST_F(DriveWaysTest, AQuadrupedIsPulledOver) {
@@ -394,7 +394,7 @@ TEST_F(DriveWaysTest, AQuadrupedIsPulledOver) {
   EXPECT_NE(fallen.err.find("the robot has fallen"), std::string::npos) << fallen.err;
   const json lies = json::parse(fallen.out);
   EXPECT_LT(lies["q"][2].get<double>(), 0.3);
-  for (const json& tau : lies["tau"]) EXPECT_EQ(tau.get<double>(), 0.0);
+  for (const json& tau : lies["tau"]) EXPECT_LT(std::fabs(tau.get<double>()), 1.0);
 }
 
 // Would catch a scene that is compiled for minutes before it is refused.
