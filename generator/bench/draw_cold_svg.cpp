@@ -31,14 +31,12 @@ struct Place {
   const char* colour;  ///< of Okabe and Ito
 };
 constexpr std::array kPlaces = {Place{"warm", "#009e73"}, Place{"from the shared cache", "#e69f00"},
-                                Place{"from memory", "#d55e00"},
-                                Place{"from memory, loaded first", "#0072b2"}};
+                                Place{"from memory", "#d55e00"}};
 
 /// Times of a row, in the order of `kPlaces`; those that were measured.
 std::vector<double> times_of(const ColdRow& row) {
   std::vector<double> times{row.warm.nanoseconds, row.cold.from_cache.nanoseconds};
   if (row.cold.from_memory) times.push_back(row.cold.from_memory->nanoseconds);
-  if (row.cold.loaded) times.push_back(row.cold.loaded->nanoseconds);
   for (double& time : times) time = std::max(time, 0.1);
   return times;
 }

@@ -26,7 +26,6 @@ std::string print_cold_function(const ColdFunction& function) {
     append_timing(row.warm, cells);
     cells.push_back(print_time(row.cold.from_cache.nanoseconds));
     append_timing(row.cold.from_memory, cells);
-    append_timing(row.cold.loaded, cells);
     for (const std::string& word :
          {std::string(row.is_small ? "-Os" : ""), names_of(row), row.method}) {
       cells.push_back(word);
@@ -38,8 +37,6 @@ std::string print_cold_function(const ColdFunction& function) {
                         {"ratio", true},
                         {"from cache", true},
                         {"from memory", true},
-                        {"ratio", true},
-                        {"loaded first", true},
                         {"ratio", true},
                         {"flag"},
                         {"optimize"},
@@ -64,8 +61,7 @@ Json describe_cold_row(const ColdReport& report, const ColdFunction& function, c
           {"bytes", row.bytes ? Json(*row.bytes) : Json(nullptr)},
           {"warm", describe_timing(row.warm)},
           {"from_cache", describe_timing(row.cold.from_cache)},
-          {"from_memory", describe_timing(row.cold.from_memory)},
-          {"loaded", describe_timing(row.cold.loaded)}};
+          {"from_memory", describe_timing(row.cold.from_memory)}};
 }
 
 }  // namespace
@@ -73,7 +69,6 @@ Json describe_cold_row(const ColdReport& report, const ColdFunction& function, c
 std::string print_table(const ColdReport& report) {
   std::string text = fmt::format(
       "{}: bytes, and time of a call whose code is in caches or not, by `optimize`\n"
-      "loaded first: from memory, with a call of `prefetch` before it\n"
       "on {}\ncompiled by {}\n       with {}\n\n",
       report.name, report.machine.processor, report.machine.compiler, report.machine.command);
   for (const ColdFunction& function : report.functions) text += print_cold_function(function);

@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "bench/cold_report.hpp"
-#include "compilation/print_entry.hpp"
 #include "compilation/temporary_folder.hpp"
-#include "description/follow_target.hpp"
 #include "description/scene_words.hpp"
 #include "emission/write_files.hpp"
 #include "generation/without_callers.hpp"
@@ -20,29 +18,11 @@ namespace {
 
 constexpr std::array kChoices = {Optimize::speed, Optimize::balanced, Optimize::size};
 
-/// The scene's functions of one state, without what calls them, and what loads their code where
-/// that can be had.
+/// The scene's functions of one state, without what calls them.
 Scene scene_for(Scene scene, Optimize optimize) {
   scene.optimize = optimize;
   scene.batch = 0;
-  scene.prefetch = can_load_code(scene);
   return without_callers(std::move(scene));
-}
-
-std::string load_name(const GeneratedFunction& generated) {
-  return "load_" + source_stem(generated);
-}
-
-/// A source with an entry for each function that loads its code into caches.
-WorkSource print_load_entries(const std::string& name,
-                              const std::vector<GeneratedFunction>& functions) {
-  std::string text = "#include \"prefetch.cpp\"\n";
-  for (const GeneratedFunction& generated : functions) {
-    text += fmt::format(
-        "extern \"C\" void {}(const void* const*, void* const*) {{\n  {}::prefetch_{}();\n}}\n",
-        entry_symbol(load_name(generated)), name, generated.program.name);
-  }
-  return {"load_entries", text};
 }
 
 /// All functions by one value of `optimize`, compiled and loaded.
@@ -61,7 +41,6 @@ std::optional<ColdBuild> make_build(const Robot& robot, const Scene& scene,
   CompileOptions options{flags};
   options.optimize = scene.optimize;
   options.target = scene.target;
-  if (scene.prefetch) options.more.push_back(print_load_entries(scene.name, generation->functions));
   auto build =
       load_build(sources, scene, generation->functions, options, work / "objects", diagnostics);
   if (!build) return std::nullopt;
@@ -99,8 +78,7 @@ ColdFunction measure_cold_function(const std::vector<ColdBuild>& builds, std::si
     }
     const GeneratedLibrary& library = builds[k].build.library;
     warm.push_back({library.raw_entry(i), &arguments});
-    cold.push_back({warm.back(), builds[k].build.compilation.library.string(),
-                    library.find_entry(load_name(builds[k].generation.functions[i]))});
+    cold.push_back({warm.back(), builds[k].build.compilation.library.string()});
     made.rows.push_back(std::move(row));
   }
   const std::vector<Timing> warm_times = time_calls(warm, options.warm);

@@ -77,7 +77,7 @@ SectionBytes add_sections(std::string_view listing) {
     if (words.size() != 3) continue;
     const int size = std::atoi(words[1].c_str());
     const auto is = [&](const char* section) { return words[0].starts_with(section); };
-    if (is(".text") || is("treeline_")) bytes.text += size;  // the latter of `prefetch`
+    if (is(".text")) bytes.text += size;
     if (is(".rodata") || is(".srodata")) bytes.constants += size;
     if (is(".data") || is(".sdata") || is(".bss") || is(".sbss")) bytes.variables += size;
   }

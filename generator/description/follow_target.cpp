@@ -38,10 +38,6 @@ void follow_target(Scene& scene) {
   scene.lanes = is_scalar ? 1 : choose_lanes(target_of(scene), bytes_of(scene.real));
 }
 
-bool can_load_code(const Scene& scene) {
-  return target_of(scene).contracts && scene.profile != Profile::misra;
-}
-
 void warn_of_target(const Scene& scene, Diagnostics& diagnostics) {
   const Target& target = target_of(scene);
   const int bytes = bytes_of(scene.real);
@@ -55,13 +51,6 @@ void warn_of_target(const Scene& scene, Diagnostics& diagnostics) {
          can_single ? "write real: float, which it computes with instructions"
                     : "see what a call takes with treeline check --target, or take another target",
          diagnostics);
-  }
-  if (scene.prefetch && !target.contracts) {
-    diagnostics.add({Severity::error, scene.file, 0, "prefetch",
-                     fmt::format("code is loaded into caches where an operating system runs other "
-                                 "programs, not on {}",
-                                 target.name),
-                     "leave out prefetch; TREELINE_CODE_SECTION places code in fast memory"});
   }
   const int most = choose_lanes(target, bytes);
   if (is_particular(target) && scene.lanes > most) {

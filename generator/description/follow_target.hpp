@@ -18,13 +18,8 @@ int bytes_of(Real real);
 /// not ask for any. C has lanes only through an extension of GCC and Clang, and gets none unasked.
 void follow_target(Scene& scene);
 
-/// Whether generated code can have functions that load it into caches: not on microcontrollers, nor
-/// with `profile: misra`.
-bool can_load_code(const Scene& scene);
-
 /// Warns if the target emulates the scene's `real`, and what that costs, or has no registers for
-/// lanes that the author has chosen. An error: code to be loaded into caches that a
-/// microcontroller does not have.
+/// lanes that the author has chosen.
 void warn_of_target(const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace treeline

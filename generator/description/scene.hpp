@@ -252,7 +252,6 @@ struct Scene {
   Language language = Language::cpp;
   Profile profile = Profile::plain;
   Optimize optimize = Optimize::speed;
-  bool prefetch = false;  ///< asks for NAME_prefetch, which loads the functions' code into caches
   int selftest = 0;       ///< states in which NAME_selftest calls each function; 0: there is none
   Sines sin_cos = Sines::computed;
   Accuracy accuracy = Accuracy::balanced;

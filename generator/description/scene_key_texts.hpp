@@ -188,9 +188,6 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "compiles for small code. `balanced`: the latter only, for functions that are larger than a "
      "first-level cache.",
      "explanation/small-code.md"},
-    {"prefetch", "`true` or `false`", "`false`", "prefetch: true",
-     "Adds `NAME_prefetch.hpp`, in C `.h`, which loads code into caches.",
-     "explanation/small-code.md"},
     {"selftest", "1, 2, 4 or 8", "none", "selftest: 2",
      "Adds `NAME_selftest.h` with `NAME_selftest`, which calls each function in so many states and "
      "tells the first of which a result has other bits than on every other machine.",

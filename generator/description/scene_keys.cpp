@@ -165,10 +165,6 @@ void read_optimize(const SceneElement& element, Scene& scene) {
   take_word(element, scene.optimize);
 }
 
-void read_prefetch(const SceneElement& element, Scene& scene) {
-  scene.prefetch = element.choice({"false", "true"}) == 1;
-}
-
 void read_selftest(const SceneElement& element, Scene& scene) {
   scene.selftest = 1 << element.choice({"1", "2", "4", "8"}).value_or(1);
 }
@@ -215,7 +211,6 @@ const std::vector<SceneKey>& scene_keys() {
       {"language", without_robot<read_language>},
       {"profile", without_robot<read_profile>},
       {"optimize", without_robot<read_optimize>},
-      {"prefetch", without_robot<read_prefetch>},
       {"selftest", without_robot<read_selftest>},
       {"target", without_robot<read_target>},
       {"batch", without_robot<read_batch>},

@@ -19,8 +19,10 @@ constexpr const char* kRotors =
     "armature: file counts rotors that the URDF states, or a map from joint to inertia";
 constexpr const char* kBody =
     "the URDF's <inertial> states it; inputs: {parameters: [LINK]} makes it an argument";
+constexpr const char* kPrefetch =
+    "leave it out: a function that is called once while the program waits is in the caches";
 
-/// What other programs, and people, call what a key of the scene says.
+/// What other programs, people and releases before this one call what a key of the scene says.
 struct OtherWord {
   std::string_view word;
   const char* key;  ///< where this one is known
@@ -37,6 +39,7 @@ constexpr OtherWord kWords[] = {
     {"mass", "inputs", kBody},
     {"motor_inertia", "armature", kRotors},
     {"payload", "inputs", kPayload},
+    {"prefetch", "functions", kPrefetch},
     {"rotor_inertia", "armature", kRotors},
     {"stiffness", "joint_springs", "joint_springs: {JOINT: {stiffness: ..., rest: ...}} holds it"},
     {"tcp", "operational_points", kPoint},

@@ -87,8 +87,7 @@ std::string print_array_sizes(const Loops& loops, const std::string& text, const
 void add_inlining(const Contents& contents, Adaptation& own) {
   const EmissionContext& context = contents.context;
   const bool in_c = !backend_of(context.language).has_namespaces;
-  // `prefetch` loads a function with what it calls: each has the loops in its own section.
-  const bool alone = in_c || count_loops(contents.all) == 1 || context.prefetch;
+  const bool alone = in_c || count_loops(contents.all) == 1;
   const bool emulated = emulates(*find_target(context.target), number_bytes(context));
   const bool folds = !context.misra && !emulated;
   const auto add = [&](const std::string& prefix, const std::string& linkage) {

@@ -38,10 +38,6 @@ bool wants_ground(const Contents& contents) {
   return contents.context.ground != nullptr;
 }
 
-bool wants_prefetch(const Contents& contents) {
-  return contents.context.prefetch;
-}
-
 bool wants_selftest(const Contents& contents) {
   return contents.context.selftest != nullptr;
 }

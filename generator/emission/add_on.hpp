@@ -12,7 +12,6 @@
 #include "emission/print_ground.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_loops.hpp"
-#include "emission/print_prefetch.hpp"
 #include "emission/print_selftest.hpp"
 
 namespace treeline {
@@ -38,7 +37,6 @@ bool wants_batch(const Contents& contents);
 bool wants_batch_limits(const Contents& contents);
 bool wants_controller(const Contents& contents);
 bool wants_ground(const Contents& contents);
-bool wants_prefetch(const Contents& contents);
 bool wants_selftest(const Contents& contents);
 bool wants_loops(const Contents& contents);
 bool wants_lanes(const Contents& contents);
@@ -58,7 +56,6 @@ std::vector<GeneratedFile> print_square_root_of(const Contents& contents);
 inline constexpr AddOn kControllerRow{wants_controller, print_controller, kControllerStem, true,
                                       Source::Of::step};
 inline constexpr AddOn kGroundRow{wants_ground, print_ground, kGroundStem, true};
-inline constexpr AddOn kPrefetchRow{wants_prefetch, print_prefetch, "prefetch"};
 inline constexpr AddOn kSelftestRow{wants_selftest, print_selftest, kSelftestStem};
 inline constexpr AddOn kIdentityRow{always, nullptr, kIdentityStem};
 inline constexpr AddOn kLoopsRow{wants_loops, print_loops};

@@ -28,7 +28,6 @@ struct EmissionContext {
   bool misra = false;              ///< written as rules for safe code ask
   std::string target = "generic";  ///< processor, see `find_target`
   Optimize optimize = Optimize::speed;
-  bool prefetch = false;        ///< asks for NAME_prefetch
   int lanes = 1;                ///< numbers that the code may compute together
   bool asks_for_lanes = false;  ///< by the scene; else `lanes` follow the target
   int batch = 0;                ///< states a call of the functions in NAME_batch.hpp; 0: none

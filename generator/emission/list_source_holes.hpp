@@ -9,11 +9,10 @@
 namespace treeline {
 
 /// Text of every function's source in the holes of a template, whatever computes the function:
-/// `head`, `cost`, `name`, `section` and `signature`. `stem` is the source's name without ending,
-/// `definition` the function's head without a brace.
+/// `head`, `cost`, `name`, `section` and `signature`. `definition` is the function's head without a
+/// brace.
 std::map<std::string, std::string> list_source_holes(const EmissionContext& context,
                                                      const Program& program,
-                                                     const std::string& stem,
                                                      const std::string& definition);
 
 }  // namespace treeline

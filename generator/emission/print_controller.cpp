@@ -14,7 +14,6 @@
 #include "emission/print_controller_header.hpp"
 #include "emission/print_defaults.hpp"
 #include "emission/print_own_functions.hpp"
-#include "emission/print_prefetch.hpp"
 #include "emission/print_sin_cos.hpp"
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
@@ -127,10 +126,8 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
           {{"name", context.name},
            {"in", scoped ? context.name + "::detail::" : ""},
            {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
-           {"section", print_section_macro(context) +
-                           print_prefetch_macro(context, kControllerStem, Attributes::whole)},
-           {"code_section", print_section(context)},
-           {"step_section", print_prefetch_section(context)}}),
+           {"section", print_section_macro(context)},
+           {"code_section", print_section(context)}}),
       own);
 }
 

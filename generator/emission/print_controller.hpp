@@ -8,6 +8,9 @@
 
 namespace treeline {
 
+/// Stem of the source of a controller's step.
+inline constexpr const char* kControllerStem = "controller";
+
 /// `NAME_controller.h`, for C99 and C++17; the source `controller`, which defines the step, with
 /// its headers; and a source for each function that it calls.
 std::vector<GeneratedFile> print_controller(const Contents& contents);

@@ -318,7 +318,6 @@ EmissionContext describe_scene(const Robot& robot, const Scene& scene, const Mec
   context.misra = scene.profile == Profile::misra;
   context.target = scene.target;
   context.optimize = scene.optimize;
-  context.prefetch = scene.prefetch;
   context.lanes = scene.lanes;
   context.asks_for_lanes = scene.asks_for_lanes;
   context.batch = scene.batch;

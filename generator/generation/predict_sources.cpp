@@ -47,7 +47,6 @@ std::vector<std::string> predict_sources(const Scene& scene) {
   context.name = scene.name;
   context.language = scene.language;
   context.misra = scene.profile == Profile::misra;
-  context.prefetch = scene.prefetch;
   context.effective_mass_limits = effective_mass_limits(scene);
   if (scene.has_limits()) context.limits.emplace();
   if (scene.controller) context.controller = name_controller(scene);

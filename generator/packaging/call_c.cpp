@@ -23,8 +23,6 @@ constexpr auto kNotCalled = std::to_array<NotCalled>({
      "limited_control_torque", "Python"},
     {"batch", [](const Scene& scene) { return scene.batch > 0; },
      "the functions of several states, only those of one"},
-    {"prefetch", [](const Scene& scene) { return scene.prefetch; },
-     "the functions that load code into caches"},
     {"selftest", [](const Scene& scene) { return scene.selftest > 0; }, "the self-test"},
     {"controller", [](const Scene& scene) { return scene.controller.has_value(); },
      "the controller", "Python"},

@@ -28,34 +28,21 @@ double time_nothing() {
 
 /// Times of one call, by round.
 struct Times {
-  std::vector<double> from_cache, from_memory, loaded;
+  std::vector<double> from_cache, from_memory;
 };
 
 void time_round(const ColdCall& cold, std::size_t round, double nothing, Times& times) {
   const CallArguments& arguments = *cold.call.arguments;
   const std::size_t state = round % arguments.calls();
-  const auto time = [&](bool loads) {
-    const double taken = time_once([&] {
-      if (loads) cold.load(nullptr, nullptr);
-      cold.call.entry(arguments.in(state), arguments.out());
-    });
+  const auto time = [&] {
+    const double taken =
+        time_once([&] { cold.call.entry(arguments.in(state), arguments.out()); });
     return std::max(0.1, taken - nothing);
   };
-  const auto evict = [&] {
-    return evict_from_caches(arguments.bytes_of(state), {&cold.library, 1});
-  };
   evict_from_core();
-  times.from_cache.push_back(time(false));
-  if (!evict()) return;
-  times.from_memory.push_back(time(false));
-  if (cold.load == nullptr || !evict()) return;
-  times.loaded.push_back(time(true));
-}
-
-/// Nothing where nothing was measured; ratios are to the first's.
-std::optional<Timing> summarise(const std::vector<double>& own, const std::vector<double>& first) {
-  if (own.empty() || first.empty()) return std::nullopt;
-  return summarise_times(own, first);
+  times.from_cache.push_back(time());
+  if (!evict_from_caches(arguments.bytes_of(state), {&cold.library, 1})) return;
+  times.from_memory.push_back(time());
 }
 
 }  // namespace
@@ -73,8 +60,8 @@ std::vector<ColdTiming> time_cold_calls(const std::vector<ColdCall>& calls, int 
   for (const Times& each : times) {
     ColdTiming& timing = timings.emplace_back();
     timing.from_cache = summarise_times(each.from_cache, times.front().from_cache);
-    timing.from_memory = summarise(each.from_memory, times.front().from_memory);
-    timing.loaded = summarise(each.loaded, times.front().from_memory);
+    if (each.from_memory.empty() || times.front().from_memory.empty()) continue;
+    timing.from_memory = summarise_times(each.from_memory, times.front().from_memory);
   }
   return timings;
 }

@@ -11,16 +11,13 @@ namespace treeline {
 /// A compiled function whose code is to be removed from the caches.
 struct ColdCall {
   TimedCall call;
-  std::string library;           ///< file that it was loaded from
-  CompiledEntry load = nullptr;  ///< loads its code into caches; null: nothing does
+  std::string library;  ///< file that it was loaded from
 };
 
 /// Time of one call alone, without that of reading the clock.
 struct ColdTiming {
   Timing from_cache;                  ///< after `evict_from_core`
   std::optional<Timing> from_memory;  ///< after `evict_from_caches`, where that is possible
-  std::optional<Timing>
-      loaded;  ///< the same with what loads the code and its time, where it can be
 };
 
 /// Times calls that find their code and data in no cache of their core, and in no cache at all, in

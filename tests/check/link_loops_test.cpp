@@ -243,9 +243,6 @@ TEST(LinkLoopsCheck, WhatSeveralFunctionsCallStandsAlone) {
   const std::vector<Function> two = {Function::inverse_dynamics, Function::control_torque};
   EXPECT_TRUE(stands_alone(two));
   EXPECT_FALSE(stands_alone({Function::inverse_dynamics}));
-  humanoid.scene.prefetch = true;  // loads each function with its own
-  EXPECT_FALSE(stands_alone(two));
-  humanoid.scene.prefetch = false;
   humanoid.scene.language = Language::c;  // static functions of each source
   EXPECT_FALSE(stands_alone(two));
   humanoid.scene.language = Language::cpp;

@@ -61,7 +61,7 @@ TEST_F(GenerateTest, ListsTheSourcesThatItWrites) {
   const std::string few = "functions: [gravity, mass_matrix, jacobian, control_torque]\n";
   const std::pair<const char*, std::string> scenes[] = {
       {"", "functions: [gravity]\n"},
-      {"--language c", point + few + "batch: 4\nprefetch: true\n"},
+      {"--language c", point + few + "batch: 4\n"},
       {"--profile misra", "functions: [gravity]\n"},
       {"--name math", "functions: [gravity]\n"},
       {"--language c",

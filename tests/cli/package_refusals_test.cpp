@@ -18,13 +18,13 @@ TEST_F(PackageTest, PythonSaysWhatItLeavesOut) {
   EXPECT_EQ(generate("--package python --language c++").exit_code, 1);
   EXPECT_EQ(generate("--package python").err.find("Python"), std::string::npos);
   write("scene.yaml",
-        "name: arm\nlanguage: c++\nbatch: 4\nprefetch: true\ncontroller: {laws: joint_impedance}\n"
+        "name: arm\nlanguage: c++\nbatch: 4\nselftest: 1\ncontroller: {laws: joint_impedance}\n"
         "functions: [gravity, inverse_dynamics]\n");
   const auto made =
       test::run_program(root_, "generate " + kArm + " scene.yaml --output python --package python");
   ASSERT_EQ(made.exit_code, 0) << made.err;
   for (const char* says : {"language: a package for Python is compiled from C",
-                           "batch: Python does not call", "prefetch: Python does not call"}) {
+                           "batch: Python does not call", "selftest: Python does not call"}) {
     EXPECT_NE(made.err.find(says), std::string::npos) << says << "\n" << made.err;
   }
   EXPECT_EQ(made.err.find("controller: "), std::string::npos) << made.err;  // it calls that

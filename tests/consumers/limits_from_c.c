@@ -6,7 +6,6 @@
 
 #include "arm_batch.h"
 #include "arm_limited.h"
-#include "arm_prefetch.h"
 #include "inc_batch.h"
 #include "inc_limited.h"
 
@@ -58,8 +57,6 @@ static int compare_batch(void) {
   double q[n * ARM_STATES], M[n * n * ARM_STATES], inc_M[n * n * ARM_STATES];
   int i;
   for (i = 0; i < n * ARM_STATES; ++i) q[i] = draw(7, i);
-  arm_prefetch_mass_matrix();
-  arm_prefetch_batch_mass_matrix();
   arm_batch_mass_matrix(q, M);
   inc_batch_mass_matrix(q, inc_M);
   if (memcmp(M, inc_M, sizeof M) != 0 || M[0] == M[1]) {

@@ -1,4 +1,4 @@
-# C++ with limits, batches and prefetch called from C, beside the same in C: see limits_from_c.c.
+# C++ with limits and batches called from C, beside the same in C: see limits_from_c.c.
 # cmake -DTREELINE=program -DROBOTS=dir -DFOLDER=dir -DHOST=c++ -P limits_from_c.cmake
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
@@ -6,7 +6,7 @@ endfunction()
 set(tests ${CMAKE_CURRENT_LIST_DIR})
 file(REMOVE_RECURSE ${FOLDER})
 file(READ ${tests}/misra_limits.yaml scene)
-file(WRITE ${FOLDER}/scene.yaml "${scene}\nbatch: 4\nlanes: 1\nprefetch: true\n")
+file(WRITE ${FOLDER}/scene.yaml "${scene}\nbatch: 4\nlanes: 1\n")
 set(includes)
 foreach(case arm:c++:cpp inc:c:c)
   string(REPLACE ":" ";" case ${case})

@@ -47,12 +47,6 @@ TEST(FollowTarget, RefusesUnknownNames) {
   EXPECT_NE(to_string(diagnostics).find("cortex-m7"), std::string::npos) << to_string(diagnostics);
 }
 
-TEST(FollowTarget, RefusesPrefetchOnMicrocontrollers) {
-  EXPECT_FALSE(warnings_of("prefetch: true").has_errors());
-  EXPECT_FALSE(warnings_of("{prefetch: true, target: aarch64}").has_errors());
-  EXPECT_TRUE(warnings_of("{prefetch: true, target: cortex-m7}").has_errors());
-}
-
 TEST(FollowTarget, MisraIsScalar) {
   EXPECT_EQ(read_with_target("language: c").lanes, 8);
   EXPECT_EQ(read_with_target("profile: misra").lanes, 1);

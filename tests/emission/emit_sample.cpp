@@ -20,7 +20,6 @@ int main(int argc, char** argv) {
   treeline::EmissionContext context =
       treeline::test::sample_context(argv[2], single_precision, language);
   context.misra = misra;
-  context.prefetch = !misra && !single_precision;
   context.batch = misra ? 0 : treeline::test::kSampleBatch;
   if (is_c && !single_precision) {  // batches in vectors, those in float in loops
     context.lanes = 8;

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "emission/controller_unit.hpp"
-#include "emission/print_prefetch.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: a name from a file that ends a comment of the controller's header, so that what is
@@ -48,30 +47,6 @@ TEST(PrintController, KeepsNamesWithinComments) {
       std::regex_replace(header, std::regex(R"(/\*[^*]*(\*[^/][^*]*)*\*/)"), "");
   EXPECT_EQ(code.find("evil"), std::string::npos) << code;
   EXPECT_NE(code.find("arm_number payload[10];"), std::string::npos) << code;
-}
-
-// Would catch: functions of the controller's own that have a section and that nothing loads, and a
-// section that nothing is in.
-TEST(PrintController, LoadsAStepAndItsDynamics) {
-  EmissionContext context = test::sample_context("arm", false);
-  context.prefetch = true;
-  context.controller = std::make_shared<const ControllerUnit>(odd_unit());
-  const std::vector<Program> programs = {give_first("gravity", "g")};
-  const std::vector<GeneratedFile> files = print_prefetch({context, programs, {}});
-  const std::string& source = files.back().text;
-  for (const char* function : {"gravity", "controller_kinematics", "controller_joint_torque"}) {
-    const std::string section = std::string("treeline_arm_") + function;
-    EXPECT_NE(source.find("load(__start_" + section + ", __stop_" + section + ");"),
-              std::string::npos)
-        << section << source;
-    EXPECT_NE(print_prefetch_macro(context, function).find('"' + section + '"'), std::string::npos);
-  }
-  EXPECT_NE(files.front().text.find("void prefetch_step() noexcept;"), std::string::npos);
-  EXPECT_NE(source.find("load(__start_treeline_arm_controller, "), std::string::npos) << source;
-  const auto controller = print_controller({context, {}, {}});
-  const std::string& step = controller[1].text;
-  EXPECT_NE(step.find("section(\"treeline_arm_controller\"), flatten"), std::string::npos) << step;
-  EXPECT_NE(step.find("TREELINE_OWN_SECTION\nvoid arm_step("), std::string::npos) << step;
 }
 
 TEST(PrintController, KeepsLinesShort) {

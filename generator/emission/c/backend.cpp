@@ -63,7 +63,6 @@ constexpr AddOn kAddOns[] = {
     {wants_damping, print_damped_law, "damped_control_torque", true},
     {wants_limits, print_limited_law, "limited_control_torque", true},
     {wants_batch_limits, print_batch_limited, "batch_limited_control_torque", true},
-    kPrefetchRow,
     kSelftestRow,
     kIdentityRow,
     {wants_batch, print_batch},

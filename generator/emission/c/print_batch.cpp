@@ -15,7 +15,6 @@
 #include "emission/join_arguments.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_prefetch.hpp"
 #include "emission/wrap_line.hpp"
 
 namespace treeline::c {
@@ -84,8 +83,7 @@ std::string print_state_function(const EmissionContext& context, const Program& 
   for (const Result& result : program.results) append(result.argument, "");
   const std::string head =
       fmt::format("static void {}_state_of_{}({}) {{", context.name, program.name, list);
-  return print_prefetch_section(context) + wrap_line(head, 0) +
-         print_body(program, make_syntax(context), find_taken(context, program)) + "}\n\n";
+  return wrap_line(head, 0) + print_body(program, make_syntax(context), find_taken(context, program)) + "}\n\n";
 }
 
 /// `for (...) { to = from; }` over the elements of an argument.
@@ -120,7 +118,7 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
   std::string includes;
   if (vectors) includes = "#include \"states.h\"\n";
   if (!vectors && uses_trigonometry(program)) includes = "#include \"sin_cos.h\"\n";
-  auto holes = list_source_holes(context, program, "batch_" + program.name,
+  auto holes = list_source_holes(context, program,
                                  head_of(context, program, "_rows"));
   holes.insert(
       {{"states", std::to_string(context.batch)},

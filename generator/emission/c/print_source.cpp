@@ -122,7 +122,7 @@ std::string print_declaration(const EmissionContext& context, const Program& pro
 }
 
 std::string print_source(const EmissionContext& context, const Program& program) {
-  auto holes = list_source_holes(context, program, program.name, print_signature(context, program));
+  auto holes = list_source_holes(context, program, print_signature(context, program));
   if (program.loops) {
     holes["body"] = print_loop_body(context, program);
     return fill_template(templates::kLoopFunction, holes);

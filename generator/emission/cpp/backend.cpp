@@ -79,7 +79,6 @@ constexpr AddOn kAddOns[] = {
        return std::vector<GeneratedFile>{{each.context.name + "_batch_limited.hpp",
                                           print_batch_limited(each.context, each.batch)}};
      }},
-    kPrefetchRow,
     kSelftestRow,
     kIdentityRow,
     {[](const Contents& each) { return has_c_calls(each.context); }, print_c_calls, "c_calls"},

@@ -82,8 +82,7 @@ std::string print_batch_header(const EmissionContext& context, std::span<const P
 }
 
 std::string print_batch_source(const EmissionContext& context, const Program& program) {
-  auto holes =
-      list_source_holes(context, program, "batch_" + program.name, print_batch_head(program));
+  auto holes = list_source_holes(context, program, print_batch_head(program));
   holes.insert({{"states", std::to_string(context.batch)},
                 {"rows", print_rows(program)},
                 {"body", print_body(program, make_states_syntax(context),

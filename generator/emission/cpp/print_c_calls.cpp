@@ -18,7 +18,6 @@
 #include "emission/describe_limited.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/join_arguments.hpp"
-#include "emission/print_prefetch.hpp"
 #include "emission/print_target.hpp"
 #include "emission/wrap_line.hpp"
 
@@ -138,16 +137,6 @@ void pass_limited(const EmissionContext& context, std::span<const Program> progr
   parts.headers.push_back(c::print_limited_header(context, programs));
 }
 
-void pass_prefetch(const Contents& contents, Parts& parts) {
-  const EmissionContext& context = contents.context;
-  include_both(context, "prefetch", parts);
-  for (const LoadedCode& code : list_loaded(contents)) {
-    parts.definitions.push_back(fmt::format(
-        "void {0}_prefetch_{1}(void) {{\n  {0}::prefetch_{1}();\n}}\n", context.name, code.name));
-  }
-  parts.headers.push_back(print_prefetch_for_c(contents));
-}
-
 }  // namespace
 
 bool has_c_calls(const EmissionContext& context) {
@@ -159,7 +148,6 @@ std::vector<GeneratedFile> print_c_calls(const Contents& contents) {
   Parts parts = pass_functions(context, contents.programs);
   if (!contents.batch.empty()) pass_batch(context, contents.batch, parts);
   if (context.limits) pass_limited(context, contents.programs, parts);
-  if (context.prefetch) pass_prefetch(contents, parts);
   std::vector<GeneratedFile> files = std::move(parts.headers);
   files.push_back(
       {"c_calls.cpp",

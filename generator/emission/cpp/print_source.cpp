@@ -128,7 +128,7 @@ std::string print_declaration(const Program& program) {
 std::string print_source(const EmissionContext& context, const Program& program) {
   if (!program.loops && context.misra) return print_safe_source(context, program);
   const char* const restrict = program.loops ? "" : "TREELINE_RESTRICT ";
-  auto holes = list_source_holes(context, program, program.name, print_head(program, restrict));
+  auto holes = list_source_holes(context, program, print_head(program, restrict));
   if (program.loops) {
     holes["body"] = print_loop_body(context, program);
     return fill_template(templates::kLoopFunction, holes);

@@ -17,11 +17,6 @@ void refuse(const EmissionContext& context, Diagnostics& diagnostics) {
     report("batch", "functions of several states are vectors, which `profile: misra` does not use",
            "Leave `batch` out.");
   }
-  if (context.prefetch) {
-    report("prefetch",
-           "functions need sections of their own, for which `profile: misra` has no attributes",
-           "Leave `prefetch` out.");
-  }
 }
 
 }  // namespace treeline::misra
