@@ -252,7 +252,7 @@ struct Scene {
   Language language = Language::cpp;
   Profile profile = Profile::plain;
   Optimize optimize = Optimize::speed;
-  int selftest = 0;       ///< states in which NAME_selftest calls each function; 0: there is none
+  int selftest = 0;  ///< states in which NAME_selftest calls each function; 0: there is none
   Sines sin_cos = Sines::computed;
   Accuracy accuracy = Accuracy::balanced;
   /// Angles of the files that are quarter turns rounded to a few digits are taken as exact

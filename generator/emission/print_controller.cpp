@@ -121,13 +121,12 @@ std::string print_step(const EmissionContext& context, const ControllerUnit& uni
                        const Adaptation& own) {
   const bool scoped = backend_of(context.language).has_namespaces;
   return adapt_words(
-      fill_template(
-          templates::kControllerSource,
-          {{"name", context.name},
-           {"in", scoped ? context.name + "::detail::" : ""},
-           {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
-           {"section", print_section_macro(context)},
-           {"code_section", print_section(context)}}),
+      fill_template(templates::kControllerSource,
+                    {{"name", context.name},
+                     {"in", scoped ? context.name + "::detail::" : ""},
+                     {"cost", comment("//", wrap_text(describe_step_cost(unit), 95))},
+                     {"section", print_section_macro(context)},
+                     {"code_section", print_section(context)}}),
       own);
 }
 

@@ -22,7 +22,6 @@
 #include "generation/describe_scene.hpp"
 #include "generation/for_each_index.hpp"
 #include "generation/function_mechanisms.hpp"
-#include "generation/note_left_out.hpp"
 #include "generation/only_by_name.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "generation/run_routes.hpp"
@@ -362,7 +361,6 @@ std::optional<Generation> generate_code(const Robot& robot, const Scene& scene,
   backend_of(scene.language)
       .refuse(describe_scene(robot, scene, generation.mechanism), diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  note_left_out(scene, diagnostics);
   generation.domain = make_domain(robot, scene, generation.mechanism);
   add_base_parameters(generation.mechanism, generation.domain);
   if (!generate_functions(mechanisms, scene, choices, tell, generation, diagnostics)) {

@@ -4,7 +4,7 @@
 #
 # Makes the static library LIBRARY from a robot and a scene (without one: functions of the joints
 # alone), or from a scene that lists its robots and no URDF (CMake 3.20), while building: link it and
-# include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp", "NAME_joints.hpp", "NAME.h" from C, or
+# include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp", "NAME_joints.hpp", or
 # "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless
 # given; REAL, LANGUAGE, PROFILE, OPTIMIZE, FUNCTIONS and TARGET go before what the scene says. In C
 # the headers are "NAME.h" and "NAME_joints.h", and the project has to have the language C. Flags for
@@ -83,8 +83,6 @@ function(treeline_possible_sources scene ending result)
   if(ending STREQUAL "c")
     list(APPEND sources damped_control_torque limited_control_torque
       batch_limited_control_torque)  # in C++ headers
-  else()
-    list(APPEND sources c_calls)
   endif()
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()

@@ -142,9 +142,9 @@ std::string describe_cpp(const Scene& scene) {
   text += misra
               ? "\n`language: c` gives C99 of the same bits, which cppcheck compares with MISRA "
                 "C:2012.\n"
-              : "\nNAME_calls.hpp, NAME_eigen.hpp and c_calls.cpp, damped, limited and batched "
+              : "\nNAME_calls.hpp and NAME_eigen.hpp, damped, limited and batched "
                 "functions and the controller were not compared. `profile: misra` leaves out what "
-                "is required above, and of them the first three and batched functions.\n";
+                "is required above, and of them the first two and batched functions.\n";
   return text;
 }
 

@@ -35,8 +35,7 @@ void time_round(const ColdCall& cold, std::size_t round, double nothing, Times& 
   const CallArguments& arguments = *cold.call.arguments;
   const std::size_t state = round % arguments.calls();
   const auto time = [&] {
-    const double taken =
-        time_once([&] { cold.call.entry(arguments.in(state), arguments.out()); });
+    const double taken = time_once([&] { cold.call.entry(arguments.in(state), arguments.out()); });
     return std::max(0.1, taken - nothing);
   };
   evict_from_core();

@@ -41,10 +41,10 @@ TEST(Emit, MakesTheFolder) {
   for (const GeneratedFile& file : files) {
     names.push_back(file.name);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "CMakeLists.txt", "arm.h", "arm.hpp", "arm_calls.hpp", "arm_eigen.hpp",
-                       "arm_joints.h", "arm_joints.hpp", "c_calls.cpp", "corner_cases.cpp",
-                       "id.cpp", "inverse_dynamics.cpp", "manifest.json", "sin_cos.hpp"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"CMakeLists.txt", "arm.hpp", "arm_calls.hpp", "arm_eigen.hpp",
+                                      "arm_joints.hpp", "corner_cases.cpp", "id.cpp",
+                                      "inverse_dynamics.cpp", "manifest.json", "sin_cos.hpp"}));
   const std::string contract = text_of(files, "arm.hpp");
   for (const char* part :
        {"From arm.urdf and arm.yaml by", "treeline generate arm.urdf arm.yaml --output arm",
@@ -55,24 +55,6 @@ TEST(Emit, MakesTheFolder) {
         "    Real (&tau)[2]) noexcept;"}) {
     EXPECT_NE(contract.find(part), std::string::npos) << part << "\n" << contract;
   }
-}
-
-// Would catch: a header for C beside C++ that declares other functions than C has, is not compiled,
-// or says that the code is C; one that hides a header of C.
-TEST(Emit, WritesAHeaderForC) {
-  Diagnostics diagnostics;
-  const auto files = emit_sample(diagnostics);
-  const auto from = [](const std::string& text) { return text.substr(text.find("typedef")); };
-  EXPECT_EQ(from(text_of(files, "arm.h")), from(text_of(emit_sample_in_c(diagnostics), "arm.h")));
-  EXPECT_EQ(text_of(files, "arm.h").find("needs C99"), std::string::npos);
-  EXPECT_NE(text_of(files, "arm.hpp").find("//   arm.h: the functions for C"), std::string::npos);
-  EXPECT_NE(text_of(files, "CMakeLists.txt").find("  c_calls.cpp\n"), std::string::npos);
-  EXPECT_TRUE(diagnostics.list().empty());
-  const auto without =
-      emit(test::sample_context("math", false), test::sample_programs(), diagnostics);
-  EXPECT_EQ(text_of(without, "math.h"), "");
-  EXPECT_EQ(text_of(without, "math.hpp").find("math.h:"), std::string::npos);
-  EXPECT_EQ(text_of(without, "CMakeLists.txt").find("c_calls"), std::string::npos);
 }
 
 // Would catch: a file in the other language, a name that others see without the robot's before it,

@@ -82,9 +82,8 @@ Generation generate(const RobotInScene& made) {
 std::map<std::string, std::string> sources_of(const Generation& generation) {
   std::map<std::string, std::string> sources;
   for (const GeneratedFile& file : generation.files) {
-    // c_calls.cpp lists all functions, and id.cpp has a digest of all files.
-    if (!file.name.ends_with(".cpp") || file.name == "c_calls.cpp" || file.name == "id.cpp")
-      continue;
+    // id.cpp has a digest of all files.
+    if (!file.name.ends_with(".cpp") || file.name == "id.cpp") continue;
     sources[file.name] = file.text;
   }
   return sources;

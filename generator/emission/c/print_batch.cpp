@@ -83,7 +83,8 @@ std::string print_state_function(const EmissionContext& context, const Program& 
   for (const Result& result : program.results) append(result.argument, "");
   const std::string head =
       fmt::format("static void {}_state_of_{}({}) {{", context.name, program.name, list);
-  return wrap_line(head, 0) + print_body(program, make_syntax(context), find_taken(context, program)) + "}\n\n";
+  return wrap_line(head, 0) +
+         print_body(program, make_syntax(context), find_taken(context, program)) + "}\n\n";
 }
 
 /// `for (...) { to = from; }` over the elements of an argument.
@@ -118,8 +119,7 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
   std::string includes;
   if (vectors) includes = "#include \"states.h\"\n";
   if (!vectors && uses_trigonometry(program)) includes = "#include \"sin_cos.h\"\n";
-  auto holes = list_source_holes(context, program,
-                                 head_of(context, program, "_rows"));
+  auto holes = list_source_holes(context, program, head_of(context, program, "_rows"));
   holes.insert(
       {{"states", std::to_string(context.batch)},
        {"includes", includes},
@@ -145,34 +145,29 @@ GeneratedFile print_states_header(const EmissionContext& context, bool sines) {
                                              {"of_states", sines ? of_states : ""}})};
 }
 
-}  // namespace
-
-std::string print_batch_signature(const EmissionContext& context, const Program& program) {
-  return head_of(context, program, "");
-}
-
 GeneratedFile print_batch_header(const EmissionContext& context,
                                  std::span<const Program> programs) {
   std::string declarations;
   for (const Program& program : programs) {
     declarations += comment("///", describe_method(program) +
                                        describe_rounding(context, "batch_" + program.name)) +
-                    wrap_line(print_batch_signature(context, program) + ";", 0);
+                    wrap_line(head_of(context, program, "") + ";", 0);
   }
   declarations.pop_back();
-  const bool copies = context.language == Language::cpp || has_vectors(context);
-  return {
-      context.name + "_batch.h",
-      fill_template(templates::kBatch,
-                    {{"robot", context.robot},
-                     {"name", context.name},
-                     {"NAME", name_in_capitals(context)},
-                     {"states", std::to_string(context.batch)},
-                     {"note", copies ? " At -O0 GCC may copy states by memcpy where the target\n"
-                                       "// has no floating-point unit."
-                                     : ""},
-                     {"declarations", declarations}})};
+  return {context.name + "_batch.h",
+          fill_template(templates::kBatch,
+                        {{"robot", context.robot},
+                         {"name", context.name},
+                         {"NAME", name_in_capitals(context)},
+                         {"states", std::to_string(context.batch)},
+                         {"note", has_vectors(context)
+                                      ? " At -O0 GCC may copy states by memcpy where the target\n"
+                                        "// has no floating-point unit."
+                                      : ""},
+                         {"declarations", declarations}})};
 }
+
+}  // namespace
 
 std::vector<GeneratedFile> print_batch(const Contents& contents) {
   const EmissionContext& context = contents.context;

@@ -36,13 +36,6 @@ std::string print_check_of_constants(const EmissionContext& context) {
 
 /// Describes what the functions need: other files and standard headers.
 std::string describe_needs(const EmissionContext& context, std::span<const Program> programs) {
-  if (context.language == Language::cpp) {
-    return fmt::format(
-        "Programs in C99 and C++ include this file. The functions are those of\n"
-        "{}.hpp, with the same bits: c_calls.cpp, in C++17,\n"
-        "passes each call on and copies {} library is needed, not even that of C++.",
-        context.name, context.limits ? "limits and their outcome only.\nNo" : "nothing. No");
-  }
   const bool loops = has_loops(programs);
   const bool flags = context.limits || !context.effective_mass_limits.empty();
   const char* const headers = loops   ? "<float.h>, <stdbool.h>, <stddef.h> and <stdint.h>"

@@ -26,8 +26,6 @@ std::string print_damped_calls(const EmissionContext& context,
   return calls;
 }
 
-}  // namespace
-
 std::string print_damped_signature(const EmissionContext& context,
                                    std::span<const Program> programs) {
   const char* const real = number_type(context);
@@ -55,6 +53,8 @@ GeneratedFile print_damped_header(const EmissionContext& context,
                {"cost", comment("///", describe_damped_cost(context, programs))},
                {"signature", wrap_line(print_damped_signature(context, programs) + ";", 0)}})};
 }
+
+}  // namespace
 
 std::vector<GeneratedFile> print_damped(const Contents& contents) {
   const EmissionContext& context = contents.context;

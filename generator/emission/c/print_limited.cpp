@@ -137,8 +137,6 @@ Holes list_source_holes(const EmissionContext& context, std::span<const Program>
   return holes;
 }
 
-}  // namespace
-
 std::string print_default_limits(const EmissionContext& context) {
   const Syntax syntax = make_syntax(context);
   const std::string zero = syntax.literal(0);
@@ -149,23 +147,18 @@ std::string print_default_limits(const EmissionContext& context) {
       0);
 }
 
-std::string print_limited_signature(const EmissionContext& context,
-                                    std::span<const Program> programs) {
-  return print_head(context, find_supported(programs), kOneState);
-}
-
 GeneratedFile print_limited_header(const EmissionContext& context,
                                    std::span<const Program> programs) {
   Holes holes = list_limit_holes(context);
-  EmissionContext in_c = context;
-  in_c.language = Language::c;
-  holes["types"] = print_limit_types(in_c);
+  holes["types"] = print_limit_types(context);
   holes["notes"] = comment("///", describe_cones(*context.limits));
   holes["cost"] = comment("///", describe_limited_cost(context, programs));
   holes["method"] = header_name(context, "limited_torque");
-  holes["signature"] = wrap_line(print_limited_signature(context, programs) + ";", 0);
+  holes["signature"] = wrap_line(print_head(context, find_supported(programs), kOneState) + ";", 0);
   return {context.name + "_limited.h", fill_limits(templates::kLimited, holes)};
 }
+
+}  // namespace
 
 std::vector<GeneratedFile> print_limited(const Contents& contents) {
   const EmissionContext& context = contents.context;

@@ -1,28 +1,18 @@
 #pragma once
 
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
-#include "program/program.hpp"
 
 namespace treeline::c {
 
 /// NAME_limited.h and limited_control_torque.c, composed of others of the functions. `context` has
 /// `limits`. Throws std::logic_error where a function that is called is missing.
 std::vector<GeneratedFile> print_limited(const Contents& contents);
-
-/// NAME_limited.h, which C++ has beside its own header; the head of the function that it declares,
-/// without what follows; and the definition of `NAME_default_limits`.
-GeneratedFile print_limited_header(const EmissionContext& context,
-                                   std::span<const Program> programs);
-std::string print_limited_signature(const EmissionContext& context,
-                                    std::span<const Program> programs);
-std::string print_default_limits(const EmissionContext& context);
 
 /// NAME_batch_limited.h and batch_limited_control_torque.c: limited control of several states, from
 /// their functions.

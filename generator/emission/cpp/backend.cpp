@@ -4,7 +4,6 @@
 
 #include "emission/core_headers.hpp"
 #include "emission/cpp/print_batch.hpp"
-#include "emission/cpp/print_c_calls.hpp"
 #include "emission/cpp/print_calls.hpp"
 #include "emission/cpp/print_contract.hpp"
 #include "emission/cpp/print_core_header.hpp"
@@ -81,7 +80,6 @@ constexpr AddOn kAddOns[] = {
      }},
     kSelftestRow,
     kIdentityRow,
-    {[](const Contents& each) { return has_c_calls(each.context); }, print_c_calls, "c_calls"},
     {wants_batch, print_batch},
     kLoopsRow,
     {[](const Contents& each) { return !each.context.misra; }, print_other_calls},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "emission/comment.hpp"
-#include "emission/cpp/print_c_calls.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_contract.hpp"
@@ -14,17 +13,12 @@ namespace treeline::cpp {
 namespace {
 
 constexpr const char* kBeside =
-    "{1}//   {0}_calls.hpp: the functions with named inputs, std::array and pointers\n"
+    "//   {0}_calls.hpp: the functions with named inputs, std::array and pointers\n"
     "//   {0}_eigen.hpp: the functions for Eigen\n";
 
 constexpr const char* kConstants =
     "\nstatic_assert(sizeof(1.0) == sizeof(Real), \"compile without "
     "-fsingle-precision-constant\");";
-
-std::string list_c_headers(const EmissionContext& context) {
-  if (!has_c_calls(context)) return {};
-  return fmt::format("//   {}.h: the functions for C\n", context.name);
-}
 
 }  // namespace
 
@@ -40,7 +34,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   const bool loops = has_loops(programs);
   auto values = describe_contract(context);
   values.insert(
-      {{"beside", context.misra ? "" : fmt::format(kBeside, context.name, list_c_headers(context))},
+      {{"beside", context.misra ? "" : fmt::format(kBeside, context.name)},
        {"includes", context.misra ? "\n#include <stdint.h>" : ""},
        {"form", loops ? "loops over its links and straight-line code" : "straight-line code"},
        {"branch", loops ? "no branch on data" : "no branch"},

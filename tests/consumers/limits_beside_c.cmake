@@ -1,5 +1,5 @@
-# C++ with limits and batches called from C, beside the same in C: see limits_from_c.c.
-# cmake -DTREELINE=program -DROBOTS=dir -DFOLDER=dir -DHOST=c++ -P limits_from_c.cmake
+# Limits and batches in C++ beside the same in C: see limits_beside_c.cpp.
+# cmake -DTREELINE=program -DROBOTS=dir -DFOLDER=dir -DHOST=c++ -P limits_beside_c.cmake
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -29,7 +29,6 @@ foreach(case arm:c++:cpp inc:c:c)
   endforeach()
 endforeach()
 file(GLOB objects ${FOLDER}/*/objects/*.o)
-# Without the library of C++.
-run(gcc -std=c99 -pedantic -Wall -Wextra -Werror ${includes} ${tests}/limits_from_c.c ${objects} -lm
-  -o ${FOLDER}/limits_from_c)
-run(${FOLDER}/limits_from_c)
+run(${HOST} -std=c++17 -pedantic -Wall -Wextra -Werror -ffp-contract=off ${includes}
+  ${tests}/limits_beside_c.cpp ${objects} -o ${FOLDER}/limits_beside_c)
+run(${FOLDER}/limits_beside_c)
