@@ -1,6 +1,6 @@
 #pragma once
 
-#include "interpreter/link_inertias.hpp"
+#include "interpreter/link_inverse_inertias.hpp"
 #include "interpreter/task_law.hpp"
 
 namespace treeline::interpreter {

@@ -109,8 +109,6 @@ namespace treeline::interpreter {
 
 #define TREELINE_INTERPRETER_CONTACTS_AND_OBJECTS(EXTERN, T)                                       \
   EXTERN template PerBody<Matrix6<T>> link_inverse_inertias<T>(const Model<T>&, VectorArg<T>);     \
-  EXTERN template PerBody<Matrix6<T>> link_inertias<T>(                                            \
-      const Model<T>&, VectorArg<T>, const std::type_identity_t<T>&);                              \
   EXTERN template ContactMotion<T> contact_motion<T>(                                              \
       const Model<T>&, PointsArg<T>, VectorArg<T>, VectorArg<T>);                                  \
   EXTERN template Vector<T> effective_masses<T>(                                                   \

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "interpreter/physics.hpp"
+#include "interpreter/propagate_inertia.hpp"
 
 // Contact by Chang chapter 8, compared with its definitions by M and J in O(n^3), and with momentum
 // and energy, in 50 digits, for chains and trees with every joint type. Would catch: a wrong

@@ -5,10 +5,7 @@
 #include <map>
 
 #include "interpreter/damped_torque.hpp"
-#include "interpreter/extend_force_propagators.hpp"
-#include "interpreter/factor_mass_matrix.hpp"
 #include "interpreter/instances.hpp"
-#include "interpreter/propagate_unit_forces.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret.hpp"
@@ -62,16 +59,7 @@ std::map<std::string, Entries> other_algorithms(Function function, const DoubleS
                                         subject.model, q, vector_of(state.qd), vector_of(state.tau),
                                         {}, interpreter::Vector<double>()))}};
   }
-  if (function != Function::lambda_inverse) return {};
-  const auto& model = subject.model;
-  const auto& points = subject.points;
-  return {
-      {"interpreter: PV-OSIM",
-       entries_of(interpreter::lambda_inverse_by_unit_forces<double>(model, points, q))},
-      {"interpreter: EFPA",
-       entries_of(interpreter::lambda_inverse_by_extended_propagators<double>(model, points, q))},
-      {"interpreter: L^T D L",
-       entries_of(interpreter::lambda_inverse_by_sparse_factors<double>(model, points, q))}};
+  return {};
 }
 
 std::string interpreter_name(Function function) {

@@ -6,6 +6,7 @@
 
 #include "experiments.hpp"
 #include "interpreter/instances.hpp"
+#include "interpreter/propagate_inertia.hpp"
 #include "oracle/subject.hpp"
 
 namespace treeline::stress {
