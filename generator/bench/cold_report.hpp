@@ -44,7 +44,7 @@ struct ColdBenchOptions {
   std::function<void(const std::string& what, int done, int total)> progress = {};
 };
 
-/// "speed, balanced".
+/// "speed, size".
 std::string names_of(const ColdRow& row);
 
 /// Generates and compiles the scene's functions, of one state, for each value of `optimize`, and
@@ -57,8 +57,5 @@ std::optional<ColdReport> run_cold_bench(const Robot& robot, const Scene& scene,
 std::string print_table(const ColdReport& report);
 /// Prints JSON objects, one per line: the machine, then every row of every function.
 std::string print_json_lines(const ColdReport& report);
-/// Draws bytes to the right and time upward, logarithmic, with a panel for each function: warm,
-/// from the shared cache, from memory. Returns a stand-alone SVG file.
-std::string draw_svg(const ColdReport& report);
 
 }  // namespace treeline

@@ -16,7 +16,7 @@
 namespace treeline {
 namespace {
 
-constexpr std::array kChoices = {Optimize::speed, Optimize::balanced, Optimize::size};
+constexpr std::array kChoices = {Optimize::speed, Optimize::size};
 
 /// The scene's functions of one state, without what calls them.
 Scene scene_for(Scene scene, Optimize optimize) {
@@ -40,7 +40,6 @@ std::optional<ColdBuild> make_build(const Robot& robot, const Scene& scene,
   if (!write_files(sources, generation->files, diagnostics)) return std::nullopt;
   CompileOptions options{flags};
   options.optimize = scene.optimize;
-  options.target = scene.target;
   auto build =
       load_build(sources, scene, generation->functions, options, work / "objects", diagnostics);
   if (!build) return std::nullopt;

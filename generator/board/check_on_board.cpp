@@ -105,7 +105,6 @@ CompileOptions list_board_sources(const BoardJob& job) {
   if (job.scene.selftest > 0) compile.stems.emplace_back(kSelftestStem);
   compile.language = job.scene.language;
   compile.optimize = job.scene.optimize;
-  compile.target = job.scene.target;
   compile.flags = add_extra_passes(compile.flags);  // compilers for boards are GCC
   return compile;
 }

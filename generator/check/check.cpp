@@ -64,7 +64,6 @@ std::optional<Libraries> build_libraries(const fs::path& sources, const Scene& s
                                          const fs::path& work, Diagnostics& diagnostics) {
   options.language = scene.language;
   options.optimize = scene.optimize;
-  options.target = scene.target;
   Libraries libraries;
   libraries.accurate = compile_and_load(sources, scene, generation, options, work / "accurate",
                                         libraries.compilation, diagnostics);

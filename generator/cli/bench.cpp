@@ -49,7 +49,7 @@ constexpr const char* kHowToReadBench =
     "modules lie beside this program (built with -DTREELINE_PEERS=ON). Their time has what brings\n"
     "joints into their order in it, not what brings matrices back. A peer that computes something\n"
     "else is told, not timed.\n"
-    "With --cold, what `optimize: speed`, `balanced` and `size` make of each function of one "
+    "With --cold, what `optimize: speed` and `size` make of each function of one "
     "state:\n"
     "  bytes       of code, with the sines that it calls, and constants\n"
     "  from cache  a call alone, after much else ran on this core: code and data are in the cache\n"
@@ -65,7 +65,7 @@ constexpr const char* kHowToReadBench =
     "Examples:\n"
     "  treeline bench puma560.urdf scene.yaml --svg puma560.svg\n"
     "  treeline bench puma560.urdf scene.yaml --functions control_torque --json > bench.jsonl\n"
-    "  treeline bench humanoid.urdf scene.yaml --cold --svg cold.svg\n"
+    "  treeline bench humanoid.urdf scene.yaml --cold\n"
     "  treeline bench --suite robots.txt --svg suite.svg";
 
 constexpr int kQuickStates = 40;
@@ -119,17 +119,24 @@ void refuse_language(Diagnostics& diagnostics) {
                    "Leave `language` out of the scene that you measure."});
 }
 
+template <class Report>
+int print_report(const std::optional<Report>& report, const BenchCommand& options,
+                 const Diagnostics& diagnostics) {
+  print_diagnostics(diagnostics, options.inputs.warnings);
+  if (!report) return kBadInput;
+  const ExitCode exit_code = diagnostics.has_errors() ? kBadInput : kOk;
+  return options.json ? write_output(print_json_lines(*report), OutputForm::json, exit_code)
+                      : write_output(print_table(*report), OutputForm::text, exit_code);
+}
+
 /// Writes the picture where one is asked for, and the report.
 template <class Report>
 int deliver(const std::optional<Report>& report, const BenchCommand& options,
             Diagnostics& diagnostics) {
-  const bool written = report && (options.svg.empty() ||
-                                  write_output_file(options.svg, draw_svg(*report), diagnostics));
-  print_diagnostics(diagnostics, options.inputs.warnings);
-  if (!report) return kBadInput;
-  const ExitCode exit_code = written ? kOk : kBadInput;
-  return options.json ? write_output(print_json_lines(*report), OutputForm::json, exit_code)
-                      : write_output(print_table(*report), OutputForm::text, exit_code);
+  if (report && !options.svg.empty()) {
+    (void)write_output_file(options.svg, draw_svg(*report), diagnostics);
+  }
+  return print_report(report, options, diagnostics);
 }
 
 std::optional<ColdReport> run_cold(const RobotAndScene& inputs, const BenchCommand& options,
@@ -206,8 +213,8 @@ int run(BenchCommand options) {
   if (!options.cold) prepare_warm(options, diagnostics);
   const bool ready = inputs && !diagnostics.has_errors();
   if (options.cold) {
-    return deliver(ready ? run_cold(*inputs, options, diagnostics) : std::nullopt, options,
-                   diagnostics);
+    return print_report(ready ? run_cold(*inputs, options, diagnostics) : std::nullopt, options,
+                        diagnostics);
   }
   return deliver(ready ? run_warm(*inputs, options, diagnostics) : std::nullopt, options,
                  diagnostics);
@@ -233,8 +240,8 @@ void add_bench(CLI::App& app, int& exit_code) {
                  fmt::format("{} states, {} rounds", kQuickStates, kQuickRounds))
       ->excludes(states);
   command->add_flag("--json", options->json, "The machine and each variant as a line of JSON");
-  command->add_option("--svg", options->svg,
-                      "Writes time against error, or against bytes, a panel a function");
+  CLI::Option* svg =
+      command->add_option("--svg", options->svg, "Writes time against error, a panel a function");
   CLI::Option* peer =
       command->add_option("--peer", options->peers, "Module of another peer, any number");
   command
@@ -257,7 +264,8 @@ void add_bench(CLI::App& app, int& exit_code) {
                  "Bytes, and time out of cold caches, by `optimize`, in place of error")
       ->excludes(peer)
       ->excludes(suite)
-      ->excludes(states);
+      ->excludes(states)
+      ->excludes(svg);
   command->footer(kHowToReadBench);
   command->callback([options, urdf, suite, &exit_code] {
     if (urdf->count() + suite->count() == 0) throw CLI::RequiredError("urdf");

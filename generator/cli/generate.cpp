@@ -127,17 +127,6 @@ bool may_write_to_default(const std::string& output, bool is_package, Diagnostic
   return false;
 }
 
-/// Tools without CMake compile a library with one set of flags.
-void note_lost_flags(const PackageKind* package, const Scene& scene, Diagnostics& diagnostics) {
-  const bool loses_some = package != nullptr && package->has_one_set_of_flags;
-  if (!loses_some || scene.optimize != Optimize::balanced) return;
-  diagnostics.add(
-      {Severity::note, "", 0, "optimize",
-       "`balanced` compiles long functions alone for small code, but packages of this tool can "
-       "state one set of flags for all sources: it compiles them for speed",
-       "Choose `size`, or set -Os yourself for the files that src/CMakeLists.txt lists."});
-}
-
 /// Packages for microcontrollers without a target: lanes that no such core has take stack, and more
 /// of it than the header says.
 void warn_of_lanes(const PackageKind* package, const Scene& scene, Diagnostics& diagnostics) {
@@ -161,7 +150,6 @@ ExitCode deliver(const GenerateOptions& options, const GeneratedInputs& made,
   const std::string output = options.has_output ? options.output : made.inputs.scene.name;
   const PackageKind* const package = find_package(options.inputs.package);
   const auto folders = make_package(package, made.inputs.robot, made.inputs.scene, generation);
-  note_lost_flags(package, made.inputs.scene, diagnostics);
   warn_of_lanes(package, made.inputs.scene, diagnostics);
   note_not_called(package, made.inputs.scene, diagnostics);
   const auto differences = compare_folders(output, folders);

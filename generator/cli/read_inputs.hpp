@@ -25,7 +25,7 @@ struct InputOptions {
   std::string real;                    ///< `float`, `double`; empty: the scene's
   std::string language;                ///< `c++`, `c`; empty: the scene's
   std::string profile;                 ///< `plain`, `misra`; empty: the scene's
-  std::string optimize;                ///< `speed`, `size`, `balanced`; empty: the scene's
+  std::string optimize;                ///< `speed`, `size`; empty: the scene's
   std::string target;                  ///< processor; empty: the scene's
   std::vector<std::string> functions;  ///< empty: the scene's
   std::string package;                 ///< that the code is for; empty: none

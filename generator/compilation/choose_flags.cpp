@@ -11,7 +11,7 @@ OwnFlags own_flags_of(const GeneratedFunction& generated, const CompileOptions& 
   if (is_composed(generated)) {
     return {options.optimize == Optimize::size && options.language == Language::c};
   }
-  return choose_own_flags(options.optimize, options.target, generated.program, generated.batch > 0);
+  return choose_own_flags(options.optimize, generated.program);
 }
 
 /// Whether the last level that the flags name is not -O0, which is the default.

@@ -23,7 +23,6 @@ struct CompileOptions {
   std::string flags = "-O2 -ffp-contract=off";
   std::string long_flags = {};          ///< for long functions (`is_long`); empty: the same flags
   Optimize optimize = Optimize::speed;  ///< of the scene: which functions are to be small code
-  std::string target = "generic";       ///< of the scene, for `Optimize::balanced`
   int jobs = 0;                         ///< 0: as many as there are cores
   std::function<void(int, int)> progress = {};  ///< receives number of sources done and of all
   std::string compiler = {};                    ///< empty: see `find_compiler`

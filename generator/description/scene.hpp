@@ -21,8 +21,8 @@ enum class Real { float32, float64 };
 enum class Language { cpp, c };
 /// How the emitted code is written: as compilers like it best, or as rules for safe code ask.
 enum class Profile { plain, misra };
-/// Preference for speed, for size at the cost of time, or, with `balanced`, chosen by function.
-enum class Optimize { speed, size, balanced };
+/// Preference for speed, or for size at the cost of time.
+enum class Optimize { speed, size };
 /// Whether functions compute the sines and cosines of q or take them as arguments.
 enum class Sines { computed, given };
 /// Preference where operations can be saved at the cost of digits.

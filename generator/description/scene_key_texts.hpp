@@ -183,10 +183,9 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "The processor that the code is for.", "reference/targets.md"},
     {"profile", "`plain` or `misra`", "`plain`", "profile: misra",
      "`misra`: code as rules for safe code ask.", "reference/safe-code.md"},
-    {"optimize", "`speed`, `size` or `balanced`", "`speed`", "optimize: size",
+    {"optimize", "`speed` or `size`", "`speed`", "optimize: size",
      "`size`: functions loop over links where that is smaller, and the emitted `CMakeLists.txt` "
-     "compiles for small code. `balanced`: the latter only, for functions that are larger than a "
-     "first-level cache.",
+     "compiles for small code.",
      "explanation/small-code.md"},
     {"selftest", "1, 2, 4 or 8", "none", "selftest: 2",
      "Adds `NAME_selftest.h` with `NAME_selftest`, which calls each function in so many states and "

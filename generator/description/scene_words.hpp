@@ -36,7 +36,7 @@ inline const std::vector<std::string>& words_of<Profile>() {
 }
 template <>
 inline const std::vector<std::string>& words_of<Optimize>() {
-  static const std::vector<std::string> words = {"speed", "size", "balanced"};
+  static const std::vector<std::string> words = {"speed", "size"};
   return words;
 }
 template <>

@@ -97,7 +97,6 @@ struct EmissionContext {
     int flops = 0;
     double cost = 0;  ///< by which it was chosen, see `Cost::weighted`
     int lanes = 0;    ///< where they were chosen to be others than the scene's
-    std::optional<bool> small_code = std::nullopt;  ///< see `Program`
   };
   struct ChoiceRow {
     std::string function;

@@ -2,40 +2,11 @@
 
 #include "emission/backend.hpp"
 #include "emission/describe_program.hpp"
-#include "passes/count_operations.hpp"
-#include "target/target.hpp"
 
 namespace treeline {
-namespace {
-
-/// Bytes of code that an operation takes with its loads and stores, and of the cache for code, at
-/// most: x86-64 and AArch64 as on PCs; cores of microcontrollers that have a cache have 16 KB.
-struct CodeModel {
-  int bytes_of_operation;
-  int cache;
-};
-
-CodeModel model_of(std::string_view name) {
-  const Target* const target = find_target(name);
-  const bool small = target != nullptr && !target->contracts;  // as microcontrollers do
-  return small ? CodeModel{5, 16384} : CodeModel{9, 32768};
-}
-
-bool is_larger_than_a_cache(std::string_view target, const Program& program) {
-  const CodeModel model = model_of(target);
-  return count_operations(program).flops() * model.bytes_of_operation > model.cache;
-}
-
-}  // namespace
-
-OwnFlags choose_own_flags(Optimize optimize, std::string_view target, const Program& program,
-                          bool batch) {
-  OwnFlags flags{false, is_long(program), is_huge(program)};
-  if (flags.is_huge) return flags;
-  flags.is_small = optimize == Optimize::size;
-  if (optimize != Optimize::balanced || batch) return flags;
-  flags.is_small = program.small_code.value_or(is_larger_than_a_cache(target, program));
-  return flags;
+OwnFlags choose_own_flags(Optimize optimize, const Program& program) {
+  const bool huge = is_huge(program);
+  return {optimize == Optimize::size && !huge, is_long(program), huge};
 }
 
 std::vector<Source> list_sources(const Contents& contents) {
@@ -49,7 +20,7 @@ std::vector<Source> list_sources(const Contents& contents) {
   };
   const auto add_function = [&](const Program& program, Source::Of of) {
     const bool batch = of == Source::Of::batch;
-    const OwnFlags flags = choose_own_flags(context.optimize, context.target, program, batch);
+    const OwnFlags flags = choose_own_flags(context.optimize, program);
     add((batch ? "batch_" : "") + program.name, of, flags).is_joined = joins && program.loops;
   };
   for (const Program& program : contents.all) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "emission/contents.hpp"
@@ -31,12 +30,9 @@ struct Source {
 /// compiles; it is there where the language shares loops so, and two functions or more loop.
 std::vector<Source> list_sources(const Contents& contents);
 
-/// Returns the flags of a function for one state or for a `batch`, as `optimize` of the scene asks.
-/// Small code: `size` all; `balanced` those for one state of which `Program::small_code` says so,
-/// and where it says nothing those whose code is modelled to be larger than the first-level cache
-/// of the target, so that loading it takes longer than running it; never what is huge.
-OwnFlags choose_own_flags(Optimize optimize, std::string_view target, const Program& program,
-                          bool batch);
+/// Returns the flags of a function, as `optimize` of the scene asks: small code by `size`, but for
+/// what is huge.
+OwnFlags choose_own_flags(Optimize optimize, const Program& program);
 
 /// Passes of GCC that save spills and copies in straight-line code, 2 to 6 % of its bytes. Without
 /// optimisation, and for long functions (`is_long`), they take minutes.

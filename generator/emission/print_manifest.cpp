@@ -128,11 +128,9 @@ std::string print_limited_function(const EmissionContext& context,
 
 std::string print_method(const EmissionContext::Method& method) {
   const std::string lanes = method.lanes > 0 ? fmt::format(R"(, "lanes": {})", method.lanes) : "";
-  const std::string small =
-      method.small_code ? fmt::format(R"(, "small_code": {})", *method.small_code) : "";
-  return fmt::format(R"({{"route": {}, "method": {}, "flops": {}, "cost": {:.0f}{}{}}})",
+  return fmt::format(R"({{"route": {}, "method": {}, "flops": {}, "cost": {:.0f}{}}})",
                      quote_json(method.route), quote_json(method.name), method.flops, method.cost,
-                     lanes, small);
+                     lanes);
 }
 
 std::string print_choice(const EmissionContext::ChoiceRow& choice) {

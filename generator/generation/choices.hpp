@@ -13,7 +13,6 @@ namespace treeline {
 struct RouteChoice {
   std::string route;  ///< its key, or the words by which earlier manifests name it
   int lanes = 0;      ///< 1, 2, 4 or 8; 0: the scene's
-  std::optional<bool> small_code = std::nullopt;  ///< see `Program`; only with `balanced`
 };
 
 /// Routes that are chosen in advance. Every other function takes the route of least cost.
@@ -26,11 +25,10 @@ struct Choices {
 };
 
 /// Reads the choices that a manifest.json records, or that are written by hand in the same form:
-/// {"choices": [{"function": "gravity", "chosen": {"route": "...", "lanes": 4, "small_code":
-/// true}},
-/// ...]}, where `lanes` and `small_code` may be missing. A batch function is called
-/// "batch_gravity". Errors: the file cannot be read or is not JSON of this form; a function does
-/// not exist; the file says that it is about another robot than `robot`.
+/// {"choices": [{"function": "gravity", "chosen": {"route": "...", "lanes": 4}}, ...]}, where
+/// `lanes` may be missing. A batch function is called "batch_gravity". Errors: the file cannot be
+/// read or is not JSON of this form; a function does not exist; the file says that it is about
+/// another robot than `robot`.
 std::optional<Choices> read_choices(const std::string& path, const std::string& robot,
                                     Diagnostics& diagnostics);
 

@@ -38,11 +38,9 @@ EmissionContext::ChoiceRow choice_row(const GeneratedFunction& generated) {
   EmissionContext::ChoiceRow row;
   row.function = source_stem(generated);
   const auto method = [](const Cost& cost, int lanes) -> EmissionContext::Method {
-    return {key_of(cost.route), describe(cost.route), cost.count.flops(), cost.weighted, lanes,
-            std::nullopt};
+    return {key_of(cost.route), describe(cost.route), cost.count.flops(), cost.weighted, lanes};
   };
   row.chosen = method(generated.chosen, generated.other_lanes);
-  row.chosen.small_code = generated.program.small_code;
   std::set<std::string> algorithms{generated.chosen.route.algorithm};
   for (const Cost& cost : generated.rejected) {
     if (algorithms.insert(cost.route.algorithm).second) row.rejected.push_back(method(cost, 0));
@@ -225,7 +223,6 @@ void generate_in_form(const Scene& scene, const Choices& choices, Job& job) {
   std::map<Function, RouteChoice> routes = job.batch ? choices.batch : choices.plain;
   const auto choice = routes.find(job.function);
   const bool chosen = choice != routes.end();
-  const std::optional<bool> small_code = chosen ? choice->second.small_code : std::nullopt;
   const bool loops = chosen && !job.batch && choice->second.route == kLoopsKey;
   if (loops) routes.erase(choice);
   job.generated = generate_by_choice(*job.mechanism, job.function, route_options(scene, job.batch),
@@ -233,9 +230,6 @@ void generate_in_form(const Scene& scene, const Choices& choices, Job& job) {
   if (!job.generated || job.batch) return;
   if (loops || (!chosen && scene.optimize == Optimize::size)) {
     choose_loops(*job.whole, scene, loops, *job.generated, job.diagnostics);
-  }
-  if (chosen && scene.optimize == Optimize::balanced) {
-    job.generated->program.small_code = small_code;
   }
 }
 

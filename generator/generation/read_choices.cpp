@@ -28,7 +28,6 @@ std::string read_row(const Json& row, Choices& choices) {
   if (!function) return fmt::format("`{}` is no function: {}", name, suggest_function(name));
   const std::string words = chosen.value("method", "");
   RouteChoice choice{chosen.value("route", words), chosen.value("lanes", 0)};
-  if (chosen.contains("small_code")) choice.small_code = chosen["small_code"].get<bool>();
   if (std::find(kLanes.begin(), kLanes.end(), choice.lanes) == kLanes.end()) {
     return fmt::format("{} lanes of `{}` are none of 1, 2, 4, 8", choice.lanes, name);
   }

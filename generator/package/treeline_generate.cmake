@@ -1,5 +1,5 @@
 # treeline_generate(LIBRARY [URDF file] [SCENE file] [NAME identifier] [REAL float|double]
-#                   [LANGUAGE c|c++] [PROFILE plain|misra] [OPTIMIZE speed|size|balanced]
+#                   [LANGUAGE c|c++] [PROFILE plain|misra] [OPTIMIZE speed|size]
 #                   [FUNCTIONS function...] [TARGET processor] [CHOICES file])
 #
 # Makes the static library LIBRARY from a robot and a scene (without one: functions of the joints

@@ -34,19 +34,6 @@ std::vector<std::string> flags_of(const Scene& scene) {
   return flags;
 }
 
-/// Lines of CMake that compile for small code what `optimize: balanced` says; with `size` the flags
-/// of all do.
-std::string print_small_sources(const Scene& scene, const Generation& generation) {
-  if (scene.optimize != Optimize::balanced) return {};
-  std::string text;
-  for (const Source& source : generation.sources) {
-    if (source.flags.is_small) text += "../src/" + source.file + " ";
-  }
-  return text.empty() ? text
-                      : fmt::format("set_property(SOURCE {}APPEND PROPERTY COMPILE_OPTIONS {})",
-                                    text, kSmallCodeFlag);
-}
-
 /// The source that includes others: those of the functions that loop.
 std::string print_joined_source(const std::vector<std::string>& joined) {
   if (joined.empty()) return {};
@@ -115,10 +102,7 @@ std::vector<PackagedSource> list_packaged_sources(const Scene& scene,
   for (const Source& source : generation.sources) {
     if (source.of == Source::Of::joined) continue;
     if (std::find(joined.begin(), joined.end(), source.file) != joined.end()) continue;
-    const bool is_small = source.flags.is_small && scene.optimize == Optimize::balanced;
-    sources.push_back({source.file, source.flags.is_huge ? kHugeFlag
-                                    : is_small           ? kSmallCodeFlag
-                                                         : ""});
+    sources.push_back({source.file, source.flags.is_huge ? kHugeFlag : ""});
   }
   std::sort(sources.begin(), sources.end(),
             [](const PackagedSource& a, const PackagedSource& b) { return a.file < b.file; });
@@ -152,7 +136,6 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
           {"functions", fmt::format("{}", fmt::join(functions, ", "))},
           {"keywords", fmt::format("{}", fmt::join(keywords, "\n"))},
           {"requirement", is_c ? "" : "\tdepends on CPP"},
-          {"small_sources", print_small_sources(scene, generation)},
           {"sources", fmt::format("{}", fmt::join(sources, "\n"))},
           {"joined", print_joined_source(joined)},
           {"source_filter", print_source_filter(joined)},

@@ -59,18 +59,14 @@ std::vector<PackageFolder> for_cmsis(PackageFacts facts, const Robot& /*robot*/,
 constexpr PackageKind kPackages[] = {
     // CMake's project joins sources itself, and Arduino compiles whatever it finds.
     {.option = "cmake", .make = for_cmake, .joins_sources = false},
-    {.option = "platformio",
-     .make = for_platformio,
-     .is_for_firmware = true,
-     .has_one_set_of_flags = true},
+    {.option = "platformio", .make = for_platformio, .is_for_firmware = true},
     {.option = "zephyr", .make = for_zephyr, .is_for_firmware = true},
     {.option = "arduino",
      .make = for_arduino,
      .calls_a_function = true,
      .is_for_firmware = true,
-     .has_one_set_of_flags = true,
      .joins_sources = false},
-    {.option = "cmsis", .make = for_cmsis, .is_for_firmware = true, .has_one_set_of_flags = true},
+    {.option = "cmsis", .make = for_cmsis, .is_for_firmware = true},
     {.option = "python",
      .make = for_python,
      .of_c = "a package for Python",
@@ -106,7 +102,6 @@ constexpr PackageKind kPackages[] = {
      .make = for_firmware,
      .of_c = "firmware",
      .calls_a_function = true,
-     .has_one_set_of_flags = true,
      .refuse = refuse_for_firmware}};
 
 }  // namespace

@@ -28,12 +28,11 @@ struct PackageKind {
                                      const Generation& generation);
   /// "a package for Python": it is compiled from C whatever the scene says. Else empty.
   std::string_view of_c = {};
-  std::string_view caller = {};       ///< language whose programs call that C
-  bool is_unit = false;               ///< a Functional Mock-up Unit, of any version
-  bool calls_a_function = false;      ///< without a function in the scene there is no package
-  bool is_for_firmware = false;       ///< no core of its tool has lanes
-  bool has_one_set_of_flags = false;  ///< for all sources
-  bool joins_sources = true;  ///< functions that loop are one source, which is in the package
+  std::string_view caller = {};   ///< language whose programs call that C
+  bool is_unit = false;           ///< a Functional Mock-up Unit, of any version
+  bool calls_a_function = false;  ///< without a function in the scene there is no package
+  bool is_for_firmware = false;   ///< no core of its tool has lanes
+  bool joins_sources = true;      ///< functions that loop are one source, which is in the package
   void (*refuse)(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) = nullptr;
 };
 

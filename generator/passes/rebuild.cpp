@@ -86,10 +86,10 @@ std::vector<int> count_uses(const Program& program) {
 }
 
 Program without_graph(const Program& program) {
-  return {program.name,      program.equation, program.route,    program.arguments,
-          program.results,   Graph(),          program.packs,    program.lane_moves,
-          program.order,     program.law,      program.singular, program.small_code,
-          program.constants, nullptr,          nullptr};  // loops are of the graph as it was traced
+  return {program.name,    program.equation, program.route,    program.arguments,
+          program.results, Graph(),          program.packs,    program.lane_moves,
+          program.order,   program.law,      program.singular, program.constants,
+          nullptr,         nullptr};  // loops are of the graph as it was traced
 }
 
 Program rebuild(const Program& program, std::span<const std::uint32_t> order) {

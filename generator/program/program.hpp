@@ -60,9 +60,6 @@ struct Program {
   /// of its rows is relaxed.
   std::shared_ptr<const TaskLaw> law;
   std::string singular;  ///< a sentence on the results at singularities of the task; may be empty
-  /// Whether `optimize: balanced` compiles it to small code, where that was measured; else a model
-  /// of its code decides.
-  std::optional<bool> small_code = std::nullopt;
   std::shared_ptr<const ConstantNames> constants;  ///< null where names are not kept
   /// Loops over a table of links, of which the graph is the trace; null if the function has none.
   std::shared_ptr<const LinkLoops> loops;

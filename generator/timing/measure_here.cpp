@@ -10,7 +10,6 @@
 #include "emission/write_files.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "timing/describe_processor.hpp"
-#include "timing/time_cold_calls.hpp"
 #include "timing/tune.hpp"
 
 namespace treeline {
@@ -42,7 +41,6 @@ std::optional<std::vector<TimedBuild>> build_all(const Robot& robot, const Scene
                                                  CompileOptions compile, const fs::path& folder,
                                                  Diagnostics& diagnostics) {
   compile.optimize = scene.optimize;
-  compile.target = scene.target;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int workers = compile.jobs > 0 ? compile.jobs : cores;
   compile.jobs = 1;
@@ -95,25 +93,11 @@ std::vector<Timing> time_all(const std::vector<TimedCall>& calls) {
   return timings;
 }
 
-std::vector<Measurement> measure_all(const std::vector<ColdCall>& calls, bool cold) {
-  std::vector<TimedCall> warm;
-  for (const ColdCall& call : calls) warm.push_back(call.call);
-  std::vector<Measurement> measured;
-  for (const Timing& timing : time_all(warm)) measured.push_back({timing});
-  if (!cold) return measured;
-  const std::vector<ColdTiming> timings = time_cold_calls(calls);
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    measured[i].cold = timings[i].from_memory.value_or(timings[i].from_cache);
-  }
-  return measured;
-}
-
 }  // namespace
 
 Measure measure_here(const Robot& robot, const Scene& scene, const CompileOptions& compile) {
-  return [&robot, &scene, compile](
-             const std::vector<GeneratedFunction>& candidates,
-             Diagnostics& diagnostics) -> std::optional<std::vector<Measurement>> {
+  return [&robot, &scene, compile](const std::vector<GeneratedFunction>& candidates,
+                                   Diagnostics& diagnostics) -> std::optional<std::vector<Timing>> {
     const auto folder = make_temporary_folder(diagnostics);
     if (!folder) return std::nullopt;
     FunctionMechanisms mechanisms(robot, scene);
@@ -123,12 +107,11 @@ Measure measure_here(const Robot& robot, const Scene& scene, const CompileOption
     if (!builds) return std::nullopt;
     const auto states = draw_timing_states(robot, scene, mechanism, candidates);
     const CallArguments arguments(candidates.front(), states, scene.real);
-    std::vector<ColdCall> calls;
+    std::vector<TimedCall> calls;
     for (const TimedBuild& build : *builds) {
-      calls.push_back(
-          {{build.library.raw_entry(0), &arguments}, build.compilation.library.string()});
+      calls.push_back({build.library.raw_entry(0), &arguments});
     }
-    return measure_all(calls, scene.optimize == Optimize::balanced);
+    return time_all(calls);
   };
 }
 

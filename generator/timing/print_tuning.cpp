@@ -16,7 +16,7 @@ std::vector<std::size_t> rank(const TunedFunction& tuned) {
   std::vector<std::size_t> order(tuned.trials.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return tuned.trials[a].measured.cost() < tuned.trials[b].measured.cost();
+    return tuned.trials[a].measured.ratio < tuned.trials[b].measured.ratio;
   });
   return order;
 }
@@ -25,20 +25,16 @@ std::string print_lanes(const Trial& trial) {
   return trial.choice.lanes > 0 ? std::to_string(trial.choice.lanes) : "";
 }
 
-/// Columns of a trial; those of cold calls are empty where none were made.
+/// Columns of a trial.
 std::vector<std::string> print_trial(const TunedFunction& tuned, std::size_t i) {
   const Trial& trial = tuned.trials[i];
-  const auto& [warm, cold] = trial.measured;
+  const Timing& measured = trial.measured;
   const char* note = i == tuned.fastest ? " <- chosen" : i == 0 ? " <- least cost" : "";
-  return {fmt::format("{:.1f}", warm.nanoseconds),
-          fmt::format("{:.3f}", warm.ratio),
-          fmt::format("{:.3f}", warm.noise),
-          cold ? fmt::format("{:.0f}", cold->nanoseconds) : "",
-          cold ? fmt::format("{:.3f}", cold->ratio) : "",
-          cold ? fmt::format("{:.3f}", trial.measured.cost()) : "",
+  return {fmt::format("{:.1f}", measured.nanoseconds),
+          fmt::format("{:.3f}", measured.ratio),
+          fmt::format("{:.3f}", measured.noise),
           std::to_string(trial.count.flops()),
           print_lanes(trial),
-          trial.choice.small_code.value_or(false) ? "-Os" : "",
           trial.choice.route + note};
 }
 
@@ -48,19 +44,12 @@ nlohmann::ordered_json describe_trial(const TunedFunction& tuned, std::size_t i)
                                  {"route", trial.choice.route},
                                  {"lanes", nullptr},
                                  {"flops", trial.count.flops()},
-                                 {"nanoseconds", trial.measured.warm.nanoseconds},
-                                 {"ratio", trial.measured.warm.ratio},
-                                 {"noise", trial.measured.warm.noise},
+                                 {"nanoseconds", trial.measured.nanoseconds},
+                                 {"ratio", trial.measured.ratio},
+                                 {"noise", trial.measured.noise},
                                  {"least_cost", i == 0},
                                  {"chosen", i == tuned.fastest}};
   if (trial.choice.lanes > 0) json["lanes"] = trial.choice.lanes;
-  if (trial.choice.small_code) json["small_code"] = *trial.choice.small_code;
-  if (trial.measured.cold) {
-    json["cold_nanoseconds"] = trial.measured.cold->nanoseconds;
-    json["cold_ratio"] = trial.measured.cold->ratio;
-    json["cold_noise"] = trial.measured.cold->noise;
-    json["cost"] = trial.measured.cost();
-  }
   return json;
 }
 
@@ -80,12 +69,8 @@ std::string print_text(const Tuning& tuning) {
                         {"ns", true},
                         {"ratio", true},
                         {"noise", true},
-                        {"cold ns", true},
-                        {"ratio", true},
-                        {"cost", true},
                         {"flops", true},
                         {"lanes", true},
-                        {"flag"},
                         {"route"}},
                        rows) +
          "\n";

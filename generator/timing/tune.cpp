@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <utility>
 
-#include "emission/list_sources.hpp"
-#include "generation/choose_loops.hpp"
 #include "generation/function_mechanisms.hpp"
 #include "generation/only_by_name.hpp"
 #include "generation/run_routes.hpp"
@@ -48,26 +45,6 @@ bool is_cheaper(const GeneratedFunction& a, const GeneratedFunction& b) {
   return a.chosen.weighted < b.chosen.weighted;
 }
 
-/// The first candidate as small code, or not if it is that already, and as loops over links where
-/// it has this form; `mechanism` is for these.
-void add_small_code(const Mechanism& mechanism, const Scene& scene,
-                    std::vector<GeneratedFunction>& candidates) {
-  GeneratedFunction& first = candidates.front();
-  const bool is_small =
-      choose_own_flags(scene.optimize, scene.target, first.program, false).is_small;
-  GeneratedFunction loops = first;
-  Diagnostics not_told;
-  choose_loops(mechanism, scene, true, loops, not_told);
-  GeneratedFunction other = first;
-  first.program.small_code = is_small;
-  other.program.small_code = !is_small;
-  candidates.push_back(std::move(other));
-  if (not_told.has_errors()) return;
-  loops.other_lanes = first.other_lanes;
-  loops.program.small_code = true;
-  candidates.push_back(std::move(loops));
-}
-
 std::optional<TunedFunction> tune_function(std::vector<GeneratedFunction> candidates,
                                            const Measure& measure, const TuneOptions& options,
                                            Diagnostics& diagnostics) {
@@ -78,13 +55,12 @@ std::optional<TunedFunction> tune_function(std::vector<GeneratedFunction> candid
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const GeneratedFunction& candidate = candidates[i];
     tuned.trials.push_back(
-        {{key_of(candidate.chosen.route), tuned.batch > 0 ? 0 : candidate.other_lanes,
-          candidate.program.small_code},
+        {{key_of(candidate.chosen.route), tuned.batch > 0 ? 0 : candidate.other_lanes},
          candidate.chosen.count,
          (*measured)[i]});
-    const double least = tuned.trials[tuned.fastest].measured.cost();
-    const Measurement& own = tuned.trials.back().measured;
-    if (own.cost() < least && 1 - own.cost() > std::max(options.margin, 2 * own.noise())) {
+    const double least = tuned.trials[tuned.fastest].measured.ratio;
+    const Timing& own = tuned.trials.back().measured;
+    if (own.ratio < least && 1 - own.ratio > std::max(options.margin, 2 * own.noise)) {
       tuned.fastest = i;
     }
   }
@@ -92,14 +68,6 @@ std::optional<TunedFunction> tune_function(std::vector<GeneratedFunction> candid
 }
 
 }  // namespace
-
-double Measurement::cost() const {
-  return cold ? std::sqrt(warm.ratio * cold->ratio) : warm.ratio;
-}
-
-double Measurement::noise() const {
-  return cold ? (warm.noise + cold->noise) / 2 : warm.noise;
-}
 
 std::vector<GeneratedFunction> list_candidates(FunctionMechanisms& mechanisms, Function function,
                                                const Scene& scene, bool batch, double reach) {
@@ -127,8 +95,6 @@ std::vector<GeneratedFunction> list_candidates(FunctionMechanisms& mechanisms, F
     return !keep || !seen.insert(fingerprint(each.program)).second;
   });
   for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
-  if (scene.optimize == Optimize::balanced && !batch)
-    add_small_code(mechanisms.whole(), scene, all);
   return all;
 }
 
@@ -136,8 +102,7 @@ std::optional<Tuning> tune(const Robot& robot, const Scene& scene, const Measure
                            const TuneOptions& options, Diagnostics& diagnostics) {
   if (scene.optimize == Optimize::size) {
     diagnostics.add({Severity::error, "", 0, "optimize",
-                     "`size` chooses by bytes, and tuning by time",
-                     "Choose `balanced`, or do not tune."});
+                     "`size` chooses by bytes, and tuning by time", "Leave one of them out."});
     return std::nullopt;
   }
   FunctionMechanisms mechanisms(robot, scene);

@@ -14,23 +14,11 @@
 
 namespace treeline {
 
-/// Times of a candidate, relative to those of the first one.
-struct Measurement {
-  Timing warm;
-  /// One call whose code and data are in no cache, or in none of the core's own where the processor
-  /// cannot empty the others. Only for `optimize: balanced`.
-  std::optional<Timing> cold = std::nullopt;
-
-  /// Cost to minimise: the time, or the geometric mean of both, where both weigh the same.
-  [[nodiscard]] double cost() const;
-  [[nodiscard]] double noise() const;
-};
-
 /// A candidate for computing a function, and its times.
 struct Trial {
   RouteChoice choice;  ///< with lanes, except for a batch
   OperationCount count;
-  Measurement measured;
+  Timing measured;  ///< relative to the first candidate's
 };
 
 /// Trials of one function, the route of least cost first, and the winner.
@@ -47,7 +35,7 @@ struct Tuning {
 };
 
 /// Times candidates of one function relative to the first one. Errors: those of the compiler.
-using Measure = std::function<std::optional<std::vector<Measurement>>(
+using Measure = std::function<std::optional<std::vector<Timing>>(
     const std::vector<GeneratedFunction>& candidates, Diagnostics& diagnostics)>;
 
 struct TuneOptions {
@@ -63,8 +51,7 @@ struct TuneOptions {
 /// Lists the candidates for a function that may be fastest and have different code: each route in
 /// 1, 2, 4 and 8 lanes, with and without isomorphic limbs in lanes. The first is the one that
 /// `generate_code` makes without choices. Routes whose cost exceeds the least by more than the
-/// share `reach` are left out. With `optimize: balanced` functions of one state are also the first
-/// one compiled the other way, to small code or not, and loops over links.
+/// share `reach` are left out.
 std::vector<GeneratedFunction> list_candidates(const Mechanism& mechanism, Function function,
                                                const Scene& scene, bool batch, double reach);
 

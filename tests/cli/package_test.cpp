@@ -65,54 +65,6 @@ TEST_F(PackageTest, ZephyrCompilesItsModule) {
   EXPECT_NE(read("log").find("-ffp-contract=off"), std::string::npos);
 }
 
-// Would catch: a list of sources of another package, or flags that those of the project come
-// behind.
-TEST_F(PackageTest, ZephyrCompilesLongFunctionsForSmallCode) {
-  const std::string robot = std::string(TREELINE_ROBOTS) + "/humanoid24/humanoid24.urdf";
-  const auto outcome = test::run_program(
-      root_, "generate " + robot +
-                 " --functions gravity,forward_dynamics --optimize balanced --target cortex-m4f "
-                 "--real float --name arm --output lib --package zephyr");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  write("CMakeLists.txt", kZephyrApplication);
-  ASSERT_TRUE(
-      run("cmake -S . -B build -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "
-          "-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=" +
-          cxx_));
-  const auto commands = nlohmann::json::parse(read("build/compile_commands.json"));
-  int small = 0;
-  for (const auto& each : commands) {
-    const std::string command = each["command"];
-    const bool is_long =
-        each["file"].get<std::string>().find("forward_dynamics.cpp") != std::string::npos;
-    EXPECT_EQ(
-        command.rfind(" -Os") != std::string::npos && command.rfind(" -Os") > command.rfind(" -O3"),
-        is_long)
-        << command;
-    small += is_long ? 1 : 0;
-  }
-  EXPECT_EQ(small, 1);
-}
-
-// Would catch: a scene's wish that a package drops in silence.
-TEST_F(PackageTest, SaysWhereFlagsOfSingleFunctionsAreLost) {
-  for (const char* tool : {"platformio", "arduino --language c", "cmsis"}) {
-    const std::string package = std::string("--package ") + tool;
-    EXPECT_NE(generate(package + " --optimize balanced").err.find("note: optimize"),
-              std::string::npos)
-        << tool;
-    EXPECT_EQ(generate(package + " --optimize size").err.find("one set of flags"),
-              std::string::npos)
-        << tool;
-  }
-  for (const char* tool : {"cmake", "zephyr"}) {
-    EXPECT_EQ(generate(std::string("--package ") + tool + " --optimize balanced")
-                  .err.find("one set of flags"),
-              std::string::npos)
-        << tool;
-  }
-}
-
 // Would catch: code in eight lanes for a core that has none, without a word.
 TEST_F(PackageTest, SmallCoresWithoutATargetWarn) {
   constexpr const char* kSays = "target: none is named";

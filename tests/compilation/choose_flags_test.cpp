@@ -32,7 +32,6 @@ std::set<std::string> list_small_in_check(const Subjects& subjects) {
   CompileOptions options;
   options.language = subjects.scene.language;
   options.optimize = subjects.scene.optimize;
-  options.target = subjects.scene.target;
   options.long_flags = "-O0";
   std::set<std::string> names;
   for (const GeneratedFunction& generated : all_callable(subjects.generation)) {
@@ -62,13 +61,6 @@ TEST(ChooseFlags, FollowsTheEmittedProject) {
   arm.scene.lanes = 1;
   arm.scene.language = Language::c;
   EXPECT_EQ(expect_same_names(arm).count("damped_control_torque"), 1U);
-}
-
-TEST(ChooseFlags, BalancedTakesLongFunctionsAlone) {
-  Subjects humanoid = load_unmade("humanoid24", "scene.yaml");
-  humanoid.scene.optimize = Optimize::balanced;
-  humanoid.scene.functions = {Function::gravity, Function::control_torque};
-  EXPECT_EQ(expect_same_names(humanoid), std::set<std::string>{"control_torque"});
 }
 
 GeneratedFunction multiply(int times) {
@@ -101,7 +93,7 @@ TEST(ChooseFlags, LongFunctionsThatAreSmallCodeAreOptimised) {
   options.long_flags = "-O0";
   EXPECT_EQ(choose_flags(generated, options).flags, "-O0");
   EXPECT_TRUE(choose_flags(generated, options).is_long);
-  options.optimize = Optimize::balanced;
+  options.optimize = Optimize::size;
   EXPECT_EQ(choose_flags(generated, options).flags, options.flags + " -Os");
   EXPECT_FALSE(choose_flags(generated, options).is_long);
 }

@@ -25,10 +25,9 @@ std::string print_small(const EmissionContext& context, std::span<const Program>
   return begin == std::string::npos ? "" : project.substr(begin);
 }
 
-std::string print(Optimize optimize, Language language, const std::string& target = "generic") {
+std::string print(Optimize optimize, Language language) {
   EmissionContext context = test::sample_context("arm", false, language);
   context.optimize = optimize;
-  context.target = target;
   return print_small(context, test::safe_programs());
 }
 
@@ -38,16 +37,6 @@ TEST(PrintSmallCode, ListsWhatTheSceneAsksFor) {
   EXPECT_NE(all.find("    inverse_dynamics.c\n"), std::string::npos) << all;
   EXPECT_NE(all.find("    long_chain.c\n"), std::string::npos) << all;
   EXPECT_NE(all.find("CMAKE_C_COMPILER_ID"), std::string::npos) << all;
-}
-
-TEST(PrintSmallCode, BalancedTakesWhatIsLargerThanACache) {
-  // Of 8160 operations: 73 KB by the model, 41 KB on microcontrollers.
-  for (const char* target : {"generic", "cortex-m7"}) {
-    const std::string some = print(Optimize::balanced, Language::cpp, target);
-    EXPECT_NE(some.find("    long_chain.cpp\n"), std::string::npos) << some;
-    EXPECT_EQ(some.find("inverse_dynamics"), std::string::npos) << some;
-    EXPECT_NE(some.find("CMAKE_CXX_COMPILER_ID"), std::string::npos) << some;
-  }
 }
 
 // Would catch: a source of the folder that is compiled for speed where the scene asks for size.

@@ -1,10 +1,8 @@
 #include "timing/tune.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 
 #include "check/fixture.hpp"
@@ -20,9 +18,9 @@ using Rule = std::function<Timing(const GeneratedFunction& candidate, std::size_
 
 Measure measure_by(const Rule& rule) {
   return [rule](const std::vector<GeneratedFunction>& candidates, Diagnostics&) {
-    std::vector<Measurement> measured;
+    std::vector<Timing> measured;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      measured.push_back({rule(candidates[i], i)});
+      measured.push_back(rule(candidates[i], i));
     }
     return std::optional(measured);
   };
@@ -129,69 +127,6 @@ TEST(Tune, ChoicesLeadToTheCodeMeasured) {
   }
 }
 
-/// humanoid24's mass matrix, large enough for small code, with `optimize: balanced`.
-Subjects balanced_humanoid() {
-  Subjects subjects = load("humanoid24");
-  subjects.scene.functions = {Function::mass_matrix};
-  subjects.scene.optimize = Optimize::balanced;
-  return subjects;
-}
-
-/// Tunes with times of warm and cold calls, in shares of those of the first candidate.
-TunedFunction tune_balanced(const Subjects& subjects, double loops_warm, double loops_cold) {
-  Diagnostics diagnostics;
-  const Measure measure = [&](const std::vector<GeneratedFunction>& candidates, Diagnostics&) {
-    std::vector<Measurement> measured;
-    for (const GeneratedFunction& each : candidates) {
-      const bool loops = each.program.loops != nullptr;
-      const double warm = loops ? loops_warm : 1;
-      const double cold = loops ? loops_cold : 1;
-      measured.push_back({{100 * warm, warm, 0.001}, Timing{1000 * cold, cold, 0.001}});
-    }
-    return std::optional(measured);
-  };
-  auto tuning = tune(subjects.robot, subjects.scene, measure, far_reaching(), diagnostics);
-  EXPECT_TRUE(diagnostics.list().empty());
-  return std::move(tuning->functions.front());
-}
-
-TEST(Tune, BalancedWeighsWarmAndCold) {
-  const Subjects subjects = balanced_humanoid();
-  const TunedFunction lost = tune_balanced(subjects, 4, 0.5);
-  EXPECT_EQ(lost.fastest, 0U);
-  // What the model says, and the contrary, are both tried.
-  std::set<bool> tried;
-  for (const Trial& trial : lost.trials) {
-    if (trial.choice.small_code) tried.insert(*trial.choice.small_code);
-  }
-  EXPECT_EQ(tried.size(), 2U);
-  const TunedFunction won = tune_balanced(subjects, 1.5, 0.5);
-  const Trial& chosen = won.trials[won.fastest];
-  EXPECT_EQ(chosen.choice.route, "loops");
-  EXPECT_NEAR(chosen.measured.cost(), std::sqrt(1.5 * 0.5), 1e-12);
-}
-
-// Would catch: a choice of small code that is lost on the way to the compiler's flags.
-TEST(Tune, ChoicesOfSmallCodeReachTheProject) {
-  Subjects subjects = balanced_humanoid();
-  subjects.generation = generate(subjects.robot, subjects.scene);
-  const std::string route = key_of(subjects.generation.functions.front().chosen.route);
-  for (const bool small : {false, true}) {
-    Choices choices;
-    choices.plain[Function::mass_matrix] = {route, 0, small};
-    Diagnostics diagnostics;
-    const auto made = generate_code(subjects.robot, subjects.scene, {}, diagnostics, choices);
-    ASSERT_TRUE(made);
-    const auto is_small = [](const Source& source) { return source.flags.is_small; };
-    EXPECT_EQ(std::count_if(made->sources.begin(), made->sources.end(), is_small), small ? 1 : 0);
-    for (const GeneratedFile& file : made->files) {
-      if (file.name != "manifest.json") continue;
-      const auto manifest = nlohmann::json::parse(file.text);
-      EXPECT_EQ(manifest["choices"][0]["chosen"]["small_code"], small);
-    }
-  }
-}
-
 TEST(Tune, SizeIsNotForTime) {
   Subjects subjects = puma();
   subjects.scene.optimize = Optimize::size;
@@ -221,15 +156,15 @@ TEST(Tune, MeasuresHere) {
   ASSERT_TRUE(tuning);
   ASSERT_EQ(tuning->functions.size(), 2U);
   for (const TunedFunction& tuned : tuning->functions) {
-    EXPECT_EQ(tuned.trials.front().measured.warm.ratio, 1);
-    for (const Trial& trial : tuned.trials) EXPECT_GT(trial.measured.warm.nanoseconds, 0);
+    EXPECT_EQ(tuned.trials.front().measured.ratio, 1);
+    for (const Trial& trial : tuned.trials) EXPECT_GT(trial.measured.nanoseconds, 0);
   }
 }
 
 TEST(Tune, PrintsFastestFirst) {
   Tuning tuning{{{Function::gravity,
                   0,
-                  {{{"slow", 8}, {}, {{20, 1, 0}}}, {{"fast", 1}, {}, {{10, 0.5, 0.01}}}},
+                  {{{"slow", 8}, {}, {20, 1, 0}}, {{"fast", 1}, {}, {10, 0.5, 0.01}}},
                   1}},
                 "a compiler"};
   const std::string text = print_text(tuning);
