@@ -48,8 +48,6 @@ int count(const Mechanism& robot, const std::function<Expressions(Counted&)>& bo
 
 LambdaRoute route_of(Way way) {
   switch (way) {
-    case Way::extended_propagators:
-      return LambdaRoute::extended_propagators;
     case Way::branching:
       return LambdaRoute::branching;
     case Way::sparse_factors:
@@ -145,8 +143,6 @@ const char* name_of(Way way) {
   switch (way) {
     case Way::unit_forces:
       return "PV-OSIM";
-    case Way::extended_propagators:
-      return "EFPA";
     case Way::branching:
       return "Chang table 5.3";
     case Way::sparse_factors:

@@ -16,9 +16,9 @@ using Shape = tests::LimbedShape;
 Mechanism make_robot(const Shape& shape);
 
 /// Ways to compute Lambda^-1. `dense` is J M^-1 J^T by an LDL^T of M without use of zeros, O(n^3).
-enum class Way { unit_forces, extended_propagators, branching, sparse_factors, dense };
-inline constexpr std::array kWays = {Way::unit_forces, Way::extended_propagators, Way::branching,
-                                     Way::sparse_factors, Way::dense};
+enum class Way { unit_forces, branching, sparse_factors, dense };
+inline constexpr std::array kWays = {Way::unit_forces, Way::branching, Way::sparse_factors,
+                                     Way::dense};
 const char* name_of(Way way);
 
 /// Number of operations (+ - * /) of Lambda^-1, and of the control torque of Chang table 6.1 with

@@ -27,7 +27,7 @@ void expect_degree(int degree, const Counts& counts, const std::string& what) {
   for (const int beyond : differences(counts, degree + 1)) EXPECT_EQ(beyond, 0) << what;
 }
 
-constexpr Way kRecursions[] = {Way::unit_forces, Way::extended_propagators, Way::branching};
+constexpr Way kRecursions[] = {Way::unit_forces, Way::branching};
 
 std::vector<Mechanism> make_robots(const std::vector<Shape>& shapes) {
   std::vector<Mechanism> robots;
@@ -58,7 +58,7 @@ TEST(Growth, OfTheDenseWayIsCubicInLinks) {
   expect_degree(3, count_over(chains, Way::dense, lambda_inverse_flops), "dense");
   const Mechanism chain = make_robot(kChains.back());
   EXPECT_GT(control_torque_flops(chain, Way::dense),
-            2 * control_torque_flops(chain, Way::extended_propagators));
+            2 * control_torque_flops(chain, Way::unit_forces));
 }
 
 // A branch without a hand costs the operations of its own links, wherever the hands are.
@@ -74,9 +74,7 @@ TEST(Growth, OfTreesIsLinearInBranches) {
 TEST(Growth, OfHandsIsQuadraticForLambdaAndCubicForTheTorque) {
   const auto hands =
       make_robots({{2, 6, 2, 2}, {2, 6, 2, 3}, {2, 6, 2, 4}, {2, 6, 2, 5}, {2, 6, 2, 6}});
-  for (const Way way : {Way::unit_forces, Way::extended_propagators}) {
-    expect_degree(2, count_over(hands, way, lambda_inverse_flops), name_of(way));
-  }
+  expect_degree(2, count_over(hands, Way::unit_forces, lambda_inverse_flops), "PV-OSIM");
   expect_degree(3, count_over(hands, Way::unit_forces, control_torque_flops), "table 6.1");
 }
 

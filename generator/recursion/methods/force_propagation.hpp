@@ -244,49 +244,4 @@ DenseMatrix<Scalar> lambda_inverse_by_branching(const Tree<Scalar>& tree,
   return Lambda_inv;
 }
 
-/// Lambda^-1 by the extended-force-propagator algorithm (EFPA: Wensing, Featherstone & Orin 2012).
-/// Each unit force is propagated inward once, chi = L chi. Each pair of rows meets at the nearest
-/// common ancestor of their links: chi_r^T Omega_h chi_s.
-template <class Scalar>
-DenseMatrix<Scalar> lambda_inverse_by_extended_propagators(
-    const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
-    const std::vector<TaskPoint<Scalar>>& tasks) {
-  const ArticulatedTree<Scalar> bodies = articulate(tree, X);
-  const auto Omega = propagate_mobilities(tree, X, bodies, tasks);
-  const auto rows = link_rows(tasks);
-  const std::size_t n = rows.size();
-  std::vector<std::map<int, Wrench<Scalar>>> chi(n);
-  for (std::size_t r = 0; r < n; ++r) {
-    Wrench<Scalar> K = rows[r].K;
-    for (int at = rows[r].link; at >= 0;) {
-      const auto i = static_cast<std::size_t>(at);
-      const TreeLink<Scalar>& link = tree.links[i];
-      section(link, i, "extended propagator");
-      chi[r][at] = K;
-      if (link.is_floating()) {
-        K = {};
-      } else {
-        K = to_parent(X[i], without_work(link.kind, bodies.joints[i], K));
-      }
-      at = link.parent;
-    }
-  }
-  DenseMatrix<Scalar> Lambda_inv(n, n);
-  for (std::size_t s = 0; s < n; ++s) {
-    std::map<int, Twist<Scalar>> moved;  // Omega_h chi_s
-    for (std::size_t r = s; r < n; ++r) {
-      const int h = nearest_common_ancestor(tree, rows[r].link, rows[s].link);
-      if (h < 0) {
-        continue;
-      }
-      auto [twist, made] = moved.try_emplace(h);
-      if (made) {
-        twist->second = Omega[static_cast<std::size_t>(h)] * chi[s][h];
-      }
-      Lambda_inv(r, s) = Lambda_inv(s, r) = dot(chi[r][h], twist->second);
-    }
-  }
-  return Lambda_inv;
-}
-
 }  // namespace treeline

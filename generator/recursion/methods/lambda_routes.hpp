@@ -16,12 +16,11 @@ namespace treeline {
 
 /// Algorithms for Lambda^-1.
 enum class LambdaRoute {
-  unit_forces,           ///< PV-OSIM
-  factors_inward,        ///< M = L^T D L, J carried inward
-  factors_world,         ///< M = L^T D L, J from poses
-  branching,             ///< Chang tables 5.2, 5.3
-  extended_propagators,  ///< EFPA
-  inertia_propagation,   ///< Chang table 5.1
+  unit_forces,          ///< PV-OSIM
+  factors_inward,       ///< M = L^T D L, J carried inward
+  factors_world,        ///< M = L^T D L, J from poses
+  branching,            ///< Chang tables 5.2, 5.3
+  inertia_propagation,  ///< Chang table 5.1
 };
 
 /// Whether `route` solves with the factors of M, not by recursions of articulated bodies.
@@ -73,8 +72,6 @@ DenseMatrix<Scalar> lambda_inverse(const Tree<Scalar>& tree,
       return lambda_inverse_by_factors(tree, X, jacobian_inward(tree, X, tasks, rows, poses));
     case LambdaRoute::branching:
       return lambda_inverse_by_branching(tree, X, tasks);
-    case LambdaRoute::extended_propagators:
-      return lambda_inverse_by_extended_propagators(tree, X, tasks);
     case LambdaRoute::inertia_propagation:
       return lambda_inverse_by_inertia_propagation(tree, X, tasks, rows);
     default:
@@ -147,10 +144,9 @@ template <class Scalar>
 std::vector<LambdaChoice> lambda_choices(const Tree<Scalar>& tree) {
   using enum LambdaRoute;
   std::vector<LambdaChoice> choices;
-  detail::append_choices(tree, {},
-                         {unit_forces, factors_inward, factors_world, branching,
-                          extended_propagators, inertia_propagation},
-                         choices);
+  detail::append_choices(
+      tree, {}, {unit_forces, factors_inward, factors_world, branching, inertia_propagation},
+      choices);
   for (const int link : axes_links(tree)) {
     if (permits_turning(tree, link)) {
       detail::append_choices(tree, {false, false, link}, {factors_inward, factors_world}, choices);
@@ -176,7 +172,7 @@ std::vector<LambdaChoice> control_choices(const Tree<Scalar>& tree) {
   detail::append_choices(tree, {}, {unit_forces, factors_inward, factors_world}, choices);
   std::erase_if(choices, [](const LambdaChoice& choice) { return choice.basis.at_link_origin; });
   detail::append_choices(tree, {true, false}, {unit_forces, factors_inward}, choices);
-  for (const LambdaRoute route : {branching, extended_propagators, inertia_propagation}) {
+  for (const LambdaRoute route : {branching, inertia_propagation}) {
     const TaskBasis basis{true, true};  // at the points it cost more for every robot tried
     const bool several = tree.operational_points.size() > 1;
     if (permits(tree, basis, route) && !(several && route == inertia_propagation)) {

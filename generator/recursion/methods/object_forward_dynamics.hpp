@@ -10,12 +10,6 @@
 
 namespace treeline {
 
-/// Ways to find the forces of the grasps.
-enum class GraspSolution {
-  augmented_object,  ///< Chang table 7.2: Lambda_e, then xdd of the objects, then the forces
-  grasp_forces       ///< (Lambda_e^-1 + C Lambda_obj^-1 C^T) f = difference of free accelerations
-};
-
 /// State of the objects before their forces are known, with one entry per object or per grasp.
 template <class Scalar>
 struct HeldObjects {
@@ -47,42 +41,24 @@ HeldObjects<Scalar> held_objects(const Tree<Scalar>& tree,
   return result;
 }
 
-/// Lambda_obj of an object and the force that it needs at zero acceleration, at its origin in world
+/// Lambda_obj^-1 of an object, and its acceleration if nobody holds it, at its origin in world
 /// axes.
 template <class Scalar>
-struct ObjectEquation {
-  DenseMatrix<Scalar> Lambda;
-  std::vector<Scalar> bias;
+struct FreeObject {
+  DenseMatrix<Scalar> inverse_Lambda;
+  std::vector<Scalar> acceleration;
 };
 
 template <class Scalar>
-ObjectEquation<Scalar> object_equation(const Tree<Scalar>& tree, const TreeObject<Scalar>& object,
-                                       const HeldObject<Scalar>& held) {
-  const TreeInertia<Scalar>& own = object.inertia;
-  LinkMotion<Scalar> motion;
-  motion.w = transposed_times(held.R, held.w);
-  motion.a = transposed_times(held.R, -tree.gravity);
-  motion.U = angular_matrix(motion.w, motion.wd);
-  const Wrench<Scalar> bias = inertial_wrench(own, motion);
-  ObjectEquation<Scalar> equation;
-  equation.Lambda = dense(articulated_inertia(
-      TreeInertia<Scalar>{own.mass, held.R * own.h, {}, congruent(held.R, own.J)}));
-  append(held.R * bias.f, equation.bias);
-  append(held.R * bias.n, equation.bias);
-  return equation;
-}
-
-/// Lambda_obj^-1 of an object and its acceleration if nobody holds it, at its origin in world axes.
-template <class Scalar>
-ObjectEquation<Scalar> free_object(const Tree<Scalar>& tree, const TreeObject<Scalar>& object,
-                                   const HeldObject<Scalar>& held) {
+FreeObject<Scalar> free_object(const Tree<Scalar>& tree, const TreeObject<Scalar>& object,
+                               const HeldObject<Scalar>& held) {
   const Symmetric3<Scalar> K = congruent(held.R, object.central_inverse);
   const Vector3<Scalar> c = held.R * object.center;
   const Vector3<Scalar> K_rows[3] = {{K.xx, K.xy, K.xz}, {K.xy, K.yy, K.yz}, {K.xz, K.yz, K.zz}};
   // Effect of a force at the origin: angular K (-c x f), linear f / m - wd x c.
-  ObjectEquation<Scalar> result;
-  result.Lambda = DenseMatrix<Scalar>(6, 6);
-  DenseMatrix<Scalar>& A = result.Lambda;
+  FreeObject<Scalar> result;
+  result.inverse_Lambda = DenseMatrix<Scalar>(6, 6);
+  DenseMatrix<Scalar>& A = result.inverse_Lambda;
   Vector3<Scalar> coupling[3];  // rows of K [c]x, so that wd = -K [c]x f + K n
   for (std::size_t i = 0; i < 3; ++i) {
     coupling[i] = cross(K_rows[i], c);
@@ -108,8 +84,8 @@ ObjectEquation<Scalar> free_object(const Tree<Scalar>& tree, const TreeObject<Sc
   const Vector3<Scalar> spin = I.J * w + cross(I.h, cross(h, w));
   const Vector3<Scalar> wd = held.R * (-(object.central_inverse * cross(w, spin)));
   const Vector3<Scalar> a = tree.gravity + cross(c, wd) - cross(held.w, cross(held.w, c));
-  append(a, result.bias);
-  append(wd, result.bias);
+  append(a, result.acceleration);
+  append(wd, result.acceleration);
   return result;
 }
 
@@ -119,73 +95,21 @@ struct GraspForces {
   std::vector<Scalar> xdd_object, f;
 };
 
-/// Solves steps 4 and 5 of Chang table 7.2:
-///   [Lambda_obj + C^T Lambda_e C] xdd = C^T Lambda_e xdd_o - bias,  f = Lambda_e (xdd_o - C xdd)
-/// with Lambda_e = L^-T D^-1 L^-1. `xdd_o` are the accelerations of the points without the objects,
-/// minus those that stabilisation commands. Row i of C selects row i % 6 of object
-/// `object_of_row[i]`.
-template <class Scalar>
-GraspForces<Scalar> solve_augmented_object(const std::vector<ObjectEquation<Scalar>>& equations,
-                                           const std::vector<std::size_t>& object_of_row,
-                                           const DenseMatrix<Scalar>& Lambda_inv,
-                                           const std::vector<Scalar>& xdd_o) {
-  const LdltFactor<Scalar> factor = factor_ldlt(Lambda_inv);
-  const std::size_t rows = xdd_o.size();
-  const std::size_t columns = 6 * equations.size();
-  const std::vector<Scalar> z = solve_lower(factor, xdd_o);
-  std::vector<std::vector<Scalar>> Y;  // L^-1 C, column by column
-  for (std::size_t j = 0; j < columns; ++j) {
-    std::vector<Scalar> c(rows, Scalar(0.0));
-    for (std::size_t i = 0; i < rows; ++i) {
-      if (6 * object_of_row[i] + i % 6 == j) {
-        c[i] = Scalar(1.0);
-      }
-    }
-    Y.push_back(solve_lower(factor, c));
-  }
-  DenseMatrix<Scalar> Lambda(columns, columns);
-  std::vector<Scalar> F(columns, Scalar(0.0));
-  for (std::size_t j = 0; j < columns; ++j) {
-    const std::size_t k = j / 6;
-    F[j] = -equations[k].bias[j % 6];
-    for (std::size_t i = 0; i <= j; ++i) {
-      Lambda(j, i) = i / 6 == k ? equations[k].Lambda(j % 6, i % 6) : Scalar(0.0);
-    }
-    for (std::size_t r = 0; r < rows; ++r) {
-      const Scalar scaled = Y[j][r] * factor.inverse_D[r];
-      F[j] = F[j] + scaled * z[r];
-      for (std::size_t i = 0; i <= j; ++i) {
-        Lambda(j, i) = Lambda(j, i) + scaled * Y[i][r];
-      }
-    }
-  }
-  GraspForces<Scalar> result;
-  result.xdd_object = solve(factor_ldlt(Lambda), F);
-  std::vector<Scalar> rest = z;
-  for (std::size_t r = 0; r < rows; ++r) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      rest[r] = rest[r] - Y[j][r] * result.xdd_object[j];
-    }
-  }
-  result.f = solve_upper(factor, std::move(rest));
-  return result;
-}
-
 /// Solves one system for the forces, the Schur complement: (Lambda_e^-1 + C Lambda_obj^-1 C^T) f =
 /// xdd_o - C x_free. Also valid if hands depend on each other.
 template <class Scalar>
-GraspForces<Scalar> solve_grasp_forces(const std::vector<ObjectEquation<Scalar>>& free,
+GraspForces<Scalar> solve_grasp_forces(const std::vector<FreeObject<Scalar>>& free,
                                        const std::vector<std::size_t>& object_of_row,
                                        DenseMatrix<Scalar> A, const std::vector<Scalar>& xdd_o,
                                        const PivotRule& rule) {
   const std::size_t rows = xdd_o.size();
   std::vector<Scalar> difference = xdd_o;
   for (std::size_t i = 0; i < rows; ++i) {
-    const ObjectEquation<Scalar>& object = free[object_of_row[i]];
-    difference[i] = difference[i] - object.bias[i % 6];
+    const FreeObject<Scalar>& object = free[object_of_row[i]];
+    difference[i] = difference[i] - object.acceleration[i % 6];
     for (std::size_t j = 0; j <= i; ++j) {
       if (object_of_row[j] == object_of_row[i]) {
-        A(i, j) = A(i, j) + object.Lambda(i % 6, j % 6);
+        A(i, j) = A(i, j) + object.inverse_Lambda(i % 6, j % 6);
       }
     }
   }
@@ -198,9 +122,9 @@ GraspForces<Scalar> solve_grasp_forces(const std::vector<ObjectEquation<Scalar>>
         F[i % 6] = F[i % 6] + result.f[i];
       }
     }
-    const std::vector<Scalar> gained = free[k].Lambda * F;
+    const std::vector<Scalar> gained = free[k].inverse_Lambda * F;
     for (std::size_t i = 0; i < 6; ++i) {
-      result.xdd_object.push_back(free[k].bias[i] + gained[i]);
+      result.xdd_object.push_back(free[k].acceleration[i] + gained[i]);
     }
   }
   return result;
@@ -211,20 +135,14 @@ GraspForces<Scalar> grasp_forces(const Tree<Scalar>& tree,
                                  const std::vector<TreeObject<Scalar>>& objects,
                                  const HeldObjects<Scalar>& state,
                                  const DenseMatrix<Scalar>& Lambda_inv,
-                                 const std::vector<Scalar>& xdd_o, GraspSolution solution,
-                                 const PivotRule& rule) {
-  std::vector<ObjectEquation<Scalar>> equations;
+                                 const std::vector<Scalar>& xdd_o, const PivotRule& rule) {
+  std::vector<FreeObject<Scalar>> free;
   std::vector<std::size_t> object_of_row;
   for (std::size_t k = 0; k < objects.size(); ++k) {
-    const HeldObject<Scalar>& first = state.held[k].front();
-    equations.push_back(solution == GraspSolution::augmented_object
-                            ? object_equation(tree, objects[k], first)
-                            : free_object(tree, objects[k], first));
+    free.push_back(free_object(tree, objects[k], state.held[k].front()));
     object_of_row.insert(object_of_row.end(), 6 * objects[k].grasps.size(), k);
   }
-  return solution == GraspSolution::augmented_object
-             ? solve_augmented_object(equations, object_of_row, Lambda_inv, xdd_o)
-             : solve_grasp_forces(equations, object_of_row, Lambda_inv, xdd_o, rule);
+  return solve_grasp_forces(free, object_of_row, Lambda_inv, xdd_o, rule);
 }
 
 /// Results of `object_forward_dynamics`.
@@ -266,13 +184,12 @@ struct ObjectDynamicsInputs {
 
 /// Chang table 7.2 with Baumgarte's stabilisation. `solve_for_qdd` maps joint forces to
 /// accelerations (A^-1). `tree` must come from `holding_tree`. `rule` inverts the pivots of
-/// `GraspSolution::grasp_forces`.
+/// the system for the grasps' forces.
 template <class Scalar, class Solve>
 ClosedChainMotion<Scalar> object_forward_dynamics(
     const Tree<Scalar>& tree, const std::vector<TreeObject<Scalar>>& objects,
     const std::vector<JointTransform<Scalar>>& X, const ObjectDynamicsInputs<Scalar>& inputs,
-    const LambdaChoice& choice, GraspSolution solution, const Solve& solve_for_qdd,
-    const PivotRule& rule = {}) {
+    const LambdaChoice& choice, const Solve& solve_for_qdd, const PivotRule& rule = {}) {
   std::vector<Scalar> net = inverse_dynamics<Scalar>(tree, X, {inputs.qd, {}}, {});
   for (std::size_t i = 0; i < net.size(); ++i) {
     net[i] = inputs.tau[i] - net[i];
@@ -286,9 +203,8 @@ ClosedChainMotion<Scalar> object_forward_dynamics(
   for (std::size_t i = 0; i < xdd_o.size(); ++i) {
     xdd_o[i] = xdd_o[i] - state.corrections[i];
   }
-  const auto forces =
-      grasp_forces(tree, objects, state, lambda_inverse_as_asked(tree, X, choice, xdd_o.size()),
-                   xdd_o, solution, rule);
+  const auto forces = grasp_forces(
+      tree, objects, state, lambda_inverse_as_asked(tree, X, choice, xdd_o.size()), xdd_o, rule);
   const auto change = solve_for_qdd(forces_of_rows(tree, X, tasks, forces.f));
   for (std::size_t i = 0; i < change.size(); ++i) {
     motion.qdd[i] = motion.qdd[i] - change[i];  // the objects push back

@@ -35,7 +35,7 @@ DenseMatrix<double> matrix_at(const Posed<double>& posed, TaskLaw::Kind kind, Ta
     const auto free = free_object(posed.tree, posed.objects[k], state.held[k].front());
     const std::size_t size = 6 * posed.objects[k].grasps.size();
     for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t j = 0; j < size; ++j) A(at + i, at + j) += free.Lambda(i % 6, j % 6);
+      for (std::size_t j = 0; j < size; ++j) A(at + i, at + j) += free.inverse_Lambda(i % 6, j % 6);
     }
     at += size;
   }

@@ -23,8 +23,6 @@ RouteId route_id(LambdaRoute route) {
       return {"ltdl-poses", "M = L^T D L, J from poses"};
     case LambdaRoute::branching:
       return {"branching", "force propagation with branching (Chang table 5.3)"};
-    case LambdaRoute::extended_propagators:
-      return {"efpa", "extended force propagators (EFPA)"};
     case LambdaRoute::inertia_propagation:
       return {"inertia-propagation", "inertia propagation (Chang table 5.1)"};
   }

@@ -79,58 +79,41 @@ std::vector<Route> control_routes(const Tree<Expression>& tree, TaskLaws& laws) 
   return routes;
 }
 
-ClosedChainMotion<Expression> traced_motion(const Trace& trace, const LambdaChoice& choice,
-                                            GraspSolution solution) {
+ClosedChainMotion<Expression> traced_motion(const Trace& trace, const LambdaChoice& choice) {
   const ObjectDynamicsInputs<Expression> inputs{trace.qd(), trace.tau(),
                                                 trace.in[Quantity::stabilisation]};
   return object_forward_dynamics<Expression>(
-      trace.tree, trace.objects, trace.X, inputs, choice, solution,
+      trace.tree, trace.objects, trace.X, inputs, choice,
       [&](const Expressions& forces) {
         return accelerate(trace.tree, trace.X, choice.route, forces);
       },
       trace.rule);
 }
 
-/// The augmented object needs Lambda_e, which is not finite where a hand cannot move; the system
-/// for the grasps' forces needs its inverse only.
-std::vector<GraspSolution> solutions(const Mechanism& mechanism) {
-  if (mechanism.singular == SingularTasks::smooth) return {GraspSolution::grasp_forces};
-  return {GraspSolution::grasp_forces, GraspSolution::augmented_object};
+std::vector<Result> trace_dynamics(const Trace& trace, const LambdaChoice& choice) {
+  const auto motion = traced_motion(trace, choice);
+  std::vector<Result> results{
+      vector_result("qdd", "joint accelerations", motion.qdd),
+      vector_result("xdd_object",
+                    "accelerations of the objects' origins over angular ones, world axes",
+                    motion.xdd_object),
+      vector_result("f_grasp",
+                    "force and moment of each hand on its object at the hand's point, world axes",
+                    motion.f_grasp)};
+  if (!motion.internal.empty()) {
+    results.push_back(
+        vector_result("internal", "internal forces of the virtual linkages", motion.internal));
+  }
+  return results;
 }
 
-std::vector<Route> dynamics_routes(const Mechanism& mechanism, const Tree<Expression>& tree,
-                                   TaskLaws& laws) {
+std::vector<Route> dynamics_routes(const Tree<Expression>& tree, TaskLaws& laws) {
   std::vector<Route> routes;
   const auto law = laws.find(TaskLaw::Kind::grasp_forces, LawPoints::grasps, {});
   for (const LambdaChoice& choice : lambda_choices(tree)) {
-    for (const GraspSolution solution : solutions(mechanism)) {
-      const bool augmented = solution == GraspSolution::augmented_object;
-      const RouteId id =
-          on_top_of(route_id(choice), augmented ? "augmented-object" : "one-system",
-                    augmented ? "Chang table 7.2, augmented object"
-                              : "Chang table 7.2, one system for the grasps' forces");
-      routes.push_back(
-          {id,
-           [choice, solution](const Trace& trace) {
-             const auto motion = traced_motion(trace, choice, solution);
-             std::vector<Result> results{
-                 vector_result("qdd", "joint accelerations", motion.qdd),
-                 vector_result(
-                     "xdd_object",
-                     "accelerations of the objects' origins over angular ones, world axes",
-                     motion.xdd_object),
-                 vector_result("f_grasp",
-                               "force and moment of each hand on its object at the hand's point, "
-                               "world axes",
-                               motion.f_grasp)};
-             if (!motion.internal.empty()) {
-               results.push_back(vector_result(
-                   "internal", "internal forces of the virtual linkages", motion.internal));
-             }
-             return results;
-           },
-           law});
-    }
+    routes.push_back({on_top_of(route_id(choice), "one-system",
+                                "Chang table 7.2, one system for the grasps' forces"),
+                      [choice](const Trace& trace) { return trace_dynamics(trace, choice); }, law});
   }
   return routes;
 }
@@ -145,7 +128,7 @@ std::vector<Route> object_routes(const RouteQuery& query) {
     case Function::object_control_torque:
       return control_routes(query.tree, laws);
     case Function::object_forward_dynamics:
-      return dynamics_routes(query.mechanism, query.tree, laws);
+      return dynamics_routes(query.tree, laws);
     default:
       throw std::logic_error(std::string(function_name(query.function)) + " is not about objects");
   }
