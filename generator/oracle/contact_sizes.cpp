@@ -1,9 +1,9 @@
 #include "oracle/contact_sizes.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+#include <array>
 
+#include "functions/function_table.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret_contacts.hpp"
 #include "oracle/term_sizes.hpp"
@@ -18,62 +18,79 @@ Subject<double> seen_at(const Subject<double>& subject, const interpreter::Point
   return seen;
 }
 
-/// Appends m^2 |n|^T |Lambda_c^-1| |n|: the change of m = 1 / (n^T Lambda_c^-1 n) due to an error
-/// of the denominator. With a cap it is less, and m where that is more.
-void append_masses(const Eigen::MatrixXd& Lambda_inverse, const Eigen::VectorXd& normals,
-                   const std::vector<double>& masses, std::vector<double>& entries) {
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    const auto row = 3 * static_cast<Eigen::Index>(i);
-    const Eigen::Vector3d n = normals.segment<3>(row);
-    const double of_terms = masses[i] * n.dot(Lambda_inverse.block<3, 3>(row, row) * n);
-    entries.push_back(masses[i] * std::max(of_terms, 1.0));
-  }
+/// A subject at one state, with magnitudes of M^-1 and the function's result.
+struct ContactTerms {
+  const Subject<double>& subject;
+  const State& state;
+  const Eigen::MatrixXd& M_inverse;
+  const std::vector<double>& result;
+  Subject<double> seen = seen_at(subject, subject.contacts);
+  TermSizes terms{seen, state.q};
+  Eigen::MatrixXd J = terms.jacobian();
+
+  [[nodiscard]] Eigen::MatrixXd Lambda_inverse() const { return J * M_inverse * J.transpose(); }
+};
+
+std::vector<double> size_motion(const ContactTerms& of) {
+  std::vector<double> entries =
+      entries_of(of.terms.poses().head(of.J.rows()));  // positions precede rotations
+  append(of.J * magnitudes(of.state.qd), entries);
+  return entries;
 }
 
-/// Appends |J| |M^-1| |J|^T for each frame.
-void append_blocks(const Eigen::MatrixXd& J, const Eigen::MatrixXd& M_inverse,
-                   std::vector<double>& entries) {
+/// Returns m^2 |n|^T |Lambda_c^-1| |n|: the change of m = 1 / (n^T Lambda_c^-1 n) due to an error
+/// of the denominator. With a cap it is less, and m where that is more.
+std::vector<double> size_masses(const ContactTerms& of) {
+  const Eigen::MatrixXd Lambda_inverse = of.Lambda_inverse();
+  const Eigen::VectorXd normals = magnitudes(values_of(of.state, Quantity::normals));
+  std::vector<double> entries;
+  for (std::size_t i = 0; i < of.result.size(); ++i) {
+    const auto row = 3 * static_cast<Eigen::Index>(i);
+    const Eigen::Vector3d n = normals.segment<3>(row);
+    const double of_terms = of.result[i] * n.dot(Lambda_inverse.block<3, 3>(row, row) * n);
+    entries.push_back(of.result[i] * std::max(of_terms, 1.0));
+  }
+  return entries;
+}
+
+std::vector<double> size_impulse_response(const ContactTerms& of) {
+  const Eigen::VectorXd impulse = magnitudes(values_of(of.state, Quantity::impulse));
+  return entries_of(of.M_inverse * (of.J.transpose() * impulse));
+}
+
+/// Returns |J| |M^-1| |J|^T for each link's frame.
+std::vector<double> size_links(const ContactTerms& of) {
+  const Subject<double> links = seen_at(of.subject, link_frames(of.subject.model));
+  const Eigen::MatrixXd J = TermSizes(links, of.state.q).jacobian();
+  std::vector<double> entries;
   for (Eigen::Index row = 0; row < J.rows(); row += 6) {
     const Eigen::MatrixXd own = J.middleRows(row, 6);
-    append(own * M_inverse * own.transpose(), entries);
+    append(own * of.M_inverse * own.transpose(), entries);
   }
+  return entries;
 }
+
+struct ContactSizes {
+  Function function;
+  std::vector<double> (*sizes)(const ContactTerms& of);
+};
+
+constexpr auto kContactSizes = std::to_array<ContactSizes>({
+    {Function::contact_motion, size_motion},
+    {Function::contact_inverse_inertia,
+     [](const ContactTerms& of) { return entries_of(of.Lambda_inverse()); }},
+    {Function::effective_mass, size_masses},
+    {Function::impulse_response, size_impulse_response},
+    {Function::link_inverse_inertias, size_links},
+});
+static_assert(covers<is_about<FunctionGroup::contacts, FunctionGroup::links>>(kContactSizes));
 
 }  // namespace
 
 std::vector<double> contact_sizes(Function function, const Subject<double>& subject,
                                   const State& state, const Eigen::MatrixXd& M_inverse,
                                   const std::vector<double>& result) {
-  std::vector<double> entries;
-  if (function == Function::link_inverse_inertias) {
-    const Subject<double> links = seen_at(subject, link_frames(subject.model));
-    append_blocks(TermSizes(links, state.q).jacobian(), M_inverse, entries);
-    return entries;
-  }
-  const Subject<double> contacts = seen_at(subject, subject.contacts);
-  const TermSizes terms(contacts, state.q);
-  const Eigen::MatrixXd J = terms.jacobian();
-  const Eigen::MatrixXd Lambda_inverse = J * M_inverse * J.transpose();
-  switch (function) {
-    case Function::contact_motion:
-      append(terms.poses().head(J.rows()), entries);  // positions precede rotations
-      append(J * magnitudes(state.qd), entries);
-      break;
-    case Function::contact_inverse_inertia:
-      append(Lambda_inverse, entries);
-      break;
-    case Function::effective_mass:
-      append_masses(Lambda_inverse, magnitudes(values_of(state, Quantity::normals)), result,
-                    entries);
-      break;
-    case Function::impulse_response:
-      append(M_inverse * (J.transpose() * magnitudes(values_of(state, Quantity::impulse))),
-             entries);
-      break;
-    default:
-      throw std::logic_error(std::string(function_name(function)) + " is not about contacts");
-  }
-  return entries;
+  return find_row(kContactSizes, function)->sizes({subject, state, M_inverse, result});
 }
 
 }  // namespace treeline

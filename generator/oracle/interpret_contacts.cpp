@@ -1,56 +1,90 @@
 #include "oracle/interpret_contacts.hpp"
 
-#include <stdexcept>
-#include <string>
+#include <array>
 
+#include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
 
 namespace treeline {
+namespace {
+
+/// A subject at one state, with the law by which effective masses are capped.
+template <class Scalar>
+struct ContactInputs {
+  const Subject<Scalar>& subject;
+  const State& state;
+  const interpreter::TaskLaw<Scalar>& law;
+  interpreter::Vector<Scalar> q = vector_of<Scalar>(state.q);
+
+  [[nodiscard]] interpreter::Vector<Scalar> other(Quantity quantity) const {
+    return vector_of<Scalar>(values_of(state, quantity));
+  }
+};
+
+template <class Scalar>
+std::vector<Scalar> contact_motion(const ContactInputs<Scalar>& in) {
+  const auto motion = interpreter::contact_motion<Scalar>(in.subject.model, in.subject.contacts,
+                                                          in.q, vector_of<Scalar>(in.state.qd));
+  std::vector<Scalar> entries = entries_of(motion.position);
+  append(motion.velocity, entries);
+  return entries;
+}
+
+template <class Scalar>
+std::vector<Scalar> effective_masses(const ContactInputs<Scalar>& in) {
+  const auto& [subject, state, law, q] = in;
+  const auto normals = in.other(Quantity::normals);
+  return entries_of(law.borders.empty() ? interpreter::effective_masses<Scalar>(
+                                              subject.model, subject.contacts, q, normals)
+                                        : interpreter::effective_masses<Scalar>(
+                                              subject.model, subject.contacts, q, normals, law));
+}
+
+template <class Scalar>
+std::vector<Scalar> link_inverse_inertias(const ContactInputs<Scalar>& in) {
+  const auto& model = in.subject.model;
+  const auto Omega = interpreter::link_inverse_inertias<Scalar>(model, in.q);
+  std::vector<Scalar> entries;
+  for (int i = 0; i < model.size(); ++i) {
+    if (model.body(i).kind != interpreter::JointKind::fixed) append(Omega[i], entries);
+  }
+  return entries;
+}
+
+template <class Scalar>
+struct ContactRow {
+  Function function;
+  std::vector<Scalar> (*results)(const ContactInputs<Scalar>& in);
+};
+
+template <class Scalar>
+constexpr auto kOfContacts = std::to_array<ContactRow<Scalar>>({
+    {Function::contact_motion, contact_motion<Scalar>},
+    {Function::contact_inverse_inertia,
+     [](const ContactInputs<Scalar>& in) {
+       return entries_of(interpreter::contact_inverse_inertia<Scalar>(in.subject.model,
+                                                                      in.subject.contacts, in.q));
+     }},
+    {Function::effective_mass, effective_masses<Scalar>},
+    {Function::impulse_response,
+     [](const ContactInputs<Scalar>& in) {
+       return entries_of(interpreter::impulse_response<Scalar>(in.subject.model,
+                                                               in.subject.contacts, in.q,
+                                                               in.other(Quantity::impulse))
+                             .dqd);
+     }},
+    {Function::link_inverse_inertias, link_inverse_inertias<Scalar>},
+});
+static_assert(covers<is_about<FunctionGroup::contacts, FunctionGroup::links>>(kOfContacts<double>));
+
+}  // namespace
+
 template <class Scalar>
 std::vector<Scalar> interpret_contacts(Function function, const Subject<Scalar>& subject,
                                        const State& state,
                                        const interpreter::TaskLaw<Scalar>& law) {
-  const auto& model = subject.model;
-  const auto& contacts = subject.contacts;
-  const auto q = vector_of<Scalar>(state.q);
-  const auto other = [&](Quantity quantity) {
-    return vector_of<Scalar>(values_of(state, quantity));
-  };
-  std::vector<Scalar> entries;
-  switch (function) {
-    case Function::contact_motion: {
-      const auto motion =
-          interpreter::contact_motion<Scalar>(model, contacts, q, vector_of<Scalar>(state.qd));
-      append(motion.position, entries);
-      append(motion.velocity, entries);
-      return entries;
-    }
-    case Function::contact_inverse_inertia:
-      append(interpreter::contact_inverse_inertia<Scalar>(model, contacts, q), entries);
-      return entries;
-    case Function::effective_mass:
-      append(law.borders.empty() ? interpreter::effective_masses<Scalar>(model, contacts, q,
-                                                                         other(Quantity::normals))
-                                 : interpreter::effective_masses<Scalar>(
-                                       model, contacts, q, other(Quantity::normals), law),
-             entries);
-      return entries;
-    case Function::impulse_response:
-      append(
-          interpreter::impulse_response<Scalar>(model, contacts, q, other(Quantity::impulse)).dqd,
-          entries);
-      return entries;
-    case Function::link_inverse_inertias: {
-      const auto Omega = interpreter::link_inverse_inertias<Scalar>(model, q);
-      for (int i = 0; i < model.size(); ++i) {
-        if (model.body(i).kind != interpreter::JointKind::fixed) append(Omega[i], entries);
-      }
-      return entries;
-    }
-    default:
-      throw std::logic_error(std::string(function_name(function)) + " is not about contacts");
-  }
+  return find_row(kOfContacts<Scalar>, function)->results({subject, state, law});
 }
 
 template std::vector<float> interpret_contacts(Function, const Subject<float>&, const State&,

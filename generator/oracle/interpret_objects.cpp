@@ -1,20 +1,32 @@
 #include "oracle/interpret_objects.hpp"
 
-#include <stdexcept>
-#include <string>
+#include <array>
 
+#include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
 
 namespace treeline {
 namespace {
 
+/// A subject at one state, with the law by which rows of the grasps yield.
 template <class Scalar>
-std::vector<Scalar> object_state(const Subject<Scalar>& subject,
-                                 const interpreter::PerRobot<Scalar>& q,
-                                 const interpreter::PerRobot<Scalar>& qd) {
+struct ObjectInputs {
+  const Subject<Scalar>& subject;
+  const State& state;
+  const interpreter::TaskLaw<Scalar>& law;
+  interpreter::PerRobot<Scalar> q{vector_of<Scalar>(state.q)};
+  interpreter::PerRobot<Scalar> qd{vector_of<Scalar>(state.qd)};
+
+  [[nodiscard]] interpreter::Vector<Scalar> other(Quantity quantity) const {
+    return vector_of<Scalar>(values_of(state, quantity));
+  }
+};
+
+template <class Scalar>
+std::vector<Scalar> object_state(const ObjectInputs<Scalar>& in) {
   std::vector<Scalar> position, rotation, velocity, drift, drift_rate;
-  for (const auto& held : interpreter::held_poses<Scalar>(subject.chain, q, qd)) {
+  for (const auto& held : interpreter::held_poses<Scalar>(in.subject.chain, in.q, in.qd)) {
     append(held.front().p, position);
     append(held.front().R, rotation);
     append(held.front().v, velocity);
@@ -30,41 +42,50 @@ std::vector<Scalar> object_state(const Subject<Scalar>& subject,
   return position;
 }
 
+template <class Scalar>
+std::vector<Scalar> object_control_torque(const ObjectInputs<Scalar>& in) {
+  return entries_of(interpreter::object_control_torque<Scalar>(
+                        in.subject.chain, in.q, in.qd, {vector_of<Scalar>(in.state.qdd)},
+                        in.other(Quantity::xdd_object), in.other(Quantity::internal), in.law)
+                        .front());
+}
+
+template <class Scalar>
+std::vector<Scalar> object_forward_dynamics(const ObjectInputs<Scalar>& in) {
+  const auto gains = in.other(Quantity::stabilisation);
+  const interpreter::PerRobot<Scalar> tau{vector_of<Scalar>(in.state.tau)};
+  const interpreter::Stabilisation<Scalar> stabilisation{gains(0), gains(1)};
+  const auto motion = in.law.borders.empty()
+                          ? interpreter::object_forward_dynamics<Scalar>(in.subject.chain, in.q,
+                                                                         in.qd, tau, stabilisation)
+                          : interpreter::object_forward_dynamics<Scalar>(
+                                in.subject.chain, in.q, in.qd, tau, stabilisation, in.law);
+  std::vector<Scalar> entries = entries_of(motion.qdd.front());
+  append(motion.xdd_object, entries);
+  append(motion.f_grasp, entries);
+  append(motion.internal, entries);
+  return entries;
+}
+
+template <class Scalar>
+struct ObjectRow {
+  Function function;
+  std::vector<Scalar> (*results)(const ObjectInputs<Scalar>& in);
+};
+
+template <class Scalar>
+constexpr auto kOfObjects = std::to_array<ObjectRow<Scalar>>(
+    {{Function::object_state, object_state<Scalar>},
+     {Function::object_control_torque, object_control_torque<Scalar>},
+     {Function::object_forward_dynamics, object_forward_dynamics<Scalar>}});
+static_assert(covers<is_about<FunctionGroup::objects>>(kOfObjects<double>));
+
 }  // namespace
 
 template <class Scalar>
 std::vector<Scalar> interpret_objects(Function function, const Subject<Scalar>& subject,
                                       const State& state, const interpreter::TaskLaw<Scalar>& law) {
-  const auto other = [&](Quantity quantity) {
-    return vector_of<Scalar>(values_of(state, quantity));
-  };
-  const interpreter::PerRobot<Scalar> q{vector_of<Scalar>(state.q)};
-  const interpreter::PerRobot<Scalar> qd{vector_of<Scalar>(state.qd)};
-  switch (function) {
-    case Function::object_state:
-      return object_state(subject, q, qd);
-    case Function::object_control_torque:
-      return entries_of(interpreter::object_control_torque<Scalar>(
-                            subject.chain, q, qd, {vector_of<Scalar>(state.qdd)},
-                            other(Quantity::xdd_object), other(Quantity::internal), law)
-                            .front());
-    case Function::object_forward_dynamics: {
-      const auto gains = other(Quantity::stabilisation);
-      const interpreter::PerRobot<Scalar> tau{vector_of<Scalar>(state.tau)};
-      const interpreter::Stabilisation<Scalar> stabilisation{gains(0), gains(1)};
-      const auto motion = law.borders.empty() ? interpreter::object_forward_dynamics<Scalar>(
-                                                    subject.chain, q, qd, tau, stabilisation)
-                                              : interpreter::object_forward_dynamics<Scalar>(
-                                                    subject.chain, q, qd, tau, stabilisation, law);
-      std::vector<Scalar> entries = entries_of(motion.qdd.front());
-      append(motion.xdd_object, entries);
-      append(motion.f_grasp, entries);
-      append(motion.internal, entries);
-      return entries;
-    }
-    default:
-      throw std::logic_error(std::string(function_name(function)) + " is not about objects");
-  }
+  return find_row(kOfObjects<Scalar>, function)->results({subject, state, law});
 }
 
 template std::vector<float> interpret_objects(Function, const Subject<float>&, const State&,

@@ -1,10 +1,10 @@
 #include "oracle/object_sizes.hpp"
 
 #include <Eigen/LU>
+#include <array>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
+#include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
@@ -71,16 +71,24 @@ std::optional<LawSizes> ObjectSizes::relaxed(Function function,
 
 std::vector<double> ObjectSizes::sizes(Function function,
                                        const std::optional<LawSizes>& relaxed) const {
-  switch (function) {
-    case Function::object_state:
-      return object_state();
-    case Function::object_control_torque:
-      return control_torque(relaxed ? relaxed->Lambda : Lambda_);
-    case Function::object_forward_dynamics:
-      return relaxed ? forward_dynamics(*relaxed) : forward_dynamics();
-    default:
-      throw std::logic_error(std::string(function_name(function)) + " is not about objects");
-  }
+  struct Row {
+    Function function;
+    std::vector<double> (*sizes)(const ObjectSizes& of, const std::optional<LawSizes>& relaxed);
+  };
+  static constexpr auto kRows = std::to_array<Row>({
+      {Function::object_state,
+       [](const ObjectSizes& of, const auto&) { return of.object_state(); }},
+      {Function::object_control_torque,
+       [](const ObjectSizes& of, const auto& law) {
+         return of.control_torque(law ? law->Lambda : of.Lambda_);
+       }},
+      {Function::object_forward_dynamics,
+       [](const ObjectSizes& of, const auto& law) {
+         return law ? of.forward_dynamics(*law) : of.forward_dynamics();
+       }},
+  });
+  static_assert(covers<is_about<FunctionGroup::objects>>(kRows));
+  return find_row(kRows, function)->sizes(*this, relaxed);
 }
 
 /// Sizes of poses, velocities and drifts. A drift has the sizes of both hands' poses and

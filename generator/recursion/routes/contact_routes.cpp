@@ -1,9 +1,9 @@
 #include "recursion/routes/contact_routes.hpp"
 
-#include <stdexcept>
-#include <string>
+#include <array>
 #include <utility>
 
+#include "functions/function_table.hpp"
 #include "recursion/methods/contacts.hpp"
 #include "recursion/methods/link_inverse_inertias.hpp"
 #include "recursion/methods/task_law.hpp"
@@ -121,32 +121,39 @@ std::vector<Route> link_routes(const TracedTree& tree) {
   return routes;
 }
 
+std::vector<Result> trace_motion(const Trace& trace) {
+  auto motion = contact_motion<Expression>(trace.tree, trace.X, trace.poses(), trace.qd());
+  return {vector_result("position", "in the world, m, one contact after the other",
+                        std::move(motion.position)),
+          vector_result("velocity", "world axes, m/s, one contact after the other",
+                        std::move(motion.velocity))};
+}
+
+struct ContactRow {
+  Function function;
+  std::vector<Route> (*routes)(const RouteQuery& query);
+};
+
+constexpr auto kContacts = std::to_array<ContactRow>({
+    {Function::contact_motion,
+     [](const RouteQuery&) -> std::vector<Route> {
+       return {{{"outward", "outward recursion"}, trace_motion}};
+     }},
+    {Function::contact_inverse_inertia,
+     [](const RouteQuery& query) { return inverse_inertia_routes(query.tree); }},
+    {Function::effective_mass,
+     [](const RouteQuery& query) { return mass_routes(query.mechanism, query.tree); }},
+    {Function::impulse_response,
+     [](const RouteQuery& query) { return impulse_routes(query.tree); }},
+    {Function::link_inverse_inertias,
+     [](const RouteQuery& query) { return link_routes(query.tree); }},
+});
+static_assert(covers<is_about<FunctionGroup::contacts, FunctionGroup::links>>(kContacts));
+
 }  // namespace
 
 std::vector<Route> contact_routes(const RouteQuery& query) {
-  const auto& [function, mechanism, seen, tree, lanes] = query;
-  switch (function) {
-    case Function::contact_motion:
-      return {{{"outward", "outward recursion"}, [](const Trace& trace) {
-                 auto motion =
-                     contact_motion<Expression>(trace.tree, trace.X, trace.poses(), trace.qd());
-                 return std::vector<Result>{
-                     vector_result("position", "in the world, m, one contact after the other",
-                                   std::move(motion.position)),
-                     vector_result("velocity", "world axes, m/s, one contact after the other",
-                                   std::move(motion.velocity))};
-               }}};
-    case Function::contact_inverse_inertia:
-      return inverse_inertia_routes(tree);
-    case Function::effective_mass:
-      return mass_routes(mechanism, tree);
-    case Function::impulse_response:
-      return impulse_routes(tree);
-    case Function::link_inverse_inertias:
-      return link_routes(tree);
-    default:
-      throw std::logic_error(std::string(function_name(function)) + " is not about contacts");
-  }
+  return find_row(kContacts, query.function)->routes(query);
 }
 
 }  // namespace treeline

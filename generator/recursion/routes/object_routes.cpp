@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include <array>
 #include <string>
 #include <utility>
 
+#include "functions/function_table.hpp"
 #include "recursion/methods/object_forward_dynamics.hpp"
 #include "recursion/methods/operational_quantities.hpp"
 #include "recursion/methods/task_law.hpp"
@@ -118,20 +119,22 @@ std::vector<Route> dynamics_routes(const Tree<Expression>& tree, TaskLaws& laws)
   return routes;
 }
 
+struct ObjectRow {
+  Function function;
+  std::vector<Route> (*routes)(const Tree<Expression>& tree, TaskLaws& laws);
+};
+
+constexpr auto kObjects = std::to_array<ObjectRow>(
+    {{Function::object_state, [](const Tree<Expression>&, TaskLaws&) { return state_routes(); }},
+     {Function::object_control_torque, control_routes},
+     {Function::object_forward_dynamics, dynamics_routes}});
+static_assert(covers<is_about<FunctionGroup::objects>>(kObjects));
+
 }  // namespace
 
 std::vector<Route> object_routes(const RouteQuery& query) {
   TaskLaws laws(query.mechanism);
-  switch (query.function) {
-    case Function::object_state:
-      return state_routes();
-    case Function::object_control_torque:
-      return control_routes(query.tree, laws);
-    case Function::object_forward_dynamics:
-      return dynamics_routes(query.tree, laws);
-    default:
-      throw std::logic_error(std::string(function_name(query.function)) + " is not about objects");
-  }
+  return find_row(kObjects, query.function)->routes(query.tree, laws);
 }
 
 }  // namespace treeline

@@ -1,9 +1,9 @@
 #include "recursion/routes/posture_routes.hpp"
 
-#include <stdexcept>
-#include <string>
+#include <array>
 #include <utility>
 
+#include "functions/function_table.hpp"
 #include "recursion/methods/centroidal_derivatives.hpp"
 #include "recursion/routes/result_parts.hpp"
 
@@ -11,22 +11,6 @@ namespace treeline {
 namespace {
 
 using Outputs = std::vector<Result>;
-
-RouteId posture_route(Function function) {
-  switch (function) {
-    case Function::centroidal_momentum_matrix:
-      return {"composite-bodies", "composite bodies about the centre of mass"};
-    case Function::centroidal_momentum_derivatives:
-    case Function::centroidal_momentum_rate_derivatives:
-      return {"composite-changes", "changes of what each joint carries, about the centre of mass"};
-    case Function::centroidal_momentum:
-    case Function::centroidal_bias:
-    case Function::center_of_mass_bias_acceleration:
-      return {"outward-inward", "motions outward, their sum inward"};
-    default:
-      return {"composite-moments", "first moments of the composite bodies"};
-  }
-}
 
 Outputs vector_of(const char* name, const char* meaning, const Vector3<Expression>& v) {
   return {vector_result(name, meaning, {v.x, v.y, v.z})};
@@ -66,46 +50,59 @@ Outputs momentum_rate_derivatives(const Trace& trace) {
       matrix_result("dhd_dqdd", "by qdd: A_G", centroidal_momentum_matrix(trace.tree, trace.X))};
 }
 
-Outputs posture_results(Function function, const Trace& trace) {
-  const auto& tree = trace.tree;
-  const auto& X = trace.X;
-  const auto& qd = trace.qd();
-  switch (function) {
-    case Function::center_of_mass:
-      return vector_of("com", "centre of mass in the world, m", center_of_mass(tree, X));
-    case Function::center_of_mass_jacobian:
-      return {matrix_result("J_com", "Jacobian of the centre of mass, world axes",
-                            center_of_mass_jacobian(tree, X))};
-    case Function::centroidal_momentum_matrix:
-      return {matrix_result("A_G", "momentum over angular momentum, world axes",
-                            centroidal_momentum_matrix(tree, X))};
-    case Function::centroidal_momentum:
-      return vector_of("h_G", "momentum, N s, over angular momentum, N m s, world axes",
-                       centroidal_momentum<Expression>(tree, X, qd));
-    case Function::centroidal_bias:
-      return vector_of("bias", "force, N, over moment about the centre of mass, N m, world axes",
-                       centroidal_bias<Expression>(tree, X, qd));
-    case Function::center_of_mass_bias_acceleration:
-      return vector_of("bias", "acceleration of the centre of mass at qdd = 0, m/s^2, world axes",
-                       center_of_mass_bias_acceleration<Expression>(tree, X, qd));
-    case Function::centroidal_momentum_derivatives:
-      return momentum_derivatives(trace);
-    case Function::centroidal_momentum_rate_derivatives:
-      return momentum_rate_derivatives(trace);
-    case Function::subtree_masses_and_centers:
-      return subtrees(trace);
-    default:
-      throw std::logic_error(std::string(function_name(function)) +
-                             " is not about the centre of mass");
-  }
-}
+const RouteId kCompositeMoments{"composite-moments", "first moments of the composite bodies"};
+const RouteId kCompositeBodies{"composite-bodies", "composite bodies about the centre of mass"};
+const RouteId kMotionSums{"outward-inward", "motions outward, their sum inward"};
+const RouteId kCompositeChanges{"composite-changes",
+                                "changes of what each joint carries, about the centre of mass"};
+
+struct PostureRow {
+  Function function;
+  const RouteId& id;
+  Outputs (*results)(const Trace& trace);
+};
+
+constexpr auto kPosture = std::to_array<PostureRow>({
+    {Function::center_of_mass, kCompositeMoments,
+     [](const Trace& t) {
+       return vector_of("com", "centre of mass in the world, m", center_of_mass(t.tree, t.X));
+     }},
+    {Function::center_of_mass_jacobian, kCompositeMoments,
+     [](const Trace& t) -> Outputs {
+       return {matrix_result("J_com", "Jacobian of the centre of mass, world axes",
+                             center_of_mass_jacobian(t.tree, t.X))};
+     }},
+    {Function::centroidal_momentum_matrix, kCompositeBodies,
+     [](const Trace& t) -> Outputs {
+       return {matrix_result("A_G", "momentum over angular momentum, world axes",
+                             centroidal_momentum_matrix(t.tree, t.X))};
+     }},
+    {Function::centroidal_momentum, kMotionSums,
+     [](const Trace& t) {
+       return vector_of("h_G", "momentum, N s, over angular momentum, N m s, world axes",
+                        centroidal_momentum<Expression>(t.tree, t.X, t.qd()));
+     }},
+    {Function::centroidal_bias, kMotionSums,
+     [](const Trace& t) {
+       return vector_of("bias", "force, N, over moment about the centre of mass, N m, world axes",
+                        centroidal_bias<Expression>(t.tree, t.X, t.qd()));
+     }},
+    {Function::center_of_mass_bias_acceleration, kMotionSums,
+     [](const Trace& t) {
+       return vector_of("bias", "acceleration of the centre of mass at qdd = 0, m/s^2, world axes",
+                        center_of_mass_bias_acceleration<Expression>(t.tree, t.X, t.qd()));
+     }},
+    {Function::centroidal_momentum_derivatives, kCompositeChanges, momentum_derivatives},
+    {Function::centroidal_momentum_rate_derivatives, kCompositeChanges, momentum_rate_derivatives},
+    {Function::subtree_masses_and_centers, kCompositeMoments, subtrees},
+});
+static_assert(covers<is_about<FunctionGroup::center_of_mass>>(kPosture));
 
 }  // namespace
 
 std::vector<Route> posture_routes(const RouteQuery& query) {
-  return {{posture_route(query.function), [function = query.function](const Trace& trace) {
-             return posture_results(function, trace);
-           }}};
+  const PostureRow* const row = find_row(kPosture, query.function);
+  return {{row->id, row->results}};
 }
 
 }  // namespace treeline
