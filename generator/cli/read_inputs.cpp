@@ -106,10 +106,8 @@ void add_language_option(CLI::App& command, InputOptions& options) {
           "How the code is written, instead of the scene's: misra follows rules for safe code")
       ->check(one_of(words_of<Profile>()));
   command
-      .add_option(
-          "--optimize", options.optimize,
-          "For speed, small code, or small code where it is larger than a cache, instead of "
-          "the scene's")
+      .add_option("--optimize", options.optimize,
+                  "For speed, or for small code, instead of the scene's")
       ->check(one_of(words_of<Optimize>()));
 }
 
