@@ -6,7 +6,7 @@
 # that break something stay in FOLDER. Exit 77 (skipped) where clang or its fuzzer is missing.
 set -euo pipefail
 treeline=$(realpath "$1") source_dir=$(realpath "$2") folder=$(realpath -m "$3") seconds=${4:-}
-clang=$(command -v clang++ || command -v clang++-14 || true)
+clang=$(command -v clang++ || true)
 if [ -z "$clang" ]; then
   echo "skipped: clang++ is missing (Debian package clang)"
   exit 77
@@ -16,7 +16,7 @@ mkdir -p "$folder/corpus"
 cd "$folder"
 if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
     "$clang" -x c++ -fsanitize=fuzzer,address,undefined - -o probe 2>/dev/null; then
-  echo "skipped: the fuzzer runtime of $clang is missing (Debian package libclang-rt-14-dev)"
+  echo "skipped: the fuzzer runtime of $clang is missing (Debian package libclang-rt-dev)"
   exit 77
 fi
 tests=$source_dir/tests/controller
