@@ -81,8 +81,8 @@ double estimate_largest(const Matrix& G) {
   constexpr int kSquarings = 5;
   Matrix power = G / G.trace();
   for (int i = 0; i < kSquarings; ++i) {
-    const Matrix square = power.lazyProduct(power);
-    power = square / square.trace();
+    power = power.lazyProduct(power).eval();
+    power /= power.trace();
   }
   Eigen::Index column = 0;
   power.diagonal().maxCoeff(&column);

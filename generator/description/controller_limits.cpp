@@ -45,9 +45,9 @@ const std::array<ControllerGuard, 3> kGuards = {
 
 /// What the largest current of a joint's motor gives, N m or N; infinite where it states none.
 double torque_of_current(const Joint& joint, const SceneController& controller) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   const auto motor = controller.motors.find(joint.name);
-  if (motor == controller.motors.end() || !(motor->second.current > 0)) return kNone;
+  if (motor == controller.motors.end() || !(motor->second.current > 0)) return kUnlimited;
   return std::abs(motor->second.ratio) * motor->second.constant * motor->second.current;
 }
 

@@ -13,7 +13,7 @@ std::string reference(Expression value) {
   return fmt::format("{}%{}", value.negative() ? "-" : "", value.node());
 }
 
-/// The sign between two operands, as formulas have it.
+/// The sign between or before operands, as formulas have it; empty without operands.
 std::string_view sign_of(Op op) {
   switch (op) {
     case Op::add:
@@ -25,8 +25,11 @@ std::string_view sign_of(Op op) {
       return "*";
     case Op::div:
       return "/";
-    default:
+    case Op::sin:
+    case Op::cos:
       return operation(op).name;
+    default:
+      return {};
   }
 }
 
