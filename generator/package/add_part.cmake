@@ -1,7 +1,8 @@
-# treeline_add_part(PART ARCHITECTURE POINTER WHY): makes treeline::PART, or says in WHY what it lacks here.
+# treeline_add_part(PART ARCHITECTURE POINTER FMT_VERSION WHY): makes treeline::PART, or says in WHY
+# what it lacks here.
 # The library that is installed is taken where this build is for the machine that it was made on, with
-# that name and size of pointers; else the part is compiled from its sources.
-function(treeline_add_part part architecture pointer why)
+# that name and size of pointers, and has that version of fmt; else the part is compiled from its sources.
+function(treeline_add_part part architecture pointer fmt_version why)
   set(${why} "" PARENT_SCOPE)
   if(TARGET treeline::${part})
     return()
@@ -26,7 +27,8 @@ function(treeline_add_part part architecture pointer why)
   endif()
   set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
   if(NOT CMAKE_CROSSCOMPILING AND CMAKE_LIBRARY_ARCHITECTURE STREQUAL "${architecture}" AND
-     CMAKE_SIZEOF_VOID_P STREQUAL "${pointer}")
+     CMAKE_SIZEOF_VOID_P STREQUAL "${pointer}" AND
+     NOT (needs STREQUAL "fmt" AND NOT fmt_VERSION STREQUAL "${fmt_version}"))
     include(${folder}/treeline_${part}.cmake)
     return()
   endif()
