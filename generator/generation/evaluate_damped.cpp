@@ -40,11 +40,11 @@ T solve(const DampedInputsIn<T>& in, std::vector<T>& F) {
   T A[rows * rows];
   T mass_limits[rows];
   T x[rows];
-  std::copy(in.Lambda_inverse.begin(), in.Lambda_inverse.end(), A);
-  std::copy(in.mass_limits.begin(), in.mass_limits.end(), mass_limits);
-  std::copy(F.begin(), F.end(), x);
+  std::copy_n(in.Lambda_inverse.begin(), rows * rows, A);
+  std::copy_n(in.mass_limits.begin(), rows, mass_limits);
+  std::copy_n(F.begin(), rows, x);
   const T least_eigenvalue = core::damped_solve(A, mass_limits, x);
-  std::copy(x, x + rows, F.begin());
+  std::copy_n(x, rows, F.begin());
   return least_eigenvalue;
 }
 
