@@ -1,6 +1,7 @@
 """Would catch: a page that does not open, commands that do not reach the robot, and processes that stay behind."""
 
 import os
+import signal
 import time
 import unittest
 import urllib.request
@@ -22,6 +23,12 @@ class DriveTest(OwnCacheTest):
             while "shoulder" not in robot.messages() and time.monotonic() < deadline:
                 time.sleep(0.01)
         self.assertIn("shoulder", robot.messages())  # which the robot has not
+        self.assertRaises(ProcessLookupError, os.kill, process, 0)
+
+    def test_its_end_where_interrupts_are_ignored(self):
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))  # as `script &` does
+        with treeline.drive("arm.urdf", browser=False, port=0) as robot:
+            process = robot._conversation._process.pid
         self.assertRaises(ProcessLookupError, os.kill, process, 0)
 
     def test_refusals(self):

@@ -1,7 +1,6 @@
 """A run of the program that goes on while Python talks with it."""
 
 import os
-import signal
 import subprocess
 import tempfile
 import threading
@@ -21,9 +20,9 @@ def listen(stream: IO[bytes], said: list[bytes]) -> None:
 
 
 def end(process: subprocess.Popen[bytes], listener: threading.Thread, by_signal: bool) -> None:
-    """Ends the program, by Ctrl-C or by the end of its input, and waits for that."""
+    """Ends the program, by a signal or by the end of its input, and waits for that."""
     if by_signal and process.poll() is None:
-        process.send_signal(signal.SIGINT)
+        process.terminate()  # not SIGINT, which what a script starts in the background ignores
     elif process.stdin is not None and not process.stdin.closed:
         try:
             process.stdin.close()
