@@ -251,7 +251,7 @@ std::string print_selftest_header(const SelftestWriter& writer) {
   const int count = writer.facts.states;
   const std::string states = fmt::format("{} state{}", count, count == 1 ? "" : "s");
   return fill_template(templates::kSelftestHeader,
-                       {{"robot", printable(context.robot)},
+                       {{"robot", in_comment(printable(context.robot))},
                         {"name", context.name},
                         {"real", number_type(context)},
                         {"states", states},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -52,6 +53,48 @@ TEST_F(GenerateTest, SameBytesFromAnywhere) {
   for (const auto& entry : fs::directory_iterator(root_ / "puma560")) {
     const fs::path other = root_ / "elsewhere" / "puma560" / entry.path().filename();
     EXPECT_EQ(read_file(entry.path()), read_file(other)) << other;
+  }
+}
+
+/// Text without comments and strings.
+std::string code_of(const std::string& text) {
+  static const std::regex other(R"(//[^\n]*|/\*[^*]*(\*[^/][^*]*)*\*/|"(\\.|[^"\\\n])*")");
+  return std::regex_replace(text, other, "");
+}
+
+// Would catch: names of the file that end a comment or a string, so that what is behind them is
+// compiled, in any file that a scene can ask for.
+TEST_F(GenerateTest, NamesAreNeverCode) {
+  std::string urdf = read_file(kUrdf);
+  for (const char* name : {"puma560", "joint2", "link3", "tool"}) {
+    urdf = std::regex_replace(urdf, std::regex(std::string("\"") + name + "\""),
+                              "\"odd */ evil; /* &quot; evil; \\ " + std::string(name) + "\"");
+  }
+  std::ofstream(root_ / "odd.urdf") << std::regex_replace(
+      urdf, std::regex("</robot>"),
+      "<link name=\"a\"><collision><geometry><sphere radius=\"1\"/></geometry></collision></link>"
+      "<joint name=\"b\" type=\"fixed\"><parent link=\"link6\"/><child "
+      "link=\"a\"/></joint></robot>");
+  const std::string common =
+      R"(operational_points: [{name: tip, link: 'odd */ evil; /* " evil; \ tool', rows: [x, y]}])"
+      "\nname: odd\nbatch: 2\nprefetch: true\n";
+  std::ofstream(root_ / "stepped.yaml")
+      << common << "selftest: 1\nground: {step: true}\ndamped: {mass: 40, inertia: 4}\n"
+      << "functions: [jacobian, bias_acceleration, inverse_dynamics, lambda_inverse]\n"
+      << "controller: {laws: [joint_impedance, task_impedance, force]}\n";
+  std::ofstream(root_ / "limited.yaml")
+      << common << "torque_limits: urdf\n"
+      << "constraints: [{name: wall, between: [link5, world], rows: [x]}]\n"
+      << "functions: [mass_matrix, jacobian, supported_control_torque, constraint_jacobian]\n";
+  for (const char* options : {"stepped.yaml --language c", "stepped.yaml --language c++",
+                              "limited.yaml --language c", "limited.yaml --language c++"}) {
+    const Outcome made = run("odd.urdf -o odd " + std::string(options));
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    for (const auto& entry : fs::directory_iterator(root_ / "odd")) {
+      if (entry.path().extension() == ".json" || entry.path().extension() == ".txt") continue;
+      EXPECT_EQ(code_of(read_file(entry.path())).find("evil"), std::string::npos) << entry;
+    }
+    fs::remove_all(root_ / "odd");
   }
 }
 
