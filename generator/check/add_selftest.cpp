@@ -187,6 +187,12 @@ bool add_selftest(const Robot& robot, const Scene& scene, Generation& generation
     facts->motion = record_selftest_motion(robot, scene, generation, diagnostics);
     if (!facts->motion) return false;
   }
+  if (facts->functions.empty() && !facts->motion) {
+    diagnostics.add({Severity::error, scene.file, 0, "selftest",
+                     "the code has no function that a self-test could call",
+                     "List functions, or leave out `selftest`."});
+    return false;
+  }
   emit_with_selftest(std::move(facts), generation);
   return true;
 }

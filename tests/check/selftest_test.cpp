@@ -168,6 +168,15 @@ TEST(Selftest, PassesLoopsOverLinks) {
   EXPECT_EQ(run_as_user(subjects, folder.path() / "code", "-O2 -ffp-contract=off"), 0);
 }
 
+TEST(Selftest, IsRefusedWithoutAFunction) {
+  Subjects subjects = load("puma560");
+  subjects.scene.selftest = 1;
+  subjects.generation.functions.clear();
+  Diagnostics diagnostics;
+  EXPECT_FALSE(add_selftest(subjects.robot, subjects.scene, subjects.generation, diagnostics));
+  EXPECT_TRUE(diagnostics.has_errors());
+}
+
 TEST(Selftest, MovesTheStep) {
   for (const Language language : {Language::c, Language::cpp}) {
     SCOPED_TRACE(language == Language::c ? "C" : "C++");
