@@ -192,16 +192,16 @@ TEST_F(PackageTest, CompareKnowsThePackage) {
   EXPECT_EQ(generate("--package pip").exit_code, 2);
 }
 
-// A name that ends strings and tags.
+// A name that ends strings, tags and comments of XML, in which tinyxml2 takes two hyphens.
 TEST_F(PackageTest, StrangeNamesBreakNoFile) {
   const std::string urdf = test::read_file(kArm);
   write("odd.urdf", std::string(urdf).replace(urdf.find("name=\"puma560\""), 14,
-                                              "name=\"a &quot;&lt;/name&gt; b=c\""));
-  for (const char* package : {"platformio", "cmsis", "arduino"}) {
-    const auto outcome =
-        test::run_program(root_, std::string("generate odd.urdf --functions gravity --name odd "
-                                             "--output ") +
-                                     package + " --package " + package);
+                                              "name=\"a &quot;&lt;/name&gt; --&gt; b=c\""));
+  for (const char* package : {"platformio", "cmsis", "arduino", "fmu", "fmu3"}) {
+    const auto outcome = test::run_program(
+        root_, std::string("generate odd.urdf --functions forward_dynamics --name odd "
+                           "--output ") +
+                   package + " --package " + package);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
   EXPECT_FALSE(
@@ -209,6 +209,12 @@ TEST_F(PackageTest, StrangeNamesBreakNoFile) {
   tinyxml2::XMLDocument document;
   EXPECT_EQ(document.Parse(read("cmsis/Treeline.odd.pdsc").c_str()), tinyxml2::XML_SUCCESS);
   EXPECT_EQ(read("arduino/library.properties").find("<"), std::string::npos);
+  for (const char* unit : {"fmu/modelDescription.xml", "fmu3/modelDescription.xml",
+                           "fmu3/buildDescription.xml", "cmsis/Treeline.odd.pdsc"}) {
+    const std::string text = read(unit);
+    const std::size_t inside = text.find("<!--") + 4;
+    EXPECT_EQ(text.find("--", inside), text.find("-->", inside)) << unit;
+  }
 }
 
 // Names of joints that neither XML nor FMI takes as they are, and that differ in such bytes alone.
