@@ -155,11 +155,11 @@ void check_frequencies(const SceneElement& element, const SceneController& contr
         fmt::format("keep it below {}, or shorten the period", kMost / controller.period));
   };
   check("joint_frequency", controller.joint_frequency);
-  check("task_frequency", controller.task_frequency);
-  check("posture_frequency", controller.posture_frequency);
+  if (controller.task) check("task_frequency", controller.task_frequency);
+  if (controller.task) check("posture_frequency", controller.posture_frequency);
   check("brake_damping", controller.brake_damping);
   check("hold_frequency", controller.hold_frequency);
-  check("force_damping", controller.force_damping);
+  if (controller.force) check("force_damping", controller.force_damping);
   check("observer", controller.observer);
   if (controller.observer > 0 && controller.observer < 4 * controller.hold_frequency) {
     element.error(fmt::format("what an observer of {} rad/s finds is too late for a hold_frequency "

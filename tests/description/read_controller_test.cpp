@@ -107,6 +107,19 @@ TEST(ReadController, RefusesAnObserverThatIsTooLate) {
   EXPECT_NE(to_string(fast).find("which a period of 0.001 s cannot follow"), std::string::npos);
 }
 
+// Would catch: gains of laws that the controller does not have, which a slow loop cannot follow.
+TEST(ReadController, JudgesGainsOfItsOwnLaws) {
+  const std::string slow = "period: 0.02, brake_damping: 10, limits: {" + kShoulder + "}}";
+  Diagnostics joints;
+  EXPECT_TRUE(
+      parse_scene("controller: {laws: joint_impedance, " + slow, "s.yaml", make_robot(), joints))
+      << to_string(joints);
+  Diagnostics forces;
+  EXPECT_FALSE(
+      parse_scene(kPoint + "controller: {laws: force, " + slow, "s.yaml", make_robot(), forces));
+  EXPECT_NE(to_string(forces).find("force_damping is 60 a second"), std::string::npos);
+}
+
 TEST(ReadController, OneLawNeedsNoListAndJointsNoPoint) {
   Diagnostics diagnostics;
   const auto scene = parse_scene("controller: {laws: joint_impedance, limits: {" + kShoulder + "}}",
