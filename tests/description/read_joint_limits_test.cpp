@@ -77,7 +77,9 @@ TEST(ReadJointLimits, SpeedsAndForcesThatAreNone) {
         {"10000", kInfinity, 1e4, kEnormous, kNone},
         {"1000000", kInfinity, kInfinity, kEnormous, kEnormous},
         {"1e8", kInfinity, kInfinity, kEnormous, kEnormous},
-        {"1.7976931348623157e+308", kInfinity, kInfinity, kEnormous, kEnormous},
+        {"9.9e29", kInfinity, kInfinity, kEnormous, kEnormous},
+        {"1e30", kInfinity, kInfinity, kNone, kNone},
+        {"1.7976931348623157e+308", kInfinity, kInfinity, kNone, kNone},
         {"inf", kInfinity, kInfinity, kNone, kNone}}) {
     SCOPED_TRACE(text);
     for (const char* type : {"revolute", "prismatic", "continuous"}) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "description/read_number.hpp"
 #include "description/rpy_from_rotation.hpp"
 
 namespace treeline {
@@ -18,6 +19,12 @@ constexpr double kOfProducts = 2e-15;  ///< of angles after a few products of ro
 /// Text of three numbers, without the sign of a zero.
 std::string three(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
+}
+
+/// A bound as every reader of URDF takes it: urdfdom, by which ROS and Pinocchio read, refuses a
+/// joint with "inf".
+std::string bound(double value) {
+  return fmt::format("{}", std::clamp(value, -kLargestNumber, kLargestNumber));
 }
 
 /// Whether a joint's frame is its child's: then the child hangs on the joint itself.
@@ -162,11 +169,11 @@ class UrdfPrinter {
     print_direction(axis);
     printer_.OpenElement("limit");
     if (!turns_on) {
-      attribute("lower", fmt::format("{}", axis.lower));
-      attribute("upper", fmt::format("{}", axis.upper));
+      attribute("lower", bound(axis.lower));
+      attribute("upper", bound(axis.upper));
     }
-    attribute("effort", fmt::format("{}", axis.effort));
-    attribute("velocity", fmt::format("{}", axis.velocity));
+    attribute("effort", bound(axis.effort));
+    attribute("velocity", bound(axis.velocity));
     printer_.CloseElement();
     if (axis.damping == 0 && axis.friction == 0 && axis.armature == 0) return;
     printer_.OpenElement("dynamics");

@@ -123,6 +123,29 @@ TEST(MjcfNames, AreMadeOfThoseAround) {
             "arm_child_joint_ arm_at ");
 }
 
+// Would catch: limits that readers by urdfdom refuse, and placeholders of our own that are warned
+// of.
+TEST(MjcfLimits, OfWhatHasNoneAreNumbers) {
+  Diagnostics diagnostics;
+  const std::string body = arm("<body><joint type='slide' range='-1 2'/><geom size='1'/></body>" +
+                               std::string("<body><joint type='slide'/><geom size='1'/></body>"));
+  const auto text =
+      as_robot_text("<mujoco model='m'>\n" + body + "</mujoco>", "m.xml", diagnostics);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->urdf.find("inf\""), std::string::npos) << text->urdf;
+  const auto robot = parse_robot(*text, diagnostics);
+  ASSERT_TRUE(robot);
+  for (const Diagnostic& each : diagnostics.list()) {
+    EXPECT_EQ(each.severity, Severity::note) << to_string(each);
+  }
+  for (const Joint& joint : robot->joints) {
+    if (!info_of(joint.type).moves()) continue;
+    ASSERT_TRUE(joint.limits) << joint.name;
+    EXPECT_EQ(joint.limits->effort.state(), LimitState::absent) << joint.name;
+    EXPECT_EQ(joint.limits->velocity.state(), LimitState::absent) << joint.name;
+  }
+}
+
 TEST(MjcfHints, SayWhatASceneDecides) {
   Diagnostics diagnostics;
   const auto robot = read(
