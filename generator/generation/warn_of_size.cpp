@@ -6,6 +6,7 @@
 
 #include "emission/describe_program.hpp"
 #include "passes/count_operations.hpp"
+#include "program/ending.hpp"
 #include "recursion/routes/trace_loops.hpp"
 
 namespace treeline {
@@ -24,7 +25,7 @@ Burden weigh(const std::vector<GeneratedFunction>& functions) {
   Burden burden;
   for (const GeneratedFunction& generated : functions) {
     if (generated.program.loops) continue;
-    const int flops = count_operations(generated.program).flops();
+    const int flops = count_operations(printed_lines(generated.program)).flops();
     burden.seconds += estimate_compile_seconds(flops);
     if (flops <= burden.flops) continue;
     burden.flops = flops;

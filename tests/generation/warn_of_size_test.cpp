@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "emission/list_sources.hpp"
+#include "program/ending.hpp"
+
 // Would catch: code that compilers take long for, without a word before it is written, words about
 // code that they do not, and remedies that do not help.
 
@@ -36,6 +39,18 @@ TEST(WarnOfSize, TellsWhatTakesLong) {
   EXPECT_NE(told[0].fault.find("200000 operations; of the 2.0 MB"), std::string::npos);
   EXPECT_NE(told[0].fault.find("-O1"), std::string::npos);
   EXPECT_EQ(told[0].remedy.find("optimize"), std::string::npos);
+}
+
+// A routine has few lines however many operations its loops do.
+TEST(WarnOfSize, CountsNoLoopsOfRoutines) {
+  Generation generation = multiply(Function::forward_dynamics_derivatives, 200000);
+  Program& program = generation.functions.front().program;
+  Ending ending;
+  ending.lines = multiply(Function::mass_matrix, 2000).functions.front().program;
+  ending.executed.mul = 500000;
+  program.ending = std::make_shared<const Ending>(std::move(ending));
+  EXPECT_TRUE(warnings({}, generation).empty());
+  EXPECT_FALSE(choose_own_flags(Optimize::balanced, "generic", program, false).is_small);
 }
 
 TEST(WarnOfSize, ProposesLoopsWhereThereAreSome) {
