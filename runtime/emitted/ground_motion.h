@@ -39,14 +39,19 @@ TL_INLINE void tl_add_turned(const real* q, const real* v, real* x) {
   x[2] += v[2] + (TL_TWO * ((q[0] * across[1]) - (q[1] * across[0])));
 }
 
-/// A joint with a quaternion, for `dt` seconds: turns by exp(w dt), and moves in the
-/// axes halfway through the turn.
+/// A joint with a quaternion of any length, for `dt` seconds: turns by exp(w dt), and
+/// moves in the axes halfway through the turn.
 TL_FUNCTION void tl_move_freely(const real* qd, real dt, bool slides, real* q) {
   real* const turned = slides ? &q[3] : &q[0];
   const real* const w = slides ? &qd[3] : &qd[0];
+  const real length = tl_square_root((turned[0] * turned[0]) +
+      (turned[1] * turned[1]) + (turned[2] * turned[2]) + (turned[3] * turned[3]));
   real half[3];
   real by[4];
   real middle[4];
+  for (int32_t i = 0; i < 4; ++i) {
+    turned[i] /= length;
+  }
   for (int32_t i = 0; i < 3; ++i) {
     half[i] = TL_HALF * dt * w[i];
   }
@@ -57,11 +62,6 @@ TL_FUNCTION void tl_move_freely(const real* qd, real dt, bool slides, real* q) {
     tl_add_turned(&middle[0], &way[0], q);
   }
   tl_quaternion_product(&middle[0], &by[0], turned);
-  const real length = tl_square_root((turned[0] * turned[0]) +
-      (turned[1] * turned[1]) + (turned[2] * turned[2]) + (turned[3] * turned[3]));
-  for (int32_t i = 0; i < 4; ++i) {
-    turned[i] /= length;
-  }
 }
 
 /// Moves the coordinates for `dt` seconds with constant velocities.

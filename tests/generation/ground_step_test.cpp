@@ -266,6 +266,21 @@ TEST(GroundStep, KeepsMomentumAndMakesNoEnergy) {
   EXPECT_LT(deepest, 1e-3);
 }
 
+// Only the direction of a quaternion counts, in flight and where impulses push out.
+TEST(GroundStep, TakesQuaternionsOfAnyLength) {
+  const Subject subject = make_quadruped();
+  EmittedStep of_unit(subject.robot, subject.scene);
+  EmittedStep of_two(subject.robot, subject.scene);
+  fall(subject, of_unit, 3,
+       [&](const State& before, const Vector& tau, const State& by_code, auto&, auto&) {
+         State longer = before;
+         longer.q.segment<4>(3) *= 2;
+         of_two.step(kFriction, kStep, tau, longer);
+         EXPECT_LT(largest(longer.q - by_code.q), 1e-12 * (1 + largest(by_code.q)));
+         EXPECT_LT(largest(longer.qd - by_code.qd), 1e-10 * (1 + largest(by_code.qd)));
+       });
+}
+
 TEST(GroundStep, HasTheSameBitsInC) {
   Subject subject = make_quadruped();
   EmittedStep in_cpp(subject.robot, subject.scene);
