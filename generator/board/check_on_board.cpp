@@ -223,6 +223,11 @@ std::optional<BoardReport> check_on_board(const Robot& robot, const Scene& scene
   if (!options.folder.empty()) report.stale = compare_files(options.folder, generation.files);
   BoardSelection selection = select_functions(generation);
   report.not_run = std::move(selection.left_out);
+  if (scene.ground_step) {
+    diagnostics.add({Severity::note, scene.file, 0, "ground/step",
+                     scene.name + "_ground_step is not looked at on the board",
+                     "`treeline check` without --target compiles it."});
+  }
   const auto references = refer(robot, scene, generation, options.references, report.contracted);
   const fs::path place = work->path() / "board";
   fs::create_directory(place);

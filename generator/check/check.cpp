@@ -16,6 +16,8 @@
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "emission/backend.hpp"
+#include "emission/ground_unit.hpp"
+#include "emission/print_ground.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_selftest.hpp"
 #include "emission/write_files.hpp"
@@ -150,6 +152,19 @@ void add_selftest_sources(const std::string& name, CompileOptions& compile) {
                                              name, entry)});
 }
 
+/// The step on the ground is compiled, so that a folder which does not compile does not pass.
+void add_ground_sources(const Scene& scene, const Generation& generation, CompileOptions& compile,
+                        Diagnostics& diagnostics) {
+  if (!scene.ground_step) return;
+  compile.stems.emplace_back(kGroundStem);
+  for (const Program* const program : generation.context->ground->programs()) {
+    compile.stems.push_back(program->name);
+  }
+  diagnostics.add({Severity::note, scene.file, 0, "ground/step",
+                   scene.name + "_ground_step is compiled, and compared with nothing",
+                   "`simulate` makes the same steps without code."});
+}
+
 }  // namespace
 
 bool CheckReport::passed() const {
@@ -184,6 +199,7 @@ std::optional<CheckReport> check(const Robot& robot, const Scene& scene,
   compile.more = limited_sources(scene, generation);
   compile = with_controller(scene, generation, std::move(compile));
   if (scene.selftest > 0) add_selftest_sources(scene.name, compile);
+  add_ground_sources(scene, generation, compile, diagnostics);
   const auto libraries =
       build_libraries(*sources, scene, generation, compile, work->path(), diagnostics);
   if (!libraries) return std::nullopt;

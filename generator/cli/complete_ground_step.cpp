@@ -33,6 +33,8 @@ void refuse_ground_step(const Robot& robot, const Scene& scene, Diagnostics& dia
       {has_inputs(scene), "arguments for what the robot is made of (`inputs`)"},
       {build_mechanism(robot, scene).has_mimics(),
        "joints that follow others, and rotors that turn"},
+      {scene.implicit_friction,
+       "friction and springs as they are at the end of a step (`implicit`)"},
       {scene.profile == Profile::misra, "the profile misra"}};
   for (const auto& [applies, what] : refused) {
     if (!applies) continue;

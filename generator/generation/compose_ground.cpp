@@ -33,7 +33,6 @@ Scene scene_of_links(const Scene& scene) {
   links.operational_points.clear();
   links.external_forces.clear();
   links.contacts.clear();
-  links.implicit_friction = false;  // which takes the step as an argument
   for (const SceneTouch& shape : scene.touches) {
     auto& points = links.operational_points;
     const bool is_known = std::any_of(points.begin(), points.end(), [&](const ScenePoint& point) {

@@ -216,9 +216,24 @@ TEST_F(SimulateOnGround, CodeHasAStepOrSaysWhyNot) {
     EXPECT_EQ(outcome.exit_code, 1) << scene;
     EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
   }
+  write("implicit.yaml",
+        "ground: {step: true}\nfunctions: [forward_dynamics]\n"
+        "joint_friction: {model: viscous, implicit: true, joints: {joint1: {damping: 1}}}\n");
+  const Outcome implicit =
+      run("generate " TREELINE_ROBOTS "/puma560/puma560.urdf implicit.yaml --output code");
+  EXPECT_NE(implicit.err.find("(`implicit`)"), std::string::npos) << implicit.err;
   const Outcome made = generate(collision(kBox), "ground: {step: true}\n");
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_TRUE(std::filesystem::exists(root_ / "code" / "body_ground.h"));
+  const std::string check = "check body.urdf scene.yaml --generated code --states 1";
+  const Outcome compiled = run(check);
+  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+  EXPECT_NE(compiled.err.find("compared with nothing"), std::string::npos) << compiled.err;
+  write("code/ground.cpp", "no code");
+  const Outcome broken = run(check);
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_NE(broken.err.find("ground.cpp: error: does not compile"), std::string::npos)
+      << broken.err;
 }
 
 TEST_F(SimulateOnGround, NamesAMeshThatIsMissing) {
