@@ -57,7 +57,8 @@ std::set<std::string> find_taken_names(const Program& program, std::set<std::str
 }
 
 bool has_loops(std::span<const Program> programs) {
-  return count_loops(programs) > 0;
+  return std::any_of(programs.begin(), programs.end(),
+                     [](const Program& program) { return program.loops || program.ending; });
 }
 
 int count_loops(std::span<const Program> programs) {

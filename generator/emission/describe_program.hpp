@@ -26,8 +26,10 @@ bool is_huge(const Program& program);
 /// Whether some numbers of the emitted function share registers.
 bool uses_lanes(const Program& program);
 
-/// Whether a function loops over a table of links, and how many do.
+/// Whether a function has loops: over a table of links, or in a routine with which it ends.
 bool has_loops(std::span<const Program> programs);
+
+/// How many functions loop over a table of links.
 int count_loops(std::span<const Program> programs);
 
 /// Whether the emitted function needs sine and cosine.

@@ -40,6 +40,18 @@ constexpr const char* kLooping =
     "  length, branches on constants of that table alone, and calls of functions of the headers\n"
     "  `link_*.hpp`. What is said of time and bits holds for them, too.\n";
 
+constexpr const char* kEnding =
+    "- Functions that end with the call of a routine are not straight-line: the routine, in a "
+    "header\n"
+    "  beside them, has loops of constant length and branches on the function's constants alone. "
+    "What\n  is said of time and bits holds for them, too.\n";
+
+constexpr const char* kGround =
+    "- `{}_ground_step` is for simulation, and is not straight-line: it branches on its inputs, "
+    "has\n"
+    "  loops of bounded length, takes the longer the more points touch the ground, and keeps the "
+    "last\n  impulses in the caller's object. `treeline check` compiles it and compares nothing.\n";
+
 constexpr const char* kDamped =
     "- `damped_control_torque` is not straight-line: it calls the functions above and has loops, "
     "of\n  bounded length. The header tells its typical errors, no bound.\n";
@@ -196,11 +208,15 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
   const bool loops = std::any_of(
       generation.files.begin(), generation.files.end(),
       [](const GeneratedFile& file) { return file.name.starts_with("link_functions."); });
+  const bool ends = std::any_of(
+      generation.functions.begin(), generation.functions.end(),
+      [](const GeneratedFunction& function) { return function.program.ending != nullptr; });
   const bool stepping = generation.controller != nullptr;
-  section("Behaviour of the code", print_behaviour(scene, stepping) + (loops ? kLooping : "") +
-                                       (stepping ? describe_step_behaviour(scene.name) : "") +
-                                       (generation.damped ? kDamped : "") +
-                                       (scene.has_limits() ? kLimited : ""));
+  section("Behaviour of the code",
+          print_behaviour(scene, stepping) + (loops ? kLooping : "") +
+              (stepping ? describe_step_behaviour(scene.name) : "") + (ends ? kEnding : "") +
+              (scene.ground_step ? fmt::format(kGround, scene.name) : "") +
+              (generation.damped ? kDamped : "") + (scene.has_limits() ? kLimited : ""));
   section("Assumptions that the surrounding program has to meet",
           print_assumptions(scene, generation));
   section("Functions",

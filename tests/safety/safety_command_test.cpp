@@ -195,6 +195,33 @@ TEST_F(SafetyNotes, TellOfTheControllersStep) {
   EXPECT_NE(text.find("- `joint2`: torque\n"), std::string::npos) << text;
 }
 
+// Would catch: notes that call straight-line what ends in a routine with loops, or a step that
+// branches on what touches.
+TEST_F(SafetyNotes, TellOfRoutinesAndOfTheGround) {
+  std::string chain = "<robot name='chain'><link name='l0'/>";
+  for (int i = 1; i <= 40; ++i) {
+    const std::string child = "'l" + std::to_string(i) + "'";
+    chain += "<link name=" + child +
+             "><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' "
+             "iyz='0'/></inertial><collision><geometry><sphere radius='0.1'/></geometry>"
+             "</collision></link><joint name='j" +
+             std::to_string(i) + "' type='continuous'><parent link='l" + std::to_string(i - 1) +
+             "'/><child link=" + child +
+             "/><origin xyz='0.1 0.2 0.3' rpy='0.1 0.2 0.3'/><axis xyz='0.6 0 0.8'/></joint>";
+  }
+  write("chain.urdf", chain + "</robot>");
+  write("scene.yaml", "functions: [mass_matrix]\nground: {step: true}\n");
+  const auto made = test::run_program(
+      folder_.path(), "generate chain.urdf scene.yaml --output code --safety SAFETY.md");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(notes().find("- Functions that end with the call of a routine are not straight-line"),
+            std::string::npos);
+  EXPECT_NE(notes().find("- `chain_ground_step` is for simulation"), std::string::npos);
+  const std::string header = test::read_file(folder_.path() / "code" / "chain.hpp");
+  EXPECT_NE(header.find("as straight-line code and loops of constant length"), std::string::npos);
+  EXPECT_NE(header.find("no branch on data"), std::string::npos);
+}
+
 TEST_F(SafetyNotes, RefuseOtherFilesAsEvidence) {
   write("none.json", "{}");
   write("other.json", R"({"name": "ur10e", "passed": true, "states": 1, "seed": 1,

@@ -64,7 +64,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   const bool single = context.single_precision;
   auto values = describe_contract(context);
   values.insert({{"NAME", name_in_capitals(context)},
-                 {"form", has_loops(programs) ? "loops over its links and straight-line code"
+                 {"form", has_loops(programs) ? "straight-line code and loops of constant length"
                                               : "straight-line code"},
                  {"needs", comment("//", describe_needs(context, programs))},
                  {"array", print_array_macro(context)},

@@ -36,7 +36,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
   values.insert(
       {{"beside", context.misra ? "" : fmt::format(kBeside, context.name)},
        {"includes", context.misra ? "\n#include <stdint.h>" : ""},
-       {"form", loops ? "loops over its links and straight-line code" : "straight-line code"},
+       {"form", loops ? "straight-line code and loops of constant length" : "straight-line code"},
        {"branch", loops ? "no branch on data" : "no branch"},
        {"and_same", loops ? "and" : "and same"},
        {"time_where", loops ? "same time, where" : "time, where"},
