@@ -57,9 +57,9 @@ std::string describe_laws(const ControllerUnit& unit) {
   text += unit.settings.force ? " + sum J^T (K e + D (v - xd))" : "";
   text +=
       ", about the pose where it was told, with joint_stiffness in N m/rad and so on; D of a joint "
-      "is its viscosity and what joint_damping_ratio asks for. It is passive, and without "
-      "stiffness "
-      "the robot is led by hand. LEAD_JOINTS";
+      "is its viscosity and what joint_damping_ratio asks for. It is passive";
+  if (unit.settings.force) text += ", where the three stiffnesses that turn a point are the same";
+  text += ", and without stiffness the robot is led by hand. LEAD_JOINTS";
   text += unit.settings.force ? " and LEAD_POINT move" : " moves";
   text += " p along a quintic. At the ends of their range springs turn joints back.";
   return text;
