@@ -98,7 +98,7 @@ def compile_step(program, urdf, work):
     with open(os.path.join(work, "scene.yaml"), "w", encoding="utf-8") as file:
         file.write("name: drawn\nbase: floating\nfunctions: []\nlanguage: c\n"
                    f"ground: {{friction: {FRICTION}, step: true}}\n")
-    subprocess.run([program, "generate", "drawn.urdf", "scene.yaml", "--output", "code"], check=True,
+    subprocess.run([os.path.abspath(program), "generate", "drawn.urdf", "scene.yaml", "--output", "code"], check=True,
                    capture_output=True, cwd=work)
     library = os.path.join(work, "step.so")
     sources = [os.path.join(code, name) for name in os.listdir(code) if name.endswith(".c")]
