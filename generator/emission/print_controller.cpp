@@ -149,6 +149,7 @@ constexpr std::pair<const char*, std::string_view const*> kHeaders[] = {
     {"controller_references", &templates::kControllerReferences},
     {"controller_safety", &templates::kControllerSafety},
     {"controller_step", &templates::kControllerStep},
+    {"controller_waiting", &templates::kControllerWaiting},
     {"orientation", &templates::kOrientation},
     {"quintic", &templates::kQuintic},
     {"turn_motion", &templates::kTurnMotion}};

@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 17> kTargets = {
     "package",   "preinstall", "package_source", "test",       "rebuild_cache"};
 
 /// Headers of the runtime that are emitted, in C++ or in C, without their ending.
-constexpr std::array<std::string_view, 54> kHeaders = {"common_frame",
+constexpr std::array<std::string_view, 55> kHeaders = {"common_frame",
                                                        "controller_braking",
                                                        "controller_commands",
                                                        "controller_compliance",
@@ -43,6 +43,7 @@ constexpr std::array<std::string_view, 54> kHeaders = {"common_frame",
                                                        "controller_robot",
                                                        "controller_safety",
                                                        "controller_step",
+                                                       "controller_waiting",
                                                        "damped_sizes",
                                                        "damped_solve",
                                                        "eights",

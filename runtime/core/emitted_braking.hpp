@@ -1,6 +1,6 @@
 #pragma once
-// The headers of runtime/emitted that brake a robot and hold it, as members of a class of any
-// robot. C++17, freestanding.
+// The headers of runtime/emitted that brake a robot and hold it, and those that wait for it, as
+// members of classes. C++17, freestanding.
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -49,6 +49,20 @@ struct EmittedBraking : EmittedNumbers<typename Robot::Real> {
   }
 
 #include "emitted/controller_braking.h"
+};
+
+/// How far references may be left behind: everything of runtime/emitted/controller_waiting.h.
+template <class Number>
+struct EmittedWaiting : EmittedNumbers<Number> {
+  using Numbers = EmittedNumbers<Number>;
+  using Numbers::TL_ZERO, Numbers::TL_ONE, Numbers::tl_smaller, Numbers::tl_larger,
+      Numbers::tl_within, Numbers::tl_seconds;
+  using typename Numbers::real;
+  struct TlConfig {
+    real period, following, speed_rise;
+  };
+
+#include "emitted/controller_waiting.h"
 };
 
 #undef TL_INLINE

@@ -3,13 +3,7 @@
 
 #include "controller_faults.h"
 #include "controller_laws.h"
-
-/// How far a reference may be away: `following`, and half of that once it has stood
-/// for a second.
-TL_INLINE real tl_admitted_error(const TlConfig* config, real time, real rate) {
-  const bool stands = ((time - TL_ONE) * rate) > TL_ONE;
-  return stands ? (TL_REAL(0.5) * config->following) : config->following;
-}
+#include "controller_waiting.h"
 
 /// Whether all joints are near their reference.
 TL_INLINE bool tl_joints_follow(
@@ -24,9 +18,14 @@ TL_INLINE bool tl_joints_follow(
 }
 
 #if TL_TASK
-/// How far a point is from its reference, m or rad: the largest number of its
-/// position and orientation, each where all three of its rows are controlled. Where
-/// the point presses its position is free.
+/// Whether a number of a point's error counts, world axes: that of a row, or where
+/// rows have the point's own axes, of three of them.
+TL_INLINE bool tl_is_compared(int32_t point, int32_t row) {
+  return TL_OWN_AXES[point] ? tl_is_whole(row) : TL_CONTROLS[row];
+}
+
+/// How far a point is from its reference, m or rad: the largest number of its error.
+/// Where the point presses its position is free.
 TL_INLINE real tl_point_away(
     int32_t point, const TlState* state, const TlOutput* output) {
   real most = TL_ZERO;
@@ -38,14 +37,11 @@ TL_INLINE real tl_point_away(
 #else
   (void)state;
 #endif
-  while (part < 6) {
-    const int32_t row = (6 * point) + part;
-    for (int32_t i = 0; i < 3; ++i) {
-      const real error =
-          tl_is_whole(row) ? tl_magnitude(output->task_error[row + i]) : TL_ZERO;
-      most = (error <= most) ? most : error;  // NaN too
-    }
-    part += 3;
+  for (int32_t i = part; i < 6; ++i) {
+    const int32_t row = (6 * point) + i;
+    const real error =
+        tl_is_compared(point, row) ? tl_magnitude(output->task_error[row]) : TL_ZERO;
+    most = (error <= most) ? most : error;  // NaN too
   }
   return most;
 }

@@ -21,19 +21,12 @@ TL_INLINE real tl_speed_ahead(
 }
 
 /// Slows the points' references down where a joint is faster than two fifths of its
-/// limit, or a point stays behind by more than a twentieth of `following`; at 0.3 of
-/// it they stand.
+/// limit, or a point stays behind.
 TL_INLINE void tl_set_pace(const TlConfig* config, real ahead, TlState* state) {
-  const real behind = (TL_REAL(4.0) * state->away / config->following) - TL_REAL(0.2);
-  const real most = tl_larger(behind, TL_REAL(2.5) * (ahead - TL_REAL(0.4)));
-  const real wanted = (most < TL_ONE) ? ((most > TL_ZERO) ? most : TL_ZERO) : TL_ONE;
-  const real rise = tl_larger(config->speed_rise, config->period);
-  const real follows = tl_smaller(TL_REAL(5.0) * config->period / rise, TL_ONE);
+  const real asked = tl_larger(
+      tl_behind(config, state->away), TL_REAL(2.5) * (ahead - TL_REAL(0.4)));
   for (int32_t point = 0; point < TL_POINTS; ++point) {
-    const real change = wanted - state->point_slow[point];
-    const real rate =
-        config->period / ((change > TL_ZERO) ? rise : (TL_REAL(2.0) * rise));
-    const real next = state->point_slow[point] + tl_within(follows * change, rate);
+    const real next = tl_slow_down(config, asked, state->point_slow[point]);
     state->point_slow_rate[point] =
         (next - state->point_slow[point]) / config->period;
     state->point_slow[point] = next;
@@ -64,18 +57,17 @@ TL_INLINE bool tl_lacks_torque(const TlConfig* config, TlState* state) {
   return tl_seconds(state->cut_ticks, config->period) > TL_REAL(0.03);
 }
 
-/// Whether the references have stood for half a second since a point is away from its
-/// own.
+/// Whether the references have waited too long since a point is away from its own.
 TL_INLINE bool tl_is_stuck(const TlConfig* config, TlState* state) {
   bool waits = true;
   bool ended = true;
   for (int32_t point = 0; point < TL_POINTS; ++point) {
     const real time = tl_point_time(config, state, point);
-    waits = waits && (state->point_slow[point] > TL_REAL(0.9));
+    waits = waits && tl_is_waiting(state->point_slow[point]);
     ended = ended && ((time * state->point_rate[point]) >= TL_ONE);
   }
   state->stuck_ticks = tl_count_tick((waits && (!ended)) ? state->stuck_ticks : 0);
-  return tl_seconds(state->stuck_ticks, config->period) > TL_REAL(0.5);
+  return tl_has_waited(config, state->stuck_ticks);
 }
 
 #if TL_FORCE
