@@ -16,14 +16,16 @@
 #include "servo/state_machine.hpp"
 #include "servo/statistics.hpp"
 #include "servo/watch_motion.hpp"
+#include "servo/watch_references.hpp"
 
 namespace treeline::servo {
 
 /// Requirements of the loop on a controller. Times are in s since the loop began. `start` is called
 /// when control begins, with the initial state; `apply` with every message that does not concern
 /// the loop itself; `control` once per cycle while running. If there is a `prepare()`, it is called
-/// where the loop waits, shortly before the next cycle: it may load code and data into caches. None
-/// of them may allocate or block.
+/// where the loop waits, shortly before the next cycle: it may load code and data into caches. If
+/// there is a `compare`, see `find_left_behind`, references that are left behind are a fault, and
+/// so is what `blocked()` returns, after each `control`. None of them may allocate or block.
 template <class C, class F>
 concept Controller = requires(C& controller, double time, const StateOf<F>& state,
                               const Message& message, double (&tau)[F::kVelocities]) {
@@ -176,6 +178,10 @@ class ServoLoop {
     }
   }
 
+  void raise_if(const Fault& fault) noexcept {
+    if (fault) raise(fault);
+  }
+
   void receive() noexcept {
     Message message;
     while (mailbox_.pop(message)) {
@@ -283,6 +289,9 @@ class ServoLoop {
     control_times_.record(spent);
     if (const Fault fault = check_torque<F::kCoordinates, F::kVelocities>(limits_, report_.tau)) {
       raise(fault);
+    } else {
+      raise_if(find_left_behind(controller_, time(), limits_.following));
+      if constexpr (requires { controller_.blocked(); }) raise_if(controller_.blocked());
     }
   }
 

@@ -38,6 +38,10 @@ class PoseReference {
     }
   }
 
+  /// When its last motion began, and how long it takes, s.
+  double start_time() const noexcept { return start_time_; }
+  double duration() const noexcept { return line_.duration; }
+
   PoseMotion at(double time) const noexcept {
     const auto line = line_.at(time - start_time_);
     const auto fraction = fraction_.at(time - start_time_);

@@ -137,6 +137,17 @@ class PoseTaskController {
     F::control_torque(state.q, state.qd, qdd_0, xdd_cmd, tau);
   }
 
+  /// Compares points with their references, see `find_left_behind`.
+  template <class Visit>
+  void compare(double time, Visit&& visit) const noexcept {
+    constexpr std::array<bool, static_cast<std::size_t>(kPoints)> kLocalAxes{};
+    constexpr auto kCompared = compared_rows<kLocalAxes.size()>(kRows, kLocalAxes);
+    for (std::size_t k = 0; k < kCompared.size(); ++k) {
+      visit(away_of(tracking_[k].error, kCompared[k]), -1, time - references_[k].start_time(),
+            references_[k].duration());
+    }
+  }
+
   /// Loads the functions of a cycle into the caches, where F has a `prefetch` that does so. Without
   /// it the loop has no reason to wake earlier.
   void prepare() const noexcept requires requires { F::prefetch(); }

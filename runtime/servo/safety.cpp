@@ -46,6 +46,11 @@ std::string describe(const Fault& fault, const std::string& name) {
       return "the robot was dragged away while it should stand";
     case FaultKind::fell:
       return "the robot has fallen";
+    case FaultKind::following:
+      return beyond_limit(fault.index < 0 ? "a point" : who, "is away from its reference by",
+                          fault);
+    case FaultKind::blocked:
+      return beyond_limit(who, "is blocked against", fault);
   }
   return {};
 }

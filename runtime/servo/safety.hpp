@@ -25,6 +25,8 @@ enum class FaultKind : std::uint8_t {
   jump,            ///< q moves otherwise than qd says: rad or m
   moved,           ///< dragged away while it should stand
   fell,            ///< a robot that stood on its feet lies
+  following,       ///< a reference is left behind by so much, rad or m
+  blocked,         ///< something holds a joint against this torque, N m or N
 };
 
 /// The reason why the loop went to its safe state.
@@ -36,6 +38,9 @@ struct Fault {
   explicit operator bool() const noexcept { return kind != FaultKind::none; }
 };
 
+/// rad or m that references may be away, and half of it once they stand, see `find_left_behind`.
+inline constexpr double kFollowing = 0.3;
+
 /// Limits per coordinate (position) and per velocity; unlimited unless set.
 template <int nq, int nv>
 struct SafetyLimits {
@@ -43,9 +48,10 @@ struct SafetyLimits {
   std::array<double, static_cast<std::size_t>(nq)> upper;
   std::array<double, static_cast<std::size_t>(nv)> velocity;
   std::array<double, static_cast<std::size_t>(nv)> torque;
-  int overruns_in_a_row = 3;    ///< allowed number; one more is a fault
-  double longest_delay = 0.05;  ///< s that a cycle may be late
-  double jump = 0.05;           ///< rad or m of q that qd need not explain
+  int overruns_in_a_row = 3;      ///< allowed number; one more is a fault
+  double longest_delay = 0.05;    ///< s that a cycle may be late
+  double jump = 0.05;             ///< rad or m of q that qd need not explain
+  double following = kFollowing;  ///< rad or m that references may be away
 
   SafetyLimits() noexcept {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -48,6 +48,34 @@ constexpr std::array<TaskRow, static_cast<std::size_t>(F::kTaskRows)> task_rows_
   }
 }
 
+/// Which numbers of the points' errors, position over rotation vector in world axes, are of a row
+/// of the task: of points whose rows have their own axes, those of parts that have all three rows.
+template <std::size_t points, class Rows, class LocalAxes>
+constexpr std::array<std::array<bool, 6>, points> compared_rows(const Rows& rows,
+                                                                const LocalAxes& local_axes) {
+  std::array<std::array<bool, 6>, points> has{};
+  for (const auto& row : rows) {
+    has[static_cast<std::size_t>(row.point)][static_cast<std::size_t>(row.axis)] = true;
+  }
+  for (std::size_t k = 0; k < points; ++k) {
+    for (std::size_t i = 0; i < 6 && local_axes[k]; i += 3) {
+      const bool whole = has[k][i] && has[k][i + 1] && has[k][i + 2];
+      has[k][i] = has[k][i + 1] = has[k][i + 2] = whole;
+    }
+  }
+  return has;
+}
+
+/// How far a point is from its reference, m or rad: the largest number of its error that counts.
+constexpr double away_of(const double (&error)[6], const std::array<bool, 6>& counts) noexcept {
+  double most = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double size = error[i] < 0.0 ? -error[i] : error[i];
+    if (counts[i] && !(size <= most)) most = size;  // NaN too
+  }
+  return most;
+}
+
 /// How many operational points the task of F has.
 template <class F>
 inline constexpr int kTaskPoints = task_rows_of<F>().back().point + 1;

@@ -1,6 +1,7 @@
 // Would catch: a loop whose arm creeps or sinks after an emergency stop, a stop or a fault, under a
 // payload or masses that it does not know; braking that ends with one sensor; a jump of a
-// coordinate that makes torque; a stall that goes by without a fault, or is one step of the robot.
+// coordinate that makes torque; a joint that is blocked and pressed for ever; a stall that goes by
+// without a fault, or is one step of the robot.
 #include "servo/safe_state.hpp"
 
 #include <limits>
@@ -25,11 +26,17 @@ class Step {
  public:
   void step(const double (&q)[F::kVelocities], const double (&qd)[F::kVelocities],
             double (&tau)[F::kVelocities]) {
-    if (!parts_) parts_ = std::make_shared<Parts>();
+    if (!parts_) parts_ = std::make_shared<Parts>(F::limits());
     std::copy(std::begin(q), std::end(q), parts_->link.state.q);
     std::copy(std::begin(qd), std::end(qd), parts_->link.state.qd);
     parts_->loop.step([this](const servo::Report<F>& report) { report_ = report; });
     std::copy(std::begin(report_.tau), std::end(report_.tau), tau);
+  }
+  /// An unknown payload leaves the reference.
+  void let_sag() {
+    auto limits = F::limits();
+    limits.following = 1e9;
+    parts_ = std::make_shared<Parts>(limits);
   }
   void send(MessageKind kind) { parts_->mailbox.push(servo::message_of(kind)); }
   const servo::Report<F>& report() const { return report_; }
@@ -45,6 +52,13 @@ class Step {
   };
   struct Law {
     double begin = 0;
+    std::array<double, F::kVelocities> error{};
+    template <class Visit>
+    void compare(double time, Visit&& visit) const {
+      for (int i = 0; i < F::kVelocities; ++i) {
+        visit(std::fabs(error[static_cast<std::size_t>(i)]), i, time - begin, 0.8);
+      }
+    }
     void start(double time, const servo::StateOf<F>&) { begin = time; }
     void apply(double, const servo::Message&) {}
     void control(double time, const servo::StateOf<F>& state, double (&tau)[F::kVelocities]) {
@@ -52,8 +66,8 @@ class Step {
       for (int i = 0; i < F::kVelocities; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const double speed = (F::kGoal[at] - F::kStart[at]) / 0.8;
-        const double wanted = F::kStart[at] + (time - begin) * speed;
-        qdd[i] = 400 * (wanted - state.q[i]) + 40 * (speed - state.qd[i]);
+        error[at] = F::kStart[at] + (time - begin) * speed - state.q[i];
+        qdd[i] = 400 * error[at] + 40 * (speed - state.qd[i]);
       }
       F::inverse_dynamics(state.q, state.qd, qdd, tau);
       const auto limits = F::limits();
@@ -63,12 +77,14 @@ class Step {
     }
   };
   struct Parts {
+    explicit Parts(const decltype(F::limits())& given) : limits(given) {}
+    decltype(F::limits()) limits;
     Link link;
     Law law;
     servo::SimulatedClock clock;
     servo::Mailbox mailbox;
-    servo::ServoLoop<F, Link, Law, servo::SimulatedClock> loop{{},  F::limits(), link,
-                                                               law, clock,       mailbox};
+    servo::ServoLoop<F, Link, Law, servo::SimulatedClock> loop{{},  limits, link,
+                                                               law, clock,  mailbox};
   };
   std::shared_ptr<Parts> parts_;
   servo::Report<F> report_;
@@ -81,6 +97,7 @@ class ServoSafeState : public testing::Test {
   /// In the midst of a motion of all joints.
   static Arm moving(const Imperfection& is) {
     Arm arm(is, F::kStart);
+    if (is.payload > 0) arm.state.let_sag();
     arm.run(0.1);
     arm.state.send(MessageKind::start);
     arm.run(0.3);
@@ -179,6 +196,21 @@ TYPED_TEST(ServoSafeState, SaysWhenItIsDraggedAway) {
   }
   EXPECT_EQ(arm.state.report().fault.kind, FaultKind::moved);
   EXPECT_LT(arm.q[0] - from, 2.5 * 0.05);
+}
+
+TYPED_TEST(ServoSafeState, FindsAnArmThatIsBlocked) {
+  auto arm = this->moving({});
+  const auto held = arm.q;
+  for (int k = 0; k < 1500 && arm.state.report().mode == Mode::running; ++k) {
+    arm.step();
+    arm.q = held;
+    arm.qd.fill(0);
+  }
+  const servo::Fault& fault = arm.state.report().fault;
+  EXPECT_EQ(fault.kind, FaultKind::following) << servo::describe(fault);
+  EXPECT_NEAR(fault.value, fault.limit, 3e-3);
+  EXPECT_EQ(fault.limit, 0.3);
+  EXPECT_TRUE(arm.state.report().brakes) << "it rests";
 }
 
 TYPED_TEST(ServoSafeState, AStallIsAFaultInTheCycleThatSeesIt) {
