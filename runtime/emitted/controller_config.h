@@ -19,6 +19,15 @@ TL_INLINE bool tl_is_not_negative(real x) {
   return tl_is_number(x) && (x >= TL_ZERO);
 }
 
+#if TL_CURRENT
+/// Whether the current of a joint is a number, up to its limit of torque.
+TL_INLINE bool tl_tells_current(const TlConfig* config, int32_t i) {
+  const real by_ampere = config->torque_per_ampere[i];
+  return tl_is_number(by_ampere) && (tl_magnitude(by_ampere) > TL_ZERO) &&
+      tl_is_number(config->torque[i] / by_ampere);
+}
+#endif
+
 /// Limits and gains of the joints: the first member that is not sound, 0 where all
 /// are, and which of its numbers. `fastest` is the largest rate, 1/s, that a step can
 /// follow.
@@ -39,8 +48,7 @@ TL_INLINE int32_t tl_check_joints(
     } else if (!tl_is_positive(config->torque_rate[i])) {
       field = TL_CONFIG_TORQUE_RATE;
 #if TL_CURRENT
-    } else if (!(tl_is_number(config->torque_per_ampere[i]) &&
-                   (tl_magnitude(config->torque_per_ampere[i]) > TL_ZERO))) {
+    } else if (!tl_tells_current(config, i)) {
       field = TL_CONFIG_TORQUE_PER_AMPERE;
 #endif
     } else if (!tl_is_from(config->joint_frequency[i], TL_ZERO, fastest)) {

@@ -1,7 +1,8 @@
 // Would catch: a step of an emitted controller whose torque is not finite, beyond its limit or its
-// rate; a fault that gets lost before a reset; brakes that are not called for; a configuration or a
-// measurement that is not sound and no fault; undefined behaviour. An input is a program of some
-// steps: bytes choose numbers of the configuration, commands and measurements, odd ones among them.
+// rate; a current that is not finite; a fault that gets lost before a reset; brakes that are not
+// called for; a configuration or a measurement that is not sound and no fault; undefined behaviour.
+// An input is a program of some steps: bytes choose numbers of the configuration, commands and
+// measurements, odd ones among them.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -55,6 +56,16 @@ void demand(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "broken: %s\n", what);
   std::abort();
+}
+
+/// A joint's current where the controller tells currents, else 0.
+template <class Output>
+auto current_of(const Output& output, int joint, int) -> decltype(output.current[joint]) {
+  return output.current[joint];
+}
+template <class Output>
+double current_of(const Output&, int, long) {
+  return 0;
 }
 
 template <class Robot>
@@ -163,6 +174,7 @@ class Run {
     for (int i = 0; i < n; ++i) {
       const double tau = output_.tau[i], before = last.tau[i];
       demand(std::isfinite(tau), "the torque is finite");
+      demand(std::isfinite(current_of(output_, i, 0)), "the current is finite");
       demand(std::fabs(tau) <= used.torque[i], "the torque is within its limit");
       // Where the limit itself has come down the torque comes with it.
       const double from = std::fmin(std::fmax(before, -used.torque[i]), used.torque[i]);
