@@ -43,7 +43,8 @@ inline constexpr std::array kControllerFaults = {
     ControllerFault{kFaultJump, "JUMP", "q moves otherwise than qd says, by more than jump",
                     "0 for a jump; a sensor that is frozen: once the motion it hides exceeds jump"},
     ControllerFault{kFaultFollowing, "FOLLOWING", "a reference is not followed; a joint is blocked",
-                    "0 beyond following; 1 s after the reference came to rest beyond half of it"},
+                    "0 beyond following; 1 s after the reference came to rest beyond half of it; "
+                    "0.5 s after the reference of a point had to wait on its way"},
     ControllerFault{kFaultConfig, "CONFIG", "the configuration is not sound: see check_config",
                     "0"},
 };

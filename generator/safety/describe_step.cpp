@@ -50,18 +50,26 @@ constexpr const char* kObserver =
     "is a fault.\n\n";
 
 constexpr const char* kReactions =
-    "Every fault is looked for in every step, and the torque of the step that finds it brakes "
-    "already, within torque_rate; a cycle is {} s. Reaction: mode "
+    "Faults are looked for in every step, STALE and FOLLOWING while running, MOVED while the robot "
+    "is braked and held. The torque of the step that finds one brakes already, within torque_rate; "
+    "a cycle is {} s. Reaction: mode "
     "faulted, brake and hold; the first fault stays in `output.reason`, all in `output.faults`, "
     "until RESET.\n\n";
 
-std::string print_reactions() {
+/// Cycles from a fault to torque that brakes.
+const char* reaction_time(const ControllerFault& fault, bool observes) {
+  const bool jumps = fault.bit == kFaultJump;
+  return jumps && observes ? "0 for a jump; a frozen encoder is not found" : fault.time;
+}
+
+std::string print_reactions(bool observes) {
   std::string text =
       "| bit | fault | found when | cycles until torque begins to brake | `brakes` "
       "|\n|---|---|---|---|---|\n";
   for (const ControllerFault& fault : kControllerFaults) {
     text += fmt::format("| {} | `{}` | {} | {} | {} |\n", fault.bit, fault.name, fault.meaning,
-                        fault.time, fault.asks_brakes_at_once() ? "at once" : "once at rest");
+                        reaction_time(fault, observes),
+                        fault.asks_brakes_at_once() ? "at once" : "once at rest");
   }
   return text;
 }
@@ -90,7 +98,8 @@ std::vector<Guard> list_guards(const SceneController& own) {
        "a quarter turn: limits are crossed without a fault", own.position_margin >= kQuarterTurn},
       {"speed_margin", own.speed_margin, "of the limit", "limits of speed",
        "1: twice the limit is no fault", own.speed_margin >= 1},
-      {"jump", own.jump, "rad, m", "against sensors that jump or freeze",
+      {"jump", own.jump, "rad, m",
+       own.observer > 0 ? "against sensors that jump" : "against sensors that jump or freeze",
        "a quarter turn: most jumps are taken for motion", own.jump >= kQuarterTurn},
       {"following", own.following, "rad, m", "against blocked joints and collisions",
        "a quarter turn: a blocked joint is pressed with all the torque",
@@ -161,7 +170,8 @@ std::string describe_step(const Scene& scene, const Generation& generation) {
     text +=
         fmt::format(fmt::runtime(kObserver), observer, observer * observer * unit.settings.period);
   }
-  text += fmt::format(fmt::runtime(kReactions), unit.settings.period) + print_reactions();
+  text += fmt::format(fmt::runtime(kReactions), unit.settings.period) +
+          print_reactions(unit.settings.observer > 0);
   text += std::string("\n### Commands that cannot be met\n\n") + kCommands +
           (unit.task_torque ? kPoints : "") + kCompliance;
   text += "### What settings guard\n\nThe defaults come from the scene; `" + scene.name +
