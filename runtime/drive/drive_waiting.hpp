@@ -50,34 +50,40 @@ void DriveController<F>::wait_for_robot(double time) noexcept {
   if (pushed) excused_until_ = time + kRecovery;
   if (blend_asked_) excused_until_ = std::fmax(excused_until_, time + kBlend);
   excused_ = time < excused_until_;
+  const typename Waiting::TlConfig config{settings_.period, settings_.following, 0.0};
   double away = 0.0;
-  bool moves = false;
+  double share = 0.0;  // of what is admitted
   for_each_reference([&](double error, int, double since, double duration) {
     away = std::fmax(away, error);
-    moves = moves || since < duration;
+    share = std::fmax(share, error / Waiting::tl_admitted_error(&config, since, 1.0 / duration));
   });
-  const typename Waiting::TlConfig config{settings_.period, settings_.following, 0.0};
+  const bool moves = moving(time, 1.0);
   behind_ = pushed || reference_.playing() ? 0.0 : Waiting::tl_behind(&config, away);
   const bool waits = moves && !excused_ && Waiting::tl_is_waiting(behind_);
   waited_ = waits ? waited_ + 1 : 0;
   if (Waiting::tl_has_waited(&config, waited_)) end_waiting(time);
-  const bool came_back = !was_excused || excused_ || away <= 0.5 * settings_.following;
-  const bool keeps_up = !moves || excused_ || away <= 0.8 * settings_.following;
+  const bool came_back = !was_excused || excused_ || share <= 0.5;
+  const bool keeps_up = !moves || excused_ || reference_.playing() || share <= 0.8;
   if (!came_back || !keeps_up) hold_here(time);
 }
 
 /// Where something holds a joint against a good part of its torque, it is blocked. Else nothing
-/// leads on, as out of reach, or motors are too weak: the robot holds what it has come to.
+/// leads on, as out of reach, or motors are too weak: the robot holds what it has come to. What
+/// presses in closed loops is not known.
 template <class F>
 void DriveController<F>::end_waiting(double time) noexcept {
   constexpr double kPressed = 0.2;  // of the limit of torque
+  constexpr double kStands = 0.05;  // rad/s or m/s
   waited_ = 0;
+  bool has_loops = false;
+  for (int i = 0; i < nv; ++i) has_loops = has_loops || is_passive(i);
   double weight[nv];
   find_weight(state_.q, weight);
   for (int i = 0; i < nv; ++i) {
     const double most = kPressed * settings_.torque[at(i)];
     const double pressed = std::fabs(last_torque_[i] - weight[i]);
-    if (!(pressed > most) || is_passive(i)) continue;
+    const bool stands = std::fabs(state_.qd[i]) < kStands;
+    if (has_loops || !stands || !(pressed > most)) continue;
     blocked_ = {servo::FaultKind::blocked, i, pressed, most};
     return;
   }
