@@ -77,7 +77,7 @@ TEST_F(GenerateTest, NamesAreNeverCode) {
       "link=\"a\"/></joint></robot>");
   const std::string common =
       R"(operational_points: [{name: tip, link: 'odd */ evil; /* " evil; \ tool', rows: [x, y]}])"
-      "\nname: odd\nbatch: 2\nprefetch: true\n";
+      "\nname: odd\nbatch: 2\n";
   std::ofstream(root_ / "stepped.yaml")
       << common << "selftest: 1\nground: {step: true}\ndamped: {mass: 40, inertia: 4}\n"
       << "functions: [jacobian, bias_acceleration, inverse_dynamics, lambda_inverse]\n"

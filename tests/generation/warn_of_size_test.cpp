@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "emission/list_sources.hpp"
 #include "program/ending.hpp"
 
 // Would catch: code that compilers take long for, without a word before it is written, words about
@@ -50,7 +49,6 @@ TEST(WarnOfSize, CountsNoLoopsOfRoutines) {
   ending.executed.mul = 500000;
   program.ending = std::make_shared<const Ending>(std::move(ending));
   EXPECT_TRUE(warnings({}, generation).empty());
-  EXPECT_FALSE(choose_own_flags(Optimize::balanced, "generic", program, false).is_small);
 }
 
 TEST(WarnOfSize, ProposesLoopsWhereThereAreSome) {
