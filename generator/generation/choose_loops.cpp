@@ -8,6 +8,7 @@
 #include "generation/estimate_code_size.hpp"
 #include "passes/count_operations.hpp"
 #include "passes/take_sines.hpp"
+#include "program/ending.hpp"
 #include "program/link_loops.hpp"
 #include "recursion/routes/trace_loops.hpp"
 #include "target/target.hpp"
@@ -41,7 +42,8 @@ void choose_loops(const Mechanism& mechanism, const Scene& scene, bool always,
   }
   LoopNeeds needs;
   needs.add(generated.function, *traced->loops);
-  const double lines = bytes_of_lines(scene, count_operations(generated.program).flops());
+  const Program& printed = printed_lines(generated.program);
+  const double lines = bytes_of_lines(scene, count_operations(printed).flops());
   if (!always && needs.bytes(scene) >= kWorthwhile * lines) return;
   const OperationCosts& costs = operation_costs(*find_target(scene.target), bytes_of(scene.real));
   GeneratedFunction loops = generated_from(generated.function, std::move(*traced), costs);
