@@ -25,7 +25,6 @@
 //
 // Beside this file, for those who want them:
 //   humanoid24_joints.hpp: names, limits and a home position of the joints, as arrays
-//   humanoid24.h: the functions for C
 //   humanoid24_calls.hpp: the functions with named inputs, std::array and pointers
 //   humanoid24_eigen.hpp: the functions for Eigen
 //

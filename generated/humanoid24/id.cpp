@@ -6,4 +6,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.9.0 humanoid24 sha256 "
-    "66d84ec23e3ccf34a8e7fe4766c6516977677b7d93d3dbf5ee730d7cdc9f0b6f";
+    "2419792671edeac84019d5e112ddfceccf6b502176f2ae0fff0cf46ac76d6064";

@@ -6,4 +6,4 @@
 
 const char puma560_id[95] =
     "treeline 0.9.0 puma560 sha256 "
-    "6daab895f4980c13f87ea46f7a0ce79ff48c8737bc386bb5145eaaa5f9cb7d64";
+    "927083f39b735b0d85e57af9e77db3a37b0cbc7968b7a8aaac422e9382d48d36";

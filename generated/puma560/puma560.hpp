@@ -25,7 +25,6 @@
 //
 // Beside this file, for those who want them:
 //   puma560_joints.hpp: names, limits and a home position of the joints, as arrays
-//   puma560.h: the functions for C
 //   puma560_calls.hpp: the functions with named inputs, std::array and pointers
 //   puma560_eigen.hpp: the functions for Eigen
 //

@@ -6,4 +6,4 @@
 
 const char samm_id[92] =
     "treeline 0.9.0 samm sha256 "
-    "93064de33e4b12d3d0c402dd6a46b378b33fefe1f913b599923de26e392b55b0";
+    "5b1368b412ccc112e3d0be011e42ec8f582597a7794de0b7feee6ada88415cb1";

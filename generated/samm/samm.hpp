@@ -25,7 +25,6 @@
 //
 // Beside this file, for those who want them:
 //   samm_joints.hpp: names, limits and a home position of the joints, as arrays
-//   samm.h: the functions for C
 //   samm_calls.hpp: the functions with named inputs, std::array and pointers
 //   samm_eigen.hpp: the functions for Eigen
 //

@@ -6,4 +6,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.9.0 ur10e sha256 "
-    "f666feac89c3fb9976ae4d18dd76553ab0ef3836714db499d40f7bdb7be4b389";
+    "c5163665c2d76e5c3fa5a21aa178d150ebcaa54e27a8c08e78e1cff05f41c5ff";

@@ -25,7 +25,6 @@
 //
 // Beside this file, for those who want them:
 //   ur10e_joints.hpp: names, limits and a home position of the joints, as arrays
-//   ur10e.h: the functions for C
 //   ur10e_calls.hpp: the functions with named inputs, std::array and pointers
 //   ur10e_eigen.hpp: the functions for Eigen
 //
