@@ -36,7 +36,7 @@ void warn_of_degrees(const UrdfElement& element, const Limits& limits) {
 /// The limit `written`, where no more than `most` is one. The largest number that a file may have
 /// is no placeholder: the URDF of an MJCF or SDF file has it where that states no limit.
 Limit limit_of(double written, double most, double none) {
-  if (std::abs(written) >= kLargestNumber) return none;
+  if (std::isinf(written) || std::abs(written) == kLargestNumber) return none;
   if (std::abs(written) < most) return written;
   return Limit::implausible(Placeholder::enormous, written, none);
 }

@@ -50,10 +50,10 @@ run(${treeline} simulate ${humanoid}/humanoid24.urdf ${humanoid}/scene_floating.
 draw(humanoid24/fall ${FOLDER}/fall.csv ${humanoid}/humanoid24.urdf ${humanoid}/scene_floating.yaml
   --times 0,0.25,0.35,0.45,0.55,1.5)
 # A fall ends the drive with 3.
-execute_process(COMMAND ${treeline} drive ${humanoid}/humanoid24.urdf ${humanoid}/scene_standing.yaml
+execute_process(COMMAND ${treeline} drive ${humanoid}/humanoid24.urdf ${humanoid}/standing.yaml
   --headless --script ${humanoid}/pull_over.txt --record ${FOLDER}/topple.jsonl --warnings none
   OUTPUT_QUIET ERROR_QUIET)
-draw(humanoid24/topple ${FOLDER}/topple.jsonl ${humanoid}/humanoid24.urdf ${humanoid}/scene_standing.yaml
+draw(humanoid24/topple ${FOLDER}/topple.jsonl ${humanoid}/humanoid24.urdf ${humanoid}/standing.yaml
   --times 0.5,0.75,0.95,1.15,1.35,2)
 draw(samm/carry_object ${FOLDER}/carry_object.csv ${ROBOTS}/samm/pair.yaml
   --times 0.5,3.5,5,6.5 --path first_hand,second_hand --azimuth 1.2 --elevation 0.5)

@@ -36,6 +36,7 @@ struct ControlSettings {
   std::array<double, static_cast<std::size_t>(nq)> home;              ///< where the robot began
   std::array<double, static_cast<std::size_t>(nv)> velocity, torque;  ///< infinite: none
   double period = 1e-3;                                               ///< s
+  bool waits = true;  ///< whether references wait for the robot, and one left behind is a fault
   double following = servo::kFollowing;                               ///< rad or m
   double pull_stiffness = 100.0;                                      ///< N/m
   double pull_force = 50.0;                                           ///< N

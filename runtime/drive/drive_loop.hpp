@@ -119,6 +119,7 @@ class DriveLoop {
     std::copy_n(options.velocity, nv, settings.velocity.begin());
     std::copy_n(options.torque, nv, settings.torque.begin());
     settings.period = 1.0 / options.rate;
+    settings.waits = options.waits;
     settings.following = options.following;
     settings.pull_stiffness = options.pull_stiffness;
     settings.pull_force = options.pull_force;

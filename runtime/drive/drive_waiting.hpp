@@ -10,7 +10,7 @@ namespace treeline::drive {
 template <class F>
 template <class Visit>
 void DriveController<F>::compare(double time, Visit&& visit) const noexcept {
-  if (time >= excused_until_) for_each_reference(visit);
+  if (settings_.waits && time >= excused_until_) for_each_reference(visit);
 }
 
 /// Calls visit(error, velocity or -1, since, duration) for each reference that is to be followed.
@@ -43,6 +43,7 @@ void DriveController<F>::for_each_reference(Visit&& visit) const noexcept {
 /// change of the control have led away, and does not come back in time, holds where it is.
 template <class F>
 void DriveController<F>::wait_for_robot(double time) noexcept {
+  if (!settings_.waits) return;
   using Waiting = core::EmittedWaiting<double>;
   constexpr double kRecovery = 2.0;  // s
   const bool was_excused = excused_;
@@ -74,16 +75,15 @@ template <class F>
 void DriveController<F>::end_waiting(double time) noexcept {
   constexpr double kPressed = 0.2;  // of the limit of torque
   constexpr double kStands = 0.05;  // rad/s or m/s
+  constexpr bool kHasLoops = requires { F::kHeldRows; };
   waited_ = 0;
-  bool has_loops = false;
-  for (int i = 0; i < nv; ++i) has_loops = has_loops || is_passive(i);
   double weight[nv];
   find_weight(state_.q, weight);
   for (int i = 0; i < nv; ++i) {
     const double most = kPressed * settings_.torque[at(i)];
     const double pressed = std::fabs(last_torque_[i] - weight[i]);
     const bool stands = std::fabs(state_.qd[i]) < kStands;
-    if (has_loops || !stands || !(pressed > most)) continue;
+    if (kHasLoops || !stands || !(pressed > most)) continue;
     blocked_ = {servo::FaultKind::blocked, i, pressed, most};
     return;
   }

@@ -68,6 +68,8 @@ struct LoopOptions {
   SimulationOptions simulation;
   Surroundings surroundings;
   RecordedMotion reference;  ///< not copied
+  /// Whether references wait for the robot, and one that it leaves behind is a fault.
+  bool waits = true;
 };
 
 /// The part of a report that has the same size for every robot. Times are in ns.

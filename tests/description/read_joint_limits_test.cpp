@@ -79,7 +79,7 @@ TEST(ReadJointLimits, SpeedsAndForcesThatAreNone) {
         {"1e8", kInfinity, kInfinity, kEnormous, kEnormous},
         {"9.9e29", kInfinity, kInfinity, kEnormous, kEnormous},
         {"1e30", kInfinity, kInfinity, kNone, kNone},
-        {"1.7976931348623157e+308", kInfinity, kInfinity, kNone, kNone},
+        {"1.7976931348623157e+308", kInfinity, kInfinity, kEnormous, kEnormous},
         {"inf", kInfinity, kInfinity, kNone, kNone}}) {
     SCOPED_TRACE(text);
     for (const char* type : {"revolute", "prismatic", "continuous"}) {

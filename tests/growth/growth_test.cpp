@@ -58,7 +58,7 @@ TEST(Growth, OfTheDenseWayIsCubicInLinks) {
   expect_degree(3, count_over(chains, Way::dense, lambda_inverse_flops), "dense");
   const Mechanism chain = make_robot(kChains.back());
   EXPECT_GT(control_torque_flops(chain, Way::dense),
-            2 * control_torque_flops(chain, Way::unit_forces));
+            2 * control_torque_flops(chain, Way::branching));
 }
 
 // A branch without a hand costs the operations of its own links, wherever the hands are.

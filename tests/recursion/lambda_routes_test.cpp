@@ -74,7 +74,7 @@ TEST(LambdaRoutes, AgreeOnPointsThatShareLinksAndPaths) {
       made.scene.operational_points.push_back(point);
     };
     for (const int link : {9, 9, 8, 6, 3, 0}) add(link, seed % 4 < 2);
-    EXPECT_GE(expect_routes_agree(made, seed), 4);
+    EXPECT_GE(expect_routes_agree(made, seed), 3);
   }
 }
 

@@ -93,7 +93,7 @@ TEST(Priorities, OfAllRoutesAreTheInterpretersInFiftyDigits) {
     }
   });
   EXPECT_GE(checked, 15);
-  EXPECT_GE(routes, 4U * static_cast<unsigned>(checked));
+  EXPECT_GE(routes, 3U * static_cast<unsigned>(checked));
 }
 
 TEST(Priorities, OfTheProgramsAreTheInterpretersInDouble) {
