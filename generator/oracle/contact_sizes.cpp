@@ -28,7 +28,7 @@ struct ContactTerms {
   TermSizes terms{seen, state.q};
   Eigen::MatrixXd J = terms.jacobian();
 
-  [[nodiscard]] Eigen::MatrixXd Lambda_inverse() const { return J * M_inverse * J.transpose(); }
+  [[nodiscard]] Eigen::MatrixXd lambda_inverse() const { return J * M_inverse * J.transpose(); }
 };
 
 std::vector<double> size_motion(const ContactTerms& of) {
@@ -41,7 +41,7 @@ std::vector<double> size_motion(const ContactTerms& of) {
 /// Returns m^2 |n|^T |Lambda_c^-1| |n|: the change of m = 1 / (n^T Lambda_c^-1 n) due to an error
 /// of the denominator. With a cap it is less, and m where that is more.
 std::vector<double> size_masses(const ContactTerms& of) {
-  const Eigen::MatrixXd Lambda_inverse = of.Lambda_inverse();
+  const Eigen::MatrixXd Lambda_inverse = of.lambda_inverse();
   const Eigen::VectorXd normals = magnitudes(values_of(of.state, Quantity::normals));
   std::vector<double> entries;
   for (std::size_t i = 0; i < of.result.size(); ++i) {
@@ -78,7 +78,7 @@ struct ContactSizes {
 constexpr auto kContactSizes = std::to_array<ContactSizes>({
     {Function::contact_motion, size_motion},
     {Function::contact_inverse_inertia,
-     [](const ContactTerms& of) { return entries_of(of.Lambda_inverse()); }},
+     [](const ContactTerms& of) { return entries_of(of.lambda_inverse()); }},
     {Function::effective_mass, size_masses},
     {Function::impulse_response, size_impulse_response},
     {Function::link_inverse_inertias, size_links},
