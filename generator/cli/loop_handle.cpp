@@ -60,7 +60,6 @@ LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDes
   options.robot = setup.external;
   // A robot elsewhere has braked by itself after so long.
   if (setup.external.connected != nullptr) options.longest_delay = 0.05;
-  options.waits = setup.external.connected != nullptr;  // nothing blocks a simulated one
   options.simulation = setup.simulation;
   options.reference = setup.reference;
   loop_.reset(library.create(&options));

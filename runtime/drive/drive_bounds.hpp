@@ -165,8 +165,7 @@ void DriveController<F>::keep_limits(const State& state, const double* J,
       [&](int, int iv) {
         const auto [least, most] = speed_range(kBounds, state, iv);
         qdd[iv] = std::isfinite(qdd[iv]) ? qdd[iv] : braking.qdd[iv];
-        // Joints without motors are taken along by the others.
-        if (!shares[iv] && !is_passive(iv)) return;
+        if (!shares[iv]) return;
         share = std::fmin(share, share_within(least, most, braking.qdd[iv], qdd[iv]));
       },
       [](int, int, int) {});

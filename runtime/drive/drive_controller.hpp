@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/command_laws.hpp"
-#include "core/emitted_braking.hpp"
 #include "core/ldlt.hpp"
 #include "core/orientation.hpp"
 #include "drive/avoidance.hpp"
@@ -18,8 +17,6 @@
 #include "servo/message.hpp"
 #include "servo/motion_coordinates.hpp"
 #include "servo/robot_proxy.hpp"
-#include "servo/safety.hpp"
-#include "servo/task_rows.hpp"
 
 namespace treeline::drive {
 
@@ -36,8 +33,6 @@ struct ControlSettings {
   std::array<double, static_cast<std::size_t>(nq)> home;              ///< where the robot began
   std::array<double, static_cast<std::size_t>(nv)> velocity, torque;  ///< infinite: none
   double period = 1e-3;                                               ///< s
-  bool waits = true;  ///< whether references wait for the robot, and one left behind is a fault
-  double following = servo::kFollowing;                               ///< rad or m
   double pull_stiffness = 100.0;                                      ///< N/m
   double pull_force = 50.0;                                           ///< N
   Surroundings surroundings;                                          ///< copied
@@ -49,8 +44,7 @@ struct ControlSettings {
 ///   task     tau = control_torque(q, qd, posture law, xdd_ref + kv (xd_ref - xd) + kp (x_ref - x))
 ///   gravity  tau = ID(q, qd, -damping qd) plus a pull, within limits of position and speed
 /// On a ground a pull is no part of tau: it is the robot's to bear (`push`).
-/// In each, guarded points keep away from obstacles: see `Avoidance`. References wait where the
-/// robot stays behind; where it does not come on it holds what it has come to, or is blocked.
+/// In each, guarded points keep away from obstacles: see `Avoidance`.
 /// Goals are led smoothly. Where the control changes, the torque's step is taken away and fades. A
 /// floating joint has a pose as its goal in every control. Nothing is allocated.
 ///
@@ -71,6 +65,7 @@ class DriveController {
         last_torque_(last_torque),
         avoidance_(settings.surroundings, settings.period),
         reference_(settings.reference, nq) {
+    find_led_points();
     control_ = kPoints > 0 ? Control::task : Control::joint;
   }
 
@@ -83,9 +78,6 @@ class DriveController {
     pulled_ = false;
     pull_share_ = 0.0;
     reference_.end();
-    blocked_ = {};
-    excused_until_ = time;
-    excused_ = false;
   }
 
   void apply(double time, const servo::Message& message) noexcept;
@@ -107,10 +99,6 @@ class DriveController {
   double nearest(int k) const noexcept { return avoidance_.nearest(k); }
   /// Whether a motion has not ended or ended within the last `margin` seconds.
   bool moving(double time, double margin) const noexcept;
-  template <class Visit>
-  void compare(double time, Visit&& visit) const noexcept;
-  /// What holds a joint against its torque.
-  const servo::Fault& blocked() const noexcept { return blocked_; }
 
  private:
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
@@ -120,12 +108,9 @@ class DriveController {
   static constexpr double kSpeed = 1.0;          ///< rad/s or m/s of a joint without limit
   static constexpr double kPointSpeed = 0.25;    ///< m/s
   static constexpr double kTurnSpeed = 1.0;      ///< rad/s
-  static constexpr double kFastestPoint = 1.5;   ///< m/s, however short a motion is asked to be
-  static constexpr double kFastestTurn = 3.0;    ///< rad/s
   static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
   static constexpr double kLead = 0.8;    ///< of a limit of speed, the most that goals move at
   static constexpr double kBlend = 0.25;  ///< s
-  static constexpr double kRise = 0.15;   ///< s from rest to a limit of speed, at the soonest
   static constexpr double kPostureRate =
       3.0;  ///< rad/s, of the joint with the largest inertia, by its spring
   static constexpr double kHandDamping = 2.0;  ///< 1/s, in gravity control
@@ -188,19 +173,7 @@ class DriveController {
     return found;
   }
 
-  /// The numbers of points' errors that count.
-  static constexpr std::array<std::array<bool, 6>, room(kPoints)> compared() {
-    if constexpr (kPoints > 0) {
-      return servo::compared_rows<room(kPoints)>(F::kRows, F::kLocalAxes);
-    } else {
-      return {};
-    }
-  }
-  template <class Visit>
-  void for_each_reference(Visit&& visit) const noexcept;
-  void wait_for_robot(double time) noexcept;
-  void end_waiting(double time) noexcept;
-  void hold_here(double time) noexcept;
+  void find_led_points() noexcept;
   void avoid_obstacles(const State& state, double (&qdd)[nv]) noexcept;
   void begin_joints(double time, const State& state) noexcept;
   void begin_points(double time, const State& state) noexcept;
@@ -230,7 +203,6 @@ class DriveController {
   double guess_duration(double distance, double limit, double asked) const noexcept;
   void accelerate_joints(const core::Gains<double>& gains, const State& state,
                          double (&qdd)[nv]) const noexcept;
-  static void find_base_error(const SmoothPose& goal, const double* q, double (&error)[6]) noexcept;
   void accelerate_floating(const core::Gains<double>& gains, const SmoothPose& goal,
                            const double* q, const double* qd, double* qdd) const noexcept;
   void accelerate_posture(const State& state, double (&qdd)[nv]) const noexcept;
@@ -272,6 +244,7 @@ class DriveController {
   const double (&last_torque_)[nv];
   Avoidance<F> avoidance_;
   ReferenceMotion reference_;
+  std::array<bool, room(kPoints)> led_{};  ///< whose x, y and z are all rows of the task
   Control control_ = Control::joint;
   core::Gains<double> joint_gains_{kStiffness, kDamping};
   core::Gains<double> task_gains_{kStiffness, kDamping};
@@ -283,12 +256,6 @@ class DriveController {
   std::array<SmoothPose, room(kPoints)> points_{};
   std::array<double, room(kPoints)> point_leases_{};
   std::array<bool, room(kPoints)> free_{};
-  std::array<double, room(kPoints)> away_{};  ///< how far points are from their references
-  double behind_ = 0.0;                       ///< share by which references are asked to go slower
-  int waited_ = 0;                            ///< cycles
-  double excused_until_ = 0.0;
-  bool excused_ = false;  ///< something pushed the robot away lately
-  servo::Fault blocked_;
   State state_{};  ///< of the last cycle of control
   bool blend_asked_ = false;
   double blend_start_ = -1.0;
@@ -313,4 +280,3 @@ class DriveController {
 #include "drive/drive_controller_body.hpp"
 #include "drive/drive_goals.hpp"
 #include "drive/drive_task_law.hpp"
-#include "drive/drive_waiting.hpp"

@@ -4,6 +4,19 @@
 
 namespace treeline::drive {
 
+template <class F>
+void DriveController<F>::find_led_points() noexcept {
+  if constexpr (kPoints > 0) {
+    int rows[kPoints] = {};
+    for (int row = 0; row < F::kTaskRows; ++row) {
+      rows[F::kRows[row].point] += F::kRows[row].axis < 3 ? 1 : 0;
+    }
+    for (int k = 0; k < kPoints; ++k) {
+      led_[at(k)] = rows[k] == 3;
+    }
+  }
+}
+
 /// Adds the accelerations away from obstacles that the joints take. Those of points that the task
 /// moves are part of its rows.
 template <class F>
@@ -11,12 +24,7 @@ void DriveController<F>::avoid_obstacles(const State& state, double (&qdd)[nv]) 
   if (!avoidance_.exists()) {
     return;
   }
-  std::array<bool, room(kPoints)> led{};
-  for (std::size_t k = 0; k < led.size() && control_ == Control::task; ++k) {
-    const std::array<bool, 6> rows = compared()[k];
-    led[k] = rows[0] && rows[1] && rows[2];
-  }
-  avoidance_.look(state, led);
+  avoidance_.look(state, control_ == Control::task ? led_ : std::array<bool, room(kPoints)>{});
   for (int i = 0; i < nv; ++i) {
     qdd[i] += avoidance_.joint_push()[i];
   }
@@ -95,7 +103,6 @@ void DriveController<F>::begin_points(double time, const State& state) noexcept 
       }
       points_[at(k)].begin(time, position, rotation, velocity);
       free_[at(k)] = false;
-      away_[at(k)] = 0.0;
     }
   }
 }
@@ -146,11 +153,10 @@ template <class F>
 void DriveController<F>::advance(double time) noexcept {
   end_leases(time);
   advance_pull(time);
-  for_each_joint(
-      [&](int iq, int) { joints_[at(iq)].advance(time, settings_.period, behind_); },
-      [&](int k, int, int) { floating_[at(k)].advance(time, settings_.period, behind_); });
+  for_each_joint([&](int iq, int) { joints_[at(iq)].advance(time, settings_.period); },
+                 [&](int k, int, int) { floating_[at(k)].advance(time, settings_.period); });
   for (int k = 0; k < kPoints; ++k) {
-    points_[at(k)].advance(time, settings_.period, behind_);
+    points_[at(k)].advance(time, settings_.period);
   }
   follow_reference(time);
   let_passive_follow(time);
@@ -185,17 +191,6 @@ bool DriveController<F>::moving(double time, double margin) const noexcept {
   return any;
 }
 
-/// How far a floating joint at `q` is from its goal, world axes.
-template <class F>
-void DriveController<F>::find_base_error(const SmoothPose& goal, const double* q,
-                                         double (&error)[6]) noexcept {
-  double R[9];
-  core::rotation_from_quaternion({q[3], q[4], q[5], q[6]}, R);
-  double wanted[3];
-  goal.position(wanted);
-  core::pose_error({q[0], q[1], q[2]}, R, wanted, goal.rotation(), error);
-}
-
 /// Accelerates a floating joint: the law acts in the world's axes and is turned into the body's,
 /// where d(R v)/dt = R (dv/dt + w x v).
 template <class F>
@@ -205,8 +200,10 @@ void DriveController<F>::accelerate_floating(const core::Gains<double>& gains,
   const double quaternion[4] = {q[3], q[4], q[5], q[6]};
   double R[9];
   core::rotation_from_quaternion(quaternion, R);
+  double wanted[3];
+  goal.position(wanted);
   double error[6];
-  find_base_error(goal, q, error);
+  core::pose_error({q[0], q[1], q[2]}, R, wanted, goal.rotation(), error);
   double world[6];
   for (int row = 0; row < 6; ++row) {
     const double* part = qd + (row < 3 ? 0 : 3);
@@ -290,7 +287,6 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
   state_ = state;
   saturated_ = false;
   std::fill(std::begin(push_), std::end(push_), 0.0);
-  wait_for_robot(time);
   advance(time);
   double J[room(task_rows() * nv)];
   if (control_ == Control::gravity) {

@@ -22,11 +22,6 @@ void DriveController<F>::apply(double time, const servo::Message& message) noexc
   }
   const auto instruction = static_cast<Instruction>(message.index);
   stop_following(time, instruction);
-  // References that wait far ahead would wait for ever on their way back.
-  const bool drags = instruction == Instruction::drag_joint ||
-                     instruction == Instruction::drag_point ||
-                     instruction == Instruction::pull_link;
-  if (waited_ > 0 && !drags) hold_here(time);
   switch (instruction) {
     case Instruction::set_control:
       set_control(time, state_, static_cast<Control>(static_cast<int>(message.values[0])));
@@ -156,17 +151,15 @@ SmoothPose* DriveController<F>::pose_of(int point) noexcept {
   return point >= 0 && point < kPoints ? &points_[at(point)] : nullptr;
 }
 
-/// Duration of a motion over `distance`: as asked for, but not above the speed `limit`, nor
-/// reaching it within less than `kRise`; without being asked, at half of it.
+/// Duration of a motion over `distance`: as asked for, but not above the speed `limit`; without
+/// being asked, at half of it.
 template <class F>
 double DriveController<F>::guess_duration(double distance, double limit,
                                           double asked) const noexcept {
   const bool limited = std::isfinite(limit);
   const double fastest = limited ? kPeak * distance / (kLead * limit) : 0.0;
   if (asked > 0.0) {
-    // A quintic's acceleration is largest at 10/sqrt(3) distance / duration^2.
-    const double rise = limited ? std::sqrt(5.7735 * distance * kRise / limit) : 0.0;
-    return std::fmax(std::fmax(asked, rise), std::fmax(fastest, 2.0 * settings_.period));
+    return std::fmax(asked, std::fmax(fastest, 2.0 * settings_.period));
   }
   const double speed = limited ? std::fmin(0.5 * limit, 2.0 * kSpeed) : kSpeed;
   return std::fmin(std::fmax(kPeak * distance / speed, kShortestGuess), kLongestGuess);
@@ -234,9 +227,9 @@ void DriveController<F>::move_pose(double time, const servo::Message& message,
     to[i] = (relative ? to[i] : 0.0) + message.values[at(2 + i)];
     squared += (to[i] - from[i]) * (to[i] - from[i]);
   }
-  const double way = kPeak * std::sqrt(squared);
-  const double duration = message.duration > 0.0 ? std::fmax(message.duration, way / kFastestPoint)
-                                                 : std::fmax(way / kPointSpeed, kShortestGuess);
+  const double duration = message.duration > 0.0
+                              ? message.duration
+                              : std::fmax(kPeak * std::sqrt(squared) / kPointSpeed, kShortestGuess);
   pose.move(time, to, duration);
 }
 
@@ -267,9 +260,10 @@ void DriveController<F>::turn_pose(double time, const servo::Message& message,
   }
   double angles[3];
   core::orientation_error(pose.rotation(), to, angles);
-  const double way = kPeak * core::square_root(core::steps::squared_norm(angles));
-  const double duration = message.duration > 0.0 ? std::fmax(message.duration, way / kFastestTurn)
-                                                 : std::fmax(way / kTurnSpeed, kShortestGuess);
+  const double angle = core::square_root(core::steps::squared_norm(angles));
+  const double duration = message.duration > 0.0
+                              ? message.duration
+                              : std::fmax(kPeak * angle / kTurnSpeed, kShortestGuess);
   pose.turn(time, to, duration);
 }
 

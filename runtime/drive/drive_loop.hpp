@@ -119,8 +119,6 @@ class DriveLoop {
     std::copy_n(options.velocity, nv, settings.velocity.begin());
     std::copy_n(options.torque, nv, settings.torque.begin());
     settings.period = 1.0 / options.rate;
-    settings.waits = options.waits;
-    settings.following = options.following;
     settings.pull_stiffness = options.pull_stiffness;
     settings.pull_force = options.pull_force;
     settings.surroundings = options.surroundings;
@@ -138,7 +136,6 @@ class DriveLoop {
     std::copy_n(options.torque, nv, limits.torque.begin());
     limits.overruns_in_a_row = options.overruns_in_a_row;
     limits.longest_delay = options.longest_delay;
-    limits.following = options.following;
     return limits;
   }
 

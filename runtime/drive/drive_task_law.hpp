@@ -26,7 +26,6 @@ void DriveController<F>::measure_points(double time, const State& state, double*
       points_[at(k)].position(wanted);
       double error[6];
       core::pose_error(position, R, wanted, points_[at(k)].rotation(), error);
-      away_[at(k)] = servo::away_of(error, compared()[at(k)]);
       for (int i = 0; i < 6; ++i) {
         errors[6 * k + i] = error[i];
       }

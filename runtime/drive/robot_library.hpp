@@ -6,12 +6,11 @@
 #include "drive/obstacle.hpp"
 #include "drive/reference_motion.hpp"
 #include "servo/message.hpp"
-#include "servo/safety.hpp"
 
 namespace treeline::drive {
 
 /// Grows whenever a struct below changes: the program refuses a library of another version.
-inline constexpr int kLibraryVersion = 5;
+inline constexpr int kLibraryVersion = 4;
 
 /// A robot outside the library, instead of the simulated one. None of the functions may wait.
 struct ExternalRobot {
@@ -49,27 +48,24 @@ struct Surroundings {
 /// Options with which a loop begins. Arrays are in the order of q (nq entries) or of qd and tau
 /// (nv); they are copied. Infinite limits are none.
 struct LoopOptions {
-  double rate = 1000.0;                  ///< Hz
-  bool real_time = true;                 ///< false: time passes as fast as cycles can be computed
-  int substeps = 2;                      ///< integration steps of the simulated robot in a cycle
-  int overruns_in_a_row = 3;             ///< late cycles that are no fault
-  double longest_delay = 0.05;           ///< s: a cycle that is later is one
-  const double* start = nullptr;         ///< nq
-  const double* home = nullptr;          ///< nq: where `go_home` leads; null: to the start
-  const double* lower = nullptr;         ///< nq: goals stay within, rad or m
-  const double* upper = nullptr;         ///< nq
-  double beyond = 0.02;                  ///< how far beyond these limits is a fault, rad or m
-  const double* velocity = nullptr;      ///< nv: rad/s or m/s
-  const double* torque = nullptr;        ///< nv: N m or N; commands are cut to it
-  double following = servo::kFollowing;  ///< rad or m that references may be away
-  double pull_stiffness = 100.0;         ///< N/m
-  double pull_force = 50.0;              ///< N, the most that a pull exerts
+  double rate = 1000.0;              ///< Hz
+  bool real_time = true;             ///< false: time passes as fast as cycles can be computed
+  int substeps = 2;                  ///< integration steps of the simulated robot in a cycle
+  int overruns_in_a_row = 3;         ///< late cycles that are no fault
+  double longest_delay = 0.05;       ///< s: a cycle that is later is one
+  const double* start = nullptr;     ///< nq
+  const double* home = nullptr;      ///< nq: where `go_home` leads; null: to the start
+  const double* lower = nullptr;     ///< nq: goals stay within, rad or m
+  const double* upper = nullptr;     ///< nq
+  double beyond = 0.02;              ///< how far beyond these limits is a fault, rad or m
+  const double* velocity = nullptr;  ///< nv: rad/s or m/s
+  const double* torque = nullptr;    ///< nv: N m or N; commands are cut to it
+  double pull_stiffness = 100.0;     ///< N/m
+  double pull_force = 50.0;          ///< N, the most that a pull exerts
   ExternalRobot robot;
   SimulationOptions simulation;
   Surroundings surroundings;
   RecordedMotion reference;  ///< not copied
-  /// Whether references wait for the robot, and one that it leaves behind is a fault.
-  bool waits = true;
 };
 
 /// The part of a report that has the same size for every robot. Times are in ns.

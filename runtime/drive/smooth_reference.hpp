@@ -1,8 +1,5 @@
 #pragma once
 
-#include <limits>
-
-#include "core/emitted_braking.hpp"
 #include "core/orientation.hpp"
 #include "drive/reference_motion.hpp"
 
@@ -17,7 +14,6 @@ class SmoothNumber {
     x_ = x;
     v_ = v;
     a_ = 0.0;
-    slow_ = 0.0;
     now_ = time;
     hold(time);
   }
@@ -28,7 +24,6 @@ class SmoothNumber {
     start_ = now_;
     duration = time + duration - now_;
     duration_ = duration;
-    catch_up();
     following_ = false;
     target_ = to;
     const double d = to - x_;
@@ -44,7 +39,6 @@ class SmoothNumber {
 
   /// Glides to rest: at once if it rests.
   void hold(double time) noexcept {
-    catch_up();
     const bool rests = v_ == 0.0 && a_ == 0.0;
     move(time, x_ + 0.4 * kGlide * v_, rests ? kShortest : kGlide);
   }
@@ -52,7 +46,6 @@ class SmoothNumber {
   /// Follows `target` at no more than `speed`, until another call.
   void follow(double target, double speed) noexcept {
     if (!following_) {
-      catch_up();
       smooth_target_ = x_ + 2.0 * v_ / kPull + a_ / (kPull * kPull);
       following_ = true;
     }
@@ -65,7 +58,6 @@ class SmoothNumber {
     x_ = to.position;
     v_ = to.velocity;
     a_ = to.acceleration;
-    slow_ = 0.0;
     target_ = to.position;
     start_ = time;
     now_ = time;
@@ -77,19 +69,13 @@ class SmoothNumber {
     }
   }
 
-  /// Advances to `time`, which is `dt` seconds after the last call. It is asked to go slower by the
-  /// share `asked`, as what stays behind asks emitted controllers.
-  void advance(double time, double dt, double asked) noexcept {
-    using Waiting = core::EmittedWaiting<double>;
-    constexpr double kRise = 0.05;  // s
+  /// Advances to `time`, which is `dt` seconds after the last call.
+  void advance(double time, double dt) noexcept {
     now_ = time;
-    const Waiting::TlConfig config{dt, 1.0, kRise};
-    slow_ = Waiting::tl_slow_down(&config, asked, slow_);
     if (following_) {
-      advance_following((1.0 - slow_) * dt);
+      advance_following(dt);
       return;
     }
-    start_ += slow_ * dt;
     const double s = (time - start_) / duration_;
     if (s >= 1.0) {
       x_ = target_;
@@ -107,15 +93,10 @@ class SmoothNumber {
   /// When it was begun, advanced or led last, s.
   double now() const noexcept { return now_; }
   double position() const noexcept { return x_; }
-  double velocity() const noexcept { return (1.0 - slow_) * v_; }
-  double acceleration() const noexcept { return (1.0 - slow_) * (1.0 - slow_) * a_; }
+  double velocity() const noexcept { return v_; }
+  double acceleration() const noexcept { return a_; }
   double target() const noexcept { return target_; }
   bool following() const noexcept { return following_; }
-  /// How long its motion has gone on, and its duration, s: infinite behind a target.
-  double since() const noexcept { return now_ - start_; }
-  double duration() const noexcept {
-    return following_ ? std::numeric_limits<double>::infinity() : duration_;
-  }
   /// Whether it has not come to its goal at `time`.
   bool moving(double time) const noexcept { return following_ || time < start_ + duration_; }
 
@@ -124,13 +105,6 @@ class SmoothNumber {
   static constexpr double kShortest = 1e-3;   ///< s
   static constexpr double kPull = 25.0;       ///< 1/s: how quickly a target is followed
   static constexpr double kSmoothing = 25.0;  ///< 1/s: how quickly steps of the target pass
-
-  /// What is slow goes on as fast as it is, by a clock that is not.
-  void catch_up() noexcept {
-    v_ = velocity();
-    a_ = acceleration();
-    slow_ = 0.0;
-  }
 
   void advance_following(double dt) noexcept {
     double rate = kSmoothing * (target_ - smooth_target_);
@@ -142,12 +116,11 @@ class SmoothNumber {
   }
 
   double x_ = 0.0;
-  double v_ = 0.0;  ///< by its own clock
+  double v_ = 0.0;
   double a_ = 0.0;
   double now_ = 0.0;
   double start_ = 0.0;
   double duration_ = kShortest;
-  double slow_ = 0.0;  ///< share by which its clock goes slower
   double coefficients_[6] = {};
   double target_ = 0.0;
   double smooth_target_ = 0.0;
@@ -215,11 +188,11 @@ class SmoothPose {
     remember_goal();
   }
 
-  void advance(double time, double dt, double asked) noexcept {
+  void advance(double time, double dt) noexcept {
     double angles[3];
     for (int i = 0; i < 3; ++i) {
-      position_[i].advance(time, dt, asked);
-      turn_[i].advance(time, dt, asked);
+      position_[i].advance(time, dt);
+      turn_[i].advance(time, dt);
       angles[i] = turn_[i].position();
     }
     apply_turn(angles, rotation_);
@@ -253,16 +226,6 @@ class SmoothPose {
     return false;
   }
   bool following() const noexcept { return position_[0].following(); }
-  /// The one of its numbers that comes to rest last.
-  const SmoothNumber& last() const noexcept {
-    const auto left = [](const SmoothNumber& number) { return number.duration() - number.since(); };
-    const SmoothNumber* last = &position_[0];
-    for (int i = 0; i < 3; ++i) {
-      if (left(position_[i]) > left(*last)) last = &position_[i];
-      if (left(turn_[i]) > left(*last)) last = &turn_[i];
-    }
-    return *last;
-  }
 
  private:
   void rebase() noexcept {

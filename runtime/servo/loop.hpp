@@ -24,8 +24,8 @@ namespace treeline::servo {
 /// when control begins, with the initial state; `apply` with every message that does not concern
 /// the loop itself; `control` once per cycle while running. If there is a `prepare()`, it is called
 /// where the loop waits, shortly before the next cycle: it may load code and data into caches. If
-/// there is a `compare`, see `find_left_behind`, references that are left behind are a fault, and
-/// so is what `blocked()` returns, after each `control`. None of them may allocate or block.
+/// there is a `compare`, see `find_left_behind`, references that are left behind are a fault. None
+/// of them may allocate or block.
 template <class C, class F>
 concept Controller = requires(C& controller, double time, const StateOf<F>& state,
                               const Message& message, double (&tau)[F::kVelocities]) {
@@ -291,7 +291,6 @@ class ServoLoop {
       raise(fault);
     } else {
       raise_if(find_left_behind(controller_, time(), limits_.following));
-      if constexpr (requires { controller_.blocked(); }) raise_if(controller_.blocked());
     }
   }
 

@@ -49,8 +49,6 @@ std::string describe(const Fault& fault, const std::string& name) {
     case FaultKind::following:
       return beyond_limit(fault.index < 0 ? "a point" : who, "is away from its reference by",
                           fault);
-    case FaultKind::blocked:
-      return beyond_limit(who, "is blocked against", fault);
   }
   return {};
 }

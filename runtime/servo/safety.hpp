@@ -26,7 +26,6 @@ enum class FaultKind : std::uint8_t {
   moved,           ///< dragged away while it should stand
   fell,            ///< a robot that stood on its feet lies
   following,       ///< a reference is left behind by so much, rad or m
-  blocked,         ///< something holds a joint against this torque, N m or N
 };
 
 /// The reason why the loop went to its safe state.

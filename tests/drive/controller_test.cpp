@@ -117,24 +117,6 @@ TEST(DriveController, ATaskEndsAtALimitOfPosition) {
   EXPECT_LT(rig.q(0), 1.2 + 1e-3);
 }
 
-// Would catch: a goal out of reach that pulls for ever, or is a fault.
-TEST(DriveController, GivesUpWhereNothingLeadsOn) {
-  const std::array<double, 2> velocity{2.0, 2.0};
-  Rig<Arm> rig(
-      {0.3, 1.2}, [&](LoopOptions& options) { options.velocity = velocity.data(); }, 3.0);
-  rig.send(Instruction::move_point, {0, 1, 3, 0, 0}, 2);
-  rig.run(6);
-  EXPECT_EQ(rig.head().fault_kind, 0);
-  EXPECT_FALSE(rig.head().moving);
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(rig.at(Rig<Arm>::kLayout.point_targets + i),
-                rig.at(Rig<Arm>::kLayout.point_poses + i), 5e-3);
-  }
-  rig.send(Instruction::move_point, {0, 1, -0.5, 0, 0}, 1);
-  rig.run(2);
-  EXPECT_NEAR(rig.at(Rig<Arm>::kLayout.point_targets), rig.at(Rig<Arm>::kLayout.point_poses), 1e-3);
-}
-
 TEST(DriveController, AFloatingBaseMovesAndTurns) {
   auto rig = make_rig<Body>({0, 0, 0, 0, 0, 0, 1});
   rig.send(Instruction::move_point, {-1, 1, 0.5, -0.2, 0.3}, 1.0);
