@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "description/index_of_link.hpp"
 #include "description/isometry_of.hpp"
 #include "drawing/place_links.hpp"
 
@@ -35,7 +36,8 @@ class Stance {
     const auto poses = placer_.place(upright());
     for (const ScenePoint& point : robot.scene.constraints) {
       const bool is_level = point.rows[3] || point.rows[4];
-      feet_.push_back({find_link(point.link), isometry_of(point.origin), is_level});
+      feet_.push_back(
+          {index_of_link(robot.robot, point.link), isometry_of(point.origin), is_level});
       first_.push_back(poses[feet_.back().link] * feet_.back().origin);
     }
     find_middle(poses);
@@ -93,13 +95,6 @@ class Stance {
     return q;
   }
 
-  [[nodiscard]] std::size_t find_link(const std::string& name) const {
-    const auto& links = robot_.robot.links;
-    const auto found = std::find_if(links.begin(), links.end(),
-                                    [&](const Link& link) { return link.name == name; });
-    return static_cast<std::size_t>(found - links.begin());
-  }
-
   [[nodiscard]] Vector3d center_of_mass(const std::vector<Isometry3d>& poses) const {
     Vector3d sum = Vector3d::Zero();
     double mass = 0;
@@ -117,7 +112,7 @@ class Stance {
     constexpr double kLevel = 0.01;  // m
     std::vector<Vector3d> points;
     for (const SceneTouch& touch : robot_.scene.touches) {
-      const std::size_t link = find_link(touch.link);
+      const std::size_t link = index_of_link(robot_.robot, touch.link);
       for (const auto& point : touch.points) {
         points.push_back(poses[link] * Vector3d(point.data()) - touch.radius * Vector3d::UnitZ());
       }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cli/convex_distance.hpp"
+#include "description/index_of_link.hpp"
 
 namespace treeline {
 namespace {
@@ -64,20 +65,15 @@ double lowest_of(const SceneTouch& touch, const Eigen::Isometry3d& pose) {
 RobotShapes::RobotShapes(const LaunchedRobot& robot) : placer_(robot.robot, robot.scene) {
   Diagnostics diagnostics;  // they have been said of the robot
   const auto& links = robot.robot.links;
-  const auto find_link = [&](const std::string& name) {
-    const auto is_it = [&](const Link& each) { return each.name == name; };
-    const auto found = std::find_if(links.begin(), links.end(), is_it);
-    return static_cast<std::size_t>(found - links.begin());
-  };
   for (const Visual& shape :
        read_collisions(robot.description.urdf, robot.robot.file, diagnostics)) {
-    const std::size_t link = find_link(shape.link);
+    const std::size_t link = index_of_link(robot.robot, shape.link);
     if (link == links.size() || shape.kind == VisualKind::mesh || shape.size.isZero()) continue;
     shapes_.push_back(shape);
     links_.push_back(link);
   }
   for (const SceneTouch& touch : robot.scene.touches) {
-    const std::size_t link = find_link(touch.link);
+    const std::size_t link = index_of_link(robot.robot, touch.link);
     if (link == links.size()) continue;
     touches_.push_back(touch);
     touched_links_.push_back(link);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "inspect/group_bodies.hpp"
+#include "description/group_bodies.hpp"
 
 namespace treeline {
 

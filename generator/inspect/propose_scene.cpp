@@ -10,9 +10,9 @@
 
 #include "description/count_freedoms.hpp"
 #include "description/default_base.hpp"
+#include "description/group_bodies.hpp"
 #include "inspect/choose_rows.hpp"
 #include "inspect/end_names.hpp"
-#include "inspect/group_bodies.hpp"
 #include "inspect/place_foot.hpp"
 #include "inspect/recognise_robot.hpp"
 #include "text/identifier.hpp"

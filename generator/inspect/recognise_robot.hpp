@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "description/group_bodies.hpp"
 #include "inspect/end_names.hpp"
-#include "inspect/group_bodies.hpp"
 
 namespace treeline {
 

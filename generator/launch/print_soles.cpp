@@ -4,35 +4,24 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <optional>
+#include <array>
 #include <vector>
 
+#include "description/group_bodies.hpp"
+#include "description/index_of_link.hpp"
 #include "description/isometry_of.hpp"
 
 namespace treeline {
 namespace {
 
-/// A link's frame in that of the first link before which a joint moves.
-struct Carried {
-  int by = -1;  ///< index of that link; -1: no link has the name
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-};
-
-Carried carry(const Robot& robot, const std::string& link) {
-  Carried carried;
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    if (robot.links[i].name == link) carried.by = static_cast<int>(i);
-  }
-  for (bool found = true; found;) {
-    found = false;
-    for (const Joint& joint : robot.joints) {
-      if (joint.child != carried.by || joint.type != JointType::fixed) continue;
-      carried = {joint.parent, isometry_of(joint.origin) * carried.pose};
-      found = true;
-      break;
-    }
-  }
-  return carried;
+/// Whether a link moves as one with that at `index`.
+bool moves_with(const Robot& robot, const BodyTree& tree, std::size_t index,
+                const std::string& link) {
+  const auto other = static_cast<int>(index_of_link(robot, link));
+  return std::any_of(tree.bodies.begin(), tree.bodies.end(), [&](const Body& body) {
+    const auto has = [&](int one) { return std::count(body.links.begin(), body.links.end(), one); };
+    return has(static_cast<int>(index)) > 0 && has(other) > 0;
+  });
 }
 
 /// The points of a shape that matter for how far a sole reaches: of a disk four of its rim.
@@ -56,25 +45,27 @@ std::vector<Eigen::Vector3d> corners_of(const SceneTouch& touch) {
 }  // namespace
 
 bool has_sole(const Robot& robot, const std::string& link, const std::vector<SceneTouch>& touches) {
-  const int by = carry(robot, link).by;
+  const BodyTree tree = group_bodies(robot);
+  const std::size_t held = index_of_link(robot, link);
   return std::any_of(touches.begin(), touches.end(), [&](const SceneTouch& touch) {
-    return !touch.points.empty() && carry(robot, touch.link).by == by;
+    return !touch.points.empty() && moves_with(robot, tree, held, touch.link);
   });
 }
 
 std::string print_soles(const Robot& robot, const Scene& ground, const Scene& control) {
+  const BodyTree tree = group_bodies(robot);
   std::string points;
   std::string ends;
   int count = 0;
   for (const ScenePoint& hold : control.constraints) {
-    const Carried held = carry(robot, hold.link);
-    const Eigen::Isometry3d frame = held.pose * isometry_of(hold.origin);
+    const std::size_t held = index_of_link(robot, hold.link);
+    const Eigen::Isometry3d frame = tree.frames[held] * isometry_of(hold.origin);
     for (const SceneTouch& touch : ground.touches) {
-      const Carried touching = carry(robot, touch.link);
-      if (touching.by != held.by) continue;
+      if (!moves_with(robot, tree, held, touch.link)) continue;
+      const auto& own = tree.frames[index_of_link(robot, touch.link)];
       const double radius = touch.axis == std::array<double, 3>{} ? touch.radius : 0;
       for (const Eigen::Vector3d& corner : corners_of(touch)) {
-        const Eigen::Vector3d at = frame.inverse() * (touching.pose * corner);
+        const Eigen::Vector3d at = frame.inverse() * (own * corner);
         points += fmt::format("      {{{{{}, {}, {}}}, {}}},\n", at.x(), at.y(), at.z(), radius);
         ++count;
       }

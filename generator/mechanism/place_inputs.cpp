@@ -2,17 +2,11 @@
 
 #include <algorithm>
 
+#include "description/index_of_link.hpp"
 #include "mechanism/digits50_from_file.hpp"
 
 namespace treeline {
 namespace {
-
-/// Index of a link of the robot, which the scene's reader has found there.
-std::size_t index_of_link(const Robot& robot, const std::string& name) {
-  const auto found = std::find_if(robot.links.begin(), robot.links.end(),
-                                  [&](const Link& link) { return link.name == name; });
-  return static_cast<std::size_t>(found - robot.links.begin());
-}
 
 std::size_t index_of_point(const std::vector<ScenePoint>& points, const std::string& name) {
   const auto found = std::find_if(points.begin(), points.end(),

@@ -1,10 +1,11 @@
-#include "inspect/group_bodies.hpp"
+#include "description/group_bodies.hpp"
 
 #include <utility>
 
 #include "description/isometry_of.hpp"
 
 namespace treeline {
+
 BodyTree group_bodies(const Robot& robot) {
   std::vector<std::vector<int>> joints(robot.links.size());  // by their parents
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
