@@ -10,6 +10,9 @@
 #include "compilation/keep_library.hpp"
 #include "compilation/run_commands.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/emission_context.hpp"
+#include "emission/ground_unit.hpp"
+#include "emission/print_ground.hpp"
 
 namespace treeline {
 namespace {
@@ -23,26 +26,20 @@ struct PartSource {
   bool is_loop = false;
 };
 
-void list_ground_sources(const CompiledPart& part, const fs::path& work,
-                         std::vector<PartSource>& sources) {
-  for (const Source& source : part.generation->sources) {
-    const fs::path file = source.file;
-    if (!source.file.starts_with("ground")) continue;
-    sources.push_back({work / part.name / file,
-                       work / (part.name + "_" + file.stem().string() + ".o"), source.flags.is_long,
-                       false});
-  }
-}
-
 std::vector<PartSource> list_sources(const std::vector<CompiledPart>& parts, const fs::path& work) {
   std::vector<PartSource> sources = {{work / "robot.cpp", work / "robot.o", false, true}};
   for (const CompiledPart& part : parts) {
-    for (const GeneratedFunction& generated : part.generation->functions) {
-      const std::string stem = source_stem(generated);
+    const auto add = [&](const std::string& stem, bool is_long) {
       sources.push_back({work / part.name / (stem + ".cpp"), work / (part.name + "_" + stem + ".o"),
-                         is_long(generated.program), false});
+                         is_long, false});
+    };
+    for (const GeneratedFunction& generated : part.generation->functions) {
+      add(source_stem(generated), is_long(generated.program));
     }
-    if (part.has_ground) list_ground_sources(part, work, sources);
+    const GroundUnit* const ground = part.generation->context->ground.get();
+    if (ground == nullptr) continue;
+    add(kGroundStem, false);
+    for (const Program* const program : ground->programs()) add(program->name, is_long(*program));
   }
   // The largest first, so that none is left at the end for a single core.
   std::stable_sort(sources.begin(), sources.end(), [](const PartSource& a, const PartSource& b) {

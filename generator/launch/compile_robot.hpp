@@ -14,7 +14,6 @@ namespace treeline {
 struct CompiledPart {
   std::string name;
   const Generation* generation = nullptr;
-  bool has_ground = false;  ///< whose step of time is compiled, too
 };
 
 /// Compiles the parts and `robot.cpp`, which all lie in `work` beside `runtime/`, and links them to

@@ -99,7 +99,7 @@ fs::path compile_parts(const Parts& parts, const fs::path& work, const Tell& tel
                        Diagnostics& diagnostics) {
   std::vector<CompiledPart> compiled = {{parts.control.name, &parts.control_code}};
   if (parts.link_code) compiled.push_back({parts.links.name, &*parts.link_code});
-  if (parts.ground_code) compiled.push_back({parts.ground->name, &*parts.ground_code, true});
+  if (parts.ground_code) compiled.push_back({parts.ground->name, &*parts.ground_code});
   return compile_robot(
       compiled, work,
       [&tell](int done, int total) { tell(fmt::format("compiled {}/{}", done, total)); },
