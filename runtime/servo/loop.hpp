@@ -178,10 +178,6 @@ class ServoLoop {
     }
   }
 
-  void raise_if(const Fault& fault) noexcept {
-    if (fault) raise(fault);
-  }
-
   void receive() noexcept {
     Message message;
     while (mailbox_.pop(message)) {
@@ -289,8 +285,8 @@ class ServoLoop {
     control_times_.record(spent);
     if (const Fault fault = check_torque<F::kCoordinates, F::kVelocities>(limits_, report_.tau)) {
       raise(fault);
-    } else {
-      raise_if(find_left_behind(controller_, time(), limits_.following));
+    } else if (const Fault left = find_left_behind(controller_, time(), limits_.following)) {
+      raise(left);
     }
   }
 
