@@ -84,6 +84,8 @@ std::optional<LaunchedRobot> launch_from(DriveOptions& options, const drive::Mes
   };
   auto surroundings = surroundings_of(inputs->files.scene_text, inputs->robot);
   if (options.ground && !surroundings.ground) surroundings.ground.emplace();
+  // A robot elsewhere stands on what it stands on.
+  if (!options.drive.udp_robot.empty()) surroundings.ground.reset();
   if (surroundings.ground) {
     inputs->scene.touches = read_touches(inputs->files, places, diagnostics);
   }

@@ -269,7 +269,7 @@ class LoneRobot {
  public:
   explicit LoneRobot(const LoopOptions& options) noexcept
       : robot_(start_of(options), options.substeps, F::kFloating, options.simulation,
-               options.surroundings, options.lower, options.upper),
+               options.surroundings, options.lower, options.upper, options.torque),
         safe_({}, 1.0 / options.rate, limits_of(options)) {
     robot_.can_follow_gears(1.0 / options.rate);
   }
@@ -284,7 +284,6 @@ class LoneRobot {
       safe_.see(state);
       safe_.brake(torque);
     }
-    if (robot_.has_fallen()) std::fill(std::begin(torque), std::end(torque), 0.0);
     robot_.write(torque);
     robot_.pass_time(seconds);
   }

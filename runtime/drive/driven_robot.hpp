@@ -1,11 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <iterator>
-#include <optional>
-#include <type_traits>
 
-#include "drive/flat_feet.hpp"
 #include "drive/imperfect_robot.hpp"
 #include "drive/robot_library.hpp"
 
@@ -20,11 +16,8 @@ class DrivenRobot {
   DrivenRobot(const servo::StateOf<F>& start, const Floating& floating,
               const LoopOptions& options) noexcept
       : simulated_(start, options.substeps, floating, options.simulation, options.surroundings,
-                   options.lower, options.upper),
-        external_(options.robot) {
-    if constexpr (kStands) feet_.emplace(start.q);
-    std::copy_n(options.torque, F::kVelocities, limit_);
-  }
+                   options.lower, options.upper, options.torque),
+        external_(options.robot) {}
 
   bool connected() const noexcept {
     return external_.connected == nullptr || external_.connected(external_.self);
@@ -37,13 +30,13 @@ class DrivenRobot {
     }
   }
   void write(const double (&tau)[F::kVelocities]) noexcept {
-    std::copy(std::begin(tau), std::end(tau), torque_);
     if (external_.connected != nullptr) {
       external_.write(external_.self, tau);
-      return;
+      std::copy_n(tau, F::kVelocities, torque_);
+    } else {
+      simulated_.write(tau);
+      std::copy_n(simulated_.given(), F::kVelocities, torque_);
     }
-    if constexpr (kStands) stand();
-    simulated_.write(torque_);
   }
   void pass_time(double seconds) noexcept {
     if (external_.connected == nullptr) {
@@ -64,28 +57,9 @@ class DrivenRobot {
   const double (&torque() const noexcept)[F::kVelocities] { return torque_; }
 
  private:
-  static constexpr bool kStands = kIsOnGround<F> && HeldPlaces<F>::kIsHeld;
-  struct Nothing {};
-
-  /// Cuts the torque to what the feet bear. Motors of a robot that lies are short-circuited: they
-  /// drag with their largest torque at 200 rad/s or m/s.
-  void stand() noexcept {
-    constexpr double kShorted = 0.005;  // s/rad or s/m
-    const auto& now = simulated_.links();
-    if (!has_fallen()) feet_->keep(now.q, now.qd, torque_);
-    for (int i = 0; i < F::kVelocities; ++i) {
-      const double limit = limit_[i];
-      if (has_fallen()) torque_[i] = limit < kUnlimited ? -kShorted * limit * now.qd[i] : 0.0;
-      torque_[i] = std::clamp(torque_[i], -limit, limit);
-    }
-  }
-
-  static constexpr double kUnlimited = 1e6;  ///< N m or N: a larger limit is none
   ImperfectRobot<F> simulated_;
   ExternalRobot external_;
-  std::conditional_t<kStands, std::optional<FlatFeet<F>>, Nothing> feet_;
   double torque_[F::kVelocities] = {};
-  double limit_[F::kVelocities];
 };
 
 }  // namespace treeline::drive

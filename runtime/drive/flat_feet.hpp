@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "drive/ground.hpp"
 #include "drive/held_places.hpp"
@@ -40,12 +41,12 @@ class FlatFeet {
     const double none[nv] = {};
     double rest[nv];
     F::inverse_dynamics(q, none, none, rest);
-    Forces asked;
-    Forces resting;
-    find_forces(q, qd, tau, asked);
-    find_forces(q, qd, rest, resting);
     Frames frames;
     HeldPlaces<F>::find_frames(q, frames.all);
+    Forces asked;
+    Forces resting;
+    find_forces(q, qd, tau, frames, asked);
+    find_forces(q, qd, rest, frames, resting);
     double share = 1.0;
     for (int k = 0; k < kHolds; ++k) {
       double room[kLaws];
@@ -72,8 +73,8 @@ class FlatFeet {
   struct Forces {
     double of[kHolds][6] = {};
   };
-  /// The middle and half the size of a sole along two axes of its link, which are the world's x and
-  /// y at the start.
+  /// How far a sole reaches along two axes of its frame, which are the world's x and y at the
+  /// start.
   struct Sole {
     double along[2][3] = {};
     double low[2] = {1e9, 1e9};
@@ -106,14 +107,12 @@ class FlatFeet {
   }
 
   static void find_forces(const double (&q)[nq], const double (&qd)[nv], const double (&tau)[nv],
-                          Forces& forces) noexcept {
+                          const Frames& frames, Forces& forces) noexcept {
     double f[F::kHeldRows];
     double qdd[nv];
     const double none[2] = {};
     const double off[F::kWorldRows] = {};
     F::constrained_forward_dynamics(q, qd, tau, none, off, qdd, f);
-    Frames frames;
-    HeldPlaces<F>::find_frames(q, frames.all);
     int next = 0;
     for (int k = 0; k < kHolds; ++k) {
       const WorldHold& hold = F::kWorldHolds[k];
@@ -161,5 +160,18 @@ class FlatFeet {
 
   Sole soles_[kHolds];
 };
+
+/// Whether a robot F is simulated standing on its feet.
+template <class F>
+inline constexpr bool kStands = kIsOnGround<F>&& HeldPlaces<F>::kIsHeld;
+
+/// In the place of the feet of a robot that has none to stand on.
+struct NoFeet {
+  template <class Coordinates>
+  explicit NoFeet(const Coordinates&) noexcept {}
+};
+
+template <class F>
+using Feet = std::conditional_t<kStands<F>, FlatFeet<F>, NoFeet>;
 
 }  // namespace treeline::drive

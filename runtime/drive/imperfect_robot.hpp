@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "drive/end_stops.hpp"
+#include "drive/flat_feet.hpp"
 #include "drive/ground.hpp"
 #include "drive/held_places.hpp"
 #include "drive/link_forces.hpp"
@@ -65,14 +66,17 @@ class ImperfectRobot {
 
   ImperfectRobot(const State& start, int substeps, const Floating& floating,
                  const SimulationOptions& simulation, const Surroundings& surroundings,
-                 const double* lower = nullptr, const double* upper = nullptr) noexcept
+                 const double* lower = nullptr, const double* upper = nullptr,
+                 const double* torque = nullptr) noexcept
       : start_(start),
         links_(start),
         motors_(start),
         substeps_(substeps),
         floating_(floating),
         places_(start.q),
-        stops_(floating, lower, upper, start.q) {
+        stops_(floating, lower, upper, start.q),
+        feet_(start.q) {
+    for (int i = 0; i < nv; ++i) limit_[i] = torque != nullptr ? torque[i] : kUnlimited;
     find_coordinates();
     take_options(simulation);
     take_surroundings(surroundings);
@@ -87,20 +91,25 @@ class ImperfectRobot {
     if (lost_) state.qd[0] = std::numeric_limits<double>::quiet_NaN();
   }
   void write(const double (&tau)[nv]) noexcept {
+    copy(tau, given_);
+    if constexpr (kStands<F>) stand(given_);
     if (!written_) {  // what was commanded before is as good as this
-      for (auto& entry : line_) copy(tau, entry);
+      for (auto& entry : line_) copy(given_, entry);
     }
     written_ = true;
-    copy(tau, line_[static_cast<std::size_t>(next_)]);
+    copy(given_, line_[static_cast<std::size_t>(next_)]);
     next_ = (next_ + 1) % (delay_ + 1);
     copy(line_[static_cast<std::size_t>(next_)], tau_);
   }
+  /// What was written last, on a ground less what the feet cannot bear.
+  const double (&given() const noexcept)[nv] { return given_; }
   void pass_time(double seconds) noexcept {
     lost_ = false;
     if constexpr (kIsOnGround<F>) {
       constexpr double kLongest = 2.5e-4;  // s: a light foot errs with the square
       const int steps = std::max(substeps_, static_cast<int>(std::ceil(seconds / kLongest)));
       for (int k = 0; k < steps && !lost_; ++k) step_on_ground(seconds / steps);
+      on_ground_.fell = on_ground_.fell || is_down<F>(start_.q, links_.q);
     } else {
       for (int k = 0; k < substeps_ && !lost_; ++k) integrate(seconds / substeps_);
     }
@@ -158,6 +167,7 @@ class ImperfectRobot {
   static constexpr double kFilter = 0.003;       ///< s, of measured speeds
   static constexpr double kWallStiffness = 2e4;  ///< N/m
   static constexpr double kWallDamping = 200.0;  ///< N s/m
+  static constexpr double kUnlimited = 1e6;      ///< N m or N: a larger limit is none
 
   static void copy(const double (&from)[nv], double (&to)[nv]) noexcept {
     for (int i = 0; i < nv; ++i) to[i] = from[i];
@@ -173,6 +183,7 @@ class ImperfectRobot {
                      double (&of_motors)[nv]) noexcept;
   void integrate(double dt) noexcept;
   void step_on_ground(double dt) noexcept;
+  void stand(double (&tau)[nv]) const noexcept;
   void accept(const State& links, const State& motors) noexcept;
 
   State start_;
@@ -201,6 +212,9 @@ class ImperfectRobot {
   int guarded_count_ = 0;
   LinkForces<F> link_forces_;
   OnGround<F> on_ground_;
+  Feet<F> feet_;
+  double given_[nv] = {};
+  double limit_[nv];  ///< of torque
 };
 
 }  // namespace treeline::drive

@@ -198,6 +198,19 @@ void ImperfectRobot<F>::integrate(double dt) noexcept {
   accept(sum, motor_sum);
 }
 
+/// Cuts the torque to what the feet bear. Motors of a robot that lies are short-circuited: they
+/// drag with their largest torque at 200 rad/s or m/s.
+template <class F>
+void ImperfectRobot<F>::stand(double (&tau)[nv]) const noexcept {
+  constexpr double kShorted = 0.005;  // s/rad or s/m
+  if (!has_fallen()) feet_.keep(links_.q, links_.qd, tau);
+  for (int i = 0; i < nv; ++i) {
+    const double limit = limit_[i];
+    if (has_fallen()) tau[i] = limit < kUnlimited ? -kShorted * limit * links_.qd[i] : 0.0;
+    tau[i] = std::clamp(tau[i], -limit, limit);
+  }
+}
+
 template <class F>
 void ImperfectRobot<F>::step_on_ground(double dt) noexcept {
   double torques[nv];
@@ -218,7 +231,6 @@ void ImperfectRobot<F>::step_on_ground(double dt) noexcept {
   State next = links_;
   F::ground_step(dt, torques, next.q, next.qd, on_ground_.memory);
   accept(next, motors_);
-  on_ground_.fell = on_ground_.fell || is_down<F>(start_.q, links_.q);
 }
 
 /// Takes the state at the end of a step if it is one.
