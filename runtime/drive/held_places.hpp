@@ -54,7 +54,7 @@ class HeldPlaces {
       return 1;
     }
   }();
-  /// Of a hold, in the world.
+  /// Where a hold is in the world.
   struct Frame {
     double p[3] = {};
     double R[9] = {};
