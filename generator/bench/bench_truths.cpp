@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "generation/for_each_index.hpp"
+#include "choice/for_each_index.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/hold_state.hpp"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "bench/plan_builds.hpp"
-#include "generation/only_by_name.hpp"
+#include "choice/only_by_name.hpp"
 
 namespace treeline {
 

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "bench/templates.hpp"
+#include "choice/function_mechanisms.hpp"
 #include "description/scene_words.hpp"
 #include "emission/fill_template.hpp"
 #include "generation/describe_scene.hpp"
-#include "generation/function_mechanisms.hpp"
 #include "generation/without_callers.hpp"
 #include "mechanism/build_mechanism.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bench/variant.hpp"
+#include "choice/run_routes.hpp"
 #include "description/robot.hpp"
-#include "generation/run_routes.hpp"
 
 namespace treeline {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "check/record_selftest_motion.hpp"
+#include "choice/for_each_index.hpp"
 #include "emission/selftest_facts.hpp"
-#include "generation/for_each_index.hpp"
 #include "oracle/bound.hpp"
 #include "oracle/reference_maker.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "generation/for_each_index.hpp"
+#include "choice/for_each_index.hpp"
 #include "oracle/equations.hpp"
 #include "oracle/subject_at.hpp"
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "check/judge_function.hpp"
+#include "choice/for_each_index.hpp"
 #include "compilation/print_entry.hpp"
 #include "generation/describe_limits.hpp"
-#include "generation/for_each_index.hpp"
 #include "oracle/limited_optimum.hpp"
 
 namespace treeline {

@@ -14,7 +14,6 @@
 #include "cli/deliver_files.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
-#include "cli/keep_tried.hpp"
 #include "cli/option_values.hpp"
 #include "cli/print_depfile.hpp"
 #include "cli/print_summary.hpp"
@@ -109,7 +108,8 @@ std::optional<GeneratedInputs> generate_tuned(const GenerateOptions& options,
   CompileOptions compile = options.compile;
   compile.language = inputs->scene.language;
   tuning->measured = describe_here(compile, diagnostics);
-  return generate_from_inputs(options.inputs, std::move(*inputs), choices_of(*tuning), diagnostics);
+  return generate_from_inputs(options.inputs, std::move(*inputs), choices_of(*tuning),
+                              Failing::left_out, diagnostics);
 }
 
 /// A folder that nobody named is written to only where nobody else's files are.
@@ -193,11 +193,10 @@ bool write_safety(const GenerateOptions& options, const GeneratedInputs& made,
   if (options.safety.empty()) return true;
   std::vector<std::string> read = files_read(options, made);
   read.insert(read.end(), options.evidence.begin(), options.evidence.end());
-  return write_output_file(
-      options.safety,
-      describe_safety(made.inputs.scene, made.generation,
-                      provenance_of(options.inputs, made.inputs, made.choices), evidence),
-      diagnostics, read);
+  return write_output_file(options.safety,
+                           describe_safety(made.inputs.scene, made.generation,
+                                           provenance_of(options.inputs, made.inputs), evidence),
+                           diagnostics, read);
 }
 
 /// Writes on which files the code depends, if that is asked for.
@@ -234,11 +233,9 @@ int run(const GenerateOptions& options) {
   Diagnostics diagnostics;
   std::optional<Tuning> tuning;
   auto made = options.tune ? generate_tuned(options, tuning, diagnostics)
-                           : generate_from_files(options.inputs, diagnostics);
-  bool failed = false;
-  if (made && writes(options)) {
-    made = keep_tried(options.inputs, std::move(*made), failed, diagnostics);
-  }
+                           : generate_from_files(options.inputs, Failing::left_out, diagnostics);
+  const bool failed = made && !made->failed.empty();
+  if (made && made->generation.files.empty()) made.reset();
   if (made &&
       !add_selftest(made->inputs.robot, made->inputs.scene, made->generation, diagnostics)) {
     made.reset();

@@ -20,11 +20,9 @@ std::string file_name(const std::string& path) {
   return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
 }
 
-/// Options that replace keys of the scene, as they are typed. Choices are those that the folder's
-/// own manifest records, wherever they came from.
-std::string describe_options(const InputOptions& options, const Scene& scene, bool chosen) {
+/// Options that replace keys of the scene, as they are typed.
+std::string describe_options(const InputOptions& options) {
   std::string text;
-  text += chosen ? fmt::format(" --choices {}/manifest.json", scene.name) : "";
   text += options.name.empty() ? "" : " --name " + options.name;
   text += options.real.empty() ? "" : " --real " + options.real;
   text += options.language.empty() ? "" : " --language " + options.language;
@@ -41,19 +39,18 @@ std::string describe_options(const InputOptions& options, const Scene& scene, bo
 
 }  // namespace
 
-Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs,
-                         const Choices& choices) {
+Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs) {
   const RobotFiles& files = inputs.files;
   Provenance provenance{files.urdf.empty() ? "" : file_name(files.urdf), files.urdf_text,
                         files.scene.empty() ? "" : file_name(files.scene), files.scene_text,
-                        describe_options(options, inputs.scene, !choices.empty())};
+                        describe_options(options)};
   for (const InputFile& file : files.scene_robots.files) {
     provenance.robots.push_back({file.name, file.text});
   }
   return provenance;
 }
 
-std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
+std::optional<GeneratedInputs> generate_from_files(const InputOptions& options, Failing failing,
                                                    Diagnostics& diagnostics) {
   auto inputs = read_inputs(options, diagnostics);
   if (!inputs) {
@@ -64,21 +61,21 @@ std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
     choices = read_choices(options.choices, inputs->robot.name, diagnostics);
   }
   if (!choices) return std::nullopt;
-  return generate_from_inputs(options, std::move(*inputs), *choices, diagnostics);
+  return generate_from_inputs(options, std::move(*inputs), *choices, failing, diagnostics);
 }
 
 std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     RobotAndScene inputs, const Choices& choices,
-                                                    Diagnostics& diagnostics) {
-  const Provenance provenance = provenance_of(options, inputs, choices);
+                                                    Failing failing, Diagnostics& diagnostics) {
+  const Provenance provenance = provenance_of(options, inputs);
   LateProgress progress;
-  auto generation = generate_code(
-      inputs.robot, inputs.scene, provenance, diagnostics, choices,
-      [&](const std::string& function) { progress.show("  generating " + function); });
-  if (!generation) {
-    return std::nullopt;
-  }
-  return GeneratedInputs{std::move(inputs), std::move(*generation), choices};
+  auto tried = generate_tried(
+      inputs.robot, inputs.scene, provenance,
+      {choices, [&](const std::string& what) { progress.show("  generating " + what); }, failing},
+      diagnostics);
+  if (!tried) return std::nullopt;
+  inputs.scene = tried->generation.scene;
+  return GeneratedInputs{std::move(inputs), std::move(tried->generation), std::move(tried->failed)};
 }
 
 void tell_size(const InputOptions& options, const GeneratedInputs& made) {

@@ -3,30 +3,29 @@
 #include <optional>
 
 #include "cli/read_inputs.hpp"
-#include "generation/generate_code.hpp"
+#include "trial/generate_tried.hpp"
 
 namespace treeline {
 
-/// Robot, scene and what was generated from them, by which choices.
+/// Robot, scene and what was generated from them.
 struct GeneratedInputs {
-  RobotAndScene inputs;
+  RobotAndScene inputs;  ///< the scene is that of the generation
   Generation generation;
-  Choices choices;
+  std::vector<FailedTrial> failed;  ///< functions beyond their bounds by every algorithm
 };
 
 /// Origin that generated code states.
-Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs,
-                         const Choices& choices);
+Provenance provenance_of(const InputOptions& options, const RobotAndScene& inputs);
 
 /// Reads the files of a command line and generates in memory, by the choices in `options.choices`
 /// where that names a file. Faults are in `diagnostics`.
-std::optional<GeneratedInputs> generate_from_files(const InputOptions& options,
+std::optional<GeneratedInputs> generate_from_files(const InputOptions& options, Failing failing,
                                                    Diagnostics& diagnostics);
 
 /// Generates from inputs that have been read, by these choices.
 std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     RobotAndScene inputs, const Choices& choices,
-                                                    Diagnostics& diagnostics);
+                                                    Failing failing, Diagnostics& diagnostics);
 
 /// Tells at once, before anything is written or compiled, what there is of it where that is much
 /// (`warn_of_size`).

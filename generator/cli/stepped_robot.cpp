@@ -4,11 +4,11 @@
 #include <limits>
 #include <utility>
 
+#include "choice/for_each_index.hpp"
 #include "cli/find_all_meshes.hpp"
 #include "cli/ground_shapes.hpp"
 #include "cli/start_on_ground.hpp"
 #include "description/read_surroundings.hpp"
-#include "generation/for_each_index.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/interpreted_robot.hpp"

@@ -9,8 +9,8 @@
 #include <map>
 
 #include "bounds/draw_inputs.hpp"
+#include "choice/evaluate_damped.hpp"
 #include "description/effective_mass_limits.hpp"
-#include "generation/evaluate_damped.hpp"
 #include "program/evaluate.hpp"
 
 namespace treeline {

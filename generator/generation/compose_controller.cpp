@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "choice/choose_loops.hpp"
+#include "choice/function_mechanisms.hpp"
 #include "description/controller_limits.hpp"
 #include "description/find_joint.hpp"
-#include "generation/choose_loops.hpp"
-#include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "generation/function_mechanisms.hpp"
+#include "choice/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/run_passes.hpp"

@@ -1,7 +1,7 @@
 #include "generation/count_inputs.hpp"
 
+#include "choice/function_mechanisms.hpp"
 #include "description/scene_inputs.hpp"
-#include "generation/function_mechanisms.hpp"
 #include "passes/count_operations.hpp"
 
 namespace treeline {

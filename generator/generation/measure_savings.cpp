@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "choice/function_mechanisms.hpp"
 #include "description/check_scene.hpp"
 #include "emission/backend.hpp"
 #include "generation/describe_scene.hpp"
-#include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
 #include "mechanism/build_mechanism.hpp"
 

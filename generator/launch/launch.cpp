@@ -8,7 +8,6 @@
 #include "compilation/write_work_file.hpp"
 #include "emission/digest.hpp"
 #include "emission/write_files.hpp"
-#include "generation/generate_code.hpp"
 #include "launch/compile_robot.hpp"
 #include "launch/describe_robot.hpp"
 #include "launch/describe_surroundings.hpp"
@@ -16,6 +15,7 @@
 #include "launch/print_closed_loops.hpp"
 #include "launch/print_robot.hpp"
 #include "launch/runtime_headers.hpp"
+#include "trial/generate_tried.hpp"
 
 namespace treeline {
 namespace {
@@ -48,18 +48,22 @@ std::optional<Parts> generate_parts(const LaunchInput& input, const Tell& tell,
   };
   Scene generated = parts.control;
   if (is_closed(generated)) generated.damped.reset();  // `drive::ClosedLoops` damps by itself
-  auto made = generate_code(input.robot, generated, {}, diagnostics, {}, tell_function);
-  if (!made) return std::nullopt;
-  parts.control_code = std::move(*made);
+  auto made = generate_tried(input.robot, generated, {}, {{}, tell_function}, diagnostics);
+  if (!made || !made->failed.empty()) return std::nullopt;
+  parts.control_code = std::move(made->generation);
   if (parts.ground) {
-    parts.ground_code =
-        generate_code(input.robot, *parts.ground, {}, diagnostics, {}, tell_function);
-    if (!parts.ground_code) return std::nullopt;
+    auto ground = generate_tried(input.robot, *parts.ground, {}, {{}, tell_function}, diagnostics);
+    if (!ground || !ground->failed.empty()) return std::nullopt;
+    parts.ground_code = std::move(ground->generation);
   }
   if (parts.links.operational_points.empty()) return parts;
   Diagnostics of_links;  // what is said of the links has been said of the robot
-  parts.link_code = generate_code(input.robot, parts.links, {}, of_links, {}, tell_function);
-  if (!parts.link_code) parts.links.operational_points.clear();
+  auto links = generate_tried(input.robot, parts.links, {}, {{}, tell_function}, of_links);
+  if (links && links->failed.empty()) {
+    parts.link_code = std::move(links->generation);
+  } else {
+    parts.links.operational_points.clear();
+  }
   return parts;
 }
 

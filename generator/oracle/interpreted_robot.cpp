@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "generation/compose_damped.hpp"
-#include "generation/for_each_index.hpp"
+#include "choice/compose_damped.hpp"
+#include "choice/for_each_index.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/interpret.hpp"
 #include "oracle/law_at.hpp"

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "choice/choose_functions.hpp"
+#include "choice/function_mechanisms.hpp"
+#include "choice/run_routes.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
-#include "generation/function_mechanisms.hpp"
-#include "generation/generate_code.hpp"
-#include "generation/run_routes.hpp"
 #include "mechanism/mechanism.hpp"
 #include "oracle/subject.hpp"
 #include "program/program.hpp"

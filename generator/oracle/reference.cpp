@@ -6,7 +6,7 @@
 #include <map>
 #include <mutex>
 
-#include "generation/for_each_index.hpp"
+#include "choice/for_each_index.hpp"
 #include "oracle/reference_maker.hpp"
 
 namespace treeline {
@@ -70,9 +70,9 @@ StateSpace make_state_space(const Robot& robot, const Scene& scene, const Mechan
 }
 
 std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,
-                                            const Generation& generation,
+                                            const ChosenFunctions& chosen,
                                             const ReferenceOptions& options) {
-  const ReferenceMaker maker(robot, scene, generation, options.seed);
+  const ReferenceMaker maker(robot, scene, chosen, options.seed);
   std::vector<StateReference> made(static_cast<std::size_t>(options.states));
   const std::vector<int> indices = state_indices(options);
   int done = 0;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "choice/choose_functions.hpp"
 #include "functions/function.hpp"
-#include "generation/generate_code.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/graph_run.hpp"
 
@@ -63,7 +63,7 @@ StateSpace make_state_space(const Robot& robot, const Scene& scene, const Mechan
 /// Draws the states, runs the interpreter in 50 digits and in Real, and evaluates the graph in
 /// Real.
 std::vector<StateReference> make_references(const Robot& robot, const Scene& scene,
-                                            const Generation& generation,
+                                            const ChosenFunctions& chosen,
                                             const ReferenceOptions& options);
 
 /// Ulp of one: 2^-52 or 2^-23.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "generation/evaluate_damped.hpp"
+#include "choice/evaluate_damped.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret.hpp"
 #include "oracle/law_at.hpp"
@@ -44,14 +44,14 @@ std::vector<double> widened(const std::vector<T>& entries) {
 
 }  // namespace
 
-ReferenceMaker::ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
-                               std::uint64_t seed)
-    : functions_(all_callable(generation)),
-      plain_(generation.functions.size()),
+ReferenceMaker::ReferenceMaker(const Robot& robot, const Scene& scene,
+                               const ChosenFunctions& chosen, std::uint64_t seed)
+    : functions_(all_callable(chosen)),
+      plain_(chosen.functions.size()),
       real_(scene.real),
-      exact_(make_subject<Digits50>(robot, scene, &generation.mechanism)),
+      exact_(make_subject<Digits50>(robot, scene, &chosen.mechanism)),
       single_(cast<float>(exact_)),
-      space_(make_state_space(robot, scene, generation.mechanism, functions_, seed)) {
+      space_(make_state_space(robot, scene, chosen.mechanism, functions_, seed)) {
   space_.subject = cast<double>(exact_);
   for (const GeneratedFunction& generated : functions_) {
     runs_.emplace_back(generated.program);

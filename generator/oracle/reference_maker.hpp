@@ -12,12 +12,12 @@
 
 namespace treeline {
 
-/// Makes the references of all functions of a generation, state by state. Equal seeds give equal
+/// Makes the references of all functions of a chosen, state by state. Equal seeds give equal
 /// references. May be used from several threads at once.
 class ReferenceMaker {
  public:
-  /// `generation` must outlive this object.
-  ReferenceMaker(const Robot& robot, const Scene& scene, const Generation& generation,
+  /// `chosen` must outlive this object.
+  ReferenceMaker(const Robot& robot, const Scene& scene, const ChosenFunctions& chosen,
                  std::uint64_t seed);
 
   /// The functions in the order of the references: `all_callable`.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "choice/base_parameter_domain.hpp"
 #include "description/effective_mass_limits.hpp"
-#include "generation/base_parameter_domain.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/chain_from_scene.hpp"
 #include "oracle/entries.hpp"

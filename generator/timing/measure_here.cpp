@@ -5,10 +5,10 @@
 #include <future>
 #include <thread>
 
+#include "choice/function_mechanisms.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "emission/write_files.hpp"
-#include "generation/function_mechanisms.hpp"
 #include "timing/describe_processor.hpp"
 #include "timing/tune.hpp"
 

@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
-#include "generation/function_mechanisms.hpp"
-#include "generation/only_by_name.hpp"
-#include "generation/run_routes.hpp"
+#include "choice/function_mechanisms.hpp"
+#include "choice/only_by_name.hpp"
+#include "choice/run_routes.hpp"
 
 namespace treeline {
 namespace {

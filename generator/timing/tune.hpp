@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "choice/choices.hpp"
 #include "compilation/compile_folder.hpp"
-#include "generation/choices.hpp"
 #include "generation/generate_code.hpp"
 #include "timing/load_build.hpp"
 #include "timing/time_calls.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <string>
 
+#include "choice/evaluate_damped.hpp"
 #include "fixture.hpp"
-#include "generation/evaluate_damped.hpp"
 
 // damped_control_torque is checked like other functions: compiled and compared with 50 digits,
 // mainly near singularities. Would catch: a law that differs from that of damped_solve.hpp, a check

@@ -10,10 +10,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "choice/compose_damped.hpp"
 #include "data/list_data.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
-#include "generation/compose_damped.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "oracle/reference.hpp"

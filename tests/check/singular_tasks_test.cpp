@@ -1,8 +1,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "choice/function_mechanisms.hpp"
 #include "fixture.hpp"
-#include "generation/function_mechanisms.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "oracle/bound.hpp"
 #include "oracle/graph_run.hpp"

@@ -1,8 +1,8 @@
-#include "generation/choose_axes.hpp"
+#include "choice/choose_axes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generation/function_mechanisms.hpp"
+#include "choice/function_mechanisms.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
 #include "random_mechanism.hpp"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "choice/function_mechanisms.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
-#include "generation/function_mechanisms.hpp"
 #include "generation/generate_code.hpp"
 
 namespace treeline::growth {

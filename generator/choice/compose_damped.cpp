@@ -1,4 +1,4 @@
-#include "generation/compose_damped.hpp"
+#include "choice/compose_damped.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,13 +1,13 @@
-#include "generation/function_mechanisms.hpp"
+#include "choice/function_mechanisms.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "choice/choose_axes.hpp"
 #include "description/check_scene.hpp"
 #include "description/scene_inputs.hpp"
-#include "generation/choose_axes.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "recursion/parameters/base_parameters.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/fixture.hpp"
-#include "oracle/try_functions.hpp"
+#include "trial/try_functions.hpp"
 
 namespace treeline::tests {
 

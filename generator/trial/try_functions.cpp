@@ -1,4 +1,4 @@
-#include "oracle/try_functions.hpp"
+#include "trial/try_functions.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "generation/for_each_index.hpp"
+#include "choice/for_each_index.hpp"
 #include "oracle/bound.hpp"
 #include "oracle/reference.hpp"
 #include "oracle/reference_maker.hpp"
@@ -44,8 +44,8 @@ std::vector<Function> functions_of(const std::vector<GeneratedFunction>& generat
   return functions;
 }
 
-/// Keeps of a generation these functions and those that they are composed of.
-Generation keep(const Generation& generation, const std::vector<Function>& wanted) {
+/// Keeps of the chosen functions these and those that they are composed of.
+ChosenFunctions keep(const ChosenFunctions& chosen, const std::vector<Function>& wanted) {
   const auto is_unwanted = [&](const GeneratedFunction& generated) {
     return std::none_of(wanted.begin(), wanted.end(), [&](Function function) {
       return function == generated.function ||
@@ -53,7 +53,7 @@ Generation keep(const Generation& generation, const std::vector<Function>& wante
               std::count(kDampedFunctions.begin(), kDampedFunctions.end(), generated.function) > 0);
     });
   };
-  Generation kept = generation;
+  ChosenFunctions kept = chosen;
   std::erase_if(kept.functions, is_unwanted);
   std::erase_if(kept.batch, is_unwanted);
   if (kept.damped && is_unwanted(*kept.damped)) kept.damped.reset();
@@ -141,9 +141,9 @@ class Trial {
 
 /// Finds the functions that may exceed their bounds at these states.
 std::vector<GeneratedFunction> find_suspects(const Robot& robot, const Scene& scene,
-                                             const Generation& generation,
+                                             const ChosenFunctions& chosen,
                                              const std::vector<int>& states, std::uint64_t seed) {
-  const ReferenceMaker maker(robot, scene, generation, seed);
+  const ReferenceMaker maker(robot, scene, chosen, seed);
   Trial trial(maker, states, unit_of(scene.real));
   std::vector<char> suspect(maker.functions().size());
   for_each_index(suspect.size(), [&](std::size_t i) { suspect[i] = trial.is_suspect(i) ? 1 : 0; });
@@ -157,12 +157,13 @@ std::vector<GeneratedFunction> find_suspects(const Robot& robot, const Scene& sc
 /// Finds the functions that exceed their bounds at the first `states` states, using 50 digits
 /// everywhere.
 std::vector<FailedTrial> find_failed(const Robot& robot, const Scene& scene,
-                                     const Generation& generation, int states, std::uint64_t seed) {
+                                     const ChosenFunctions& chosen, int states,
+                                     std::uint64_t seed) {
   ReferenceOptions options;
   options.states = states;
   options.seed = seed;
-  const auto references = make_references(robot, scene, generation, options);
-  const std::vector<GeneratedFunction> functions = all_callable(generation);
+  const auto references = make_references(robot, scene, chosen, options);
+  const std::vector<GeneratedFunction> functions = all_callable(chosen);
   std::vector<FailedTrial> failed;
   for (std::size_t i = 0; i < functions.size(); ++i) {
     auto found = judge(i, functions[i], references, unit_of(scene.real));
@@ -174,16 +175,16 @@ std::vector<FailedTrial> find_failed(const Robot& robot, const Scene& scene,
 }  // namespace
 
 std::vector<FailedTrial> try_functions(const Robot& robot, const Scene& scene,
-                                       const Generation& generation, const TrialOptions& options) {
-  const auto at_few = find_suspects(robot, scene, generation, options.states, options.seed);
+                                       const ChosenFunctions& chosen, const TrialOptions& options) {
+  const auto at_few = find_suspects(robot, scene, chosen, options.states, options.seed);
   if (at_few.empty()) return {};
-  const Generation doubted = keep(generation, functions_of(at_few));
+  const ChosenFunctions doubted = keep(chosen, functions_of(at_few));
   std::vector<int> states(static_cast<std::size_t>(options.confirm));
   std::iota(states.begin(), states.end(), 0);
   const auto suspects = find_suspects(robot, scene, doubted, states, options.seed);
   if (suspects.empty()) return {};
-  std::vector<FailedTrial> failed = find_failed(
-      robot, scene, keep(generation, functions_of(suspects)), options.confirm, options.seed);
+  std::vector<FailedTrial> failed = find_failed(robot, scene, keep(chosen, functions_of(suspects)),
+                                                options.confirm, options.seed);
   std::erase_if(failed, [&](const FailedTrial& each) {
     return std::none_of(at_few.begin(), at_few.end(), [&](const GeneratedFunction& suspect) {
       return each.name == source_stem(suspect);

@@ -1,11 +1,11 @@
-#include "generation/run_routes.hpp"
+#include "choice/run_routes.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "choice/only_by_name.hpp"
 #include "description/follow_target.hpp"
-#include "generation/only_by_name.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/take_sines.hpp"

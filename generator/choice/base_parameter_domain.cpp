@@ -1,4 +1,4 @@
-#include "generation/base_parameter_domain.hpp"
+#include "choice/base_parameter_domain.hpp"
 
 #include <algorithm>
 #include <cmath>

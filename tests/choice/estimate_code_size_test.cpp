@@ -1,4 +1,4 @@
-#include "generation/estimate_code_size.hpp"
+#include "choice/estimate_code_size.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generation/choose_axes.hpp"
+#include "choice/choose_axes.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generation/count_by_link.hpp"
+#include "choice/count_by_link.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/count_operations.hpp"
 #include "recursion/routes/trace_function.hpp"

@@ -1,11 +1,11 @@
-#include "generation/choose_loops.hpp"
+#include "choice/choose_loops.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "choice/estimate_code_size.hpp"
 #include "description/follow_target.hpp"
-#include "generation/estimate_code_size.hpp"
 #include "passes/count_operations.hpp"
 #include "passes/take_sines.hpp"
 #include "program/ending.hpp"

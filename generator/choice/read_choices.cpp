@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "choice/choices.hpp"
 #include "description/suggest_function.hpp"
 #include "functions/find_function.hpp"
-#include "generation/choices.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {

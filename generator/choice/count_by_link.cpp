@@ -1,4 +1,4 @@
-#include "generation/count_by_link.hpp"
+#include "choice/count_by_link.hpp"
 
 #include "passes/rebuild.hpp"
 #include "program/find_sections.hpp"

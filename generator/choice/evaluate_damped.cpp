@@ -1,4 +1,4 @@
-#include "generation/evaluate_damped.hpp"
+#include "choice/evaluate_damped.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "choice/generated_function.hpp"
 #include "description/scene.hpp"
-#include "generation/generate_code.hpp"
 #include "mechanism/mechanism.hpp"
 #include "text/diagnostic.hpp"
 

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <limits>
 
-#include "generation/function_mechanisms.hpp"
-#include "generation/generate_code.hpp"
-#include "generation/only_by_name.hpp"
+#include "choice/function_mechanisms.hpp"
+#include "choice/only_by_name.hpp"
+#include "choice/generated_function.hpp"
 #include "limbed_robot.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/critical_path.hpp"

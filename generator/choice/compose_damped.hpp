@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "generation/generate_code.hpp"
+#include "choice/generated_function.hpp"
 
 namespace treeline {
 

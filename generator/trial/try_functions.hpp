@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "choice/choose_functions.hpp"
 #include "functions/function.hpp"
-#include "generation/generate_code.hpp"
 #include "oracle/reference.hpp"
 
 namespace treeline {
@@ -43,7 +43,7 @@ struct FailedTrial {
 /// bound is 8 ulp plus 16 times the interpreter's own error in Real. So a graph within 8 ulp of the
 /// interpreter in Real is within its bound, whatever that error is.
 std::vector<FailedTrial> try_functions(const Robot& robot, const Scene& scene,
-                                       const Generation& generation,
+                                       const ChosenFunctions& chosen,
                                        const TrialOptions& options = {});
 
 }  // namespace treeline

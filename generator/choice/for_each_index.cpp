@@ -1,4 +1,4 @@
-#include "generation/for_each_index.hpp"
+#include "choice/for_each_index.hpp"
 
 #include <algorithm>
 #include <atomic>

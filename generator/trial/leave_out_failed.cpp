@@ -1,0 +1,54 @@
+#include "trial/leave_out_failed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "description/check_limits.hpp"
+
+namespace treeline {
+namespace {
+
+Diagnostic describe(const FailedTrial& failed, const std::string& files) {
+  const std::string error = failed.error <= 1e300
+                                ? fmt::format("off by {:.2g} ulp of its scale", failed.error)
+                                : std::string("not finite");
+  return {Severity::error,
+          "",
+          0,
+          failed.name,
+          fmt::format("at state {} ({}) a result is {}, where {:.2g} ulp are allowed beside 50 "
+                      "digits: the function is not written",
+                      failed.state.index, state_class_name(failed.state.kind), error, failed.bound),
+          fmt::format("This is a fault of treeline, please report it. `treeline check{} "
+                      "--functions {} --first {} --states 1 --json` prints the state.",
+                      files, function_name(failed.function), failed.state.index)};
+}
+
+void remove(Function function, Scene& scene) {
+  const bool is_damped = function == Function::damped_control_torque;
+  std::erase(scene.functions, function);
+  if (is_damped || std::count(kDampedFunctions.begin(), kDampedFunctions.end(), function) > 0) {
+    scene.damped.reset();
+  }
+  const std::vector<Function> of_limits = functions_of_limits(scene);
+  if (std::count(of_limits.begin(), of_limits.end(), function) > 0) scene.remove_limits();
+}
+
+}  // namespace
+
+TriedFunctions leave_out_failed(const Robot& robot, TriedFunctions tried, const std::string& files,
+                                Diagnostics& diagnostics) {
+  for (const FailedTrial& each : tried.failed) {
+    remove(each.function, tried.scene);
+    diagnostics.add(describe(each, files));
+  }
+  Diagnostics told;
+  auto left = choose_functions(robot, tried.scene, tried.chosen.choices, {}, told);
+  tried.chosen = left ? std::move(*left) : ChosenFunctions{};
+  return tried;
+}
+
+}  // namespace treeline
