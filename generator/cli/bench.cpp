@@ -14,11 +14,11 @@
 #include "bench/cold_report.hpp"
 #include "bench/draw_svg.hpp"
 #include "bench/suite.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/option_values.hpp"
-#include "cli/progress_line.hpp"
 #include "cli/read_inputs.hpp"
-#include "cli/write_output.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/progress_line.hpp"
+#include "terminal/write_output.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {

@@ -11,12 +11,12 @@
 #include "board/check_on_board.hpp"
 #include "check/add_selftest.hpp"
 #include "check/check.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
-#include "cli/option_values.hpp"
-#include "cli/progress_line.hpp"
-#include "cli/write_output.hpp"
 #include "target/executes.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/progress_line.hpp"
+#include "terminal/write_output.hpp"
 
 namespace treeline {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "cli/option_values.hpp"
 #include "drawing/recorded_motion.hpp"
 #include "drawing/scene_solids.hpp"
+#include "terminal/option_values.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {

@@ -3,12 +3,12 @@
 #include <memory>
 #include <string>
 
-#include "cli/exit_code.hpp"
-#include "cli/option_values.hpp"
-#include "cli/print_diagnostics.hpp"
-#include "cli/write_output.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_urdf.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/write_output.hpp"
 
 namespace treeline {
 namespace {

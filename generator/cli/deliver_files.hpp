@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.hpp"
 #include "emission/compare_files.hpp"
 #include "packaging/make_package.hpp"
+#include "terminal/exit_code.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {

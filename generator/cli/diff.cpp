@@ -3,13 +3,13 @@
 #include <memory>
 #include <string>
 
-#include "cli/exit_code.hpp"
-#include "cli/option_values.hpp"
-#include "cli/print_diagnostics.hpp"
-#include "cli/write_output.hpp"
 #include "comparison/difference.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/read_urdf.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/write_output.hpp"
 
 namespace treeline {
 namespace {

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.hpp"
-#include "cli/print_diagnostics.hpp"
-#include "cli/write_output.hpp"
 #include "compilation/environment.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "description/sdf/read_sdf.hpp"
 #include "drive/page.hpp"
 #include "target/target.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/write_output.hpp"
 #include "text/align_columns.hpp"
 
 namespace treeline {

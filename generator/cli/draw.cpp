@@ -8,12 +8,12 @@
 #include <memory>
 
 #include "cli/choose_moments.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/option_values.hpp"
-#include "cli/print_diagnostics.hpp"
-#include "cli/write_output.hpp"
 #include "drawing/scene_solids.hpp"
 #include "launch/split_ball_joints.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/write_output.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {

@@ -12,19 +12,19 @@
 
 #include "check/add_selftest.hpp"
 #include "cli/deliver_files.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/generate_from_files.hpp"
-#include "cli/option_values.hpp"
 #include "cli/print_depfile.hpp"
 #include "cli/print_summary.hpp"
-#include "cli/progress_line.hpp"
-#include "cli/write_output.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "generation/predict_sources.hpp"
 #include "packaging/call_c.hpp"
 #include "program/print.hpp"
 #include "safety/describe_safety.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/progress_line.hpp"
+#include "terminal/write_output.hpp"
 #include "timing/tune.hpp"
 
 namespace treeline {

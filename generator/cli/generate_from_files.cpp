@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "cli/print_diagnostics.hpp"
-#include "cli/progress_line.hpp"
 #include "generation/warn_of_size.hpp"
 #include "packaging/package_kind.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/progress_line.hpp"
 
 namespace treeline {
 namespace {

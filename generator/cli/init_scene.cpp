@@ -7,16 +7,16 @@
 #include <optional>
 #include <string>
 
-#include "cli/exit_code.hpp"
-#include "cli/option_values.hpp"
-#include "cli/print_diagnostics.hpp"
-#include "cli/write_output.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_scene.hpp"
 #include "drawing/read_visuals.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "inspect/propose_scene.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/write_output.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {

@@ -7,10 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/exit_code.hpp"
-#include "cli/print_diagnostics.hpp"
 #include "cli/read_robot_files.hpp"
-#include "cli/write_output.hpp"
 #include "description/noise.hpp"
 #include "description/states_key.hpp"
 #include "generation/measure_savings.hpp"
@@ -21,6 +18,9 @@
 #include "inspect/warn_of_limits.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/write_output.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {

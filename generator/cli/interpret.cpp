@@ -15,14 +15,14 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.hpp"
-#include "cli/print_diagnostics.hpp"
 #include "cli/read_inputs.hpp"
 #include "cli/stepped_robot.hpp"
 #include "functions/function.hpp"
 #include "generation/describe_scene.hpp"
 #include "mechanism/home_of.hpp"
 #include "oracle/interpreted_robot.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/print_diagnostics.hpp"
 #include "text/json_text.hpp"
 
 namespace treeline {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.hpp"
-#include "cli/option_values.hpp"
-#include "cli/write_output.hpp"
 #include "description/scene_key_texts.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/write_output.hpp"
 #include "text/align_columns.hpp"
 #include "text/wrap_words.hpp"
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "cli/complete_ground_step.hpp"
-#include "cli/option_values.hpp"
 #include "description/follow_target.hpp"
 #include "description/noise.hpp"
 #include "description/read_number.hpp"
@@ -18,6 +17,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "packaging/adapt_to_c.hpp"
+#include "terminal/option_values.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {

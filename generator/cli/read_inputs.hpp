@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/print_diagnostics.hpp"
 #include "cli/read_robot_files.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "inspect/warn_of_limits.hpp"
+#include "terminal/print_diagnostics.hpp"
 #include "text/diagnostic.hpp"
 
 namespace CLI {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/page_server.hpp"
 #include "cli/record.hpp"
+#include "driving/page_server.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {

@@ -6,16 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "cli/exit_code.hpp"
 #include "cli/find_all_meshes.hpp"
 #include "cli/ground_shapes.hpp"
-#include "cli/option_values.hpp"
-#include "cli/print_diagnostics.hpp"
 #include "cli/read_robot_files.hpp"
 #include "cli/simulate_motion.hpp"
-#include "cli/write_output.hpp"
 #include "description/read_surroundings.hpp"
 #include "oracle/leave_out_singular.hpp"
+#include "terminal/exit_code.hpp"
+#include "terminal/option_values.hpp"
+#include "terminal/print_diagnostics.hpp"
+#include "terminal/write_output.hpp"
 #include "text/json_text.hpp"
 #include "text/printable.hpp"
 

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "cli/joint_springs.hpp"
-#include "cli/option_values.hpp"
 #include "cli/start_on_ground.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "simulation/integrate.hpp"
+#include "terminal/option_values.hpp"
 
 namespace treeline {
 namespace {

@@ -14,12 +14,12 @@
 #include <variant>
 #include <vector>
 
-#include "cli/find_start.hpp"
-#include "cli/loop_handle.hpp"
 #include "cli/read_inputs.hpp"
-#include "cli/robot_elsewhere.hpp"
 #include "description/read_urdf.hpp"
 #include "drive/command.hpp"
+#include "driving/find_start.hpp"
+#include "driving/loop_handle.hpp"
+#include "driving/robot_elsewhere.hpp"
 #include "inspect/propose_scene.hpp"
 #include "launch/launch.hpp"
 #include "servo/safety.hpp"

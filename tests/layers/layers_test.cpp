@@ -42,6 +42,7 @@ const std::vector<Layer> kLayers = {
     {"joint", {}},
     {"target", {}},
     {"description", {"text", "functions", "joint", "target", "drive"}},
+    {"terminal", {"text", "description"}},
     {"mechanism", {"digits", "joint", "description"}},
     {"program", {"core", "emitted"}},
     {"recursion", {"functions", "core", "description", "mechanism", "program"}},
@@ -82,11 +83,15 @@ const std::vector<Layer> kLayers = {
     {"launch",
      {"text", "drive", "description", "mechanism", "emission", "generation", "oracle", "trial",
       "compilation"}},
-    {"cli", {"text",      "functions",  "target",       "interpreter", "servo",       "drive",
-             "launch",    "simulation", "interruption", "board",       "description", "mechanism",
-             "program",   "passes",     "emission",     "generation",  "oracle",      "compilation",
-             "inspect",   "drawing",    "comparison",   "check",       "timing",      "bench",
-             "packaging", "certify",    "safety",       "report",      "choice",      "trial"}},
+    {"driving",
+     {"text", "terminal", "report", "servo", "drive", "interruption", "description", "drawing",
+      "launch"}},
+    {"cli", {"text",       "functions",    "target",     "interpreter", "drive",       "launch",
+             "simulation", "interruption", "board",      "description", "mechanism",   "program",
+             "passes",     "emission",     "generation", "oracle",      "compilation", "inspect",
+             "drawing",    "comparison",   "check",      "timing",      "bench",       "packaging",
+             "certify",    "safety",       "report",     "choice",      "trial",       "terminal",
+             "driving"}},
 };
 
 /// Folders within a folder from the bottom up: files include their own folder and those before it.

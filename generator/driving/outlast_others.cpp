@@ -1,0 +1,17 @@
+#include "driving/outlast_others.hpp"
+
+#include <malloc.h>
+
+#include <csignal>
+
+namespace treeline {
+
+void outlast_others() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, 1);  // in locked memory an arena of each thread's own takes 64 MiB
+#endif
+}
+
+}  // namespace treeline
