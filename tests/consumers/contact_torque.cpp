@@ -46,6 +46,18 @@ void move(const double (&q)[nq], const double (&qd)[nv], double time, double (&t
   to[7] = q[7] + time * qd[6];
 }
 
+/// The motion n that the sole leaves free: J n = 0 with the knee at 1.
+void find_free_motion(const double (&J)[rows * nv], double (&n)[nv]) {
+  double J_base[rows][rows], n_base[rows];
+  for (int r = 0; r < rows; ++r) {
+    for (int k = 0; k < rows; ++k) J_base[r][k] = J[r * nv + k];
+    n_base[r] = -J[r * nv + 6];
+  }
+  solve(J_base, n_base);
+  for (int k = 0; k < rows; ++k) n[k] = n_base[k];
+  n[6] = 1;
+}
+
 int main() {
   const double q[nq] = {0.3, -0.2, 0.5, 0.1, -0.3, 0.2, std::sqrt(0.86), 0.4};
   const double qd[nv] = {0.7, -0.4, 0.2, 1.1, -0.6, 0.9, -1.3};
@@ -78,17 +90,8 @@ int main() {
   }
   solve(A, motion);
 
-  // The motion n that the sole leaves free: J n = 0 with the knee at 1.
-  double J_base[rows][rows], n[nv] = {};
-  double n_base[rows];
-  for (int r = 0; r < rows; ++r) {
-    for (int k = 0; k < rows; ++k) J_base[r][k] = J[r * nv + k];
-    n_base[r] = -J[r * nv + 6];
-  }
-  solve(J_base, n_base);
-  for (int k = 0; k < rows; ++k) n[k] = n_base[k];
-  n[6] = 1;
-  double nearest = 0, scale = 0;
+  double n[nv], nearest = 0, scale = 0;
+  find_free_motion(J, n);
   for (int i = 0; i < nv; ++i) {
     for (int k = 0; k < nv; ++k) {
       nearest += n[i] * M[i * nv + k] * (motion[k] - wanted[k]);
