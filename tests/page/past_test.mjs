@@ -106,3 +106,14 @@ test('a pause keeps the plots, a click shows the moment', async () => {
   await page.click('button:text-is("Back to now")');
   assert.deepEqual(page.faults, []);
 });
+
+test('plots go on where fewer states are in sight than before', async () => {
+  await page.mouse.move(0, 0);
+  await read_legend('Position');
+  await page.selectOption('[aria-label="seconds shown"]', '5');
+  const {at} = await read_legend('Position');
+  await wait_for_state(page, (state) => state.time > parseFloat(at) + 1);
+  assert.ok(parseFloat((await read_legend('Position')).at) > parseFloat(at), at);
+  await page.selectOption('[aria-label="seconds shown"]', '20');
+  assert.deepEqual(page.faults, []);
+});

@@ -69,7 +69,8 @@ export class TimePlot extends Plot {
     const inside = to_limits ? this.limits.flat() : [];
     this.plot = new uPlot({
       width, height: kHeight,
-      series: [{label: 'at', value: (_, time) => (time === null ? '–' : `${time.toFixed(2)} s`)},
+      series: [{label: 'at', value: (_, time) =>  // none where fewer states are in sight than before
+        (Number.isFinite(time) ? `${time.toFixed(2)} s` : '–')},
         ...columns.map(({name}, i) => line(name, i, {value: (_, value) => write_number(value)}))],
       axes: [axis({size: 24, values: (_, ticks) => ticks.map((tick) => `${tick} s`)}),
         axis({size: kAxisWidth, values: (_, ticks) =>
