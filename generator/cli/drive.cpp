@@ -34,6 +34,7 @@ namespace treeline {
 namespace {
 
 constexpr std::string_view kUdp = "udp:";
+constexpr std::string_view kController = "controller:";
 
 struct DriveOptions {
   InputOptions inputs;
@@ -98,6 +99,10 @@ std::optional<LaunchedRobot> launch_from(DriveOptions& options, const drive::Mes
              accepts, tell, diagnostics);
   if (is_watched()) show_progress("");
   if (robot) robot->description.has_reference = !options.reference.empty();
+  if (robot && options.drive.has_controller) {
+    robot->description.has_controller = true;
+    robot->description.links.clear();  // none can be pulled
+  }
   return robot;
 }
 
@@ -177,11 +182,20 @@ void choose_start(LaunchedRobot& robot, DriveSettings& drive, Diagnostics& diagn
                    "place they are kept."});
 }
 
+/// HOST:PORT of a robot, or a controller, elsewhere; empty: it is simulated.
+std::string address_of_robot(const std::string& robot) {
+  for (const std::string_view kind : {kUdp, kController}) {
+    if (robot.starts_with(kind)) return robot.substr(kind.size());
+  }
+  return {};
+}
+
 /// Completes the settings that follow from several options.
 void complete_settings(DriveOptions& options) {
   DriveSettings& drive = options.drive;
   drive.serves = !options.headless;
-  if (options.robot.starts_with(kUdp)) drive.udp_robot = options.robot.substr(kUdp.size());
+  drive.has_controller = options.robot.starts_with(kController);
+  drive.udp_robot = address_of_robot(options.robot);
   drive.reads_input = options.script.empty();
   const bool is_typed = drive.reads_input && isatty(STDIN_FILENO) != 0;
   drive.real_time = drive.real_time || drive.serves || is_typed || !drive.udp_robot.empty();
@@ -248,14 +262,17 @@ int run(DriveOptions options) {
 
 void add_robot_options(CLI::App& command, DriveOptions& options) {
   add_mesh_options(command, options.meshes);
-  command.add_option("--robot", options.robot, "simulated, or udp:HOST:PORT")
+  command
+      .add_option(
+          "--robot", options.robot,
+          "simulated; udp:HOST:PORT, a robot that takes torques; controller:HOST:PORT, your "
+          "control loop, which takes goals")
       ->check([](const std::string& given) {
-        return given == "simulated" ||
-                       (given.starts_with(kUdp) && drive::is_udp_address(given.substr(kUdp.size())))
+        return given == "simulated" || drive::is_udp_address(address_of_robot(given))
                    ? std::string()
                    : fmt::format(
-                         "\"{}\" is no robot\nsimulated, or udp:HOST:PORT with a number "
-                         "as HOST, as in udp:192.168.1.7:7000",
+                         "\"{}\" is no robot\nsimulated, or udp:HOST:PORT or "
+                         "controller:HOST:PORT with a number as HOST, as in udp:192.168.1.7:7000",
                          given);
       })
       ->capture_default_str();

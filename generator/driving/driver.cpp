@@ -83,6 +83,7 @@ class Driver {
         record_(settings.record) {
     if (settings.script) script_.append(*settings.script);
     if (!settings.reads_input) script_.close();
+    if (settings.has_controller) return;  // a twin would have another one
     session_.set_rehearsing({[this](Verb verb) { return rehearsals_.obey(verb); },
                              [this](Verb verb, const servo::Message& message) {
                                return rehearsals_.divert(verb, message);
@@ -365,15 +366,19 @@ void warn_of_weight(const LaunchedRobot& robot, const std::vector<double>& start
 
 std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
                                       Diagnostics& diagnostics) {
-  std::vector<double> start = start_of(robot, settings.start, diagnostics);
-  if (start.empty()) return std::nullopt;
+  std::vector<double> start;
   std::unique_ptr<drive::UdpRobot> external;
-  if (!settings.udp_robot.empty()) {
-    external = find_robot(robot, {settings.udp_robot, settings.robot_secret}, diagnostics);
+  if (settings.udp_robot.empty()) {
+    start = start_of(robot, settings.start, diagnostics);
+    if (start.empty()) return std::nullopt;
+  } else {
+    external = find_robot(
+        robot, {settings.udp_robot, settings.robot_secret, settings.has_controller}, diagnostics);
     if (!external) return std::nullopt;
-    std::copy_n(external->state().begin(), start.size(), start.begin());
+    const auto q = external->state().begin();
+    start.assign(q, q + robot.library.functions().coordinates);
   }
-  warn_of_weight(robot, start);
+  if (!settings.has_controller) warn_of_weight(robot, start);
   asked_to_end = false;
   outlast_others();
   answer_signals([] { asked_to_end = true; });

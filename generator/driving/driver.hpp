@@ -28,6 +28,7 @@ struct DriveSettings {
   Reference reference;           ///< a motion to follow; empty: none
   SimulationNumbers simulation;  ///< of the simulated robot
   std::string udp_robot;         ///< HOST:PORT; empty: the robot is simulated
+  bool has_controller = false;   ///< of its own, which gets the goals: `udp_robot` is its address
   std::string robot_secret;      ///< shared with the robot over UDP; empty: none
 };
 

@@ -142,23 +142,49 @@ std::optional<std::string> read_robot_secret(const std::string& file, Diagnostic
   return std::nullopt;
 }
 
+namespace {
+
+/// What to do where nothing answers.
+Diagnostic silence_at(const Elsewhere& elsewhere, const drive::PacketCounts& counts) {
+  std::string text = fmt::format(
+      "no {} answers at {}", elsewhere.has_controller ? "controller" : "robot", elsewhere.address);
+  if (counts.foreign > 0) text += ", or it is another one, or has another secret";
+  if (counts.malformed > 0) text += ", or it has not as many joints as this robot";
+  const char* const remedy =
+      elsewhere.has_controller
+          ? "Start your loop, which calls `treeline_show_open` for this address, with the same "
+            "secret."
+          : "`treeline drive --act-as-robot HOST:PORT`, with the same URDF, scene and secret, is a "
+            "simulated one.";
+  return {Severity::error, "", 0, "--robot", text, remedy};
+}
+
+/// Waits for the first state. A control loop may have to be compiled, or be started by hand.
+bool wait_for(drive::UdpRobot& robot, const Elsewhere& elsewhere) {
+  constexpr double kPatience = 5;   // s
+  constexpr double kLongest = 120;  // s
+  if (robot.wait_for_state(kPatience)) return true;
+  const drive::PacketCounts& counts = robot.counts();
+  if (!elsewhere.has_controller || counts.foreign > 0 || counts.malformed > 0) return false;
+  print_message("waits for a control loop at " + printable(elsewhere.address) + "\n");
+  return robot.wait_for_state(kLongest);
+}
+
+}  // namespace
+
 std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const Elsewhere& elsewhere,
                                             Diagnostics& diagnostics) {
-  constexpr double kPatience = 5;  // s
+  const drive::RobotDescription& description = robot.description;
   std::string error;
   auto found = drive::UdpRobot::open(
-      {elsewhere.address, robot.description.checksum, elsewhere.secret},
-      static_cast<int>(robot.description.coordinates.size()), robot.description.velocities, error);
-  if (found && found->wait_for_state(kPatience)) return found;
-  diagnostics.add(
-      {Severity::error, "", 0, "--robot",
-       found
-           ? fmt::format(
-                 "no robot answers at {} within {} s{}", elsewhere.address, kPatience,
-                 found->counts().foreign > 0 ? ", or it is another one, or has another secret" : "")
-           : fmt::format("\"{}\": {}", elsewhere.address, error),
-       "`treeline drive --act-as-robot HOST:PORT`, with the same URDF, scene and secret, is a "
-       "simulated one."});
+      {elsewhere.address, description.checksum, elsewhere.secret, elsewhere.has_controller},
+      static_cast<int>(description.coordinates.size()), description.velocities,
+      static_cast<int>(description.points.size()), error);
+  if (found && wait_for(*found, elsewhere)) return found;
+  diagnostics.add(found ? silence_at(elsewhere, found->counts())
+                        : Diagnostic{Severity::error, "", 0, "--robot",
+                                     fmt::format("\"{}\": {}", elsewhere.address, error),
+                                     "Name an address of the robot as a number, and its port."});
   return nullptr;
 }
 

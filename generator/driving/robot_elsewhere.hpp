@@ -24,6 +24,7 @@ std::vector<double> start_of(const LaunchedRobot& robot, const std::vector<doubl
 struct Elsewhere {
   std::string address;
   std::string secret;
+  bool has_controller = false;  ///< there is a control loop, which moves its robot itself
 };
 
 /// The secret that both sides share: the text of `file`, else of the environment variable
@@ -31,7 +32,7 @@ struct Elsewhere {
 /// be read; fewer than 16 characters.
 std::optional<std::string> read_robot_secret(const std::string& file, Diagnostics& diagnostics);
 
-/// The robot at an address, after its first state has come. Null after an error.
+/// The robot or the controller at an address, after its first state has come. Null after an error.
 std::unique_ptr<drive::UdpRobot> find_robot(const LaunchedRobot& robot, const Elsewhere& elsewhere,
                                             Diagnostics& diagnostics);
 

@@ -4,15 +4,16 @@
 
 #include <array>
 
-#include "core/sha256.hpp"
+#include "core/sha256.h"
 
 namespace treeline {
 
 std::string digest(std::string_view bytes) {
-  core::Sha256 hash;
-  hash.absorb(bytes.data(), bytes.size());
-  std::array<unsigned char, core::Sha256::kSize> result{};
-  hash.finish(result.data());
+  TreelineSha256 hash;
+  treeline_sha256_begin(&hash);
+  treeline_sha256_absorb(&hash, bytes.data(), bytes.size());
+  std::array<unsigned char, treeline_sha256_size> result{};
+  treeline_sha256_finish(&hash, result.data());
   std::string text;
   for (const unsigned char byte : result) {
     text += fmt::format("{:02x}", byte);

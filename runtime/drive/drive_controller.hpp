@@ -35,8 +35,9 @@ struct ControlSettings {
   double period = 1e-3;                                               ///< s
   double pull_stiffness = 100.0;                                      ///< N/m
   double pull_force = 50.0;                                           ///< N
-  Surroundings surroundings;                                          ///< copied
-  RecordedMotion reference;                                           ///< not copied
+  bool only_leads = false;    ///< goals move, and another controller follows them: no torque
+  Surroundings surroundings;  ///< copied
+  RecordedMotion reference;   ///< not copied
 };
 
 /// Moves joints or operational points to goals, or lets the robot be led by hand:
@@ -95,6 +96,8 @@ class DriveController {
   const SmoothPose& floating(int joint) const noexcept { return floating_[at(joint)]; }
   const SmoothPose& point(int k) const noexcept { return points_[at(k)]; }
   bool free(int k) const noexcept { return free_[at(k)]; }
+  /// Velocities at which the goals of the joints move.
+  void find_goal_velocity(double (&qd)[nv]) const noexcept;
   /// Distance of a point from the nearest avoided obstacle, m.
   double nearest(int k) const noexcept { return avoidance_.nearest(k); }
   /// Whether a motion has not ended or ended within the last `margin` seconds.

@@ -236,6 +236,22 @@ void DriveController<F>::accelerate_joints(const core::Gains<double>& gains, con
       });
 }
 
+template <class F>
+void DriveController<F>::find_goal_velocity(double (&qd)[nv]) const noexcept {
+  for_each_joint([&](int iq, int iv) { qd[iv] = joints_[at(iq)].velocity(); },
+                 [&](int k, int, int iv) {  // in the axes of the body
+                   const SmoothPose& goal = floating_[at(k)];
+                   const double(&R)[9] = goal.rotation();
+                   for (int i = 0; i < 6; ++i) {
+                     const int first = i < 3 ? 0 : 3;
+                     qd[iv + i] = 0.0;
+                     for (int row = 0; row < 3; ++row) {
+                       qd[iv + i] += R[3 * row + i - first] * goal.velocity(first + row);
+                     }
+                   }
+                 });
+}
+
 /// Gravity compensation: joints are hardly damped, a hand may pull, and limits are kept.
 template <class F>
 void DriveController<F>::yield_to_hand(const State& state, double (&tau)[nv]) noexcept {
@@ -288,6 +304,10 @@ void DriveController<F>::control(double time, const State& state, double (&tau)[
   saturated_ = false;
   std::fill(std::begin(push_), std::end(push_), 0.0);
   advance(time);
+  if (settings_.only_leads) {
+    std::fill(std::begin(tau), std::end(tau), 0.0);
+    return;
+  }
   double J[room(task_rows() * nv)];
   if (control_ == Control::gravity) {
     yield_to_hand(state, tau);

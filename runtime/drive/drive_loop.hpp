@@ -78,6 +78,9 @@ class DriveLoop {
     ReportHead head;
     double numbers[static_cast<std::size_t>(kLayout.size)] = {};
   };
+  /// rad or m. A controller of the robot's own is not asked how near it comes to goals, nor whether
+  /// it stands.
+  static constexpr double kAnywhere = 1e9;
   /// A message with its time; whatever was sent after it ends it.
   struct Timed {
     servo::Message message;
@@ -109,6 +112,7 @@ class DriveLoop {
     servo::LoopSettings settings;
     settings.rate = options.rate;
     settings.messages_per_cycle = 8;
+    if (options.robot.has_controller()) settings.brake.reach = kAnywhere;
     return settings;
   }
   static ControlSettings<nq, nv> settings_of(const LoopOptions& options) noexcept {
@@ -121,6 +125,7 @@ class DriveLoop {
     settings.period = 1.0 / options.rate;
     settings.pull_stiffness = options.pull_stiffness;
     settings.pull_force = options.pull_force;
+    settings.only_leads = options.robot.has_controller();
     settings.surroundings = options.surroundings;
     settings.reference = options.reference;
     return settings;
@@ -136,6 +141,7 @@ class DriveLoop {
     std::copy_n(options.torque, nv, limits.torque.begin());
     limits.overruns_in_a_row = options.overruns_in_a_row;
     limits.longest_delay = options.longest_delay;
+    if (options.robot.has_controller()) limits.jump = limits.following = kAnywhere;
     return limits;
   }
 
@@ -146,9 +152,24 @@ class DriveLoop {
       const double none[nv] = {};
       robot_.simulated().push(filled_.head.pulled ? controller_.push() : none);
     }
+    if (robot_.has_controller()) lead();
     if (!reports_.push(filled_)) {
       ++dropped_reports_;
     }
+  }
+  /// Gives the robot's own controller the goals of this cycle.
+  void lead() noexcept {
+    double goal[2 + nq + nv + 7 * F::kPoints];
+    double qd[nv] = {};
+    if (static_cast<servo::Mode>(filled_.head.mode) == servo::Mode::running) {
+      controller_.find_goal_velocity(qd);
+    }
+    goal[0] = filled_.head.mode;
+    goal[1] = filled_.head.control;
+    std::copy_n(filled_.numbers + kLayout.goal, nq, goal + 2);
+    std::copy_n(qd, nv, goal + 2 + nq);
+    std::copy_n(filled_.numbers + kLayout.point_goals, 7 * F::kPoints, goal + 2 + nq + nv);
+    robot_.lead(goal);
   }
   void fill_head(const servo::Report<F>& report) noexcept {
     ReportHead& head = filled_.head;
@@ -173,6 +194,7 @@ class DriveLoop {
     head.saturated = running && controller_.saturated();
     head.pulled = running && controller_.pulled();
     head.pulled_link = controller_.pulled_link();
+    head.shown = robot_.shown();
   }
   void fill_numbers(const servo::Report<F>& report) noexcept {
     double* const numbers = filled_.numbers;

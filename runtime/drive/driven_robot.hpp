@@ -4,6 +4,7 @@
 
 #include "drive/imperfect_robot.hpp"
 #include "drive/robot_library.hpp"
+#include "servo/safety.hpp"
 
 namespace treeline::drive {
 
@@ -19,8 +20,10 @@ class DrivenRobot {
                    options.lower, options.upper, options.torque),
         external_(options.robot) {}
 
-  bool connected() const noexcept {
-    return external_.connected == nullptr || external_.connected(external_.self);
+  /// A robot that has its own controller may be gone for a while: that is a fault.
+  bool connected() noexcept {
+    is_there_ = is_simulated() || external_.connected(external_.self);
+    return is_there_ || external_.has_controller();
   }
   void read(servo::StateOf<F>& state) const noexcept {
     if (external_.connected != nullptr) {
@@ -30,7 +33,9 @@ class DrivenRobot {
     }
   }
   void write(const double (&tau)[F::kVelocities]) noexcept {
-    if (external_.connected != nullptr) {
+    if (external_.has_controller()) {
+      external_.show(external_.self, torque_, shown_);
+    } else if (external_.connected != nullptr) {
       external_.write(external_.self, tau);
       std::copy_n(tau, F::kVelocities, torque_);
     } else {
@@ -43,8 +48,13 @@ class DrivenRobot {
       simulated_.pass_time(seconds);
     }
   }
-  /// Whether a simulated robot on a ground lies.
-  bool has_fallen() const noexcept { return is_simulated() && simulated_.has_fallen(); }
+  /// Why it cannot be controlled: a simulated robot on a ground lies, or the controller of another
+  /// one is silent.
+  servo::Fault fault() const noexcept {
+    if (!is_there_) return {servo::FaultKind::robot_gone};
+    return {is_simulated() && simulated_.has_fallen() ? servo::FaultKind::fell
+                                                      : servo::FaultKind::none};
+  }
   /// Puts a simulated robot that was lost, or fell, where it began.
   void restore() noexcept {
     if (is_simulated()) simulated_.restore();
@@ -52,13 +62,19 @@ class DrivenRobot {
   const ImperfectRobot<F>& simulated() const noexcept { return simulated_; }
   ImperfectRobot<F>& simulated() noexcept { return simulated_; }
   bool is_simulated() const noexcept { return external_.connected == nullptr; }
+  /// Whether it has a controller of its own, which gets goals by `lead`.
+  bool has_controller() const noexcept { return external_.has_controller(); }
+  void lead(const double* goal) noexcept { external_.lead(external_.self, goal); }
+  const Shown& shown() const noexcept { return shown_; }
   /// Torque that the robot was given last: what was written, on a ground less what its feet cannot
-  /// bear.
+  /// bear; where it has a controller of its own, what that exerts.
   const double (&torque() const noexcept)[F::kVelocities] { return torque_; }
 
  private:
   ImperfectRobot<F> simulated_;
   ExternalRobot external_;
+  bool is_there_ = true;
+  Shown shown_;
   double torque_[F::kVelocities] = {};
 };
 

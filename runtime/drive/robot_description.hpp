@@ -51,6 +51,7 @@ struct RobotDescription {
   bool floating = false;   ///< the base floats, held by ideal forces, and can be moved
   bool held = false;       ///< the base floats, and constraints hold the robot to the world
   bool on_ground = false;  ///< simulated on the ground z < 0, which holds nothing and only pushes
+  bool has_controller = false;  ///< of its own: it gets goals, and moves as it will
   int velocities = 0;
   std::vector<DrivenCoordinate> coordinates;  ///< in the order of q
   std::vector<DrivenPoint> points;

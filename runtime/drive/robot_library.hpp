@@ -10,7 +10,20 @@
 namespace treeline::drive {
 
 /// Grows whenever a struct below changes: the program refuses a library of another version.
-inline constexpr int kLibraryVersion = 4;
+inline constexpr int kLibraryVersion = 5;
+
+/// A number that a robot's own controller shows by a name.
+struct NamedNumber {
+  char name[16] = {};  ///< what is left of it is 0
+  double value = 0.0;
+};
+inline constexpr int kMostNamedNumbers = 16;
+
+/// What the controller of a robot shows of a cycle.
+struct Shown {
+  int count = 0;  ///< of `numbers`
+  NamedNumber numbers[kMostNamedNumbers];
+};
 
 /// A robot outside the library, instead of the simulated one. None of the functions may wait.
 struct ExternalRobot {
@@ -18,6 +31,13 @@ struct ExternalRobot {
   bool (*connected)(void* self) = nullptr;  ///< null: the robot is simulated
   void (*read)(void* self, double* q, double* qd) = nullptr;
   void (*write)(void* self, const double* tau) = nullptr;
+  /// Where the robot has a controller of its own, instead of `write`: gives it a goal, see
+  /// `treeline_packet_goal`.
+  void (*lead)(void* self, const double* goal) = nullptr;
+  /// Writes the torque that it exerts, and what it shows.
+  void (*show)(void* self, double* tau, Shown& shown) = nullptr;
+
+  bool has_controller() const noexcept { return lead != nullptr; }
 };
 
 /// Imperfections of a simulated robot. The arrays have an entry for each velocity, in N m and rad
@@ -85,6 +105,7 @@ struct ReportHead {
   bool saturated = false;  ///< a torque was cut in this cycle
   bool pulled = false;
   int pulled_link = -1;
+  Shown shown;  ///< by the robot's own controller
 };
 
 /// Places of the numbers in a report. `goal` is the desired state now, `target` the end of its

@@ -46,7 +46,7 @@ class RobotPeers {
   RobotPeers(const RobotSide& side, int socket)
       : socket_(socket),
         robot_(udp::checksum_number(side.address.checksum)),
-        seal_(side.address.secret),
+        seal_(make_seal(side.address.secret)),
         limits_(side.torque),
         tau_(side.torque.size()),
         numbers_(side.torque.size()) {}
@@ -60,8 +60,7 @@ class RobotPeers {
       const ssize_t size = recvfrom(socket_, bytes_.data(), bytes_.size(), 0,
                                     reinterpret_cast<sockaddr*>(&from), &length);
       if (size < 0) return;
-      const auto opened = seal_.open(bytes_, static_cast<std::size_t>(size));
-      if (opened) take(from, *opened);
+      take(from, treeline_seal_open(&seal_, bytes_.data(), static_cast<std::size_t>(size)));
     }
   }
 
@@ -84,11 +83,12 @@ class RobotPeers {
 
  private:
   void take(const sockaddr_in& from, std::size_t size) {
-    PacketHead head;
-    if (read_packet(bytes_.data(), size, 0, head, nullptr)) {
-      if (head.kind == PacketKind::request && head.robot == robot_) listen(from, head);
-    } else if (read_packet(bytes_.data(), size, numbers_.size(), head, numbers_.data())) {
-      const bool good = head.kind == PacketKind::command && head.robot == robot_ &&
+    TreelinePacketHead head;
+    if (treeline_packet_read(bytes_.data(), size, 0, &head, nullptr) != 0) {
+      if (head.kind == treeline_packet_request && head.robot == robot_) listen(from, head);
+    } else if (treeline_packet_read(bytes_.data(), size, numbers_.size(), &head, numbers_.data()) !=
+               0) {
+      const bool good = head.kind == treeline_packet_command && head.robot == robot_ &&
                         head.run == run_ && udp::all_finite(numbers_);
       if (good && may_command(from, head)) command(from, head);
     }
@@ -96,22 +96,22 @@ class RobotPeers {
 
   /// The one who commands goes on; after a silence another may begin. With a secret its number has
   /// to be beyond all that were obeyed, so that a packet that somebody recorded begins nothing.
-  bool may_command(const sockaddr_in& from, const PacketHead& head) const {
+  bool may_command(const sockaddr_in& from, const TreelinePacketHead& head) const {
     if (is_present(commander_)) {
-      return is_at(commander_, from) && is_next(head.sequence, commander_.newest);
+      return is_at(commander_, from) && treeline_packet_is_next(head.sequence, commander_.newest);
     }
-    return !seal_.is_wanted() || head.sequence > commander_.newest;
+    return seal_.is_wanted == 0 || head.sequence > commander_.newest;
   }
 
-  void command(const sockaddr_in& from, const PacketHead& head) {
+  void command(const sockaddr_in& from, const TreelinePacketHead& head) {
     commander_ = {from, head.sequence, machine_time()};
     for (std::size_t i = 0; i < tau_.size(); ++i) {
       tau_[i] = std::clamp(numbers_[i], -limits_[i], limits_[i]);
     }
   }
 
-  void listen(const sockaddr_in& from, const PacketHead& head) {
-    if (seal_.is_wanted() && head.sequence <= newest_request_) return;
+  void listen(const sockaddr_in& from, const TreelinePacketHead& head) {
+    if (seal_.is_wanted != 0 && head.sequence <= newest_request_) return;
     newest_request_ = head.sequence;
     Peer* place = &listeners_[0];
     for (Peer& listener : listeners_) {
@@ -125,9 +125,10 @@ class RobotPeers {
   }
 
   void send_to(const Peer& peer, const std::vector<double>& state) {
-    const PacketHead head{PacketKind::state, robot_, sent_, peer.newest, run_};
-    const std::size_t size =
-        seal_.close(bytes_, write_packet(head, state.data(), state.size(), bytes_));
+    const TreelinePacketHead head{treeline_packet_state, robot_, sent_, peer.newest, run_};
+    const std::size_t size = treeline_seal_close(
+        &seal_, bytes_.data(),
+        treeline_packet_write(&head, state.data(), state.size(), bytes_.data()));
     (void)sendto(socket_, bytes_.data(), size, MSG_NOSIGNAL,  // the next one follows a lost one
                  reinterpret_cast<const sockaddr*>(&peer.address), sizeof(sockaddr_in));
   }
@@ -135,7 +136,7 @@ class RobotPeers {
   int socket_;
   std::uint64_t robot_;
   std::uint64_t run_ = draw_number();
-  PacketSeal seal_;
+  TreelinePacketSeal seal_;
   std::vector<double> limits_, tau_, numbers_;
   PacketBytes bytes_{};
   Peer commander_;

@@ -162,6 +162,9 @@ Answer Session::obey(int front_end, bool may_command, const Command& command, do
   if (needs_authority(command.verb) && !authority_.obeys(front_end, now)) {
     return refuse("another front end commands: `take` asks for it");
   }
+  if (robot_.has_controller && command.verb == Verb::gains) {
+    return refuse("the robot's own controller has its gains");
+  }
   if (authority_.holder() != gains_from_) restore_gains();
   const auto mode = static_cast<servo::Mode>(report_.head.mode);
   if (is_faulted(now) && (needs_running(command.verb) || command.verb == Verb::start)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "drive/robot_library.hpp"
-#include "drive/robot_packet.hpp"
+#include "show/packet.h"
 
 namespace treeline::drive {
 
@@ -20,10 +21,16 @@ struct PacketCounts {
 
 /// How a robot is reached, and known.
 struct RobotAddress {
-  std::string address;   ///< HOST:PORT with a number as HOST
-  std::string checksum;  ///< of the robot
-  std::string secret;    ///< shared by both sides; empty: nobody proves who he is
+  std::string address;          ///< HOST:PORT with a number as HOST
+  std::string checksum;         ///< of the robot
+  std::string secret;           ///< shared by both sides; empty: nobody proves who he is
+  bool has_controller = false;  ///< of its own: `show/show.h`
 };
+
+/// Room for a packet.
+using PacketBytes = std::array<unsigned char, treeline_packet_size>;
+/// How packets prove who sends them; `secret` empty: they do not.
+TreelinePacketSeal make_seal(const std::string& secret);
 
 /// Whether a text is HOST:PORT with a number as HOST.
 bool is_udp_address(const std::string& text);
@@ -35,9 +42,9 @@ class UdpRobot {
   /// Silence after which the robot counts as gone, s.
   static constexpr double kSilence = 0.1;
 
-  /// `nq` and `nv` are the sizes of q and tau. Returns null and says why in `error` if there is no
-  /// such address.
-  static std::unique_ptr<UdpRobot> open(const RobotAddress& address, int nq, int nv,
+  /// `nq` and `nv` are the sizes of q and tau, `points` is how many have goals. Returns null and
+  /// says why in `error` if there is no such address.
+  static std::unique_ptr<UdpRobot> open(const RobotAddress& address, int nq, int nv, int points,
                                         std::string& error);
   ~UdpRobot();
   UdpRobot(const UdpRobot&) = delete;
@@ -51,23 +58,29 @@ class UdpRobot {
   const PacketCounts& counts() const { return counts_; }
 
  private:
-  explicit UdpRobot(const std::string& secret) : seal_(secret) {}
+  explicit UdpRobot(const RobotAddress& address);
   void receive() noexcept;
-  void take(const PacketHead& head) noexcept;
-  void send(PacketKind kind, const double* tau, int count) noexcept;
+  bool read(std::size_t size, TreelinePacketHead& head) noexcept;
+  void take(const TreelinePacketHead& head) noexcept;
+  void send(TreelinePacketKind kind, const double* numbers, std::size_t count) noexcept;
+  void lead(const double* goal) noexcept;
+  void show(double* tau, Shown& shown) const noexcept;
+  bool is_heard() const noexcept;
+  std::size_t goal_size() const noexcept { return 2 + nq_ + nv_ + 7 * points_; }
 
   int socket_ = -1;
   std::uint64_t robot_ = 0;
-  int nq_ = 0;
-  int nv_ = 0;
-  PacketSeal seal_;
+  bool has_controller_;
+  std::size_t nq_ = 0, nv_ = 0, points_ = 0;
+  TreelinePacketSeal seal_;
   std::uint64_t first_ = 0;  ///< number of the first packet that this object has sent
   std::uint64_t sent_ = 0;
   std::uint64_t newest_ = 0;
   std::uint64_t run_ = 0;
   double heard_ = -1.0;
-  std::vector<double> state_;  ///< q, qd
+  std::vector<double> state_;  ///< q, qd; of a controller then tau and what it shows
   std::vector<double> received_;
+  std::size_t shown_ = 0, received_shown_ = 0;  ///< how many numbers by name are in them
   PacketBytes bytes_{};
   PacketCounts counts_;
 };

@@ -9,8 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
-#include <vector>
 
 namespace treeline::drive::udp {
 
@@ -42,7 +42,7 @@ inline int open_udp_socket() {
   return socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
 }
 
-inline bool all_finite(const std::vector<double>& numbers) noexcept {
+inline bool all_finite(std::span<const double> numbers) noexcept {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 

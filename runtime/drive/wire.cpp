@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "servo/state_machine.hpp"
 
@@ -162,6 +163,16 @@ Json forces(const Session& session) {
   return list;
 }
 
+Json shown_numbers(const Shown& shown) {
+  Json numbers = Json::object();
+  for (const NamedNumber& number :
+       std::span(shown.numbers).first(static_cast<std::size_t>(shown.count))) {
+    const auto end = std::find(std::begin(number.name), std::end(number.name), '\0');
+    numbers[std::string(std::begin(number.name), end)] = limit(number.value);
+  }
+  return numbers;
+}
+
 Json describe_twin(const Session* twin) {
   if (twin == nullptr) return nullptr;
   const int nq = static_cast<int>(twin->robot().coordinates.size());
@@ -264,6 +275,7 @@ std::string print_hello(const Session& session, double rate, bool may_command,
                 {"controls", controls},
                 {"obstacles", describe_obstacles(robot)},
                 {"commands", commands}};
+  if (robot.has_controller) hello["controller"] = "own";
   hello.update(describe_meshes(meshes, mesh_query, may_command));
   return print(hello);
 }
@@ -293,6 +305,7 @@ std::string print_state(const Session& session, std::int64_t seq, int watchers, 
        {"center_of_mass",
         session.has_center_of_mass() ? slice(numbers, layout.center_of_mass, 3) : Json(nullptr)},
        {"forces", forces(session)},
+       {"shown", shown_numbers(head.shown)},
        {"twin", describe_twin(twin)},
        {"control_us", describe_durations(timing.control())},
        {"period_us", describe_durations(timing.period())},

@@ -243,8 +243,8 @@ class ServoLoop {
     } else if (jumped_) {
       raise(jumped_);
     }
-    if constexpr (requires { robot_.has_fallen(); }) {
-      if (robot_.has_fallen()) raise({FaultKind::fell});
+    if constexpr (requires { robot_.fault(); }) {
+      if (const Fault fault = robot_.fault()) raise(fault);
     }
     follow_back(limits_, report_.state, admitted_);
     if (report_.mode == Mode::running) {

@@ -11,7 +11,6 @@
 #include <array>
 #include <atomic>
 #include <limits>
-#include <optional>
 #include <thread>
 
 #include "drive/udp_robot.hpp"
@@ -35,20 +34,23 @@ class Stranger {
   Stranger(const Stranger&) = delete;
   Stranger& operator=(const Stranger&) = delete;
 
-  void send(const PacketHead& head, const double* tau, const PacketSeal& seal = PacketSeal("")) {
+  void send(const TreelinePacketHead& head, const double* tau,
+            const TreelinePacketSeal& seal = make_seal("")) {
     PacketBytes bytes{};
-    const std::size_t count = head.kind == PacketKind::command ? 1 : 0;
-    const std::size_t size = seal.close(bytes, write_packet(head, tau, count, bytes));
+    const std::size_t count = head.kind == treeline_packet_command ? 1 : 0;
+    const std::size_t size = treeline_seal_close(
+        &seal, bytes.data(), treeline_packet_write(&head, tau, count, bytes.data()));
     (void)::send(socket_, bytes.data(), size, 0);
   }
   /// The head of the next state; kind command: none came.
-  PacketHead receive(const PacketSeal& seal = PacketSeal("")) {
+  TreelinePacketHead receive(const TreelinePacketSeal& seal = make_seal("")) {
     PacketBytes bytes{};
-    PacketHead head;
+    TreelinePacketHead head;
     const ssize_t size = ::recv(socket_, bytes.data(), bytes.size(), 0);
-    const auto opened = size < 0 ? std::nullopt : seal.open(bytes, static_cast<std::size_t>(size));
+    const std::size_t opened =
+        size < 0 ? 0 : treeline_seal_open(&seal, bytes.data(), static_cast<std::size_t>(size));
     std::array<double, 2> state{};
-    if (opened) (void)read_packet(bytes.data(), *opened, 2, head, state.data());
+    (void)treeline_packet_read(bytes.data(), opened, 2, &head, state.data());
     return head;
   }
 
@@ -86,7 +88,7 @@ class UdpTest : public ::testing::Test {
   }
   std::unique_ptr<UdpRobot> open(const std::string& checksum, const std::string& secret = "") {
     std::string error;
-    return UdpRobot::open({address_, checksum, secret}, 1, 1, error);
+    return UdpRobot::open({address_, checksum, secret}, 1, 1, 0, error);
   }
   /// Lets cycles of the robot pass.
   void pass(int cycles) const {
@@ -161,16 +163,16 @@ TEST_F(UdpTest, CutsTorquesToTheLimits) {
 // starts it again.
 TEST_F(UdpTest, ObeysNoNumberThatIsNotFinite) {
   Stranger stranger(address_);
-  PacketHead state;
+  TreelinePacketHead state;
   std::uint64_t sent = 0;
-  for (int i = 0; i < 1000 && state.kind != PacketKind::state; ++i) {
+  for (int i = 0; i < 1000 && state.kind != treeline_packet_state; ++i) {
     pass(1);  // until it listens
-    stranger.send({PacketKind::request, 0xaa, ++sent, 0, 0}, nullptr);
+    stranger.send({treeline_packet_request, 0xaa, ++sent, 0, 0}, nullptr);
     state = stranger.receive();
   }
-  ASSERT_EQ(state.kind, PacketKind::state);
+  ASSERT_EQ(state.kind, treeline_packet_state);
   const auto command = [&](double tau) {
-    stranger.send({PacketKind::command, 0xaa, ++sent, 0, state.run}, &tau);
+    stranger.send({treeline_packet_command, 0xaa, ++sent, 0, state.run}, &tau);
     pass(1);
   };
   for (int i = 0; i < 1000 && last_ != 7.0; ++i) command(7.0);
@@ -193,7 +195,8 @@ TEST_F(UdpTest, ObeysNoNumberThatIsNotFinite) {
 TEST_F(UdpTest, ObeysNoPacketFromTheBlue) {
   Stranger stranger(address_);
   const double tau = 40.0;
-  for (std::uint64_t i = 1; i < 20; ++i) stranger.send({PacketKind::command, 0xaa, i, 0, i}, &tau);
+  for (std::uint64_t i = 1; i < 20; ++i)
+    stranger.send({treeline_packet_command, 0xaa, i, 0, i}, &tau);
   pass(20);
   EXPECT_EQ(last_, 0.0);
 }
@@ -202,14 +205,14 @@ TEST_F(UdpTest, ObeysNoPacketFromTheBlue) {
 TEST_F(UdpTest, RequestsLockNobodyOut) {
   Stranger stranger(address_);
   std::uint64_t asked = 0;
-  stranger.send({PacketKind::request, 0xaa, ++asked, 0, 0}, nullptr);
+  stranger.send({treeline_packet_request, 0xaa, ++asked, 0, 0}, nullptr);
   const auto robot = open("00000000000000aa");
   ASSERT_TRUE(robot->wait_for_state(5.0));
   const ExternalRobot functions = robot->functions();
   const double tau = 5.0;
   bool connected = true;
   for (int i = 0; i < 300; ++i) {
-    stranger.send({PacketKind::request, 0xaa, ++asked, 0, 0}, nullptr);
+    stranger.send({treeline_packet_request, 0xaa, ++asked, 0, 0}, nullptr);
     functions.write(functions.self, &tau);
     pass(1);
     connected = connected && functions.connected(functions.self);
@@ -224,15 +227,15 @@ TEST_F(UdpTest, ObeysOneAtATime) {
   ASSERT_TRUE(robot->wait_for_state(5.0));
   const ExternalRobot functions = robot->functions();
   Stranger stranger(address_);
-  stranger.send({PacketKind::request, 0xaa, 1, 0, 0}, nullptr);
-  const PacketHead state = stranger.receive();
-  ASSERT_EQ(state.kind, PacketKind::state);
+  stranger.send({treeline_packet_request, 0xaa, 1, 0, 0}, nullptr);
+  const TreelinePacketHead state = stranger.receive();
+  ASSERT_EQ(state.kind, treeline_packet_state);
   const double tau = 5.0;
   const double other = 6.0;
   for (std::uint64_t i = 0; i < 50; ++i) {
     functions.write(functions.self, &tau);
     pass(1);
-    stranger.send({PacketKind::command, 0xaa, ~std::uint64_t{0} - i, 0, state.run}, &other);
+    stranger.send({treeline_packet_command, 0xaa, ~std::uint64_t{0} - i, 0, state.run}, &other);
   }
   pass(2);
   EXPECT_EQ(last_, 5.0);
@@ -258,18 +261,18 @@ class MadeUpRobot {
   /// Waits for a request, and returns its number.
   std::uint64_t hear() {
     PacketBytes bytes{};
-    PacketHead head;
+    TreelinePacketHead head;
     socklen_t length = sizeof(from_);
     const ssize_t size = ::recvfrom(socket_, bytes.data(), bytes.size(), 0,
                                     reinterpret_cast<sockaddr*>(&from_), &length);
-    (void)read_packet(bytes.data(), static_cast<std::size_t>(size), 0, head, nullptr);
+    (void)treeline_packet_read(bytes.data(), static_cast<std::size_t>(size), 0, &head, nullptr);
     return head.sequence;
   }
   void send(std::uint64_t sequence, std::uint64_t answers, std::uint64_t run, double q) {
     PacketBytes bytes{};
     const std::array<double, 2> state = {q, 0.0};
-    const PacketHead head{PacketKind::state, 0xaa, sequence, answers, run};
-    const std::size_t size = write_packet(head, state.data(), 2, bytes);
+    const TreelinePacketHead head{treeline_packet_state, 0xaa, sequence, answers, run};
+    const std::size_t size = treeline_packet_write(&head, state.data(), 2, bytes.data());
     ::sendto(socket_, bytes.data(), size, 0, reinterpret_cast<sockaddr*>(&from_), sizeof(from_));
   }
 
@@ -282,7 +285,7 @@ class MadeUpRobot {
 TEST(UdpRobot, NoNumberOfAStateEndsTheDrive) {
   MadeUpRobot side;
   std::string error;
-  const auto robot = UdpRobot::open({side.address(), "00000000000000aa", ""}, 1, 1, error);
+  const auto robot = UdpRobot::open({side.address(), "00000000000000aa", ""}, 1, 1, 0, error);
   ASSERT_NE(robot, nullptr) << error;
   std::uint64_t asked = 0;
   std::thread answers([&] {
@@ -324,17 +327,17 @@ TEST_F(SecretUdpTest, HearsOnlyWhoKnowsTheSecret) {
 
 // Packets that somebody has recorded on their way, sent again from where they came.
 TEST_F(SecretUdpTest, ObeysNothingTwice) {
-  const PacketSeal seal(kSecret);
+  const TreelinePacketSeal seal = make_seal(kSecret);
   Stranger drive(address_);
-  PacketHead state;
-  for (std::uint64_t i = 1000; i < 1100 && state.kind != PacketKind::state; ++i) {
-    drive.send({PacketKind::request, 0xaa, i, 0, 0}, nullptr, seal);
+  TreelinePacketHead state;
+  for (std::uint64_t i = 1000; i < 1100 && state.kind != treeline_packet_state; ++i) {
+    drive.send({treeline_packet_request, 0xaa, i, 0, 0}, nullptr, seal);
     pass(2);
     state = drive.receive(seal);
   }
-  ASSERT_EQ(state.kind, PacketKind::state);
+  ASSERT_EQ(state.kind, treeline_packet_state);
   const double tau = 5.0;
-  const PacketHead command{PacketKind::command, 0xaa, 2001, 0, state.run};
+  const TreelinePacketHead command{treeline_packet_command, 0xaa, 2001, 0, state.run};
   drive.send(command, &tau, seal);
   while (last_ != 5.0) pass(1);
   const int braked = braked_;
@@ -342,12 +345,12 @@ TEST_F(SecretUdpTest, ObeysNothingTwice) {
   last_ = 0.0;
   for (int i = 0; i < 60; ++i) {  // beyond the second after which others may command
     drive.send(command, &tau, seal);
-    drive.send({PacketKind::command, 0xaa, 2002, 0, state.run}, &tau);
-    drive.send({PacketKind::command, 0xaa, 2002, 0, state.run + 1}, &tau, seal);
+    drive.send({treeline_packet_command, 0xaa, 2002, 0, state.run}, &tau);
+    drive.send({treeline_packet_command, 0xaa, 2002, 0, state.run + 1}, &tau, seal);
     pass(20);
   }
   EXPECT_EQ(last_, 0.0);
-  drive.send({PacketKind::command, 0xaa, 2002, 0, state.run}, &tau, seal);
+  drive.send({treeline_packet_command, 0xaa, 2002, 0, state.run}, &tau, seal);
   while (last_ != 5.0) pass(1);
 }
 
@@ -355,7 +358,7 @@ TEST(UdpRobot, SaysWhatAnAddressIs) {
   for (const char* address :
        {"", "7000", "host:7000", "127.0.0.1:", "127.0.0.1:70000", "1.2.3:5"}) {
     std::string error;
-    EXPECT_EQ(UdpRobot::open({address, "aa", ""}, 1, 1, error), nullptr) << address;
+    EXPECT_EQ(UdpRobot::open({address, "aa", ""}, 1, 1, 0, error), nullptr) << address;
     EXPECT_NE(error.find("HOST:PORT"), std::string::npos) << address;
   }
 }

@@ -273,5 +273,27 @@ TEST_F(WireTest, GainsEndWithWhoChoseThem) {
   EXPECT_FALSE(restored());
 }
 
+// A name may take all of its 16 bytes, and then ends without a 0.
+TEST(OwnControllerOnTheWire, ShowsItsNumbersAndKeepsItsGains) {
+  RobotDescription robot = test::every_kind_of_joint();
+  robot.has_controller = true;
+  int sent = 0;
+  Session session(robot, 1000, true, [&sent](const servo::Message&) { return ++sent > 0; });
+  ReportHead head;
+  head.mode = static_cast<int>(servo::Mode::running);
+  head.shown = {
+      2,
+      {{"power", 2.5},
+       {{'s', 'i', 'x', 't', 'e', 'e', 'n', ' ', 'l', 'e', 't', 't', 'e', 'r', 's', '!'}, -1}}};
+  const std::vector<double> numbers(static_cast<std::size_t>(session.layout().size));
+  session.take_report(head, numbers.data());
+  const json shown = json::parse(print_state(session, 1, 0))["shown"];
+  EXPECT_EQ(shown, json({{"power", 2.5}, {"sixteen letters!", -1}}));
+  EXPECT_EQ(json::parse(print_hello(session, 1000, true, {}))["controller"], "own");
+  EXPECT_FALSE(session.obey(1, true, "gains stiffness 100 damping 20", 0).ok);
+  EXPECT_EQ(sent, 0);
+  EXPECT_TRUE(session.obey(1, true, "hold", 0).ok);
+}
+
 }  // namespace
 }  // namespace treeline::drive

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "../drive/test_robot.hpp"
-#include "drive/robot_packet.hpp"
 #include "drive/wire.hpp"
+#include "show/packet.h"
 
 namespace treeline::fuzz {
 namespace {
@@ -67,10 +67,10 @@ std::string try_message(const std::string& text) {
 }
 
 std::string try_packet(const std::string& text) {
-  drive::PacketHead head;
+  TreelinePacketHead head;
   std::array<double, 3> numbers{};
-  (void)drive::read_packet(reinterpret_cast<const unsigned char*>(text.data()), text.size(),
-                           numbers.size(), head, numbers.data());
+  (void)treeline_packet_read(reinterpret_cast<const unsigned char*>(text.data()), text.size(),
+                             numbers.size(), &head, numbers.data());
   return {};
 }
 

@@ -33,7 +33,8 @@ const std::vector<Layer> kLayers = {
     {"interpreter", {"digits"}},
     {"firmware", {"core"}},
     {"servo", {"core"}},
-    {"drive", {"core", "servo"}},
+    {"show", {"core"}},
+    {"drive", {"core", "servo", "show"}},
     {"simulation", {"core", "interpreter"}},
     // The path of the data: files, mechanism, program, text.
     {"text", {}},

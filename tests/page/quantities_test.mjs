@@ -24,6 +24,7 @@ const kState = {time: 1.5, mode: 'running', control: 'joint', q: [0, 0, 1, 0, 0,
   goal_q: [0, 0, 2, 0, 0, 0, 1, 0.75, 0.25], control_us: kTimes, period_us: kTimes,
   points: [{at: [1, 2, 3], turn: [0, 0, 0, 1], goal: [1, 2, 3.5],
     goal_turn: [0, 0, Math.SQRT1_2, Math.SQRT1_2], force: [0, 0, -4]}],
+  shown: {power: 2.5},
   forces: [{link: 'arm', at: [1, 2, 3], force: [0, 0, -4]},
     {link: 'arm', at: [0, 0, 0], force: [7, 0, 0]}]};
 
@@ -40,7 +41,7 @@ test('every number stands under its name and unit', () => {
     'tau_base.vx [N]': 10, 'tau_base.wx [N m]': 40, 'tau_hip [N m]': 70, 'tau_rail [N]': 80,
     'goal_hip [rad]': 0.75, 'error_hip [rad]': 0.25, 'at_tool.z [m]': 3, 'miss_tool [m]': 0.5,
     'at_base.z [m]': 1, 'miss_base [m]': 1, 'force_tool.z [N]': -4, 'force_pull.x [N]': 7,
-    'control_mean [us]': 9};
+    'shown_power [1]': 2.5, 'control_mean [us]': 9};
   for (const [name, value] of Object.entries(expected)) {
     assert.equal(row[name], String(value), name);
   }

@@ -27,6 +27,7 @@ const view = new RobotView(find('#view canvas'), {send: send_drag, say,
 
 let hello = null;
 let columns = null;  // of the recorder's states, once one is shown
+let own_numbers = '';  // names that the robot's own controller shows
 let refusal = '';  // what the server last said against a drag: said once
 
 /** Sends a line, and shows it and the reply. */
@@ -166,7 +167,9 @@ function show_link(link) {
 function show_state(state) {
   const again = timeline.take(state);
   if (!view.model) return;
-  if (!columns) {
+  const names = Object.keys(state.shown ?? {}).join();
+  if (!columns || names !== own_numbers) {
+    own_numbers = names;
     columns = list_columns(hello, state);
     plot_panel.take(columns);
   }

@@ -4,7 +4,8 @@ import {velocity_indices} from './view/pose_robot.js';
 
 /** Titles of the quantities that can be plotted, in their order. */
 export const kTitles = {q: 'Position', qd: 'Speed', tau: 'Torque', error: 'Error of joints',
-  miss: 'Error of points', at: 'Place of points', force: 'Forces', control: 'Loop'};
+  miss: 'Error of points', at: 'Place of points', force: 'Forces', shown: 'Shown by your controller',
+  control: 'Loop'};
 
 const kMotions = ['vx', 'vy', 'vz', 'wx', 'wy', 'wz'];  // of a floating joint
 const kAxes = ['x', 'y', 'z'];
@@ -90,6 +91,8 @@ export function list_columns(hello, state) {
     ...points_of(hello).flatMap(({name}, index) => of_point(hello, name, index)),
     ...(can_be_pulled ? kAxes.map((axis, i) => ({quantity: 'force', name: `pull.${axis}`,
       unit: 'N', read: of_pull(i), limits: []})) : []),
+    ...Object.keys(state.shown ?? {}).map((name) => ({quantity: 'shown', name, unit: '1', limits: [],
+      read: ({shown}) => shown?.[name]})),
     of_loop('mean', ({control_us}) => control_us.mean),
     of_loop('largest', ({control_us}) => control_us.max),
     of_loop('period', ({period_us}) => period_us.mean),

@@ -28,11 +28,12 @@ export class ControlPanel {
     this.buttons = element('div', {className: 'choices'});
     this.counts = element('dl', {className: 'counts'});
     this.rehearsal = kRehearsal.map(([line, label, hint]) => button(label, hint, () => run(line)));
-    root.append(element('h2', {}, 'Control'), this.buttons,
-      element('h2', {}, 'Rehearse, then go'),
+    this.of_drive = [element('h2', {}, 'Rehearse, then go'),
       element('div', {className: 'row', role: 'group', ariaLabel: 'rehearsal'}, ...this.rehearsal),
       element('h2', {}, 'Gains, 1/s² and 1/s'), this.#make_gains('joint'),
-      this.#make_gains('task'), element('h2', {}, 'The loop'), this.counts);
+      this.#make_gains('task')];
+    root.append(element('h2', {}, 'Control'), this.buttons, ...this.of_drive,
+      element('h2', {}, 'The loop'), this.counts);
   }
 
   greet(hello) {
@@ -43,6 +44,8 @@ export class ControlPanel {
       return choice;
     });
     this.buttons.replaceChildren(...this.choices);
+    // A controller of the robot's own has its gains, and no twin.
+    for (const part of this.of_drive) part.hidden = hello.controller === 'own';
     this.rate = hello.rate;
     this.may_command = hello.may_command;
   }

@@ -10,7 +10,7 @@ const kQuickest = 200;  // ms between pictures of the plots
 const kShare = 0.1;     // of the time that plots take at most
 const kSpans = [5, 10, 20, 60, 300, 600];  // s
 const kManyJoints = 8;  // more than that, and the longest limb is shown at first
-const kFirst = ['q', 'tau', 'miss'];
+const kFirst = ['q', 'tau', 'miss', 'shown'];
 
 const kHistograms = [
   {title: 'Period of the cycles, how many took how long',
