@@ -165,6 +165,7 @@ std::string print_ground_header(const EmissionContext& context, const GroundUnit
                         {"real", number_type(context)},
                         {"contacts", std::to_string(contacts)},
                         {"impulses", std::to_string(3 * contacts)},
+                        {"touches", std::to_string(6 * contacts)},
                         {"coordinates", std::to_string(unit.coordinates)},
                         {"velocities", std::to_string(unit.before.size())},
                         {"shapes", in_comment(list_ground_shapes(unit))},

@@ -122,11 +122,12 @@ std::string print_ground_step(const std::string& name, bool stands) {
   return fmt::format(
       "\n{1}"
       "  using GroundMemory = {0}_ground_memory;\n"
+      "  using GroundReport = {0}_ground_report;\n"
       "  static void ground_step(double dt, const double (&tau)[kVelocities], double "
       "(&q)[kCoordinates],\n"
-      "                          double (&qd)[kVelocities], GroundMemory& memory) noexcept {{\n"
+      "                          double (&qd)[kVelocities], GroundMemory& memory,\n"
+      "                          GroundReport& report) noexcept {{\n"
       "    {0}_ground ground;\n"
-      "    {0}_ground_report report;\n"
       "    {0}_default_ground(&ground);\n"
       "    {0}_ground_step(&ground, dt, tau, q, qd, &memory, &report);\n"
       "  }}{2}",

@@ -195,6 +195,7 @@ class DriveLoop {
     head.pulled = running && controller_.pulled();
     head.pulled_link = controller_.pulled_link();
     head.shown = robot_.shown();
+    robot_.simulated().list_touches(head.touches);
   }
   void fill_numbers(const servo::Report<F>& report) noexcept {
     double* const numbers = filled_.numbers;

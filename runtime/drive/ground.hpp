@@ -21,7 +21,9 @@ inline constexpr bool kIsOnGround = requires {
 template <class F, bool is_there = kIsOnGround<F>>
 struct OnGround {
   typename F::GroundMemory memory{};
-  double push[F::kVelocities] = {};  ///< of a hand, as joint forces, N m or N
+  typename F::GroundReport report{};  ///< of the last step
+  double dt = 1.0;                    ///< s: how long that was
+  double push[F::kVelocities] = {};   ///< of a hand, as joint forces, N m or N
   bool fell = false;
 };
 

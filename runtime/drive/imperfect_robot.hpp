@@ -140,6 +140,22 @@ class ImperfectRobot {
     written_ = false;
   }
 
+  /// What the ground does to a robot on it: of each point that is pressed, the deepest first.
+  void list_touches(Touches& touches) const noexcept {
+    touches.count = 0;
+    if constexpr (kIsOnGround<F>) {
+      touches.count = std::min(static_cast<int>(on_ground_.report.contacts), kMostTouches);
+      for (int k = 0; k < touches.count; ++k) {
+        const double* const entry = on_ground_.report.touches + 6 * k;
+        Touch& touch = touches.list[k];
+        for (int i = 0; i < 3; ++i) {
+          touch.at[i] = entry[i];
+          touch.force[i] = entry[3 + i] / on_ground_.dt;
+        }
+      }
+    }
+  }
+
   /// Force (N, world axes) of the obstacles on a guarded point.
   const double (&contact_force(int guarded) const noexcept)[3] {
     return forces_[static_cast<std::size_t>(guarded)].f;

@@ -229,7 +229,8 @@ void ImperfectRobot<F>::step_on_ground(double dt) noexcept {
   fly(torques, qdd);
   stops_.push(links_.q, links_.qd, fly, torques, qdd);
   State next = links_;
-  F::ground_step(dt, torques, next.q, next.qd, on_ground_.memory);
+  F::ground_step(dt, torques, next.q, next.qd, on_ground_.memory, on_ground_.report);
+  on_ground_.dt = dt;
   accept(next, motors_);
 }
 

@@ -25,6 +25,16 @@ struct Shown {
   NamedNumber numbers[kMostNamedNumbers];
 };
 
+/// A point that the ground presses: where, m, and how much, N; world axes.
+struct Touch {
+  double at[3], force[3];
+};
+inline constexpr int kMostTouches = 16;
+struct Touches {
+  int count = 0;
+  Touch list[kMostTouches];
+};
+
 /// A robot outside the library, instead of the simulated one. None of the functions may wait.
 struct ExternalRobot {
   void* self = nullptr;
@@ -105,7 +115,8 @@ struct ReportHead {
   bool saturated = false;  ///< a torque was cut in this cycle
   bool pulled = false;
   int pulled_link = -1;
-  Shown shown;  ///< by the robot's own controller
+  Shown shown;      ///< by the robot's own controller
+  Touches touches;  ///< of a simulated robot on a ground
 };
 
 /// Places of the numbers in a report. `goal` is the desired state now, `target` the end of its

@@ -143,7 +143,7 @@ Json point_states(const Session& session) {
   return list;
 }
 
-/// Forces on the robot: of a hand that pulls, and of obstacles on its points.
+/// Forces on the robot: of obstacles on its points, of the ground, and of a hand that pulls.
 Json forces(const Session& session) {
   const ReportHead& head = session.report().head;
   const ReportLayout& layout = session.layout();
@@ -152,12 +152,18 @@ Json forces(const Session& session) {
   for (int k = 0; k < static_cast<int>(session.robot().points.size()); ++k) {
     const auto first = numbers.begin() + layout.contact_forces + 3 * k;
     if (std::all_of(first, first + 3, [](double f) { return f == 0.0; })) continue;
-    list.push_back({{"link", session.robot().points[static_cast<std::size_t>(k)].link},
+    list.push_back({{"of", "obstacle"},
+                    {"link", session.robot().points[static_cast<std::size_t>(k)].link},
                     {"at", slice(numbers, layout.point_poses + 7 * k, 3)},
                     {"force", slice(numbers, layout.contact_forces + 3 * k, 3)}});
   }
+  for (const Touch& touch :
+       std::span(head.touches.list).first(static_cast<std::size_t>(head.touches.count))) {
+    list.push_back({{"of", "ground"}, {"at", Json(touch.at)}, {"force", Json(touch.force)}});
+  }
   if (!head.pulled) return list;
-  list.push_back({{"link", session.robot().links[static_cast<std::size_t>(head.pulled_link)]},
+  list.push_back({{"of", "hand"},
+                  {"link", session.robot().links[static_cast<std::size_t>(head.pulled_link)]},
                   {"at", slice(numbers, layout.pull_at, 3)},
                   {"force", slice(numbers, layout.pull_force, 3)}});
   return list;
@@ -276,6 +282,7 @@ std::string print_hello(const Session& session, double rate, bool may_command,
                 {"obstacles", describe_obstacles(robot)},
                 {"commands", commands}};
   if (robot.has_controller) hello["controller"] = "own";
+  if (robot.on_ground) hello["ground"] = true;
   hello.update(describe_meshes(meshes, mesh_query, may_command));
   return print(hello);
 }

@@ -159,6 +159,19 @@ TL_INLINE void tl_start_from(const TlGroundMemory* memory, int32_t id, real* y) 
   }
 }
 
+/// Enters what presses a point, if anything does.
+TL_INLINE void tl_report_touch(const TlGroundPose* at, const TlGroundTouch* touch,
+    const real* y, TlGroundReport* report) {
+  real* const entry = &report->touches[6 * report->contacts];
+  if (y[2] > TL_ZERO) {
+    for (int32_t i = 0; i < 3; ++i) {
+      entry[i] = at->origin[i] + touch->arm[i];
+      entry[3 + i] = y[i];
+    }
+    report->contacts += 1;
+  }
+}
+
 /// Impulses at the points, of which those above the ground may come as near as their
 /// height within `dt`, and what they change of the velocities.
 TL_FUNCTION void tl_strike(const TlGround* ground, const TlGroundPose* at, real dt,
@@ -189,7 +202,7 @@ TL_FUNCTION void tl_strike(const TlGround* ground, const TlGroundPose* at, real 
       memory->impulses[(3 * c) + i] = blow->y[(3 * c) + i];
       report->impulse[i] += blow->y[(3 * c) + i];
     }
-    report->contacts += (blow->y[(3 * c) + 2] > TL_ZERO) ? 1 : 0;
+    tl_report_touch(at, &found->list[c], &blow->y[3 * c], report);
   }
   report->miss = result.miss;
   report->converged = (result.converged || (found->count == 0)) ? 1 : 0;

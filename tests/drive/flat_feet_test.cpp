@@ -29,6 +29,7 @@ struct Standing {
   static constexpr int kSoleEnds[] = {5};
   static constexpr double kFriction = 0.5;
   using GroundMemory = int;
+  using GroundReport = int;
 
   static void link_frames(const double (&)[2], double (&p)[3], double (&R)[9]) noexcept {
     const std::array<double, 9> upright = {1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -68,6 +68,7 @@ std::vector<GroundShape> as_ground_shapes(const interpreter::Model<double>& mode
 struct Report {
   std::int32_t contacts, converged, left_out;
   double miss, impulse[3], energy;
+  double touches[6 * 64];  // of as many contacts as the robot may have
 };
 
 /// A compiled step with its memory.

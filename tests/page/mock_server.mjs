@@ -39,7 +39,7 @@ function write_state(robot, client, clients) {
     points: [{at, turn, goal: robot.goal_at, goal_turn: robot.goal_turn, free: false,
       force: [0, 0, 40]}],
     center_of_mass: [0.1, 0.05, 0.7],
-    forces: [{link: 'tool', at, force: [0, 0, 40]}], control_us: times, period_us: times,
+    forces: [{of: 'hand', link: 'tool', at, force: [0, 0, 40]}], control_us: times, period_us: times,
     jitter_us: times, histogram: {width_us: 10, period_from_us: 800, period: spread(20),
       jitter: spread(2), control: spread(1)}, cycles: Math.round(1000 * robot.time), overruns: 0,
     saturated: false, counts: {malformed: 0, foreign: 0, repeated: 0, late: 0, excess: 0,

@@ -12,7 +12,8 @@ const {group_by_limb} = await load_source('limbs.js');
 const kBase = ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw'].map((kind) => ({name: `base.${kind}`,
   joint: 'base', kind, unit: kind.startsWith('q') ? '' : 'm', lower: null, upper: null,
   velocity: null, effort: null, passive: false}));
-const kHello = {base: 'floating', links: ['arm'], points: [{name: 'tool'}], obstacles: [{name: 'ball'}],
+const kHello = {base: 'floating', ground: true, links: ['arm'], points: [{name: 'tool'}],
+  obstacles: [{name: 'ball'}],
   coordinates: [...kBase,
   {name: 'hip', joint: 'hip', kind: 'angle', unit: 'rad', lower: -1, upper: 2, velocity: 3,
     effort: 40, passive: false},
@@ -25,8 +26,10 @@ const kState = {time: 1.5, mode: 'running', control: 'joint', q: [0, 0, 1, 0, 0,
   points: [{at: [1, 2, 3], turn: [0, 0, 0, 1], goal: [1, 2, 3.5],
     goal_turn: [0, 0, Math.SQRT1_2, Math.SQRT1_2], force: [0, 0, -4]}],
   shown: {power: 2.5},
-  forces: [{link: 'arm', at: [1, 2, 3], force: [0, 0, -4]},
-    {link: 'arm', at: [0, 0, 0], force: [7, 0, 0]}]};
+  forces: [{of: 'obstacle', link: 'arm', at: [1, 2, 3], force: [0, 0, -4]},
+    {of: 'ground', at: [0, 0, 0], force: [0, 1, 20]},
+    {of: 'ground', at: [1, 0, 0], force: [0, 0, 30]},
+    {of: 'hand', link: 'arm', at: [0, 0, 0], force: [7, 0, 0]}]};
 
 function table(states) {
   const [head, ...rows] = write_csv(list_columns(kHello, kState), states).trimEnd().split('\n')
@@ -41,6 +44,7 @@ test('every number stands under its name and unit', () => {
     'tau_base.vx [N]': 10, 'tau_base.wx [N m]': 40, 'tau_hip [N m]': 70, 'tau_rail [N]': 80,
     'goal_hip [rad]': 0.75, 'error_hip [rad]': 0.25, 'at_tool.z [m]': 3, 'miss_tool [m]': 0.5,
     'at_base.z [m]': 1, 'miss_base [m]': 1, 'force_tool.z [N]': -4, 'force_pull.x [N]': 7,
+    'force_ground.y [N]': 1, 'force_ground.z [N]': 50,
     'shown_power [1]': 2.5, 'control_mean [us]': 9};
   for (const [name, value] of Object.entries(expected)) {
     assert.equal(row[name], String(value), name);
@@ -66,7 +70,7 @@ test('limits are those of the joint, to both sides', () => {
 });
 
 test('what there is not is no column', () => {
-  const free = list_columns({...kHello, obstacles: []}, kState);
+  const free = list_columns({...kHello, obstacles: [], ground: undefined}, kState);
   assert.deepEqual(free.filter(({quantity}) => quantity === 'force').map(({name}) => name),
     ['pull.x', 'pull.y', 'pull.z'], 'nothing to touch');
   const columns = list_columns(kHello, {...kState, qd: [], tau: []});

@@ -4,8 +4,8 @@ import {velocity_indices} from './view/pose_robot.js';
 
 /** Titles of the quantities that can be plotted, in their order. */
 export const kTitles = {q: 'Position', qd: 'Speed', tau: 'Torque', error: 'Error of joints',
-  miss: 'Error of points', at: 'Place of points', force: 'Forces', shown: 'Shown by your controller',
-  control: 'Loop'};
+  miss: 'Error of points', at: 'Place of points', force: 'Forces',
+  shown: 'Shown by your controller', control: 'Loop'};
 
 const kMotions = ['vx', 'vy', 'vz', 'wx', 'wy', 'wz'];  // of a floating joint
 const kAxes = ['x', 'y', 'z'];
@@ -68,12 +68,12 @@ function of_point(hello, name, index) {
       of('force', `${name}.${axis}`, 'N', ({force}) => force?.[i])) : [])];
 }
 
-/** Force of the hand that pulls a link: the last of the list, behind those on points. */
-function of_pull(axis) {
-  return (state) => {
-    const on_points = state.points.filter(({force}) => force?.some((x) => x !== 0)).length;
-    return state.forces.length > on_points ? state.forces.at(-1).force[axis] : 0;
-  };
+/** The whole force of what pushes or pulls the robot: `hand` or `ground`. */
+function of_forces(what, name) {
+  const along = (i) => ({forces}) =>
+    forces.reduce((sum, {of, force}) => sum + (of === what ? force[i] : 0), 0);
+  return kAxes.map((axis, i) =>
+    ({quantity: 'force', name: `${name}.${axis}`, unit: 'N', limits: [], read: along(i)}));
 }
 
 function of_loop(name, read) {
@@ -89,10 +89,10 @@ export function list_columns(hello, state) {
   const can_be_pulled = hello.links.length > 0;
   return [...of_joints(hello),
     ...points_of(hello).flatMap(({name}, index) => of_point(hello, name, index)),
-    ...(can_be_pulled ? kAxes.map((axis, i) => ({quantity: 'force', name: `pull.${axis}`,
-      unit: 'N', read: of_pull(i), limits: []})) : []),
-    ...Object.keys(state.shown ?? {}).map((name) => ({quantity: 'shown', name, unit: '1', limits: [],
-      read: ({shown}) => shown?.[name]})),
+    ...(can_be_pulled ? of_forces('hand', 'pull') : []),
+    ...(hello.ground ? of_forces('ground', 'ground') : []),
+    ...Object.keys(state.shown ?? {}).map((name) =>
+      ({quantity: 'shown', name, unit: '1', limits: [], read: ({shown}) => shown?.[name]})),
     of_loop('mean', ({control_us}) => control_us.mean),
     of_loop('largest', ({control_us}) => control_us.max),
     of_loop('period', ({period_us}) => period_us.mean),

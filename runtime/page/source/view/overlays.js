@@ -10,6 +10,7 @@ const kTraceStep = 0.001;   // m between places of a trace
 const kForceColor = 0xe5484d;
 const kTorqueColor = 0x8e4ec6;
 const kArrowForce = 50;     // N that an arrow shows which is as long as a handle
+const kGroundArrows = 16;   // length of all arrows of the ground together, in handles
 
 function overlay(color, opacity = 1) {
   return {color, opacity, transparent: true, depthTest: false};
@@ -155,8 +156,12 @@ export class Overlays {
   #update_arrows(state) {
     this.arrows.clear();
     if (this.shown.forces) {
-      for (const {at, force} of state.forces) {
-        this.#add_arrow(at, force, 1 / kArrowForce, kForceColor);
+      // Those of the ground are shares of all that it bears, which may be a ton.
+      const borne = state.forces.reduce((sum, {of, force}) =>
+        sum + (of === 'ground' ? Math.hypot(...force) : 0), 0);
+      for (const {of, at, force} of state.forces) {
+        this.#add_arrow(at, force, of === 'ground' ? kGroundArrows / borne : 1 / kArrowForce,
+          kForceColor);
       }
     }
     if (this.shown.torques) this.#add_torques(state);
@@ -179,9 +184,9 @@ export class Overlays {
 
   #add_arrow(at, vector, scale, color) {
     const direction = new three.Vector3(...vector);
-    const length = Math.min(direction.length() * scale, 4) * this.size;
+    const length = Math.min(direction.length() * scale, 8) * this.size;
     if (length < 0.02 * this.size) return;
-    const head = Math.min(0.35 * length, 0.3 * this.size);
+    const head = Math.min(0.35 * length, 0.5 * this.size);
     const arrow = new three.ArrowHelper(direction.normalize(), new three.Vector3(...at), length,
       color, head, 0.6 * head);
     for (const part of [arrow.line, arrow.cone]) {
