@@ -13,6 +13,7 @@
 #include "description/scene_words.hpp"
 #include "description/states_key.hpp"
 #include "description/suggest_function.hpp"
+#include "emission/backend.hpp"
 #include "functions/find_function.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
@@ -71,6 +72,12 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
            "List those that it should have, for instance `inverse_dynamics`.", diagnostics);
   }
   scene.language = value_of_word<Language>(options.language).value_or(scene.language);
+  const Backend& backend = backend_of(scene.language);
+  if (package != nullptr && backend.cmake.empty()) {
+    reject("--package",
+           fmt::format("packages are compiled, and {} is by the driver of a device", backend.name),
+           "Leave it out.", diagnostics);
+  }
   scene.profile = value_of_word<Profile>(options.profile).value_or(scene.profile);
   scene.optimize = value_of_word<Optimize>(options.optimize).value_or(scene.optimize);
   if (!options.target.empty()) scene.target = options.target;

@@ -14,6 +14,7 @@
 #include "compilation/choose_flags.hpp"
 #include "compilation/environment.hpp"
 #include "compilation/print_entry.hpp"
+#include "compilation/print_opencl_entry.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/write_work_file.hpp"
 #include "emission/backend.hpp"
@@ -39,13 +40,33 @@ Command compile_command(const Command& compiler, Language language, const std::s
   return command;
 }
 
+/// Whether the driver of a device compiles the functions, when the library is loaded.
+bool is_compiled_by_driver(Language language) {
+  return backend_of(language).flag.empty();
+}
+
+/// The language of the entries: a program of the host hands functions to a driver.
+Language language_of_entries(Language language) {
+  return is_compiled_by_driver(language) ? Language::cpp : language;
+}
+
+/// What to do about what a compiler said.
+std::string_view remedy_for(const std::string& output) {
+  constexpr std::pair<std::string_view, std::string_view> kRemedies[] = {
+      {kNoSpace, "Free some space there, or set TMPDIR to a folder with more."},
+      {"CL/cl.h", "Install the headers of OpenCL (Debian: ocl-icd-opencl-dev)."},
+      {"-lOpenCL", "Install the loader of OpenCL (Debian: ocl-icd-opencl-dev)."}};
+  for (const auto& [said, remedy] : kRemedies) {
+    if (output.find(said) != std::string::npos) return remedy;
+  }
+  return "Look at the flags; when the folder is an old one, generate it again.";
+}
+
 bool succeeded(const CommandOutcome& outcome, const fs::path& file, const std::string& fault,
                Diagnostics& diagnostics) {
   if (outcome.started && outcome.exit_code == 0) return true;
   diagnostics.add({Severity::error, file, 0, "", fault + first_lines(outcome.output),
-                   outcome.output.find(kNoSpace) != std::string::npos
-                       ? "Free some space there, or set TMPDIR to a folder with more."
-                       : "Look at the flags; when the folder is an old one, generate it again."});
+                   std::string(remedy_for(outcome.output))});
   return false;
 }
 
@@ -85,26 +106,28 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
   Objects objects;
   std::vector<Command> commands;
   std::vector<fs::path> sources;
+  const Language language = language_of_entries(options.language);
   const auto add = [&](const std::string& stem, const fs::path& source, const std::string& flags) {
     objects.stems.push_back(stem);
     sources.push_back(source);
-    commands.push_back(compile_command(compiler, options.language, flags, fs::absolute(folder),
-                                       source, work / (stem + ".o")));
+    commands.push_back(compile_command(compiler, language, flags, fs::absolute(folder), source,
+                                       work / (stem + ".o")));
   };
   for (const GeneratedFunction& generated : functions) {
-    const bool has_source = options.language == Language::c || !is_composed(generated);
+    if (is_compiled_by_driver(options.language)) break;
+    const bool has_source = language == Language::c || !is_composed(generated);
     const fs::path& place = has_source ? folder : work;
     const std::string stem = source_stem(generated);
-    add(stem, fs::absolute(place / source_name(options.language, stem)),
+    add(stem, fs::absolute(place / source_name(language, stem)),
         choose_flags(generated, options).flags);
   }
   for (const std::string& stem : options.stems) {
-    add(stem, fs::absolute(folder / source_name(options.language, stem)), options.flags);
+    add(stem, fs::absolute(folder / source_name(language, stem)), options.flags);
   }
   for (const WorkSource& more : options.more) {
-    add(more.stem, work / source_name(options.language, more.stem), options.flags);
+    add(more.stem, work / source_name(language, more.stem), options.flags);
   }
-  add(kEntryStem, work / source_name(options.language, kEntryStem), options.flags);
+  add(kEntryStem, work / source_name(language, kEntryStem), options.flags);
   objects.outcomes = run_largest_first(commands, sources, options, work);
   bool all = true;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -116,11 +139,16 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
 
 /// Writes the sources of the entries, which call the functions. A composed function has no source
 /// other than its entry.
-bool write_entries(const std::string& name, const std::vector<GeneratedFunction>& functions,
-                   Language language, const fs::path& work, Diagnostics& diagnostics) {
-  const fs::path entry = work / source_name(language, kEntryStem);
+bool write_entries(const fs::path& folder, const std::string& name,
+                   const std::vector<GeneratedFunction>& functions, Language language,
+                   const fs::path& work, Diagnostics& diagnostics) {
+  const fs::path entry = work / source_name(language_of_entries(language), kEntryStem);
   if (language == Language::c) {
     return write_work_file(entry, print_c_entry(name, functions), diagnostics);
+  }
+  if (language == Language::opencl) {
+    return write_work_file(entry, print_opencl_entry(fs::absolute(folder), name, functions),
+                           diagnostics);
   }
   bool written = write_work_file(entry, print_entry(name, functions), diagnostics);
   for (const GeneratedFunction& generated : functions) {
@@ -144,6 +172,7 @@ bool link_library(const Command& compiler, const Objects& objects, const fs::pat
   command.insert(command.end(),
                  {"-shared", "-Wl,--version-script=" + exported.string(), "-o", made.library});
   for (const std::string& stem : objects.stems) command.push_back(work / (stem + ".o"));
+  if (is_compiled_by_driver(options.language)) command.emplace_back("-lOpenCL");
   return succeeded(run_commands({command}, 1, work).front(), made.library, "does not link",
                    diagnostics);
 }
@@ -194,7 +223,7 @@ struct CompilerSearch {
 CompilerSearch search_for(const CompileOptions& options) {
   if (!options.compiler.empty()) return {{split_words(options.compiler)}, ""};
   const std::string cxx = environment_value("CXX");
-  if (options.language == Language::cpp) {
+  if (language_of_entries(options.language) == Language::cpp) {
     if (!cxx.empty()) return {{split_words(cxx)}, "$CXX"};
     return {{{"c++"}, {"g++"}}, ""};
   }
@@ -235,7 +264,8 @@ std::optional<FoundCompiler> try_compilers(const CompileOptions& options, const 
        !options.compiler.empty() ? "this compiler cannot be run: " + why
        : !search.variable.empty()
            ? fmt::format("this compiler, which {} names, cannot be run: {}", search.variable, why)
-           : fmt::format("no {} compiler was found", backend_of(options.language).name),
+           : fmt::format("no {} compiler was found",
+                         backend_of(language_of_entries(options.language)).name),
        fmt::format("Install one (Debian: {}), or name one in the environment variable {}.",
                    c ? "gcc" : "g++", c ? "CC" : "CXX")});
   return std::nullopt;
@@ -266,9 +296,11 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   if (!found) return std::nullopt;
   const Command& compiler = found->command;
   if (found->is_gcc()) options.flags = add_extra_passes(options.flags);
-  if (!write_entries(name, functions, options.language, work, diagnostics)) return std::nullopt;
+  if (!write_entries(folder, name, functions, options.language, work, diagnostics)) {
+    return std::nullopt;
+  }
   for (const WorkSource& more : options.more) {
-    const fs::path file = work / source_name(options.language, more.stem);
+    const fs::path file = work / source_name(language_of_entries(options.language), more.stem);
     if (!write_work_file(file, more.text, diagnostics)) return std::nullopt;
   }
   const auto start = Clock::now();
@@ -276,9 +308,11 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   if (!objects) return std::nullopt;
   Compilation made;
   made.library = work / "libtreeline_check.so";
-  const std::string command =
-      fmt::format("{} {}", fmt::join(compiler, " "), backend_of(options.language).flag);
-  made.command = fmt::format("{} {}", command, options.flags);
+  const std::string command = fmt::format("{} {}", fmt::join(compiler, " "),
+                                          backend_of(language_of_entries(options.language)).flag);
+  made.command = fmt::format(
+      "{}{} {}", is_compiled_by_driver(options.language) ? "an OpenCL driver behind " : "", command,
+      options.flags);
   if (!link_library(compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
   made.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   measure_functions(*objects, work, made);

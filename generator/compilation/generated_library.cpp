@@ -67,6 +67,12 @@ std::optional<GeneratedLibrary> GeneratedLibrary::load(
     report(path, "computes with another Real than the scene asks for", diagnostics);
     return std::nullopt;
   }
+  void* const faults = dlsym(library.handle_.get(), "treeline_check_fault");
+  const char* const fault = faults ? reinterpret_cast<const char* (*)()>(faults)() : nullptr;
+  if (fault != nullptr) {
+    report(path, fault, diagnostics);
+    return std::nullopt;
+  }
   for (const GeneratedFunction& generated : functions) {
     LoadedFunction function{generated.program, nullptr, nullptr};
     for (const auto& [symbol, entry] :

@@ -34,7 +34,7 @@ int bytes_of(Real real) {
 
 void follow_target(Scene& scene) {
   if (scene.asks_for_lanes) return;
-  const bool is_scalar = scene.profile == Profile::misra;
+  const bool is_scalar = scene.profile == Profile::misra || scene.language == Language::opencl;
   scene.lanes = is_scalar ? 1 : choose_lanes(target_of(scene), bytes_of(scene.real));
 }
 

@@ -17,8 +17,8 @@ namespace treeline {
 enum class Base { fixed, floating };
 enum class Axes { world, local };
 enum class Real { float32, float64 };
-/// Language of the emitted code: C++17 or C99.
-enum class Language { cpp, c };
+/// Language of the emitted code: C++17, C99 or OpenCL C 1.2.
+enum class Language { cpp, c, opencl };
 /// How the emitted code is written: as compilers like it best, or as rules for safe code ask.
 enum class Profile { plain, misra };
 /// Preference for speed, or for size at the cost of time.

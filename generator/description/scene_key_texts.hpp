@@ -175,7 +175,8 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "that algorithm's axes. With limits also `NAME_batch_limited.hpp`, in C "
      "`NAME_batch_limited.h`.",
      "how-to/batch.md"},
-    {"language", "`c++` (C++17) or `c` (C99)", "`c++`", "language: c", "Of the generated code.",
+    {"language", "`c++` (C++17), `c` (C99) or `opencl` (OpenCL C 1.2)", "`c++`", "language: c",
+     "Of the generated code. [OpenCL C](../how-to/opencl.md) has functions and kernels, no laws.",
      "how-to/c.md"},
     {"real", "`double` or `float`", "`double`", "real: float", "The number type of the code.",
      nullptr},

@@ -26,7 +26,7 @@ inline const std::vector<std::string>& words_of<Real>() {
 }
 template <>
 inline const std::vector<std::string>& words_of<Language>() {
-  static const std::vector<std::string> words = {"c++", "c"};
+  static const std::vector<std::string> words = {"c++", "c", "opencl"};
   return words;
 }
 template <>

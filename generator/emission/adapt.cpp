@@ -36,9 +36,10 @@ std::string rename(std::string_view word, const Adaptation& own) {
   return name_of_part(own) + "_" + (is_type ? in_snake_case(rest) : rest);
 }
 
-/// What a compiler of C++ need not be told: `typedef struct TlRow TlRow;`, what `bool` is.
-bool is_for_c(std::string_view line) {
-  return line.starts_with("typedef struct Tl") || line.starts_with("#include <stdbool.h>\n");
+/// Whether a line tells a compiler what it knows of itself in this language.
+bool is_known(std::string_view line, const Backend& backend) {
+  return std::any_of(backend.known.begin(), backend.known.end(),
+                     [&](std::string_view front) { return line.starts_with(front); });
 }
 
 /// The comment on the whole and the includes, and what is behind them.
@@ -117,7 +118,7 @@ void add_literals(const EmissionContext& context, std::initializer_list<WordOfNu
 
 void add_number_format(const EmissionContext& context, Adaptation& own) {
   const bool single = context.single_precision;
-  own.words["TlBits"] = single ? "uint32_t" : "uint64_t";
+  own.words["TlBits"] = rename(single ? "uint32_t" : "uint64_t", own);
   own.words["TL_FRACTION_BITS"] = single ? "23U" : "52U";
   own.words["TL_SIGN_AT"] = single ? "31U" : "63U";
   own.words["TL_BIAS"] = single ? "127" : "1023";
@@ -163,8 +164,9 @@ std::string adapt_words(std::string_view given, const Adaptation& own) {
   std::string adapted;
   const std::string branches = choose_branches(given, own);
   std::string_view text = branches;
+  const Backend& backend = backend_of(own.language);
   while (!text.empty()) {
-    if (is_for_c(text) && own.language == Language::cpp) {
+    if (is_known(text, backend)) {
       text.remove_prefix(text.find('\n') + 1);
       continue;
     }
@@ -181,8 +183,8 @@ std::string adapt_words(std::string_view given, const Adaptation& own) {
     const bool is_header = end > 0 && text.starts_with(".h") &&
                            (text.size() == 2 || !belongs_to_word(text[2])) &&
                            own.contract != std::string(word) + ".h";
-    if (is_header && !of_library && own.language == Language::cpp) {
-      adapted += ".hpp";
+    if (is_header && !of_library) {
+      adapted += backend.header;
       text.remove_prefix(2);
     }
   }

@@ -5,6 +5,7 @@
 #include "emission/adapt.hpp"
 #include "emission/backend.hpp"
 #include "emission/describe_program.hpp"
+#include "emission/print_sin_cos.hpp"
 #include "emission/print_square_root.hpp"
 #include "emission/templates.hpp"
 
@@ -60,6 +61,14 @@ bool wants_laws(const Contents& contents) {
          wants_ground(contents);
 }
 
+bool wants_sines(const Contents& contents) {
+  const auto takes_some = [](const auto& programs) {
+    return std::any_of(programs.begin(), programs.end(), uses_trigonometry);
+  };
+  return wants_laws(contents) || wants_loops(contents) || takes_some(contents.batch) ||
+         takes_some(contents.all);
+}
+
 std::vector<GeneratedFile> join_files(std::initializer_list<std::vector<GeneratedFile>> lists) {
   std::vector<GeneratedFile> files;
   for (const auto& list : lists) files.insert(files.end(), list.begin(), list.end());
@@ -74,6 +83,10 @@ std::vector<GeneratedFile> print_registers(const Contents& contents) {
 
 std::vector<GeneratedFile> print_square_root_of(const Contents& contents) {
   return {print_square_root(contents.context)};
+}
+
+std::vector<GeneratedFile> print_sines_by_pointers(const Contents& contents) {
+  return {print_sin_cos(contents.context)};
 }
 
 }  // namespace treeline

@@ -45,12 +45,16 @@ bool wants_registers(const Contents& contents);
 /// Whether anything that is no function of straight lines computes: it takes roots and sines.
 bool wants_laws(const Contents& contents);
 
+/// Whether anything takes sines by pointers.
+bool wants_sines(const Contents& contents);
+
 /// The files of several printers, one behind the other.
 std::vector<GeneratedFile> join_files(std::initializer_list<std::vector<GeneratedFile>> lists);
 
 /// Headers of the runtime that others include.
 std::vector<GeneratedFile> print_registers(const Contents& contents);
 std::vector<GeneratedFile> print_square_root_of(const Contents& contents);
+std::vector<GeneratedFile> print_sines_by_pointers(const Contents& contents);
 
 // Rows of every language.
 inline constexpr AddOn kControllerRow{wants_controller, print_controller, kControllerStem, true,
@@ -65,5 +69,9 @@ inline constexpr AddOn kRegistersRow{
     .wants = wants_registers, .print = print_registers, .is_runtime = true};
 inline constexpr AddOn kSquareRootRow{
     .wants = wants_laws, .print = print_square_root_of, .is_runtime = true};
+
+// A row of languages without references to arrays.
+inline constexpr AddOn kSinesRow{
+    .wants = wants_sines, .print = print_sines_by_pointers, .is_runtime = true};
 
 }  // namespace treeline

@@ -16,18 +16,23 @@ namespace treeline {
 /// Parts that a language gives to emission. A new language is a folder beside `cpp/` and `c/` that
 /// defines such a value, and a line in `languages/backend_of.cpp`.
 struct Backend {
-  std::string_view name;        ///< as messages call it: `C++`
-  std::string_view standard;    ///< `C++17`
-  std::string_view header;      ///< how the names of its headers end: `.hpp`
-  std::string_view source;      ///< `.cpp`
-  std::string_view cmake;       ///< as CMake calls it: `CXX`
-  std::string_view feature;     ///< of CMake, which asks for the standard: `cxx_std_17`
-  std::string_view flag;        ///< of compilers, the same: `-std=c++17`
-  bool has_namespaces = false;  ///< else names have the robot's in front
-  bool has_references = false;  ///< to arrays; else arguments are pointers
-  std::string_view cast;        ///< to a type, as a format: `static_cast<{}>`
+  std::string_view name;      ///< as messages call it: `C++`
+  std::string_view standard;  ///< `C++17`
+  std::string_view header;    ///< how the names of its headers end: `.hpp`
+  std::string_view source;    ///< `.cpp`
+  /// As CMake calls it: `CXX`. Empty where no compiler of the host knows it: then there is no
+  /// project, and no package.
+  std::string_view cmake;
+  std::string_view feature;             ///< of CMake, which asks for the standard: `cxx_std_17`
+  std::string_view flag;                ///< of compilers, the same: `-std=c++17`
+  bool has_namespaces = false;          ///< else names have the robot's in front
+  bool has_references = false;          ///< to arrays; else arguments are pointers
+  std::string_view cast;                ///< to a type, as a format: `static_cast<{}>`
+  std::string_view constant = "const";  ///< before a constant at file scope
   /// Words of runtime/emitted as the language has them (see `Adaptation`).
   std::map<std::string, std::string> words;
+  /// How lines of runtime/emitted begin that it does without.
+  std::vector<std::string_view> known;
   /// Whether functions that loop share the loops only as one source.
   bool joins_loops = false;
   /// Places of sources in the project; of all others 0.

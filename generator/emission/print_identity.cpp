@@ -48,6 +48,7 @@ GeneratedFile print_identity(const EmissionContext& context,
       kIdentityStem + std::string(backend.source),
       fill_template(templates::kIdentity, {{"name", context.name},
                                            {"header", context.name + std::string(backend.header)},
+                                           {"constant", std::string(backend.constant)},
                                            {"size", std::to_string(size_of_identity(context))},
                                            {"what", print_what_it_is(context)},
                                            {"digest", digest_of_files(files)}})};

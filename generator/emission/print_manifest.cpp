@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "description/scene_words.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/count_stack.hpp"
 #include "emission/damped_cost.hpp"
@@ -166,6 +167,12 @@ std::string print_controller_entry(const EmissionContext& context) {
       count_step_stack(*context.controller, context.misra, number_bytes(context)), sources);
 }
 
+/// The language that the scene names; C++ is none to name.
+std::string print_language(const EmissionContext& context) {
+  if (context.language == Language::cpp) return {};
+  return fmt::format("  \"language\": {},\n", quote_json(word_of(context.language)));
+}
+
 }  // namespace
 
 std::string quote_json(std::string_view text) {
@@ -199,7 +206,7 @@ std::string print_manifest(const EmissionContext& context, std::span<const Progr
        {"name", quote_json(context.name)},
        {"robot", quote_json(context.robot)},
        {"command", quote_json(context.command)},
-       {"language", context.language == Language::c ? "  \"language\": \"c\",\n" : ""},
+       {"language", print_language(context)},
        {"profile", context.misra ? "  \"profile\": \"misra\",\n" : ""},
        {"real", context.single_precision ? "\"float\"" : "\"double\""},
        {"target", print_target_lines(context)},

@@ -69,7 +69,7 @@ std::string print_function(const SelftestWriter& writer, const Program& program,
     list += result.name + ", ";
   }
   list.resize(list.size() - 2);
-  const char* const joint = writer.context.language == Language::c ? "_" : "::";
+  const char* const joint = backend_of(writer.context.language).has_namespaces ? "::" : "_";
   expected.pop_back();
   return fill_template(templates::kSelftestFunction,
                        {{"expected", expected},

@@ -14,7 +14,8 @@ struct CommentOf {
   std::string_view ending, mark;
 };
 
-constexpr std::array<CommentOf, 18> kComments = {{{".c", "//"},
+constexpr std::array<CommentOf, 19> kComments = {{{".c", "//"},
+                                                  {".cl", "//"},
                                                   {".h", "//"},
                                                   {".cpp", "//"},
                                                   {".hpp", "//"},

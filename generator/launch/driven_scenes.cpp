@@ -36,7 +36,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(scene.real == Real::float32, "real: float");
   add(scene.sin_cos == Sines::given, "sin_cos: given");
   add(scene.implicit_friction, "implicit friction");
-  add(scene.language == Language::c, "language: c");
+  add(scene.language != Language::cpp, "language");
   add(scene.target != "generic", "target");
   if (left.empty()) return;
   diagnostics.add(

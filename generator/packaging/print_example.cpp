@@ -15,7 +15,7 @@ std::string print_home(const Scene& scene, const Program& program) {
   for (const Argument& argument : program.arguments) {
     if (argument.name != "q") continue;
     const std::string home =
-        scene.language == Language::c ? scene.name + "_home" : scene.name + "::kHome";
+        scene.name + (backend_of(scene.language).has_namespaces ? "::kHome" : "_home");
     return fmt::format("for (int i = 0; i < {}; ++i) q[i] = {}[i];", argument.rows, home);
   }
   return "";

@@ -39,6 +39,23 @@ TEST_F(PackageTest, PythonSaysWhatItLeavesOut) {
             std::string::npos);
 }
 
+// Would catch: a project or notes for a compiler that does not know OpenCL C.
+TEST_F(PackageTest, OfOpenClThereIsNone) {
+  for (const char* kind : {"cmake", "platformio", "arduino", "python"}) {
+    const auto refused = generate(std::string("--language opencl --package ") + kind);
+    EXPECT_EQ(refused.exit_code, 1) << kind;
+    EXPECT_NE(refused.err.find("--package: packages are compiled, and OpenCL C is by the driver"),
+              std::string::npos)
+        << refused.err;
+  }
+  for (const char* option : {"--safety SAFETY.md", "--tune"}) {
+    const auto refused = generate(std::string("--language opencl ") + option);
+    EXPECT_EQ(refused.exit_code, 1) << option;
+    EXPECT_NE(refused.err.find("this is for C++ and C, not for OpenCL C"), std::string::npos)
+        << refused.err;
+  }
+}
+
 // Would catch: a package that calls its first function where there is none.
 TEST_F(PackageTest, IsRefusedWithoutAFunctionThatItCalls) {
   std::ofstream(root_ / "alone.yaml") << "{functions: [], controller: {laws: [joint_impedance]}}";

@@ -54,6 +54,12 @@ TEST(FollowTarget, MisraIsScalar) {
   EXPECT_EQ(read_with_target("profile: plain").lanes, 8);
 }
 
+// A work item computes one number at a time. Lanes that are asked for are left to be refused.
+TEST(FollowTarget, OpenClIsScalar) {
+  EXPECT_EQ(read_with_target("language: opencl").lanes, 1);
+  EXPECT_EQ(read_with_target("{language: opencl, lanes: 4}").lanes, 4);
+}
+
 TEST(FollowTarget, WarnsOfEmulationAndOfLanes) {
   EXPECT_TRUE(warnings_of("real: double").list().empty());
   EXPECT_TRUE(warnings_of("{target: cortex-m4f, real: float}").list().empty());

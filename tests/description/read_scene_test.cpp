@@ -125,6 +125,7 @@ TEST(ReadScene, EveryLanguageHasTheLanesOfTheTarget) {
   EXPECT_EQ(read("language: c").language, Language::c);
   EXPECT_EQ(read("language: c").lanes, 8);
   EXPECT_EQ(read("{language: c, lanes: 4}").lanes, 4);
+  EXPECT_EQ(read("language: opencl").language, Language::opencl);
 }
 
 TEST(ReadScene, ChoosesAllFunctionsWithPoints) {

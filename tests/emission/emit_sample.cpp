@@ -1,7 +1,8 @@
-// Writes the sample folder: emit_sample DIRECTORY NAME double|float c++|c [misra].
+// Writes the sample folder: emit_sample DIRECTORY NAME double|float c++|c|opencl [misra].
 #include <cstdio>
 #include <string>
 
+#include "description/scene_words.hpp"
 #include "emission/emit.hpp"
 #include "emission/print_damped_headers.hpp"
 #include "emission/print_square_root.hpp"
@@ -15,17 +16,21 @@ int main(int argc, char** argv) {
   }
   treeline::Diagnostics diagnostics;
   const bool single_precision = std::string(argv[3]) == "float";
-  const bool is_c = std::string(argv[4]) == "c";
-  const auto language = is_c ? treeline::Language::c : treeline::Language::cpp;
+  const auto language = treeline::value_of_word<treeline::Language>(argv[4]).value();
+  const bool is_c = language == treeline::Language::c;
+  const bool is_plain = misra || language == treeline::Language::opencl;
   treeline::EmissionContext context =
       treeline::test::sample_context(argv[2], single_precision, language);
   context.misra = misra;
-  context.batch = misra ? 0 : treeline::test::kSampleBatch;
+  context.batch = is_plain ? 0 : treeline::test::kSampleBatch;
   if (is_c && !single_precision) {  // batches in vectors, those in float in loops
     context.lanes = 8;
     context.asks_for_lanes = true;
   }
-  const auto programs = misra ? treeline::test::safe_programs() : treeline::test::sample_programs();
+  auto programs = misra ? treeline::test::safe_programs() : treeline::test::sample_programs();
+  if (is_plain) {
+    for (treeline::Program& program : programs) program.packs.clear();
+  }
   std::vector<treeline::Program> batch;
   if (context.batch > 0) batch = programs;
   for (treeline::Program& program : batch) program.packs.clear();

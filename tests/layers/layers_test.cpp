@@ -104,7 +104,7 @@ struct Inside {
 const std::vector<Inside> kInside = {
     // A source may call what stands above: base parameters about mimics are told apart by energies.
     {"recursion", {"algebra", "parameters", "tree", "methods", "routes"}, true},
-    {"emission", {"", "misra", "c", "cpp", "languages"}, false}};
+    {"emission", {"", "misra", "c", "opencl", "cpp", "languages"}, false}};
 
 bool is_source(const fs::path& path) {
   return path.extension() == ".cpp" || path.extension() == ".hpp" || path.extension() == ".h";

@@ -54,36 +54,36 @@ std::vector<std::size_t> limited_sizes(const Original& original) {
 std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scene,
                                            const Compilers& compilers, const std::string& flags,
                                            int states) {
-  const Original in_cpp = generate_in(Language::cpp, robot, scene);
-  const Original in_c = generate_in(Language::c, robot, scene);
-  const GeneratedLibrary cpp = build_library(in_cpp, {compilers.cpp, flags});
-  const GeneratedLibrary c = build_library(in_c, {compilers.c, flags});
-  const auto functions = all_callable(in_cpp.generation);
-  if (functions.size() != all_callable(in_c.generation).size()) {
-    throw std::runtime_error(robot.name + ": C has other functions than C++");
+  const Original one = generate_in(compilers.language, robot, scene);
+  const Original other = generate_in(compilers.other, robot, scene);
+  const GeneratedLibrary first = build_library(one, {compilers.first, flags});
+  const GeneratedLibrary second = build_library(other, {compilers.second, flags});
+  const auto functions = all_callable(one.generation);
+  if (functions.size() != all_callable(other.generation).size()) {
+    throw std::runtime_error(robot.name + ": one language has other functions than the other");
   }
-  const StateSpace space =
-      make_state_space(robot, scene, in_cpp.generation.mechanism, functions, 7);
+  const StateSpace space = make_state_space(robot, scene, one.generation.mechanism, functions, 7);
   std::vector<LanguageRow> rows;
   for (std::size_t i = 0; i < functions.size() && scene.has_limits(); ++i) {
     if (functions[i].function != Function::supported_control_torque) continue;
-    rows.push_back(
-        {scene.name, limited_stem(false), compilers.cpp + " " + compilers.c, flags, states, 0});
-    const auto sizes = limited_sizes(in_cpp);
+    rows.push_back({scene.name, limited_stem(false), compilers.first + " " + compilers.second,
+                    flags, states, 0});
+    const auto sizes = limited_sizes(one);
     for (int index = 0; index < states; ++index) {
       const State state = draw_state(space, index);
-      const bool same =
-          have_same_bits(cpp.call_entry(cpp.find_entry(limited_stem(false)), i, state, sizes),
-                         c.call_entry(c.find_entry(limited_stem(false)), i, state, sizes));
+      const bool same = have_same_bits(
+          first.call_entry(first.find_entry(limited_stem(false)), i, state, sizes),
+          second.call_entry(second.find_entry(limited_stem(false)), i, state, sizes));
       rows.back().bits_differ += same ? 0 : 1;
     }
   }
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    rows.push_back({scene.name, source_stem(functions[i]), compilers.cpp + " " + compilers.c, flags,
-                    states, 0});
+    rows.push_back({scene.name, source_stem(functions[i]), compilers.first + " " + compilers.second,
+                    flags, states, 0});
     for (int index = 0; index < states; ++index) {
       const State state = draw_state(space, index);
-      rows.back().bits_differ += have_same_bits(cpp.call(i, state), c.call(i, state)) ? 0 : 1;
+      rows.back().bits_differ +=
+          have_same_bits(first.call(i, state), second.call(i, state)) ? 0 : 1;
     }
   }
   return rows;

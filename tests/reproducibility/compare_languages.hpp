@@ -9,16 +9,19 @@
 
 namespace treeline::tests {
 
-/// One function in C against the same function in C++, compiled by one pair of compilers.
+/// One function in a language against the same function in another, compiled by one pair of
+/// compilers.
 struct LanguageRow {
   std::string robot, function, compilers, flags;
   int states = 0;       ///< number of states in which both were called
   int bits_differ = 0;  ///< number of these in which any bit of any result differs
 };
 
-/// A pair of compilers, of C++ and of C.
+/// A pair of compilers, of the one language and of the other: by default C++ and C. Entries of
+/// OpenCL C are compiled as C++.
 struct Compilers {
-  std::string cpp, c;
+  std::string first, second;
+  Language language = Language::cpp, other = Language::c;
 };
 
 /// How both languages are generated beside what a scene says, and compiled.
@@ -28,9 +31,9 @@ struct Manner {
   const char* level = "-O2";
 };
 
-/// Generates the scene's functions, and limited_control_torque where it has limits, in C++ and in
-/// C, compiles both with `flags`, calls them in the same states of all classes and compares bits.
-/// Throws std::runtime_error if something cannot be generated or compiled.
+/// Generates the scene's functions, and limited_control_torque where it has limits, in both
+/// languages, compiles both with `flags`, calls them in the same states of all classes and compares
+/// bits. Throws std::runtime_error if something cannot be generated or compiled.
 std::vector<LanguageRow> compare_languages(const Robot& robot, const Scene& scene,
                                            const Compilers& compilers, const std::string& flags,
                                            int states);

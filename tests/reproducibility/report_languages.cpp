@@ -56,7 +56,7 @@ int compare_case(const Case& each, Real real, const Compilers& compilers) {
   }
   fmt::print("{:<24} {:<24} {:<6} {:<14} {:>9} {:>8} {:>7}\n", fs::path(each.urdf).stem().string(),
              fs::path(each.scene).stem().string(), real == Real::float32 ? "float" : "double",
-             compilers.cpp + " " + compilers.c, rows.size(), results, differ);
+             compilers.first + " " + compilers.second, rows.size(), results, differ);
   std::fflush(stdout);
   return differ;
 }

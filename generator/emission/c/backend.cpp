@@ -1,7 +1,5 @@
 #include "emission/c/backend.hpp"
 
-#include <algorithm>
-
 #include "emission/c/print_batch.hpp"
 #include "emission/c/print_contract.hpp"
 #include "emission/c/print_damped.hpp"
@@ -11,10 +9,8 @@
 #include "emission/c/print_source.hpp"
 #include "emission/c/refuse.hpp"
 #include "emission/c/syntax.hpp"
-#include "emission/describe_program.hpp"
 #include "emission/print_damped_headers.hpp"
 #include "emission/print_limit_headers.hpp"
-#include "emission/print_sin_cos.hpp"
 
 namespace treeline::c {
 namespace {
@@ -37,18 +33,6 @@ std::set<std::string> reserved_suffixes(const EmissionContext& /*context*/) {
           "has_constants_of_double"};
 }
 
-bool wants_sines(const Contents& contents) {
-  const auto takes_some = [](const auto& programs) {
-    return std::any_of(programs.begin(), programs.end(), uses_trigonometry);
-  };
-  return wants_laws(contents) || wants_loops(contents) || takes_some(contents.batch) ||
-         takes_some(contents.all);
-}
-
-std::vector<GeneratedFile> print_sines(const Contents& contents) {
-  return {print_sin_cos(contents.context)};
-}
-
 std::vector<GeneratedFile> print_damped_law(const Contents& contents) {
   return join_files({print_damped(contents), print_damped_headers(contents.context)});
 }
@@ -68,7 +52,7 @@ constexpr AddOn kAddOns[] = {
     {wants_batch, print_batch},
     kLoopsRow,
     {.wants = wants_lanes, .print = print_lane_types, .is_runtime = true},
-    {.wants = wants_sines, .print = print_sines, .is_runtime = true},
+    kSinesRow,
     kEndingsRow,
     kRegistersRow,
     kSquareRootRow};

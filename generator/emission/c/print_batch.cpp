@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "emission/c/print_one_state.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
@@ -32,14 +33,6 @@ std::string head_of(const EmissionContext& context, const Program& program, cons
                            argument.rows * argument.cols * context.batch);
       });
   return fmt::format("void {}_batch_{}({})", context.name, program.name, list);
-}
-
-std::string print_unread_rows(const Program& program) {
-  std::string statements;
-  for (const Argument& argument : program.arguments) {
-    if (!reads(program, argument)) statements += fmt::format("  (void){}_rows;\n", argument.name);
-  }
-  return statements;
 }
 
 std::set<std::string> find_taken(const EmissionContext& context, const Program& program) {
@@ -87,31 +80,14 @@ std::string print_state_function(const EmissionContext& context, const Program& 
          print_body(program, make_syntax(context), find_taken(context, program)) + "}\n\n";
 }
 
-/// `for (...) { to = from; }` over the elements of an argument.
-std::string print_copy(const Argument& argument, const std::string& to, const std::string& from) {
-  return fmt::format("    for (int i = 0; i < {}; ++i) {{\n      {} = {};\n    }}\n",
-                     argument.rows * argument.cols, to, from);
-}
-
 std::string print_loop(const EmissionContext& context, const Program& program) {
-  std::string arrays, before, behind, list;
-  const auto append = [&](const Argument& argument, std::string& copies, bool is_result) {
-    const std::string one = fmt::format("{}[i]", argument.name);
-    const std::string row =
-        fmt::format("{}_rows[(i * {}_STATES) + k]", argument.name, name_in_capitals(context));
-    arrays += fmt::format("    {} {}[{}];\n", number_type(context), argument.name,
-                          argument.rows * argument.cols);
-    copies += is_result ? print_copy(argument, row, one) : print_copy(argument, one, row);
-    list += (list.empty() ? "" : ", ") + argument.name;
-  };
-  for (const Argument& argument : program.arguments) {
-    if (reads(program, argument)) append(argument, before, false);
-  }
-  for (const Result& result : program.results) append(result.argument, behind, true);
+  const std::string states = name_in_capitals(context) + "_STATES";
+  const OneState one =
+      print_one_state(context, program, {"{}_rows[(i * " + states + ") + k]", "int"}, Passed::read);
   return fmt::format(
-      "  for (int k = 0; k < {}_STATES; ++k) {{\n{}{}{}{}  }}\n", name_in_capitals(context), arrays,
-      before, wrap_line(fmt::format("{}_state_of_{}({});", context.name, program.name, list), 4),
-      behind);
+      "  for (int k = 0; k < {}; ++k) {{\n{}{}{}{}  }}\n", states, one.arrays, one.before,
+      wrap_line(fmt::format("{}_state_of_{}({});", context.name, program.name, one.arguments), 4),
+      one.behind);
 }
 
 std::string print_batch_source(const EmissionContext& context, const Program& program) {
@@ -124,7 +100,7 @@ std::string print_batch_source(const EmissionContext& context, const Program& pr
       {{"states", std::to_string(context.batch)},
        {"includes", includes},
        {"before", vectors ? "" : print_state_function(context, program)},
-       {"unread", print_unread_rows(program)},
+       {"unread", print_unread(program, "_rows")},
        {"body", vectors ? print_in_vectors(context, program) : print_loop(context, program)}});
   return fill_template(templates::kBatchFunction, holes);
 }

@@ -53,7 +53,7 @@ std::string describe_needs(const EmissionContext& context, std::span<const Progr
 
 }  // namespace
 
-std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
+std::string print_declarations(const EmissionContext& context, std::span<const Program> programs) {
   std::string declarations;
   for (const Program& program : programs) {
     declarations += declarations.empty() ? "" : "\n";
@@ -61,6 +61,10 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                                   {{"comment", comment("///", describe_function(context, program))},
                                    {"signature", print_declaration(context, program)}});
   }
+  return declarations;
+}
+
+std::string print_contract(const EmissionContext& context, std::span<const Program> programs) {
   const bool single = context.single_precision;
   auto values = describe_contract(context);
   values.insert({{"NAME", name_in_capitals(context)},
@@ -71,7 +75,7 @@ std::string print_contract(const EmissionContext& context, std::span<const Progr
                  {"constants", print_check_of_constants(context)},
                  {"macros", single ? "FLT" : "DBL"},
                  {"exponent", single ? "128" : "1024"},
-                 {"declarations", declarations}});
+                 {"declarations", print_declarations(context, programs)}});
   return fill_template(templates::kContract, values);
 }
 

@@ -12,4 +12,7 @@ namespace treeline::c {
 /// include it too.
 std::string print_contract(const EmissionContext& context, std::span<const Program> programs);
 
+/// The declaration of each function below its contract.
+std::string print_declarations(const EmissionContext& context, std::span<const Program> programs);
+
 }  // namespace treeline::c

@@ -33,15 +33,6 @@ std::string print_includes(const EmissionContext& context, const Program& progra
   return includes;
 }
 
-/// C99 has no parameters without names.
-std::string print_unread(const Program& program) {
-  std::string statements;
-  for (const Argument& argument : program.arguments) {
-    if (!reads(program, argument)) statements += fmt::format("  (void){};\n", argument.name);
-  }
-  return statements;
-}
-
 /// The head of a function that computes a part.
 std::string print_part_head(const EmissionContext& context, const Program& program,
                             const BodyPart& part) {
@@ -100,6 +91,16 @@ Body print_body_of(const EmissionContext& context, const Program& program,
 }
 
 }  // namespace
+
+std::string print_unread(const Program& program, std::string_view suffix) {
+  std::string statements;
+  for (const Argument& argument : program.arguments) {
+    if (!reads(program, argument)) {
+      statements += fmt::format("  (void){}{};\n", argument.name, suffix);
+    }
+  }
+  return statements;
+}
 
 std::string print_array(const EmissionContext& context, const char* qualifier,
                         const std::string& name, int size) {

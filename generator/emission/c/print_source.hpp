@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "emission/emission_context.hpp"
 #include "program/program.hpp"
@@ -9,6 +10,10 @@ namespace treeline::c {
 
 /// `void NAME_gravity(const double q[TREELINE_NAME_ARRAY(6)], ...)`: alike in header and source.
 std::string print_signature(const EmissionContext& context, const Program& program);
+
+/// Statements that read what the function does not: C has no parameters without names. `suffix` is
+/// what stands behind the names of arguments.
+std::string print_unread(const Program& program, std::string_view suffix = {});
 
 /// A parameter that is an array of so many elements.
 std::string print_array(const EmissionContext& context, const char* qualifier,

@@ -31,7 +31,7 @@ bool wants_own_lanes(const Contents& contents) {
   return wants_batch(contents) || wants_lanes(contents);
 }
 
-bool wants_sines(const Contents& contents) {
+bool wants_own_sines(const Contents& contents) {
   const bool in_laws = contents.context.misra
                            ? wants_damping(contents) || wants_controller(contents)
                            : wants_laws(contents) || wants_batch(contents);
@@ -84,7 +84,7 @@ constexpr AddOn kAddOns[] = {
     kLoopsRow,
     {[](const Contents& each) { return !each.context.misra; }, print_other_calls},
     {.wants = wants_own_lanes, .print = print_lanes, .is_runtime = true},
-    {.wants = wants_sines, .print = print_sines, .is_runtime = true},
+    {.wants = wants_own_sines, .print = print_sines, .is_runtime = true},
     kEndingsRow,
     kRegistersRow,
     kSquareRootRow};
@@ -112,6 +112,7 @@ Backend make_backend() {
                    {"TL_RESTRICT", "__restrict"},
                    {"TL_ATOMICS", "atomic"},
                    {"TL_FENCE", "std::atomic_thread_fence(std::memory_order_seq_cst)"}};
+  backend.known = {"typedef struct Tl", "#include <stdbool.h>\n"};
   backend.places = {{Source::Of::dynamics, 1}, {Source::Of::step, 2}};
   backend.refuse = misra::refuse;
   backend.reserved = reserved_names;

@@ -1,13 +1,17 @@
+#include <array>
+
 #include "emission/backend.hpp"
 #include "emission/c/backend.hpp"
 #include "emission/cpp/backend.hpp"
+#include "emission/opencl/backend.hpp"
 
 namespace treeline {
 
 const Backend& backend_of(Language language) {
-  static const Backend cpp_backend = cpp::make_backend();
-  static const Backend c_backend = c::make_backend();
-  return language == Language::c ? c_backend : cpp_backend;
+  // In the order of the enumerators.
+  static const std::array<Backend, 3> backends = {cpp::make_backend(), c::make_backend(),
+                                                  opencl::make_backend()};
+  return backends.at(static_cast<std::size_t>(language));
 }
 
 std::string header_name(const EmissionContext& context, const std::string& stem) {
