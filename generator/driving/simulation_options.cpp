@@ -16,6 +16,7 @@ struct Part {
   std::vector<std::string> SimulationTexts::*text;
   std::vector<double> SimulationNumbers::*numbers;
   const char* help;
+  double initial = 0;
 };
 
 constexpr Part kParts[] = {
@@ -27,6 +28,8 @@ constexpr Part kParts[] = {
      "Play of the gears, rad or m; encoders are then at the motors; needs --rotor"},
     {"--rotor", &SimulationTexts::rotor, &SimulationNumbers::rotor,
      "Inertia of the rotors behind gears with play, seen from the joint, kg m^2 or kg"},
+    {"--gear-stiffness", &SimulationTexts::gear_stiffness, &SimulationNumbers::gear_stiffness,
+     "Of the teeth of gears with play, N m/rad or N/m; 10000 unless given", 1e4},
     {"--sensor-noise", &SimulationTexts::noise, &SimulationNumbers::noise,
      "Standard deviation of measured positions, rad or m"},
     {"--quantisation", &SimulationTexts::quantisation, &SimulationNumbers::quantisation,
@@ -79,11 +82,15 @@ void check_rotors(const SimulationNumbers& numbers, const drive::RobotDescriptio
   for (const drive::DrivenCoordinate& coordinate : robot.coordinates) {
     if (!drive::is_single(coordinate)) continue;
     const auto v = static_cast<std::size_t>(coordinate.velocity_index);
-    if (!(numbers.backlash[v] > 0) || numbers.rotor[v] > 0) continue;
-    diagnostics.add(
-        {Severity::error, "", 0, "--backlash",
-         fmt::format("the gear of {} has play, but its rotor has no inertia", coordinate.name),
-         fmt::format("Give --rotor {}=INERTIA, seen from the joint's side.", coordinate.name)});
+    if (!(numbers.backlash[v] > 0)) continue;
+    const bool has_rotor = numbers.rotor[v] > 0;
+    if (has_rotor && numbers.gear_stiffness[v] > 0) continue;
+    diagnostics.add({Severity::error, "", 0, "--backlash",
+                     fmt::format("the gear of {} has play, but its {}", coordinate.name,
+                                 has_rotor ? "teeth do not push" : "rotor has no inertia"),
+                     fmt::format("Give --{} {}={}, seen from the joint's side.",
+                                 has_rotor ? "gear-stiffness" : "rotor", coordinate.name,
+                                 has_rotor ? "STIFFNESS" : "INERTIA")});
     return;
   }
 }
@@ -102,12 +109,6 @@ void add_simulation_options(CLI::App& command, SimulationTexts& texts) {
   for (const Part& part : kParts) {
     command.add_option(part.option, texts.*part.text, part.help)->delimiter(',')->group(kGroup);
   }
-  command
-      .add_option("--gear-stiffness", texts.gear_stiffness,
-                  "Of the teeth of gears with play, N m/rad or N/m")
-      ->check(between(1, 1e9))
-      ->capture_default_str()
-      ->group(kGroup);
   command.add_option("--delay", texts.delay, "From a command to its effect, s; whole cycles")
       ->check(between(0, 1))
       ->capture_default_str()
@@ -120,7 +121,7 @@ drive::SimulationOptions SimulationNumbers::options() const {
   options.viscous = viscous.data();
   options.play = backlash.data();
   options.rotor = rotor.data();
-  options.gear_stiffness = gear_stiffness;
+  options.gear_stiffness = gear_stiffness.data();
   options.noise = noise.data();
   options.quantum = quantisation.data();
   options.delay = delay;
@@ -131,11 +132,10 @@ std::optional<SimulationNumbers> read_simulation(const SimulationTexts& texts,
                                                  const drive::RobotDescription& robot, double rate,
                                                  Diagnostics& diagnostics) {
   SimulationNumbers numbers;
-  numbers.gear_stiffness = texts.gear_stiffness;
   for (const Part& part : kParts) {
     const PartReader reader(part, robot, diagnostics);
     auto& list = numbers.*part.numbers;
-    list.resize(static_cast<std::size_t>(robot.velocities));
+    list.resize(static_cast<std::size_t>(robot.velocities), part.initial);
     for (const std::string& given : texts.*part.text) reader.read(given, list);
   }
   if (robot.on_ground && !texts.backlash.empty()) {

@@ -14,9 +14,8 @@ namespace treeline {
 /// Options of `treeline drive` that make the simulated robot like a real one, as they are written:
 /// each a number for all joints or JOINT=NUMBER, several separated by commas.
 struct SimulationTexts {
-  std::vector<std::string> friction, viscous, backlash, rotor, noise, quantisation;
-  double gear_stiffness = 1e4;  ///< N m/rad or N/m
-  double delay = 0;             ///< s
+  std::vector<std::string> friction, viscous, backlash, rotor, gear_stiffness, noise, quantisation;
+  double delay = 0;  ///< s
 
   /// The first option that asks for something; empty: none does.
   [[nodiscard]] std::string first_given() const;
@@ -26,8 +25,7 @@ void add_simulation_options(CLI::App& command, SimulationTexts& texts);
 
 /// Numbers of these options, one for each velocity.
 struct SimulationNumbers {
-  std::vector<double> friction, viscous, backlash, rotor, noise, quantisation;
-  double gear_stiffness = 1e4;
+  std::vector<double> friction, viscous, backlash, rotor, gear_stiffness, noise, quantisation;
   int delay = 0;  ///< cycles
 
   /// Options for a loop; the result points into this object.
@@ -35,7 +33,8 @@ struct SimulationNumbers {
 };
 
 /// Errors: no number, a negative one, a joint that the robot has not or that has no coordinate of
-/// its own, play without a rotor, a delay of too many cycles of a loop at `rate` (Hz).
+/// its own, play without a rotor or with teeth that
+/// do not push, a delay of too many cycles of a loop at `rate` (Hz).
 std::optional<SimulationNumbers> read_simulation(const SimulationTexts& texts,
                                                  const drive::RobotDescription& robot, double rate,
                                                  Diagnostics& diagnostics);

@@ -28,8 +28,8 @@ void ImperfectRobot<F>::take_options(const SimulationOptions& options) noexcept 
     has_sensors_ = has_sensors_ || joint.noise > 0.0 || joint.quantum > 0.0;
     if (entry(options.play, i) > 0.0) {
       joint.rotor = entry(options.rotor, i);
-      const double damping = 0.2 * std::sqrt(options.gear_stiffness * joint.rotor);
-      joint.gear = {entry(options.play, i), options.gear_stiffness, damping};
+      const double stiffness = entry(options.gear_stiffness, i);
+      joint.gear = {entry(options.play, i), stiffness, 0.2 * std::sqrt(stiffness * joint.rotor)};
       has_gears_ = true;
     }
   }

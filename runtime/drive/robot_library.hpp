@@ -57,9 +57,9 @@ struct SimulationOptions {
   const double* viscous = nullptr;  ///< the same, times the speed
   const double* play = nullptr;     ///< backlash of the gear, from flank to flank
   const double* rotor = nullptr;  ///< inertia of the rotor seen from the joint; positive with play
-  double gear_stiffness = 1e4;    ///< of touching teeth, N m/rad or N/m
-  const double* noise = nullptr;  ///< standard deviation of measured positions
-  const double* quantum = nullptr;  ///< step of measured positions
+  const double* gear_stiffness = nullptr;  ///< of touching teeth, N m/rad or N/m; likewise
+  const double* noise = nullptr;           ///< standard deviation of measured positions
+  const double* quantum = nullptr;         ///< step of measured positions
   int delay = 0;  ///< cycles from a command to its effect, at most `kLongestDelay`
 };
 

@@ -131,7 +131,9 @@ TEST_F(DriveWaysTest, ARobotThatIsNotIdealArrivesLessExactly) {
   EXPECT_GT(rubbed, 10 * ideal);
   EXPECT_LT(rubbed, 0.05);
   EXPECT_LT(error_with("--delay 0.003 --quantisation 1e-4 --sensor-noise 1e-5"), 1e-3);
-  EXPECT_LT(error_with("--backlash 0.002 --rotor joint1=0.5,joint2=0.3,joint3=0.1"), 2e-2);
+  const std::string gears = "--backlash 0.002 --rotor joint1=0.5,joint2=0.3,joint3=0.1 ";
+  EXPECT_LT(error_with(gears), 2e-2);
+  EXPECT_LT(error_with(gears + "--gear-stiffness joint3=2000"), 2e-2);
 }
 
 TEST_F(DriveWaysTest, RefusesWhatIsNoFaultOfARobot) {
@@ -140,6 +142,9 @@ TEST_F(DriveWaysTest, RefusesWhatIsNoFaultOfARobot) {
   EXPECT_NE(run_drive(run + "--friction joint9=1").err.find("no joint \"joint9\""),
             std::string::npos);
   EXPECT_NE(run_drive(run + "--backlash 0.01").err.find("--rotor joint1=INERTIA"),
+            std::string::npos);
+  EXPECT_NE(run_drive(run + "--backlash joint2=0.01 --rotor 1 --gear-stiffness joint2=0")
+                .err.find("--gear-stiffness joint2=STIFFNESS"),
             std::string::npos);
   EXPECT_NE(run_drive(run + "--delay 0.5").err.find("0.063 s"), std::string::npos);
   EXPECT_NE(run_drive(run + "--sensor-noise -1").err.find("no number from 0 on"),

@@ -187,9 +187,11 @@ TEST(ImperfectRobot, EncodersHaveSteps) {
 TEST(ImperfectRobot, ARotorCrossesThePlayAlone) {
   const double play = 0.02;
   const double rotor = 1.0;
+  const double stiffness = 1e4;
   SimulationOptions options;
   options.play = &play;
   options.rotor = &rotor;
+  options.gear_stiffness = &stiffness;
   SlideRig rig(options);
   ASSERT_TRUE(rig.can_follow());
   rig.push(1.0, 130);  // 8.45 mm
@@ -207,9 +209,10 @@ TEST(ImperfectRobot, SaysWhenGearsAreTooStiff) {
   SimulationOptions options;
   options.play = &play;
   options.rotor = &rotor;
-  options.gear_stiffness = 1e9;
+  double stiffness = 1e9;
+  options.gear_stiffness = &stiffness;
   EXPECT_FALSE(SlideRig(options).can_follow());
-  options.gear_stiffness = 1e3;
+  stiffness = 1e3;
   EXPECT_TRUE(SlideRig(options).can_follow());
 }
 
