@@ -43,13 +43,39 @@ void DriveController<F>::push_from_limits(const State& state, double (&qdd)[nv])
       [](int, int, int) {});
 }
 
+/// Compares how the robot moves with what the model says of the torques that it was given, by an
+/// observer of the first order. What is left is of masses, friction and hands that the model does
+/// not know.
+template <class F>
+void DriveController<F>::observe(const State& state) noexcept {
+  double qdd[nv];
+  F::forward_dynamics(state_.q, state_.qd, last_torque_, qdd);
+  for (int i = 0; i < nv; ++i) {
+    foreseen_[i] += settings_.period * (qdd[i] + unforeseen_[i]);
+    if (!std::isfinite(foreseen_[i])) foreseen_[i] = state.qd[i];
+    unforeseen_[i] = 2.0 * limit_rate() * (state.qd[i] - foreseen_[i]);
+  }
+}
+
+/// Bounds of a joint's acceleration by the model, from those of its true one: what the model does
+/// not know and pushes towards a bound is left room for, what holds back is not counted on.
+template <class F>
+std::array<double, 2> DriveController<F>::leave_room(double least, double most,
+                                                     int iv) const noexcept {
+  return {least - std::fmin(unforeseen_[iv], 0.0), most - std::fmax(unforeseen_[iv], 0.0)};
+}
+
 /// The least and the most acceleration of a joint that stays below a share of its limit of speed.
+/// It nears that limit more slowly than `observe` finds what the model does not know.
 template <class F>
 std::array<double, 2> DriveController<F>::speed_range(const JointBounds& bounds, const State& state,
                                                       int iv) const noexcept {
   const double fastest = bounds.share * std::fmin(settings_.velocity[at(iv)], bounds.fastest);
-  return {2.0 * limit_rate() * (-fastest - state.qd[iv]),
-          2.0 * limit_rate() * (fastest - state.qd[iv])};
+  const auto most = [&](double speed) {
+    const double room = fastest - speed;
+    return room > 0.0 ? room / kRise : 2.0 * limit_rate() * room;
+  };
+  return leave_room(-most(-state.qd[iv]), most(state.qd[iv]), iv);
 }
 
 /// Bounds accelerations: each joint comes to rest before its limit of position, so slowly that the
@@ -70,9 +96,10 @@ bool DriveController<F>::stay_within(const JointBounds& bounds, double brakes, c
         const double stopping = 2.0 * rate * state.qd[iv];
         const double stiffness = rate * rate * brakes;
         const auto [least, most] = speed_range(bounds, state, iv);
-        const double bounded =
-            std::fmax(std::fmax(stiffness * to_lower - stopping, least),
-                      std::fmin(std::fmin(stiffness * to_upper - stopping, most), qdd[iv]));
+        const auto [lowest, highest] =
+            leave_room(stiffness * to_lower - stopping, stiffness * to_upper - stopping, iv);
+        const double slow = std::fmax(least, std::fmin(most, qdd[iv]));
+        const double bounded = std::fmax(lowest, std::fmin(highest, slow));
         changed = changed || bounded != qdd[iv];
         qdd[iv] = bounded;
       },

@@ -72,6 +72,8 @@ class DriveController {
 
   void start(double time, const State& state) noexcept {
     state_ = state;
+    std::copy_n(state.qd, nv, foreseen_);
+    std::fill_n(unforeseen_, nv, 0.0);
     begin_joints(time, state);
     begin_points(time, state);
     blend_asked_ = true;
@@ -113,6 +115,7 @@ class DriveController {
   static constexpr double kTurnSpeed = 1.0;      ///< rad/s
   static constexpr double kPeak = 1.875;         ///< of a quintic: peak speed by mean speed
   static constexpr double kLead = 0.8;    ///< of a limit of speed, the most that goals move at
+  static constexpr double kRise = 0.05;   ///< s in which a limit of speed is neared by 63 %
   static constexpr double kBlend = 0.25;  ///< s
   static constexpr double kPostureRate =
       3.0;  ///< rad/s, of the joint with the largest inertia, by its spring
@@ -213,6 +216,8 @@ class DriveController {
   void push_from_limits(const State& state, double (&qdd)[nv]) const noexcept;
   /// 1/s: how sharply joints are led to a limit.
   double limit_rate() const noexcept { return std::fmin(30.0, 0.1 / settings_.period); }
+  void observe(const State& state) noexcept;
+  std::array<double, 2> leave_room(double least, double most, int iv) const noexcept;
   std::array<double, 2> speed_range(const JointBounds& bounds, const State& state,
                                     int iv) const noexcept;
   bool stay_within(const JointBounds& bounds, double brakes, const State& state,
@@ -259,7 +264,9 @@ class DriveController {
   std::array<SmoothPose, room(kPoints)> points_{};
   std::array<double, room(kPoints)> point_leases_{};
   std::array<bool, room(kPoints)> free_{};
-  State state_{};  ///< of the last cycle of control
+  State state_{};               ///< of the last cycle of control
+  double foreseen_[nv] = {};    ///< qd of this cycle by the model
+  double unforeseen_[nv] = {};  ///< accelerations that the model does not explain
   bool blend_asked_ = false;
   double blend_start_ = -1.0;
   double blend_from_[nv] = {};

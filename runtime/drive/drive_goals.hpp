@@ -151,13 +151,13 @@ SmoothPose* DriveController<F>::pose_of(int point) noexcept {
   return point >= 0 && point < kPoints ? &points_[at(point)] : nullptr;
 }
 
-/// Duration of a motion over `distance`: as asked for, but not above the speed `limit`; without
-/// being asked, at half of it.
+/// Duration of a motion over `distance`: as asked for, but not above the speed `limit`, nor nearing
+/// it faster than `speed_range` lets a joint; without being asked, at half of it.
 template <class F>
 double DriveController<F>::guess_duration(double distance, double limit,
                                           double asked) const noexcept {
   const bool limited = std::isfinite(limit);
-  const double fastest = limited ? kPeak * distance / (kLead * limit) : 0.0;
+  const double fastest = limited ? kPeak * distance / (kLead * limit) + 1.5 * kRise : 0.0;
   if (asked > 0.0) {
     return std::fmax(asked, std::fmax(fastest, 2.0 * settings_.period));
   }

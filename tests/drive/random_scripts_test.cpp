@@ -1,6 +1,7 @@
 // Would catch: commands that are accepted and end in a fault, or that lead a joint beyond 90 % of
 // its limit of speed, whoever asks: goals out of reach, motions that are too short, pulls, drags,
-// changes of the control in full swing. Ten thousand scripts take three quarters of an hour.
+// changes of the control in full swing. Ten thousand scripts take three quarters of an hour. Also
+// laws that keep a robot within its limits only while it is as its model says.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +23,9 @@
 #include "driving/robot_elsewhere.hpp"
 #include "inspect/propose_scene.hpp"
 #include "launch/launch.hpp"
+#include "script_author.hpp"
 #include "servo/safety.hpp"
+#include "unlike_plant.hpp"
 
 namespace treeline {
 namespace {
@@ -32,16 +35,18 @@ struct Tried {
   const char* name;
   const char* urdf;
   const char* scene;
-  double most = 0.9;  ///< share of a limit of speed that no joint exceeds
+  double most = 0.9;  ///< share of a limit of speed that no joint exceeds if it is like its model
   int faults = 0;     ///< known ones among the scripts by the thousand
+  int unlike = 0;     ///< known ones among those of a robot that is unlike its model
 };
 constexpr Tried kTried[] = {
     {"planar3r", "robots/planar3r/planar3r.urdf", "robots/planar3r/scene.yaml"},
     {"puma560", "robots/puma560/puma560.urdf", "robots/puma560/scene.yaml"},
+    {"puma560_with_gears", "robots/puma560/puma560.urdf", "tests/data/written/puma560_rotors.yaml"},
     {"ur10e", "robots/ur10e/ur10e.urdf", "robots/ur10e/scene.yaml"},
     {"samm", "robots/samm/samm.urdf", "robots/samm/scene.yaml"},
-    {"humanoid24", "robots/humanoid24/humanoid24.urdf", "robots/humanoid24/scene.yaml", 0.9,
-     1},  // seed 1695: its light right wrist goes 1 mrad beyond its range
+    // Seed 28, unlike its model: the ankle, which lacks torque for more weight, sinks.
+    {"humanoid24", "robots/humanoid24/humanoid24.urdf", "robots/humanoid24/scene.yaml", 0.9, 0, 1},
     {"fr3", "tests/data/published/fr3.urdf", ""},
     {"panda", "tests/data/published/panda_hand.urdf", ""},
     {"iiwa14", "tests/data/published/iiwa14_drake.urdf", ""},
@@ -50,8 +55,8 @@ constexpr Tried kTried[] = {
     {"nextage", "tests/data/published/nextage.urdf", ""},
     {"fetch", "tests/data/published/fetch.urdf", ""},
     {"anymal_c", "tests/data/published/anymal_c.urdf", ""},  // its base floats
-    // Legs with loops, which take joints along: at most 1 % beyond a limit of speed.
-    {"cassie", "tests/data/published/cassie_v4.urdf", "", 1.0, 3},
+    // Legs with loops, which take joints along: seeds 1276 and 1618, at most 1.4 % beyond a limit.
+    {"cassie", "tests/data/published/cassie_v4.urdf", "", 1.0, 2},
 };
 
 std::string path_of(const char* name) {
@@ -74,7 +79,7 @@ struct Ready {
   std::vector<double> start;
 };
 
-std::optional<Ready> make_ready(const Tried& tried, Diagnostics& diagnostics) {
+std::optional<Ready> make_ready(const Tried& tried, bool is_like, Diagnostics& diagnostics) {
   InputOptions options;
   options.urdf = path_of(tried.urdf);
   options.scene = scene_file(tried, diagnostics);
@@ -82,6 +87,10 @@ std::optional<Ready> make_ready(const Tried& tried, Diagnostics& diagnostics) {
   options.limits_for = LimitUse::drive;
   auto inputs = read_inputs(options, diagnostics);
   if (!inputs) return std::nullopt;
+  if (!is_like) {
+    test::change_masses(inputs->robot);
+    inputs->scene.armature.clear();
+  }
   const auto accepts = [](const drive::RobotDescription&) { return true; };
   const auto tell = [](const std::string&) {};
   auto robot = launch({std::move(inputs->robot),
@@ -97,105 +106,13 @@ std::optional<Ready> make_ready(const Tried& tried, Diagnostics& diagnostics) {
   return Ready{std::move(*robot), std::move(start)};
 }
 
-/// Lines as people type them, those of a hand again and again.
-class Author {
- public:
-  Author(const drive::RobotDescription& robot, unsigned seed) : robot_(robot), rng_(seed) {}
-
-  std::vector<std::string> write() {
-    lines_ = {"start", "wait 0.05 s"};
-    const int count = 4 + below(7);
-    for (int i = 0; i < count; ++i) {
-      write_one();
-      lines_.push_back(fmt::format("wait {:.3f} s", between(0.02, 1.5)));
-    }
-    lines_.emplace_back("wait 1.5 s");
-    return lines_;
-  }
-
- private:
-  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(rng_); }
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(rng_);
-  }
-  std::string three(double reach) {
-    return fmt::format("{:.3f} {:.3f} {:.3f}", between(-reach, reach), between(-reach, reach),
-                       between(-reach, reach));
-  }
-  std::string how_long() {
-    if (below(2) == 0) return "";
-    return fmt::format(" in {:.3f} s", std::exp(between(std::log(0.03), std::log(3.0))));
-  }
-  std::string joint() {
-    for (;;) {
-      const auto& one = robot_.coordinates[static_cast<std::size_t>(
-          below(static_cast<int>(robot_.coordinates.size())))];
-      if (is_single(one)) return one.name;
-    }
-  }
-  std::string point() {
-    return robot_.points[static_cast<std::size_t>(below(static_cast<int>(robot_.points.size())))]
-        .name;
-  }
-  /// A lease, for some time.
-  void keep(const std::string& line) {
-    const int times = 3 + below(25);
-    for (int i = 0; i < times; ++i) {
-      lines_.push_back(line);
-      lines_.emplace_back("wait 0.04 s");
-    }
-  }
-  void write_one() {
-    const int what = below(robot_.points.empty() ? 6 : 12);
-    if (what < 6) {
-      write_for_joints(what);
-    } else {
-      write_for_points(what - 6);
-    }
-  }
-  void write_for_joints(int what) {
-    if (what < 2) {
-      lines_.push_back(fmt::format("joint {} {} {:.3f}{}", joint(), below(2) == 0 ? "to" : "by",
-                                   between(-2, 2), how_long()));
-    } else if (what == 2) {
-      const auto mode = static_cast<std::size_t>(below(robot_.points.empty() ? 2 : 3));
-      lines_.emplace_back(std::array{"mode joint", "mode gravity", "mode task"}[mode]);
-    } else if (what == 3) {
-      lines_.emplace_back(below(2) == 0 ? "hold" : "posture home");
-    } else if (what == 4) {
-      keep(fmt::format("drag joint {} to {:.3f}", joint(), between(-2, 2)));
-    } else if (!robot_.links.empty()) {
-      const int link = below(static_cast<int>(robot_.links.size()));
-      keep(fmt::format("pull {} at {} to {}", robot_.links[static_cast<std::size_t>(link)],
-                       three(0.1), three(1.0)));
-    }
-  }
-  void write_for_points(int what) {
-    const double reach = below(3) == 0 ? 1.5 : 0.3;
-    if (what < 3) {
-      const char* const how = below(4) == 0 ? "to" : "by";
-      lines_.push_back(fmt::format("move {} {} {}{}", point(), how, three(reach), how_long()));
-    } else if (what == 3) {
-      lines_.push_back(fmt::format("turn {} by {}{}", point(), three(1.5), how_long()));
-    } else if (what == 4) {
-      lines_.push_back(fmt::format("posture {} by {:.3f}{}", joint(), between(-1, 1), how_long()));
-    } else {
-      keep(fmt::format("drag {} to {}", point(), three(1.0)));
-    }
-  }
-
-  const drive::RobotDescription& robot_;
-  std::mt19937 rng_;
-  std::vector<std::string> lines_;
-};
-
 /// A robot that obeys a script in simulated time.
-class Run {
+class ScriptRun {
  public:
-  Run(const Ready& ready, double most)
+  ScriptRun(const Ready& ready, double most, const drive::ExternalRobot& robot)
       : ready_(ready),
         most_(most),
-        loop_(ready.robot.library.functions(), ready.robot.description, setup_of(ready)),
+        loop_(ready.robot.library.functions(), ready.robot.description, setup_of(ready, robot)),
         layout_(drive::report_layout(ready.robot.library.functions().coordinates,
                                      ready.robot.library.functions().velocities,
                                      ready.robot.library.functions().points)),
@@ -221,8 +138,9 @@ class Run {
   double fastest() const { return fastest_; }
 
  private:
-  static LoopSetup setup_of(const Ready& ready) {
+  static LoopSetup setup_of(const Ready& ready, const drive::ExternalRobot& robot) {
     LoopSetup setup;
+    setup.external = robot;
     setup.real_time = false;
     setup.start = ready.start;
     return setup;
@@ -257,41 +175,72 @@ class Run {
   std::string fault_, last_;
 };
 
-class RandomScripts : public testing::TestWithParam<Tried> {};
+/// Scripts with seeds from `first` on, for a robot that is like its model or not, of which so many
+/// are known to end in a fault.
+struct Batch {
+  unsigned first;
+  int count;
+  int known = 0;
+  bool is_like = true;
+};
 
-/// Runs scripts with these seeds, of which `admitted` may end in a fault: those are printed.
-void expect_within_limits(const Tried& tried, unsigned first, int count, int admitted) {
-  Diagnostics diagnostics;
-  const auto ready = make_ready(tried, diagnostics);
-  ASSERT_TRUE(ready.has_value());
-  int failed = 0;
-  double fastest = 0;
-  for (int i = 0; i < count; ++i) {
-    const unsigned seed = first + static_cast<unsigned>(i);
-    const auto lines = Author(ready->robot.description, seed).write();
-    Run run(*ready, tried.most);
+class RandomScripts : public testing::TestWithParam<Tried> {
+ protected:
+  void expect_within_limits(const Batch& batch) {
+    Diagnostics diagnostics;
+    ready_ = make_ready(GetParam(), true, diagnostics);
+    ASSERT_TRUE(ready_.has_value());
+    if (!batch.is_like) {
+      unlike_ = make_ready(GetParam(), false, diagnostics);
+      ASSERT_TRUE(unlike_.has_value());
+      drives_.emplace(unlike_->robot, ready_->start, ready_->robot.scene.armature);
+    }
+    int failed = 0;
+    double fastest = 0;
+    for (int i = 0; i < batch.count && failed <= 3; ++i) {
+      const std::string report = run(batch.first + static_cast<unsigned>(i), fastest);
+      if (report.empty()) continue;
+      if (++failed > batch.known) {
+        ADD_FAILURE() << report;
+      } else {
+        std::printf("known: %s\n", report.c_str());
+      }
+    }
+    std::printf("%s: seeds from %u, at most %.3f of a limit of speed, %d of %d failed\n",
+                GetParam().name, batch.first, fastest, failed, batch.count);
+  }
+
+ private:
+  /// What went wrong, if anything.
+  std::string run(unsigned seed, double& fastest) const {
+    const auto lines = test::ScriptAuthor(ready_->robot.description, seed).write();
+    std::optional<test::UnlikePlant> plant;
+    if (unlike_) {
+      plant.emplace(unlike_->robot, ready_->start, drives_->options(static_cast<int>(seed % 3)));
+    }
+    // A robot unlike its model may take what is left of 90 % to the limit.
+    const double most = unlike_ ? 1.0 : GetParam().most;
+    ScriptRun run(*ready_, most, plant ? plant->link() : drive::ExternalRobot{});
     const std::string wrong = run.run(lines);
     fastest = std::max(fastest, run.fastest());
-    if (wrong.empty()) continue;
-    const std::string report =
-        fmt::format("{}, seed {}: {}\n{}", tried.name, seed, wrong, fmt::join(lines, "\n"));
-    if (++failed <= admitted) {
-      std::printf("%s\n", report.c_str());
-    } else {
-      ADD_FAILURE() << report;
-    }
-    if (failed > 3) break;
+    if (wrong.empty()) return {};
+    return fmt::format("{}, seed {}: {}\n{}", GetParam().name, seed, wrong, fmt::join(lines, "\n"));
   }
-  std::printf("%s: seeds %u to %u, at most %.3f of a limit of speed, %d failed\n", tried.name,
-              first, first + static_cast<unsigned>(count) - 1, fastest, failed);
-}
+
+  std::optional<Ready> ready_, unlike_;
+  std::optional<test::UnlikeDrives> drives_;
+};
 
 TEST_P(RandomScripts, StayWithinLimits) {
-  expect_within_limits(GetParam(), 1, 15, 0);
+  expect_within_limits({1, 15});
 }
 
 TEST_P(RandomScripts, ByTheThousandStayWithinLimits) {
-  expect_within_limits(GetParam(), 1000, 715, GetParam().faults);
+  expect_within_limits({1000, 715, GetParam().faults});
+}
+
+TEST_P(RandomScripts, UnlikeItsModelStayWithinLimits) {
+  expect_within_limits({1, 30, GetParam().unlike, false});
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RandomScripts, testing::ValuesIn(kTried),
