@@ -23,6 +23,8 @@
 So a judge's velocities are T(q) qd, its accelerations T qdd + dT/dt qd, and joint forces come back by T^T.
 """
 
+import copy
+
 import numpy as np
 
 from robot_file import RobotFile, range_of
@@ -80,6 +82,12 @@ class Freedoms:
         for i, name in enumerate(velocity_joints):
             self.at_v.setdefault(name, i)
 
+    def of(self, robot):
+        """Of another robot with these coordinates."""
+        other = copy.copy(self)
+        other.robot = robot
+        return other
+
     def is_floating(self, name):
         return name not in self.robot.joints or self.robot.joints[name].type == "floating"
 
@@ -102,6 +110,26 @@ class Freedoms:
                 q[at] = random.uniform(*range_of(self.robot.joints[name]))
         return State(q, random.uniform(-3, 3, self.nv), random.uniform(-10, 10, self.nv))
 
+    def _quaternions(self):
+        """Where they begin in q."""
+        for name, at in self.at_q.items():
+            if self.is_floating(name):
+                yield at + 3
+            elif self.is_ball(name):
+                yield at
+
+    def normalized(self, q):
+        q = np.array(q)
+        for at in self._quaternions():
+            q[at:at + 4] /= np.linalg.norm(q[at:at + 4])
+        return q
+
+    def near_home(self, q, share):
+        """Coordinates shortened by so much, and turns about as much."""
+        q = share * q
+        for at in self._quaternions():
+            q[at + 3] = 1
+        return self.normalized(q)
 
     def displaced(self, q):
         """dq / d(displacement), nq x nv: displacements are in the velocities' coordinates."""

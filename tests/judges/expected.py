@@ -60,7 +60,7 @@ def forward_kinematics(f, case, v):
 
 
 def inverse_dynamics(f, case, v):
-    tau, M, h = f.inverse_dynamics(), f.mass_matrix(), f.nonlinear_effects()
+    tau, M, h = f.inverse_dynamics() + case.dry_friction(v["qd"]), f.mass_matrix(), f.nonlinear_effects()
     J = rows_jacobian(f, case.external)
     applied = J.T @ v.get("f_ext", np.zeros(0))
     return {"tau": (tau - applied, terms(np.abs(M) @ np.abs(v["qdd"]), h, tau,
@@ -68,7 +68,7 @@ def inverse_dynamics(f, case, v):
 
 
 def nonlinear_effects(f, case, v):
-    h = f.nonlinear_effects()
+    h = f.nonlinear_effects() + case.dry_friction(v["qd"])
     return {"h": (h, terms(h, f.gravity(), np.abs(f.mass_matrix()) @ np.abs(f.T.T @ f.s.drift)))}
 
 
@@ -85,14 +85,14 @@ def mass_matrix(f, case, v):
 def forward_dynamics(f, case, v):
     """Accelerations count as the forces that they take: the judge's M times both."""
     J, M, h = rows_jacobian(f, case.external), f.mass_matrix(), f.nonlinear_effects()
-    applied = v["tau"] + J.T @ v.get("f_ext", np.zeros(0))
+    applied = v["tau"] - case.dry_friction(v["qd"]) + J.T @ v.get("f_ext", np.zeros(0))
     qdd = f.forward_dynamics(applied)
     return {"qdd": (qdd, terms(np.abs(M) @ np.abs(qdd), h, applied), M)}
 
 
 def forward_dynamics_by_algebra(f, case, v):
     a = Algebra(f, case)
-    applied = v["tau"] + a.J_ext.T @ v.get("f_ext", np.zeros(0))
+    applied = v["tau"] - case.dry_friction(v["qd"]) + a.J_ext.T @ v.get("f_ext", np.zeros(0))
     qdd = a.M_inverse @ (applied - a.h)
     return {"qdd": (qdd, terms(np.abs(a.M) @ np.abs(qdd), a.h, applied), a.M)}
 

@@ -2,15 +2,15 @@
 
   judge.py --treeline PROGRAM --work FOLDER ROBOT.urdf...
 
-Every robot is judged on a fixed and a floating base, at random states, in five scenes: motion; forces, with a support
-and contacts; drives in its joints; a loop between two links; an object in two hands. Scenes that a robot cannot have
-are left out. disagreements.tsv lists what may differ or cannot be compared, with the reason; a row there that is not so
-fails as well. Exit status 1: something differs.
+Every robot is judged on a fixed and a floating base, at random states, in eight scenes: motion; forces, with a support
+and contacts; drives in its joints; rotors that turn what carries them; inputs at run time; a loop between two links; a
+wheel that rolls; an object in two hands. Scenes that a robot cannot have are left out. disagreements.tsv lists what may
+differ or cannot be compared, with the reason; a row there that is not so fails as well. Exit status 1: something
+differs.
 """
 
 import argparse
-import collections
-import fnmatch
+import contextlib
 import hashlib
 import os
 import re
@@ -23,77 +23,19 @@ import objects
 from conventions import Freedoms, Lacking, State, Unavailable, Undetermined
 from emitted import Emitted, Refused
 from expected import EXPECTED, forward_dynamics_by_algebra
+from inputs import FUNCTIONS as INPUTS, Inputs
 from judge_drake import Drake
 from judge_mujoco import Mujoco
 from judge_pinocchio import Pinocchio
 from mechanisms import FUNCTIONS, MECHANISMS, close
+from report import Report
 from robot_file import RobotFile
+from rotors import FUNCTIONS as ROTORS, Rotors
 from rows import held_jacobian, rows_jacobian
-from scenes import CLOSINGS, DRIVES, FORCES, LARGEST, LOOPS, MOTION, Case, Drives
+from scenes import CLOSINGS, DRIVES, FORCES, LARGEST, LOOPS, MOTION, ROLLING, Case, Drives
 
 JUDGES = (Pinocchio, Drake, Mujoco)
 STATES = 3
-# Relative to the terms of each result. All four programs round at 1e-16 and lose digits by the condition of the
-# mass matrix and of the task's, which is up to 1e6 here: agreement is 1e-12 or better in what is not solved for.
-TOLERANCE = 1e-9
-
-
-class Report:
-    """The worst error of each function by judge, and what could not be compared."""
-
-    def __init__(self, table):
-        self.errors = collections.defaultdict(float)
-        self.reasons = {}
-        self.had, self.lacking, self.left_out = set(), set(), {}
-        self.known = []
-        with open(table, encoding="utf-8") as file:
-            for line in file.read().splitlines()[1:]:
-                case, figure, judge, reason = line.split("\t")
-                self.known.append((case, figure, judge, reason))
-
-    def note(self, case, figure, judge, error):
-        key = (case, figure, judge)
-        self.errors[key] = error if not error <= self.errors[key] else self.errors[key]
-
-    def skip(self, case, figure, judge, reason):
-        self.reasons.setdefault((case, figure, judge), str(reason))
-
-    def faults(self, cases):
-        """What differs or was not compared without a row that says why, and rows that say what is not so."""
-        found = {key: f"differs by {error:.2g} of its terms" for key, error in self.errors.items()
-                 if not error <= TOLERANCE}
-        found.update({key: "not compared: " + reason for key, reason in self.reasons.items() if key not in self.errors})
-        met = set()
-        for key, what in sorted(found.items()):
-            rows = [row for row in self.known if all(map(fnmatch.fnmatchcase, key, row))]
-            met.update(rows)
-            if not rows:
-                yield " ".join(key) + ": " + what
-        for row in self.known:
-            if row not in met and any(fnmatch.fnmatchcase(case, row[0]) for case in cases):
-                yield " ".join(row[:3]) + ": agrees now; remove its row from disagreements.tsv"
-
-    def faults_of_table(self, page):
-        """What the page's table of functions and judges says that is not so."""
-        with open(page, encoding="utf-8") as file:
-            rows = dict(re.findall(r"^\| `(\w+)` \| (.*?) \|", file.read(), re.M))
-        for function, judge in sorted(self.had | self.lacking):
-            listed = judge in rows.get(function, "").lower().split(", ")
-            if listed != ((function, judge) in self.had):
-                yield f"{page}: {judge} {'lacks' if listed else 'judges'} {function}"
-
-    def print_case(self, case, seconds):
-        errors = {key: error for key, error in self.errors.items() if key[0] == case}
-        compared = {figure for _, figure, _ in errors}
-        for (name, figure), reason in self.left_out.items():
-            if name == case and figure not in compared:
-                print(f"{case}: {figure} left out: {reason}")
-        if not errors:
-            print(f"{case}: nothing compared, {seconds:.0f} s", flush=True)
-            return
-        worst = max(errors, key=errors.get)
-        print(f"{case}: {len(errors)} figures, worst {errors[worst]:.1e} ({worst[1]}, {worst[2]}), {seconds:.0f} s",
-              flush=True)
 
 
 def largest_error(ours, expectation):
@@ -169,15 +111,18 @@ class Trial:
             self.judge_motion()
             self.judge_forces()
             self.judge_drives()
+            self.judge_rotors()
+            self.judge_inputs()
             self.judge_loops()
+            self.judge_rolling()
             self.judge_object()
         except Refused as refusal:
             self.report.skip(self.name, "all", "treeline", str(refusal).splitlines()[0])
 
-    def emit(self, scene, functions, kind):
+    def emit(self, scene, functions, kind, file=None):
         """Without what Treeline refuses: single functions, and what needs the inverse of a singular mass matrix."""
         try:
-            return Emitted(self.treeline, self.path, scene, functions, os.path.join(self.folder, kind))
+            return Emitted(self.treeline, file or self.path, scene, functions, os.path.join(self.folder, kind))
         except Refused as refusal:
             if "mass matrix is singular" in str(refusal):
                 self.confirm_singular(kind)
@@ -189,12 +134,12 @@ class Trial:
             left = [name for name in functions if name not in refused]
             if not refused:
                 raise
-            return self.emit(scene, left, kind + "_") if left else None
+            return self.emit(scene, left, kind + "_", file) if left else None
 
     def confirm_singular(self, kind):
         """That the first judge's mass matrix has no inverse either."""
         drives = Drives(self.robot) if kind == "drives" else None
-        judge = Pinocchio(self.robot, self.case.floating, {}, drives)
+        judge = Pinocchio(self.robot, self.case.floating, {}, drives, self.case.gravity())
         M = judge.at(self.freedoms, self.freedoms.draw(self.random)).mass_matrix()
         error = 0.0 if np.linalg.cond(M) > 1e13 else np.inf
         self.report.note(self.name, f"{kind} singular mass matrix", judge.name, error)
@@ -203,7 +148,8 @@ class Trial:
         found = []
         for judge in JUDGES:
             try:
-                found.append(judge(self.robot, self.case.floating, self.case.frames(), drives))
+                found.append(judge(self.robot, self.case.floating, self.case.frames(), drives,
+                                   self.case.gravity()))
             except Unavailable as reason:
                 self.report.skip(self.name, "all", judge.name, reason)
         return found
@@ -249,8 +195,43 @@ class Trial:
         if not drives.armature:
             return
         emitted = self.emit(self.case.base_yaml() + drives.yaml(), DRIVES, "drives")
-        self.case.external = []
+        self.case.external, self.case.drives, self.case.freedoms = [], drives, self.freedoms
         self.compare(emitted, self.judges(drives), "drives")
+        self.case.drives = None
+
+    @contextlib.contextmanager
+    def reading(self, robot):
+        """Judges read this file meanwhile, with what the scene adds to Treeline's. Its coordinates are the same."""
+        own = self.robot, self.freedoms
+        self.robot, self.freedoms = robot, self.freedoms.of(robot)
+        try:
+            yield
+        finally:
+            self.robot, self.freedoms = own
+
+    def judge_rotors(self):
+        rotors = Rotors(self.robot)
+        if not rotors.joints:
+            return
+        file = os.path.join(self.folder, "resting_rotors.urdf")
+        rotors.at_rest(self.robot).write(file)
+        emitted = self.emit(self.case.base_yaml() + rotors.yaml(), ROTORS, "rotors", file)
+        if emitted is not None:
+            with self.reading(rotors.turning(self.robot)):
+                self.compare(emitted, self.judges(), "rotors")
+
+    def judge_inputs(self):
+        self.case = Case(self.robot, self.case.floating, self.random)
+        self.case.inputs = inputs = Inputs(self.case, self.random)
+        with self.reading(inputs.told(self.robot)):
+            judges, state = self.judges(), self.freedoms.draw(self.random)
+            figures = judges[0].at(self.freedoms, state)
+            if np.linalg.cond(figures.mass_matrix()) > 1e13:
+                return
+            self.case.keep_independent_rows([figures])
+            emitted = self.emit(inputs.yaml(self.case), INPUTS, "inputs") if self.case.points else None
+            if emitted is not None:
+                self.compare(emitted, judges, "inputs", [state])
 
     def judge_loops(self):
         """At one pose, in which the loop is closed, with velocities that keep it so and others."""
@@ -280,6 +261,23 @@ class Trial:
         states = [close(judges[0], self.freedoms, self.case, self.random) for _ in range(STATES)]
         self.compare(self.emit(mechanism.yaml(), FUNCTIONS, "mechanism"), judges, "mechanism", states)
 
+    def judge_rolling(self):
+        """At one pose, in which it touches, with velocities that roll and others."""
+        self.case = Case(self.robot, self.case.floating, self.random)
+        state = self.freedoms.draw(self.random)
+        figures = self.judges()[0].at(self.freedoms, state)
+        if np.linalg.cond(figures.mass_matrix()) > 1e13:
+            return
+        self.case.roll(figures, self.random)
+        J = held_jacobian(figures, self.case)
+        if np.linalg.svd(J, compute_uv=False)[-1] < 0.05:
+            return  # rows that depend on each other: forces have no one answer
+        emitted = self.emit(self.case.loop_yaml(), ROLLING, "rolling")
+        if emitted is not None:
+            judges, moving = self.judges(), State(state.q, state.qd.copy(), state.qdd)
+            self.hold_rows(judges[0], moving)
+            self.compare(emitted, judges, "rolling", [moving, state])
+
     def judge_object(self):
         """At one pose, in which both hands hold it, moving as one."""
         self.case = Case(self.robot, self.case.floating, self.random)
@@ -303,6 +301,7 @@ class Trial:
         for state in states or [self.freedoms.draw(self.random) for _ in range(STATES)]:
             figures = {judge.name: judge.at(self.freedoms, state) for judge in judges}
             values = draw_inputs(self.case, self.freedoms, state, figures, self.random)
+            values.update(self.case.inputs.values if self.case.inputs else {})
             for name, function in emitted.functions.items():
                 ours = function(inputs_for(name, self.case, values))
                 for judge in judges:

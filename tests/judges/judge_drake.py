@@ -36,7 +36,7 @@ class Drake:
 
     name = "drake"
 
-    def __init__(self, robot, floating, points, drives=None):
+    def __init__(self, robot, floating, points, drives=None, gravity=(0, 0, -9.81)):
         self.floating = floating
         self.plant = MultibodyPlant(0.0)
         try:
@@ -51,6 +51,7 @@ class Drake:
             body = self.plant.GetBodyByName(name_for_judges(link, floating)) if (
                 floating or link != "world") else self.plant.world_body()
             self.plant.AddFrame(FixedOffsetFrame("point " + name, body.body_frame(), pose))
+        self.plant.mutable_gravity_field().set_gravity_vector(gravity)
         self._add_drives(drives)
         try:
             self.plant.Finalize()

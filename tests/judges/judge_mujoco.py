@@ -35,7 +35,7 @@ class Mujoco:
 
     name = "mujoco"
 
-    def __init__(self, robot, floating, points, drives=None):
+    def __init__(self, robot, floating, points, drives=None, gravity=(0, 0, -9.81)):
         self.floating = floating
         text, replaced = _replace_refused(plain_text(robot, floating))
         text = re.sub(r'type="ball"', 'type="spherical"', text)
@@ -62,6 +62,7 @@ class Mujoco:
         self.joints = [JudgeJoint(self.model.joint(i).name, kind_of(i),
                                   self.model.jnt_qposadr[i], self.model.jnt_dofadr[i])
                        for i in range(self.model.njnt)]
+        self.model.opt.gravity[:] = gravity
         self.set_drives(drives)
         self.data = mujoco.MjData(self.model)
 

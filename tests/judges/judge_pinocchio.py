@@ -5,6 +5,7 @@ import pinocchio as pin
 
 from conventions import Figures, JudgeJoint, JudgeState, Lacking, Unavailable
 from robot_file import name_for_judges, plain_text, rotation_from_rpy
+from rows import Loop
 
 WORLD = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 OWN = pin.ReferenceFrame.LOCAL
@@ -22,7 +23,7 @@ class Pinocchio:
 
     name = "pinocchio"
 
-    def __init__(self, robot, floating, points, drives=None):
+    def __init__(self, robot, floating, points, drives=None, gravity=(0, 0, -9.81)):
         self.floating = floating
         text = plain_text(robot, floating)
         base = (pin.JointModelFreeFlyer(), "base") if floating else ()
@@ -43,6 +44,7 @@ class Pinocchio:
                     armature[joint.at_v] = drives.armature[joint.name]
             self.model.armature = armature
         self.has_drives = drives is not None
+        self.model.gravity.linear = np.array(gravity)
         self.data = self.model.createData()
 
     def _add_frame(self, name, link, xyz, rpy):
@@ -99,6 +101,8 @@ class PinocchioFigures(Figures):
     def constrained_acceleration(self, case, tau):
         """By its own constraints of points and frames, at velocities that keep them."""
         held = [(point.name, None, point.rows) for point in case.held]
+        if not all(isinstance(loop, Loop) for loop in case.loops):
+            raise Lacking()
         held += [(loop.first, loop.second, loop.rows) for loop in case.loops]
         whole = all(len(rows) == 6 or rows == ("x", "y", "z") for *_, rows in held)
         if case.couplings or not whole or not self._is_renaming():

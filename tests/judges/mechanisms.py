@@ -56,6 +56,10 @@ MECHANISMS = {
                         ("rod_2", (0, 0, -0.5), "platform", (-0.025, -0.04330127018922193, 0), BALL)],
                        passive=[f"{joint}_{i}" for i in range(3) for joint in ("elbow", "sway")]
                        + ["slide_x", "slide_y", "slide_z"], in_file=True),
+    "stewart": Mechanism([(f"rod_{i}", (0, 0, 0.1), "plate", (x, y, 0), BALL) for i, (x, y) in enumerate(
+        ((-0.2393, 0.4145), (-0.3133, 0.4145), (-0.5526, 0.0), (-0.5157, -0.0641), (-0.037, -0.0641)), 1)],
+                         passive=["rim"] + [f"{joint}_{i}" for i in range(6) for joint in ("yaw", "pitch")],
+                         in_file=True),
     "belt_arm": Mechanism(couplings=[Coupling("elbow_belt", {"elbow_motor": 1, "elbow": -4}),
                                      Coupling("wrist_belt", {"wrist_motor": 1, "wrist": -5, "elbow": -5})],
                           passive=("elbow", "wrist")),
@@ -69,13 +73,14 @@ def close(judge, freedoms, case, random):
     """A state in which all is closed, by Newton's method on the judge's frames, and velocities that keep it so."""
     for _ in range(50):
         state = freedoms.draw(random)
-        state.q = 0.3 * state.q
+        state.q = freedoms.near_home(state.q, 0.3)
         for _ in range(60):
             figures = judge.at(freedoms, state)
             errors = constraint_errors(figures, case, state.q)
             if np.max(np.abs(errors)) < 1e-14:
                 break
-            state.q = state.q - freedoms.displaced(state.q) @ (np.linalg.pinv(held_jacobian(figures, case)) @ errors)
+            step = freedoms.displaced(state.q) @ (np.linalg.pinv(held_jacobian(figures, case)) @ errors)
+            state.q = freedoms.normalized(state.q - step)
         J = held_jacobian(judge.at(freedoms, state), case)
         if np.max(np.abs(errors)) < 1e-13 and np.linalg.svd(J, compute_uv=False)[-1] > 0.02:
             return State(state.q, state.qd - np.linalg.pinv(J) @ (J @ state.qd), state.qdd)

@@ -26,10 +26,21 @@ class Joint:
         limit = element.find("limit")
         self.lower, self.upper = (
             (float(limit.get("lower", 0)), float(limit.get("upper", 0))) if limit is not None else (0, 0))
+        self._origin, self._axis = element.find("origin"), element.find("axis")
         mimic = element.find("mimic")
         self.leader = None if mimic is None else mimic.get("joint")
         self.multiplier = 1.0 if mimic is None else float(mimic.get("multiplier", 1))
         self.offset = 0.0 if mimic is None else float(mimic.get("offset", 0))
+
+    @property
+    def axis(self):
+        """Of length 1, in the joint's frame."""
+        axis = np.array("1 0 0".split() if self._axis is None else self._axis.get("xyz").split(), dtype=float)
+        return axis / np.linalg.norm(axis)
+
+    @property
+    def origin_text(self):
+        return "" if self._origin is None else ET.tostring(self._origin, "unicode").strip()
 
     @property
     def moves(self):
@@ -70,7 +81,16 @@ class RobotFile:
 
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
-            self.text = file.read()
+            self._read(file.read())
+
+    @classmethod
+    def of_text(cls, text):
+        robot = cls.__new__(cls)
+        robot._read(text)
+        return robot
+
+    def _read(self, text):
+        self.text = text
         root = ET.fromstring(self.text)
         self.name = root.get("name")
         self.joints = {j.name: j for j in map(Joint, root.findall("joint"))}
@@ -78,6 +98,20 @@ class RobotFile:
         self.masses = {link.get("name"): _mass_of(link) for link in root.findall("link")}
         self.joint_above = {j.child: j for j in self.joints.values()}
         self.root = next(link for link in self.links if link not in self.joint_above)
+
+    def write(self, path):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.text)
+
+    def with_added(self, elements):
+        """The robot with more links and joints."""
+        end = self.text.rindex("</robot")
+        return RobotFile.of_text(self.text[:end] + elements + self.text[end:])
+
+    def with_inertial(self, link, inertial):
+        """The robot with this inertia of a link."""
+        body = re.compile(rf'(<link\b[^>]*\bname\s*=\s*"{re.escape(link)}"[^>]*?)(/>|>.*?</link\s*>)', re.S)
+        return RobotFile.of_text(body.sub(lambda found: f"{found[1]}>{inertial}</link>", self.text, count=1))
 
     def leader_of(self, joint):
         """The independent joint behind mimics, and by which factor and offset `joint` follows it."""
@@ -128,6 +162,14 @@ class RobotFile:
 def _mass_of(link):
     mass = link.find("inertial/mass")
     return 0.0 if mass is None else float(mass.get("value"))
+
+
+def inertial_of_body(m, c, I):
+    """The element of a URDF, of the tensor about the centre."""
+    numbers = lambda values: " ".join(repr(float(x)) for x in values)
+    moments = " ".join(f'{key}="{float(x)!r}"' for key, x in zip(
+        ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), (I[0, 0], I[0, 1], I[0, 2], I[1, 1], I[1, 2], I[2, 2])))
+    return f'<inertial><origin xyz="{numbers(c)}"/><mass value="{float(m)!r}"/><inertia {moments}/></inertial>'
 
 
 def plain_text(robot, floating):

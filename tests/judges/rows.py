@@ -61,26 +61,74 @@ class Loop:
     def indices(self):
         return [ALL_ROWS.index(row) for row in self.rows]
 
+    def jacobian(self, figures):
+        J1, J2, R, d = self._relative_frames(figures)
+        linear = J1[:3] - J2[:3] + skew(d) @ J2[3:]  # v1 - v2 - w2 x d
+        return np.vstack([R.T @ linear, R.T @ (J1[3:] - J2[3:])])[self.indices]
 
-def _loop_jacobian(figures, loop):
-    J1, J2, R, d = _relative_frames(figures, loop)
-    linear = J1[:3] - J2[:3] + skew(d) @ J2[3:]  # v1 - v2 - w2 x d
-    return np.vstack([R.T @ linear, R.T @ (J1[3:] - J2[3:])])[loop.indices]
+    def bias(self, figures):
+        """The derivative of R^T (v1 - v2 - w2 x d) and R^T (w1 - w2) at qdd = 0: R turns with w2."""
+        R, d = self._relative_frames(figures)[2:]
+        (v1, w1), (v2, w2) = (np.split(figures.velocity(frame), 2) for frame in (self.first, self.second))
+        (a1, b1), (a2, b2) = (np.split(figures.acceleration(frame, False), 2) for frame in (self.first, self.second))
+        slip = v1 - v2 - np.cross(w2, d)
+        linear = a1 - a2 - np.cross(b2, d) - np.cross(w2, v1 - v2) - np.cross(w2, slip)
+        return np.concatenate([R.T @ linear, R.T @ (b1 - b2 - np.cross(w2, w1 - w2))])[self.indices]
+
+    def errors(self, figures):
+        """Displacements and sines of turns, in the second frame's axes."""
+        (R1, p1), (R2, p2) = figures.pose(self.first), figures.pose(self.second)
+        turn = R2.T @ R1
+        sines = 0.5 * np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+        return np.concatenate([R2.T @ (p1 - p2), sines])[self.indices]
+
+    def _relative_frames(self, figures):
+        p1, (R, p2) = figures.pose(self.first)[1], figures.pose(self.second)
+        return figures.jacobian(self.first), figures.jacobian(self.second), R, p1 - p2
 
 
-def _loop_bias(figures, loop):
-    """The derivative of R^T (v1 - v2 - w2 x d) and R^T (w1 - w2) at qdd = 0: R turns with w2."""
-    R, d = _relative_frames(figures, loop)[2:]
-    (v1, w1), (v2, w2) = (np.split(figures.velocity(frame), 2) for frame in (loop.first, loop.second))
-    (a1, b1), (a2, b2) = (np.split(figures.acceleration(frame, False), 2) for frame in (loop.first, loop.second))
-    slip = v1 - v2 - np.cross(w2, d)
-    linear = a1 - a2 - np.cross(b2, d) - np.cross(w2, v1 - v2) - np.cross(w2, slip)
-    return np.concatenate([R.T @ linear, R.T @ (b1 - b2 - np.cross(w2, w1 - w2))])[loop.indices]
+class Rolling:
+    """A ball, or a thin disc about an axis of its frame, on a plane of the world that it touches."""
 
+    rows, indices = ("x", "y", "z"), [0, 1, 2]
 
-def _relative_frames(figures, loop):
-    p1, (R, p2) = figures.pose(loop.first)[1], figures.pose(loop.second)
-    return figures.jacobian(loop.first), figures.jacobian(loop.second), R, p1 - p2
+    def __init__(self, frame, radius, axis):
+        self.frame, self.radius, self.axis = frame, radius, axis
+        self.plane = None
+
+    def touch(self, figures, tilt):
+        """Puts the plane, turned by `tilt`, under it where it is."""
+        n = tilt[:, 2]
+        R, center = figures.pose(self.frame)
+        steep = 1.0 if self.axis is None else np.sqrt(1 - (n @ R @ self.axis) ** 2)
+        self.plane = tilt, center - self.radius * steep * n
+
+    def _arm(self, height, axis):
+        """From the centre to what touches: down, or of a disc down its face as far as the plane."""
+        n = self.plane[0][:, 2]
+        if axis is None:
+            return -self.radius * n + 0 * height
+        return -height * (n - (n @ axis) * axis) / (1 - (n @ axis) ** 2)
+
+    def _height_and_axis(self, figures):
+        R, center = figures.pose(self.frame)
+        return self.plane[0][:, 2] @ (center - self.plane[1]), None if self.axis is None else R @ self.axis
+
+    def jacobian(self, figures):
+        J = figures.jacobian(self.frame)
+        return self.plane[0].T @ (J[:3] - skew(self._arm(*self._height_and_axis(figures))) @ J[3:])
+
+    def bias(self, figures):
+        """The derivative of v + w x r at qdd = 0. The arm r runs along the rim: a complex step differentiates it."""
+        (v, w), (a, b) = np.split(figures.velocity(self.frame), 2), np.split(figures.acceleration(self.frame, False), 2)
+        height, axis = self._height_and_axis(figures)
+        rise, step = self.plane[0][:, 2] @ v, 1e-30j
+        moved = self._arm(height + step * rise, None if axis is None else axis + step * np.cross(w, axis))
+        return self.plane[0].T @ (a + np.cross(b, self._arm(height, axis)) + np.cross(w, moved.imag / step.imag))
+
+    def errors(self, figures):
+        """It touches wherever it is asked."""
+        return np.zeros(3)
 
 
 def skew(a):
@@ -89,21 +137,16 @@ def skew(a):
 
 def held_jacobian(figures, case):
     """Of supports, then loops, then couplings."""
-    return np.vstack([rows_jacobian(figures, case.held), *(_loop_jacobian(figures, loop) for loop in case.loops),
+    return np.vstack([rows_jacobian(figures, case.held), *(loop.jacobian(figures) for loop in case.loops),
                       *case.coupling_rows()])
 
 
 def held_bias(figures, case):
-    return np.concatenate([rows_bias(figures, case.held), *(_loop_bias(figures, loop) for loop in case.loops),
+    return np.concatenate([rows_bias(figures, case.held), *(loop.bias(figures) for loop in case.loops),
                            np.zeros(len(case.couplings))])
 
 
 def constraint_errors(figures, case, q):
-    """Of loops: displacements and sines of turns, in the second frame's axes. Of couplings: sums."""
-    errors = [np.zeros(0)]
-    for loop in case.loops:
-        (R1, p1), (R2, p2) = figures.pose(loop.first), figures.pose(loop.second)
-        turn = R2.T @ R1
-        sines = 0.5 * np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
-        errors.append(np.concatenate([R2.T @ (p1 - p2), sines])[loop.indices])
-    return np.concatenate(errors + [row @ q for row in case.coupling_rows()])  # of joints with one coordinate
+    """Of loops, then sums of couplings."""
+    return np.concatenate([np.zeros(0), *(loop.errors(figures) for loop in case.loops),
+                           *(row @ q for row in case.coupling_rows())])  # of joints with one coordinate

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from rows import ALL_ROWS, Loop, Point, place_yaml, rows_jacobian
+from robot_file import rotation_from_rpy
+from rows import ALL_ROWS, Loop, Point, Rolling, place_yaml, rows_jacobian
 
 # What a support holds, one kind a robot in turn.
 SUPPORTS = (ALL_ROWS, ("x", "y", "z"), ("z", "rx", "ry"))
@@ -29,8 +30,13 @@ LARGEST = {"forward_dynamics_derivatives": 20, "inverse_dynamics_derivatives": 3
            "centroidal_momentum_rate_derivatives": 36, "null_space_projector": 45}
 
 
+ROLLING = "constrained_forward_dynamics constraint_jacobian constraint_errors".split()
+# Of Coulomb friction, rad/s or m/s.
+WIDTH = 0.5
+
+
 class Drives:
-    """What sits in joints: rotor inertia, viscous friction, and springs as (stiffness, rest), by joint."""
+    """What sits in joints: rotor inertia, viscous and Coulomb friction, and springs as (stiffness, rest), by joint."""
 
     def __init__(self, robot):
         # Followers share a coordinate; what sits in their joints is the leader's.
@@ -39,6 +45,7 @@ class Drives:
                  if j.type in ("revolute", "continuous", "prismatic") and j.leader is None and j.name not in leaders]
         self.armature = {name: 0.01 * (1 + i % 7) for i, name in enumerate(plain)}
         self.damping = {name: 0.3 * (1 + i % 5) for i, name in enumerate(plain)}
+        self.dry = {name: 0.7 * (1 + i % 3) for i, name in enumerate(plain)}
         # Else the file's count, which no judge reads here.
         self.others = [j.name for j in robot.joints.values()
                        if j.type in ("revolute", "continuous", "prismatic") and j.name not in plain]
@@ -46,11 +53,11 @@ class Drives:
 
     def yaml(self):
         listed = lambda values: "{" + ", ".join(f'"{name}": {value}' for name, value in values.items()) + "}"
-        friction = {name: f"{{damping: {d}}}" for name, d in self.damping.items()}
-        friction.update({name: "{damping: 0}" for name in self.others})
+        friction = {name: f"{{damping: {d}, friction: {self.dry[name]}}}" for name, d in self.damping.items()}
+        friction.update({name: "{damping: 0, friction: 0}" for name in self.others})
         springs = {name: f"{{stiffness: {k}, rest: {r}}}" for name, (k, r) in self.springs.items()}
         return (f"armature: {listed(self.armature)}\n"
-                f"joint_friction: {{model: viscous, joints: {listed(friction)}}}\n"
+                f"joint_friction: {{model: coulomb, width: {WIDTH}, joints: {listed(friction)}}}\n"
                 f"joint_springs: {listed(springs)}\n")
 
 
@@ -74,7 +81,7 @@ class Case:
         self.held = [place("support", 2, "local" if random.integers(2) else "world",
                            SUPPORTS[random.integers(len(SUPPORTS))])]
         self.loops, self.loop_frames = [], {}
-        self.couplings, self.passive, self.freedoms = [], (), None
+        self.couplings, self.passive, self.freedoms, self.drives, self.inputs = [], (), None, None, None
         self.parameter_links = []
 
     def coupling_rows(self):
@@ -86,13 +93,28 @@ class Case:
             rows.append(row)
         return rows
 
+    def dry_friction(self, qd):
+        """Which no judge has: the smooth sign tanh(128 artanh(x / 128)) of x = qd / width, as a share of powers."""
+        forces = np.zeros(len(qd))
+        for joint, largest in ({} if self.drives is None else self.drives.dry).items():
+            x = qd[self.freedoms.at_v[joint]] / WIDTH
+            ahead, behind = (1 + x / 128) ** 128, (1 - x / 128) ** 128
+            forces[self.freedoms.at_v[joint]] = largest * (ahead - behind) / (ahead + behind)
+        return forces
+
     def passive_velocities(self):
         """Velocities of a base that floats, of floating joints, and of joints that the scene names as passive."""
         found = list(range(6)) if self.floating else []
         for joint in self.robot.joints.values():
             if joint.type == "floating":
                 found += range(self.freedoms.at_v[joint.name], self.freedoms.at_v[joint.name] + 6)
-        return np.array(found + [self.freedoms.at_v[joint] for joint in self.passive], dtype=int)
+        for joint in self.passive:
+            at = self.freedoms.at_v[joint]
+            found += range(at, at + (3 if self.freedoms.is_ball(joint) else 1))
+        return np.array(found, dtype=int)
+
+    def gravity(self):
+        return np.array([0, 0, -9.81]) if self.inputs is None else self.inputs.values["gravity"]
 
     def frames(self):
         """Of everything, by name, as judges take them."""
@@ -146,8 +168,26 @@ class Case:
                           f"other_origin: {place_yaml(near.xyz, near.rpy)}, rows: [{', '.join(rows)}]}}\n")
         self.points = []
 
+    def roll(self, figures, random):
+        """A ball or a disc around the first point, on a plane that touches it where the figures are."""
+        wheel = self.points[0]
+        axis = None if random.integers(2) else _unit(random.normal(size=3))
+        rolling = Rolling(wheel.name, random.uniform(0.05, 0.3), axis)
+        rolling.touch(figures, rotation_from_rpy(random.uniform(-1, 1, 3)))
+        self.loop_frames = {wheel.name: (wheel.link, wheel.xyz, wheel.rpy)}
+        self.loops, self.held, self.contacts, self.points = [rolling], [], [], []
+        thin = "" if axis is None else f", axis: [{', '.join(repr(float(x)) for x in axis)}]"
+        self.loop_text = (f'constraints:\n  - {{name: wheel, between: ["{wheel.link}", world], '
+                          f"origin: {place_yaml(wheel.xyz, wheel.rpy)}, "
+                          f"other_origin: {place_yaml(rolling.plane[1], rpy_of(rolling.plane[0]))}, "
+                          f"rolling: {{radius: {rolling.radius}{thin}}}}}\n")
+
     def loop_yaml(self):
         return self.base_yaml() + _list("external_forces", self.external, False) + self.loop_text
+
+
+def _unit(vector):
+    return vector / np.linalg.norm(vector)
 
 
 def rpy_of(R):
