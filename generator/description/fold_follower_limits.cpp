@@ -72,8 +72,9 @@ void fold(const NamedJoint& named, const Joint& follower, Joint& leader) {
       narrows ? fmt::format("from {} to {}", own.lower.value(), own.upper.value()) : "";
   const std::string speed = slows ? fmt::format("up to {} a second", own.velocity.value()) : "";
   warn(named.element, "mimic/limits",
-       fmt::format("limits of \"{}\", which follows \"{}\", permit that less than its own: {}{}{}",
-                   follower.name, leader.name, range, narrows && slows ? ", " : "", speed));
+       fmt::format(
+           "limits of \"{}\", which follows \"{}\", permit the latter less than its own do: {}{}{}",
+           follower.name, leader.name, range, narrows && slows ? ", " : "", speed));
 }
 
 }  // namespace

@@ -45,6 +45,10 @@ std::optional<SceneRotor> read_rotor(const SceneElement& value, const SceneField
   rotor.ratio = joint.rotor ? joint.rotor->ratio : 1;
   if (const auto gear = fields.find("gear_ratio"); gear != fields.end()) {
     rotor.ratio = gear->second.number().value_or(1);
+    if (rotor.ratio == 0) {
+      gear->second.error("0 is no ratio", "write it in turns of the rotor for one of the joint");
+      return std::nullopt;
+    }
   }
   const auto own = inertia->second.number();
   if (!own) return std::nullopt;

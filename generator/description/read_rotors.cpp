@@ -56,6 +56,11 @@ void read_rotor(const UrdfElement& transmission, Joint& joint) {
                        "give a positive one, kg m^2");
     return;
   }
+  if (ratio && *ratio == 0) {
+    transmission.warn("the gear ratio is 0 and is ignored",
+                      "give turns of the rotor for one of the joint");
+    return;
+  }
   if (!ratio && !inertia) return;
   if (!joint.rotor) joint.rotor = Rotor{};
   if (ratio && !joint.rotor->inertia) joint.rotor->ratio = *ratio;

@@ -40,7 +40,7 @@ TEST(FollowerLimits, AreThoseOfTheirLeader) {
   expect_diagnosed(
       diagnostics, "arm.urdf",
       {Severity::warning, 5, "robot/joint[follow]/limit",
-       "permit that less than its own: from -0.2 to 0.3, up to 0.5 a second", "agree"});
+       "permit the latter less than its own do: from -0.2 to 0.3, up to 0.5 a second", "agree"});
 }
 
 TEST(FollowerLimits, ThatAgreeOrAreWiderChangeNothing) {

@@ -65,6 +65,20 @@ TEST(ReadRotors, TakesTheArmatureOfDynamics) {
   EXPECT_EQ(armature_of(robot->joints[0]), 0.25);
 }
 
+// Would catch a rotor that a ratio of 0, left by an exporter, takes away without a word.
+TEST(ReadRotors, WarnOfARatioOfZero) {
+  Diagnostics diagnostics;
+  const auto robot = parse_urdf(urdf_with(motor("a",
+                                                "<mechanicalReduction>0</mechanicalReduction>"
+                                                "<drake:rotor_inertia value='1'/>")),
+                                "r.urdf", diagnostics);
+  ASSERT_TRUE(robot);
+  EXPECT_FALSE(robot->joints[0].rotor);
+  expect_diagnosed(
+      diagnostics, "r.urdf",
+      {Severity::warning, 1, "robot/transmission[t_a]", "the gear ratio is 0", "turns"});
+}
+
 TEST(ReadRotors, RefusesWhatNoMotorHas) {
   Diagnostics diagnostics;
   EXPECT_FALSE(parse_urdf(urdf_with(motor("a", "<drake:rotor_inertia value='-1'/>")), "r.urdf",
@@ -137,6 +151,7 @@ TEST(ReadRotors, MayBeBodiesOfTheirOwn) {
             std::string::npos);
   EXPECT_NE(refused("gyroscopic: true, axis: [0, 0, 0]").find("no direction"), std::string::npos);
   EXPECT_NE(refused("axis: [0, 0, 1]").find("gyroscopic: true"), std::string::npos);
+  EXPECT_NE(refused("gear_ratio: 0").find("gear_ratio: 0 is no ratio"), std::string::npos);
 }
 
 // Talos turns its wrists by differentials: one transmission, two joints, two motors. Nothing of it
