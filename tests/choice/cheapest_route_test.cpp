@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "choice/function_mechanisms.hpp"
-#include "choice/only_by_name.hpp"
 #include "choice/generated_function.hpp"
+#include "choice/only_by_name.hpp"
 #include "limbed_robot.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/critical_path.hpp"
