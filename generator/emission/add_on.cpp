@@ -53,7 +53,7 @@ bool wants_lanes(const Contents& contents) {
 
 bool wants_registers(const Contents& contents) {
   const bool eights = wants_limits(contents) && !contents.context.misra;
-  return eights || has_common_frame(contents);
+  return eights || wants_endings(contents);
 }
 
 bool wants_laws(const Contents& contents) {

@@ -57,15 +57,22 @@ Adaptation make_ending_adaptation(const EmissionContext& context) {
   return make_adaptation(context, header_name(context, context.name));
 }
 
+bool has_ending(const Program& program) {
+  return program.ending != nullptr;
+}
+
 std::string print_ending_sizes(const Contents& contents, const Adaptation& own) {
   const EmissionContext& context = contents.context;
-  const bool floats =
-      std::any_of(contents.all.begin(), contents.all.end(),
-                  [](const Program& program) { return program.ending && program.ending->floats; });
-  const int n = context.velocities;
+  bool floats = false;
+  int path = 0;
+  for (const Program& program : contents.all) {
+    if (!has_ending(program)) continue;
+    floats = floats || program.ending->floats;
+    path = std::max(path, program.ending->path);
+  }
   const Constant sizes[] = {
-      {"STRIDE", core::column_stride(n), "of rows that hold three rows of matrices"},
-      {"PLACES", core::in_eights(n), "of freedoms side by side"},
+      {"PLACES", core::in_eights(context.velocities), "of freedoms side by side"},
+      {"PATH", path, "of rows that have what carries a freedom, and itself"},
       {"FLOATS", floats ? 1 : 0, "whether the base floats"}};
   return print_sizes(
       context.name, own,
@@ -99,8 +106,8 @@ std::string print_ending_table(const EmissionContext& context, const Table& tabl
   return print_table(fmt::format("static const {} {}", type, table.name), std::move(texts), 2);
 }
 
-bool has_ending(const Program& program) {
-  return program.ending != nullptr;
+std::string print_array(const std::string& real, const std::string& name, std::size_t size) {
+  return fmt::format("  TREELINE_ALIGNED {} {}[{}];\n", real, name, size);
 }
 
 /// The headers of all routines, once each.
@@ -131,11 +138,13 @@ std::string add_ending(const EmissionContext& context, const Program& program,
   }
   for (const Result& array : ending.lines.results) {
     if (!is_only_read(ending, array)) continue;
-    arrays += fmt::format("  {} {}[{}];\n", real, array.argument.name, array.values.size());
+    arrays += print_array(real, array.argument.name, array.values.size());
     pass(array.argument.name);
   }
-  arrays += fmt::format("  {} work[{}];\n", real, ending.work);
-  pass("work");
+  if (ending.work > 0) {
+    arrays += print_array(real, "work", ending.work);
+    pass("work");
+  }
   for (const Argument& result : ending.results) pass(result.name);
   const std::string call = in_detail(context, routine.call);
   return arrays + "\n" + lines + "\n" +
@@ -150,10 +159,6 @@ std::string print_ending_include(const EmissionContext& context, const Program& 
 
 bool wants_endings(const Contents& contents) {
   return std::any_of(contents.all.begin(), contents.all.end(), has_ending);
-}
-
-bool has_common_frame(const Contents& contents) {
-  return list_headers(contents).contains(kCommonFrame.name);
 }
 
 std::vector<GeneratedFile> print_ending_headers(const Contents& contents) {

@@ -20,7 +20,4 @@ std::string print_ending_include(const EmissionContext& context, const Program& 
 std::vector<GeneratedFile> print_ending_headers(const Contents& contents);
 bool wants_endings(const Contents& contents);
 
-/// Whether a function ends with a routine in one common frame.
-bool has_common_frame(const Contents& contents);
-
 }  // namespace treeline

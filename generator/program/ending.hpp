@@ -29,7 +29,8 @@ struct Ending {
   std::vector<Table> tables;      ///< in the order of the routine's parameters
   int velocities = 0;
   bool floats = false;      ///< whether the first six are those of a floating base
-  std::size_t work = 0;     ///< numbers of the work space
+  int path = 8;             ///< length of rows that have what carries a freedom, and itself
+  std::size_t work = 0;     ///< numbers of the work space, which some have in their arrays
   OperationCount executed;  ///< by the routine, with zeros too
 };
 

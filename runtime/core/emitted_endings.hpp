@@ -15,19 +15,19 @@ namespace treeline::core {
 #define TREELINE_REGISTER_BYTES 0  // each number by itself
 
 /// Everything of runtime/emitted/acceleration_derivatives.h and what it includes, for so many
-/// velocities.
+/// velocities and rows of factors so long.
 template <class Number>
 struct EmittedEndings {
   using real = Number;
   const real TL_ZERO = real(0.0);
   const real TL_ONE = real(1.0);
   const int32_t TL_VELOCITIES;
-  const int32_t TL_STRIDE = column_stride(TL_VELOCITIES);
   const int32_t TL_PLACES = in_eights(TL_VELOCITIES);
-
+  const int32_t TL_PATH;
   const bool TL_FLOATS;
 
-  EmittedEndings(int32_t velocities, bool floats) : TL_VELOCITIES(velocities), TL_FLOATS(floats) {}
+  EmittedEndings(int32_t velocities, int32_t path, bool floats)
+      : TL_VELOCITIES(velocities), TL_PATH(path), TL_FLOATS(floats) {}
 
 #include "emitted/acceleration_derivatives.h"
 };
@@ -39,5 +39,6 @@ struct EmittedEndings {
 #undef TREELINE_REGISTER_BYTES
 #undef TREELINE_WRITTEN_OUT
 #undef TREELINE_IN_PLACE
+#undef TREELINE_ALIGNED
 
 }  // namespace treeline::core

@@ -198,37 +198,46 @@ TL_INLINE void tl_copy_below(
   }
 }
 
-/// A matrix whose entries at and below the diagonal are products of columns of `A`
-/// and `X`, so many numbers long, and above it of those of `B` and `Y`, six long.
+/// A block of a matrix whose entries at and below the diagonal are products of
+/// columns of `A` and `X`, so many numbers long, and above it of those of `B` and
+/// `Y`, six long.
+TL_INLINE TREELINE_IN_PLACE void tl_multiply_block(const TlBlocks* blocks, int32_t at,
+    const real* A, const real* X, int32_t length, const real* B, const real* Y,
+    int32_t rows, int32_t stride, real* to) {
+  const int32_t row = blocks->list[3 * at];
+  const int32_t column = blocks->list[(3 * at) + 1];
+  const int32_t kind = blocks->list[(3 * at) + 2];
+  const int16_t* const keeps = (kind >= 0) ? &blocks->keeps[kind] : TL_NONE;
+  if (kind == -2) {
+    tl_clear_eight(rows, stride, to);
+  } else if (row > column) {
+    tl_multiply_eight(
+        &A[row], &X[column], length, keeps, blocks->kept, rows, stride, to);
+  } else {
+    tl_multiply_eight(&B[row], &Y[column], 6, keeps, blocks->kept, rows, stride, to);
+  }
+  if (row == column) {
+    real below[64];
+    tl_multiply_eight(
+        &A[row], &X[column], length, keeps, blocks->kept, rows, 8, below);
+    tl_copy_below(below, rows, stride, to);
+  }
+}
+
+/// All blocks of such a matrix.
 TL_INLINE TREELINE_IN_PLACE void tl_multiply_blocks(const TlBlocks* blocks,
     const real* A, const real* X, int32_t length, const real* B, const real* Y,
     real* to) {
   for (int32_t e = 0; e < blocks->count; ++e) {
     const int32_t row = blocks->list[3 * e];
     const int32_t column = blocks->list[(3 * e) + 1];
-    const int32_t kind = blocks->list[(3 * e) + 2];
-    const int16_t* const keeps = (kind >= 0) ? &blocks->keeps[kind] : TL_NONE;
     const int32_t left = TL_VELOCITIES - row;
     const int32_t rows = (left < 8) ? left : 8;
     const bool last = (row == column) && (left < 8);
     real end[64];  // the last block would be written beyond the end
     real* const block = last ? end : &to[(row * TL_VELOCITIES) + column];
     const int32_t stride = last ? 8 : TL_VELOCITIES;
-    if (kind == -2) {
-      tl_clear_eight(rows, stride, block);
-    } else if (row > column) {
-      tl_multiply_eight(
-          &A[row], &X[column], length, keeps, blocks->kept, rows, stride, block);
-    } else {
-      tl_multiply_eight(
-          &B[row], &Y[column], 6, keeps, blocks->kept, rows, stride, block);
-    }
-    if (row == column) {
-      real below[64];
-      tl_multiply_eight(
-          &A[row], &X[column], length, keeps, blocks->kept, rows, 8, below);
-      tl_copy_below(below, rows, stride, block);
-    }
+    tl_multiply_block(blocks, e, A, X, length, B, Y, rows, stride, block);
     if (last) {
       for (int32_t i = 0; i < rows; ++i) {
         for (int32_t j = 0; j < rows; ++j) {

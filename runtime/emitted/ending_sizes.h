@@ -9,6 +9,6 @@
 // - TL_NONE: a pointer to nothing
 // - TL_ZERO, TL_ONE: numbers
 // - TL_VELOCITIES: n, rows of every matrix
-// - TL_STRIDE: 3 n and as many more as make a multiple of eight
 // - TL_PLACES: n and as many more as make a multiple of eight
+// - TL_PATH: the longest path of solve_columns.h, with its own freedom, in eights
 // - TL_FLOATS: whether the base floats, 1 or 0

@@ -27,6 +27,13 @@
 #define TREELINE_IN_PLACE
 #endif
 
+// Arrays that are read in registers begin where a line of the cache does.
+#if defined(__GNUC__)
+#define TREELINE_ALIGNED __attribute__((aligned(64)))
+#else
+#define TREELINE_ALIGNED
+#endif
+
 /// Numbers in a register, at most eight, and registers of eight numbers.
 #if TREELINE_REGISTER_BYTES == 0
 enum { TL_WIDTH = 1, TL_REGISTERS = 8 };

@@ -6,8 +6,8 @@
 
 #include "core/in_eights.hpp"
 #include "recursion/methods/forward_kinematics.hpp"
-#include "recursion/routes/list_row_sums.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/tree_paths.hpp"
 
 namespace treeline {
 namespace {
@@ -250,13 +250,18 @@ std::vector<Expression> list_rates(const Trace& trace, const std::vector<Express
 bool suits_common_frame(const Tree<Expression>& tree) {
   // Places of factors are listed as numbers of 16 bits.
   if (tree.links.empty() || tree.has_mimics || tree.nv > 176) return false;
+  std::vector<int> parents(static_cast<std::size_t>(tree.nv), -1);
   int last = -1;
   for (const TreeLink<Expression>& link : tree.links) {
     const bool first = &link == &tree.links.front();
     const bool own = link.has_one_coordinate() || (first && link.is_floating());
-    const bool in_order = place_of(link) > last && parent_place(tree, link) <= last;
-    if (!own || link.spins || !in_order || !has_constant_numbers(link)) return false;
+    const int parent = parent_place(tree, link);
+    int at = last;
+    while (at > parent) at = parents[static_cast<std::size_t>(at)];
+    const bool depth_first = at == parent && place_of(link) > last;
+    if (!own || link.spins || !depth_first || !has_constant_numbers(link)) return false;
     last = place_of(link);
+    parents[static_cast<std::size_t>(last)] = parent;
   }
   return true;
 }
@@ -286,19 +291,19 @@ Ending end_with_force_derivatives(const Trace& trace) {
 
 Ending end_with_acceleration_derivatives(const Trace& trace) {
   const Tree<Expression>& tree = trace.tree;
-  Ending ending = begin_ending(trace, Routine::acceleration_derivatives, 109);
-  ending.work +=
-      static_cast<std::size_t>(tree.nv * (core::in_eights(tree.nv) + core::column_stride(tree.nv)));
   const int n = tree.nv;
+  const PlaceList parents = list_parents(tree);
+  Ending ending = begin_ending(trace, Routine::acceleration_derivatives, 0);
+  const auto related = [&](int i, int j) { return are_related(ending, parents, i, j); };
+  const TreePaths paths(n, related);
+  ending.path = paths.row_length();
+  const int places = core::in_eights(n);
+  ending.work = static_cast<std::size_t>((133 + 2 * ending.path) * places + 8);
   ending.results = {{"dqdd_dq", n, n, by_displacements(*trace.mechanism)},
                     {"dqdd_dqd", n, n, "by qd"},
                     {"dqdd_dtau", n, n, "by tau: M^-1"}};
   list_tables(tree, list_drives(tree), ending);
-  const PlaceList parents = list_parents(tree);
-  const int stride = core::in_eights(n);
-  list_row_sums(
-      [&](int k, int i) { return are_related(ending, parents, i, k) ? k * stride + i : -1; },
-      ending);
+  paths.append_to(ending.tables, related);
   place_links(trace, ending);
   std::vector<Expression> taken(static_cast<std::size_t>(tree.nv), Expression(0.0));
   add_drive_forces<Expression>(tree, trace.X, {trace.qd(), {}}, taken);

@@ -6,8 +6,8 @@
 namespace treeline {
 
 /// Whether functions of the tree may be computed in one common frame, see
-/// `runtime/emitted/common_frame.h`: joints have one freedom of their own each, a base may float,
-/// and inertias are constants.
+/// `runtime/emitted/common_frame.h`: joints have one freedom of their own each and are numbered
+/// depth first, a base may float, and inertias are constants.
 bool suits_common_frame(const Tree<Expression>& tree);
 
 /// M by lines for the links' places and a routine for the rest. Joints' rotations are not deferred

@@ -1,13 +1,13 @@
 #include "recursion/routes/derivative_routes.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
-#include "core/in_eights.hpp"
 #include "recursion/methods/forward_dynamics_derivatives.hpp"
 #include "recursion/routes/common_frame.hpp"
-#include "recursion/routes/list_row_sums.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/tree_paths.hpp"
 
 namespace treeline {
 namespace {
@@ -44,23 +44,33 @@ std::vector<Result> trace_forward(const Trace& trace, DerivativeRoute route) {
           matrix_result("dqdd_dtau", "by tau: M^-1", d.dtau)};
 }
 
-/// Returns the entries of L that may not be 0, column by column, and lists them for the solve.
-std::vector<Expression> list_factors(const DenseMatrix<Expression>& L, Ending& ending) {
-  const int n = ending.velocities;
+/// L as the solve has it: rows of what carries each freedom.
+std::vector<Expression> list_factors(const DenseMatrix<Expression>& L, const TreePaths& paths) {
   std::vector<Expression> factors;
-  DenseMatrix<int> places(L.rows(), L.rows());
-  const auto entry = [](auto& matrix, int k, int i) -> decltype(auto) {
-    return matrix(static_cast<std::size_t>(k), static_cast<std::size_t>(i));
-  };
-  for (int i = 0; i < n; ++i) {
-    for (int k = n; k-- > i + 1;) {
-      entry(places, k, i) = entry(L, k, i).is_zero() ? -1 : static_cast<int>(factors.size());
-      if (entry(places, k, i) >= 0) factors.push_back(entry(L, k, i));
+  for (std::size_t k = 0; k < L.rows(); ++k) {
+    for (const int i : paths.path_of(static_cast<int>(k))) {
+      factors.push_back(L(k, static_cast<std::size_t>(i)));
+    }
+    factors.resize((k + 1) * static_cast<std::size_t>(paths.row_length()), Expression(0.0));
+  }
+  return factors;
+}
+
+/// Columns of two matrices as the solve has them: strips of eight of each.
+std::vector<Expression> list_strips(const DenseMatrix<Expression>& A,
+                                    const DenseMatrix<Expression>& B) {
+  std::vector<Expression> strips;
+  for (std::size_t column = 0; column < A.cols(); column += 8) {
+    for (std::size_t i = 0; i < A.rows(); ++i) {
+      const std::size_t begin = strips.size();
+      strips.resize(begin + 24, Expression(0.0));
+      for (std::size_t j = column; j < std::min(column + 8, A.cols()); ++j) {
+        strips[begin + j - column] = A(i, j);
+        strips[begin + 8 + j - column] = B(i, j);
+      }
     }
   }
-  if (factors.empty()) factors.emplace_back(0.0);  // arrays have at least one
-  list_row_sums([&](int k, int i) { return entry(places, k, i); }, ending);
-  return factors;
+  return strips;
 }
 
 /// Derivatives of joint forces as straight lines, then the solve.
@@ -73,16 +83,22 @@ Ending solve_forward(const Trace& trace) {
   const auto argument = [&](const char* name, const std::string& meaning) {
     return Argument{name, trace.tree.nv, trace.tree.nv, meaning};
   };
+  const auto is_there = [](const DenseMatrix<Expression>& matrix, int i, int j) {
+    return !matrix(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).is_zero();
+  };
+  const TreePaths paths(trace.tree.nv,
+                        [&, &L = factor.L](int k, int i) { return is_there(L, k, i); });
   Ending ending;
   ending.routine = Routine::solve_columns;
   ending.velocities = trace.tree.nv;
-  ending.work = static_cast<std::size_t>(trace.tree.nv * core::column_stride(trace.tree.nv));
+  ending.path = paths.row_length();
   ending.results = {argument("dqdd_dq", by_displacements(*trace.mechanism)),
                     argument("dqdd_dqd", "by qd"), argument("dqdd_dtau", "by tau: M^-1")};
-  ending.lines.results = {{ending.results[0], (-d.dq).values()},
-                          {ending.results[1], (-d.dqd).values()},
-                          vector_result("L", "", list_factors(factor.L, ending)),
-                          vector_result("inverse_D", "", factor.inverse_D)};
+  paths.append_to(ending.tables,
+                  [&](int i, int j) { return is_there(d.dq, i, j) || is_there(d.dqd, i, j); });
+  ending.lines.results = {vector_result("L", "", list_factors(factor.L, paths)),
+                          vector_result("inverse_D", "", factor.inverse_D),
+                          vector_result("X", "", list_strips(-d.dq, -d.dqd))};
   return ending;
 }
 

@@ -27,8 +27,8 @@ using Call = void (*)(core::EmittedEndings<Number>& routines, Arrays<Number>& of
 
 template <class Number>
 void call_solve_columns(core::EmittedEndings<Number>& routines, Arrays<Number>& of) {
-  routines.tl_solve_columns(of.places[0], of.places[1], of.places[2], of.places[3],
-                            of.read[0].data(), of.read[1].data(), of.work.data(),
+  routines.tl_solve_columns(of.places[0], of.places[1], of.places[2], of.places[3], of.places[4],
+                            of.places[5], of.read[0].data(), of.read[1].data(), of.read[2].data(),
                             of.results[0].data(), of.results[1].data(), of.results[2].data());
 }
 
@@ -54,8 +54,9 @@ void call_acceleration_derivatives(core::EmittedEndings<Number>& routines, Array
   routines.tl_acceleration_derivatives(
       of.constants[0].data(), of.constants[1].data(), of.constants[2].data(), of.places[0],
       of.places[1], of.places[2], of.constants[3].data(), of.places[3], of.places[4], of.places[5],
-      of.places[6], of.read[0].data(), of.read[1].data(), of.read[2].data(), of.work.data(),
-      of.results[0].data(), of.results[1].data(), of.results[2].data());
+      of.places[6], of.places[7], of.places[8], of.read[0].data(), of.read[1].data(),
+      of.read[2].data(), of.work.data(), of.results[0].data(), of.results[1].data(),
+      of.results[2].data());
 }
 
 template <class Number>
@@ -105,7 +106,7 @@ void enter(const Ending& ending, const Result& from, const std::vector<Number>& 
 
 template <class Number>
 void run(const Ending& ending, Arrays<Number>& arrays) {
-  core::EmittedEndings<Number> routines(ending.velocities, ending.floats);
+  core::EmittedEndings<Number> routines(ending.velocities, ending.path, ending.floats);
   call_of<Number>(ending.routine)(routines, arrays);
 }
 
