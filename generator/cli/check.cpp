@@ -111,6 +111,8 @@ bool is_for_board(const CheckCommand& options) {
 std::optional<GeneratedInputs> make_code(const CheckCommand& options, Diagnostics& diagnostics) {
   auto made = generate_from_files(options.inputs, Failing::kept, diagnostics);
   if (!made) return made;
+  // Functions that fail have no states of a self-test: what comes shows them.
+  if (!made->failed.empty()) made->inputs.scene.selftest = 0;
   if (!add_selftest(made->inputs.robot, made->inputs.scene, made->generation, diagnostics)) {
     return std::nullopt;
   }
