@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "recursion/methods/ordinary_states.hpp"
 #include "recursion/methods/resolved_by_pivots.hpp"
 
 // Relaxed pivots, elimination by given pivots, and rotations of quaternions of any length. Would
 // catch: a pole near zero, an inverse that is inaccurate for ordinary pivots, a jump, an unknown in
-// the wrong place, and a quaternion that scales or gives NaN.
+// the wrong place, a row that only rounding moves, and a quaternion that scales or gives NaN.
 
 namespace treeline::tests {
 namespace {
@@ -54,6 +55,21 @@ TEST(BoundedInverse, OfFloatStaysInItsRange) {
       EXPECT_NEAR(static_cast<double>(g * c), 1, 1e-6) << ordinary;
     }
   }
+}
+
+// Rounded products of rotations move the second row by 3e-17 where others move by 1. Would catch an
+// inverse of 1e33 for it, and a border that takes in the third row, which is moved by 4e-6.
+TEST(OrdinaryPivots, LetRowsYieldThatRoundingMoves) {
+  OrdinaryPivots pivots;
+  DenseMatrix<double> A(3, 3);
+  A(0, 0) = 2;
+  A(1, 1) = 1e-33;
+  A(2, 2) = 1.6e-11;
+  for (int state = 0; state < kOrdinaryStates; ++state) pivots.add(A);
+  const BoundedInverseShape shape = inverse_inertia_shape(Real::float64);
+  const auto borders = pivots.borders(shape);
+  EXPECT_LT(bounded_inverse(A(1, 1), borders[1], shape.power), 1e-30);
+  EXPECT_NEAR(bounded_inverse(A(2, 2), borders[2], shape.power) * A(2, 2), 1, 1e-15);
 }
 
 // A row that no joint moves has the pivot 0. Would catch 0 / 0.

@@ -7,6 +7,10 @@
 namespace treeline {
 namespace {
 
+/// A row with less than this share of the largest diagonal entry, the square of 6e-14, does not
+/// move: what is there comes from rounded products of the rotations above it.
+constexpr double kRounding = 0x1p-88;
+
 bool is_prime(int n) {
   for (int divisor = 2; divisor * divisor <= n; ++divisor) {
     if (n % divisor == 0) return false;
@@ -104,9 +108,14 @@ bool OrdinaryPivots::has_dependent() const {
 }
 
 std::vector<double> OrdinaryPivots::borders(const BoundedInverseShape& shape) const {
+  double largest = 0;
+  for (std::size_t k = 0; k < rows(); ++k) largest = std::max(largest, diagonal(k));
   std::vector<double> borders;
   for (std::size_t k = 0; k < rows(); ++k) {
-    borders.push_back(rounded_border(is_dependent(k) ? diagonal(k) : median(pivots_[k]), shape));
+    const bool moves = diagonal(k) > kRounding * largest;
+    const double dependent = moves ? diagonal(k) : kDependent * largest;
+    const bool yields = !moves || is_dependent(k);
+    borders.push_back(rounded_border(yields ? dependent : median(pivots_[k]), shape));
   }
   return borders;
 }
