@@ -9,6 +9,7 @@
 #include "choice/function_mechanisms.hpp"
 #include "description/controller_limits.hpp"
 #include "description/find_joint.hpp"
+#include "generation/find_speed_rise.hpp"
 #include "generation/generate_code.hpp"
 #include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
@@ -137,6 +138,8 @@ ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
   ControllerUnit unit;
   unit.settings = *scene.controller;
   unit.joints = list_joints(robot, scene, mechanism);
+  unit.settings.speed_rise =
+      std::max(unit.settings.speed_rise, find_speed_rise(mechanism, unit.joints));
   unit.kinematics = trace_kinematics(robot, scene);
   unit.joint_torque =
       trace_torque(robot, scene, Function::inverse_dynamics, "controller_joint_torque");

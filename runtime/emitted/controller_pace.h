@@ -93,7 +93,8 @@ TL_INLINE bool tl_loses_contact(
 #endif
 
 /// Why the points' motion cannot go on, if it cannot; `stuck` where something blocks
-/// them, which is a fault.
+/// them, which is a fault. Nothing blocks a robot that waits since its joints are
+/// fast.
 TL_INLINE int32_t tl_find_unmet(const TlConfig* config, const TlInput* input,
     const TlMeasured* at, TlState* state, bool* stuck) {
   const real ahead = tl_speed_ahead(config, at, state);
@@ -103,7 +104,7 @@ TL_INLINE int32_t tl_find_unmet(const TlConfig* config, const TlInput* input,
   if (tl_lacks_torque(config, state)) {
     why = TL_UNMET_TORQUE;
   }
-  if (ahead > TL_REAL(0.85)) {
+  if ((ahead > TL_REAL(0.85)) || ((*stuck) && (ahead > TL_REAL(0.4)))) {
     why = TL_UNMET_REACH;
   }
   if (tl_meets_limit(config, at)) {

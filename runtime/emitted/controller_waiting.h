@@ -18,12 +18,13 @@ TL_INLINE real tl_behind(const TlConfig* config, real away) {
 }
 
 /// The share by which a reference goes slower in the next step, now by `slow`, where
-/// `asked` is asked for. It changes smoothly: within `speed_rise` to a stand, and
-/// within twice that back.
+/// `asked` is asked for. It changes smoothly: within `speed_rise`, at most 0.15 s, to
+/// a stand, and within twice that back.
 TL_INLINE real tl_slow_down(const TlConfig* config, real asked, real slow) {
   const real least = (asked > TL_ZERO) ? asked : TL_ZERO;
   const real wanted = (asked < TL_ONE) ? least : TL_ONE;
-  const real rise = tl_larger(config->speed_rise, config->period);
+  const real soon = tl_smaller(config->speed_rise, TL_REAL(0.15));
+  const real rise = tl_larger(soon, config->period);
   const real follows = tl_smaller(TL_REAL(5.0) * config->period / rise, TL_ONE);
   const real change = wanted - slow;
   const real rate =

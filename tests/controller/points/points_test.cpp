@@ -1,6 +1,7 @@
 // Would catch, of emitted controllers that lead points: motions that were accepted and end in a
 // fault, since they are too quick, lead through singularities, out of reach or against a joint's
-// limit; joints faster than their limits; goals out of reach that nobody is told of.
+// limit, or ask for more than the motors have; joints faster than their limits; goals out of reach
+// that nobody is told of.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -19,7 +20,7 @@
 namespace treeline::tests {
 namespace {
 
-constexpr int kRunning = 1, kStart = 4, kMovePoint = 5, kReach = 2, kDuration = 4;
+constexpr int kRunning = 1, kStart = 4, kMovePoint = 5, kMoveJoints = 6, kReach = 2, kDuration = 4;
 
 struct Fr3 : Plant<fr3_points::Controller, fr3_plant::forward_dynamics> {
   static constexpr Vector kHome = {0, 0, 0, -1.6, 0, 1.8, 0};
@@ -156,6 +157,43 @@ TYPED_TEST(Points, ThatCannotReachTheirGoalSaySoAndHold) {
     const Course back = this->move_by(robot, {}, 1, 0.01);
     EXPECT_EQ(back.refused, 0);
     EXPECT_EQ(back.unmet, 0);
+  }
+}
+
+/// A configuration within the limits, of joints that turn further within a turn.
+template <class Robot>
+typename Robot::Vector anywhere(std::mt19937& rng) {
+  typename Robot::Emitted::Config config;
+  Robot::Emitted::default_config(config);
+  typename Robot::Vector q;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double room = 0.05 * (config.upper[i] - config.lower[i]);
+    q[i] =
+        std::uniform_real_distribution<double>(config.lower[i] + room, config.upper[i] - room)(rng);
+  }
+  return q;
+}
+
+// A PUMA's limits of speed ask for more torque than its motors have where they rise within 0.15 s.
+TYPED_TEST(Points, AndJointsAreLedFromAnywhereToAnywhere) {
+  std::mt19937 rng(kSeed);
+  std::uniform_real_distribution<double> meter(-1, 1), seconds(0.05, 2), turn(-3, 3);
+  for (int k = 0; k < 2 * kTrials; ++k) {
+    SCOPED_TRACE(k);
+    TypeParam robot = this->running(anywhere<TypeParam>(rng));
+    auto& command = robot.input.command;
+    for (const int kind : {kMoveJoints, kMovePoint, kMoveJoints, kMovePoint}) {
+      const auto goal = anywhere<TypeParam>(rng);
+      std::copy(goal.begin(), goal.end(), command.goal);
+      for (double& x : command.position) x = meter(rng);
+      const double angle = turn(rng), c = std::cos(angle), s = std::sin(angle);
+      const double rotation[9] = {c, -s, 0, s, c, 0, 0, 0, 1};
+      std::copy(std::begin(rotation), std::end(rotation), command.rotation);
+      command.duration = seconds(rng);
+      robot.send(kind);
+      robot.run(6);
+      ASSERT_EQ(robot.output.faults, 0U) << "command " << kind << ", seed " << kSeed;
+    }
   }
 }
 
