@@ -100,6 +100,8 @@ std::vector<double> sizes_of(const QuantityInfo& row, const Robot& robot, const 
       return same(4 * count_orientations(scene));
     case IndexSpace::contact_places:
       return tool_sizes(scene.inputs.contacts);
+    case IndexSpace::active_groups:
+      return same(scene.inputs.active.size());
     default:
       throw std::logic_error(std::string("no sizes of ") + row.symbol);
   }
@@ -187,6 +189,7 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     return std::count(arguments.begin(), arguments.end(), symbol_of(quantity)) > 0;
   };
   if (has(Quantity::payload)) text += ", payload that of a body";
+  if (has(Quantity::active)) text += ", active not negative";
   if (has(Quantity::tool_orientation)) text += ", tool_orientation of length 1";
   if (has(Quantity::parameters)) {
     text +=

@@ -16,6 +16,11 @@ bool is_taken(Quantity quantity, const Graph& graph) {
                      [&](const std::string& name) { return quantity_of_input(name) == quantity; });
 }
 
+bool is_never_negative(const std::string& name) {
+  const auto quantity = quantity_of_input(name);
+  return quantity == Quantity::step || quantity == Quantity::active;
+}
+
 /// Whether an input is drawn anywhere in its range. Others are at their limits, where errors are
 /// largest.
 bool is_drawn_within(const std::string& name) {
@@ -94,8 +99,8 @@ std::size_t InputSpace::entry_of(const std::string& name, const Domain& domain) 
                                   [&name](const Entry& entry) { return entry.name == name; });
   const auto at = static_cast<std::size_t>(found - entries_.begin());
   if (found == entries_.end()) {
-    entries_.push_back({name, domain.find(name).value_or(0), is_drawn_within(name),
-                        quantity_of_input(name) == Quantity::step});
+    entries_.push_back(
+        {name, domain.find(name).value_or(0), is_drawn_within(name), is_never_negative(name)});
   }
   return at;
 }

@@ -44,7 +44,7 @@ class InputSpace {
     std::string name;
     double size = 0;
     bool coordinate = false;
-    bool positive = false;  ///< a step of time, a rotor, a coefficient of friction
+    bool positive = false;  ///< a step of time, a share, a rotor, a coefficient of friction
   };
   /// Entries of ten inertial parameters that are inputs.
   struct Body {

@@ -127,6 +127,27 @@ std::vector<SceneTool> read_places(const SceneElement& element, const Places& pl
   return read;
 }
 
+/// Names of constraints that come and go.
+std::vector<std::string> read_active(const SceneElement& element, const Scene& scene) {
+  std::vector<std::string> known, read;
+  for (const ScenePoint& held : scene.constraints) known.push_back(held.name);
+  for (const SceneLoop& loop : scene.loops) known.push_back(loop.first.name);
+  for (const SceneElement& item : one_or_more(element)) {
+    const auto name = item.text();
+    if (!name) continue;
+    if (std::count(known.begin(), known.end(), *name) == 0) {
+      item.error(fmt::format("there is no constraint \"{}\"", *name),
+                 known.empty() ? "add a list constraints"
+                               : suggest_name(*name, known, "the constraints are"));
+    } else if (std::count(read.begin(), read.end(), *name) > 0) {
+      item.error(fmt::format("the constraint \"{}\" is listed twice", *name), "list it once");
+    } else {
+      read.push_back(*name);
+    }
+  }
+  return read;
+}
+
 /// `[gravity, base_parameters]`, for what is an input as a whole.
 void read_names_of_inputs(const SceneElement& element, SceneInputs& inputs) {
   for (const SceneElement& item : element.items()) {
@@ -142,8 +163,8 @@ void read_names_of_inputs(const SceneElement& element, SceneInputs& inputs) {
 
 void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& scene) {
   if (element.is_list()) return read_names_of_inputs(element, scene.inputs);
-  const SceneFields fields =
-      element.fields({"gravity", "payload", "parameters", "base_parameters", "tool", "contact"});
+  const SceneFields fields = element.fields(
+      {"gravity", "payload", "parameters", "base_parameters", "tool", "contact", "active"});
   if (const auto gravity = fields.find("gravity"); gravity != fields.end()) {
     scene.inputs.gravity = gravity->second.choice({"false", "true"}) == 1;
   }
@@ -171,6 +192,9 @@ void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& s
   if (const auto contact = fields.find("contact"); contact != fields.end()) {
     const Places places{"contact", "contact", "contacts", scene.contacts, {"contact", "reach"}};
     scene.inputs.contacts = read_places(contact->second, places, scene);
+  }
+  if (const auto active = fields.find("active"); active != fields.end()) {
+    scene.inputs.active = read_active(active->second, scene);
   }
 }
 

@@ -125,10 +125,11 @@ struct SceneInputs {
   bool base_parameters = false;          ///< in place of the parameters of all links
   std::vector<SceneTool> tools;     ///< operational points, in place of the origins in the scene
   std::vector<SceneTool> contacts;  ///< contacts, in place of the origins in the scene
+  std::vector<std::string> active;  ///< constraints that come and go
 
   [[nodiscard]] bool empty() const {
     return !gravity && payloads.empty() && parameters.empty() && !base_parameters &&
-           tools.empty() && contacts.empty();
+           tools.empty() && contacts.empty() && active.empty();
   }
 };
 

@@ -29,6 +29,8 @@ inline bool has_input(const Scene& scene, Quantity quantity) {
       return std::any_of(tools.begin(), tools.end(), has_orientation);
     case Quantity::contact:
       return !scene.inputs.contacts.empty();
+    case Quantity::active:
+      return !scene.inputs.active.empty();
     default:
       return false;
   }
@@ -68,6 +70,7 @@ inline void remove_input(Quantity quantity, Scene& scene) {
     for (SceneTool& tool : scene.inputs.tools) tool.orientation = false;
   }
   if (quantity == Quantity::contact) scene.inputs.contacts.clear();
+  if (quantity == Quantity::active) scene.inputs.active.clear();
 }
 
 }  // namespace treeline

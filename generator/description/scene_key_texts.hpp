@@ -132,8 +132,8 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "Springs in the joints, N m/rad and rad, or N/m and m; `rest` is 0 unless given.",
      "how-to/friction.md"},
     {"inputs",
-     "`gravity`, `payload`, `parameters`, `base_parameters`, `tool`, `contact`, as a list or a "
-     "map",
+     "`gravity`, `payload`, `parameters`, `base_parameters`, `tool`, `contact`, `active`, "
+     "as a list or a map",
      "none", "inputs: {gravity: true, payload: {link: link6, mass: 3, reach: 0.3}}",
      "What of the robot functions take as arguments, because it changes while the robot runs.",
      "how-to/payload.md"},

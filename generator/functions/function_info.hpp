@@ -160,6 +160,10 @@ constexpr FunctionInputs with_tool(const FunctionInputs& listed) {
 constexpr FunctionInputs with_contact(const FunctionInputs& listed) {
   return with(Quantity::contact, listed);
 }
+/// Inputs of a function that holds constraints.
+constexpr FunctionInputs with_activity(const FunctionInputs& listed) {
+  return with(Quantity::active, listed);
+}
 
 /// All that is known of a function before any algorithm.
 struct FunctionInfo {

@@ -83,15 +83,16 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
     {Function::constrained_forward_dynamics, "constrained_forward_dynamics",
      FunctionGroup::constraints, Emitted::by_default, Solve::lambda_inverse,
      frames_by(Function::forward_dynamics), Columns::computed,
-     weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::stabilisation,
-                    Quantity::drift, Quantity::f_ext, Quantity::step),
+     with_activity(weighed_inputs(Quantity::q, Quantity::qd, Quantity::tau, Quantity::stabilisation,
+                                  Quantity::drift, Quantity::f_ext, Quantity::step)),
      "M qdd + b + g = tau + J_s^T f + J_ext^T f_ext, "
      "J_s qdd + Jd_s qd = -stabilisation[0] J_s qd - stabilisation[1] drift"},
     {Function::supported_control_torque, "supported_control_torque", FunctionGroup::constraints,
      Emitted::by_default, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
      Columns::computed,
-     with_tool(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
-                              Quantity::f_wanted, Quantity::f_ext)),
+     with_activity(
+         with_tool(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
+                                  Quantity::f_wanted, Quantity::f_ext))),
      "M qdd + b + g = tau + J_s^T f + J_ext^T f_ext, J_s qdd + Jd_s qd = 0, "
      "J qdd + Jd qd = xdd_cmd, tau = 0 at passive joints, qdd nearest to qdd_0"},
     {Function::constraint_jacobian, "constraint_jacobian", FunctionGroup::constraints,

@@ -34,6 +34,7 @@ enum class Quantity {
   tool,
   tool_orientation,
   contact,
+  active,
 };
 
 /// Index space of an argument: the kind of thing to which its entries belong.
@@ -56,6 +57,7 @@ enum class IndexSpace {
   tools,            ///< 3 an operational point whose origin the scene makes an input
   orientations,     ///< 4 an operational point whose orientation the scene makes an input
   contact_places,   ///< 3 a contact whose origin the scene makes an input
+  active_groups,    ///< 1 a constraint that comes and goes
 };
 
 /// All that is known of a quantity. Units are those of rotation and translation where joints or
@@ -147,9 +149,13 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
      "origin of each contact named, in the frame of its link in the URDF, in place of the "
      "scene's, m",
      "m", IndexSpace::contact_places, 1},
+    {Quantity::active, "active",
+     "share, 0 to 1, to which each constraint named is held: at 1 as all others are, at 0 as if it "
+     "were not there",
+     "1", IndexSpace::active_groups, 1},
 });
 
-static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::contact) + 1,
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::active) + 1,
               "every quantity has a row");
 static_assert(
     [] {

@@ -106,6 +106,9 @@ void append_input_notes(const Scene& scene, const Mechanism& mechanism,
   append_origins("tool", "point", inputs.tools, mechanism.inputs.tools, notes);
   append_orientations(scene, notes);
   append_origins("contact", "contact", inputs.contacts, mechanism.inputs.contacts, notes);
+  for (std::size_t k = 0; k < inputs.active.size(); ++k) {
+    notes.push_back(fmt::format("active {}: of constraint {}", k, inputs.active[k]));
+  }
 }
 
 }  // namespace treeline

@@ -8,8 +8,8 @@
 
 namespace treeline {
 
-/// Appends what the entries of `payload`, `parameters`, `tool`, `tool_orientation` and `contact`
-/// belong to, and what the files say of them.
+/// Appends what the entries of `payload`, `parameters`, `tool`, `tool_orientation`, `contact` and
+/// `active` belong to, and what the files say of them.
 void append_input_notes(const Scene& scene, const Mechanism& mechanism,
                         std::vector<std::string>& notes);
 

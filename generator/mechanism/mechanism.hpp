@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "description/active_rows.hpp"
 #include "description/noise.hpp"
 #include "description/scene.hpp"
 #include "joint/joint_step.hpp"
@@ -122,6 +123,7 @@ struct MechanismInputs {
   /// are an argument. The links' inertias contain none of it.
   std::vector<MechanismInertia> base;
   std::vector<MechanismTool> tools, contacts;
+  ActiveRows active;  ///< rows of the constraints that come and go
 };
 
 /// A contact that rolls, see `SceneRolling`.

@@ -49,6 +49,7 @@ MechanismInputs place_inputs(const Robot& robot, const Scene& scene,
   }
   inputs.tools = place_tools(scene.inputs.tools, scene.operational_points, robot, frames);
   inputs.contacts = place_tools(scene.inputs.contacts, scene.contacts, robot, frames);
+  inputs.active = find_active_rows(scene);
   return inputs;
 }
 

@@ -58,7 +58,8 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
       terms_(seen_, state.q),
       loops_(loop_sizes(subject, state)),
       anchored_(interpreter::row_count(subject.constraints)),
-      held_(anchored_ + interpreter::row_count(subject.loops)) {
+      held_(anchored_ + interpreter::row_count(subject.loops)),
+      shares_(held_shares(subject, state)) {
   J_ = with_loops<MatrixXd>(terms_.jacobian(), loops_.J, anchored_);
   bias_ = with_loops<VectorXd>(terms_.bias(state.qd), loops_.bias, anchored_);
   condition_ = std::numeric_limits<double>::infinity();
@@ -93,7 +94,7 @@ std::optional<LawSizes> ConstraintSizes::relaxed(const interpreter::TaskLaw<doub
     return found;
   }
   VectorXd terms = (J_ * M_inverse_ * J_.transpose()).diagonal();
-  if (tasks_ == Tasks::none) return find_law_sizes(Lambda_inverse_, terms, law);
+  if (tasks_ == Tasks::none) return find_law_sizes(Lambda_inverse_, terms, law, shares_);
   const auto task = supported_task(subject_, state_);
   const auto parts = interpreter::split_law<double>(law, task);
   MatrixXd A = Lambda_inverse_;
@@ -104,13 +105,13 @@ std::optional<LawSizes> ConstraintSizes::relaxed(const interpreter::TaskLaw<doub
     const auto tail = A.rows() - held_;
     const MatrixXd J = passive_columns().bottomRows(tail);
     A.bottomRightCorner(tail, tail) -=
-        J * interpreter::passive_mobility(rows, task.passive, parts) * J.transpose();
+        J * interpreter::passive_mobility(rows, task, parts) * J.transpose();
     const MatrixXd size = passive_sizes();
     terms += (size * passive_mobility() * size.transpose()).diagonal();
     if (held_ > 0) others += locked(parts.locked).condition;
   }
   if (held_ > 0 && !subject_.passive.empty()) others += forces(parts.forces).condition;
-  LawSizes found = find_law_sizes(A, terms, parts.rows);
+  LawSizes found = find_law_sizes(A, terms, parts.rows, shares_);
   found.condition += others;
   // A plain solve for rows that are given twice divides by zero.
   if (!found.Lambda.allFinite() || leaves_no_digit(found.condition, parts.rows, held_)) {
@@ -224,7 +225,7 @@ LawSizes ConstraintSizes::locked(const interpreter::TaskLaw<double>& law) const 
   const MatrixXd J = passive_columns().topRows(held_);
   const MatrixXd size = passive_sizes().topRows(held_);
   return find_law_sizes(J * K_inverse * J.transpose(),
-                        (size * K_inverse.cwiseAbs() * size.transpose()).diagonal(), law);
+                        (size * K_inverse.cwiseAbs() * size.transpose()).diagonal(), law, shares_);
 }
 
 MatrixXd ConstraintSizes::jacobian_of_rows() const {

@@ -68,6 +68,7 @@ class ConstraintSizes {
   TermSizes terms_;
   LoopSizes loops_;
   Eigen::Index anchored_ = 0, held_ = 0;  ///< rows held to the world, and all that are held
+  Eigen::VectorXd shares_;                ///< to which they are held; empty: 1
   Eigen::MatrixXd J_, Lambda_inverse_;
   Eigen::MatrixXd M_;  ///< of the step, if there is one; empty without loops and step
   Eigen::VectorXd bias_;

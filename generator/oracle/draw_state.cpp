@@ -143,6 +143,16 @@ std::vector<double> draw_origins(Rng& rng, const std::vector<SubjectTool>& tools
   return entries;
 }
 
+/// Draws shares: most often all or nothing.
+std::vector<double> draw_shares(Rng& rng, std::size_t count) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double between = rng.unit();
+    shares.push_back(rng.chance(0.5) ? 1 : rng.chance(0.5) ? 0 : between);
+  }
+  return shares;
+}
+
 /// Draws what the robot is at a state, within the ranges of the scene. The first state carries
 /// nothing.
 std::vector<double> draw_model(Rng& rng, const SubjectInputs& inputs, Quantity quantity,
@@ -163,6 +173,8 @@ std::vector<double> draw_model(Rng& rng, const SubjectInputs& inputs, Quantity q
       return draw_origins(rng, inputs.tools);
     case IndexSpace::contact_places:
       return draw_origins(rng, inputs.contacts);
+    case IndexSpace::active_groups:
+      return draw_shares(rng, inputs.active.size());
     case IndexSpace::orientations:
       for (const SubjectTool& tool : inputs.tools) {
         if (!tool.orientation) continue;
@@ -228,6 +240,7 @@ auto find_member(AnyState& state, Quantity quantity) -> decltype(&state.q) {
     case Quantity::tool:
     case Quantity::tool_orientation:
     case Quantity::contact:
+    case Quantity::active:
     case Quantity::drift:
     case Quantity::f_wanted:
     case Quantity::step:

@@ -67,9 +67,15 @@ EquationSides held_still(const At& at, const Vector50& qdd, const Vector50& aske
           Digits50(1) + largest_of(qdd) + largest_of(driven) + largest_of(moved)};
 }
 
-bool can_move_rows(const At& at, const Matrix50& J) {
+Matrix50 inverse_inertia_of_rows(const At& at, const Matrix50& J) {
   const Matrix50 M = ip::mass_matrix<Digits50>(at.model, at.q);
-  return are_independent(J * M.ldlt().solve(Matrix50(J.transpose())));
+  return J * M.ldlt().solve(Matrix50(J.transpose()));
+}
+
+/// The share to which each held row is held.
+Vector50 shares_of(const At& at, Eigen::Index rows) {
+  const Vector50 shares = held_shares(at.subject, at.state);
+  return shares.size() > 0 ? shares : Vector50(Vector50::Ones(rows));
 }
 
 /// Whether motors and constraints alone can give any acceleration to all rows, held or of the task:
@@ -88,24 +94,41 @@ bool can_do_task(const At& at, const Matrix50& J_s) {
   return are_independent(A * A.transpose());
 }
 
-/// Sides of the equation of held rows; none if rows depend on each other, as no qdd fits each.
+/// Sides of the equation of held rows, times the share to which each is held; none if rows depend
+/// on each other, as no qdd fits each.
 EquationSides constrained(const At& at) {
-  if (!can_move_rows(at, held_jacobian(at, at.q))) return {};
+  const Matrix50 J = held_jacobian(at, at.q);
+  const Matrix50 Lambda_inverse = inverse_inertia_of_rows(at, J);
+  if (!are_independent(Lambda_inverse)) return {};
   const Vector50 gains = at.other(Quantity::stabilisation);
   const Vector50 drift = joined(at.other(Quantity::drift),
                                 ip::loop_errors<Digits50>(at.model, at.subject.loops, at.q));
-  return held_still(at, at.value.head(at.model.nv),
-                    -gains(0) * (held_jacobian(at, at.q) * at.qd) - gains(1) * drift);
+  EquationSides sides =
+      held_still(at, at.value.head(at.model.nv), -gains(0) * (J * at.qd) - gains(1) * drift);
+  const Vector50 shares = shares_of(at, J.rows());
+  const Vector50 yields = (Vector50::Ones(J.rows()) - shares)
+                              .cwiseProduct(Lambda_inverse.diagonal())
+                              .cwiseProduct(at.value.tail(J.rows()));
+  sides.stated = shares.cwiseProduct(sides.stated) + yields;
+  sides.differentiated = shares.cwiseProduct(sides.differentiated);
+  sides.terms += largest_of(yields);
+  return sides;
 }
 
-/// Sides of the equation under the torques and the forces of constraints in the value.
+/// Sides of the equation under the torques and the forces of constraints in the value; 0 of rows
+/// that are held in part.
 EquationSides supported(const At& at) {
   const Matrix50 J = held_jacobian(at, at.q);
   if (!can_do_task(at, J)) return {};
   const Vector50 tau = at.value.head(at.model.nv) + J.transpose() * at.value.tail(J.rows());
   const Vector50 qdd =
       ip::forward_dynamics<Digits50>(at.model, at.q, at.qd, tau, at.subject.external, at.f_ext);
-  return held_still(at, qdd, Vector50::Zero(J.rows()));
+  EquationSides sides = held_still(at, qdd, Vector50::Zero(J.rows()));
+  const Vector50 shares = shares_of(at, J.rows());
+  for (Eigen::Index i = 0; i < shares.size(); ++i) {
+    if (shares(i) != Digits50(1)) sides.stated(i) = 0;
+  }
+  return sides;
 }
 
 constexpr auto kEquationsOfConstraints = std::to_array<Equation>({

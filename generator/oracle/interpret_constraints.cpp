@@ -22,7 +22,8 @@ interpreter::ConstrainedMotion<Scalar> constrained_motion(const Subject<Scalar>&
       subject.external,
       vector_of<Scalar>(state.f_ext),
       subject.loops,
-      Scalar(step.empty() ? 0.0 : step.front())};
+      Scalar(step.empty() ? 0.0 : step.front()),
+      held_shares(subject, state)};
   if (!law.pivots.empty()) {
     return interpreter::eliminated_forward_dynamics<Scalar>(subject.model, at, law);
   }

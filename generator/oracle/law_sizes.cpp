@@ -68,10 +68,12 @@ LongMatrix priority_forces(const interpreter::Points<long double>& points, const
 /// per relative change of Lambda^-1. There is no formula for it, because a relaxed row affects all
 /// rows after it.
 LawSizes probe(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
-               const interpreter::TaskLaw<double>& law) {
+               const interpreter::TaskLaw<double>& law, const Eigen::VectorXd& shares) {
   const LongMatrix exact = A.cast<long double>();
   const auto long_law = interpreter::cast<long double>(law);
-  const LongMatrix Lambda = interpreter::bordered_inverse<long double>(exact, long_law);
+  const interpreter::Vector<long double> long_shares = shares.cast<long double>();
+  const LongMatrix Lambda =
+      interpreter::bordered_inverse<long double>(exact, long_law, long_shares);
   const Eigen::VectorXd sizes = force_sizes(Lambda, terms);
   const Eigen::VectorXd root = sizes.cwiseSqrt();
   const long double reach = reach_of(law);
@@ -79,7 +81,7 @@ LawSizes probe(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
   double condition = 1;
   for (int i = 0; i < kProbes; ++i) {
     const LongMatrix other = interpreter::bordered_inverse<long double>(
-        neighbour(exact, terms, reach, random), long_law);
+        neighbour(exact, terms, reach, random), long_law, long_shares);
     const Eigen::MatrixXd change = ((other - Lambda) / reach).cast<double>().cwiseAbs();
     for (Eigen::Index row = 0; row < A.rows(); ++row) {
       for (Eigen::Index column = 0; column < A.cols(); ++column) {
@@ -100,14 +102,14 @@ LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q
   const Eigen::MatrixXd size = T.cwiseAbs();
   const Eigen::MatrixXd A = T * Lambda_inverse * T.transpose();
   const Eigen::VectorXd A_terms = (size * terms * size.transpose()).diagonal();
-  LawSizes found = probe(A, A_terms, law);
+  LawSizes found = probe(A, A_terms, law, {});
   found.Lambda = size.transpose() * found.Lambda * size;
   return found;
 }
 
 LawSizes find_law_sizes(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
-                        const interpreter::TaskLaw<double>& law) {
-  return probe(A, terms, law);
+                        const interpreter::TaskLaw<double>& law, const Eigen::VectorXd& shares) {
+  return probe(A, terms, law, shares);
 }
 
 Eigen::MatrixXd find_priority_steps(const interpreter::Points<double>& points,

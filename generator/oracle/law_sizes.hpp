@@ -22,8 +22,10 @@ LawSizes find_law_sizes(const Subject<double>& subject, const Eigen::VectorXd& q
                         const interpreter::TaskLaw<double>& law);
 
 /// Finds the properties for any symmetric matrix A, given the sizes of its diagonal's terms.
+/// `shares`: to which its first rows are held.
 LawSizes find_law_sizes(const Eigen::MatrixXd& A, const Eigen::VectorXd& terms,
-                        const interpreter::TaskLaw<double>& law);
+                        const interpreter::TaskLaw<double>& law,
+                        const Eigen::VectorXd& shares = {});
 
 /// How much more the forces along rows in strict priority, per acceleration that the rows lack, may
 /// change by rounding, of size `unit`, than their slope says, in units of `unit`. What a row near

@@ -49,6 +49,7 @@ SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& mo
   }
   inputs.tools = tools_of(scene.inputs.tools, scene.operational_points);
   inputs.contacts = tools_of(scene.inputs.contacts, scene.contacts);
+  inputs.active = find_active_rows(scene);
   return inputs;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "description/active_rows.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "interpreter/closed_chain.hpp"
@@ -45,6 +46,7 @@ struct SubjectInputs {
   std::vector<SubjectInertia> base_bodies;  ///< each with what is fixed to it
   std::vector<double> base_drives;          ///< sizes of rotors and coefficients of friction
   std::vector<SubjectBase> base;
+  ActiveRows active;  ///< rows of the constraints that come and go
 };
 
 /// Robot and scene in the interpreter's types.

@@ -24,7 +24,8 @@ struct ConstrainedState {
   Points<Scalar> external_points = {};  ///< where external forces act
   Vector<Scalar> f_ext = {};
   Loops<Scalar> loops = {};
-  Scalar step = Scalar(0);  ///< s, at whose end friction and springs are taken
+  Scalar step = Scalar(0);     ///< s, at whose end friction and springs are taken
+  Vector<Scalar> shares = {};  ///< 0 to 1, to which rows are held; empty: 1
 };
 
 template <class Scalar>
@@ -112,7 +113,8 @@ Matrix<Scalar> stepped_mass_matrix(const Model<Scalar>& model, const Constrained
 ///     [J    0 ] [ f ] = [-Jd qd - damping J qd - stiffness drift].
 /// With a step, M + step D + step^2 K stands in for M and step K qd is
 /// added to g. If rows depend on each other, the acceleration is still unique, and of all forces
-/// the least are taken.
+/// the least are taken. Rows that are held to a share w have the last equation times w, with
+/// (1 - w) diag(J M^-1 J^T) f added on the left.
 template <class Scalar>
 ConstrainedMotion<Scalar> constrained_forward_dynamics(
     const Model<Scalar>& model, PointsArg<Scalar> constraints,
@@ -127,6 +129,15 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(
   Vector<Scalar> b(nv + rows);
   b.head(nv) = detail::net_forces(model, at);
   b.tail(rows) = detail::held_accelerations<Scalar>(model, constraints, J, at);
+  if (at.shares.size() > 0) {
+    const Vector<Scalar> free = Vector<Scalar>::Ones(rows) - at.shares;
+    const Matrix<Scalar> M = A.topLeftCorner(nv, nv);
+    const Matrix<Scalar> Lambda_inverse =
+        J * inverse_of_positive_definite<Scalar>(M) * J.transpose();
+    A.bottomLeftCorner(rows, nv) = at.shares.asDiagonal() * J;
+    A.bottomRightCorner(rows, rows).diagonal() = free.cwiseProduct(Lambda_inverse.diagonal());
+    b.tail(rows) = b.tail(rows).cwiseProduct(at.shares).eval();
+  }
   const Vector<Scalar> x = detail::solve_consistent<Scalar>(A, b);
   return {x.head(nv), x.tail(rows)};
 }
@@ -142,8 +153,8 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(
   const Vector<Scalar> free = M_inverse * detail::net_forces(model, at);
   const Vector<Scalar> missing =
       detail::held_accelerations<Scalar>(model, constraints, J, at) - J * free;
-  const Vector<Scalar> f =
-      bordered_inverse<Scalar>(Matrix<Scalar>(J * M_inverse * J.transpose()), law) * missing;
+  const Matrix<Scalar> Lambda_inverse = J * M_inverse * J.transpose();
+  const Vector<Scalar> f = bordered_inverse<Scalar>(Lambda_inverse, law, at.shares) * missing;
   return {free + M_inverse * (J.transpose() * f), f};
 }
 

@@ -16,7 +16,8 @@ struct SupportedTask {
   Vector<Scalar> f_wanted;  ///< by held row
   Points<Scalar> external_points = {};
   Vector<Scalar> f_ext = {};
-  Loops<Scalar> loops = {};  ///< held too: their rows follow those of the constraints
+  Loops<Scalar> loops = {};    ///< held too: their rows follow those of the constraints
+  Vector<Scalar> shares = {};  ///< 0 to 1, to which held rows are held; empty: 1
 };
 
 template <class Scalar>
@@ -43,13 +44,15 @@ Vector<Scalar> force_weights(const Points<Scalar>& constraints) {
                                           static_cast<Eigen::Index>(weights.size()));
 }
 
-/// Likewise of all held rows of a task. A coupling's row counts like a force.
+/// Likewise of all held rows of a task, times their shares. A coupling's row counts like a force.
 template <class Scalar>
 Vector<Scalar> held_weights(const SupportedTask<Scalar>& task) {
   Points<Scalar> points = task.constraints;
   for (const auto& loop : task.loops.frames) points.push_back(loop.second);
   const auto couplings = static_cast<Eigen::Index>(task.loops.couplings.size());
-  return joined<Scalar>(force_weights<Scalar>(points), Vector<Scalar>::Ones(couplings));
+  const auto weights =
+      joined<Scalar>(force_weights<Scalar>(points), Vector<Scalar>::Ones(couplings));
+  return task.shares.size() == 0 ? weights : Vector<Scalar>(weights.cwiseProduct(task.shares));
 }
 
 template <class Scalar>
@@ -83,6 +86,12 @@ struct SupportedRows {
     J_passive = J(Eigen::all, task.passive);
   }
 
+  void leave_out(Eigen::Index row) {
+    J.row(row).setZero();
+    J_passive.row(row).setZero();
+    asked(row) = Scalar(0);
+  }
+
   Eigen::Index held;
   Matrix<Scalar> J, J_passive, M;
   Vector<Scalar> asked;  ///< accelerations of the rows less Jd qd
@@ -99,6 +108,7 @@ SupportedTorque<Scalar> torque_for(const SupportedRows<Scalar>& rows,
   const Matrix<Scalar> J_sp = rows.J_passive.topRows(rows.held);
   SupportedTorque<Scalar> result;
   result.f = task.f_wanted;
+  if (task.shares.size() > 0) result.f = result.f.cwiseProduct(task.shares);
   if (rows.held > 0 && !task.passive.empty()) {
     const Vector<Scalar> left = Vector<Scalar>(gamma(task.passive)) - J_sp.transpose() * result.f;
     const Vector<Scalar> change = J_sp * (inverse * left);
@@ -116,12 +126,16 @@ SupportedTorque<Scalar> torque_for(const SupportedRows<Scalar>& rows,
 /// the qdd nearest to qdd_0 in the metric of M with
 ///     J_s qdd = -Jd_s qd,  J_t qdd = xdd_cmd - Jd_t qd,  P (M qdd + b + g) = J_sp^T f,
 /// P: rows of passive joints. The task must be possible. Of the forces f those nearest to
-/// `f_wanted` are taken, moments over 0.1 m, and tau = M qdd + b + g - J_s^T f.
+/// `f_wanted` are taken, moments over 0.1 m, and tau = M qdd + b + g - J_s^T f. Rows with a share
+/// of 0 are as if they were not there; what others do in part takes a law.
 template <class Scalar>
 SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
                                                  const SupportedTask<Scalar>& task,
                                                  VectorArg<Scalar> q, VectorArg<Scalar> qd) {
-  const detail::SupportedRows<Scalar> rows(model, task, q, qd);
+  detail::SupportedRows<Scalar> rows(model, task, q, qd);
+  for (Eigen::Index i = 0; i < task.shares.size(); ++i) {
+    if (task.shares(i) == Scalar(0)) rows.leave_out(i);
+  }
   const auto nv = rows.M.rows();
   const auto count = rows.J.rows();
   const auto passive = static_cast<Eigen::Index>(task.passive.size());
@@ -188,15 +202,16 @@ SupportLaw<Scalar> split_law(const TaskLaw<Scalar>& law, const SupportedTask<Sca
 /// K_s^-1 of `SupportLaw`.
 template <class Scalar>
 Matrix<Scalar> passive_mobility(const detail::SupportedRows<Scalar>& rows,
-                                const std::vector<int>& passive, const SupportLaw<Scalar>& law) {
+                                const SupportedTask<Scalar>& task, const SupportLaw<Scalar>& law) {
+  const std::vector<int>& passive = task.passive;
   const Matrix<Scalar> K_inverse =
       inverse_of_positive_definite<Scalar>(Matrix<Scalar>(rows.M(passive, passive)));
   if (rows.held == 0) return K_inverse;
   const Matrix<Scalar> J_sp = rows.J_passive.topRows(rows.held);
   const Matrix<Scalar> carried = K_inverse * J_sp.transpose();
-  return K_inverse - carried *
-                         bordered_inverse<Scalar>(Matrix<Scalar>(J_sp * carried), law.locked) *
-                         carried.transpose();
+  const Matrix<Scalar> inverse =
+      bordered_inverse<Scalar>(Matrix<Scalar>(J_sp * carried), law.locked, task.shares);
+  return K_inverse - carried * inverse * carried.transpose();
 }
 
 template <class Scalar>
@@ -212,13 +227,13 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
   Vector<Scalar> missing = rows.asked - rows.J * task.qdd_0;
   Vector<Scalar> qdd = task.qdd_0;
   if (law.passive_moves) {
-    const Matrix<Scalar> K_s = passive_mobility(rows, task.passive, law);
+    const Matrix<Scalar> K_s = passive_mobility(rows, task, law);
     const Matrix<Scalar> J_tp = rows.J_passive.bottomRows(tasks);
     A.bottomRightCorner(tasks, tasks) -= J_tp * K_s * J_tp.transpose();
     const Vector<Scalar> gamma_0 = rows.M * task.qdd_0 + rows.bias;
     const Vector<Scalar> balance = gamma_0(task.passive);
     missing.tail(tasks) += J_tp * (K_s * balance);
-    const Vector<Scalar> f = bordered_inverse<Scalar>(A, law.rows) * missing;
+    const Vector<Scalar> f = bordered_inverse<Scalar>(A, law.rows, task.shares) * missing;
     const Vector<Scalar> passive_motion =
         K_s * Vector<Scalar>(balance + J_tp.transpose() * f.tail(tasks));
     qdd += M_inverse * (rows.J.transpose() * f);
@@ -226,7 +241,8 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
       qdd(task.passive[static_cast<std::size_t>(k)]) -= passive_motion(k);
     }
   } else {
-    qdd += M_inverse * (rows.J.transpose() * (bordered_inverse<Scalar>(A, law.rows) * missing));
+    const Vector<Scalar> f = bordered_inverse<Scalar>(A, law.rows, task.shares) * missing;
+    qdd += M_inverse * (rows.J.transpose() * f);
   }
   Matrix<Scalar> inverse;
   if (rows.held > 0 && passive > 0) {

@@ -54,9 +54,11 @@ Scalar bounded_inverse(const Scalar& c, const Scalar& border, int power) {
 
 /// Lambda of a symmetric A = Lambda^-1 by bordering. With Lambda of the first k rows and the next
 /// row [a^T d], c = d - a^T Lambda a is this row's inverse inertia while the first k are held. If c
-/// is replaced (its inverse is g), the result is the inverse of A + diag(1 / g - c).
+/// is replaced (its inverse is g), the result is the inverse of A + diag(1 / g - c). The first rows
+/// are held to shares w of 0 to 1, if there are any: each has the compliance (1 - w) / w d.
 template <class Scalar>
-Matrix<Scalar> bordered_inverse(const Matrix<Scalar>& A, const TaskLaw<Scalar>& law) {
+Matrix<Scalar> bordered_inverse(const Matrix<Scalar>& A, const TaskLaw<Scalar>& law,
+                                const Vector<Scalar>& shares = {}) {
   const Eigen::Index n = A.rows();
   Matrix<Scalar> Lambda = Matrix<Scalar>::Zero(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -65,7 +67,9 @@ Matrix<Scalar> bordered_inverse(const Matrix<Scalar>& A, const TaskLaw<Scalar>& 
     const Scalar c = A(k, k) - a.dot(u);
     const Scalar border =
         law.borders.empty() ? Scalar(0) : law.borders[static_cast<std::size_t>(k)];
-    const Scalar g = bounded_inverse<Scalar>(c, border, law.power);
+    const Scalar w = k < shares.size() ? shares(k) : Scalar(1);
+    const Scalar g =
+        w * bounded_inverse<Scalar>(w * c + (Scalar(1) - w) * A(k, k), border, law.power);
     Lambda.topLeftCorner(k, k) += g * (u * u.transpose());
     Lambda.col(k).head(k) = -g * u;
     Lambda.row(k).head(k) = -g * u.transpose();

@@ -10,6 +10,7 @@
 namespace treeline {
 namespace {
 
+const std::string kFoot = "constraints: [{name: foot, between: [tool, world]}]\n";
 const std::string kPoints = "operational_points: [{name: a, link: tool}, {name: b, link: rail}]\n";
 
 TEST(ReadInputs, ReadsEverySetting) {
@@ -22,7 +23,10 @@ TEST(ReadInputs, ReadsEverySetting) {
                       "  parameters: [fore, {link: upper, mass: 7}]\n"
                       "  tool: [{point: b, reach: 0.4}, {point: a, orientation: true}]\n"
                       "  contact: {contact: heel, reach: 0.2}\n"
-                      "contacts: [{name: toe, link: tool}, {name: heel, link: rail}]\n",
+                      "  active: [hand, palm]\n"
+                      "contacts: [{name: toe, link: tool}, {name: heel, link: rail}]\n"
+                      "constraints: [{name: palm, between: [tool, world]}, {name: hand, between: "
+                      "[tool, base]}]\n",
                   "s.yaml", make_robot(), diagnostics);
   ASSERT_TRUE(scene) << to_string(diagnostics);
   const SceneInputs& inputs = scene->inputs;
@@ -46,6 +50,7 @@ TEST(ReadInputs, ReadsEverySetting) {
   ASSERT_EQ(inputs.contacts.size(), 1U);
   EXPECT_EQ(inputs.contacts[0].point, "heel");
   EXPECT_EQ(inputs.contacts[0].reach, 0.2);
+  EXPECT_EQ(inputs.active, (std::vector<std::string>{"hand", "palm"}));
 }
 
 TEST(ReadInputs, TakesBaseParameters) {
@@ -133,6 +138,16 @@ TEST(ReadInputs, SaysWhatIsWrong) {
            "objects: [{name: box, mass: 1, inertia: {ixx: 1, iyy: 1, izz: 1}, grasps: [{point: "
            "a}]}]\ninputs: {tool: a}",
        {Severity::error, 3, "inputs/tool", "\"a\" holds an object", "name a point"}},
+      {"inputs: {active: foot}",
+       {Severity::error, 1, "inputs/active", "no constraint \"foot\"", "constraints"}},
+      {kFoot + "inputs: {active: fot}",
+       {Severity::error, 2, "inputs/active", "no constraint \"fot\"", "\"foot\""}},
+      {kFoot + "inputs: {active: [foot, foot]}",
+       {Severity::error, 2, "inputs/active[1]", "\"foot\" is listed twice", "once"}},
+      {kFoot + "inputs: {active: foot}\ntorque_limits: {shoulder: 10}",
+       {Severity::error, 1, "", "held all the time", "for each set"}},
+      {kFoot + "inputs: {active: foot}\nfunctions: [constraint_jacobian]",
+       {Severity::warning, 1, "", "active is listed under inputs", "add a function"}},
       {kPoints + "functions: [jacobian]\ninputs: {tool: {point: a, orientation: true}}",
        {Severity::warning, 1, "", "tool_orientation is listed under inputs", "add a function"}},
       {"functions: [mass_matrix]\ninputs: {gravity: true}",

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "recursion/algebra/shared_pivots.hpp"
 #include "recursion/methods/control_torque.hpp"
 #include "recursion/methods/forces_of_rows.hpp"
 #include "recursion/methods/forward_dynamics.hpp"
@@ -32,6 +33,7 @@ struct ConstrainedInputs {
   std::span<const Scalar> stabilisation;  ///< damping 1/s, stiffness 1/s^2
   std::span<const Scalar> drift;          ///< by row of the points
   std::vector<Wrench<Scalar>> applied;
+  std::vector<Scalar> shares = {};  ///< to which rows are held; empty: 1
 };
 
 /// Joint accelerations, and forces in the held rows, on the robot.
@@ -45,7 +47,8 @@ struct ConstrainedMotion {
 ///     f = Lambda (-stabilisation - J qdd_o - Jd qd),  qdd = qdd_o + M^-1 J^T f,
 /// the KKT system of Gauss' principle, eliminated by Lambda^-1 = J M^-1 J^T. `solve_for_qdd` maps
 /// joint forces to accelerations. `rule` inverts the pivots of Lambda^-1: a row that depends on
-/// those before it gets no force, and the acceleration is the same whichever row that is.
+/// those before it gets no force, and the acceleration is the same whichever row that is. Rows that
+/// are held in part, to the share w, yield: J qdd + ... = -(1 - w) / w diag(Lambda^-1) f.
 template <class Scalar, class Solve>
 ConstrainedMotion<Scalar> constrained_forward_dynamics(const Tree<Scalar>& tree,
                                                        const std::vector<JointTransform<Scalar>>& X,
@@ -68,7 +71,7 @@ ConstrainedMotion<Scalar> constrained_forward_dynamics(const Tree<Scalar>& tree,
                    inputs.drift[k] * inputs.stabilisation[1]);
   }
   const auto Lambda_inv = lambda_inverse_as_asked(tree, X, choice, missing.size());
-  motion.f = solve(factor_ldlt(Lambda_inv, rule), missing);
+  motion.f = solve(factor_shared(Lambda_inv, rule, inputs.shares), missing);
   const auto change = solve_for_qdd(forces_of_rows(tree, X, tasks, motion.f));
   for (std::size_t i = 0; i < change.size(); ++i) {
     motion.qdd[i] = motion.qdd[i] + change[i];
@@ -112,7 +115,8 @@ ConstrainedMotion<Scalar> looped_forward_dynamics(const Tree<Scalar>& tree,
     missing[i] =
         -(missing[i] + velocities[i] * inputs.stabilisation[0] + error * inputs.stabilisation[1]);
   }
-  motion.f = solve(factor_ldlt(lambda_inverse_by_factors(tree, X, J), rule), missing);
+  motion.f =
+      solve(factor_shared(lambda_inverse_by_factors(tree, X, J), rule, inputs.shares), missing);
   const auto change = solve(factor, transposed_times(J, motion.f));
   for (std::size_t v = 0; v < change.size(); ++v) motion.qdd[v] = motion.qdd[v] + change[v];
   return motion;

@@ -6,7 +6,7 @@
 
 #include "recursion/algebra/dense_matrix.hpp"
 #include "recursion/algebra/factor_ldlt.hpp"
-#include "recursion/algebra/pivot_rule.hpp"
+#include "recursion/algebra/shared_pivots.hpp"
 #include "recursion/tree/tree.hpp"
 
 namespace treeline {
@@ -83,15 +83,17 @@ DenseMatrix<Scalar> leading_block(const DenseMatrix<Scalar>& A, std::size_t size
 
 /// Motion of passive joints while motors do not move and the first rows are held:
 ///     K_s^-1 = K^-1 - K^-1 J_s^T (J_s K^-1 J_s^T)^-1 J_s K^-1,
-/// K: the block of M of the passive joints; J: columns of the passive joints, all rows.
+/// K: the block of M of the passive joints; J: columns of the passive joints, all rows; `shares`:
+/// to which rows are held, see `SharedPivots`.
 template <class Scalar>
 class PassiveMotion {
  public:
-  PassiveMotion(const DenseMatrix<Scalar>& K, DenseMatrix<Scalar> J, const SupportRules& rules)
+  PassiveMotion(const DenseMatrix<Scalar>& K, DenseMatrix<Scalar> J, const SupportRules& rules,
+                const std::vector<Scalar>& shares)
       : J_(std::move(J)),
         K_(factor_ldlt(K)),
         B_(mobility_of_rows(K_, J_)),
-        held_(factor_ldlt(leading_block(B_, rules.held), rules.locked)) {}
+        held_(factor_shared(leading_block(B_, rules.held), rules.locked, shares)) {}
 
   /// K_s^-1 x.
   [[nodiscard]] std::vector<Scalar> solve_for(const std::vector<Scalar>& x) const {

@@ -46,7 +46,7 @@ class SupportedStates {
       std::vector<double> diagonal;
       for (std::size_t k = 0; k < A.rows(); ++k) diagonal.push_back(A(k, k));
       if (rules.passive_moves) {
-        PassiveMotion<double>(locked_inertia(posed_[s]), columns_[s], rules).subtract_from(A);
+        PassiveMotion<double>(locked_inertia(posed_[s]), columns_[s], rules, {}).subtract_from(A);
       }
       sizes.add(A, diagonal);
     }
@@ -79,7 +79,9 @@ SupportRules support_rules(const Mechanism& mechanism) {
   SupportRules rules;
   rules.held = states.held();
   const OrdinaryPivots forces = states.forces();
-  rules.passive_moves = !mechanism.passive.empty() && (rules.held == 0 || forces.has_dependent());
+  const bool comes_and_goes = !mechanism.inputs.active.empty();
+  rules.passive_moves =
+      !mechanism.passive.empty() && (rules.held == 0 || comes_and_goes || forces.has_dependent());
   if (rules.held > 0) rules.forces = {shape.power, forces.borders(shape)};
   if (rules.passive_moves && rules.held > 0) {
     rules.locked = {shape.power, states.locked().borders(shape)};

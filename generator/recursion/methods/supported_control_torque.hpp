@@ -14,6 +14,7 @@ struct SupportedInputs {
   std::span<const Scalar> xdd_cmd;   ///< by row of the tasks, in the order of the tree's points
   std::span<const Scalar> f_wanted;  ///< by row of the constraints
   std::vector<Wrench<Scalar>> applied;
+  std::vector<Scalar> shares = {};  ///< to which rows of constraints are held; empty: 1
 };
 
 /// Joint forces, zero at passive joints, and the forces of the constraints on the robot.
@@ -65,13 +66,18 @@ std::vector<Scalar> with_row_forces(const DenseMatrix<Scalar>& J, std::vector<Sc
   return x;
 }
 
-/// The forces nearest to `wanted`, moments over `kForceLever`, with J_p^T f = `balance`.
+/// The forces nearest to `wanted`, moments over `kForceLever`, with J_p^T f = `balance`. The less a
+/// row is held, the less it carries of both.
 template <class Scalar>
-std::vector<Scalar> choose_support_forces(const DenseMatrix<Scalar>& J,
-                                          const std::vector<Scalar>& weights,
+std::vector<Scalar> choose_support_forces(const DenseMatrix<Scalar>& J, std::vector<Scalar> weights,
                                           std::vector<Scalar> balance,
-                                          std::span<const Scalar> wanted, const PivotRule& rule) {
-  std::vector<Scalar> f(wanted.begin(), wanted.end());
+                                          const SupportedInputs<Scalar>& inputs,
+                                          const PivotRule& rule) {
+  std::vector<Scalar> f(inputs.f_wanted.begin(), inputs.f_wanted.end());
+  for (std::size_t i = 0; i < inputs.shares.size(); ++i) {
+    f[i] = inputs.shares[i] * f[i];
+    weights[i] = inputs.shares[i] * weights[i];
+  }
   if (f.empty() || balance.empty()) return f;
   for (std::size_t k = 0; k < balance.size(); ++k) {
     for (std::size_t i = 0; i < f.size(); ++i) balance[k] = balance[k] - J(i, k) * f[i];
@@ -150,9 +156,9 @@ SupportedRows<Scalar> supported_rows(const Tree<Scalar>& tree,
 /// Multipliers of the rows where the constraints can push every passive joint. `rows.balance`
 /// becomes that of the motion.
 template <class Scalar>
-std::vector<Scalar> multipliers_on_supports(SupportedRows<Scalar>& rows,
-                                            const SupportRules& rules) {
-  auto f = solve(factor_ldlt(rows.Lambda_inv, rules.rows), rows.errors);
+std::vector<Scalar> multipliers_on_supports(SupportedRows<Scalar>& rows, const SupportRules& rules,
+                                            const std::vector<Scalar>& shares) {
+  auto f = solve(factor_shared(rows.Lambda_inv, rules.rows, shares), rows.errors);
   rows.balance = with_row_forces(rows.J, rows.balance, f);
   return f;
 }
@@ -163,8 +169,9 @@ template <class Scalar>
 std::vector<Scalar> multipliers_with_passive_motion(SupportedRows<Scalar>& rows,
                                                     const DenseMatrix<Scalar>& M,
                                                     const std::vector<int>& passive,
-                                                    const SupportRules& rules) {
-  const PassiveMotion<Scalar> motion(block_of_velocities(M, passive), rows.J, rules);
+                                                    const SupportRules& rules,
+                                                    const std::vector<Scalar>& shares) {
+  const PassiveMotion<Scalar> motion(block_of_velocities(M, passive), rows.J, rules, shares);
   motion.subtract_from(rows.Lambda_inv);
   const auto passive_motion = motion.solve_for(rows.balance);
   for (std::size_t i = rules.held; i < rows.errors.size(); ++i) {
@@ -172,7 +179,7 @@ std::vector<Scalar> multipliers_with_passive_motion(SupportedRows<Scalar>& rows,
       rows.errors[i] = rows.errors[i] + rows.J(i, k) * passive_motion[k];
     }
   }
-  auto f = solve(factor_ldlt(rows.Lambda_inv, rules.rows), rows.errors);
+  auto f = solve(factor_shared(rows.Lambda_inv, rules.rows, shares), rows.errors);
   const auto change = motion.solve_for(with_row_forces(rows.J, rows.balance, f, rules.held));
   rows.balance = with_row_forces(rows.J, rows.balance, f);
   const auto columns = columns_of(M, passive);
@@ -197,7 +204,9 @@ std::vector<Scalar> multipliers_with_passive_motion(SupportedRows<Scalar>& rows,
 ///     Lambda^-1 = J M^-1 J^T - (0, J_tp K_s^-1 J_tp^T),  K_s^-1: see `PassiveMotion`.
 /// Where the constraints can push every passive joint (two feet and a floating base), K_s^-1 is
 /// zero. Of the forces f with gamma_p = J_sp^T f those nearest to `f_wanted` are taken, and tau =
-/// gamma - J_s^T f. (Sentis & Khatib 2005; Righetti et al. 2011.)
+/// gamma - J_s^T f. Rows that are held in part have compliances in both systems, see
+/// `SharedPivots`, and carry a part of the forces; then passive joints must be able to move.
+/// (Sentis & Khatib 2005; Righetti et al. 2011.)
 template <class Scalar>
 SupportedTorque<Scalar> supported_control_torque(const Tree<Scalar>& tree,
                                                  const std::vector<JointTransform<Scalar>>& X,
@@ -206,13 +215,13 @@ SupportedTorque<Scalar> supported_control_torque(const Tree<Scalar>& tree,
                                                  const LambdaChoice& choice,
                                                  const SupportRules& rules) {
   auto rows = supported_rows(tree, X, inputs, passive, choice, rules.held);
-  auto f = rules.passive_moves
-               ? multipliers_with_passive_motion(rows, mass_matrix(tree, X), passive, rules)
-               : multipliers_on_supports(rows, rules);
+  auto f = rules.passive_moves ? multipliers_with_passive_motion(rows, mass_matrix(tree, X),
+                                                                 passive, rules, inputs.shares)
+                               : multipliers_on_supports(rows, rules, inputs.shares);
   SupportedTorque<Scalar> result;
   const std::size_t anchored = rules.held - count_loop_rows(tree);
-  result.f = choose_support_forces(rows.J, held_weights(tree, anchored), rows.balance,
-                                   inputs.f_wanted, rules.forces);
+  result.f = choose_support_forces(rows.J, held_weights(tree, anchored), rows.balance, inputs,
+                                   rules.forces);
   for (std::size_t i = 0; i < rules.held; ++i) f[i] = f[i] - result.f[i];
   result.tau =
       has_loops(tree) ? transposed_times(rows.all, f) : forces_of_rows(tree, X, rows.tasks, f);

@@ -16,13 +16,21 @@
 namespace treeline {
 namespace {
 
+/// Shares to which rows are held; empty where no constraint comes and goes.
+std::vector<Expression> held_shares(const Trace& trace) {
+  return shares_of_rows<Expression>(trace.mechanism->inputs.active,
+                                    static_cast<std::size_t>(trace.mechanism->held_rows()),
+                                    trace.in[Quantity::active]);
+}
+
 ConstrainedInputs<Expression> motion_inputs(const Trace& trace) {
   return {trace.q(),
           trace.qd(),
           trace.tau(),
           trace.in[Quantity::stabilisation],
           trace.in[Quantity::drift],
-          trace.applied()};
+          trace.applied(),
+          held_shares(trace)};
 }
 
 std::vector<Result> motion_results(const ConstrainedMotion<Expression>& motion) {
@@ -59,7 +67,11 @@ std::vector<Expression> asked_of_tasks(const Trace& trace) {
 
 SupportedInputs<Expression> torque_inputs(const Trace& trace,
                                           const std::vector<Expression>& xdd_cmd) {
-  return {{trace.qd(), trace.qdd()}, xdd_cmd, trace.in[Quantity::f_wanted], trace.applied()};
+  return {{trace.qd(), trace.qdd()},
+          xdd_cmd,
+          trace.in[Quantity::f_wanted],
+          trace.applied(),
+          held_shares(trace)};
 }
 
 std::vector<Result> torque_results(const SupportedTorque<Expression>& torque) {
@@ -171,6 +183,7 @@ void append_eliminated_torque(const RouteQuery& query, const TaskLaw& supported,
 /// Rows that are constant, and those of loops that determine passive joints, may give velocities in
 /// place of forces.
 void append_elimination(const RouteQuery& query, const Law& law, std::vector<Route>& routes) {
+  if (!query.seen.inputs.active.empty()) return;
   if (!query.seen.loops.empty()) append_loop_elimination(query, routes);
   const auto coupled = choose_dependents(query.seen);
   if (!coupled) return;
@@ -205,6 +218,7 @@ std::vector<Route> solving_routes(const RouteQuery& query) {
 }  // namespace
 
 std::string why_not_eliminated(const Mechanism& mechanism, Function function) {
+  if (!mechanism.inputs.active.empty()) return "Leave out the input `active`.";
   if (function == Function::constrained_forward_dynamics) {
     return choose_dependents(mechanism) ? "" : choose_loop_dependents(mechanism).obstacle;
   }

@@ -77,6 +77,11 @@ std::string left_out_of(Function function, const Mechanism& mechanism) {
   return fmt::format(", of the robot alone: {} of the scene are not held", what);
 }
 
+/// Added where constraints come and go.
+constexpr const char* kSharedRows =
+    ", but rows that are held to a share w of active have a compliance, (1 - w) / w of their own "
+    "inverse inertia";
+
 /// The equation with an argument `step`.
 std::string implicit_equation(Function function) {
   const std::string equation =
@@ -200,10 +205,11 @@ class Tracer {
   void take_inputs(const Mechanism& seen, Program& program, Trace& trace) const {
     trace.in = TracedInputs(mechanism_, function_, program);
     apply_inputs(seen, trace.in, trace.tree);
-    const auto& step = trace.in[Quantity::step];
-    if (step.empty()) return;
-    make_drives_implicit<Expression>(trace.qd(), step.front(), trace.tree);
-    program.equation = implicit_equation(function_);
+    if (const auto& step = trace.in[Quantity::step]; !step.empty()) {
+      make_drives_implicit<Expression>(trace.qd(), step.front(), trace.tree);
+      program.equation = implicit_equation(function_);
+    }
+    if (!trace.in[Quantity::active].empty()) program.equation += kSharedRows;
   }
 
   void describe_singular(const Route& route, Program& program) const {

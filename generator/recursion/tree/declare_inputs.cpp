@@ -97,6 +97,8 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
       return 3 * static_cast<int>(mechanism.inputs.tools.size());
     case IndexSpace::orientations:
       return 4 * count_orientations(mechanism.inputs);
+    case IndexSpace::active_groups:
+      return static_cast<int>(mechanism.inputs.active.size());
     case IndexSpace::contact_places:
       break;
   }
