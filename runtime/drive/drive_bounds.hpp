@@ -62,7 +62,9 @@ void DriveController<F>::observe(const State& state) noexcept {
 template <class F>
 std::array<double, 2> DriveController<F>::leave_room(double least, double most,
                                                      int iv) const noexcept {
-  return {least - std::fmin(unforeseen_[iv], 0.0), most - std::fmax(unforeseen_[iv], 0.0)};
+  const double pushed = unforeseen_[iv];
+  if (pushed > 0.0) return {std::fmin(least, most - pushed), most - pushed};
+  return {least - pushed, std::fmax(most, least - pushed)};
 }
 
 /// The least and the most acceleration of a joint that stays below a share of its limit of speed.
