@@ -300,7 +300,7 @@ void DriveController<F>::blend(double time, double (&tau)[nv]) noexcept {
 
 template <class F>
 void DriveController<F>::control(double time, const State& state, double (&tau)[nv]) noexcept {
-  observe(state);
+  if (!settings_.only_leads) observe(state);
   state_ = state;
   saturated_ = false;
   std::fill(std::begin(push_), std::end(push_), 0.0);
