@@ -32,9 +32,10 @@ class Inputs:
         case.points, case.contacts, case.external = [tool], [contact], []
 
     def yaml(self, case):
-        """Frames of the scene are others: arguments replace them."""
+        """Frames of the scene are others, which arguments replace, as far from the link: by the scene's the program
+        measures how much rows move ordinarily, so which of them yield near singularities."""
         tool, contact = case.points[0], case.contacts[0]
-        elsewhere = Point(tool.name, tool.link, np.ones(3), np.ones(3), tool.axes, tool.rows)
+        elsewhere = Point(tool.name, tool.link, -np.asarray(tool.xyz), np.ones(3), tool.axes, tool.rows)
         parameters = f'  parameters: ["{self.replaced}"]\n' if self.replaced else ""
         return (f'{case.base_yaml()}operational_points:\n  - {elsewhere.yaml()}\n'
                 f'contacts:\n  - {{name: {contact.name}, link: "{contact.link}"}}\n'
