@@ -12,7 +12,6 @@
 #include "choice/choose_loops.hpp"
 #include "choice/compose_damped.hpp"
 #include "choice/for_each_index.hpp"
-#include "choice/function_mechanisms.hpp"
 #include "recursion/routes/constraint_routes.hpp"
 #include "recursion/routes/trace_loops.hpp"
 
@@ -138,9 +137,9 @@ bool generate_functions(FunctionMechanisms& mechanisms, const Scene& scene, cons
 }  // namespace
 
 std::optional<ChosenFunctions> choose_functions(const Robot& robot, const Scene& scene,
+                                                FunctionMechanisms& mechanisms,
                                                 const Choices& choices, const TellFunction& tell,
                                                 Diagnostics& diagnostics) {
-  FunctionMechanisms mechanisms(robot, scene);
   ChosenFunctions chosen;
   chosen.mechanism = mechanisms.whole();
   chosen.choices = choices;
@@ -151,6 +150,12 @@ std::optional<ChosenFunctions> choose_functions(const Robot& robot, const Scene&
   }
   if (scene.damped) chosen.damped = compose_damped(chosen.functions);
   return chosen;
+}
+
+std::optional<ChosenFunctions> choose_functions(const Robot& robot, const Scene& scene,
+                                                const Choices& choices, Diagnostics& diagnostics) {
+  FunctionMechanisms mechanisms(robot, scene);
+  return choose_functions(robot, scene, mechanisms, choices, {}, diagnostics);
 }
 
 double rounding_unit(Real real) {

@@ -7,6 +7,7 @@
 
 #include "bounds/domain.hpp"
 #include "choice/choices.hpp"
+#include "choice/function_mechanisms.hpp"
 #include "choice/generated_function.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
@@ -30,12 +31,17 @@ struct ChosenFunctions {
 /// Receives the function that is being generated: `lambda (10 of 11)`.
 using TellFunction = std::function<void(const std::string& function)>;
 
-/// Reduces the mechanism, traces every route of every function that the scene asks for, chooses,
-/// and runs the passes. `choices` override the choice by cost. Nothing if `diagnostics` received an
-/// error: a route that is chosen is none of this robot's.
+/// Traces every route of every function that the scene asks for, chooses, and runs the passes.
+/// `mechanisms` are those of the robot in the scene. `choices` override the choice by cost. Nothing
+/// if `diagnostics` received an error: a route that is chosen is none of this robot's.
 std::optional<ChosenFunctions> choose_functions(const Robot& robot, const Scene& scene,
+                                                FunctionMechanisms& mechanisms,
                                                 const Choices& choices, const TellFunction& tell,
                                                 Diagnostics& diagnostics);
+
+/// The same, reducing the mechanism first.
+std::optional<ChosenFunctions> choose_functions(const Robot& robot, const Scene& scene,
+                                                const Choices& choices, Diagnostics& diagnostics);
 
 /// Half an ulp of one.
 double rounding_unit(Real real);

@@ -23,7 +23,7 @@ struct GeneratedFunction {
   std::vector<PassReport> passes;
   int other_lanes = 0;     ///< number of lanes if it is chosen to differ from the scene's
   int batch = 0;           ///< states per call; 0: a plain function of one state
-  RoundingBound rounding;  ///< within `Generation::domain`
+  RoundingBound rounding;  ///< within `ChosenFunctions::domain`
 };
 
 /// Converts a candidate of `run_routes` to an emitted function, except for the order of its

@@ -15,6 +15,7 @@
 #include "cli/generate_from_files.hpp"
 #include "cli/print_depfile.hpp"
 #include "cli/print_summary.hpp"
+#include "emission/backend.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/print_manifest.hpp"
 #include "generation/predict_sources.hpp"
@@ -95,8 +96,10 @@ std::function<void(const std::string&, std::size_t)> tell_function() {
 
 /// Reports an option that is about what compilers of this machine make, where a driver compiles.
 bool is_of_host(const Scene& scene, const char* option, Diagnostics& diagnostics) {
-  if (scene.language != Language::opencl) return true;
-  diagnostics.add({Severity::error, "", 0, option, "this is for C++ and C, not for OpenCL C",
+  const Backend& backend = backend_of(scene.language);
+  if (!backend.is_compiled_by_driver()) return true;
+  diagnostics.add({Severity::error, "", 0, option,
+                   fmt::format("this is for C++ and C, not for {}", backend.name),
                    "Leave it out, or take another language."});
   return false;
 }

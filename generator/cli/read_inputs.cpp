@@ -73,7 +73,7 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
   }
   scene.language = value_of_word<Language>(options.language).value_or(scene.language);
   const Backend& backend = backend_of(scene.language);
-  if (package != nullptr && backend.cmake.empty()) {
+  if (package != nullptr && backend.is_compiled_by_driver()) {
     reject("--package",
            fmt::format("packages are compiled, and {} is by the driver of a device", backend.name),
            "Leave it out.", diagnostics);

@@ -40,14 +40,9 @@ Command compile_command(const Command& compiler, Language language, const std::s
   return command;
 }
 
-/// Whether the driver of a device compiles the functions, when the library is loaded.
-bool is_compiled_by_driver(Language language) {
-  return backend_of(language).flag.empty();
-}
-
 /// The language of the entries: a program of the host hands functions to a driver.
 Language language_of_entries(Language language) {
-  return is_compiled_by_driver(language) ? Language::cpp : language;
+  return backend_of(language).is_compiled_by_driver() ? Language::cpp : language;
 }
 
 /// What to do about what a compiler said.
@@ -114,7 +109,7 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
                                        work / (stem + ".o")));
   };
   for (const GeneratedFunction& generated : functions) {
-    if (is_compiled_by_driver(options.language)) break;
+    if (backend_of(options.language).is_compiled_by_driver()) break;
     const bool has_source = language == Language::c || !is_composed(generated);
     const fs::path& place = has_source ? folder : work;
     const std::string stem = source_stem(generated);
@@ -146,7 +141,7 @@ bool write_entries(const fs::path& folder, const std::string& name,
   if (language == Language::c) {
     return write_work_file(entry, print_c_entry(name, functions), diagnostics);
   }
-  if (language == Language::opencl) {
+  if (backend_of(language).is_compiled_by_driver()) {
     return write_work_file(entry, print_opencl_entry(fs::absolute(folder), name, functions),
                            diagnostics);
   }
@@ -172,7 +167,7 @@ bool link_library(const Command& compiler, const Objects& objects, const fs::pat
   command.insert(command.end(),
                  {"-shared", "-Wl,--version-script=" + exported.string(), "-o", made.library});
   for (const std::string& stem : objects.stems) command.push_back(work / (stem + ".o"));
-  if (is_compiled_by_driver(options.language)) command.emplace_back("-lOpenCL");
+  if (backend_of(options.language).is_compiled_by_driver()) command.emplace_back("-lOpenCL");
   return succeeded(run_commands({command}, 1, work).front(), made.library, "does not link",
                    diagnostics);
 }
@@ -311,8 +306,9 @@ std::optional<Compilation> compile_folder(const fs::path& folder, const std::str
   const std::string command = fmt::format("{} {}", fmt::join(compiler, " "),
                                           backend_of(language_of_entries(options.language)).flag);
   made.command = fmt::format(
-      "{}{} {}", is_compiled_by_driver(options.language) ? "an OpenCL driver behind " : "", command,
-      options.flags);
+      "{}{} {}",
+      backend_of(options.language).is_compiled_by_driver() ? "an OpenCL driver behind " : "",
+      command, options.flags);
   if (!link_library(compiler, *objects, work, options, made, diagnostics)) return std::nullopt;
   made.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   measure_functions(*objects, work, made);

@@ -60,10 +60,6 @@ LoopHandle::LoopHandle(const drive::RobotLibrary& library, const drive::RobotDes
   options.robot = setup.external;
   // A robot elsewhere has braked by itself after so long.
   if (setup.external.connected != nullptr) options.longest_delay = 0.05;
-  if (setup.external.has_controller()) {  // it goes on, and knows by itself when it hears nothing
-    options.longest_delay = 3600;
-    options.overruns_in_a_row = std::numeric_limits<int>::max();
-  }
   options.simulation = setup.simulation;
   options.reference = setup.reference;
   loop_.reset(library.create(&options));

@@ -33,8 +33,8 @@ struct SimulationNumbers {
 };
 
 /// Errors: no number, a negative one, a joint that the robot has not or that has no coordinate of
-/// its own, play without a rotor or with teeth that
-/// do not push, a delay of too many cycles of a loop at `rate` (Hz).
+/// its own, play without a rotor or with teeth that do not push, a delay of too many cycles of a
+/// loop at `rate` (Hz).
 std::optional<SimulationNumbers> read_simulation(const SimulationTexts& texts,
                                                  const drive::RobotDescription& robot, double rate,
                                                  Diagnostics& diagnostics);

@@ -16,13 +16,11 @@ namespace treeline {
 /// Parts that a language gives to emission. A new language is a folder beside `cpp/` and `c/` that
 /// defines such a value, and a line in `languages/backend_of.cpp`.
 struct Backend {
-  std::string_view name;      ///< as messages call it: `C++`
-  std::string_view standard;  ///< `C++17`
-  std::string_view header;    ///< how the names of its headers end: `.hpp`
-  std::string_view source;    ///< `.cpp`
-  /// As CMake calls it: `CXX`. Empty where no compiler of the host knows it: then there is no
-  /// project, and no package.
-  std::string_view cmake;
+  std::string_view name;                ///< as messages call it: `C++`
+  std::string_view standard;            ///< `C++17`
+  std::string_view header;              ///< how the names of its headers end: `.hpp`
+  std::string_view source;              ///< `.cpp`
+  std::string_view cmake;               ///< as CMake calls it: `CXX`
   std::string_view feature;             ///< of CMake, which asks for the standard: `cxx_std_17`
   std::string_view flag;                ///< of compilers, the same: `-std=c++17`
   bool has_namespaces = false;          ///< else names have the robot's in front
@@ -37,6 +35,10 @@ struct Backend {
   bool joins_loops = false;
   /// Places of sources in the project; of all others 0.
   std::map<Source::Of, int> places;
+
+  /// Whether the driver of a device compiles it, when a program runs: no compiler of the host knows
+  /// it, so there is no project and no package.
+  [[nodiscard]] bool is_compiled_by_driver() const { return flag.empty(); }
 
   /// Reports what is asked for and cannot be had in this language.
   void (*refuse)(const EmissionContext& context, Diagnostics& diagnostics);

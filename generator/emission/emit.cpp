@@ -34,7 +34,7 @@ std::vector<GeneratedFile> emit(const EmissionContext& context, std::span<const 
   };
   add(context.name + header, backend.print_contract(context, programs));
   add(context.name + "_joints" + header, backend.print_joints(context));
-  if (!backend.cmake.empty()) add("CMakeLists.txt", print_project(context, sources));
+  if (!backend.is_compiled_by_driver()) add("CMakeLists.txt", print_project(context, sources));
   for (const Program& program : programs) {
     add(source_name(context.language, program.name), backend.print_source(context, program));
   }

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "choice/function_mechanisms.hpp"
 #include "emission/backend.hpp"
 #include "emission/describe_contract.hpp"
 #include "generation/add_controller.hpp"
@@ -108,10 +107,10 @@ std::string list_files(const Provenance& provenance) {
 std::optional<ChosenFunctions> choose_for_language(const Robot& robot, const Scene& scene,
                                                    const Choices& choices, const TellFunction& tell,
                                                    Diagnostics& diagnostics) {
-  const Mechanism whole = FunctionMechanisms(robot, scene).whole();
-  backend_of(scene.language).refuse(describe_scene(robot, scene, whole), diagnostics);
+  FunctionMechanisms mechanisms(robot, scene);
+  backend_of(scene.language).refuse(describe_scene(robot, scene, mechanisms.whole()), diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  auto chosen = choose_functions(robot, scene, choices, tell, diagnostics);
+  auto chosen = choose_functions(robot, scene, mechanisms, choices, tell, diagnostics);
   if (!chosen) return std::nullopt;
   check_normals(scene, chosen->mechanism, chosen->functions, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

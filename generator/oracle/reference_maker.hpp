@@ -12,7 +12,7 @@
 
 namespace treeline {
 
-/// Makes the references of all functions of a chosen, state by state. Equal seeds give equal
+/// Makes the references of all chosen functions, state by state. Equal seeds give equal
 /// references. May be used from several threads at once.
 class ReferenceMaker {
  public:

@@ -46,7 +46,7 @@ TriedFunctions leave_out_failed(const Robot& robot, TriedFunctions tried, const 
     diagnostics.add(describe(each, files));
   }
   Diagnostics told;
-  auto left = choose_functions(robot, tried.scene, tried.chosen.choices, {}, told);
+  auto left = choose_functions(robot, tried.scene, tried.chosen.choices, told);
   tried.chosen = left ? std::move(*left) : ChosenFunctions{};
   return tried;
 }

@@ -73,7 +73,7 @@ class Retry {
   /// False where an algorithm turns out not to be had; the functions are then as they were.
   bool choose_again() {
     Diagnostics repeated;  // what there is to tell was told the first time
-    auto again = choose_functions(robot_, tried_.scene, choices_, {}, repeated);
+    auto again = choose_functions(robot_, tried_.scene, choices_, repeated);
     if (again) tried_.chosen = std::move(*again);
     return again.has_value();
   }
@@ -116,7 +116,7 @@ void retry_as_written(const Robot& robot, const Choices& choices, TriedFunctions
   TriedFunctions again{tried.scene, {}};
   again.scene.noise = 0;
   Diagnostics told, found;
-  auto chosen = choose_functions(robot, again.scene, choices, {}, told);
+  auto chosen = choose_functions(robot, again.scene, choices, told);
   if (!chosen) return;
   again.chosen = std::move(*chosen);
   Retry(robot, again, found).run();

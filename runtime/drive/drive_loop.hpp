@@ -10,6 +10,7 @@
 #include "drive/closed_loops.hpp"
 #include "drive/drive_controller.hpp"
 #include "drive/driven_robot.hpp"
+#include "drive/loop_settings.hpp"
 #include "drive/robot_library.hpp"
 #include "servo/clock.hpp"
 #include "servo/loop.hpp"
@@ -44,10 +45,11 @@ class DriveLoop {
   static constexpr ReportLayout kLayout = report_layout(nq, nv, F::kPoints);
 
   explicit DriveLoop(const LoopOptions& options)
-      : robot_(start_of(options), F::kFloating, options),
-        controller_(settings_of(options), robot_.torque()),
+      : robot_(start_of<F>(options), F::kFloating, options),
+        controller_(control_settings<nq, nv>(options), robot_.torque()),
         clock_(options.real_time),
-        loop_(loop_settings(options), limits_of(options), robot_, controller_, clock_, mailbox_) {}
+        loop_(loop_settings(options), safety_limits<nq, nv>(options), robot_, controller_, clock_,
+              mailbox_) {}
 
   /// Whether the simulated robot's steps can follow its gears.
   bool can_follow_gears(double rate) noexcept {
@@ -78,9 +80,6 @@ class DriveLoop {
     ReportHead head;
     double numbers[static_cast<std::size_t>(kLayout.size)] = {};
   };
-  /// rad or m. A controller of the robot's own is not asked how near it comes to goals, nor whether
-  /// it stands.
-  static constexpr double kAnywhere = 1e9;
   /// A message with its time; whatever was sent after it ends it.
   struct Timed {
     servo::Message message;
@@ -101,48 +100,6 @@ class DriveLoop {
         controller_.apply(loop_.time(), next_.message);
       }
     }
-  }
-
-  static servo::StateOf<F> start_of(const LoopOptions& options) noexcept {
-    servo::StateOf<F> state;
-    std::copy_n(options.start, nq, state.q);
-    return state;
-  }
-  static servo::LoopSettings loop_settings(const LoopOptions& options) noexcept {
-    servo::LoopSettings settings;
-    settings.rate = options.rate;
-    settings.messages_per_cycle = 8;
-    if (options.robot.has_controller()) settings.brake.reach = kAnywhere;
-    return settings;
-  }
-  static ControlSettings<nq, nv> settings_of(const LoopOptions& options) noexcept {
-    ControlSettings<nq, nv> settings;
-    std::copy_n(options.lower, nq, settings.lower.begin());
-    std::copy_n(options.upper, nq, settings.upper.begin());
-    std::copy_n(options.home != nullptr ? options.home : options.start, nq, settings.home.begin());
-    std::copy_n(options.velocity, nv, settings.velocity.begin());
-    std::copy_n(options.torque, nv, settings.torque.begin());
-    settings.period = 1.0 / options.rate;
-    settings.pull_stiffness = options.pull_stiffness;
-    settings.pull_force = options.pull_force;
-    settings.only_leads = options.robot.has_controller();
-    settings.surroundings = options.surroundings;
-    settings.reference = options.reference;
-    return settings;
-  }
-  static servo::SafetyLimits<nq, nv> limits_of(const LoopOptions& options) noexcept {
-    servo::SafetyLimits<nq, nv> limits;
-    for (int i = 0; i < nq; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      limits.lower[at] = options.lower[i] - options.beyond;
-      limits.upper[at] = options.upper[i] + options.beyond;
-    }
-    std::copy_n(options.velocity, nv, limits.velocity.begin());
-    std::copy_n(options.torque, nv, limits.torque.begin());
-    limits.overruns_in_a_row = options.overruns_in_a_row;
-    limits.longest_delay = options.longest_delay;
-    if (options.robot.has_controller()) limits.jump = limits.following = kAnywhere;
-    return limits;
   }
 
   void observe(const servo::Report<F>& report) noexcept {

@@ -15,15 +15,6 @@
 namespace treeline::tests {
 namespace {
 
-Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
-  Diagnostics diagnostics;
-  const auto robot = read_urdf(urdf, diagnostics);
-  if (!robot) throw std::runtime_error("the robot cannot be read");
-  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
-  if (!scene) throw std::runtime_error("the scene cannot be read");
-  return {*robot, *scene, generate(*robot, *scene)};
-}
-
 constexpr std::array kFeet{"LF", "RF", "LH", "RH"};
 
 /// A quadruped on those of its feet that are true, by name under `active` if `named`.

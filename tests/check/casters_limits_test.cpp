@@ -35,14 +35,6 @@ std::string free_base(const std::string& locked) {
 }
 const std::string kWithArm = free_base("") + "torque_limits: urdf\n";
 
-Subjects in_scene(const std::optional<Robot>& robot, const std::string& scene_text) {
-  if (!robot) throw std::runtime_error("the robot cannot be read");
-  Diagnostics diagnostics;
-  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
-  if (!scene) throw std::runtime_error(to_string(diagnostics.list().front()));
-  return {*robot, *scene, generate(*robot, *scene)};
-}
-
 Subjects samm(const std::string& base = kWithArm) {
   Diagnostics diagnostics;
   return in_scene(parse_urdf(urdf_on_casters(), "samm.urdf", diagnostics), scene_with_cones(base));

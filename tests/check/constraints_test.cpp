@@ -9,19 +9,6 @@
 namespace treeline::tests {
 namespace {
 
-Subjects with_scene(const std::optional<Robot>& robot, const std::string& scene_text) {
-  if (!robot) throw std::runtime_error("the robot cannot be read");
-  Diagnostics diagnostics;
-  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
-  if (!scene) throw std::runtime_error("the scene cannot be read");
-  return {*robot, *scene, generate(*robot, *scene)};
-}
-
-Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
-  Diagnostics diagnostics;
-  return with_scene(read_urdf(urdf, diagnostics), scene_text);
-}
-
 void expect_right(const Subjects& subjects, std::size_t functions, int states = 24) {
   const auto report = check_or_throw(subjects, quick_options(states));
   EXPECT_TRUE(report.passed()) << print_text(report);
@@ -215,7 +202,7 @@ TEST(EliminatedLoops, AreRefusedInWordsWithoutPassiveJoints) {
 /// rolls.
 Subjects roller(const std::string& rolling, const std::string& more) {
   Diagnostics diagnostics;
-  return with_scene(
+  return in_scene(
       parse_urdf("<robot name='roller'><link name='body'><inertial><mass value='1.5'/><inertia "
                  "ixx='0.015' iyy='0.03' izz='0.015' ixy='0' ixz='0' iyz='0'/></inertial></link>"
                  "</robot>",

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -51,6 +52,21 @@ inline Subjects load(const std::string& name, const std::string& scene_file = "s
   Subjects loaded = load_unmade(name, scene_file);
   loaded.generation = generate(loaded.robot, loaded.scene);
   return loaded;
+}
+
+/// A robot in a scene of this text, with its code.
+inline Subjects in_scene(const std::optional<Robot>& robot, const std::string& scene_text) {
+  if (!robot) throw std::runtime_error("the robot cannot be read");
+  Diagnostics diagnostics;
+  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
+  if (!scene) throw std::runtime_error(to_string(diagnostics.list().front()));
+  return {*robot, *scene, generate(*robot, *scene)};
+}
+
+/// The same of a robot in a file.
+inline Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
+  Diagnostics diagnostics;
+  return in_scene(read_urdf(urdf, diagnostics), scene_text);
 }
 
 /// Draws a random robot and asks for the functions that it always has. On a fixed base a point may

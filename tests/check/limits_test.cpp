@@ -11,15 +11,6 @@
 namespace treeline::tests {
 namespace {
 
-Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
-  Diagnostics diagnostics;
-  const auto robot = read_urdf(urdf, diagnostics);
-  if (!robot) throw std::runtime_error("the robot cannot be read");
-  const auto scene = parse_scene(scene_text, "scene.yaml", *robot, diagnostics);
-  if (!scene) throw std::runtime_error(to_string(diagnostics.list().front()));
-  return {*robot, *scene, generate(*robot, *scene)};
-}
-
 /// An arm whose hand slides along a wall at most as friction permits.
 Subjects arm(const std::string& more = "") {
   return in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf",

@@ -29,7 +29,7 @@ struct Chosen {
 Chosen choose(const Subjects& unmade) {
   Diagnostics diagnostics;
   return {unmade.robot, unmade.scene,
-          choose_functions(unmade.robot, unmade.scene, {}, {}, diagnostics).value()};
+          choose_functions(unmade.robot, unmade.scene, {}, diagnostics).value()};
 }
 
 Chosen planar3r() {
