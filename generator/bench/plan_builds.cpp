@@ -11,6 +11,7 @@
 #include "bench/templates.hpp"
 #include "choice/function_mechanisms.hpp"
 #include "description/scene_words.hpp"
+#include "emission/backend.hpp"
 #include "emission/fill_template.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/without_callers.hpp"
@@ -234,8 +235,7 @@ class Planner {
 
   /// Whether an earlier variant has the same code and flags. If so, it is noted there.
   bool is_repeat(const Variant& variant, const std::string& stem, const VariantBuild& build) {
-    const bool is_c = build.scene.language == Language::c;
-    const std::string source = text_of(build, stem + (is_c ? ".c" : ".cpp"));
+    const std::string source = text_of(build, source_name(build.scene.language, stem));
     const bool sines = source.find("sin_cos.hpp") != std::string::npos;
     const Key key{variant.real, build.flags, source, sines ? text_of(build, "sin_cos.hpp") : ""};
     const auto [at, is_new] = first_.emplace(key, std::pair{builds_.size(), build.variants.size()});

@@ -9,6 +9,7 @@
 #include "board/templates.hpp"
 #include "compilation/print_step_entry.hpp"
 #include "compilation/write_work_file.hpp"
+#include "emission/backend.hpp"
 #include "emission/digest.hpp"
 #include "oracle/graph_run.hpp"
 
@@ -139,7 +140,7 @@ std::vector<GeneratedFile> print_files(const BoardCase& board_case, const std::s
                                        const fs::path& work) {
   const std::string& name = board_case.name;
   const auto& functions = board_case.functions;
-  const bool is_c = board_case.language == Language::c;
+  const Backend& backend = backend_of(board_case.language);
   HarnessFiles files{work / kStatesFile, id, static_cast<int>(board_case.states.size()),
                      board_case.selftest};
   const auto source = [](const char* stem) { return std::string(stem) + ".cpp"; };
@@ -147,8 +148,9 @@ std::vector<GeneratedFile> print_files(const BoardCase& board_case, const std::s
       {kStatesFile, states},
       {"board.hpp", std::string(board_templates::kBoard)},
       {kLinkerScript, std::string(board_templates::kLinkerScript)},
-      {"functions.hpp", is_c ? print_c_functions_header(name, functions, board_case.real)
-                             : print_functions_header(name, functions)},
+      {"functions.hpp", backend.has_namespaces
+                            ? print_functions_header(name, functions)
+                            : print_c_functions_header(name, functions, board_case.real)},
       {source(kEmptyStem), print_empty_functions(functions)},
       {source(kStartStem), print_start(target.board)}};
   if (board_case.tape != nullptr) {
@@ -159,7 +161,7 @@ std::vector<GeneratedFile> print_files(const BoardCase& board_case, const std::s
   }
   all.push_back({source(kMainStem), print_main(name, functions, files)});
   for (const GeneratedFunction& generated : functions) {
-    if (is_c || !is_composed(generated)) continue;
+    if (!backend.composes_in_headers || !is_composed(generated)) continue;
     all.push_back({source_stem(generated) + ".cpp", print_composed_function(name, generated)});
   }
   return all;

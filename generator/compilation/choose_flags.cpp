@@ -1,6 +1,7 @@
 #include "compilation/choose_flags.hpp"
 
 #include "compilation/run_commands.hpp"
+#include "emission/backend.hpp"
 
 namespace treeline {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 /// header: it is compiled with the sources of whoever includes it.
 OwnFlags own_flags_of(const GeneratedFunction& generated, const CompileOptions& options) {
   if (is_composed(generated)) {
-    return {options.optimize == Optimize::size && options.language == Language::c};
+    return {options.optimize == Optimize::size &&
+            !backend_of(options.language).composes_in_headers};
   }
   return choose_own_flags(options.optimize, generated.program);
 }

@@ -110,8 +110,8 @@ std::optional<Objects> compile_objects(const Command& compiler, const fs::path& 
   };
   for (const GeneratedFunction& generated : functions) {
     if (backend_of(options.language).is_compiled_by_driver()) break;
-    const bool has_source = language == Language::c || !is_composed(generated);
-    const fs::path& place = has_source ? folder : work;
+    const bool in_header = is_composed(generated) && backend_of(language).composes_in_headers;
+    const fs::path& place = in_header ? work : folder;
     const std::string stem = source_stem(generated);
     add(stem, fs::absolute(place / source_name(language, stem)),
         choose_flags(generated, options).flags);

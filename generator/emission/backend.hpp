@@ -13,6 +13,14 @@
 
 namespace treeline {
 
+/// How a language writes integers that have names.
+struct ConstantSyntax {
+  std::string_view opening;        ///< before the first
+  std::string_view line;           ///< as a format of name and value
+  std::string_view between, last;  ///< behind each but the last, and behind that
+  std::string_view closing;
+};
+
 /// Parts that a language gives to emission. A new language is a folder beside `cpp/` and `c/` that
 /// defines such a value, and a line in `languages/backend_of.cpp`.
 struct Backend {
@@ -24,9 +32,14 @@ struct Backend {
   std::string_view feature;             ///< of CMake, which asks for the standard: `cxx_std_17`
   std::string_view flag;                ///< of compilers, the same: `-std=c++17`
   bool has_namespaces = false;          ///< else names have the robot's in front
+  std::string_view scope;               ///< between the robot's name and its names: `::`
+  std::string_view details;             ///< before names that its functions use: `detail::`
   bool has_references = false;          ///< to arrays; else arguments are pointers
   std::string_view cast;                ///< to a type, as a format: `static_cast<{}>`
   std::string_view constant = "const";  ///< before a constant at file scope
+  ConstantSyntax constants;
+  /// Whether what calls other functions, as damped control, is code of a header.
+  bool composes_in_headers = false;
   /// Words of runtime/emitted as the language has them (see `Adaptation`).
   std::map<std::string, std::string> words;
   /// How lines of runtime/emitted begin that it does without.

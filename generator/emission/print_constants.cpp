@@ -9,16 +9,14 @@
 namespace treeline {
 
 std::string print_constants(const Adaptation& own, std::span<const Constant> constants) {
-  const bool is_c = !backend_of(own.language).has_namespaces;
-  std::string text = is_c ? "enum {\n" : "";
+  const ConstantSyntax& syntax = backend_of(own.language).constants;
+  std::string text(syntax.opening);
   for (const Constant& each : constants) {
-    const bool last = &each == &constants.back();
-    const std::string name = constant_name(own, each.name);
-    text += is_c ? fmt::format("  {} = {}{}", name, each.value, last ? "" : ",")
-                 : fmt::format("inline constexpr int32_t {} = {};", name, each.value);
+    text += fmt::format(fmt::runtime(syntax.line), constant_name(own, each.name), each.value);
+    text += &each == &constants.back() ? syntax.last : syntax.between;
     text += *each.comment != '\0' ? fmt::format("  // {}\n", each.comment) : "\n";
   }
-  return is_c ? text + "};\n" : text;
+  return text.append(syntax.closing);
 }
 
 std::string print_table(const std::string& declared, std::vector<std::string> entries,

@@ -83,8 +83,8 @@ std::string print_ending_sizes(const Contents& contents, const Adaptation& own) 
 
 /// A name of runtime/emitted as code outside of its headers writes it.
 std::string in_detail(const EmissionContext& context, std::string_view word) {
-  const char* const scope = backend_of(context.language).has_namespaces ? "detail::" : "";
-  return scope + adapt_words(word, make_ending_adaptation(context));
+  return std::string(backend_of(context.language).details) +
+         adapt_words(word, make_ending_adaptation(context));
 }
 
 std::string real_of(const EmissionContext& context) {

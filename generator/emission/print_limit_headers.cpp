@@ -98,15 +98,12 @@ void add_numbers(const EmissionContext& context, Adaptation& own) {
   add("TL_SLACK_PENALTY", Numbers::kSlackPenalty);
 }
 
-bool is_c(const EmissionContext& context) {
-  return !backend_of(context.language).has_namespaces;
-}
-
 Adaptation make_limit_adaptation(const EmissionContext& context) {
   Adaptation own = make_adaptation(context, header_name(context, context.name + "_limited"));
-  if (is_c(context)) own.words["torque_limits"] = context.name + "_limited";
+  const Backend& backend = backend_of(context.language);
+  if (!backend.composes_in_headers) own.words["torque_limits"] = context.name + "_limited";
   // square_root.hpp of C++ has the root of any number, and NaN where there is none.
-  if (!is_c(context) && !context.misra) own.words["tl_root"] = "square_root";
+  if (backend.has_references && !context.misra) own.words["tl_root"] = "square_root";
   if (context.batch > 0) own.words["TL_STATES"] = std::to_string(context.batch);
   if (context.single_precision) {
     add_numbers<float>(context, own);
@@ -155,7 +152,7 @@ std::vector<GeneratedFile> print_limit_headers(const EmissionContext& context) {
     files.push_back(
         {header_name(context, "limited_states"), adapt(templates::kLimitedStates, own)});
   }
-  if (!is_c(context)) {
+  if (backend_of(context.language).composes_in_headers) {
     files.push_back({"torque_limits.hpp", fill_template(templates::kTorqueLimitsInCpp,
                                                         {{"name", context.name},
                                                          {"types", print_limit_types(context)}})});

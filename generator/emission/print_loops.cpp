@@ -49,7 +49,7 @@ LoopNames name_in(const EmissionContext& context, const std::string& scope, Name
 
 /// A function's own names of what is in the namespace of the robot's details.
 LoopNames name_in_function(const EmissionContext& context, NameSet& used) {
-  return name_in(context, backend_of(context.language).has_namespaces ? "detail::" : "", used);
+  return name_in(context, std::string(backend_of(context.language).details), used);
 }
 
 std::string print_array(const Adaptation& own, const LoopNames& names, const std::string& name,
@@ -132,7 +132,7 @@ std::string print_body_of(const EmissionContext& context, const Program& program
                      print_own_table(context, loops, names);
   std::string list = loops.solves ? fmt::format("{}, ", loops.power) : "";
   list += changes_table(loops) ? "&table"
-                               : fmt::format("&{}{}", backend.has_namespaces ? "detail::" : "",
+                               : fmt::format("&{}{}", backend.details,
                                              constant_of(context, table_name(loops.table)));
   if (loops.solves) list += ", " + (loops.yields.empty() ? names.none : "&yields[0]");
   for (const Argument& argument : program.arguments) {

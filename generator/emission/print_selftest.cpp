@@ -69,14 +69,14 @@ std::string print_function(const SelftestWriter& writer, const Program& program,
     list += result.name + ", ";
   }
   list.resize(list.size() - 2);
-  const char* const joint = backend_of(writer.context.language).has_namespaces ? "::" : "_";
   expected.pop_back();
   return fill_template(templates::kSelftestFunction,
                        {{"expected", expected},
                         {"own", own},
                         {"states", std::to_string(writer.facts.states)},
                         {"results", results},
-                        {"call", wrap_text(fmt::format("{}{}{}({});", writer.context.name, joint,
+                        {"call", wrap_text(fmt::format("{}{}{}({});", writer.context.name,
+                                                       backend_of(writer.context.language).scope,
                                                        called.function, list),
                                            95)},
                         {"compare", compare}});

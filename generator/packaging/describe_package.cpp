@@ -123,7 +123,6 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
     sources.push_back("../src/" + source.file);
   }
   const std::vector<std::string> joined = list_joined(generation);
-  const bool is_c = scene.language == Language::c;
   const auto flags = flags_of(scene);
   return {{"robot", plain(robot.name)},
           {"name", scene.name},
@@ -132,10 +131,9 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
           {"cmake_language", std::string(backend.cmake)},
           {"header", scene.name + std::string(backend.header)},
           {"joints_header", scene.name + "_joints" + std::string(backend.header)},
-          {"header_patterns", is_c ? "PATTERN \"*.h\"" : "PATTERN \"*.hpp\" PATTERN \"*.h\""},
           {"functions", fmt::format("{}", fmt::join(functions, ", "))},
           {"keywords", fmt::format("{}", fmt::join(keywords, "\n"))},
-          {"requirement", is_c ? "" : "\tdepends on CPP"},
+          {"requirement", scene.language == Language::cpp ? "\tdepends on CPP" : ""},
           {"sources", fmt::format("{}", fmt::join(sources, "\n"))},
           {"joined", print_joined_source(joined)},
           {"source_filter", print_source_filter(joined)},

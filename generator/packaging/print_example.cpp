@@ -27,7 +27,7 @@ std::string print_example(const Scene& scene, const Generation& generation,
                           const PackageFacts& facts) {
   const Program& program = generation.functions.front().program;
   const char* real = scene.real == Real::float32 ? "float" : "double";
-  const char* between = backend_of(scene.language).has_namespaces ? "::" : "_";
+  const std::string_view between = backend_of(scene.language).scope;
   std::string arrays;
   std::string list;
   const auto append = [&](const Argument& argument) {

@@ -68,7 +68,9 @@ Backend make_backend() {
   backend.cmake = "C";
   backend.feature = "c_std_99";
   backend.flag = "-std=c99";
+  backend.scope = "_";
   backend.cast = "({})";
+  backend.constants = {"enum {\n", "  {} = {}", ",", "", "};\n"};
   backend.words = {{"TL_FUNCTION", "static"},
                    {"TL_SAFE_FUNCTION", "static"},
                    {"TL_INLINE", "static inline"},

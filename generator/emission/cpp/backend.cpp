@@ -101,8 +101,12 @@ Backend make_backend() {
   backend.feature = "cxx_std_17";
   backend.flag = "-std=c++17";
   backend.has_namespaces = true;
+  backend.scope = "::";
+  backend.details = "detail::";
   backend.has_references = true;
   backend.cast = "static_cast<{}>";
+  backend.constants = {"", "inline constexpr int32_t {} = {}", ";", ";", ""};
+  backend.composes_in_headers = true;
   // Where the compiler may choose, as it may in C, large functions are called and not repeated.
   backend.words = {{"TL_FUNCTION", "[[gnu::noinline]] inline"},
                    {"TL_SAFE_FUNCTION", "inline"},
