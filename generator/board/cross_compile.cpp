@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <initializer_list>
-#include <regex>
+#include <sstream>
 #include <utility>
 
 #include "compilation/print_step_entry.hpp"
@@ -67,7 +68,8 @@ Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction
                      const fs::path& work) {
   Sources sources;
   for (const GeneratedFunction& generated : functions) {
-    const bool in_header = is_composed(generated) && options.language == Language::cpp;
+    const bool in_header =
+        is_composed(generated) && backend_of(options.language).composes_in_headers;
     sources.add(in_header ? work : folder, source_stem(generated), options.language,
                 choose_flags(generated, options).flags + " -fstack-usage -fcallgraph-info=su");
   }
@@ -81,29 +83,34 @@ Sources list_sources(const fs::path& folder, const std::vector<GeneratedFunction
   const fs::path step = work / (std::string(kStepStem) + ".cpp");
   if (fs::exists(step)) sources.add(step, Language::cpp, "-O2");
   if (!board.port.empty()) {
-    const bool is_c = board.port.extension() == ".c";
-    sources.add(board.port, is_c ? Language::c : Language::cpp, "-O2");
+    sources.add(board.port, board.port.extension() == ".c" ? Language::c : Language::cpp, "-O2");
   }
   return sources;
+}
+
+bool is_number(std::string_view word) {
+  const bool is_hex = word.starts_with("0x");
+  if (is_hex) word.remove_prefix(2);
+  return !word.empty() &&
+         word.find_first_not_of(is_hex ? "0123456789abcdefABCDEF" : "0123456789") == word.npos;
 }
 
 /// Options for the linker about memory: of the target's board, or of one's own.
 std::optional<Command> place_memory(const Target& target, const BoardOptions& board,
                                     Diagnostics& diagnostics) {
   if (board.memory.empty()) return split_words(target.board.linker);
-  static const std::regex numbers(
-      "(0x[0-9a-fA-F]+|[0-9]+),(0x[0-9a-fA-F]+|[0-9]+),"
-      "(0x[0-9a-fA-F]+|[0-9]+)");
-  std::smatch found;
-  if (!std::regex_match(board.memory, found, numbers)) {
+  std::vector<std::string> numbers;
+  std::istringstream words(board.memory);
+  for (std::string word; std::getline(words, word, ',');) numbers.push_back(word);
+  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), is_number)) {
     diagnostics.add({Severity::error, "", 0, "--memory",
                      fmt::format("`{}` are not three numbers with commas between", board.memory),
                      "Write where code begins, where data begins and how many bytes it has, such "
                      "as 0x08000000,0x20000000,0x20000."});
     return std::nullopt;
   }
-  return Command{"--defsym=code_begin=" + found.str(1), "--defsym=data_begin=" + found.str(2),
-                 "--defsym=data_size=" + found.str(3)};
+  return Command{"--defsym=code_begin=" + numbers[0], "--defsym=data_begin=" + numbers[1],
+                 "--defsym=data_size=" + numbers[2]};
 }
 
 }  // namespace

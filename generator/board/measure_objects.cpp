@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
+#include <iterator>
 #include <sstream>
 
 #include "board/count_instructions.hpp"
@@ -85,12 +85,23 @@ SectionBytes add_sections(std::string_view listing) {
 }
 
 bool is_arithmetic(const std::string& symbol) {
-  // __aeabi_dmul, __muldf3, __udivsi3, ...
-  static const std::regex names(
-      "__aeabi_(c?[dfil]|ui|ul|lcmp|ulcmp)[a-z0-9_]*|"
-      "__(add|sub|mul|div|udiv|mod|umod|neg|eq|ne|lt|le|gt|ge|unord|fix|fixuns|float|floatun|"
-      "extend|trunc|ashl|ashr|lshr|clz)[a-z]*[sdt]+[fi]*[sdt]*[fi]*[234]?");
-  return std::regex_match(symbol, names);
+  constexpr std::string_view kArm = "__aeabi_";
+  if (symbol.starts_with(kArm)) {
+    const std::string_view name = std::string_view(symbol).substr(kArm.size());
+    constexpr std::string_view kTypes[] = {"d", "f", "i", "l", "cd", "cf", "ci", "cl", "ui", "ul"};
+    return std::any_of(std::begin(kTypes), std::end(kTypes),
+                       [&](std::string_view type) { return name.starts_with(type); });
+  }
+  constexpr std::string_view kOperations[] = {
+      "__add",   "__sub",    "__mul",   "__div",  "__udiv", "__mod",  "__umod",  "__neg",
+      "__eq",    "__ne",     "__lt",    "__le",   "__gt",   "__ge",   "__unord", "__fix",
+      "__float", "__extend", "__trunc", "__ashl", "__ashr", "__lshr", "__clz"};
+  // As __muldf3: an operation, the types of its operands, and how many they are.
+  const std::size_t end = symbol.find_last_not_of("234");
+  const bool ends_so = end != symbol.npos && end + 2 >= symbol.size() &&
+                       std::string_view("sdtfi").find(symbol[end]) != std::string_view::npos;
+  return ends_so && std::any_of(std::begin(kOperations), std::end(kOperations),
+                                [&](std::string_view front) { return symbol.starts_with(front); });
 }
 
 std::vector<std::string> list_undefined(std::string_view listing) {

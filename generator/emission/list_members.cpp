@@ -1,7 +1,9 @@
 #include "emission/list_members.hpp"
 
-#include <regex>
+#include <algorithm>
 #include <sstream>
+
+#include "emission/adapt.hpp"
 
 namespace treeline {
 namespace {
@@ -19,48 +21,64 @@ std::vector<std::string> lines_of(const std::string& header, const std::string& 
   return lines;
 }
 
-/// A comment in one line, without its marks. `rest` is what follows a declaration; the comment may
-/// go on in the lines from `next` on.
+bool is_name(std::string_view word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), belongs_to_word);
+}
+
+/// The comment of a declaration in one line, without its marks. `rest` is what follows the
+/// declaration; the comment may go on in the lines from `next` on.
 std::string join_comment(std::string rest, const std::vector<std::string>& lines,
                          std::size_t next) {
   const bool is_block = rest.find("/*") != rest.npos;
   const bool is_line = !is_block && rest.find("//") != rest.npos;
-  while (next < lines.size() && is_block && rest.find("*/") == rest.npos) rest += lines[next++];
-  static const std::regex kGoesOn(R"(\s*//.*)");
-  while (is_line && next < lines.size() && std::regex_match(lines[next], kGoesOn)) {
-    rest += lines[next++];
+  const auto goes_on = [&](const std::string& line) {
+    if (is_block) return rest.find("*/") == rest.npos;
+    const std::size_t mark = line.find("//");
+    return is_line && mark != line.npos && mark == line.find_first_not_of(' ');
+  };
+  while (next < lines.size() && goes_on(lines[next])) rest += " " + lines[next++];
+  std::string text;
+  std::istringstream words(rest);
+  for (std::string word; words >> word;) {
+    if (word == "//" || word == "/*" || word == "*/") continue;
+    text += (text.empty() ? "" : " ") + word;
   }
-  static const std::regex kMarks(R"(/\*|\*/|//)");
-  static const std::regex kBlanks(R"(\s+)");
-  std::string text = std::regex_replace(rest, kMarks, " ");
-  text = std::regex_replace(text, kBlanks, " ");
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+  return text;
 }
 
 }  // namespace
 
 std::vector<StructMember> list_members(const std::string& header, const std::string& type) {
-  static const std::regex kMember(R"(\s*(\w+) (\w+)(\[[^\]]+\])?;(.*))");
   std::vector<StructMember> members;
   const std::vector<std::string> lines = lines_of(header, "struct " + type + " {");
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::smatch parts;
-    if (!std::regex_match(lines[i], parts, kMember)) continue;
-    members.push_back({parts[1], parts[2], parts[3].matched, join_comment(parts[4], lines, i + 1)});
+    const std::size_t end = lines[i].find(';');
+    if (end == std::string::npos) continue;
+    const std::string declared = lines[i].substr(0, end);
+    const std::size_t bracket = declared.find('[');
+    std::istringstream words(declared.substr(0, bracket));
+    StructMember member;
+    std::string more;
+    if (!(words >> member.type >> member.name) || words >> more) continue;
+    if (!is_name(member.type) || !is_name(member.name)) continue;
+    member.is_array = bracket != std::string::npos;
+    member.meaning = join_comment(lines[i].substr(end + 1), lines, i + 1);
+    members.push_back(std::move(member));
   }
   return members;
 }
 
 std::vector<HeaderEnumerator> list_enumerators(const std::string& header, const std::string& type) {
-  static const std::regex kEnumerator(R"(\s*([A-Z][A-Z0-9_]+)(?: = (\d+))?(?:,.*|\s*/.*|))");
   std::vector<HeaderEnumerator> enumerators;
   int next = 0;
   for (const std::string& line : lines_of(header, "enum " + type + " {")) {
-    std::smatch parts;
-    if (!std::regex_match(line, parts, kEnumerator)) continue;
-    if (parts[2].matched) next = std::stoi(parts[2]);
-    enumerators.push_back({parts[1], next++});
+    std::istringstream words(line);
+    std::string name, equals;
+    std::getline(words >> std::ws, name, ' ');
+    if (name.ends_with(',')) name.pop_back();
+    if (!is_name(name)) continue;
+    if (int value = 0; words >> equals >> value && equals == "=") next = value;
+    enumerators.push_back({name, next++});
   }
   return enumerators;
 }
