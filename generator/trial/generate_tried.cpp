@@ -15,7 +15,7 @@ std::optional<TriedGeneration> generate_tried(const Robot& robot, const Scene& s
   if (options.tell) options.tell("and trying the functions");
   TriedFunctions tried = retry_routes(robot, scene, std::move(*chosen), diagnostics);
   if (!tried.failed.empty() && options.failing == Failing::left_out) {
-    tried = leave_out_failed(robot, std::move(tried), list_files(provenance), diagnostics);
+    leave_out_failed(tried, list_files(provenance), diagnostics);
     if (tried.chosen.functions.empty()) {
       return TriedGeneration{{std::move(tried.chosen), std::move(tried.scene)},
                              std::move(tried.failed)};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "description/check_limits.hpp"
@@ -27,11 +26,15 @@ Diagnostic describe(const FailedTrial& failed, const std::string& files) {
                       files, function_name(failed.function), failed.state.index)};
 }
 
-void remove(Function function, Scene& scene) {
+void remove(Function function, Scene& scene, ChosenFunctions& chosen) {
   const bool is_damped = function == Function::damped_control_torque;
+  const auto is_it = [&](const GeneratedFunction& each) { return each.function == function; };
   std::erase(scene.functions, function);
+  std::erase_if(chosen.functions, is_it);
+  std::erase_if(chosen.batch, is_it);
   if (is_damped || std::count(kDampedFunctions.begin(), kDampedFunctions.end(), function) > 0) {
     scene.damped.reset();
+    chosen.damped.reset();
   }
   const std::vector<Function> of_limits = functions_of_limits(scene);
   if (std::count(of_limits.begin(), of_limits.end(), function) > 0) scene.remove_limits();
@@ -39,16 +42,11 @@ void remove(Function function, Scene& scene) {
 
 }  // namespace
 
-TriedFunctions leave_out_failed(const Robot& robot, TriedFunctions tried, const std::string& files,
-                                Diagnostics& diagnostics) {
+void leave_out_failed(TriedFunctions& tried, const std::string& files, Diagnostics& diagnostics) {
   for (const FailedTrial& each : tried.failed) {
-    remove(each.function, tried.scene);
+    remove(each.function, tried.scene, tried.chosen);
     diagnostics.add(describe(each, files));
   }
-  Diagnostics told;
-  auto left = choose_functions(robot, tried.scene, tried.chosen.choices, told);
-  tried.chosen = left ? std::move(*left) : ChosenFunctions{};
-  return tried;
 }
 
 }  // namespace treeline

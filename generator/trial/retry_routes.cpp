@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "choice/compose_damped.hpp"
 #include "description/noise.hpp"
 #include "mechanism/build_mechanism.hpp"
 
@@ -27,8 +28,8 @@ class Retry {
 
   void run() {
     try_chosen();
-    while (!tried_.failed.empty() && choose_others()) {
-      if (choose_again()) try_chosen();
+    for (auto others = choose_others(); !others.empty(); others = choose_others()) {
+      if (choose_again(others)) try_chosen();
     }
     note_mended();
   }
@@ -37,26 +38,26 @@ class Retry {
   void try_chosen() { tried_.failed = try_functions(robot_, tried_.scene, tried_.chosen); }
 
   /// Null for a function of several states, or one that is composed of others.
-  [[nodiscard]] const GeneratedFunction* find_chosen(Function function) const {
-    const auto& functions = tried_.chosen.functions;
+  [[nodiscard]] GeneratedFunction* find_chosen(Function function) const {
+    auto& functions = tried_.chosen.functions;
     const auto at = std::find_if(functions.begin(), functions.end(), [&](const auto& generated) {
       return generated.function == function && generated.batch == 0;
     });
     return at == functions.end() ? nullptr : &*at;
   }
 
-  /// Whether there is another algorithm for one of them.
-  bool choose_others() {
-    bool chosen = false;
+  /// Names another algorithm for each that failed and has one; lists these.
+  std::vector<Function> choose_others() {
+    std::vector<Function> others;
     for (const FailedTrial& each : tried_.failed) {
       const GeneratedFunction* const at = find_chosen(each.function);
       const bool is_asked_for =
           choices_.plain.contains(each.function) && !first_.contains(each.function);
       if (at == nullptr || source_stem(*at) != each.name || is_asked_for) continue;
       first_.try_emplace(each.function, FirstFailure{each, describe(at->chosen.route)});
-      chosen = choose_other(*at) || chosen;
+      if (choose_other(*at)) others.push_back(each.function);
     }
-    return chosen;
+    return others;
   }
 
   bool choose_other(const GeneratedFunction& generated) {
@@ -70,12 +71,21 @@ class Retry {
     return false;
   }
 
-  /// False where an algorithm turns out not to be had; the functions are then as they were.
-  bool choose_again() {
+  /// Chooses these again. False where an algorithm turns out not to be had; they are then as they
+  /// were.
+  bool choose_again(const std::vector<Function>& functions) {
+    Scene scene = tried_.scene;
+    scene.functions = functions;
+    scene.batch = 0;
+    scene.damped.reset();
     Diagnostics repeated;  // what there is to tell was told the first time
-    auto again = choose_functions(robot_, tried_.scene, choices_, repeated);
-    if (again) tried_.chosen = std::move(*again);
-    return again.has_value();
+    auto again = choose_functions(robot_, scene, choices_, repeated);
+    if (!again) return false;
+    for (GeneratedFunction& each : again->functions) *find_chosen(each.function) = std::move(each);
+    ChosenFunctions& chosen = tried_.chosen;
+    chosen.choices = choices_;
+    if (chosen.damped) chosen.damped = compose_damped(chosen.functions);
+    return true;
   }
 
   /// Notes of all that failed first and do no longer.
