@@ -44,7 +44,7 @@ TEST(DataSources, StateAPermittedLicence) {
 
 TEST(DataSources, AreAllThere) {
   EXPECT_EQ(data_robots("published").size(), 29U);
-  EXPECT_EQ(data_robots("golden").size(), 7U);
+  EXPECT_EQ(data_robots("golden").size(), 5U);
   EXPECT_ANY_THROW((void)data_file("published/none.urdf"));
 }
 

@@ -78,7 +78,7 @@ struct KnownRobot {
 constexpr Base kHeld = Base::fixed, kFloats = Base::floating;
 const std::vector<KnownRobot> kKnownRobots = {
     {"golden/anymal.urdf", "a quadruped", kFloats, {"LF_FOOT", "RF_FOOT", "LH_FOOT", "RH_FOOT"}},
-    {"golden/panda.urdf", "an arm", kHeld, {"panda_hand_tcp"}},
+    {"published/panda_hand.urdf", "an arm", kHeld, {"panda_hand_tcp"}},
     {"golden/solo12.urdf", "a quadruped", kFloats, {"FL_FOOT", "FR_FOOT", "HL_FOOT", "HR_FOOT"}},
     {"hands/shadow_hand.urdf", "a hand", kHeld, {"fftip", "mftip", "rftip", "lftip", "thtip"}},
     {"mjcf/aloha.xml", "a robot of 2 arms", kHeld, {"left/gripper", "right/gripper"}},

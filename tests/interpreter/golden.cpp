@@ -112,7 +112,7 @@ GoldenRobot read_golden(const std::string& name) {
   std::ifstream file(data_file("golden/" + name + ".json"));
   const Json json = Json::parse(file);
   GoldenRobot golden;
-  golden.robot = read_robot(data_file("golden/" + name + ".urdf"));
+  golden.robot = read_robot(data_file(json.at("urdf")));
   golden.scene.name = name;
   const bool floats = json.at("floating_base").get<bool>();
   golden.scene.base = floats ? Base::floating : Base::fixed;

@@ -44,8 +44,8 @@ struct GoldenRobot {
   GoldenOrder order;
 };
 
-/// Reads NAME.json and NAME.urdf of tests/data/golden. All conversions of conventions are done
-/// here. Throws if a file is bad or missing.
+/// Reads NAME.json of tests/data/golden and the URDF that it names. All conversions of conventions
+/// are done here. Throws if a file is bad or missing.
 GoldenRobot read_golden(const std::string& name);
 
 }  // namespace treeline::tests

@@ -111,10 +111,10 @@ TEST(Languages, LanesHaveTheSameBits) {
 }
 
 TEST(Languages, FloatingBasesHaveTheSameBits) {
-  for (const char* robot : {"solo12", "ur5"}) {
+  for (const char* robot : {"golden/solo12", "published/ur5"}) {
     for (const Compilers& compilers : {kGcc, kClang}) {
-      expect_same_bits(compare_languages_of(kData + "/golden/" + robot + ".urdf", "", {},
-                                            Real::float64, 1, compilers, kStates),
+      expect_same_bits(compare_languages_of(kData + "/" + robot + ".urdf", "", {}, Real::float64, 1,
+                                            compilers, kStates),
                        4);
     }
   }
