@@ -26,24 +26,8 @@ enum { TL_CONTACTS = kContactsOfC, TL_CONTACT_ROWS = 16 };
 typedef uint64_t TlBits;
 enum { TL_FRACTION_BITS = 52, TL_SIGN_AT = 63, TL_BIAS = 1023 };
 
-static inline void tl_to_bits(const real* x, TlBits* bits) {
-  union {
-    real number;
-    TlBits bits;
-  } both;
-  both.number = *x;
-  *bits = both.bits;
-}
-
-static inline void tl_from_bits(const TlBits* bits, real* x) {
-  union {
-    real number;
-    TlBits bits;
-  } both;
-  both.bits = *bits;
-  *x = both.number;
-}
-
+#include "emitted/number_bits.h"
+//
 #include "emitted/contact_solver.h"
 
 bool solve_contacts_in_c(const double* A, const double* normals, const double* frictions, double* v,

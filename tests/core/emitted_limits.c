@@ -55,24 +55,8 @@ enum { TL_LOWER = -1, TL_FREE, TL_UPPER, TL_SET_ASIDE };
 typedef uint64_t TlBits;
 enum { TL_FRACTION_BITS = 52, TL_SIGN_AT = 63, TL_BIAS = 1023 };
 
-static inline void tl_to_bits(const real* x, TlBits* bits) {
-  union {
-    real number;
-    TlBits bits;
-  } both;
-  both.number = *x;
-  *bits = both.bits;
-}
-
-static inline void tl_from_bits(const TlBits* bits, real* x) {
-  union {
-    real number;
-    TlBits bits;
-  } both;
-  both.bits = *bits;
-  *x = both.number;
-}
-
+#include "emitted/number_bits.h"
+//
 #include "emitted/limited_states.h"
 
 void limit_torque_in_c(const void* layout, const void* limits, const double* M, const double* J_s,

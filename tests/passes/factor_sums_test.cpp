@@ -11,16 +11,6 @@
 namespace treeline {
 namespace {
 
-template <class Make>
-Program program_of(int inputs, Make make) {
-  Program program;
-  program.arguments = {{"x", inputs, 1, ""}};
-  const Graph::Scope scope(program.graph);
-  const std::vector<Expression> values = make(test::input_vector("x", inputs));
-  program.results = {{{"y", static_cast<int>(values.size()), 1, ""}, values}};
-  return program;
-}
-
 void expect_flops(const Program& program, int before, int after) {
   const Program factored = factor_sums(program);
   EXPECT_EQ(count_operations(program).flops(), before);
@@ -28,7 +18,7 @@ void expect_flops(const Program& program, int before, int after) {
   test::expect_same_function(program, factored);
 }
 
-using Inputs = std::vector<Expression>;
+using test::Inputs, test::program_of;
 
 TEST(FactorSums, TakesOutACommonFactor) {
   expect_flops(program_of(3, [](const Inputs& x) { return Inputs{x[0] * x[1] - x[2] * x[1]}; }), 3,

@@ -8,6 +8,19 @@
 
 namespace treeline::test {
 
+using Inputs = std::vector<Expression>;
+
+/// A program of inputs x with the results y that `make` makes of them.
+template <class Make>
+Program program_of(int inputs, Make make) {
+  Program program;
+  program.arguments = {{"x", inputs, 1, ""}};
+  const Graph::Scope scope(program.graph);
+  const Inputs values = make(input_vector("x", inputs));
+  program.results = {{{"y", static_cast<int>(values.size()), 1, ""}, values}};
+  return program;
+}
+
 /// A random program of `operations` sums, products and a few quotients and sines over five inputs.
 /// Its last values are the results. It is deep and has many common subexpressions, like traced
 /// recursions.

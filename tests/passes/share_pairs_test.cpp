@@ -11,17 +11,7 @@
 namespace treeline {
 namespace {
 
-using Inputs = std::vector<Expression>;
-
-template <class Make>
-Program program_of(int inputs, Make make) {
-  Program program;
-  program.arguments = {{"x", inputs, 1, ""}};
-  const Graph::Scope scope(program.graph);
-  const std::vector<Expression> values = make(test::input_vector("x", inputs));
-  program.results = {{{"y", static_cast<int>(values.size()), 1, ""}, values}};
-  return program;
-}
+using test::Inputs, test::program_of;
 
 void expect_flops(const Program& program, int before, int after) {
   const Program shared = share_pairs(program);
