@@ -1,4 +1,4 @@
-#include "cli/bench.hpp"
+#include "bench/bench.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +10,10 @@
 #include <memory>
 #include <optional>
 
-#include "bench/bench.hpp"
 #include "bench/cold_report.hpp"
 #include "bench/draw_svg.hpp"
 #include "bench/suite.hpp"
+#include "cli/commands.hpp"
 #include "cli/read_inputs.hpp"
 #include "terminal/exit_code.hpp"
 #include "terminal/option_values.hpp"

@@ -1,4 +1,4 @@
-#include "cli/certify.hpp"
+#include "certify/certify.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "certify/certify.hpp"
 #include "check/add_selftest.hpp"
+#include "cli/commands.hpp"
 #include "cli/generate_from_files.hpp"
 #include "terminal/exit_code.hpp"
 #include "terminal/option_values.hpp"

@@ -1,4 +1,4 @@
-#include "cli/check.hpp"
+#include "check/check.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "board/check_on_board.hpp"
 #include "check/add_selftest.hpp"
-#include "check/check.hpp"
+#include "cli/commands.hpp"
 #include "cli/generate_from_files.hpp"
 #include "target/executes.hpp"
 #include "terminal/exit_code.hpp"

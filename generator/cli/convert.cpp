@@ -1,8 +1,7 @@
-#include "cli/convert.hpp"
-
 #include <memory>
 #include <string>
 
+#include "cli/commands.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_urdf.hpp"
 #include "terminal/exit_code.hpp"

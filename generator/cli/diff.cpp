@@ -1,8 +1,7 @@
-#include "cli/diff.hpp"
-
 #include <memory>
 #include <string>
 
+#include "cli/commands.hpp"
 #include "comparison/difference.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/read_urdf.hpp"

@@ -1,5 +1,3 @@
-#include "cli/doctor.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "compilation/environment.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"

@@ -1,5 +1,3 @@
-#include "cli/draw.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +6,7 @@
 #include <memory>
 
 #include "cli/choose_moments.hpp"
+#include "cli/commands.hpp"
 #include "drawing/scene_solids.hpp"
 #include "launch/split_ball_joints.hpp"
 #include "terminal/exit_code.hpp"

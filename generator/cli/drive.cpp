@@ -1,5 +1,3 @@
-#include "cli/drive.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/commands.hpp"
 #include "cli/complete_ground_step.hpp"
 #include "cli/find_all_meshes.hpp"
 #include "cli/read_inputs.hpp"

@@ -1,5 +1,3 @@
-#include "cli/generate.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,6 +9,7 @@
 #include <system_error>
 
 #include "check/add_selftest.hpp"
+#include "cli/commands.hpp"
 #include "cli/deliver_files.hpp"
 #include "cli/generate_from_files.hpp"
 #include "cli/print_depfile.hpp"

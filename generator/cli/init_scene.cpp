@@ -1,5 +1,3 @@
-#include "cli/init_scene.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/commands.hpp"
 #include "description/count_freedoms.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_scene.hpp"

@@ -1,5 +1,3 @@
-#include "cli/inspect.hpp"
-
 #include <fmt/format.h>
 
 #include <memory>
@@ -7,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "cli/commands.hpp"
 #include "cli/read_robot_files.hpp"
 #include "description/noise.hpp"
 #include "description/states_key.hpp"

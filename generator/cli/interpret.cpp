@@ -1,5 +1,3 @@
-#include "cli/interpret.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "cli/read_inputs.hpp"
 #include "cli/stepped_robot.hpp"
 #include "functions/function.hpp"

@@ -1,5 +1,3 @@
-#include "cli/keys.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "description/scene_key_texts.hpp"
 #include "terminal/exit_code.hpp"
 #include "terminal/option_values.hpp"

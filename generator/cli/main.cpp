@@ -14,21 +14,8 @@
 #include <malloc.h>
 #endif
 
-#include "cli/bench.hpp"
-#include "cli/certify.hpp"
-#include "cli/check.hpp"
-#include "cli/convert.hpp"
+#include "cli/commands.hpp"
 #include "cli/describe_usage_error.hpp"
-#include "cli/diff.hpp"
-#include "cli/doctor.hpp"
-#include "cli/draw.hpp"
-#include "cli/drive.hpp"
-#include "cli/generate.hpp"
-#include "cli/init_scene.hpp"
-#include "cli/inspect.hpp"
-#include "cli/interpret.hpp"
-#include "cli/keys.hpp"
-#include "cli/simulate.hpp"
 #include "emission/generator_version.hpp"
 #include "interruption/clean_up.hpp"
 #include "terminal/exit_code.hpp"

@@ -1,11 +1,10 @@
-#include "cli/simulate.hpp"
-
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/commands.hpp"
 #include "cli/find_all_meshes.hpp"
 #include "cli/ground_shapes.hpp"
 #include "cli/read_robot_files.hpp"
