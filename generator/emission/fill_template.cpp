@@ -16,12 +16,15 @@ class Filler {
       fill_line(text.substr(0, end));
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
+    return std::move(filled_);
+  }
+
+  void expect_all_used() const {
     for (const auto& [name, value] : values_) {
       if (!used_.contains(name)) {
         throw std::logic_error("the template has no hole {{" + name + "}}");
       }
     }
-    return std::move(filled_);
   }
 
  private:
@@ -74,6 +77,13 @@ class Filler {
 }  // namespace
 
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values) {
+  Filler filler(values);
+  std::string filled = filler.fill(text);
+  filler.expect_all_used();
+  return filled;
+}
+
+std::string fill_holes(std::string_view text, const std::map<std::string, std::string>& values) {
   return Filler(values).fill(text);
 }
 

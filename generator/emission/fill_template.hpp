@@ -12,4 +12,7 @@ namespace treeline {
 /// template and emitter have parted, a fault of the program.
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values);
 
+/// Fills the holes of `text` as `fill_template` does; `values` may have more than it has holes.
+std::string fill_holes(std::string_view text, const std::map<std::string, std::string>& values);
+
 }  // namespace treeline

@@ -10,7 +10,6 @@
 
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/fill_template.hpp"
 #include "emission/generator_version.hpp"
 #include "emission/list_sources.hpp"
 #include "target/target.hpp"
@@ -140,14 +139,6 @@ PackageFacts describe_package(const Robot& robot, const Scene& scene,
           {"pack_files", list_pack_files(scene, generation)},
           {"flags", fmt::format("{}", fmt::join(flags, " "))},
           {"quoted_flags", fmt::format("\"{}\"", fmt::join(flags, "\", \""))}};
-}
-
-std::string fill_facts(std::string_view text, const PackageFacts& facts) {
-  PackageFacts used;
-  for (const auto& [name, value] : facts) {
-    if (text.find("{{" + name + "}}") != text.npos) used[name] = value;
-  }
-  return fill_template(text, used);
 }
 
 }  // namespace treeline

@@ -25,7 +25,4 @@ struct PackagedSource {
 /// the one that includes those that loop.
 std::vector<PackagedSource> list_packaged_sources(const Scene& scene, const Generation& generation);
 
-/// A template filled with those facts that it names.
-std::string fill_facts(std::string_view text, const PackageFacts& facts);
-
 }  // namespace treeline

@@ -1,5 +1,3 @@
-#include "packaging/for_firmware.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +6,9 @@
 #include <sstream>
 
 #include "emission/controller_unit.hpp"
+#include "emission/fill_template.hpp"
 #include "generation/describe_scene.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"
 #include "target/target.hpp"
 
@@ -82,7 +82,7 @@ std::vector<PackageFolder> for_firmware(PackageFacts facts, const Robot& robot, 
   facts["places"] = place_memory_of(target.board);
   facts["own_sources"] = list_own_sources(facts);
   const auto fill = [&](const char* name, std::string_view text) {
-    return GeneratedFile{name, fill_facts(text, facts)};
+    return GeneratedFile{name, fill_holes(text, facts)};
   };
   return {
       {"",

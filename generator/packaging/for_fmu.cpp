@@ -1,5 +1,3 @@
-#include "packaging/for_fmu.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +5,11 @@
 #include <string_view>
 #include <utility>
 
+#include "emission/fill_template.hpp"
 #include "emission/print_identity.hpp"
 #include "generation/describe_scene.hpp"
 #include "packaging/fmu_variables.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"
 
 namespace treeline {
@@ -144,7 +144,7 @@ void add_derivatives(const Version& version, const Generation& generation, bool 
       !has_others && find_program(generation, Function::forward_dynamics_derivatives) != nullptr;
   facts["offers_derivatives"] = offers ? fmt::format(" {}=\"true\"", version.derivatives) : "";
   facts["differentiate"] =
-      fill_facts(offers ? templates::kFmuDifferentiate : templates::kFmuNoDerivatives, facts);
+      fill_holes(offers ? templates::kFmuDifferentiate : templates::kFmuNoDerivatives, facts);
   facts["differentiate"].pop_back();  // the last line break
 }
 
@@ -163,7 +163,7 @@ std::vector<FmuVariable> add_robot(const Version& version, const EmissionContext
   facts["joints"] = print_joints(context);
   facts["call"] = print_call(program, nq, nq + nv);
   add_derivatives(version, generation, nq != nv || !context.external_forces.empty(), facts);
-  facts["model_exchange"] = fill_facts(version.model_exchange, facts);
+  facts["model_exchange"] = fill_holes(version.model_exchange, facts);
   return variables;
 }
 
@@ -199,7 +199,7 @@ std::vector<PackageFolder> for_fmu(const Version& version, PackageFacts facts, c
   add_variables(version, variables, facts);
   facts["time"] = std::to_string(variables.size());
   const auto fill = [&](const std::string& name, std::string_view text) {
-    return GeneratedFile{name, fill_facts(text, facts)};
+    return GeneratedFile{name, fill_holes(text, facts)};
   };
   std::vector<GeneratedFile> files = {
       fill("CMakeLists.txt", templates::kFmuCMakeLists), fill("fmu.c", version.wrapper),

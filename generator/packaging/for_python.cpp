@@ -1,5 +1,3 @@
-#include "packaging/for_python.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,9 +7,11 @@
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
+#include "emission/fill_template.hpp"
 #include "emission/print_identity.hpp"
 #include "emission/wrap_line.hpp"
 #include "packaging/call_c.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/python_structs.hpp"
 #include "packaging/templates.hpp"
 
@@ -142,7 +142,7 @@ std::string print_table(PackageFacts facts, const Scene& scene, const Generation
                          : fmt::format("\nOf structs of C, see help({}.structs): {}.", scene.name,
                                        structs.exported);
   facts["conventions"] = harmless(generation.conventions);
-  facts["docs"] = print_text("package_doc", fill_facts(templates::kPythonDoc, facts)) + docs +
+  facts["docs"] = print_text("package_doc", fill_holes(templates::kPythonDoc, facts)) + docs +
                   facts["struct_docs"];
   facts["includes"] =
       (generation.damped ? fmt::format("#include \"../src/{}_damped.h\"\n", scene.name) : "") +
@@ -150,7 +150,7 @@ std::string print_table(PackageFacts facts, const Scene& scene, const Generation
   facts["has_structs"] = structs.calls.empty() ? "0" : "1";
   facts["most_arguments"] = std::to_string(most);
   facts["most_inputs"] = std::to_string(inputs) + structs.inputs;
-  return fill_facts(templates::kPythonFunctions, facts);
+  return fill_holes(templates::kPythonFunctions, facts);
 }
 
 /// How Python's checkers of types see a function: of one result twice, as it gives back what is
@@ -241,7 +241,7 @@ std::vector<PackageFolder> for_python(PackageFacts facts, const Robot& /*robot*/
   const PythonStructs structs = make_python_structs(facts, scene, generation);
   facts = add_facts(std::move(facts), scene, generation, structs);
   const auto fill = [&](const std::string& name, std::string_view text) {
-    return GeneratedFile{name, fill_facts(text, facts)};
+    return GeneratedFile{name, fill_holes(text, facts)};
   };
   std::vector<GeneratedFile> package = {fill("__init__.py", templates::kPythonInit),
                                         fill("__init__.pyi", templates::kPythonTypes),

@@ -1,5 +1,3 @@
-#include "packaging/for_ros2_control.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +10,9 @@
 #include "description/read_controller.hpp"
 #include "emission/controller_faults.hpp"
 #include "emission/controller_unit.hpp"
+#include "emission/fill_template.hpp"
 #include "generation/describe_scene.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"
 #include "text/json_text.hpp"
 
@@ -96,7 +96,7 @@ void add_points(const ControllerUnit& unit, PackageFacts& facts) {
       "  RCLCPP_ERROR(*logger_, \"a motion was given up: %s\", kUnmet[unmet]);\n}\n"
       "told_unmet_ = unmet;";
   facts["point_parameters"] = templates::kRos2ControlPointParameters;
-  facts["move_point"] = fill_facts(templates::kRos2ControlMovePoint, facts);
+  facts["move_point"] = fill_holes(templates::kRos2ControlMovePoint, facts);
   facts["move_point"].pop_back();
 }
 
@@ -114,7 +114,7 @@ std::string_view add_step(const ControllerUnit& unit, PackageFacts& facts) {
   facts["joint_frequency"] = repeat(unit.settings.joint_frequency, unit.joints.size());
   facts["joint_damping"] = repeat(unit.settings.damping_ratio, unit.joints.size());
   add_points(unit, facts);
-  facts["law_parameters"] = fill_facts(templates::kRos2ControlStepParameters, facts);
+  facts["law_parameters"] = fill_holes(templates::kRos2ControlStepParameters, facts);
   facts["law_description"] =
       "It leads joints and points along references within limits, and brakes at faults.";
   facts["states"] = "`position` and `velocity`";
@@ -122,7 +122,7 @@ std::string_view add_step(const ControllerUnit& unit, PackageFacts& facts) {
   facts["period_note"] =
       fmt::format("\nThe period of a step is one over the update rate; it was generated for {} s.",
                   unit.settings.period);
-  facts["topics"] = fill_facts(templates::kRos2ControlTopics, facts);
+  facts["topics"] = fill_holes(templates::kRos2ControlTopics, facts);
   return templates::kRos2ControlStepLaw;
 }
 
@@ -152,7 +152,7 @@ std::vector<PackageFolder> for_ros2_control(PackageFacts facts, const Robot& rob
   const std::string_view law =
       generation.controller ? add_step(*generation.controller, facts) : add_gravity(facts);
   const auto fill = [&](const std::string& name, std::string_view text) {
-    return GeneratedFile{name, fill_facts(text, facts)};
+    return GeneratedFile{name, fill_holes(text, facts)};
   };
   return {{"",
            {fill("CMakeLists.txt", templates::kRos2ControlCMakeLists),

@@ -1,5 +1,3 @@
-#include "packaging/for_rust.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,9 +8,11 @@
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_joints.hpp"
+#include "emission/fill_template.hpp"
 #include "emission/print_identity.hpp"
 #include "generation/describe_scene.hpp"
 #include "packaging/call_c.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"
 
 namespace treeline {
@@ -182,7 +182,7 @@ std::vector<PackageFolder> for_rust(PackageFacts facts, const Robot& robot, cons
   facts["functions"] = facts["native"] = "";
   add_functions(scene, generation, facts);
   const auto fill = [&](const std::string& name, std::string_view text) {
-    return GeneratedFile{name, fill_facts(text, facts)};
+    return GeneratedFile{name, fill_holes(text, facts)};
   };
   return {{"",
            {fill("Cargo.toml", templates::kRustManifest), fill("build.rs", templates::kRustBuild),

@@ -1,5 +1,3 @@
-#include "packaging/for_wasm.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,9 +10,11 @@
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/describe_joints.hpp"
+#include "emission/fill_template.hpp"
 #include "emission/print_identity.hpp"
 #include "generation/describe_scene.hpp"
 #include "packaging/call_c.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"
 
 namespace treeline {
@@ -154,7 +154,7 @@ std::vector<PackageFolder> for_wasm(PackageFacts facts, const Robot& robot, cons
   add_all_frozen(context, generation.damped.has_value(), facts, types);
   bind_functions(scene, generation, static_cast<std::size_t>(context.task_rows), facts, types);
   const auto fill = [&](const std::string& name, std::string_view text) {
-    return GeneratedFile{name, fill_facts(text, name.ends_with(".d.mts") ? types : facts)};
+    return GeneratedFile{name, fill_holes(text, name.ends_with(".d.mts") ? types : facts)};
   };
   return {{"",
            {fill("build", templates::kWasmBuild), fill("package.json", templates::kWasmPackage),

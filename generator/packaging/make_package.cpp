@@ -4,13 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include "emission/fill_template.hpp"
 #include "emission/state_licence.hpp"
-#include "packaging/for_firmware.hpp"
-#include "packaging/for_fmu.hpp"
-#include "packaging/for_python.hpp"
-#include "packaging/for_ros2_control.hpp"
-#include "packaging/for_rust.hpp"
-#include "packaging/for_wasm.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
 
@@ -20,7 +16,7 @@ namespace {
 namespace templates = package_templates;
 
 GeneratedFile fill(const std::string& name, std::string_view text, const PackageFacts& facts) {
-  return {name, fill_facts(text, facts)};
+  return {name, fill_holes(text, facts)};
 }
 
 std::vector<PackageFolder> for_cmake(PackageFacts facts, const Robot& /*robot*/,

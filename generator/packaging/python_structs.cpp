@@ -7,6 +7,7 @@
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/controller_unit.hpp"
+#include "emission/fill_template.hpp"
 #include "emission/list_members.hpp"
 #include "emission/print_manifest.hpp"
 #include "packaging/call_c.hpp"
@@ -146,7 +147,7 @@ void add_controller(const Scene& scene, const Generation& generation, PackageFac
   const std::string header = find_text(generation, scene.name + "_controller.h");
   if (header.empty()) return;
   add_types(scene, kOfController, header, facts);
-  facts["classes"] += fill_facts(templates::kPythonController, facts);
+  facts["classes"] += fill_holes(templates::kPythonController, facts);
   export_names({"Controller", "Fault", "Kind", "Mode", "Refusal", "Unmet"}, made);
   made.inputs +=
       fmt::format(" + REALS({0}_config) + REALS({0}_state) + REALS({0}_input)", scene.name);
@@ -230,7 +231,7 @@ void add_limits(const Scene& scene, const Generation& generation, PackageFacts& 
     facts["type_imports"] = fmt::format("if TYPE_CHECKING:\n    from . import {}\n", call.result);
   }
   facts["limited_doc"] = find_comment(generation.files, scene.name + "_limited_control_torque");
-  facts["classes"] += fill_facts(templates::kPythonLimited, facts);
+  facts["classes"] += fill_holes(templates::kPythonLimited, facts);
 }
 
 }  // namespace
@@ -256,8 +257,8 @@ PythonStructs make_python_structs(const PackageFacts& given, const Scene& scene,
   add_controller(scene, generation, facts, made);
   add_limits(scene, generation, facts, made);
   if (made.calls.empty()) return made;
-  made.header = fill_facts(templates::kPythonStructsHeader, facts);
-  made.module = fill_facts(templates::kPythonStructs, facts);
+  made.header = fill_holes(templates::kPythonStructsHeader, facts);
+  made.module = fill_holes(templates::kPythonStructs, facts);
   return made;
 }
 

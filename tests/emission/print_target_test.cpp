@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "emission/c/print_damped.hpp"
+#include "emission/c/print_files.hpp"
 
 namespace treeline {
 namespace {

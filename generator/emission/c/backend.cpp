@@ -1,11 +1,6 @@
 #include "emission/c/backend.hpp"
 
-#include "emission/c/print_batch.hpp"
-#include "emission/c/print_contract.hpp"
-#include "emission/c/print_damped.hpp"
-#include "emission/c/print_joints.hpp"
-#include "emission/c/print_lane_types.hpp"
-#include "emission/c/print_limited.hpp"
+#include "emission/c/print_files.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/refuse.hpp"
 #include "emission/c/syntax.hpp"

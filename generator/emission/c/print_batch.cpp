@@ -1,10 +1,9 @@
-#include "emission/c/print_batch.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
+#include "emission/c/print_files.hpp"
 #include "emission/c/print_one_state.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"

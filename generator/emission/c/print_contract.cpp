@@ -1,7 +1,6 @@
-#include "emission/c/print_contract.hpp"
-
 #include <fmt/format.h>
 
+#include "emission/c/print_files.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"

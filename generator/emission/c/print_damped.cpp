@@ -1,7 +1,6 @@
-#include "emission/c/print_damped.hpp"
-
 #include <fmt/format.h>
 
+#include "emission/c/print_files.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"

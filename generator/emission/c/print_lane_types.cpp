@@ -1,8 +1,7 @@
-#include "emission/c/print_lane_types.hpp"
-
 #include <algorithm>
 #include <string>
 
+#include "emission/c/print_files.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/fill_template.hpp"

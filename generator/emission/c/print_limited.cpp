@@ -1,11 +1,10 @@
-#include "emission/c/print_limited.hpp"
-
 #include <fmt/format.h>
 
 #include <map>
 
 #include "core/emitted_limits.hpp"
 #include "emission/backend.hpp"
+#include "emission/c/print_files.hpp"
 #include "emission/c/print_source.hpp"
 #include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
@@ -37,14 +36,6 @@ Holes list_limit_holes(const EmissionContext& context) {
           {"cones", std::to_string(core::one_or(static_cast<int>(facts.cones.size())))},
           {"held_entries", std::to_string(held * context.velocities)},
           {"task_entries", std::to_string(tasks * context.velocities)}};
-}
-
-std::string fill_limits(std::string_view text, const Holes& holes) {
-  Holes used;
-  for (const auto& [name, value] : holes) {
-    if (text.find("{{" + name + "}}") != text.npos) used[name] = value;
-  }
-  return fill_template(text, used);
 }
 
 namespace {
@@ -155,7 +146,7 @@ GeneratedFile print_limited_header(const EmissionContext& context,
   holes["cost"] = comment("///", describe_limited_cost(context, programs));
   holes["method"] = header_name(context, "limited_torque");
   holes["signature"] = wrap_line(print_head(context, find_supported(programs), kOneState) + ";", 0);
-  return {context.name + "_limited.h", fill_limits(templates::kLimited, holes)};
+  return {context.name + "_limited.h", fill_holes(templates::kLimited, holes)};
 }
 
 }  // namespace
@@ -168,7 +159,7 @@ std::vector<GeneratedFile> print_limited(const Contents& contents) {
   Holes holes = list_source_holes(context, programs, kOneState, no_forces);
   holes["limits"] = print_default_limits(context);
   return {print_limited_header(context, programs),
-          {"limited_control_torque.c", fill_limits(templates::kLimitedSource, holes)}};
+          {"limited_control_torque.c", fill_holes(templates::kLimitedSource, holes)}};
 }
 
 std::vector<GeneratedFile> print_batch_limited(const Contents& contents) {
@@ -179,7 +170,7 @@ std::vector<GeneratedFile> print_batch_limited(const Contents& contents) {
                                 print_zeros(context, "f", form.states);
   const Holes holes = list_source_holes(context, batch, form, no_forces);
   return {print_batch_limited_header(context, batch),
-          {"batch_limited_control_torque.c", fill_limits(templates::kBatchLimitedSource, holes)}};
+          {"batch_limited_control_torque.c", fill_holes(templates::kBatchLimitedSource, holes)}};
 }
 
 }  // namespace treeline::c

@@ -3,14 +3,8 @@
 #include <algorithm>
 
 #include "emission/core_headers.hpp"
-#include "emission/cpp/print_batch.hpp"
-#include "emission/cpp/print_calls.hpp"
-#include "emission/cpp/print_contract.hpp"
 #include "emission/cpp/print_core_header.hpp"
-#include "emission/cpp/print_damped.hpp"
-#include "emission/cpp/print_eigen.hpp"
-#include "emission/cpp/print_joints.hpp"
-#include "emission/cpp/print_limited.hpp"
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/describe_program.hpp"

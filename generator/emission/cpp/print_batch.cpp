@@ -1,5 +1,3 @@
-#include "emission/cpp/print_batch.hpp"
-
 #include <fmt/format.h>
 
 #include <set>
@@ -7,6 +5,7 @@
 #include "emission/comment.hpp"
 #include "emission/core_headers.hpp"
 #include "emission/cpp/print_core_header.hpp"
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"

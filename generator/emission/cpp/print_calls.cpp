@@ -1,9 +1,8 @@
-#include "emission/cpp/print_calls.hpp"
-
 #include <fmt/format.h>
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/join_arguments.hpp"

@@ -1,8 +1,7 @@
-#include "emission/cpp/print_contract.hpp"
-
 #include <fmt/format.h>
 
 #include "emission/comment.hpp"
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_contract.hpp"

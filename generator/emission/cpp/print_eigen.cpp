@@ -1,7 +1,6 @@
-#include "emission/cpp/print_eigen.hpp"
-
 #include <fmt/format.h>
 
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/fill_template.hpp"
 #include "emission/wrap_line.hpp"

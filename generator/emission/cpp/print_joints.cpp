@@ -1,7 +1,6 @@
-#include "emission/cpp/print_joints.hpp"
-
 #include <fmt/format.h>
 
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_joints.hpp"

@@ -1,11 +1,10 @@
-#include "emission/cpp/print_limited.hpp"
-
 #include <fmt/format.h>
 
 #include <map>
 
-#include "emission/c/print_limited.hpp"
+#include "emission/c/print_files.hpp"
 #include "emission/comment.hpp"
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
 #include "emission/describe_limited.hpp"
@@ -100,7 +99,7 @@ std::string print_limited(const EmissionContext& context, std::span<const Progra
       wrap_line(print_signature(context, supported, "", "LimitedTorque& limited"), 0);
   holes["supported"] = print_supported(context, supported, "");
   holes["matrices"] = print_matrices(context, programs, "");
-  return c::fill_limits(templates::kLimited, holes);
+  return fill_holes(templates::kLimited, holes);
 }
 
 std::string print_batch_limited(const EmissionContext& context, std::span<const Program> batch) {
@@ -112,7 +111,7 @@ std::string print_batch_limited(const EmissionContext& context, std::span<const 
       print_signature(context, supported, "[kStates]", "LimitedTorque (&limited)[kStates]"), 0);
   holes["supported"] = print_supported(context, supported, "[kStates]");
   holes["matrices"] = print_matrices(context, batch, "[kStates]");
-  return c::fill_limits(templates::kBatchLimited, holes);
+  return fill_holes(templates::kBatchLimited, holes);
 }
 
 }  // namespace treeline::cpp

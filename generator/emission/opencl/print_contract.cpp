@@ -1,6 +1,6 @@
 #include "emission/opencl/print_contract.hpp"
 
-#include "emission/c/print_contract.hpp"
+#include "emission/c/print_files.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/describe_contract.hpp"
 #include "emission/fill_template.hpp"
