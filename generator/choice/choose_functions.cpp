@@ -12,7 +12,7 @@
 #include "choice/choose_loops.hpp"
 #include "choice/compose_damped.hpp"
 #include "choice/for_each_index.hpp"
-#include "recursion/routes/constraint_routes.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 #include "recursion/routes/trace_loops.hpp"
 
 namespace treeline {

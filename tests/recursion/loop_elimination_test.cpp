@@ -12,7 +12,7 @@
 #include "passes/run_passes.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/methods/eliminated_control_torque.hpp"
-#include "recursion/routes/constraint_routes.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 #include "recursion/routes/trace_function.hpp"
 #include "recursion/tree/supported_mechanism.hpp"
 

@@ -1,5 +1,3 @@
-#include "recursion/routes/constraint_routes.hpp"
-
 #include <memory>
 #include <string>
 #include <utility>
@@ -11,6 +9,7 @@
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/describe_choice.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 #include "recursion/tree/supported_mechanism.hpp"
 
 namespace treeline {

@@ -1,5 +1,3 @@
-#include "recursion/routes/contact_routes.hpp"
-
 #include <array>
 #include <utility>
 
@@ -9,6 +7,7 @@
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/describe_choice.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 
 namespace treeline {
 namespace {

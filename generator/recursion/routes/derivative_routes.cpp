@@ -1,5 +1,3 @@
-#include "recursion/routes/derivative_routes.hpp"
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -7,6 +5,7 @@
 #include "recursion/methods/forward_dynamics_derivatives.hpp"
 #include "recursion/routes/common_frame.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 #include "recursion/routes/tree_paths.hpp"
 
 namespace treeline {

@@ -1,5 +1,3 @@
-#include "recursion/routes/object_routes.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -12,6 +10,7 @@
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/describe_choice.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 
 namespace treeline {
 namespace {

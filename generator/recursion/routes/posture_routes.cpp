@@ -1,11 +1,10 @@
-#include "recursion/routes/posture_routes.hpp"
-
 #include <array>
 #include <utility>
 
 #include "functions/function_table.hpp"
 #include "recursion/methods/centroidal_derivatives.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 
 namespace treeline {
 namespace {

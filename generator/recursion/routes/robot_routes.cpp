@@ -1,5 +1,3 @@
-#include "recursion/routes/robot_routes.hpp"
-
 #include <array>
 
 #include "functions/function_table.hpp"
@@ -12,6 +10,7 @@
 #include "recursion/routes/common_frame.hpp"
 #include "recursion/routes/motion_derivative_routes.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 #include "recursion/routes/task_routes.hpp"
 
 namespace treeline {

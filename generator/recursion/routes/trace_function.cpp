@@ -7,14 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "recursion/routes/constraint_routes.hpp"
-#include "recursion/routes/contact_routes.hpp"
-#include "recursion/routes/derivative_routes.hpp"
-#include "recursion/routes/object_routes.hpp"
-#include "recursion/routes/posture_routes.hpp"
 #include "recursion/routes/pruned_algorithms.hpp"
 #include "recursion/routes/result_parts.hpp"
-#include "recursion/routes/robot_routes.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 #include "recursion/routes/run_ending.hpp"
 #include "recursion/tree/lift_tree.hpp"
 #include "recursion/tree/name_constants.hpp"

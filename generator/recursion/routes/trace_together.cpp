@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "recursion/routes/result_parts.hpp"
-#include "recursion/routes/robot_routes.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 
 namespace treeline {
 namespace {
