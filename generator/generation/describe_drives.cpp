@@ -1,10 +1,9 @@
-#include "generation/describe_drives.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "description/find_joint.hpp"
+#include "generation/append_notes.hpp"
 
 namespace treeline {
 namespace {

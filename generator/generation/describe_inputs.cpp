@@ -1,5 +1,3 @@
-#include "generation/describe_inputs.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +5,7 @@
 #include <array>
 
 #include "description/noise.hpp"
+#include "generation/append_notes.hpp"
 #include "program/format_literal.hpp"
 #include "recursion/parameters/base_parameters.hpp"
 

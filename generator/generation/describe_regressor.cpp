@@ -1,9 +1,8 @@
-#include "generation/describe_regressor.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "generation/append_notes.hpp"
 #include "recursion/parameters/base_parameters.hpp"
 
 namespace treeline {

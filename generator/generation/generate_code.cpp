@@ -8,9 +8,10 @@
 
 #include "emission/backend.hpp"
 #include "emission/describe_contract.hpp"
-#include "generation/add_controller.hpp"
-#include "generation/add_ground.hpp"
+#include "emission/print_controller.hpp"
 #include "generation/bound_damped.hpp"
+#include "generation/compose_controller.hpp"
+#include "generation/compose_ground.hpp"
 #include "generation/count_inputs.hpp"
 #include "generation/describe_limits.hpp"
 #include "generation/describe_scene.hpp"
@@ -78,6 +79,27 @@ EmissionContext context_of(const Robot& robot, const Provenance& provenance,
   return context;
 }
 
+/// Composes the controller that the scene asks for, and gives it to the context that prints it. Its
+/// laws as `profile: plain` has them are kept in `Generation::laws`.
+void add_controller(const Robot& robot, EmissionContext& context, Generation& generation) {
+  generation.controller = std::make_shared<const ControllerUnit>(
+      compose_controller(robot, generation.scene, generation.mechanism));
+  context.controller = generation.controller;
+  generation.laws = print_reference_laws(context, *generation.controller);
+}
+
+void add_ground(const Robot& robot, const Scene& scene, EmissionContext& context,
+                Diagnostics& diagnostics) {
+  GroundUnit unit = compose_ground(robot, scene);
+  if (unit.groups.empty()) {
+    diagnostics.add({Severity::error, robot.file, 0, "collision",
+                     "no link that moves has a shape that could touch the ground",
+                     "Give links a <collision>, or leave out `step` of the scene's ground."});
+    return;
+  }
+  context.ground = std::make_shared<const GroundUnit>(std::move(unit));
+}
+
 }  // namespace
 
 std::vector<Provenance::File> list_inputs(const Provenance& provenance) {
@@ -125,7 +147,7 @@ std::optional<Generation> emit_chosen(const Robot& robot, const Scene& scene,
   EmissionContext context = context_of(robot, provenance, generation);
   if (scene.controller) {
     if (tell) tell("the controller");
-    add_controller(robot, scene, context, generation);
+    add_controller(robot, context, generation);
   }
   if (scene.ground_step) {
     if (tell) tell("the step on the ground");
