@@ -65,24 +65,31 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
              diagnostics);
     }
   }
-  const bool calls_one =
-      package != nullptr && package->calls_a_function && !(package->is_unit && scene.controller);
-  if (calls_one && scene.functions.empty()) {
-    reject("functions", "such a package calls functions, and the scene has none",
-           "List those that it should have, for instance `inverse_dynamics`.", diagnostics);
-  }
   scene.language = value_of_word<Language>(options.language).value_or(scene.language);
-  const Backend& backend = backend_of(scene.language);
-  if (package != nullptr && backend.is_compiled_by_driver()) {
-    reject("--package",
-           fmt::format("packages are compiled, and {} is by the driver of a device", backend.name),
-           "Leave it out.", diagnostics);
-  }
   scene.profile = value_of_word<Profile>(options.profile).value_or(scene.profile);
   scene.optimize = value_of_word<Optimize>(options.optimize).value_or(scene.optimize);
   if (!options.target.empty()) scene.target = options.target;
   follow_target(scene);
   warn_of_target(scene, diagnostics);
+}
+
+/// Reports why a package cannot be made: of its language alone, else all that its kind refuses.
+void refuse_package(const PackageKind& package, const Robot& robot, const Scene& scene,
+                    Diagnostics& diagnostics) {
+  const Backend& backend = backend_of(scene.language);
+  if (backend.is_compiled_by_driver()) {
+    reject("--package",
+           fmt::format("packages are compiled, and {} is by the driver of a device", backend.name),
+           "Leave it out.", diagnostics);
+    return;
+  }
+  if (package.calls_a_function && scene.functions.empty() &&
+      !(package.is_unit && scene.controller)) {
+    reject("functions",
+           fmt::format("--package {} calls functions, and the scene has none", package.option),
+           "List those that it should have, for instance `inverse_dynamics`.", diagnostics);
+  }
+  if (package.refuse != nullptr) package.refuse(robot, scene, diagnostics);
 }
 
 }  // namespace
@@ -128,9 +135,8 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   const bool listed = !options.functions.empty() || states_key(read->files.scene_text, "functions");
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
   leave_out_singular(read->robot, *scene, listed, diagnostics);
-  if (const PackageKind* const package = find_package(options.package);
-      package != nullptr && package->refuse != nullptr) {
-    package->refuse(read->robot, *scene, diagnostics);
+  if (const PackageKind* const package = find_package(options.package)) {
+    refuse_package(*package, read->robot, *scene, diagnostics);
   }
   complete_ground_step(*read, *scene, diagnostics);
   note_noise(build_mechanism(read->robot, *scene).noise, *scene, diagnostics);

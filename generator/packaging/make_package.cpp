@@ -97,7 +97,6 @@ constexpr PackageKind kPackages[] = {
     {.option = "firmware",
      .make = for_firmware,
      .of_c = "firmware",
-     .calls_a_function = true,
      .refuse = refuse_for_firmware}};
 
 }  // namespace

@@ -68,6 +68,20 @@ TEST_F(PackageTest, IsRefusedWithoutAFunctionThatItCalls) {
   }
 }
 
+// Would catch: one fault told twice, and faults of a package that there cannot be in any case.
+TEST_F(PackageTest, OneFaultIsToldOnce) {
+  std::ofstream(root_ / "alone.yaml") << "{functions: [], controller: {laws: [joint_impedance]}}";
+  for (const char* options : {"firmware --target cortex-m4f", "firmware --language opencl",
+                              "rust --language opencl", "arduino --language opencl"}) {
+    const auto refused = test::run_program(
+        root_, "generate " + kArm + " alone.yaml --warnings none --package " + options);
+    EXPECT_EQ(refused.exit_code, 1) << options;
+    const std::size_t first = refused.err.find("error: ");
+    EXPECT_NE(first, std::string::npos) << options;
+    EXPECT_EQ(refused.err.find("error: ", first + 1), std::string::npos) << refused.err;
+  }
+}
+
 // Would catch: a unit of FMI that moves otherwise than its scene says, or whose manifest names a
 // command that makes something else. What CMake makes of it and FMPy runs: tests/packaging.
 TEST_F(PackageTest, FmuRefusesWhatItCannotMove) {
