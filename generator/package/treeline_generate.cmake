@@ -1,5 +1,5 @@
 # treeline_generate(LIBRARY [URDF file] [SCENE file] [NAME identifier] [REAL float|double]
-#                   [LANGUAGE c|c++] [PROFILE plain|misra] [OPTIMIZE speed|size]
+#                   [LANGUAGE c|c++|opencl] [PROFILE plain|misra] [OPTIMIZE speed|size]
 #                   [FUNCTIONS function...] [TARGET processor] [CHOICES file])
 #
 # Makes the static library LIBRARY from a robot and a scene (without one: functions of the joints
@@ -7,7 +7,9 @@
 # include "NAME.hpp" (or "NAME_calls.hpp", "NAME_eigen.hpp", "NAME_joints.hpp", or
 # "NAME_batch.hpp" where the scene has a key `batch`). NAME, which is also the namespace, is the library's name unless
 # given; REAL, LANGUAGE, PROFILE, OPTIMIZE, FUNCTIONS and TARGET go before what the scene says. In C
-# the headers are "NAME.h" and "NAME_joints.h", and the project has to have the language C. Flags for
+# the headers are "NAME.h" and "NAME_joints.h", and the project has to have the language C. In OpenCL C LIBRARY is an
+# interface: the folder of "NAME.cl", which the driver of a device compiles while the program runs, is its
+# INTERFACE_INCLUDE_DIRECTORIES. Flags for
 # the processor, for small code and for GCC are used as in the emitted CMakeLists.txt: those of another
 # processor than this machine's where CMake cross-compiles, or as TREELINE_TARGET_FLAGS says. CHOICES
 # is the manifest.json that `treeline generate --tune` has written. The code is generated again when the
@@ -136,8 +138,8 @@ function(treeline_generate target)
     set(ending c)
     set(standard c_std_99)
     set(compiler ${CMAKE_C_COMPILER_ID})
-  elseif(arg_LANGUAGE AND NOT arg_LANGUAGE STREQUAL "c++")
-    message(FATAL_ERROR "treeline_generate(${target}): LANGUAGE is c or c++, not ${arg_LANGUAGE}")
+  elseif(arg_LANGUAGE AND NOT arg_LANGUAGE MATCHES "^(c\\+\\+|opencl)$")
+    message(FATAL_ERROR "treeline_generate(${target}): LANGUAGE is c, c++ or opencl, not ${arg_LANGUAGE}")
   endif()
   if(arg_LANGUAGE)
     list(APPEND options --language ${arg_LANGUAGE})
@@ -161,13 +163,35 @@ function(treeline_generate target)
     list(APPEND options --choices ${arg_CHOICES})
   endif()
 
+  set(stamp ${folder}.stamp)
+  set(generate treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options})
+  set(dependencies ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline)
+  set(depfile)
+  if(NOT arg_URDF)  # which URDFs the scene lists is known once it is read
+    list(APPEND generate --depfile ${stamp}.d)
+    set(depfile DEPFILE ${stamp}.d)
+  endif()
+  if(arg_LANGUAGE STREQUAL "opencl")
+    add_custom_command(OUTPUT ${stamp}
+      COMMAND ${generate}
+      COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+      DEPENDS ${dependencies}
+      ${depfile}
+      COMMENT "Generating ${arg_NAME} from ${from}"
+      VERBATIM)
+    add_custom_target(${target}_generate DEPENDS ${stamp})
+    add_library(${target} INTERFACE)
+    add_dependencies(${target} ${target}_generate)
+    target_include_directories(${target} INTERFACE ${folder})
+    return()
+  endif()
+
   treeline_ask_for_sources("${arg_URDF}" "${arg_SCENE}" "${options}" sources)
   if(NOT sources)
     treeline_possible_sources("${arg_SCENE}" ${ending} sources)
   endif()
   set(stems ${sources})
   list(TRANSFORM sources REPLACE "(.+)" "${folder}.sources/\\1.${ending}")
-  set(stamp ${folder}.stamp)
   set(flags ${folder}.sources/target.flags)
   list(TRANSFORM stems REPLACE "(.+)" "${folder}.sources/\\1.flags" OUTPUT_VARIABLE own_flags)
   # Files that are not known to be made here would look as they were before to what includes them, and
@@ -180,22 +204,16 @@ function(treeline_generate target)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
   file(STRINGS ${list} files)
   list(TRANSFORM files PREPEND ${folder}/)
-  set(dependencies)
-  if(NOT arg_URDF)  # which URDFs the scene lists is known once it is read
-    list(APPEND options --depfile ${stamp}.d)
-    set(dependencies DEPFILE ${stamp}.d)
-  endif()
   add_custom_command(OUTPUT ${stamp}
     BYPRODUCTS ${sources} ${flags} ${own_flags} ${files}
-    COMMAND treeline::treeline generate ${arg_URDF} ${arg_SCENE} --output ${folder} ${options}
+    COMMAND ${generate}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DFUNCTIONS=${stems}" -DENDING=${ending}
       "-DCROSSCOMPILING=${CMAKE_CROSSCOMPILING}" "-DTARGET_FLAGS=${TREELINE_TARGET_FLAGS}"
       -DCOMPILER=${compiler}
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-    DEPENDS ${arg_URDF} ${arg_SCENE} ${arg_CHOICES} treeline::treeline
-      ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
-    ${dependencies}
+    DEPENDS ${dependencies} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/collect_sources.cmake
+    ${depfile}
     COMMENT "Generating ${arg_NAME} from ${from}"
     VERBATIM)
   add_custom_target(${target}_generate DEPENDS ${stamp})
