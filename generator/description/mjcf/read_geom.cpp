@@ -27,6 +27,12 @@ Solid with(double volume, double xx, double yy, double zz) {
   return {volume, Eigen::Vector3d::Zero(), volume * Eigen::Vector3d(xx, yy, zz).asDiagonal()};
 }
 
+/// Adds what has the same centre.
+void join(const Solid& other, Solid& solid) {
+  solid.volume += other.volume;
+  solid.inertia += other.inertia;
+}
+
 Solid solid_of(const std::string& type, const Eigen::Vector3d& size) {
   constexpr double kPi = std::numbers::pi;
   const double a = size[0], b = size[1], c = size[2];
@@ -41,14 +47,32 @@ Solid solid_of(const std::string& type, const Eigen::Vector3d& size) {
     return with(4.0 / 3 * kPi * a * b * c, (b * b + c * c) / 5, (a * a + c * c) / 5,
                 (a * a + b * b) / 5);
   }
-  const double across = a * a / 4 + b * b / 3;
-  Solid solid = with(2 * kPi * a * a * b, across, across, a * a / 2);
+  Solid solid = with(2 * kPi * a * a * b, a * a / 4 + b * b / 3, a * a / 4 + b * b / 3, a * a / 2);
   if (type == "cylinder") return solid;
   const double end = 0.4 * a * a + b * b + 0.75 * a * b;  // of half a ball, b away from the middle
-  const Solid ends = with(4.0 / 3 * kPi * a * a * a, end, end, 0.4 * a * a);
-  solid.volume += ends.volume;
-  solid.inertia += ends.inertia;
+  join(with(4.0 / 3 * kPi * a * a * a, end, end, 0.4 * a * a), solid);
   return solid;
+}
+
+/// The same of the surface, whose area is the volume.
+Solid shell_of(const std::string& type, const Eigen::Vector3d& size) {
+  constexpr double kPi = std::numbers::pi;
+  const double a = size[0], b = size[1], c = size[2];
+  const double ball = 2.0 / 3 * a * a;
+  if (type == "sphere") return with(4 * kPi * a * a, ball, ball, ball);
+  if (type == "box") {
+    const double area = b * c + a * c + a * b;  // of one face each, a quarter
+    const double xx = a * a * (area + 2 * b * c) / (3 * area);
+    const double yy = b * b * (area + 2 * a * c) / (3 * area);
+    const double zz = c * c * (area + 2 * a * b) / (3 * area);
+    return with(8 * area, yy + zz, xx + zz, xx + yy);
+  }
+  Solid tube = with(4 * kPi * a * b, a * a / 2 + b * b / 3, a * a / 2 + b * b / 3, a * a);
+  const double half_ball = ball + b * b + a * b, disc = a * a / 4 + b * b;  // b from the middle
+  join(type == "capsule" ? with(4 * kPi * a * a, half_ball, half_ball, ball)
+                         : with(2 * kPi * a * a, disc, disc, a * a / 2),
+       tube);
+  return tube;
 }
 
 std::string size_text(const Eigen::Vector3d& v) {
@@ -158,26 +182,27 @@ void MjcfGeom::refuse(const std::string& fault) const {
 }
 
 std::optional<Solid> MjcfGeom::solid() const {
-  if (element_.is("shellinertia", "true")) {
-    refuse("a mass that lies on the surface is not read");
-  } else if (mesh_ != nullptr && type_ == "mesh") {
-    return solid_of_mesh();
+  const bool is_shell = element_.is("shellinertia", "true");
+  if (mesh_ != nullptr && type_ == "mesh") {
+    return solid_of_mesh(is_shell ? "shell" : mesh_->inertia);
+  }
+  if (is_shell && type_ == "ellipsoid") {
+    refuse("the inertia of the surface of an ellipsoid is not computed");
   } else if (mesh_ != nullptr || count_sizes(type_) == 0) {
     refuse(fmt::format("the inertia of a {}{} is not computed", type_,
                        mesh_ != nullptr ? " that is fitted to a mesh" : ""));
   } else {
-    return solid_of(type_, size_);
+    return is_shell ? shell_of(type_, size_) : solid_of(type_, size_);
   }
   return std::nullopt;
 }
 
-std::optional<Solid> MjcfGeom::solid_of_mesh() const {
-  const bool counted =
-      mesh_->inertia == "legacy" || mesh_->inertia == "exact" || mesh_->inertia == "shell";
+std::optional<Solid> MjcfGeom::solid_of_mesh(const std::string& inertia) const {
+  const bool counted = inertia == "legacy" || inertia == "exact" || inertia == "shell";
   if (mesh_->file.empty() || !counted) {
     refuse(mesh_->file.empty()
                ? "the inertia of a mesh that is not in a file is not computed"
-               : fmt::format("inertia=\"{}\" of its mesh is not computed", mesh_->inertia));
+               : fmt::format("inertia=\"{}\" of its mesh is not computed", inertia));
     return std::nullopt;
   }
   const fs::path folder = fs::path(element_.reading().path()).parent_path();
@@ -188,8 +213,8 @@ std::optional<Solid> MjcfGeom::solid_of_mesh() const {
   }
   const Eigen::Affine3d scaled(Eigen::Scaling(mesh_->scale) * mesh_->reference.inverse());
   for (Triangle& triangle : mesh.triangles) triangle = moved(triangle, scaled);
-  if (mesh_->inertia == "shell") return solid_on(mesh.triangles);
-  return solid_within(mesh.triangles, mesh_->inertia == "legacy");
+  if (inertia == "shell") return solid_on(mesh.triangles);
+  return solid_within(mesh.triangles, inertia == "legacy");
 }
 
 std::vector<FlatShape> MjcfGeom::shapes() const {

@@ -55,7 +55,7 @@ class MjcfGeom {
   void refuse(const std::string& fault) const;
   void read_sizes(const Eigen::Isometry3d& frame);
   [[nodiscard]] std::optional<Solid> solid() const;
-  [[nodiscard]] std::optional<Solid> solid_of_mesh() const;
+  [[nodiscard]] std::optional<Solid> solid_of_mesh(const std::string& inertia) const;
   [[nodiscard]] std::vector<FlatShape> shapes() const;
 
   const MjcfElement& element_;

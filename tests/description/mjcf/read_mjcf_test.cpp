@@ -74,6 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
                  arm(""),
              {Severity::note, 2, "mujoco/worldbody/body[base]/geom",
               "fitted to a mesh is not computed, and need not be: nothing moves the body", ""}},
+        Told{"Ellipsoid",
+             arm("<geom type='ellipsoid' size='1 2 3' shellinertia='true'/>"),
+             {Severity::error, 3, kArm + "/geom", "the surface of an ellipsoid", "<inertial>"}},
         Told{"Global",
              "<compiler coordinate='global'/>" + arm(""),
              {Severity::error, 2, "mujoco/compiler", "\"global\" is not read", "mj_saveLastXML"}},
@@ -174,6 +177,22 @@ TEST_F(MjcfFiles, NameTheIncludedOne) {
   EXPECT_FALSE(read_robot_text((root_ / "m.xml").string(), diagnostics));
   expect_diagnosed(diagnostics, (root_ / "part.xml").string(),
                    {Severity::error, 2, "mujocoinclude/body[b]", "pos=\"1\" is not 3 numbers", ""});
+}
+
+// Would catch: files of before MuJoCo 3.3, which say of a geom that its mesh is a surface, read as
+// others than those that say it of the mesh.
+TEST_F(MjcfFiles, SayOfAMeshOrItsGeomThatItIsASurface) {
+  write("wedge.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const auto as_urdf = [&](const std::string& of_mesh, const std::string& of_geom) {
+    write("m.xml", "<mujoco><asset><mesh file='wedge.obj'" + of_mesh + "/></asset>" +
+                       arm("<geom type='mesh' mesh='wedge'" + of_geom + "/>") + "</mujoco>");
+    Diagnostics diagnostics;
+    const auto text = read_robot_text((root_ / "m.xml").string(), diagnostics);
+    return text ? text->urdf : to_string(diagnostics);
+  };
+  const std::string surface = as_urdf(" inertia='shell'", "");
+  EXPECT_EQ(as_urdf("", " shellinertia='true'"), surface);
+  EXPECT_NE(as_urdf("", ""), surface);
 }
 
 }  // namespace
