@@ -166,6 +166,7 @@ class Bodies {
     for (const Placed& part : parts) {
       if (part.element.name() == "body") read_body(part, link, initial);
       if (part.element.name() == "site") read_site(part, link);
+      if (is_root && is_joint(part.element)) warn_of_forces(part.element, false);
       refuse(part.element);
     }
   }

@@ -25,18 +25,6 @@ double first_of(const MjcfElement& element, const char* attribute) {
   return values.empty() ? 0 : values.front();
 }
 
-/// Attributes that add forces, and have no place in a joint of six or three freedoms, or nowhere.
-void warn_of_forces(const MjcfElement& element, bool has_axis) {
-  if (element.has("springdamper")) {
-    element.warn("springdamper is not read", "give stiffness and damping instead");
-  }
-  if (has_axis) return;
-  for (const char* name : {"armature", "damping", "frictionloss", "stiffness"}) {
-    if (first_of(element, name) == 0) continue;
-    element.warn(fmt::format("{} of a joint that turns about three axes is not read", name), "");
-  }
-}
-
 FlatAxis read_axis_of(const MjcfElement& element, const Eigen::Isometry3d& frame, double unit,
                       const MjcfCompiler& compiler) {
   FlatAxis axis;
@@ -66,6 +54,17 @@ void set_moments(const Eigen::Matrix3d& I, FlatInertial& inertial) {
 }
 
 }  // namespace
+
+void warn_of_forces(const MjcfElement& element, bool has_axis) {
+  if (element.has("springdamper")) {
+    element.warn("springdamper is not read", "give stiffness and damping instead");
+  }
+  if (has_axis) return;
+  for (const char* name : {"armature", "damping", "frictionloss", "stiffness"}) {
+    if (first_of(element, name) == 0) continue;
+    element.warn(fmt::format("{} of a joint that turns about three axes is not read", name), "");
+  }
+}
 
 MjcfJoint read_mjcf_joint(const MjcfElement& element, const Eigen::Isometry3d& frame,
                           const MjcfCompiler& compiler) {

@@ -18,6 +18,10 @@ struct MjcfJoint {
   std::optional<SpringHint> spring;
 };
 
+/// Warns of attributes of a joint that add forces and have no place here: `springdamper`, and those
+/// of a joint of six or three freedoms, which does not have one axis.
+void warn_of_forces(const MjcfElement& element, bool has_axis);
+
 /// Reads a `<joint>` or `<freejoint>` that stands in a `<frame>` of the body. What URDF has no
 /// place for is a warning.
 MjcfJoint read_mjcf_joint(const MjcfElement& element, const Eigen::Isometry3d& frame,

@@ -83,6 +83,10 @@ INSTANTIATE_TEST_SUITE_P(
         Told{"Include",
              "<include file='none.xml'/>" + arm(""),
              {Severity::error, 2, "mujoco/include", "\"none.xml\" cannot be read", "relative"}},
+        Told{"ForcesOnAFreeRoot",
+             "<default><joint armature='0.1'/></default>\n<worldbody><body name='arm'>"
+             "<joint type='free'/><geom size='1'/></body></worldbody>",
+             {Severity::warning, 3, kArm + "/joint", "armature of a joint", ""}},
         Told{"Muscle",
              arm("") + "<actuator><muscle name='biceps' tendon='t'/></actuator>",
              {Severity::warning, 4, "mujoco/actuator/muscle[biceps]", "does not drive one joint",
