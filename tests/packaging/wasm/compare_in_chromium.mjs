@@ -50,7 +50,7 @@ for (const name of names) {
   const profile = mkdtempSync(join(tmpdir(), "treeline-wasm-"));
   const answer = new Promise((resolve) => { answered = resolve; });
   const browser = spawn(chromium, ["--headless", "--no-sandbox", "--disable-gpu", `--user-data-dir=${profile}`,
-    `http://127.0.0.1:${server.address().port}/page/${name}`], { stdio: "ignore" });
+    `http://127.0.0.1:${server.address().port}/page/${name}`], { stdio: "ignore", timeout: 120000 });
   const closed = once(browser, "exit");
   const text = await Promise.race([answer, closed.then(([code]) => `Chromium ended with ${code}`)]);
   browser.kill();
