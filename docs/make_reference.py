@@ -167,6 +167,7 @@ def without_shared(help_text, shared):
             help_text = help_text.replace(entry, "", 1)
             names.append(entry.split()[0].split(",")[-1].split("=")[0])
     names = ", ".join(name for name in names if name.startswith("-"))
+    help_text = help_text[help_text.index("Usage: "):]  # behind what the table of commands says
     return re.sub(r"^Positionals:\n\n", "", help_text.replace("Options:\n", f"Options, with {names}:\n"), flags=re.M)
 
 
