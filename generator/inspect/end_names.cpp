@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -87,10 +88,11 @@ struct RoleWords {
 /// Words of links and joints of limbs in the habits of several exporters. They may also begin or
 /// end a longer word, as in `kneepitch`; those of three letters one longer by a letter, as in
 /// `legl`.
-constexpr std::array<RoleWords, 7> kRoleWords = {{
+constexpr std::array<RoleWords, 8> kRoleWords = {{
     {LimbRole::finger, {"finger", "fngr", "thumb", "index", "pinky", "knuckle", "phalanx", "jaw"}},
     {LimbRole::watching,
-     {"head", "neck", "eye", "camera", "laser", "lidar", "imu", "kinect", "realsense", "display"}},
+     {"head", "neck", "eye", "camera", "laser", "lidar", "imu", "kinect", "realsense", "display",
+      "sonar", "hokuyo", "velodyne", "gps", "dvl", "battery"}},
     {LimbRole::leg,
      {"leg", "hip", "thigh", "knee", "kne", "calf", "shank", "shin", "ankle", "ankel", "ank",
       "foot", "toe", "sole", "tibia", "femur"}},
@@ -99,7 +101,9 @@ constexpr std::array<RoleWords, 7> kRoleWords = {{
       "forearm", "tool", "tcp", "flange", "effector", "eef"}},
     {LimbRole::wheel, {"wheel", "caster", "castor", "roller"}},
     {LimbRole::propeller, {"prop", "propeller", "rotor"}},
-    {LimbRole::trunk, {"torso", "waist", "trunk", "chest", "spine", "abdomen"}},
+    {LimbRole::surface,
+     {"fin", "wing", "rudder", "flap", "aileron", "elevator", "elevon", "thruster"}},
+    {LimbRole::trunk, {"torso", "waist", "trunk", "chest", "spine", "abdomen", "tail"}},
 }};
 
 /// Whether a known word is a word of a name, or begins or ends it.
@@ -113,12 +117,27 @@ bool tells(std::string_view word, std::string_view known) {
 /// Words of tools' points and of nothing else.
 constexpr std::array<std::string_view, 3> kToolPoints = {"tcp", "ee", "eef"};
 
-constexpr std::array<std::string_view, 12> kFlight = {
-    "flying", "drone",  "quadrotor",  "quadcopter", "hexarotor", "hexacopter",
-    "uav",    "aerial", "multirotor", "thruster",   "rov",       "auv"};
+constexpr std::array<std::string_view, 13> kFlight = {
+    "flying", "drone",      "quadrotor", "quadcopter", "hexarotor", "hexacopter", "uav",
+    "aerial", "multirotor", "thruster",  "rov",        "auv",       "fish"};
 
-constexpr std::array<std::string_view, 10> kSensors = {
-    "camera", "sensor", "imu", "ft", "force", "torque", "optical", "laser", "lidar", "realsense"};
+constexpr std::array<std::string_view, 16> kSensors = {
+    "camera", "sensor",    "imu",   "ft",  "force", "torque",   "optical", "laser",
+    "lidar",  "realsense", "sonar", "dvl", "gps",   "pressure", "hokuyo",  "touch"};
+
+constexpr std::array<std::string_view, 10> kFurniture = {
+    "drawer", "door", "cabinet", "fridge", "oven", "dishwasher", "cupboard", "lid", "hatch", "tap"};
+
+/// The shortest beginning of a name that ends with a word of hands or feet, and goes on.
+std::string prefix_of_whole(const std::string& name) {
+  constexpr std::string_view kSeparators = "_-/: ";
+  for (std::size_t i = name.find_first_of(kSeparators); i < name.size();
+       i = name.find_first_of(kSeparators, i + 1)) {
+    const EndKind kind = end_name(name.substr(0, i)).kind;
+    if (kind == EndKind::hand || kind == EndKind::foot) return name.substr(0, i + 1);
+  }
+  return "";
+}
 
 }  // namespace
 
@@ -126,6 +145,7 @@ LimbRole limb_word(const std::string& name) {
   const std::vector<std::string> words = words_of(name);
   for (const auto& [role, known] : kRoleWords) {
     for (const std::string& word : words) {
+      if (word == "handle" || word == "swing") continue;  // no hand, no wing
       const auto fits = [&](std::string_view one) { return tells(word, one); };
       if (std::any_of(known.begin(), known.end(), fits)) return role;
     }
@@ -140,6 +160,30 @@ std::optional<std::string> word_of_flight(const std::string& name) {
     }
   }
   return std::nullopt;
+}
+
+bool is_furniture(const std::string& name) {
+  const std::vector<std::string> words = words_of(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::find(kFurniture.begin(), kFurniture.end(), without_digits(word)) !=
+           kFurniture.end();
+  });
+}
+
+std::string prefix_of_all(const Robot& robot, const BodyTree& tree) {
+  std::map<std::string, std::size_t> numbers;
+  std::size_t links = 0;
+  for (std::size_t b = 1; b < tree.bodies.size(); ++b) {
+    for (const int l : tree.bodies[b].links) {
+      ++links;
+      const std::string prefix = prefix_of_whole(robot.links[static_cast<std::size_t>(l)].name);
+      if (!prefix.empty()) ++numbers[prefix];
+    }
+  }
+  const auto most = std::max_element(numbers.begin(), numbers.end(),
+                                     [](auto& a, auto& b) { return a.second < b.second; });
+  const bool nearly_all = most != numbers.end() && links > 3 && 10 * most->second >= 9 * links;
+  return nearly_all ? most->first : "";
 }
 
 bool is_sensor(const std::string& link) {

@@ -17,7 +17,7 @@ namespace {
 /// How many limbs of each role a robot has. Wheels and propellers count that are links of the base,
 /// as in files that leave out their joints.
 struct LimbCounts {
-  long legs = 0, arms = 0, fingers = 0, wheels = 0, propellers = 0;
+  long legs = 0, arms = 0, fingers = 0, wheels = 0, propellers = 0, surfaces = 0, furniture = 0;
 };
 
 LimbCounts count_limbs(const Robot& robot, const Body& base, const std::vector<Limb>& limbs) {
@@ -27,7 +27,9 @@ LimbCounts count_limbs(const Robot& robot, const Body& base, const std::vector<L
     const bool is_limb = limb.role == LimbRole::leg || limb.role == LimbRole::arm;
     if (limb.is_side_branch && is_limb) continue;
     ++number[limb.role];
-    if (limb.role == LimbRole::unknown && limb.joints >= kJointsOfAnArm) ++counts.arms;
+    if (limb.role == LimbRole::unknown && limb.joints >= kJointsOfAnArm && limb.masses != 1) {
+      ++counts.arms;
+    }
   }
   for (const int l : base.links) {
     const LimbRole role = limb_word(robot.links[static_cast<std::size_t>(l)].name);
@@ -38,6 +40,11 @@ LimbCounts count_limbs(const Robot& robot, const Body& base, const std::vector<L
   counts.fingers = number[LimbRole::finger];
   counts.wheels = number[LimbRole::wheel];
   counts.propellers = number[LimbRole::propeller];
+  counts.surfaces = number[LimbRole::surface];
+  counts.furniture =
+      std::count_if(robot.joints.begin(), robot.joints.end(), [](const Joint& joint) {
+        return joint.type != JointType::fixed && is_furniture(joint.name);
+      });
   return counts;
 }
 
@@ -51,18 +58,24 @@ std::string kind_with_legs(long legs, long arms) {
   return arms > 0 ? name + " with " + plural(arms, "arm", "arms") : name;
 }
 
-/// The first word of a link's name that says that nothing holds the robot.
-std::optional<std::string> find_word_of_flight(const Robot& robot) {
+/// Why nothing holds a robot that flies or swims: its fins, or a word in the names of its links.
+std::optional<std::string> why_nothing_holds(const Robot& robot, long surfaces) {
+  if (surfaces >= 2) return "it moves by fins, wings or thrusters";
+  const auto quote = [](const std::string& word) {
+    return fmt::format("the file has the word \"{}\" in its names", word);
+  };
   for (const Link& link : robot.links) {
-    if (const auto word = word_of_flight(link.name)) return word;
+    if (const auto word = word_of_flight(link.name)) return quote(*word);
   }
-  return word_of_flight(robot.name);
+  const auto word = word_of_flight(robot.name);
+  return word ? std::optional(quote(*word)) : std::nullopt;
 }
 
-std::string kind_with_fingers(const Robot& robot, long fingers) {
+std::string kind_with_fingers(const Robot& robot, const std::string& prefix, long fingers) {
   const long driven = std::count_if(robot.joints.begin(), robot.joints.end(), [](const Joint& j) {
     return j.type != JointType::fixed && !j.mimic;
   });
+  if (!prefix.empty()) return is_hand(prefix) ? "a hand" : "a gripper";
   return fingers == 1 ? "a finger" : fingers == 2 || driven <= 2 ? "a gripper" : "a hand";
 }
 
@@ -76,27 +89,32 @@ void name_kind(const Robot& robot, const Body& base, RecognisedRobot& found) {
     found.floats = floats;
     found.reason = std::move(reason);
   };
-  if (has.legs >= 2) {
+  const std::string carried =
+      fmt::format("an arm or a stand holds it by the root link \"{}\"", root);
+  if (end_name(found.prefix).kind == EndKind::foot && has.legs < 2) {
+    take("a foot", false, fmt::format("a leg holds it by the root link \"{}\"", root));
+  } else if (has.legs >= 2) {
     take(kind_with_legs(has.legs, has.arms), true,
          fmt::format("it stands on {} legs that nothing holds to the ground", has.legs));
   } else if (has.propellers >= 2) {
     take(has.arms > 0 ? "a flying robot with an arm" : "a drone", true, "it flies by propellers");
-  } else if (const auto word = find_word_of_flight(robot)) {
+  } else if (const auto reason = why_nothing_holds(robot, has.surfaces)) {
     take(has.arms > 0 ? "a flying or swimming robot with an arm" : "a flying or swimming robot",
-         true, fmt::format("the file has the word \"{}\" in its names", *word));
+         true, *reason);
+  } else if (has.furniture >= 2) {
+    take("a piece of furniture", false, "it has drawers or doors");
   } else if (has.wheels >= 2) {
     take(has.arms > 0 ? "a mobile manipulator" : "a wheeled base", true,
          "it rolls on wheels; where it stands still while an arm works, fixed is enough");
   } else if (has.fingers > 0 && has.arms == 0) {
-    take(kind_with_fingers(robot, has.fingers), false,
-         fmt::format("an arm or a stand holds it by the root link \"{}\"", root));
+    take(kind_with_fingers(robot, found.prefix, has.fingers), false, carried);
   } else if (end_name(root).kind == EndKind::foot && has.arms > 0) {
     take("a robot that stands on its root link", false,
          fmt::format("it stands on the root link \"{}\"", root));
   } else if (found.limbs.empty()) {
     take("a single body", false, "nothing says that it floats");
   } else {
-    take(has.arms == 0   ? "a mechanism"
+    take(has.arms == 0   ? (has.legs == 1 ? "a leg" : "a mechanism")
          : has.arms == 1 ? "an arm"
                          : fmt::format("a robot of {} arms", has.arms),
          false,

@@ -124,6 +124,7 @@ EndKind kind_of(LimbRole role, EndKind named) {
     case LimbRole::propeller:
       return EndKind::propeller;
     case LimbRole::watching:
+    case LimbRole::surface:
     case LimbRole::trunk:
       return EndKind::watching;
     case LimbRole::unknown:

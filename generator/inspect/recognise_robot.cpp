@@ -5,7 +5,10 @@
 #include <map>
 #include <tuple>
 
+#include "description/default_base.hpp"
+#include "inspect/body_shapes.hpp"
 #include "inspect/end_names.hpp"
+#include "inspect/mark_half_legs.hpp"
 #include "inspect/name_kind.hpp"
 
 namespace treeline {
@@ -18,23 +21,25 @@ constexpr int kJointsOfAFinger = 5;     ///< at most
 constexpr int kJointsBeforeAWheel = 2;  ///< at most: a fork that steers, and the wheel
 
 /// Finds limbs and what they are for.
-class Recognition {
+class Recognition : private BodyShapes {
  public:
-  Recognition(const Robot& robot, const BodyTree& tree) : robot_(robot), tree_(tree) {
+  explicit Recognition(const BodyShapes& shapes) : BodyShapes{shapes} {
     const auto gravity = robot.hints.gravity.value_or(std::array{0.0, 0.0, -1.0});
     const Eigen::Vector3d down(gravity[0], gravity[1], gravity[2]);
     if (down.norm() > 0) up_ = -down.normalized();
+    prefix_ = prefix_of_all(robot, tree);
     base_ = find_base();
     held_ = base_ == 0 && is_ground(link(robot.root).name);
     find_hands();
   }
 
   [[nodiscard]] int base() const { return base_; }
+  [[nodiscard]] const std::string& prefix() const { return prefix_; }
 
   [[nodiscard]] std::vector<Limb> find_limbs() const {
     std::vector<Limb> limbs;
-    for (auto b = static_cast<std::size_t>(base_) + 1; b < tree_.bodies.size(); ++b) {
-      const bool is_end = hands_[b] || tree_.bodies[b].children.empty();
+    for (auto b = static_cast<std::size_t>(base_) + 1; b < tree.bodies.size(); ++b) {
+      const bool is_end = hands_[b] || tree.bodies[b].children.empty();
       if (!beyond_hands_[b] && is_end && is_on(static_cast<int>(b), base_)) {
         limbs.push_back(limb_of(static_cast<int>(b)));
       }
@@ -44,77 +49,32 @@ class Recognition {
     find_legs(limbs);
     find_fingers(limbs);
     for (Limb& limb : limbs) limb.is_side_branch = is_side_branch(limb, limbs);
+    mark_half_legs(limbs);
     return limbs;
   }
 
  private:
-  [[nodiscard]] const Body& body(int b) const { return tree_.bodies[static_cast<std::size_t>(b)]; }
-  [[nodiscard]] const Joint& joint_of(int b) const {
-    return robot_.joints[static_cast<std::size_t>(body(b).joint)];
-  }
-  [[nodiscard]] const Link& link(int l) const { return robot_.links[static_cast<std::size_t>(l)]; }
-  [[nodiscard]] const Eigen::Isometry3d& frame(int l) const {
-    return tree_.frames[static_cast<std::size_t>(l)];
-  }
-  [[nodiscard]] Eigen::Vector3d origin(int b) const {
-    return frame(body(b).links.front()).translation();
-  }
-
   [[nodiscard]] int depth(int b) const { return depths_[static_cast<std::size_t>(b)]; }
 
   /// The body that floats in the world if most of the others hang from it, or the root's.
   [[nodiscard]] int find_base() const {
-    const auto& first = tree_.bodies.front().children;
+    const auto& first = tree.bodies.front().children;
     for (const int b : first) {
       std::size_t carried = 0;
-      for (std::size_t i = 0; i < tree_.bodies.size(); ++i) {
+      for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
         carried += is_on(static_cast<int>(i), b) ? 1 : 0;
       }
       const bool floats = joint_of(b).type == JointType::floating;
-      if (floats && 2 * carried > tree_.bodies.size()) return b;
+      if (floats && 2 * carried > tree.bodies.size()) return b;
     }
     if (first.size() != 1) return 0;
     const JointType type = joint_of(first[0]).type;
     return info_of(type).has_one_freedom() || type == JointType::ball ? 0 : first[0];
   }
 
-  /// Whether a body is another one or hangs from it.
-  [[nodiscard]] bool is_on(int b, int other) const {
-    while (b > other) b = body(b).parent;
-    return b == other;
-  }
-
-  /// Centres of mass and origins of the links of a body.
-  [[nodiscard]] std::vector<Eigen::Vector3d> places(int b) const {
-    std::vector<Eigen::Vector3d> places;
-    for (const int l : body(b).links) {
-      places.push_back(frame(l).translation());
-      if (link(l).inertial && link(l).inertial->mass > 0) {
-        const auto& xyz = link(l).inertial->origin.xyz;
-        places.push_back(frame(l) * Eigen::Vector3d(xyz[0], xyz[1], xyz[2]));
-      }
-    }
-    return places;
-  }
-
-  /// How far anything that a body and those beyond it hold lies from the body's joint.
-  [[nodiscard]] double reach_of(int first) const {
-    double reach = 0;
-    std::vector<int> stack{first};
-    while (!stack.empty()) {
-      const int b = stack.back();
-      stack.pop_back();
-      for (const Eigen::Vector3d& place : places(b)) {
-        reach = std::max(reach, (place - origin(first)).norm());
-      }
-      stack.insert(stack.end(), body(b).children.begin(), body(b).children.end());
-    }
-    return reach;
-  }
-
   /// A hand carries two or more short branches, at the end of an arm that is longer than they are.
   void find_hands() {
-    const std::size_t number = tree_.bodies.size();
+    const std::size_t number = tree.bodies.size();
     hands_.assign(number, false);
     beyond_hands_.assign(number, false);
     depths_.assign(number, 0);
@@ -148,9 +108,11 @@ class Recognition {
     }
   }
 
-  [[nodiscard]] LimbRole first_word(int b) const {
-    return limb_word(link(body(b).links.front()).name);
+  /// The role that a name tells beyond what all names begin with.
+  [[nodiscard]] LimbRole word(const std::string& name) const {
+    return limb_word(name.starts_with(prefix_) ? name.substr(prefix_.size()) : name);
   }
+  [[nodiscard]] LimbRole first_word(int b) const { return word(link(body(b).links.front()).name); }
 
   /// Whether fingers and nothing else hang from a body, each a joint.
   [[nodiscard]] bool carries_jaws(int b) const {
@@ -198,7 +160,11 @@ class Recognition {
       limb.first = a;
       ++limb.joints;
     }
+    for (int b = last; b >= limb.first; b = body(b).parent) {
+      limb.masses += places(b).size() > body(b).links.size() ? 1 : 0;
+    }
     limb.start = origin(limb.first);
+    limb.axis = axis(limb.first);
     limb.tip = limb.start;
     for (const Eigen::Vector3d& place : places(last)) {
       if ((place - limb.start).norm() > (limb.tip - limb.start).norm()) limb.tip = place;
@@ -221,14 +187,10 @@ class Recognition {
     }
     return off < 0.01;
   }
-  [[nodiscard]] Eigen::Vector3d axis(int b) const {
-    const auto& xyz = joint_of(b).axis;
-    return frame(joint_of(b).child).linear() * Eigen::Vector3d(xyz[0], xyz[1], xyz[2]);
-  }
 
   /// Whether another leaf spins about a parallel axis, beside this one.
   [[nodiscard]] bool has_companion(int b) const {
-    for (std::size_t i = 1; i < tree_.bodies.size(); ++i) {
+    for (std::size_t i = 1; i < tree.bodies.size(); ++i) {
       const int other = static_cast<int>(i);
       if (other != b && depth(other) == depth(b) && spins(other) &&
           axis(other).cross(axis(b)).norm() < kAlike && (origin(other) - origin(b)).norm() > 0.03) {
@@ -253,13 +215,19 @@ class Recognition {
   [[nodiscard]] LimbRole named_role(const Limb& limb) const {
     std::map<LimbRole, int> votes;
     for (int b = limb.last;; b = body(b).parent) {
-      ++votes[limb_word(joint_of(b).name)];
-      for (const int l : body(b).links) votes[limb_word(link(l).name)] += b == limb.last ? 2 : 1;
+      ++votes[word(joint_of(b).name)];
+      for (const int l : body(b).links) votes[word(link(l).name)] += b == limb.last ? 2 : 1;
       if (b == limb.first) break;
     }
     votes.erase(LimbRole::unknown);
+    if (limb.joints == 1 && is_sensor(link(body(limb.last).links.front()).name)) {
+      return LimbRole::watching;
+    }
     // A wheel at the end of a leg is its foot; a camera on an arm does not make it a head.
-    const bool long_enough = limb.joints >= kJointsOfAnArm;
+    const auto named = [&](LimbRole role) { return votes.contains(role) ? votes.at(role) : 0; };
+    const bool is_finger =
+        limb.reach < kFingerReach && named(LimbRole::finger) > named(LimbRole::arm);
+    const bool long_enough = limb.joints >= kJointsOfAnArm && !is_finger;
     if (limb.carries_fingers) votes.erase(LimbRole::finger);
     if (long_enough && (votes.contains(LimbRole::leg) || votes.contains(LimbRole::arm))) {
       votes.erase(LimbRole::wheel);
@@ -308,8 +276,10 @@ class Recognition {
       });
       const bool hangs = (limb.start - limb.tip).dot(up_) > kHanging * limb.reach &&
                          limb.tip.dot(up_) < lowest + 0.2 * limb.reach;
-      if (limb.role == LimbRole::unknown && limb.joints >= 2 && body(limb.first).parent == base_ &&
-          paired && hangs && !held_) {
+      const int carrier = body(limb.first).parent;
+      const bool on_hip = carrier == base_ || first_word(carrier) == LimbRole::leg;
+      if (limb.role == LimbRole::unknown && limb.joints >= 2 && on_hip && paired && hangs &&
+          !held_) {
         legs.push_back(&limb);
       }
     }
@@ -320,8 +290,8 @@ class Recognition {
     for (Limb* const leg : legs) leg->role = LimbRole::leg;
   }
 
-  /// Fingers are three or more short limbs on one body, short ones with a tip or a pad, and two
-  /// that slide and are all that there is.
+  /// Fingers are three or more short limbs on one body that something holds, short ones with a tip
+  /// or a pad, all that are short of a hand, and two that slide and are all that there is.
   void find_fingers(std::vector<Limb>& limbs) const {
     const auto is_tip = [this](int l) { return end_name(link(l).name).kind == EndKind::tip; };
     std::map<int, int> numbers;  // by the body that carries them
@@ -329,13 +299,15 @@ class Recognition {
       const bool counts = limb.role == LimbRole::finger || (is_short(limb) && limb.joints >= 2);
       numbers[body(limb.first).parent] += counts ? 1 : 0;
     }
+    const bool floats = base_ > 0 || default_base(robot) == Base::floating;
     const bool slide = limbs.size() == 2 && are_alike(limbs[0], limbs[1]) && slides(limbs[0]);
     for (Limb& limb : limbs) {
       const auto& links = body(limb.last).links;
-      const bool among = limb.joints >= 2 && numbers[body(limb.first).parent] >= 3;
+      const bool among = limb.joints >= 2 && numbers[body(limb.first).parent] >= 3 && !floats;
       const bool tips =
           limb.joints <= kJointsOfAFinger && std::any_of(links.begin(), links.end(), is_tip);
-      if (is_short(limb) && (slide || among || tips)) limb.role = LimbRole::finger;
+      const bool of_hand = end_name(prefix_).kind == EndKind::hand;
+      if (is_short(limb) && (slide || among || tips || of_hand)) limb.role = LimbRole::finger;
     }
   }
   [[nodiscard]] bool is_short(const Limb& limb) const {
@@ -367,9 +339,8 @@ class Recognition {
     });
   }
 
-  const Robot& robot_;
-  const BodyTree& tree_;
   Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();
+  std::string prefix_;  ///< see `prefix_of_all`
   int base_ = 0;
   bool held_ = false;                                ///< the root is the world
   std::vector<bool> hands_, beyond_hands_, on_leg_;  ///< by body
@@ -379,9 +350,10 @@ class Recognition {
 }  // namespace
 
 RecognisedRobot recognise_robot(const Robot& robot, const BodyTree& tree) {
-  const Recognition recognition(robot, tree);
+  const Recognition recognition(BodyShapes{robot, tree});
   RecognisedRobot found;
   found.base = recognition.base();
+  found.prefix = recognition.prefix();
   found.limbs = recognition.find_limbs();
   const Body& base = tree.bodies[static_cast<std::size_t>(found.base)];
   name_kind(robot, base, found);

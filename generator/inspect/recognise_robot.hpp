@@ -15,10 +15,12 @@ inline constexpr int kJointsOfAnArm = 3;  ///< at least, before a hand
 struct Limb {
   int first = 0, last = 0;  ///< indices of bodies; `last` is the hand where there is one
   bool carries_fingers = false;
-  bool is_side_branch = false;  ///< a joint or two that hang on the way to another limb's end
+  bool is_side_branch = false;  ///< of another limb: a joint or two on the way, or half of a leg
   int joints = 0;
+  int masses = 0;    ///< bodies with mass: one alone that moves in several ways is no arm
   double reach = 0;  ///< from the first joint to the tip at q = 0, m
   Eigen::Vector3d start = Eigen::Vector3d::Zero(), tip = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();  ///< of the first joint
   LimbRole role = LimbRole::unknown;
 };
 
@@ -27,6 +29,7 @@ struct RecognisedRobot {
   std::string kind;  ///< `a quadruped`
   bool floats = false;
   std::string reason;  ///< why it floats or does not
+  std::string prefix;  ///< of all names, if it tells what the whole is, see `prefix_of_all`
   int base = 0;        ///< body that limbs start from: the root's, or the one that the file floats
   std::vector<Limb> limbs;
 };
