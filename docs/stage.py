@@ -7,6 +7,7 @@ a scene or a test; the rest of the sources is not.
 import os
 import re
 import shutil
+import subprocess
 import tempfile
 
 SOURCES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -34,10 +35,23 @@ def files_of(page):
                 yield path
 
 
+def write_headers(folder):
+    """The pages of the headers, by Doxygen; where that is missing, one that says so."""
+    os.makedirs(folder)
+    if not shutil.which("doxygen"):
+        with open(os.path.join(folder, "index.html"), "w", encoding="utf-8") as file:
+            file.write("<p>Doxygen was missing where this site was built. The headers are in runtime/.</p>")
+        return
+    with open(os.path.join(SOURCES, "docs", "Doxyfile"), encoding="utf-8") as file:
+        settings = file.read() + f'OUTPUT_DIRECTORY = "{folder}"\nHTML_OUTPUT = .\nWARN_AS_ERROR = FAIL_ON_WARNINGS\n'
+    subprocess.run(["doxygen", "-"], input=settings, cwd=SOURCES, text=True, check=True)
+
+
 def on_config(config):
     for path in {path for page in pages() for path in files_of(page)} | set(config["extra_css"]):
         os.makedirs(os.path.join(FOLDER, os.path.dirname(path)), exist_ok=True)
         shutil.copy(os.path.join(SOURCES, path), os.path.join(FOLDER, path))
+    write_headers(os.path.join(FOLDER, "headers"))
     config["docs_dir"] = FOLDER
     return config
 

@@ -2,12 +2,14 @@
 """Builds the site as mkdocs.yml says and looks for words that people bring along.
 
 Usage: site_test.py ENVIRONMENT SOURCES FOLDER. Would catch: a link or an anchor that leads nowhere, a page that the
-contents do not list, and a word of another library that the search does not know.
+contents do not list, a comment in a header that Doxygen does not understand, and a word of another library that the
+search does not know.
 """
 
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -69,6 +71,9 @@ def main():
     if not faults:
         with open(os.path.join(folder, "search/search_index.json"), encoding="utf-8") as file:
             index = json.load(file)
+        loop = os.path.join(folder, "headers/classtreeline_1_1servo_1_1ServoLoop.html")
+        if shutil.which("doxygen") and not os.path.exists(loop):
+            faults.append("the site lacks the headers' pages, such as that of servo::ServoLoop")
         if "stopWordFilter" in index["config"]["pipeline"]:
             faults.append("the search leaves out CAN, a word of its list")
         for words, parts in ((TITLED, ("title",)), (MENTIONED, ("title", "text"))):
