@@ -191,10 +191,10 @@ std::vector<End> choose_ends(const std::vector<End>& all, bool is_held) {
 }
 
 /// Whether a limb is only a joint or two that hang on the way to an end, such as springs and
-/// covers, unless its name is one of an end.
+/// covers, or a body that lies beside the robot, unless its name is one of an end.
 bool is_minor(const Tree& tree, int base, const Limb& limb) {
   if (best_of(tree, limb.last).name.kind != EndKind::other) return false;
-  if (limb.role == LimbRole::unknown) return limb.joints <= 2;
+  if (limb.role == LimbRole::unknown) return limb.joints <= 2 || limb.masses == 1;
   const bool on_the_way = tree.body(limb.first).parent > base && limb.joints == 1;
   return (on_the_way || limb.is_side_branch) &&
          (limb.role == LimbRole::leg || limb.role == LimbRole::arm);

@@ -128,8 +128,8 @@ TEST(NameKind, TellsFurniture) {
   EXPECT_EQ(kitchen.points.size(), 2U) << list_points(kitchen);
 }
 
-// Would catch: one body that moves in a plane, as a ball beside an arm, counted as an arm; and one
-// leg on a stand called a mechanism.
+// Would catch: one body that moves in a plane, as a ball beside an arm, counted as an arm or given
+// a point; and one leg on a stand called a mechanism.
 TEST(NameKind, CountsNoArmOfOneBodyAndOneLeg) {
   const std::string ball =
       "<link name='x'/><joint name='jx' type='prismatic'><parent link='stand'/><child link='x'/>"
@@ -138,6 +138,11 @@ TEST(NameKind, CountsNoArmOfOneBodyAndOneLeg) {
       "<axis xyz='0 0 1'/><limit lower='0' upper='1' effort='1' velocity='1'/></joint>" +
       part("z", "ball", "0 0 0", "0 1 0");
   EXPECT_EQ(propose("stand", ball).kind, "a mechanism");
+  const std::string arm = chain("stand", {"a", "b", "c", "d"}, "0 0 1", "0 0 .3");
+  const SceneProposal beside = propose("stand", arm + ball);
+  EXPECT_EQ(beside.kind, "an arm");
+  ASSERT_EQ(beside.points.size(), 1U) << list_points(beside);
+  EXPECT_EQ(beside.points[0].link, "d");
   EXPECT_EQ(propose("stand", chain("stand", {"hip", "knee", "foot"}, "0 0 1", "0 0 -.3")).kind,
             "a leg");
 }
