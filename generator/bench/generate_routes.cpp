@@ -22,7 +22,7 @@ std::vector<GeneratedFunction> generate_routes(const Mechanism& mechanism, Funct
   std::erase_if(all, [&](const GeneratedFunction& each) {
     return !seen.insert(each.chosen.route.algorithm).second;
   });
-  for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
+  for (GeneratedFunction& each : all) order_lines(each);
   return all;
 }
 

@@ -59,13 +59,18 @@ GeneratedFunction generated_from(Function function, Choice choice, Routes& route
   generated.rejected = std::move(choice.rejected);
   generated.rejected.insert(generated.rejected.end(), routes.pruned.begin(), routes.pruned.end());
   generated.passes = std::move(routes.logs[key_of(generated.chosen.route)]);
-  generated.program = change_lines(std::move(choice.program), [&](const Program& lines) {
-    return put_in_order(lines, generated.passes);
-  });
+  generated.program = std::move(choice.program);
+  order_lines(generated);
   return generated;
 }
 
 }  // namespace
+
+void order_lines(GeneratedFunction& generated) {
+  generated.program = change_lines(std::move(generated.program), [&](const Program& lines) {
+    return put_in_order(lines, generated.passes);
+  });
+}
 
 GeneratedFunction generate_function(const Mechanism& mechanism, Function function,
                                     const RouteOptions& options) {

@@ -31,6 +31,9 @@ struct GeneratedFunction {
 GeneratedFunction generated_from(Function function, Program candidate,
                                  const OperationCosts& costs = {});
 
+/// Puts the operations of its straight lines in the order of emission.
+void order_lines(GeneratedFunction& generated);
+
 /// Name of the function's source file without `.cpp`; of the batch function if `batch` is not 0.
 std::string source_stem(Function function, int batch);
 std::string source_stem(const GeneratedFunction& generated);

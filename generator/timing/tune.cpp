@@ -94,7 +94,7 @@ std::vector<GeneratedFunction> list_candidates(FunctionMechanisms& mechanisms, F
     const bool keep = std::exchange(first, false) || each.chosen.weighted <= (1 + reach) * least;
     return !keep || !seen.insert(fingerprint(each.program)).second;
   });
-  for (GeneratedFunction& each : all) each.program = put_in_order(each.program, each.passes);
+  for (GeneratedFunction& each : all) order_lines(each);
   return all;
 }
 

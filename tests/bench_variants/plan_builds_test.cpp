@@ -7,7 +7,8 @@
 #include "check/fixture.hpp"
 
 // Variants that are planned, before anything runs. Would catch: a first route that is not the
-// emitted one, a variant that is lost, and code that is measured twice.
+// emitted one, a routine that is measured as lines, a variant that is lost, and code that is
+// measured twice.
 
 namespace treeline::tests {
 namespace {
@@ -38,6 +39,15 @@ TEST(GenerateRoutes, StartWithTheOneThatIsEmitted) {
     EXPECT_EQ(seen.size(), routes.size());
     EXPECT_GE(routes.size(), 2U);
   }
+}
+
+TEST(GenerateRoutes, KeepRoutinesBehindLines) {
+  const Subjects subjects = load("puma560");
+  const auto routes = generate_routes(subjects.generation.mechanism,
+                                      Function::forward_dynamics_derivatives, RouteOptions{8});
+  EXPECT_TRUE(std::any_of(routes.begin(), routes.end(), [](const GeneratedFunction& route) {
+    return route.program.ending != nullptr;
+  }));
 }
 
 TEST(PlanBuilds, HaveEveryVariantOnce) {

@@ -8,8 +8,8 @@
 #include "check/fixture.hpp"
 
 // The choice by measured cost, with times given by the test. Would catch: a tuner that picks the
-// wrong candidate, gives up the default because of noise, forgets a batch, or whose choices do not
-// lead to the measured code.
+// wrong candidate, gives up the default because of noise, forgets a batch, takes the operations of
+// a routine for lines, or whose choices do not lead to the measured code.
 
 namespace treeline::tests {
 namespace {
@@ -125,6 +125,18 @@ TEST(Tune, ChoicesLeadToTheCodeMeasured) {
       EXPECT_EQ(file.text, last[file.name]);
     }
   }
+}
+
+// What ends in a routine is measured as it is emitted: as lines and a call.
+TEST(Tune, MeasuresRoutinesAsTheyAreEmitted) {
+  Subjects subjects = load_unmade("humanoid24", "scene.yaml");
+  subjects.scene.functions = {Function::forward_dynamics_derivatives};
+  int called = 0;
+  tune_by(subjects, [&](const GeneratedFunction& candidate, std::size_t) {
+    called += candidate.program.ending ? 1 : 0;
+    return Timing{};
+  });
+  EXPECT_GE(called, 1);
 }
 
 TEST(Tune, SizeIsNotForTime) {
