@@ -126,11 +126,11 @@ TEST_P(SolveColumns, AgreesWithPivoting) {
   using Solve = core::EmittedEndings<double>;
   Solve solve(n, factors.row_length, false);
   std::vector<double> strips = list_strips(A, B);
+  std::vector<double> path(static_cast<std::size_t>(24 * factors.row_length));
   Matrix inverse(n, n);
   solve.tl_solve_columns(factors.table(0), factors.table(1), factors.table(2), factors.table(3),
-                         factors.table(4), factors.table(5), factors.rows.data(),
-                         factors.inverse_D.data(), strips.data(), A.data(), B.data(),
-                         inverse.data());
+                         factors.rows.data(), factors.inverse_D.data(), strips.data(), path.data(),
+                         A.data(), B.data(), inverse.data());
   // Errors of both solves: a rounding per operation of a row, times what L^-1 and L^-T enlarge.
   const Matrix growth = factors.L.inverse().cwiseAbs();
   const double bound = 2 * n * 0x1p-52 * growth.sum() * growth.sum();

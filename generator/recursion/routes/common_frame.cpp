@@ -298,12 +298,13 @@ Ending end_with_acceleration_derivatives(const Trace& trace) {
   const TreePaths paths(n, related);
   ending.path = paths.row_length();
   const int places = core::in_eights(n);
-  ending.work = static_cast<std::size_t>((133 + 2 * ending.path) * places + 8);
+  ending.work = static_cast<std::size_t>((133 + 2 * ending.path) * places + 24 * ending.path + 8);
   ending.results = {{"dqdd_dq", n, n, by_displacements(*trace.mechanism)},
                     {"dqdd_dqd", n, n, "by qd"},
                     {"dqdd_dtau", n, n, "by tau: M^-1"}};
   list_tables(tree, list_drives(tree), ending);
   paths.append_to(ending.tables, related);
+  paths.append_paths_to(ending.tables);
   place_links(trace, ending);
   std::vector<Expression> taken(static_cast<std::size_t>(tree.nv), Expression(0.0));
   add_drive_forces<Expression>(tree, trace.X, {trace.qd(), {}}, taken);

@@ -91,6 +91,7 @@ Ending solve_forward(const Trace& trace) {
   ending.routine = Routine::solve_columns;
   ending.velocities = trace.tree.nv;
   ending.path = paths.row_length();
+  ending.work = static_cast<std::size_t>(24 * ending.path);
   ending.results = {argument("dqdd_dq", by_displacements(*trace.mechanism)),
                     argument("dqdd_dqd", "by qd"), argument("dqdd_dtau", "by tau: M^-1")};
   paths.append_to(ending.tables,

@@ -27,8 +27,8 @@ using Call = void (*)(core::EmittedEndings<Number>& routines, Arrays<Number>& of
 
 template <class Number>
 void call_solve_columns(core::EmittedEndings<Number>& routines, Arrays<Number>& of) {
-  routines.tl_solve_columns(of.places[0], of.places[1], of.places[2], of.places[3], of.places[4],
-                            of.places[5], of.read[0].data(), of.read[1].data(), of.read[2].data(),
+  routines.tl_solve_columns(of.places[0], of.places[1], of.places[2], of.places[3],
+                            of.read[0].data(), of.read[1].data(), of.read[2].data(), of.work.data(),
                             of.results[0].data(), of.results[1].data(), of.results[2].data());
 }
 

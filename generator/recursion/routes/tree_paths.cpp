@@ -76,13 +76,9 @@ void TreePaths::append_to(std::vector<Table>& tables,
                           const std::function<bool(int i, int j)>& has_entry) const {
   const int n = static_cast<int>(parents_.size());
   Places behind, depths;
-  Ranges paths, strips;
+  Ranges strips;
   for (int i = 0; i < n; ++i) {
-    const std::vector<int> path = path_of(i);
-    std::vector<bool> rows(parents_.size());
-    for (const int row : path) rows[static_cast<std::size_t>(row)] = true;
-    paths.add(rows);
-    depths.push_back(static_cast<std::int16_t>(path.size()));
+    depths.push_back(static_cast<std::int16_t>(path_of(i).size()));
     behind.push_back(static_cast<std::int16_t>(beyond(i)));
   }
   for (int column = 0; column < n; column += 8) {
@@ -96,13 +92,22 @@ void TreePaths::append_to(std::vector<Table>& tables,
     }
     strips.add(rows);
   }
-  if (paths.ranges.empty()) paths.ranges = {0, 0};  // arrays have at least one
   tables.push_back({"beyond", behind});
   tables.push_back({"depths", depths});
-  tables.push_back({"path_ends", paths.ends});
-  tables.push_back({"paths", paths.ranges});
   tables.push_back({"strip_ends", strips.ends});
   tables.push_back({"strips", strips.ranges});
+}
+
+void TreePaths::append_paths_to(std::vector<Table>& tables) const {
+  Ranges paths;
+  for (int i = 0; i < static_cast<int>(parents_.size()); ++i) {
+    std::vector<bool> rows(parents_.size());
+    for (const int row : path_of(i)) rows[static_cast<std::size_t>(row)] = true;
+    paths.add(rows);
+  }
+  if (paths.ranges.empty()) paths.ranges = {0, 0};  // arrays have at least one
+  tables.push_back({"path_ends", paths.ends});
+  tables.push_back({"paths", paths.ranges});
 }
 
 }  // namespace treeline

@@ -25,6 +25,9 @@ class TreePaths {
   void append_to(std::vector<Table>& tables,
                  const std::function<bool(int i, int j)>& has_entry) const;
 
+  /// Appends the lists of `TlPaths`, see `runtime/emitted/acceleration_derivatives.h`.
+  void append_paths_to(std::vector<Table>& tables) const;
+
  private:
   [[nodiscard]] bool is_contiguous() const;
   [[nodiscard]] int beyond(int freedom) const;
