@@ -24,7 +24,7 @@ BenchMachine describe_machine(const std::string& command);
 /// Measurements of one variant.
 struct BenchRow {
   Variant variant;
-  Timing timing;         ///< its ratio is to the first row's
+  Timing timing;         ///< with the ratio to the time of the first row
   double placement = 1;  ///< time at the slowest place in memory over that at the fastest
   ErrorSummary norm, component;
   /// No other row is both as fast and as accurate, by the largest norm-wise error. Always false if

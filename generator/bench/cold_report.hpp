@@ -14,7 +14,7 @@ namespace treeline {
 
 /// A function as one or more values of `Scene::optimize` make it.
 struct ColdRow {
-  std::vector<Optimize> optimize;  ///< those that make this code
+  std::vector<Optimize> optimize;  ///< values of `optimize` that make this code
   std::string method;              ///< full name of the route
   bool is_small = false;           ///< compiled to small code
   std::optional<int> bytes;        ///< code and constants; absent without `nm` and `size`

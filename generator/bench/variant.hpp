@@ -13,7 +13,7 @@ namespace treeline {
 /// Difference of a variant from the code that the scene asks for.
 enum class VariantGroup {
   emitted,      ///< none
-  language,     ///< the same in C99
+  language,     ///< emitted code in C99
   batch,        ///< several states a call
   lanes,        ///< number of lanes
   real,         ///< float instead of double, or the reverse, with any number of lanes

@@ -71,7 +71,7 @@ struct BoardReport {
   bool counts_cycles = false;       ///< boards may do, QEMU does not
   double compile_seconds = 0, run_seconds = 0;
   std::string folder;                 ///< that was compiled; empty: code generated now
-  std::vector<FileDifference> stale;  ///< its differences from the code generated now
+  std::vector<FileDifference> stale;  ///< how the folder differs from the code generated now
   std::vector<BoardFunction> functions;
   std::vector<std::string> not_run;  ///< functions for several states, which are for large machines
 

@@ -13,7 +13,7 @@ namespace treeline {
 /// Programs for a target, which start.
 struct Tools {
   std::string compiler;          ///< the program, for C++
-  std::string c_compiler;        ///< the same for C
+  std::string c_compiler;        ///< compiler of C
   std::string prefix;            ///< of the names of nm, size and objdump
   std::string compiler_version;  ///< first line that it prints
   Command runner;                ///< takes the program's file as its last argument

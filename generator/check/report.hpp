@@ -79,8 +79,8 @@ struct LimitsReport {
   int singular = 0;       ///< states at which the unlimited law has no value
   int limited = 0;        ///< states at which something was changed
   int certified = 0;      ///< of these, those whose optimum was certified and compared
-  int irregular = 0;      ///< those looked at whose freedoms are more than ordinary, or not certain
-  int uncertain = 0;      ///< those looked at whose conditions could not be met
+  int irregular = 0;      ///< states whose freedoms are more than ordinary, or not certain
+  int uncertain = 0;      ///< states whose conditions could not be met
   int unsolved = 0;       ///< states at which the iterations were used up or numbers did not fit
   int beyond_limits = 0;  ///< states with a torque beyond its limit
   int changed = 0;        ///< states within limits with other bits than the unlimited law
@@ -109,7 +109,7 @@ struct StepReport {
 
   int compared = 0;  ///< steps compared with the reference
   int ties = 0;      ///< of these, those in which a comparison is decided by a rounding
-  int differ = 0;    ///< those with other modes, faults or counts than the reference
+  int differ = 0;    ///< steps with other modes, faults or counts than the reference
   std::string first_difference = {};
   double median = 0, percent_99 = 0, worst = 0;  ///< errors in ulp of the scale
   std::string worst_place = {};                  ///< step and member
@@ -138,7 +138,7 @@ struct CheckReport {
   double compile_seconds = 0, reference_seconds = 0;
   long compile_peak_kib = 0;
   std::string folder;                 ///< that was compiled; empty: code generated now
-  std::vector<FileDifference> stale;  ///< its differences from the code generated now
+  std::vector<FileDifference> stale;  ///< how the folder differs from the code generated now
   std::string domain;                 ///< domain of inputs in which the rounding bounds hold
   std::vector<FunctionReport> functions;
   std::optional<LimitsReport> limits;        ///< if the scene limits torques or forces

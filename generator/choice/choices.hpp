@@ -11,7 +11,7 @@ namespace treeline {
 
 /// A route for a function that is chosen in advance, for instance by measuring.
 struct RouteChoice {
-  std::string route;  ///< its key, or the words by which earlier manifests name it
+  std::string route;  ///< key of the route, or the words by which earlier manifests name it
   int lanes = 0;      ///< 1, 2, 4 or 8; 0: the scene's
 };
 

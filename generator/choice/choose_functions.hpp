@@ -25,7 +25,7 @@ struct ChosenFunctions {
   std::vector<GeneratedFunction>
       batch;  ///< functions for `Scene::batch` states, if the scene asks for them
   std::optional<GeneratedFunction> damped;  ///< see `compose_damped`; only if the scene asks for it
-  Choices choices;                          ///< those that were made in advance
+  Choices choices;                          ///< choices that were made in advance
 };
 
 /// Receives the function that is being generated: `lambda (10 of 11)`.

@@ -16,10 +16,10 @@ namespace treeline {
 /// its robots.
 struct RobotFiles {
   std::string urdf;          ///< path of the one URDF; empty: the scene lists robots
-  std::string urdf_text;     ///< its content
+  std::string urdf_text;     ///< content of the URDF
   std::string scene;         ///< path of the scene; empty: there is none
-  std::string scene_text;    ///< its content
-  SceneRobots scene_robots;  ///< those that the scene lists
+  std::string scene_text;    ///< content of the scene
+  SceneRobots scene_robots;  ///< robots that the scene lists
 };
 
 struct RobotWithFiles {

@@ -11,8 +11,7 @@
 #include "description/count_freedoms.hpp"
 #include "description/list_rows.hpp"
 #include "description/read_controller.hpp"
-#include "description/read_regressor.hpp"
-#include "description/read_scene_inputs.hpp"
+#include "description/read_keys.hpp"
 #include "description/scene_inputs.hpp"
 #include "text/identifier.hpp"
 

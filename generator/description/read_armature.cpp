@@ -1,5 +1,3 @@
-#include "description/read_armature.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "description/list_links.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_rotors.hpp"
 #include "description/read_scene_point.hpp"
 

@@ -1,10 +1,9 @@
-#include "description/read_joint_springs.hpp"
-
 #include <fmt/format.h>
 
 #include <optional>
 #include <string>
 
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 
 namespace treeline {

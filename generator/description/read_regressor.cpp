@@ -1,11 +1,10 @@
-#include "description/read_regressor.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 
 namespace treeline {

@@ -1,5 +1,3 @@
-#include "description/read_scene_inputs.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "description/count_freedoms.hpp"
 #include "description/list_links.hpp"
 #include "description/read_controller.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/scene_inputs.hpp"
 #include "text/suggest_name.hpp"

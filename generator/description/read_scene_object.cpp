@@ -1,10 +1,9 @@
-#include "description/read_scene_object.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "description/check_inertias.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 #include "text/identifier.hpp"
 #include "text/suggest_name.hpp"

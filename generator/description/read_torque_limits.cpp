@@ -1,9 +1,8 @@
-#include "description/read_torque_limits.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 
 namespace treeline {

@@ -14,7 +14,7 @@ struct Contents {
            std::span<const Program> in_batches);
   const EmissionContext& context;
   std::span<const Program> programs;  ///< functions that the scene asks for
-  std::span<const Program> batch;     ///< those for several states as well, without packs
+  std::span<const Program> batch;     ///< functions of several states, without packs
   std::vector<Program> all;           ///< `programs`, then those that only add-ons call
 };
 

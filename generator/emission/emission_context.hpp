@@ -46,7 +46,7 @@ struct EmissionContext {
 
   struct Input {
     std::string file;  ///< without directory; empty where no scene was given
-    std::string text;  ///< its content, for the digest
+    std::string text;  ///< content of the file, for the digest
   };
   std::vector<Input> inputs;
 
@@ -92,7 +92,7 @@ struct EmissionContext {
 
   /// One decision between methods that give the same function.
   struct Method {
-    std::string route;  ///< its key
+    std::string route;  ///< key of the route
     std::string name;   ///< in words
     int flops = 0;
     double cost = 0;  ///< by which it was chosen, see `Cost::weighted`

@@ -76,8 +76,8 @@ enum class FunctionGroup {
 /// Condition under which a scene gets a function.
 enum class Emitted {
   by_default,   ///< all that have what it is about and name no functions
-  on_request,   ///< those that name it
-  with_damping  ///< those with the key `damped`; it is composed of others and never named
+  on_request,   ///< scenes that name it
+  with_damping  ///< scenes with the key `damped`; it is composed of others and never named
 };
 
 /// Matrix that a function solves with: its errors grow with the condition of that matrix. M is

@@ -48,7 +48,7 @@ enum class IndexSpace {
   linkages,         ///< 6 a grasp but for the first of each object
   grasp_gains,      ///< 2: damping, stiffness
   held_rows,        ///< the rows that constraints hold
-  anchored_rows,    ///< those of them that are held relative to the world
+  anchored_rows,    ///< rows that constraints hold relative to the world
   step,             ///< 1, if the scene makes friction implicit
   gravity,          ///< 3, if the scene makes gravity an input
   payloads,         ///< 10 a payload that the scene makes an input

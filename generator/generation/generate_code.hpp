@@ -42,7 +42,7 @@ struct Generation : ChosenFunctions {
   /// What the contract says for all functions, without marks of comments.
   std::string conventions = {};
   std::vector<GeneratedFile> files = {};
-  std::vector<Source> sources = {};  ///< those of the files that are to be compiled
+  std::vector<Source> sources = {};  ///< the files that are to be compiled
 };
 
 /// Emits all files of functions that were chosen in this scene. Returns nothing if `diagnostics`

@@ -17,7 +17,7 @@ struct SceneProposal {
   Base base = Base::fixed;
   std::string base_reason;
   std::vector<ScenePoint> points;              ///< with the rows that can move
-  std::vector<ScenePoint> feet;                ///< those of the points on which it stands
+  std::vector<ScenePoint> feet;                ///< points on which the robot stands
   std::vector<std::string> left_out;           ///< links at ends of limbs without a point
   std::map<std::string, std::string> remarks;  ///< by link of a point: where it is, not at a frame
   std::vector<std::string> beyond;  ///< joints beyond the points, for instance of fingers

@@ -64,7 +64,7 @@ class ConstraintSizes {
       M_inverse_;  ///< with friction and springs at the end of the step, if there is one
   Eigen::VectorXd step_forces_;  ///< of springs, by the motion in that step
   Tasks tasks_;
-  Subject<double> seen_;  ///< its points are the constraints, then the tasks by priority
+  Subject<double> seen_;  ///< with points: the constraints, then the tasks by priority
   TermSizes terms_;
   LoopSizes loops_;
   Eigen::Index anchored_ = 0, held_ = 0;  ///< rows held to the world, and all that are held

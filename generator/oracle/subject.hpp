@@ -29,14 +29,14 @@ struct SubjectInertia {
 struct SubjectTool {
   std::size_t point = 0;
   double reach = 0;
-  bool orientation = false;  ///< its axes are an argument, too
+  bool orientation = false;  ///< axes of the tool are an argument, too
 };
 
 /// A base parameter: the parameter that it is named after and what it combines.
 struct SubjectBase {
   interpreter::UnitParameter named;
   std::vector<std::pair<interpreter::UnitParameter, Digits50>> terms;
-  std::vector<std::pair<std::size_t, double>> numbers;  ///< the same of the numbers of `BaseDomain`
+  std::vector<std::pair<std::size_t, double>> numbers;  ///< indices, factors: see `BaseDomain`
 };
 
 /// Parts of the subject that arguments change, see `SceneInputs`.

@@ -15,7 +15,7 @@ namespace treeline {
 struct OperationCosts {
   double product = 1;
   double quotient = 8;
-  double angle = 12;   ///< its sine and cosine
+  double angle = 12;   ///< sine and cosine of one angle
   double waiting = 2;  ///< of each cycle of the longest chain
   int lanes = 4;       ///< numbers of a register: doubles of AVX2, the widest to be relied on
   const char* source = "fitted to timed code on x86-64";  ///< of these numbers

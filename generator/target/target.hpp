@@ -18,7 +18,7 @@ enum class BoardKind { none, cortex_m, riscv, aarch64 };
 struct Board {
   BoardKind kind = BoardKind::none;
   const char* simulator = "";  ///< program of QEMU
-  const char* machine = "";    ///< its options that name board and processor
+  const char* machine = "";    ///< options of QEMU that name board and processor
   const char* package = "";    ///< of Debian, holds the program
   const char* linker = "";     ///< options for the linker: emulation, where code and data go
   /// Frequency of the clock that the program reads, MHz. One instruction takes 1 ns there.

@@ -13,7 +13,7 @@ enum class Control : int { joint, task, gravity };
 enum class Instruction : int {
   set_control,    ///< [control]
   move_joint,     ///< [coordinate, relative, to]
-  move_posture,   ///< the same; the control stays
+  move_posture,   ///< like `move_joint`, but the control stays
   go_home,        ///< []
   move_point,     ///< [point, relative, x, y, z]; point -1: the floating base
   turn_point,     ///< [point, relative, 3: rotation vector | 4: quaternion x y z w]

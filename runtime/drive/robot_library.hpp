@@ -54,7 +54,7 @@ struct ExternalRobot {
 /// or in N and m; null: 0 for all. They do not concern floating joints.
 struct SimulationOptions {
   const double* coulomb = nullptr;  ///< friction of the drive
-  const double* viscous = nullptr;  ///< the same, times the speed
+  const double* viscous = nullptr;  ///< friction of the drive by its speed
   const double* play = nullptr;     ///< backlash of the gear, from flank to flank
   const double* rotor = nullptr;  ///< inertia of the rotor seen from the joint; positive with play
   const double* gear_stiffness = nullptr;  ///< of touching teeth, N m/rad or N/m; likewise

@@ -55,7 +55,7 @@ class Server {
 
   int port() const;
   int connections() const;     ///< front ends
-  int commanders() const;      ///< those among them that may command
+  int commanders() const;      ///< front ends that may command
   int failed_accepts() const;  ///< for want of file descriptors; each is followed by a pause
   /// Sends every front end what `text` makes for it. A front end that still has an older state to
   /// be sent misses this one.

@@ -19,7 +19,7 @@ struct GroundShape {
 
 /// The range of a joint of one freedom; its ends may be infinite.
 struct JointRange {
-  int q = 0, v = 0;  ///< its coordinate and velocity
+  int q = 0, v = 0;  ///< first coordinate and velocity of the joint
   double lower = 0, upper = 0;
 };
 
@@ -64,7 +64,7 @@ class Ground {
   [[nodiscard]] const std::vector<GroundShape>& shapes() const { return shapes_; }
 
  private:
-  std::vector<GroundShape> shapes_;  ///< those of one group after each other
+  std::vector<GroundShape> shapes_;  ///< shapes of one group after each other
   std::vector<int> groups_;          ///< of each shape: the body that carries it
   std::vector<JointRange> ranges_;
   int most_;

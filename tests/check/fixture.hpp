@@ -47,7 +47,7 @@ inline Subjects load_unmade(const std::string& name, const std::string& scene_fi
   return {*robot, *scene, {}};
 }
 
-/// The same with its code.
+/// A robot of `robots/` with its scene and its code.
 inline Subjects load(const std::string& name, const std::string& scene_file = "scene.yaml") {
   Subjects loaded = load_unmade(name, scene_file);
   loaded.generation = generate(loaded.robot, loaded.scene);

@@ -1,10 +1,9 @@
 // Would catch: coefficients of the file that a scene counts unasked or not at all, an override that
 // loses the other coefficient, Coulomb friction in a viscous model, a width or a step that is
 // dropped, and what is left out in silence.
-#include "description/read_joint_friction.hpp"
-
 #include <gtest/gtest.h>
 
+#include "description/read_keys.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "scene_robot.hpp"

@@ -34,7 +34,7 @@ inline Subjects read_unmade(const std::string& urdf, const std::string& scene_te
   return {*robot, *scene, {}};
 }
 
-/// The same with its code.
+/// A robot and a scene from their texts, with the code.
 inline Subjects read(const std::string& urdf, const std::string& scene_text) {
   Subjects subjects = read_unmade(urdf, scene_text);
   subjects.generation = generate(subjects.robot, subjects.scene);

@@ -13,7 +13,7 @@ inline constexpr int kVersion = 2;
 struct Point {
   const char* link;
   double R[9];      ///< the frame's axes in the link's, row-major
-  double p[3];      ///< its origin in the link's frame, m
+  double p[3];      ///< origin of the point in the link's frame, m
   bool rows[6];     ///< which of x y z rx ry rz are controlled
   bool world_axes;  ///< false: the frame's own axes
 };

@@ -12,7 +12,7 @@ struct FlatShape {
   bool collides = false;   ///< of `<collision>`, else of `<visual>`
   Eigen::Isometry3d pose;  ///< in the frame of its link
   std::string kind;        ///< element of URDF: `box`, `cylinder`, `sphere` or `mesh`
-  std::string size_name;   ///< its first attribute: `size`, `radius` or `filename`
+  std::string size_name;   ///< first attribute of the shape: `size`, `radius` or `filename`
   std::string size;        ///< value of that
   std::string more_name;   ///< a second attribute, `length` or `scale`; empty: none
   std::string more;        ///< value of that
@@ -50,8 +50,8 @@ struct FlatJoint {
   std::string name;
   std::string type;                       ///< as SDF names it, or `floating`
   int parent = -1;                        ///< index into `FlatModel::links`; -1: the world
-  int child = -1;                         ///< the same
-  Eigen::Isometry3d in_parent, in_child;  ///< its frame in those of its links, at zero
+  int child = -1;                         ///< index of the child link
+  Eigen::Isometry3d in_parent, in_child;  ///< frame of the joint in those of its links, at zero
   std::vector<FlatAxis> axes;
   std::optional<FlatMimic> mimic;
   /// Elements in the namespace of Drake that state the motor's rotor, and their text.

@@ -25,7 +25,7 @@ struct WorldJoint {
   std::vector<JointAxis<Scalar>> axes;
   Vector3<Scalar> v, w;      ///< of the link's origin, and angular
   Vector3<Scalar> a, wd;     ///< their rates
-  bool is_compound = false;  ///< its axes turn each other: a floating or a ball joint
+  bool is_compound = false;  ///< axes of the joint turn each other: it floats or is a ball
 };
 
 template <class Scalar>

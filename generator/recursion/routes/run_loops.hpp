@@ -185,7 +185,7 @@ class LiftedTable {
   std::vector<typename Loops::TlLinkBall> balls_;
   std::vector<std::int16_t> row_entries_;
   std::vector<typename Loops::TlLinkBody> bodies_;
-  std::vector<Number> rotors_;  ///< those that an argument gives
+  std::vector<Number> rotors_;  ///< inertias of rotors that an argument gives
 };
 
 /// Arguments of a function that loops, and its result.

@@ -18,7 +18,7 @@ Program trace_heights(const Mechanism& mechanism, int lanes);
 /// that no digits are lost far from the world's. The mechanism has no mimic joints.
 Program trace_for_impulses(const Mechanism& mechanism, int lanes);
 
-/// Of each velocity those that carry it, from the root outward.
+/// Lists, for each velocity, the velocities that carry it, from the root outward.
 std::vector<std::vector<int>> velocities_before(const Mechanism& mechanism);
 
 /// Kinetic plus potential energy, of `q` and `qd`.

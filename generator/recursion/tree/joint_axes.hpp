@@ -12,7 +12,7 @@ namespace treeline {
 /// floating or ball joint is a twist of the link in its own axes, linear over angular.
 template <class Scalar>
 struct JointAxis {
-  std::size_t column = 0;  ///< its velocity
+  std::size_t column = 0;  ///< velocity of the axis
   Scalar multiplier{};
   Vector3<Scalar> slide, turn;  ///< unit vector along or about which it moves; one of them is zero
   bool turns = false;
