@@ -458,12 +458,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> t489_lanes = t477_lanes - 0.0007770270270270272;
   const Lanes<2> t491_lanes = detail::make_pack<Real>(c8, c15) * t383_lanes -
       detail::make_pack<Real>(s8, s15) * t384_lanes - t441_lanes * t462_lanes;
-  const Lanes<2> t494_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + t472_lanes) *
-      detail::make_pack<Real>(c23, c24);
+  const Lanes<2> t494_lanes = (detail::make_pack<Real>(8.000000000000001e-06,
+      (-8.000000000000001e-06)) + t472_lanes) * detail::make_pack<Real>(c23, c24);
   const Lanes<2> t496_lanes = detail::make_pack<Real>(s8, s15) * t450_lanes +
       detail::make_pack<Real>(c8, c15) * t452_lanes - t412_lanes * t464_lanes;
   const Real t497 = t486_lanes[1] + t486_lanes[0];
-  const Lanes<2> t498_lanes = 0.006756756756756757 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> t498_lanes = 0.006756756756756758 * detail::make_pack<Real>(s23, s24);
   const Real t499 = t487_lanes[1] + t487_lanes[0];
   const Lanes<2> t500_lanes = detail::make_pack<Real>(0.032, (-0.032)) * t489_lanes;
   const Real t501 = 0.431222972972973 + t477_lanes[1] + t489_lanes[0];
@@ -477,7 +477,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> t509_lanes = detail::make_pack<Real>(s23, s24) * t498_lanes;
   const Real t513 = t494_lanes[0] + 2.375e-05 * t483 + t494_lanes[1];
   const Real t514 = t500_lanes[1] + t500_lanes[0] - 0.095 * t499;
-  const Lanes<2> t518_lanes = t509_lanes - 0.006756756756756757;
+  const Lanes<2> t518_lanes = t509_lanes - 0.006756756756756758;
   const Real inverse_D22 = 1.0 / (0.063951825 - t497 + 4.75e-05 * t476);
 
   // links 7, 14, 23 and 24, articulated inertia
@@ -504,10 +504,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real t536 = t501 * inverse_D22;
   const Real t537 = t505 * inverse_D22;
   const Real t538 = t499 * inverse_D22;
-  const Real t540 = J_22_xx + t497 + (-1.6e-05) * s24 + 1.6e-05 * s23 - t513 * t513 * inverse_D22;
+  const Real t540 = J_22_xx + t497 + (-1.6000000000000003e-05) * s24 + 1.6000000000000003e-05 *
+      s23 - t513 * t513 * inverse_D22;
   const Real t541 = t514 * t537;
   const Real t542 = t505 * t538;
-  const Real t543 = t540 - 0.00017071621621621625;
+  const Real t543 = t540 - 0.00017071621621621627;
   const Lanes<2> t544_lanes = t530_lanes + (detail::make_pack<Real>(0.18, (-0.18)) * t533_lanes +
       0.226 * t521_lanes);
 
@@ -2048,8 +2049,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> t2327_lanes = w9_16_y_lanes * w9_16_y_lanes;
   const Lanes<2> t2328_lanes = w9_16_z_lanes * w9_16_z_lanes;
   const Lanes<2> t2329_lanes = t1959_lanes + wd9_16_z_lanes;
-  const Lanes<2> t2330_lanes = 0.00022920000000000001 * wd11_18_z_lanes - 9.600000000000003e-06 *
-      t2093_lanes + 0.000144 * t2057_lanes - t2307_lanes;
+  const Lanes<2> t2330_lanes = 0.00022920000000000001 * wd11_18_z_lanes - 9.6e-06 * t2093_lanes +
+      0.000144 * t2057_lanes - t2307_lanes;
   const Real n12_z = t2314_lanes[0] + t2170 - t2276_lanes[0];
   tau[11] = n12_z;
 
@@ -2169,7 +2170,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Lanes<2> t2445_lanes = t2435_lanes + t2402_lanes;
 
   // links 7 to 9, 14 to 16, inertial wrench
-  const Lanes<2> t2448_lanes = 0.0027762933559338653 * wd9_16_z_lanes - 0.001140794814995722 *
+  const Lanes<2> t2448_lanes = 0.0027762933559338653 * wd9_16_z_lanes - 0.0011407948149957223 *
       t1959_lanes + 0.0005895000784280001 * t1967_lanes + t2420_lanes;
   const Lanes<2> t2452_lanes = t2442_lanes - 0.7139200499999999 * a7_14_x_lanes;
   const Lanes<2> t2459_lanes = 0.00012075 * t2406_lanes +
@@ -2390,15 +2391,15 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real t2577 = t2570_lanes[1] + t2570_lanes[0];
   const Lanes<2> t2578_lanes = detail::make_pack<Real>(c23, c24) * n23_24_x_lanes -
       detail::make_pack<Real>(s23, s24) * n23_24_y_lanes +
-      detail::make_pack<Real>(8e-06, (-8e-06)) * t2535_lanes;
+      detail::make_pack<Real>(8.000000000000001e-06, (-8.000000000000001e-06)) * t2535_lanes;
 
   // link 22 (head), outward; links 7, 14, 23 and 24, inertial wrench
   const Real t2579 = w22_x * w22_x;
-  const Lanes<2> t2580_lanes = 0.00014700000000000002 * t1903_lanes + 0.000448 * wd7_14_z_lanes +
+  const Lanes<2> t2580_lanes = 0.000147 * t1903_lanes + 0.000448 * wd7_14_z_lanes +
       detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * t1921_lanes -
       t2561_lanes;
-  const Lanes<2> n23_24_z_lanes = 1.2499999999999999e-06 * t2507_lanes + 9.25e-06 *
-      wd23_24_z_lanes - 2.8750000000000004e-05 * t2530_lanes + t2576_lanes;
+  const Lanes<2> n23_24_z_lanes = 1.25e-06 * t2507_lanes + 9.25e-06 * wd23_24_z_lanes -
+      2.8750000000000004e-05 * t2530_lanes + t2576_lanes;
   tau[22] = n23_24_z_lanes[0];
   tau[23] = n23_24_z_lanes[1];
 
@@ -2482,7 +2483,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELINE
   const Real n5_y = J_5_xy * t1877 - J_5_yy * t1880 + h_5_x * minus_a5_z + (c6 * n6_x - s6 * n6_y);
 
   // link 5 (chest2), inertial wrench; links 6 (chest3) and 7 (left_shoulder1), inward
-  const Real t2604 = 0.10961925816937637 * t1869 + J_5_zz * wd5_z - J_5_xy * (t2600 - t1860) +
+  const Real t2604 = 0.10961925816937634 * t1869 + J_5_zz * wd5_z - J_5_xy * (t2600 - t1860) +
       (h_5_x * a5_y + minus_h_5_y * a5_x);
   const Real n6_z = t2601 + c7 * n7_x - s7 * n7_y - 0.18 * t2593 - 0.226 * t2596;
   tau[5] = n6_z;

@@ -116,9 +116,9 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real s1 = sines[23];
 
   // links 11, 13, 18, 20, articulated inertia
-  const Lanes<2> t9_lanes = 17.595187778776943 * detail::make_pack<Real>(s13, s20);
+  const Lanes<2> t9_lanes = 17.595187778776946 * detail::make_pack<Real>(s13, s20);
   const Lanes<2> t10_lanes = 0.0165153994048813 * detail::make_pack<Real>(c13, c20);
-  const Lanes<2> t11_lanes = 17.595187778776943 * detail::make_pack<Real>(c13, c20);
+  const Lanes<2> t11_lanes = 17.595187778776946 * detail::make_pack<Real>(c13, c20);
   const Lanes<2> t12_lanes = 0.0165153994048813 * detail::make_pack<Real>(s13, s20);
   const Lanes<2> t15_lanes = 2.0 * detail::make_pack<Real>(c11, c18);
 
@@ -382,13 +382,13 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> t401_lanes = t393_lanes - 0.0007770270270270272;
 
   // links 22 to 24, articulated inertia
-  const Lanes<2> t402_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + t384_lanes) *
-      detail::make_pack<Real>(c23, c24);
+  const Lanes<2> t402_lanes = (detail::make_pack<Real>(8.000000000000001e-06,
+      (-8.000000000000001e-06)) + t384_lanes) * detail::make_pack<Real>(c23, c24);
   const Real t403 = t396_lanes[1] + t396_lanes[0];
   const Real t404 = t399_lanes[1] + t399_lanes[0];
   const Lanes<2> t405_lanes = detail::make_pack<Real>(0.032, (-0.032)) * t401_lanes;
   const Real t406 = 0.431222972972973 + t393_lanes[1] + t401_lanes[0];
-  const Lanes<2> t407_lanes = 0.006756756756756757 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> t407_lanes = 0.006756756756756758 * detail::make_pack<Real>(s23, s24);
   const Real t408 = h_22_x + 0.00025 * t388;
   const Real t409 = t402_lanes[0] + 2.375e-05 * t395 + t402_lanes[1];
   const Lanes<2> t410_lanes = detail::make_pack<Real>(c23, c24) * t407_lanes;
@@ -404,7 +404,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> t419_lanes = t383_lanes * inverse_D8_15_lanes;
   const Lanes<2> t424_lanes = 0.095 * t410_lanes + detail::make_pack<Real>(0.032, (-0.032)) *
       t411_lanes;
-  const Lanes<2> t425_lanes = t411_lanes - 0.006756756756756757;
+  const Lanes<2> t425_lanes = t411_lanes - 0.006756756756756758;
 
   // links 8, 15, 22, articulated inertia
   const Lanes<2> t426_lanes = 0.00010499999999999999 * t416_lanes;
@@ -449,8 +449,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       detail::make_pack<Real>(s8, s15) * (t428_lanes + t438_lanes);
   const Real t467 = J_22_yy - (-0.032) * t424_lanes[1] - 0.032 * t424_lanes[0] - t412 * t443 +
       0.095 * t451;
-  const Real t468 = J_22_xx + t403 + (-1.6e-05) * s24 + 1.6e-05 * s23 - t409 * t444 -
-      0.00017071621621621625;
+  const Real t468 = J_22_xx + t403 + (-1.6000000000000003e-05) * s24 + 1.6000000000000003e-05 *
+      s23 - t409 * t444 - 0.00017071621621621627;
   const Real t469 = J_22_xy - (-0.032) * t399_lanes[1] - 0.032 * t399_lanes[0] + t409 * t443 -
       0.095 * t441;
   const Lanes<2> t472_lanes = detail::make_pack<Real>(c8, c15) * t465_lanes;
@@ -971,8 +971,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // links 11 (left_wrist1) and 18 (right_wrist1), inertial wrench; links 7, 12 to 14, 19 and 20,
   //   outward
-  const Lanes<2> t952_lanes = 9.600000000000003e-06 * t858_lanes + 0.00022920000000000001 *
-      wd10_17_y_lanes + 0.000144 * t899_lanes;
+  const Lanes<2> t952_lanes = 9.6e-06 * t858_lanes + 0.00022920000000000001 * wd10_17_y_lanes +
+      0.000144 * t899_lanes;
   const Lanes<2> a7_14_y_lanes = detail::make_pack<Real>(c7, c14) * t929_lanes -
       detail::make_pack<Real>(s7, s14) * t908_lanes;
   const Lanes<2> a7_14_x_lanes = detail::make_pack<Real>(s7, s14) * t929_lanes +
@@ -1119,7 +1119,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       detail::make_pack<Real>(2.4000000000000003e-06, (-2.4000000000000003e-06)) * t896_lanes -
       0.0006000000000000001 * minus_a12_19_z_lanes + n13_20_z_lanes;
   const Lanes<2> t1128_lanes = 0.0005895000784280001 * t848_lanes -
-      (0.001140794814995722 * t809_lanes + 0.0027762933559338653 * wd8_15_x_lanes) + t1106_lanes;
+      (0.0011407948149957223 * t809_lanes + 0.0027762933559338653 * wd8_15_x_lanes) + t1106_lanes;
 
   // links 12 (left_wrist2) and 19 (right_wrist2), inward; links 9 (left_upperarm) and 16
   //   (right_upperarm), outward; links 12 (left_wrist2) and 19 (right_wrist2), bias force
@@ -1400,8 +1400,8 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       (w23_24_x_lanes * w23_24_x_lanes - t1383_lanes) - 5.25e-06 * t1411_lanes + t1431_lanes;
   const Real f22_z = h_22_x * t1391 - minus_h_22_y * t1381 + t1435;
   const Lanes<2> t1439_lanes = detail::make_pack<Real>(c23, c24) * n23_24_y_lanes;
-  const Lanes<2> n23_24_z_lanes = 1.2499999999999999e-06 * t1376_lanes - t1396 +
-      2.8750000000000004e-05 * t1405_lanes + 0.00025 * a23_24_y_lanes;
+  const Lanes<2> n23_24_z_lanes = 1.25e-06 * t1376_lanes - t1396 + 2.8750000000000004e-05 *
+      t1405_lanes + 0.00025 * a23_24_y_lanes;
   const Real t1440 = t1341 + minus_wd21_y;
 
   // links 7 (left_shoulder1) and 14 (right_shoulder1), outward; links 23 (left_eye) and 24
@@ -1414,7 +1414,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
       (-0.032) * t1427_lanes[1];
   const Lanes<2> t1451_lanes = detail::make_pack<Real>(c23, c24) * n23_24_x_lanes -
       detail::make_pack<Real>(s23, s24) * n23_24_y_lanes +
-      detail::make_pack<Real>(8e-06, (-8e-06)) * t1411_lanes;
+      detail::make_pack<Real>(8.000000000000001e-06, (-8.000000000000001e-06)) * t1411_lanes;
   const Real f22_y = minus_h_22_y * (t1429 + t1364) - h_22_x * t1401 - 0.00025 * t1433;
 
   // links 10, 17, 22 and 23, inward; links 7 (left_shoulder1) and 14 (right_shoulder1), inertial
@@ -1444,7 +1444,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> t1488_lanes = detail::make_pack<Real>(2.6249999999999998e-05,
       (-2.6249999999999998e-05)) * t1441_lanes - 0.0002975 * t805_lanes - 8.75e-06 * t1313_lanes +
       t1467_lanes;
-  const Lanes<2> t1489_lanes = 0.00014700000000000002 * t778_lanes + t1328 +
+  const Lanes<2> t1489_lanes = 0.000147 * t778_lanes + t1328 +
       detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * t801_lanes -
       detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * t800_lanes;
   const Real n22_z = t1444 + minus_h_22_y * a22_x + t1436_lanes[1] + t1439_lanes[1] +
@@ -1457,7 +1457,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Lanes<2> t1495_lanes = t1388_lanes - (detail::make_pack<Real>(c9, c16) * t1346_lanes -
       detail::make_pack<Real>(s9, s16) * t1347_lanes);
   const Real t1500 = tau[21] - n22_z;
-  const Lanes<2> t1501_lanes = 3.1081081081081083 * detail::make_pack<Real>(t1493, t1491);
+  const Lanes<2> t1501_lanes = 3.108108108108109 * detail::make_pack<Real>(t1493, t1491);
   const Lanes<2> t1502_lanes = 27.027027027027028 * detail::make_pack<Real>(t1493, t1491);
 
   // links 8 and 9, 15 and 16, 22, inward
@@ -1612,7 +1612,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   //   (left_shoulder1), inward
   const Real t1626 = t1625 - t1592_lanes[0] + t1596_lanes[0] + 0.18 * t1594_lanes[0] + 0.226 *
       t1608;
-  const Real t1627 = 0.10961925816937637 * t753 - J_5_zz * minus_wd5_z - J_5_xy * (t1621 - t824) +
+  const Real t1627 = 0.10961925816937634 * t753 - J_5_zz * minus_wd5_z - J_5_xy * (t1621 - t824) +
       (h_5_x * a5_y + minus_h_5_y * a5_x);
   const Real f6_x = minus_h_6_x * t843 - f21_z + t1560_lanes[1] + t1560_lanes[0];
   const Real n5_z = t1627 + (s6 * n6_x + c6 * n6_y + minus_link5_to_6_y * f6_z);
@@ -1923,9 +1923,9 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real t1789 = t27_lanes[0] * t1780 - t23_lanes[0] * (t1762 + qdd_11) +
       (c12 * t1761 - s12 * t1775);
   const Real t1790 = 27.027027027027028 * (c23 * t1778 - s23 * (t1764 - 0.032 * t1774)) +
-      (t1774 - 3.1081081081081083 * (c23 * t1773 + s23 * t1785));
+      (t1774 - 3.108108108108109 * (c23 * t1773 + s23 * t1785));
   const Real t1791 = 27.027027027027028 * (c24 * t1778 - s24 * (t1764 - (-0.032) * t1774)) +
-      (t1774 - 3.1081081081081083 * (c24 * t1773 + s24 * t1785));
+      (t1774 - 3.108108108108109 * (c24 * t1773 + s24 * t1785));
   qdd[22] = 108108.1081081081 * t1493 - t1790;
   qdd[23] = 108108.1081081081 * t1491 - t1791;
 

@@ -6,4 +6,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.9.0 humanoid24 sha256 "
-    "2419792671edeac84019d5e112ddfceccf6b502176f2ae0fff0cf46ac76d6064";
+    "2fdabb8eaaf6e01bdf4a2c599ea3548441814dfbd0c65aaa6ab783c468464650";

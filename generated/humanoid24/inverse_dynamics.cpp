@@ -456,8 +456,8 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // links 10 and 11, 17 and 18, inertial wrench; links 12 (left_wrist2) and 19 (right_wrist2),
   //   inward and outward
-  const Lanes<2> t330_lanes = 0.00022920000000000001 * wd11_18_z_lanes - 9.600000000000003e-06 *
-      t125_lanes + 0.000144 * t175_lanes - t208_lanes;
+  const Lanes<2> t330_lanes = 0.00022920000000000001 * wd11_18_z_lanes - 9.6e-06 * t125_lanes +
+      0.000144 * t175_lanes - t208_lanes;
   const Lanes<2> t347_lanes = detail::make_pack<Real>(0.0001499998887063, (-0.0001499998887063)) *
       (t118_lanes - t299_lanes);
   const Lanes<2> t348_lanes = detail::make_pack<Real>(s12, s19) * f12_19_x_lanes +
@@ -608,7 +608,7 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   // links 7, 14, 21 and 22, outward; links 9 (left_upperarm) and 16 (right_upperarm), inertial
   //   wrench
   const Real t488 = w21_x * w21_z;
-  const Lanes<2> t491_lanes = 0.0027762933559338653 * wd9_16_z_lanes - 0.001140794814995722 *
+  const Lanes<2> t491_lanes = 0.0027762933559338653 * wd9_16_z_lanes - 0.0011407948149957223 *
       t81_lanes + 0.0005895000784280001 * t120_lanes + t443_lanes;
   const Lanes<2> t494_lanes = w7_14_y_lanes * w7_14_y_lanes;
   const Real t495 = s21 * t87 + c21 * t77;
@@ -744,13 +744,13 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real t612 = w22_x * w22_x;
   const Lanes<2> t613_lanes = detail::make_pack<Real>(c23, c24) * n23_24_x_lanes -
       detail::make_pack<Real>(s23, s24) * n23_24_y_lanes +
-      detail::make_pack<Real>(8e-06, (-8e-06)) * t557_lanes;
+      detail::make_pack<Real>(8.000000000000001e-06, (-8.000000000000001e-06)) * t557_lanes;
   const Lanes<2> t614_lanes = detail::make_pack<Real>(s23, s24) * n23_24_x_lanes;
 
   // links 8, 15, 23 and 24, inertial wrench; links 23 (left_eye) and 24 (right_eye), inward
   const Lanes<2> t615_lanes = 0.18101044219699997 * t55_lanes + 0.18125194219699997 *
       wd8_15_z_lanes + 0.00010499999999999999 * t93_lanes - t533_lanes;
-  const Lanes<2> n23_24_z_lanes = 1.2499999999999999e-06 * t527_lanes + 9.25e-06 * wd23_24_z_lanes -
+  const Lanes<2> n23_24_z_lanes = 1.25e-06 * t527_lanes + 9.25e-06 * wd23_24_z_lanes -
       2.8750000000000004e-05 * t550_lanes + t609_lanes;
   tau[22] = n23_24_z_lanes[0];
   tau[23] = n23_24_z_lanes[1];
@@ -835,7 +835,7 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
 
   // links 7 (left_shoulder1) and 14 (right_shoulder1), inertial wrench; links 7 (left_shoulder1)
   //   and 22 (head), inward
-  const Lanes<2> t674_lanes = 0.00014700000000000002 * t30_lanes + 0.000448 * wd7_14_z_lanes +
+  const Lanes<2> t674_lanes = 0.000147 * t30_lanes + 0.000448 * wd7_14_z_lanes +
       detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * t68_lanes -
       t662_lanes;
   const Real t675 = f7_14_z_lanes[1] + f7_14_z_lanes[0];
@@ -904,7 +904,7 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[24], const Real (&TREELI
   const Real n5_y = J_5_xy * t66 - J_5_yy * t22 + h_5_x * minus_a5_z + (c6 * n6_x - s6 * n6_y);
   const Real n5_x = J_5_xx * t66 - J_5_xy * t22 + minus_h_5_y * minus_a5_z +
       (n6_z - minus_link5_to_6_y * t697);
-  const Real t702 = 0.10961925816937637 * t8 + J_5_zz * wd5_z - J_5_xy * (t684 - t61) +
+  const Real t702 = 0.10961925816937634 * t8 + J_5_zz * wd5_z - J_5_xy * (t684 - t61) +
       (h_5_x * a5_y + minus_h_5_y * a5_x);
   const Real minus_f4_z = minus_h_4_x * t701 + (s5 * f5_x + c5 * f5_y);
   const Real n5_z = t702 + (s6 * n6_x + c6 * n6_y + minus_link5_to_6_y * f6_z);

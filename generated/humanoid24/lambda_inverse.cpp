@@ -382,13 +382,13 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> t401_lanes = t393_lanes - 0.0007770270270270272;
 
   // links 22 to 24, articulated inertia
-  const Lanes<2> t402_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + t384_lanes) *
-      detail::make_pack<Real>(c23, c24);
+  const Lanes<2> t402_lanes = (detail::make_pack<Real>(8.000000000000001e-06,
+      (-8.000000000000001e-06)) + t384_lanes) * detail::make_pack<Real>(c23, c24);
   const Real t403 = t396_lanes[1] + t396_lanes[0];
   const Real t404 = t399_lanes[1] + t399_lanes[0];
   const Lanes<2> t405_lanes = detail::make_pack<Real>(0.032, (-0.032)) * t401_lanes;
   const Real t406 = 0.431222972972973 + t393_lanes[1] + t401_lanes[0];
-  const Lanes<2> t407_lanes = 0.006756756756756757 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> t407_lanes = 0.006756756756756758 * detail::make_pack<Real>(s23, s24);
   const Real t408 = h_22_x + 0.00025 * t388;
   const Real t409 = t402_lanes[0] + 2.375e-05 * t395 + t402_lanes[1];
   const Lanes<2> t410_lanes = detail::make_pack<Real>(c23, c24) * t407_lanes;
@@ -404,7 +404,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> t419_lanes = t383_lanes * inverse_D8_15_lanes;
   const Lanes<2> t424_lanes = 0.095 * t410_lanes + detail::make_pack<Real>(0.032, (-0.032)) *
       t411_lanes;
-  const Lanes<2> t425_lanes = t411_lanes - 0.006756756756756757;
+  const Lanes<2> t425_lanes = t411_lanes - 0.006756756756756758;
 
   // links 8 (left_shoulder2) and 15 (right_shoulder2), articulated inertia
   const Lanes<2> t426_lanes = 0.00010499999999999999 * t416_lanes;
@@ -434,7 +434,8 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Real t447 = t408 * inverse_D22;
   const Real t449 = t443_lanes[1] + t443_lanes[0];
   const Real t452 = t404 * inverse_D22;
-  const Real t454 = J_22_xx + t403 + (-1.6e-05) * s24 + 1.6e-05 * s23 - t409 * t409 * inverse_D22;
+  const Real t454 = J_22_xx + t403 + (-1.6000000000000003e-05) * s24 + 1.6000000000000003e-05 *
+      s23 - t409 * t409 * inverse_D22;
 
   // links 8, 15, 22, articulated inertia
   const Lanes<2> t455_lanes = detail::make_pack<Real>(s8, s15) * (t414_lanes - t434_lanes) +
@@ -443,7 +444,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> t459_lanes = t337_lanes - t375_lanes - t394_lanes * t416_lanes;
   const Lanes<2> t460_lanes = t237_lanes - t277_lanes - t286_lanes * t312_lanes - t367_lanes *
       t415_lanes;
-  const Real t461 = t454 - 0.00017071621621621625;
+  const Real t461 = t454 - 0.00017071621621621627;
   const Lanes<2> t462_lanes = detail::make_pack<Real>(s8, s15) * t455_lanes;
   const Real t463 = t409 * t446 - t404;
   const Real t464 = t424_lanes[1] + t424_lanes[0] + t412 * t446;

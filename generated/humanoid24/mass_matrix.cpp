@@ -351,17 +351,18 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       detail::make_pack<Real>(c12, c19);
 
   // links 11 and 12, 18 and 19, 23 and 24, composite inertia
-  const Lanes<2> t40_lanes = 1.2499999999999999e-06 * detail::make_pack<Real>(s23, s24);
+  const Lanes<2> t40_lanes = 1.25e-06 * detail::make_pack<Real>(s23, s24);
   const Lanes<2> t41_lanes = 0.538 * t32_lanes;
   const Lanes<2> t43_lanes = 6e-04 - t33_lanes;
   const Lanes<2> t44_lanes = 0.28049749700000004 + t32_lanes;
   const Lanes<2> t45_lanes = 2.375e-05 * detail::make_pack<Real>(c23, c24) +
-      detail::make_pack<Real>(8e-06, (-8e-06)) * detail::make_pack<Real>(s23, s24);
+      detail::make_pack<Real>(8.000000000000001e-06, (-8.000000000000001e-06)) *
+      detail::make_pack<Real>(s23, s24);
   const Lanes<2> t46_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(c23, c24);
 
   // links 12 (left_wrist2) and 19 (right_wrist2), composite inertia
   const Lanes<2> t47_lanes = 2.0 * t20_lanes - detail::make_pack<Real>(s12, s19) *
-      (0.0006839579030517506 + t19_lanes);
+      (0.0006839579030517505 + t19_lanes);
   const Lanes<2> t48_lanes = detail::make_pack<Real>(s12, s19) * t30_lanes -
       detail::make_pack<Real>(c12, c19) * t17_lanes;
   const Lanes<2> t49_lanes = detail::make_pack<Real>(s12, s19) * t17_lanes +
@@ -385,14 +386,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
   const Lanes<2> t64_lanes = detail::make_pack<Real>(0.0002516, (-0.0002516)) +
       (0.00444264243991307 * detail::make_pack<Real>(s13, s20) - t49_lanes);
   const Real t65 = t55_lanes[1] + t55_lanes[0];
-  const Lanes<2> t68_lanes = 0.00026627370534756023 - t19_lanes - t56_lanes;
+  const Lanes<2> t68_lanes = 0.0002662737053475603 - t19_lanes - t56_lanes;
 
   // links 10 and 11, 17 and 18, 23 and 24, composite inertia
   const Lanes<2> t69_lanes = 0.0014999985000000002 + t61_lanes;
   const Real t71 = J_22_xy + t46_lanes[1] + t46_lanes[0];
   const Lanes<2> t72_lanes = detail::make_pack<Real>(0.004500002325, (-0.004500002325)) + t62_lanes;
   const Lanes<2> t73_lanes = 0.00025 * detail::make_pack<Real>(c23, c24);
-  const Real t76 = 0.009457125 + 2.0 * (t45_lanes[1] + t45_lanes[0]);
+  const Real t76 = 0.009457124999999999 + 2.0 * (t45_lanes[1] + t45_lanes[0]);
 
   // links 10 to 12, 17 to 19, composite inertia
   const Lanes<2> t77_lanes = 0.0010696316083993109 + t56_lanes + t41_lanes;
@@ -405,10 +406,10 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[24], Real (&TREELINE_RESTRICT
       detail::make_pack<Real>(c10, c17) * t69_lanes;
 
   // links 23 (left_eye) and 24 (right_eye), composite inertia
-  const Real t89 = 0.05451070000000001 + t65 + (-1.6e-05) * s24 + 1.6e-05 * s23;
+  const Real t89 = 0.0545107 + t65 + (-1.6000000000000003e-05) * s24 + 1.6000000000000003e-05 * s23;
   const Real t93 = h_22_x + t73_lanes[1] + t73_lanes[0];
-  const Lanes<2> t94_lanes = (detail::make_pack<Real>(8e-06, (-8e-06)) + t40_lanes) *
-      detail::make_pack<Real>(c23, c24);
+  const Lanes<2> t94_lanes = (detail::make_pack<Real>(8.000000000000001e-06,
+      (-8.000000000000001e-06)) + t40_lanes) * detail::make_pack<Real>(c23, c24);
   const Lanes<2> t95_lanes = 2.8750000000000004e-05 * detail::make_pack<Real>(s23, s24);
   M[526] = -t95_lanes[0];
   M[549] = -t95_lanes[0];

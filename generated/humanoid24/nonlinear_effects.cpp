@@ -410,8 +410,8 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Lanes<2> t304_lanes = detail::make_pack<Real>((-0.0002516), 0.0002516) * t157_lanes -
       0.0001098 * t196_lanes - detail::make_pack<Real>(6e-06, (-6e-06)) * t180_lanes - t284_lanes;
   const Lanes<2> t305_lanes = t103_lanes + minus_wd9_16_y_lanes;
-  const Lanes<2> t306_lanes = 9.600000000000003e-06 * t124_lanes + 0.00022920000000000001 *
-      wd10_17_y_lanes + 0.000144 * t169_lanes;
+  const Lanes<2> t306_lanes = 9.6e-06 * t124_lanes + 0.00022920000000000001 * wd10_17_y_lanes +
+      0.000144 * t169_lanes;
 
   // links 12 (left_wrist2) and 19 (right_wrist2), inward; links 11 and 12, 18 and 19, outward
   const Lanes<2> f11_18_x_lanes = detail::make_pack<Real>(0.001, (-0.001)) * t157_lanes - 6e-04 *
@@ -564,7 +564,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // links 7, 14, 21, outward; links 9 (left_upperarm) and 16 (right_upperarm), inertial wrench
   const Lanes<2> t476_lanes = t39_lanes + wd7_14_x_lanes;
   const Lanes<2> t478_lanes = 0.0005895000784280001 * t111_lanes -
-      (0.001140794814995722 * t81_lanes + 0.0027762933559338653 * wd8_15_x_lanes) + t437_lanes;
+      (0.0011407948149957223 * t81_lanes + 0.0027762933559338653 * wd8_15_x_lanes) + t437_lanes;
   const Real t480 = w21_x * w21_z;
   const Real w21_y = c21 * w6_y - s21 * w6_z;
   const Lanes<2> t483_lanes = w7_14_y_lanes * w7_14_y_lanes;
@@ -703,8 +703,8 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   // links 23 (left_eye) and 24 (right_eye), inward and inertial wrench
   const Lanes<2> t604_lanes = detail::make_pack<Real>(s23, s24) * n23_24_x_lanes;
   const Lanes<2> t607_lanes = detail::make_pack<Real>(c23, c24) * n23_24_y_lanes;
-  const Lanes<2> n23_24_z_lanes = 1.2499999999999999e-06 * t517_lanes - t547 +
-      2.8750000000000004e-05 * t552_lanes + 0.00025 * a23_24_y_lanes;
+  const Lanes<2> n23_24_z_lanes = 1.25e-06 * t517_lanes - t547 + 2.8750000000000004e-05 *
+      t552_lanes + 0.00025 * a23_24_y_lanes;
   h[22] = n23_24_z_lanes[0];
   h[23] = n23_24_z_lanes[1];
   const Real t609 = t560_lanes[1] + t560_lanes[0];
@@ -714,7 +714,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   //   (right_shoulder1), inertial wrench
   const Lanes<2> t611_lanes = detail::make_pack<Real>(c23, c24) * n23_24_x_lanes -
       detail::make_pack<Real>(s23, s24) * n23_24_y_lanes +
-      detail::make_pack<Real>(8e-06, (-8e-06)) * t560_lanes;
+      detail::make_pack<Real>(8.000000000000001e-06, (-8.000000000000001e-06)) * t560_lanes;
   const Lanes<2> t612_lanes = detail::make_pack<Real>(s9, s16) * f9_16_y_lanes;
   const Real t615 = t480 + minus_wd21_y;
   const Real t616 = J_22_xy * t535 - J_22_yy * t542 - h_22_x * a22_z - n23_24_z_lanes[1] -
@@ -786,7 +786,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
       (s22 * n22_y - c22 * n22_x + link21_to_22_z * f22_z);
   const Real minus_f21_x = h_21_x * (w21_y * w21_y + t529) + t641;
   const Lanes<2> n7_14_x_lanes = t646_lanes + t637_lanes + n8_15_z_lanes;
-  const Lanes<2> t664_lanes = 0.00014700000000000002 * t34_lanes + t627 +
+  const Lanes<2> t664_lanes = 0.000147 * t34_lanes + t627 +
       detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * t58_lanes -
       detail::make_pack<Real>(2.6249999999999998e-05, (-2.6249999999999998e-05)) * t55_lanes;
 
@@ -856,7 +856,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[24],
   const Real t692 = c4 * (0.03561389675370483 * s4);
   const Real t693 = c4 * (s5 * f5_y - c5 * f5_x) + s4 * f5_z;
   const Real minus_f4_z = t689 * t691 + (s5 * f5_x + c5 * f5_y);
-  const Real t694 = 0.10961925816937637 * t5 - J_5_zz * minus_wd5_z - J_5_xy * (t674 - t49) +
+  const Real t694 = 0.10961925816937634 * t5 - J_5_zz * minus_wd5_z - J_5_xy * (t674 - t49) +
       (h_5_x * a5_y + minus_h_5_y * a5_x);
   const Real f4_x = (t44 + t688) * t690 - t693;
 

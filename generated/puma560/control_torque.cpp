@@ -268,7 +268,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_
   const Real f3_y = t96 - (wd3_z * t69 + t6 * t73);
 
   // links 2, 4 and 5, inward
-  const Real minus_n4_z = 9.999999999999994e-05 * t26 + J_4_zz * minus_wd4_z_2 +
+  const Real minus_n4_z = 9.999999999999996e-05 * t26 + J_4_zz * minus_wd4_z_2 +
       (s5 * n5_x + c5 * n5_y);
   tau[3] = -minus_n4_z;
   const Real n4_x = J_4_xx * t82 - (s5 * n5_y - c5 * n5_x);

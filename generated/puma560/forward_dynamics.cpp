@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: 0BSD
 // forward_dynamics: qdd = M^-1 (tau - b - g + J_ext^T f_ext)
 // By M = L^T D L by composite bodies, sparse solve (RBDA section 6.5).
-// 460 flops (add 189, mul 267, div 4), sine and cosine of 4 angles
+// 459 flops (add 189, mul 266, div 4), sine and cosine of 4 angles
 // Generated; see puma560.hpp for the contract.
 #include "puma560.hpp"
 #include "sin_cos.hpp"
@@ -112,159 +112,156 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
   const Real t28 = 2.0 * w5_z;
   const Real minus_wd4_y = s4 * t9 + w4_x * qd[3];
   const Real t29 = minus_c23 * t18 - s23 * t19;
-
-  // links 5 (link5) and 6 (link6), outward; link 1 (link1), mass matrix; link 4 (link4), composite
-  //   inertia
   const Real t30 = w5_x * minus_w5_y;
+
+  // links 5 (link5) and 6 (link6), outward; links 4 (link4) and 5 (link5), composite inertia
   const Real t31 = w5_x * w5_z;
   const Real w6_z = minus_w5_y + qd[5];
-  const Real t32 = 0.9999999999999999 * c5;
-  const Real t33 = s4 * t22;
+  const Real t32 = s4 * t22;
+  const Real t33 = 0.00020215999999999998 * s5;
+  const Real t34 = minus_wd4_y - t30;
 
-  // link 5 (link5), composite inertia; links 4 (link4) and 5 (link5), outward; link 4 (link4),
-  //   mass matrix
-  const Real t34 = 0.00020215999999999998 * s5;
-  const Real t35 = minus_wd4_y - t30;
+  // link 4 (link4), outward; links 4 to 6, mass matrix
   const Real minus_a4_z = s23 * t18 + minus_c23 * t19;
-  const Real t36 = minus_c23 * t33;
-  const Real t37 = s23 * t33;
-
-  // links 5 (link5) and 6 (link6), mass matrix; link 5 (link5), inertial wrench
+  const Real t35 = minus_c23 * t32;
+  const Real t36 = s23 * t32;
+  const Real t37 = minus_c23 * t22 - s23 * t25;
   const Real t38 = J_6_zz * c5;
-  const Real t39 = minus_c23 * t22 - s23 * t25;
+
+  // link 5 (link5), composite inertia and mass matrix and inertial wrench
+  const Real t39 = s5 * t33;
   const Real t40 = minus_c23 * t25 + s23 * t22;
-  const Real minus_f5_x = minus_h_5_y * t35;
+  const Real t41 = c5 * t33;
+  const Real minus_f5_x = minus_h_5_y * t34;
   const Real f5_y = minus_h_5_y * (w5_x * w5_x + w5_z * w5_z);
 
-  // links 4 (link4) and 5 (link5), composite inertia and outward
-  const Real t41 = s5 * t34;
-  const Real t42 = c5 * t34;
+  // links 4 (link4) and 5 (link5), outward and composite inertia
   const Real wd5_y = c5 * t26 - s5 * t27 - t31;
+  const Real t42 = s5 * t26 + c5 * t27 - t28 * minus_w5_y;
   const Real a4_y = c4 * t20 - s4 * t29;
   const Real a4_x = c4 * t29 + s4 * t20;
   const Real t43 = c4 * t22;
-  const Real t44 = 0.00164 + t41;
+  const Real t44 = 0.00164 + t39;
 
-  // link 4 (link4), composite inertia; link 5 (link5), outward and mass matrix and inertial wrench
-  const Real t45 = s4 * t42;
-  const Real t46 = s5 * t26 + c5 * t27 - t28 * minus_w5_y;
-  const Real t47 = s4 * (0.00010000000000000026 + t41);
-  const Real t48 = 0.00064216 * c4 - (t11 * t39 + t12 * t40);
-  const Real minus_f5_z = minus_h_5_y * t46;
+  // link 4 (link4), composite inertia; links 1 (link1) and 5 (link5), mass matrix; link 5 (link5),
+  //   inertial wrench
+  const Real t45 = s4 * t41;
+  const Real t46 = s4 * (0.00010000000000000005 + t39);
+  const Real t47 = 1.0 / (t44 - c5 * t38);
+  const Real t48 = 0.00064216 * c4 - (t11 * t37 + t12 * t40);
+  const Real minus_f5_z = minus_h_5_y * t42;
 
-  // link 6 (link6), inertial wrench; link 4 (link4), composite inertia; link 1 (link1), mass
-  //   matrix; link 5 (link5), inward
+  // link 6 (link6), inertial wrench; link 4 (link4), composite inertia; link 5 (link5), inward
   const Real minus_n6_z = J_6_zz * wd5_y;
   const Real t49 = minus_c23 * t43 - s23 * t24;
   const Real t50 = s23 * t43 + minus_c23 * t24;
-  const Real t51 = 1.0 / (t44 - t32 * t38);
-  const Real n6_x = 2e-05 * (t46 + t28 * w6_z);
+  const Real n6_x = 2e-05 * (t42 + t28 * w6_z);
   const Real minus_f4_x = c5 * minus_f5_x + s5 * f5_y;
+  const Real t51 = s4 * t46;
 
-  // link 4 (link4), composite inertia; links 1 (link1) and 5 (link5), mass matrix
-  const Real t52 = s4 * t47;
-  const Real t53 = 1557.24430048586 * t48;
-  const Real t54 = t48 + (t3 * t40 - t4 * t39);
-  const Real t55 = t11 * t49;
-  const Real t56 = t12 * t36 - t11 * t37 - t45 - t32 * t15;
-  const Real t57 = t16 - t50;
-
-  // link 5 (link5), outward; links 1 (link1) and 6 (link6), mass matrix; link 3 (link3), composite
+  // links 1 (link1) and 5 (link5), mass matrix; link 5 (link5), outward; link 4 (link4), composite
   //   inertia
+  const Real t52 = 1557.24430048586 * t48;
+  const Real t53 = t48 + (t3 * t40 - t4 * t37);
   const Real a5_x = c5 * a4_x + s5 * minus_a4_z;
-  const Real t58 = 1557.24430048586 * t54;
-  const Real t59 = t4 * (t49 - t14);
-  const Real t60 = s23 * c4;
-  const Real t61 = t56 - t4 * t37 - t3 * t36;
+  const Real t54 = t11 * t49;
+  const Real t55 = t12 * t35 - t11 * t36 - t45 - c5 * t15;
+  const Real t56 = t16 - t50;
+  const Real t57 = 1557.24430048586 * t53;
 
-  // link 6 (link6), inward; links 3 (link3) and 4 (link4), composite inertia; link 5 (link5), mass
-  //   matrix
+  // link 3 (link3), composite inertia; links 1 (link1) and 6 (link6), mass matrix; link 6 (link6),
+  //   inward
+  const Real t58 = t4 * (t49 - t14);
+  const Real t59 = s23 * c4;
   const Real n5_y = minus_n6_z - J_5_yy * (t31 - wd5_y);
-  const Real n5_x = J_5_xx * t46 - minus_h_5_y * a4_y + n6_x;
-  const Real t62 = c4 * t42;
-  const Real t63 = t59 + t3 * t57;
-  const Real t64 = t11 + t4;
+  const Real t60 = t55 - t4 * t36 - t3 * t35;
+  const Real n5_x = J_5_xx * t42 - minus_h_5_y * a4_y + n6_x;
+
+  // links 3 (link3) and 4 (link4), composite inertia; links 1 (link1) and 5 (link5), mass matrix
+  const Real t61 = c4 * t41;
+  const Real t62 = t58 + t3 * t56;
+  const Real t63 = t55 * t47;
+  const Real t64 = t60 * t47;
+  const Real t65 = t11 + t4;
 
   // links 1 (link1) and 6 (link6), mass matrix; link 6 (link6), inertial wrench; links 4 (link4)
   //   and 5 (link5), inward
-  const Real t65 = t56 * t51;
-  const Real t66 = t61 * t51;
-  const Real t67 = t60 * t13 + minus_c23 * t38;
-  const Real minus_n6_y = 2e-05 * (t35 + 2.0 * (w5_x * w6_z));
-  const Real t68 = s4 * minus_f5_z - c4 * minus_f4_x;
+  const Real t66 = t59 * t13 + minus_c23 * t38;
+  const Real minus_n6_y = 2e-05 * (t34 + 2.0 * (w5_x * w6_z));
+  const Real t67 = s4 * minus_f5_z - c4 * minus_f4_x;
   const Real f4_z = s5 * minus_f5_x - c5 * f5_y;
-  const Real t69 = J_3_zz + (0.00129216 - t52 - 2.0 * (t55 + t12 * t50)) - t23 * t15;
+  const Real t68 = J_3_zz + (0.0012921599999999999 - t51 - 2.0 * (t54 + t12 * t50)) - t23 * t15;
 
   // links 3 (link3) and 5 (link5), mass matrix; link 6 (link6), inward
-  const Real t70 = t60 * t47 - t12 * t33 + (J_3_yz + t45) * minus_c23 - link2_to_3_z * t57;
+  const Real t69 = t59 * t46 - t12 * t32 + (J_3_yz + t45) * minus_c23 - link2_to_3_z * t56;
   const Real n5_z = 0.00022215999999999997 * t30 - J_5_zz * minus_wd4_y + minus_h_5_y * a5_x -
       minus_n6_y;
-  const Real t71 = 0.00064216 * s23 * s4 + link2_to_3_z * t40 + t64 * (s4 * t24);
-  const Real t72 = minus_c23 * t17 - minus_J_3_xy;
-  const Real t73 = 1.601861202 * s2 + 0.0141984 * c2;
+  const Real t70 = 0.00064216 * s23 * s4 + link2_to_3_z * t40 + t65 * (s4 * t24);
+  const Real t71 = minus_c23 * t17 - minus_J_3_xy;
+  const Real t72 = 1.601861202 * s2 + 0.0141984 * c2;
 
   // link 1 (link1), mass matrix; links 4 (link4) and 5 (link5), inward
-  const Real t74 = t70 + t23 * t67;
+  const Real t73 = t69 + t23 * t66;
   const Real n4_x = J_4_xx * t27 - (s5 * n5_y - c5 * n5_x);
   const Real n4_y = n5_z - J_4_yy * (w4_x * w4_z + minus_wd4_y);
-  const Real t75 = s23 * t68 + minus_c23 * f4_z;
-  const Real t76 = minus_c23 * t68 - s23 * f4_z;
-  const Real t77 = 1.0 / (t69 - t53 * t48 - t65 * t56);
-  const Real t78 = t69 - t63 - t53 * t54 - t65 * t61;
-  const Real t79 = s23 * t62 - minus_c23 * t44 - link2_to_3_z * t36 + t32 * t67 + t64 * t43;
-  const Real minus_n4_z = 9.999999999999994e-05 * t21 + J_4_zz * minus_wd4_z +
+  const Real t74 = s23 * t67 + minus_c23 * f4_z;
+  const Real t75 = minus_c23 * t67 - s23 * f4_z;
+  const Real t76 = s23 * t61 - minus_c23 * t44 - link2_to_3_z * t35 + c5 * t66 + t65 * t43;
+  const Real t77 = 1.0 / (t68 - t52 * t48 - t63 * t55);
+  const Real t78 = t68 - t62 - t52 * t53 - t63 * t60;
+  const Real minus_n4_z = 9.999999999999996e-05 * t21 + J_4_zz * minus_wd4_z +
       (s5 * n5_x + c5 * n5_y);
-  const Real t80 = 24999.999999999996 * t67;
-  const Real t81 = c2 * t73 - minus_J_2_xy;
-  const Real t82 = t74 - t53 * t71 - t65 * t79;
-  const Real t83 = s4 * minus_f4_x + c4 * minus_f5_z;
-  const Real t84 = minus_J_2_xz * s2 + minus_J_2_yz * c2 + t74 + t3 * t33 - t58 * t71;
-  const Real t85 = 1557.24430048586 * t71;
+  const Real t79 = 24999.999999999996 * t66;
+  const Real t80 = c2 * t72 - minus_J_2_xy;
+  const Real t81 = t73 - t52 * t70 - t63 * t76;
+  const Real t82 = s4 * minus_f4_x + c4 * minus_f5_z;
+  const Real t83 = minus_J_2_xz * s2 + minus_J_2_yz * c2 + t73 + t3 * t32 - t57 * t70;
+  const Real t84 = 1557.24430048586 * t70;
 
   // links 1 (link1) and 4 (link4), inward; link 1 (link1), mass matrix
-  const Real t86 = tau[5] + minus_n6_z;
-  const Real f3_x = t8 * t14 + t76;
-  const Real t87 = t78 * t77;
-  const Real t88 = t79 * t51;
-  const Real n3_z = t1 * t72 - (t14 * a3_y + t16 * a3_x) +
-      (s4 * n4_x + c4 * n4_y + (t11 * t75 - t12 * t76));
-  const Real f3_z = t10 * t16 - t83;
-  const Real t89 = t82 * t77;
-  const Real t90 = tau[0] + t10 * t72 + t14 * minus_a3_z - minus_c23 * minus_n4_z + t11 * t83;
-  const Real minus_f3_y = t5 * t16 + t75;
+  const Real t85 = tau[5] + minus_n6_z;
+  const Real f3_x = t8 * t14 + t75;
+  const Real t86 = t78 * t77;
+  const Real t87 = t76 * t47;
+  const Real n3_z = t1 * t71 - (t14 * a3_y + t16 * a3_x) +
+      (s4 * n4_x + c4 * n4_y + (t11 * t74 - t12 * t75));
+  const Real f3_z = t10 * t16 - t82;
+  const Real t88 = t81 * t77;
+  const Real t89 = tau[0] + t10 * t71 + t14 * minus_a3_z - minus_c23 * minus_n4_z + t11 * t82;
+  const Real minus_f3_y = t5 * t16 + t74;
 
   // link 1 (link1), inward and mass matrix
-  const Real t91 = n3_z + t23 * t86;
-  const Real t92 = tau[4] - n5_z;
-  const Real t93 = J_2_zz + t69 - 2.0 * t63 - t58 * t54 - t66 * t61 - t87 * t78;
-  const Real t94 = t84 - t66 * t79 - t87 * t82;
-  const Real t95 = tau[1] - t1 * t81 - minus_gravity_z * (h_2_y * s2 - h_2_x * c2) - t91;
-  const Real t96 = 3.153482265 - s2 * t73 + t44 - t80 * t67 - t85 * t71 - t88 * t79;
-  const Real t97 = 1.0 / t93;
-  const Real t98 = tau[3] + minus_n4_z - t32 * t86;
-  const Real t99 = t17 - (minus_c23 * (2.0 * t62) - s23 *
-      (0.0011921599999999998 - t41 + t52 - t44));
-  const Real t100 = t90 - link2_to_3_z * f3_x - t4 * f3_z + t6 * t81 + t2 *
+  const Real t90 = n3_z + t23 * t85;
+  const Real t91 = tau[4] - n5_z;
+  const Real t92 = J_2_zz + t68 - 2.0 * t62 - t57 * t53 - t64 * t60 - t86 * t78;
+  const Real t93 = t83 - t64 * t76 - t86 * t81;
+  const Real t94 = tau[1] - t1 * t80 - minus_gravity_z * (h_2_y * s2 - h_2_x * c2) - t90;
+  const Real t95 = 3.153482265 - s2 * t72 + t44 - t79 * t66 - t84 * t70 - t87 * t76;
+  const Real t96 = tau[3] + minus_n4_z - c5 * t85;
+  const Real t97 = 1.0 / t92;
+  const Real t98 = t17 - (minus_c23 * (2.0 * t61) - s23 *
+      (0.0011921599999999998 - t39 + t51 - t44));
+  const Real t99 = t89 - link2_to_3_z * f3_x - t4 * f3_z + t6 * t80 + t2 *
       (minus_J_2_yz * s2 - minus_J_2_xz * c2);
-  const Real t101 = tau[2] - t91 - t53 * t92 - t65 * t98;
-  const Real t102 = t95 - t4 * minus_f3_y - t3 * f3_x - t58 * t92 - t66 * t98;
-  const Real t103 = t94 * t97;
-  const Real t104 = t102 - t87 * t101;
-  const Real t105 = t100 + t80 * t86 - t85 * t92 - t88 * t98 - t89 * t101;
-  const Real t106 = t96 - t89 * t82 - t103 * t94 + 2.0 * (link2_to_3_z * t33 - t59 - t55);
+  const Real t100 = tau[2] - t90 - t52 * t91 - t63 * t96;
+  const Real t101 = t94 - t4 * minus_f3_y - t3 * f3_x - t57 * t91 - t64 * t96;
+  const Real t102 = t93 * t97;
+  const Real t103 = t101 - t86 * t100;
+  const Real t104 = t99 + t79 * t85 - t84 * t91 - t87 * t96 - t88 * t100;
+  const Real t105 = t95 - t88 * t81 - t102 * t93 + 2.0 * (link2_to_3_z * t32 - t58 - t54);
 
   // link 1 (link1), inward
-  const Real t107 = t105 - t103 * t104 + (c4 * n4_x - s4 * n4_y - J_3_yz * t5) * s23;
-  const Real qdd_0 = t107 * (1.0 / (t106 + t99 * s23));
+  const Real t106 = t104 - t102 * t103 + (c4 * n4_x - s4 * n4_y - J_3_yz * t5) * s23;
+  const Real qdd_0 = t106 * (1.0 / (t105 + t98 * s23));
   qdd[0] = qdd_0;
-  const Real qdd_1 = t104 * t97 - t103 * qdd_0;
+  const Real qdd_1 = t103 * t97 - t102 * qdd_0;
   qdd[1] = qdd_1;
-  const Real qdd_2 = t101 * t77 - t89 * qdd_0 - t87 * qdd_1;
+  const Real qdd_2 = t100 * t77 - t88 * qdd_0 - t86 * qdd_1;
   qdd[2] = qdd_2;
-  const Real qdd_3 = t98 * t51 - t88 * qdd_0 - t66 * qdd_1 - t65 * qdd_2;
+  const Real qdd_3 = t96 * t47 - t87 * qdd_0 - t64 * qdd_1 - t63 * qdd_2;
   qdd[3] = qdd_3;
-  qdd[4] = 1557.24430048586 * t92 - t85 * qdd_0 - t58 * qdd_1 - t53 * qdd_2;
-  qdd[5] = 24999.999999999996 * t86 + t80 * qdd_0 - t32 * qdd_3 - (qdd_1 + qdd_2) * t23;
+  qdd[4] = 1557.24430048586 * t91 - t84 * qdd_0 - t57 * qdd_1 - t52 * qdd_2;
+  qdd[5] = 24999.999999999996 * t85 + t79 * qdd_0 - c5 * qdd_3 - (qdd_1 + qdd_2) * t23;
 }
 
 }  // namespace puma560

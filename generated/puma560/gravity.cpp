@@ -56,7 +56,8 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
 
   // links 3 (link3) and 4 (link4), inward
   const Real minus_n3_x = c4 * minus_n4_x + s4 * n5_z;
-  const Real n3_z = c4 * n5_z - s4 * minus_n4_x - (0.24892875 * minus_c23 + 8.45420895 * s23);
+  const Real n3_z = c4 * n5_z - s4 * minus_n4_x - (0.24892874999999998 * minus_c23 + 8.45420895 *
+      s23);
   g[2] = n3_z;
   const Real n2_z = minus_gravity_z * (h_2_y * s2 - h_2_x * c2) + n3_z;
   g[1] = n2_z;

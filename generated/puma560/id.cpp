@@ -6,4 +6,4 @@
 
 const char puma560_id[95] =
     "treeline 0.9.0 puma560 sha256 "
-    "927083f39b735b0d85e57af9e77db3a37b0cbc7968b7a8aaac422e9382d48d36";
+    "3b64948615eb7637f8b876e532a5c0d7f2ce63ded6e7c60105a714e2d1df841c";

@@ -154,7 +154,7 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
   const Real t37 = qdd[1] * t14 - t6 * t33 - t2 * (minus_J_2_yz * s2 - minus_J_2_xz * c2);
   const Real f3_x = minus_h_3_x * t17 + minus_h_3_y * t15 + t36;
   const Real n4_x = J_4_xx * t29 + (c5 * n5_x + s5 * minus_n5_y);
-  const Real n4_z = J_4_zz * wd4_z - 9.999999999999994e-05 * t21 + (c5 * minus_n5_y - s5 * n5_x);
+  const Real n4_z = J_4_zz * wd4_z - 9.999999999999996e-05 * t21 + (c5 * minus_n5_y - s5 * n5_x);
   tau[3] = n4_z;
   const Real t38 = 0.298925024 * t9 + J_3_zz * wd3_z + J_3_yz * t7 + minus_J_3_xy * (t10 - t12);
 

@@ -84,7 +84,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT 
 
   // link 4 (link4), composite inertia and mass matrix
   const Real t14 = t9 - minus_h_3_x;
-  const Real t15 = s4 * (0.00010000000000000026 + t7);
+  const Real t15 = s4 * (0.00010000000000000005 + t7);
   const Real t16 = minus_link3_to_4_x * t9;
   const Real t17 = c4 * t8 + minus_link3_to_4_y * t9;
   const Real M_2_3 = s4 * t8 + minus_link3_to_4_y * t10;
@@ -99,13 +99,13 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT 
   const Real t22 = minus_c23 * t13 + s23 * t2;
   const Real t23 = t4 * (minus_c23 * t14 - s23 * t11);
   const Real t24 = t5 * t21 - t23;
-  const Real M_2_2 = J_3_zz + (0.00129216 - t19 + 2.0 * (0.0012473279999999998 * c5 - t16));
+  const Real M_2_2 = J_3_zz + (0.0012921599999999999 - t19 + 2.0 * (0.001247328 * c5 - t16));
   M[14] = M_2_2;
   const Real M_0_2 = minus_c23 * (J_3_yz + M_2_3) - s23 * (minus_link3_to_4_x * t10 - c4 * t15) +
       link2_to_3_z * t21;
   M[2] = M_0_2;
   M[12] = M_0_2;
-  const Real M_2_4 = 0.00064216 * c4 + (minus_link3_to_4_y * t13 - 5.846399999999999e-05 * s5);
+  const Real M_2_4 = 0.00064216 * c4 + (minus_link3_to_4_y * t13 - 5.8463999999999995e-05 * s5);
   M[16] = M_2_4;
   M[26] = M_2_4;
 
@@ -141,8 +141,8 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT 
   const Real M_1_4 = M_2_4 + (t5 * t22 - t4 * (minus_c23 * t2 - s23 * t13));
   M[10] = M_1_4;
   M[25] = M_1_4;
-  const Real t25 = minus_c23 * (2.0 * (t17 - 5.846399999999999e-05 * c5 - minus_J_3_xy)) - s23 *
-      (J_3_xx + (0.0011921599999999998 - t7 + t19 + 0.0024946559999999996 * c5) - t20);
+  const Real t25 = minus_c23 * (2.0 * (t17 - 5.8463999999999995e-05 * c5 - minus_J_3_xy)) - s23 *
+      (J_3_xx + (0.0011921599999999998 - t7 + t19 + 0.002494656 * c5) - t20);
 
   // links 2 (link2) and 3 (link3), composite inertia
   const Real M_0_1 = minus_J_2_xz * s2 + minus_J_2_yz * c2 + M_0_2 + t5 * t10;

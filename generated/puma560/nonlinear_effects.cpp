@@ -135,7 +135,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELI
       minus_n6_y;
   h[4] = n5_z;
   const Real f3_z = t10 * t14 - t30;
-  const Real minus_n4_z = 9.999999999999994e-05 * t15 + J_4_zz * minus_wd4_z +
+  const Real minus_n4_z = 9.999999999999996e-05 * t15 + J_4_zz * minus_wd4_z +
       (s5 * n5_x + c5 * n5_y);
   h[3] = -minus_n4_z;
   const Real n4_x = J_4_xx * t21 - (s5 * n5_y - c5 * n5_x);

@@ -148,9 +148,9 @@ void mass_matrix(const Real (&q)[6], Real (&M)[36]) noexcept;
 /// in  qd (6): joint velocities, rad/s
 /// in  tau (6): joint forces, N m
 /// out qdd (6): joint accelerations, rad/s^2
-/// Cost: 460 flops (add 189, mul 267, div 4), sine and cosine of 4 angles.
+/// Cost: 459 flops (add 189, mul 266, div 4), sine and cosine of 4 angles.
 /// Stack, an estimate: 83 values live at once, 664 bytes.
-/// Rounding: at most 2e-09 in qdd (at qdd[5]), 12 ulp of 6e+05, to first order, 4 times what a
+/// Rounding: at most 2e-09 in qdd (at qdd[5]), 11 ulp of 6e+05, to first order, 4 times what a
 ///   search met.
 void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)[6],
     Real (&qdd)[6]) noexcept;
@@ -159,7 +159,7 @@ void forward_dynamics(const Real (&q)[6], const Real (&qd)[6], const Real (&tau)
 /// By M = L^T D L, J carried inward, in the axes of link 2 (link2) at link origins.
 /// in  q (6): joint coordinates, rad
 /// out Lambda_inv (6x6): inverse operational-space inertia
-/// Cost: 560 flops (add 233, mul 323, div 4), sine and cosine of 5 angles.
+/// Cost: 559 flops (add 233, mul 322, div 4), sine and cosine of 5 angles.
 /// Stack, an estimate: 55 values live at once, 440 bytes.
 /// Rounding: at most 4e-10 in Lambda_inv (at Lambda_inv[28]), 68 ulp of 3e+04, to first order, 4
 ///   times what a search met.
@@ -169,7 +169,7 @@ void lambda_inverse(const Real (&q)[6], Real (&Lambda_inv)[36]) noexcept;
 /// By M = L^T D L, J carried inward, in the axes asked for at link origins.
 /// in  q (6): joint coordinates, rad
 /// out Lambda (6x6): operational-space inertia
-/// Cost: 812 flops (add 328, mul 474, div 10), sine and cosine of 5 angles.
+/// Cost: 811 flops (add 328, mul 473, div 10), sine and cosine of 5 angles.
 /// Stack, an estimate: 68 values live at once, 544 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is

@@ -3,7 +3,7 @@
 //   qdd_0)
 // By Chang table 6.1, fused; Lambda^-1: unit forces propagated inward (PV-OSIM), in link axes at
 //   link origins.
-// 1116 flops (add 462, mul 643, div 11), sine and cosine of 6 angles
+// 1112 flops (add 459, mul 642, div 11), sine and cosine of 6 angles
 // Generated; see samm.hpp for the contract.
 #include "samm.hpp"
 #include "lanes.hpp"
@@ -46,8 +46,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real minus_J_5_xy = 0.0070992;
   const Real minus_J_6_xy = 0.010673638499999999;
   const Real J_8_xx = 0.00042216;
-  const Real J_9_zz = 4e-05;
   const Real J_8_yy = 2e-04;
+  const Real J_9_zz = 4e-05;
   const Real J_7_zz = 0.0014;
   const Real J_7_xx = 0.0007499999999999999;
   const Real J_8_zz = 0.00062216;
@@ -72,9 +72,9 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real c7 = cosines[5];
 
   // link 8 (link5), articulated inertia
-  const Real t1 = 0.00024215999999999997 * s8;
+  const Real t1 = 0.00024216 * s8;
   const Real t2 = minus_h_8_y * s8;
-  const Real t3 = 0.012916407125949915 * s8;
+  const Real t3 = 0.012916407125949918 * s8;
   const Real t4 = link5_to_6_x * c5;
   const Real t5 = link5_to_6_x * s5;
   const Real t6 = s8 * t1;
@@ -84,12 +84,12 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real s56 = s5 * c6 + c5 * s6;
   const Real minus_c56 = s5 * s6 - c5 * c6;
   const Real t10 = minus_J_5_xz * s5 + minus_J_5_yz * c5;
-  const Real t11 = t7 - 0.012916407125949915;
+  const Real t11 = t7 - 0.012916407125949918;
 
   // link 7 (link4), articulated inertia
   const Real t12 = c7 * t8;
   const Real t13 = s7 * t8;
-  const Real inverse_D7 = 1.0 / (0.0016 + t6);
+  const Real inverse_D7 = 1.0 / (0.0015999999999999999 + t6);
   const Real t14 = s56 * c7;
   const Real t15 = J_6_yz * minus_c56;
   const Real t16 = minus_link6_to_7_x * s56 - minus_link6_to_7_y * minus_c56;
@@ -138,14 +138,14 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real c34 = c3 * c4 - s3 * s4;
 
   // links 7 (link4) and 8 (link5), force propagation; link 7 (link4), articulated inertia
-  const Real t54 = 4.484863585399276 * s8;
+  const Real t54 = 4.484863585399277 * s8;
   const Real neg_s8 = -s8;
   const Real t55 = t12 - minus_c56 * t51;
   const Real t56 = t52 - t7;
   const Real t57 = t37 - t52;
 
   // link 7 (link4), force propagation
-  const Real t58 = -(4.484863585399276 * c8);
+  const Real t58 = -(4.484863585399277 * c8);
   const Lanes<8> t59_lanes = c7 * detail::make_pack<Real>(c8, c8, s8, c8, t58, c8, c8, c8);
   const Real t60 = minus_c56 * s7;
   const Real t61 = s56 * s7;
@@ -366,24 +366,20 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real t236 = s7 * t184 + c7 * t182 - a7_y - t229_lanes[1] * t216 + link9_to_tool_z *
       (t214 + t217);
   const Real t237 = t235 * t232_lanes[1];
-
-  // links 8 (link5) and 9 (link6), outward; link 5 (link2), inward
   const Real t238 = minus_c56 * t21 - minus_J_6_xy;
+
+  // link 8 (link5), outward; link 5 (link2), inward; link 9 (link6), inertial wrench
   const Real t239 = w8_x * w8_z;
   const Real t240 = qdd_0[4] * t10 - h_4_y * a4_x - t174 * t234 - t162 *
       (minus_J_5_yz * s5 - minus_J_5_xz * c5);
   const Real wd8_y = c8 * t203 - s8 * t204 - t239;
-  const Real wd9_z = qdd_0[8] - wd8_y;
+  const Real minus_n9_z = J_9_zz * (c8 * t209 - s8 * t210);
+  tau[8] = -minus_n9_z;
 
-  // link 1 (base_x), force propagation; links 5 (link2) and 9 (link6), inward; link 9 (link6),
-  //   inertial wrench
+  // link 1 (base_x), force propagation; links 5 (link2) and 9 (link6), inward
   const Real t241 = t237 * t235 / (4.81482486096809e-35 + t237 * t237);
+  const Real minus_n8_y = J_8_yy * (t239 - wd8_y) - minus_n9_z;
   const Real t242 = t240 - t50 * a4_y + wd6_z * t15 - t175 * t238 + t18 * a6_z;
-  const Real n9_z = J_9_zz * wd9_z - 3.9999999999999996e-05 * (c8 * t209 - s8 * t210 + wd9_z);
-  tau[8] = n9_z;
-  const Real minus_n8_y = J_8_yy * (t239 - wd8_y) + n9_z;
-
-  // link 1 (base_x), force propagation
   const Lanes<8> t243_lanes = t232_lanes * t241;
   const Lanes<8> t245_lanes = t208_lanes + t218_lanes * t205_lanes[2] - t229_lanes * t222_lanes[2] -
       t243_lanes * t232_lanes[2];
@@ -392,18 +388,18 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real t247 = t245_lanes[2] * t245_lanes[2];
   const Real t248 = link9_to_tool_z * t215 - t229_lanes[2] * t216 - t243_lanes[2] * t236 +
       (t191 - a7_x) * s8;
+
+  // link 1 (base_x), force propagation; links 5 (link2) and 6 (link3), inertial wrench
   const Real t249 = t247 * t245_lanes[2];
   const Real t250 = t248 + (minus_a7_z - t187) * c8;
-
-  // links 5 (link2) and 6 (link3), inertial wrench; link 1 (base_x), force propagation
   const Real t251 = J_6_zz * wd6_z + wd4_z * t15 + t161 * t238 - (t18 * a6_y + t19 * a6_x);
   const Real t252 = t249 * t247 / (1.1754943508222875e-38 + t249 * t249);
   const Real t253 = J_5_zz * qdd_0[4] + wd4_z * t10 + t161 * t234 +
       (minus_gravity_z * t50 - t20 * a4_x);
-  const Real t254 = t245_lanes[3] * t252;
-  const Real t255 = t245_lanes[4] * t252;
 
   // link 1 (base_x), force propagation
+  const Real t254 = t245_lanes[3] * t252;
+  const Real t255 = t245_lanes[4] * t252;
   const Real t256 = t246 - t254 * t245_lanes[3];
   const Real t257 = t225 - t229_lanes[4] * t222_lanes[3] - t243_lanes[4] * t232_lanes[3] - t255 *
       t245_lanes[3];
@@ -433,7 +429,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELINE_
   const Real f9_z = t250 * t252 - t254 * t269 - t255 * t268;
   const Real f8_y = minus_h_8_y * t215 - f9_z;
   const Real n7_x = J_7_xx * t204 + (c8 * n8_x + s8 * minus_n8_y);
-  const Real n7_z = J_7_zz * wd7_z - 9.999999999999994e-05 * t196 + (c8 * minus_n8_y - s8 * n8_x);
+  const Real n7_z = J_7_zz * wd7_z - 9.999999999999996e-05 * t196 + (c8 * minus_n8_y - s8 * n8_x);
   tau[6] = n7_z;
   const Real f9_y = t236 * t241 - t243_lanes[2] * f9_z - t243_lanes[3] * t269 - t243_lanes[4] *
       t268;

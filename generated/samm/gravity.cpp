@@ -58,7 +58,8 @@ void gravity(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT g)[9
 
   // links 6 (link3) and 7 (link4), inward
   const Real minus_n6_x = c7 * minus_n7_x + s7 * n8_z;
-  const Real n6_z = c7 * n8_z - s7 * minus_n7_x - (0.24892875 * minus_c56 + 8.45420895 * s56);
+  const Real n6_z = c7 * n8_z - s7 * minus_n7_x - (0.24892874999999998 * minus_c56 + 8.45420895 *
+      s56);
   g[5] = n6_z;
   const Real n5_z = minus_gravity_z * (h_5_y * s5 - h_5_x * c5) + n6_z;
   g[4] = n5_z;

@@ -6,4 +6,4 @@
 
 const char samm_id[92] =
     "treeline 0.9.0 samm sha256 "
-    "5b1368b412ccc112e3d0be011e42ec8f582597a7794de0b7feee6ada88415cb1";
+    "4842502c9ca520dc42b976c4565903cb78ab7975e37f8bb8cead1865e8f2fcb2";

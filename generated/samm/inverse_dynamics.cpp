@@ -176,7 +176,7 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELIN
   const Real f6_x = minus_h_6_x * t13 + minus_h_6_y * t16 + t38;
   const Real f6_y = minus_h_6_y * t17 - minus_h_6_x * t18 + minus_f7_z;
   const Real n7_x = J_7_xx * t27 + (c8 * n8_x + s8 * minus_n8_y);
-  const Real n7_z = J_7_zz * wd7_z - 9.999999999999994e-05 * t23 + (c8 * minus_n8_y - s8 * n8_x);
+  const Real n7_z = J_7_zz * wd7_z - 9.999999999999996e-05 * t23 + (c8 * minus_n8_y - s8 * n8_x);
   tau[6] = n7_z;
 
   // link 6 (link3), inertial wrench; links 5 to 7, inward

@@ -57,9 +57,9 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real s8 = sines[0];
 
   // link 8 (link5), articulated inertia
-  const Real t1 = 0.00024215999999999997 * s8;
+  const Real t1 = 0.00024216 * s8;
   const Real t2 = minus_h_8_y * s8;
-  const Real t3 = 0.012916407125949915 * s8;
+  const Real t3 = 0.012916407125949918 * s8;
   const Real t4 = link5_to_6_x * c5;
   const Real t5 = link5_to_6_x * s5;
   const Real t6 = s8 * t1;
@@ -68,12 +68,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real t9 = c8 * t1;
   const Real s56 = s5 * c6 + c5 * s6;
   const Real minus_c56 = s5 * s6 - c5 * c6;
-  const Real t10 = t7 - 0.012916407125949915;
+  const Real t10 = t7 - 0.012916407125949918;
 
   // link 7 (link4), articulated inertia and force propagation
   const Real t11 = c7 * t8;
   const Real t12 = s7 * t8;
-  const Real inverse_D7 = 1.0 / (0.0016 + t6);
+  const Real inverse_D7 = 1.0 / (0.0015999999999999999 + t6);
   const Real t13 = c7 * s56;
   const Real t14 = minus_link6_to_7_x * s56 - minus_link6_to_7_y * minus_c56;
 
@@ -132,12 +132,12 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real t58 = t35 + (t14 * t47 + t15 * t48);
   const Real t59 = t36 - (t14 * t49 + t15 * t47);
   const Real t60 = c7 * t52 + s7 * s34;
-  const Real t61 = 4.484863585399276 * t54;
+  const Real t61 = 4.484863585399277 * t54;
   const Real t62 = s7 * t52 - c7 * s34;
 
   // links 8 (link5) and 9 (link6), force propagation; link 7 (link4), articulated inertia
   const Real t63 = -(link9_to_tool_z * t54);
-  const Real t64 = 4.484863585399276 * t57;
+  const Real t64 = 4.484863585399277 * t57;
   const Real t65 = t16 + t58;
   const Real t66 = t59 - (minus_h_6_x * s56 - minus_h_6_y * minus_c56);
   const Real t67 = J_6_yz * minus_c56 + (t15 * (t39 + t45) - t14 * t40 - t13 * t24);
@@ -146,7 +146,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real t68 = c8 * t56 - s8 * t50;
   const Real t69 = -(link9_to_tool_z * t57);
   const Real t70 = 0.7477264233212907 * t55;
-  const Real t71 = 4.484863585399276 * t62;
+  const Real t71 = 4.484863585399277 * t62;
   const Real t72 = c8 * t60 + s8 * t53;
   const Real t73 = -(link9_to_tool_z * t62);
   const Real t74 = 0.7477264233212907 * t68;
@@ -175,7 +175,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT Lambd
   const Real inverse_D6 = 1.0 / t95;
 
   // links 7 (link4) and 8 (link5), force propagation
-  const Real t98 = t76 - 4.484863585399276 * t89;
+  const Real t98 = t76 - 4.484863585399277 * t89;
   const Lanes<8> t99_lanes = detail::make_pack<Real>(t62, t57, t54, t62, t62, t62, t62, t62) - t17 *
       t90_lanes;
   const Real t101 = -(s8 * t70 + c8 * t82);

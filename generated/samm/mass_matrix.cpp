@@ -93,7 +93,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT 
 
   // link 7 (link4), composite inertia and mass matrix
   const Real t14 = t7 - minus_h_6_x;
-  const Real t15 = s7 * (0.00010000000000000026 + t6);
+  const Real t15 = s7 * (0.00010000000000000005 + t6);
   const Real t16 = minus_link6_to_7_x * t7;
   const Real t17 = c7 * t8 + minus_link6_to_7_y * t7;
   const Real M_5_6 = s7 * t8 + minus_link6_to_7_y * t9;
@@ -126,14 +126,14 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[9], Real (&TREELINE_RESTRICT 
   M[32] = M_2_5;
   M[47] = M_2_5;
   M[48] = M_2_5;
-  const Real M_5_5 = J_6_zz + (0.00129216 - t19 + 2.0 * (0.0012473279999999998 * c8 - t16));
+  const Real M_5_5 = J_6_zz + (0.0012921599999999999 - t19 + 2.0 * (0.001247328 * c8 - t16));
   M[50] = M_5_5;
   const Real t28 = h_5_x * s5 + h_5_y * c5 + t22;
-  const Real t29 = minus_c56 * (2.0 * (t17 - 5.846399999999999e-05 * c8 - minus_J_6_xy)) - s56 *
-      (J_6_xx + (0.0011921599999999998 - t6 + t19 + 0.0024946559999999996 * c8) - t20);
+  const Real t29 = minus_c56 * (2.0 * (t17 - 5.8463999999999995e-05 * c8 - minus_J_6_xy)) - s56 *
+      (J_6_xx + (0.0011921599999999998 - t6 + t19 + 0.002494656 * c8) - t20);
 
   // links 5 (link2) and 8 (link5), mass matrix
-  const Real M_5_7 = 0.00064216 * c7 + (minus_link6_to_7_y * t12 - 5.846399999999999e-05 * s8);
+  const Real M_5_7 = 0.00064216 * c7 + (minus_link6_to_7_y * t12 - 5.8463999999999995e-05 * s8);
   M[52] = M_5_7;
   M[68] = M_5_7;
   const Real M_0_4 = c34 * t28;

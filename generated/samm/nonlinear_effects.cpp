@@ -148,7 +148,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[9], const Real (&TREELI
   const Real f6_z = t11 * t19 - t32;
 
   // links 6 (link3) and 8 (link5), inward
-  const Real minus_n7_z = 9.999999999999994e-05 * t15 + J_7_zz * minus_wd7_z +
+  const Real minus_n7_z = 9.999999999999996e-05 * t15 + J_7_zz * minus_wd7_z +
       (s8 * n8_x + c8 * n8_y);
   h[6] = -minus_n7_z;
   const Real n7_x = J_7_xx * t23 - (s8 * n8_y - c8 * n8_x);

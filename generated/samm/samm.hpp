@@ -151,7 +151,7 @@ void mass_matrix(const Real (&q)[9], Real (&M)[81]) noexcept;
 /// in  qd (9): joint velocities, rad/s, m/s
 /// in  tau (9): joint forces, N m, N
 /// out qdd (9): joint accelerations, rad/s^2, m/s^2
-/// Cost: 638 flops (add 266, mul 366, div 6), sine and cosine of 6 angles.
+/// Cost: 637 flops (add 266, mul 365, div 6), sine and cosine of 6 angles.
 /// Stack, an estimate: 86 values live at once, 688 bytes.
 /// Rounding: at most 2e-09 in qdd (at qdd[8]), 12 ulp of 6e+05, to first order, 4 times what a
 ///   search met.
@@ -191,13 +191,13 @@ void lambda(const Real (&q)[9], Real (&Lambda)[36]) noexcept;
 /// in  qdd_0 (9): joint accelerations that the posture asks for, rad/s^2, m/s^2
 /// in  xdd_cmd (6): commanded accelerations of the task rows, m/s^2, rad/s^2
 /// out tau (9): joint forces, N m, N
-/// Cost: 1116 flops (add 462, mul 643, div 11), sine and cosine of 6 angles.
+/// Cost: 1112 flops (add 459, mul 642, div 11), sine and cosine of 6 angles.
 /// Stack, an estimate: 114 values live at once, 912 bytes.
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
-/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 7e-11 (20 ulp of 2e+04), 9e-10
-///   (500 ulp of 9e+03), 5e-09 (1000 ulp of 2e+04) in tau; more towards singularities.
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 7e-11 (20 ulp of 3e+04), 2e-09
+///   (300 ulp of 2e+04), 5e-09 (600 ulp of 4e+04) in tau; more towards singularities.
 void control_torque(const Real (&q)[9], const Real (&qd)[9], const Real (&qdd_0)[9],
     const Real (&xdd_cmd)[6], Real (&tau)[9]) noexcept;
 

@@ -39,11 +39,11 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_
   const Real link5_to_6_z = 0.11985;
   const Real J_3_yy = 2.08081027531;
   const Real J_4_yy = 0.001315;
+  const Real J_5_yy = 0.00124;
   const Real minus_gravity_z = 9.81;
   const Real link6_to_tool_z = 0.11655;
   const Real J_5_zz = 0.008210591037500001;
   const Real J_5_xx = 0.0069705910375000004;
-  const Real J_5_yy = 0.00124;
   const Real J_4_zz = 0.0397298163875;
 
   // sines and cosines
@@ -81,7 +81,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_
   const Real t12 = minus_link3_to_4_x * c23;
   const Real t13 = minus_h_3_x * s23;
   const Real t14 = minus_h_3_x * c23;
-  const Real t15 = 0.041592816387499995 + t9;
+  const Real t15 = 0.0415928163875 + t9;
   const Real t16 = J_3_xz * s23;
   const Real c234 = c23 * c4 - s23 * s4;
   const Real s234 = s23 * c4 + c23 * s4;
@@ -160,8 +160,8 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_
   const Real t70 = t38 * s234 - t39 * c234 - t53 * t40;
   const Real t71 = t53 * t47 - (t39 * t23 + t38 * t25);
   const Real t72 = t39 * t22 + t38 * t33 - t53 * t58;
-  const Real t73 = 0.0085220910375 + t66 - s234 * (s234 * (0.0012399999999999998 + t9) +
-      0.021392421525 * t25) + 0.031809629475 * c5;
+  const Real t73 = 0.0085220910375 + t66 - s234 * (s234 * (J_5_yy + t9) + 0.021392421525 * t25) +
+      0.031809629475 * c5;
   const Real t74 = t64 * t65;
   const Real t75 = t67 * t65;
   const Real t76 = t69 * t65;
@@ -307,7 +307,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_
 
   // link 1 (shoulder), mass matrix; link 6 (wrist_3), inertial wrench
   const Real t167 = t164 + (t121 - t124) * s5;
-  const Real n6_z = J_6_zz * wd6_z - 0.0006230000000000001 * (s5 * t136 + c5 * t137 + wd6_z);
+  const Real n6_z = J_6_zz * wd6_z - J_6_zz * (s5 * t136 + c5 * t137 + wd6_z);
   tau[5] = n6_z;
   const Real t168 = t166 * t163 / (7.52316384526264e-37 + t166 * t166);
   const Lanes<8> t169_lanes = t159_lanes * t168;
@@ -384,7 +384,7 @@ void control_torque(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELINE_
   const Real t197 = t196 + t12 * f4_z + t7 * f3_z + (c5 * n5_x - s5 * n5_y - J_4_yz * t165) * s234;
   const Real n1_z = t197 + t66 * qdd_0[0];
   tau[0] = n1_z;
-  const Real n2_z = J_2_zz * qdd_0[1] + qdd_0[0] * t8 + t94 * t149 - 81.98859064500002 * c2 +
+  const Real n2_z = J_2_zz * qdd_0[1] + qdd_0[0] * t8 + t94 * t149 - 81.988590645 * c2 +
       (n3_z + (t6 * f3_x - t7 * f3_y));
   tau[1] = n2_z;
 }

@@ -71,7 +71,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
   const Real t13 = minus_h_3_x * s23;
 
   // link 5 (wrist_2), composite inertia; links 1 and 2, 4, outward
-  const Real t14 = 0.041592816387499995 + t8;
+  const Real t14 = 0.0415928163875 + t8;
   const Real t15 = qd[1] * qd[1];
   const Real t16 = minus_h_3_x * c23;
   const Real wd4_x = qd[0] * w4_z;
@@ -210,7 +210,7 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
   // links 1, 4 and 5, inward; link 1 (shoulder), mass matrix
   const Real n3_z = t17 * t67 + (t13 * a3_x - t16 * a3_y) + (n4_z + (t10 * f4_x - t11 * f4_y));
   const Real t82 = tau[4] - n5_z;
-  const Real t83 = 0.0098370910375 + (6.991093406097501 - s2 * t54 - s23 * t64) + 0.031809629475 *
+  const Real t83 = 0.0098370910375 + (6.9910934060975 - s2 * t54 - s23 * t64) + 0.031809629475 *
       c5 - t26 * t51;
   const Real t84 = t79 - t70 * t74;
   const Real t85 = t71 + t49 * t67 + t16 * minus_a3_z - t72 * t65 - t20 * minus_a4_z;
@@ -224,12 +224,12 @@ void forward_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
 
   // link 1 (shoulder), inward and mass matrix
   const Real t89 = tau[3] - n4_z - t81 + t5 * t82;
-  const Real t90 = tau[1] - t17 * t58 + 81.98859064500002 * c2 - t87 - t6 * f3_x + t7 * f3_y;
+  const Real t90 = tau[1] - t17 * t58 + 81.988590645 * c2 - t87 - t6 * f3_x + t7 * f3_y;
   const Real t91 = t85 + c234 * n5_z - link4_to_5_z * t66 - t11 * f4_z - t7 * f3_z;
   const Real t92 = t83 - t77 * t63 - t80 * t69 - t86 * t74 - t88 * t84;
   const Real t93 = tau[2] - t87 - t36 * t82 - t47 * t89;
   const Real t94 = t92 - 2.0 * (t30 + t33) + (t60 -
-      (s234 * (0.0012399999999999998 + t8) + c234 * (0.021392421525 * s5))) * s234;
+      (s234 * (J_5_yy + t8) + c234 * (0.021392421525 * s5))) * s234;
 
   // link 1 (shoulder), inward
   const Real t95 = t90 - t46 * t82 - t55 * t89 - t70 * t93;

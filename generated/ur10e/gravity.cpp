@@ -44,11 +44,11 @@ void gravity(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT g)[6
   g[3] = n4_z;
 
   // links 3 (forearm) and 4 (wrist_1), inward
-  const Real n3_z = n4_z - 39.298665762 * c23;
+  const Real n3_z = n4_z - 39.298665762000006 * c23;
   g[2] = n3_z;
   const Real n3_y = c234 * minus_n5_z - t1 * minus_n5_x;
   g[0] = n3_y;
-  const Real n2_z = n3_z - 81.98859064500002 * c2;
+  const Real n2_z = n3_z - 81.988590645 * c2;
   g[1] = n2_z;
 }
 

@@ -6,4 +6,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.9.0 ur10e sha256 "
-    "c5163665c2d76e5c3fa5a21aa178d150ebcaa54e27a8c08e78e1cff05f41c5ff";
+    "3766074762575e40c71b474c19fd86030712037183e0b69d6dcc133997c711f3";

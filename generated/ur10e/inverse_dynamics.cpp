@@ -171,7 +171,7 @@ void inverse_dynamics(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELIN
 
   // links 2 (upper_arm) and 3 (forearm), inward
   const Real t41 = t36 - t9 * t20 + J_3_xz * t8 * c23 + t21 * a3_z + s234 * n4_x;
-  const Real n2_z = J_2_zz * qdd[1] + qdd[0] * t7 + t4 * t14 - 81.98859064500002 * c2 +
+  const Real n2_z = J_2_zz * qdd[1] + qdd[0] * t7 + t4 * t14 - 81.988590645 * c2 +
       (n3_z + (t2 * f3_x - t3 * f3_y));
   tau[1] = n2_z;
   const Real n1_z = t41 + c234 * n4_y + t12 * f4_z + t3 * f3_z +

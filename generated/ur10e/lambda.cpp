@@ -34,6 +34,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real J_2_xz = 1.156008191975;
   const Real link6_to_tool_z = 0.11655;
   const Real link5_to_6_z = 0.11985;
+  const Real J_5_yy = 0.00124;
 
   // sines and cosines
   const Real angles[5] = {q[4], q[1], q[2], q[3], q[0]};
@@ -68,7 +69,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real t10 = link6_to_tool_z * s5;
   const Real t11 = minus_link3_to_4_x * s23;
   const Real t12 = minus_link3_to_4_x * c23;
-  const Real t13 = 0.041592816387499995 + t8;
+  const Real t13 = 0.0415928163875 + t8;
   const Real c234 = c23 * c4 - s23 * s4;
   const Real s234 = s23 * c4 + c23 * s4;
   const Real t14 = s234 * t2;
@@ -127,7 +128,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Real t53 = c5 * t18;
   const Real t55 = link5_to_6_z * s234 - c234 * t10;
   const Real t56 = t51 * t23;
-  const Real t57 = 0.0098370910375 + (6.991093406097501 - s2 * (4.36318718615 * s2) - s23 *
+  const Real t57 = 0.0098370910375 + (6.9910934060975 - s2 * (4.36318718615 * s2) - s23 *
       (2.07831527531 * s23)) + 0.031809629475 * c5;
   const Real t58 = s1 - c5 * t34;
   const Real t59 = t45 - t35 * t38 - t47 * t48;
@@ -152,7 +153,7 @@ void lambda(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT Lambd
   const Lanes<8> t73_lanes = detail::make_pack<Real>(t60 * c1, t60 * s1, t63, t60 * c1, t60 * c1,
       t53, t60 * c1, t60 * c1) + t35 * detail::make_pack<Real>(t44, t43, t26, t44, t44, c234, t44,
       t44);
-  const Real t74 = (0.037099816387500005 * s234 - (s234 * (0.0012399999999999998 + t8) + c234 *
+  const Real t74 = (0.037099816387500005 * s234 - (s234 * (J_5_yy + t8) + c234 *
       (0.021392421525 * s5))) * s234;
   const Lanes<8> t77_lanes = detail::make_pack<Real>(t73_lanes[0], t73_lanes[1], t73_lanes[2], t58 -
       t35 * t46, t73_lanes[0], t73_lanes[5], t73_lanes[0], t73_lanes[0]) - t47 *

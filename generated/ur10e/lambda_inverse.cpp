@@ -30,6 +30,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[6],
   const Real J_2_zz = 4.3866871861500005;
   const Real J_3_xz = 0.5656542411875001;
   const Real J_2_xz = 1.156008191975;
+  const Real J_5_yy = 0.00124;
   const Real link6_to_tool_z = 0.11655;
   const Real link5_to_6_z = 0.11985;
 
@@ -65,7 +66,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[6],
   const Real t11 = 1.0 - t3;
   const Real t12 = minus_link3_to_4_x * s23;
   const Real t13 = minus_link3_to_4_x * c23;
-  const Real t14 = 0.041592816387499995 + t9;
+  const Real t14 = 0.0415928163875 + t9;
   const Real c234 = c23 * c4 - s23 * s4;
   const Real s234 = s23 * c4 + c23 * s4;
   const Real t15 = s234 * t2;
@@ -93,7 +94,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[6],
   const Real t30 = 1605.1364365971108 * c5;
   const Real t31 = s234 * c5 * t1 + link4_to_5_z * t15 + (J_4_yz + t5) * c234;
   const Real t32 = link6_to_tool_z * t18;
-  const Real t33 = 0.0098370910375 + (6.991093406097501 - s2 * (4.36318718615 * s2) - s23 *
+  const Real t33 = 0.0098370910375 + (6.9910934060975 - s2 * (4.36318718615 * s2) - s23 *
       (2.07831527531 * s23)) + 0.031809629475 * c5;
   const Real t34 = 117.34209310833121 * t29;
   const Real t35 = t29 + (t8 * t16 - t7 * t17);
@@ -184,8 +185,7 @@ void lambda_inverse(const Real (&TREELINE_RESTRICT q)[6],
   const Real t102 = t50 * t65 + t68 * t88 + t91 * t95;
   const Real t103 = t95 * t84;
   const Real t104 = t78 - t91 * t77 - 2.0 * (t24 + t28) +
-      (0.037099816387500005 * s234 - (s234 * (0.0012399999999999998 + t9) + 0.021392421525 * t19)) *
-      s234;
+      (0.037099816387500005 * s234 - (s234 * (J_5_yy + t9) + 0.021392421525 * t19)) * s234;
   const Real t105 = t47 * t22 * t47 + t64 * t58 * t64 + t83 * t84 * t83;
   const Real t106 = 1.0 / t104;
   const Real t107 = t96 * t106;

@@ -27,6 +27,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT 
   const Real link4_to_5_z = 0.17415;
   const Real J_4_yz = 0.0585962731125;
   const Real minus_link2_to_3_x = 0.6127;
+  const Real J_5_yy = 0.00124;
   const Real J_3_xz = 0.5656542411875001;
   const Real J_3_zz = 2.08330527531;
   const Real J_2_xz = 1.156008191975;
@@ -74,7 +75,7 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT 
   const Real t6 = s5 * t2;
   const Real t7 = minus_link3_to_4_x * c23;
   const Real t8 = minus_link3_to_4_x * s23;
-  const Real M_3_3 = 0.041592816387499995 + t6;
+  const Real M_3_3 = 0.0415928163875 + t6;
   M[21] = M_3_3;
   const Real s234 = s23 * c4 + c23 * s4;
   const Real c234 = c23 * c4 - s23 * s4;
@@ -89,11 +90,11 @@ void mass_matrix(const Real (&TREELINE_RESTRICT q)[6], Real (&TREELINE_RESTRICT 
 
   // links 2 to 4, composite inertia
   const Real t15 = t7 * t13;
-  const Real t16 = 0.0098370910375 + (6.991093406097501 - s2 * (4.36318718615 * s2) - s23 *
+  const Real t16 = 0.0098370910375 + (6.9910934060975 - s2 * (4.36318718615 * s2) - s23 *
       (2.07831527531 * s23)) + 0.031809629475 * c5;
   const Real t17 = t3 * (t13 - minus_h_3_x * c23);
   const Real t18 = t8 * t14 - t15;
-  const Real t19 = (0.037099816387500005 * s234 - (s234 * (0.0012399999999999998 + t6) + c234 *
+  const Real t19 = (0.037099816387500005 * s234 - (s234 * (J_5_yy + t6) + c234 *
       (0.021392421525 * s5))) * s234;
 
   // link 6 (wrist_3), mass matrix; link 5 (wrist_2), composite inertia

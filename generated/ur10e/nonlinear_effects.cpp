@@ -145,7 +145,7 @@ void nonlinear_effects(const Real (&TREELINE_RESTRICT q)[6], const Real (&TREELI
   const Real n2_y = t33 + link4_to_5_z * t32 + t10 * f4_z + t4 * f3_z +
       (c5 * n5_x - s5 * n5_y - J_4_yz * t13) * s234;
   h[0] = n2_y;
-  const Real n2_z = t1 * t9 - 81.98859064500002 * c2 + (n3_z + (t3 * f3_x - t4 * f3_y));
+  const Real n2_z = t1 * t9 - 81.988590645 * c2 + (n3_z + (t3 * f3_x - t4 * f3_y));
   h[1] = n2_z;
 }
 

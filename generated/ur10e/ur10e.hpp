@@ -199,7 +199,7 @@ void lambda(const Real (&q)[6], Real (&Lambda)[36]) noexcept;
 /// Singularities: finite everywhere; a row that those before it leave nothing to move with yields,
 ///   smoothly and alone, where its inverse inertia falls below 8e-6 of what is ordinary, and is
 ///   exact to rounding above 1e-3.
-/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 3e-11 (100 ulp of 2e+03), 2e-09
+/// Rounding: in 50, 90, 99 of 100 states, to first order, at most 3e-11 (200 ulp of 2e+03), 2e-09
 ///   (2000 ulp of 5e+03), 2e-06 (200000 ulp of 4e+04) in tau; more towards singularities.
 void control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[6], Real (&tau)[6]) noexcept;

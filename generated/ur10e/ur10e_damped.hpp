@@ -21,8 +21,8 @@ inline constexpr Real kHeaviest[kTaskRows] = {200.0, 200.0, 200.0, 5.0, 5.0, 5.0
 /// Cost: 5251 flops (add 2016, mul 3073, div 162), 130 square roots, sine and cosine of 19 angles;
 ///   4247 of the flops in the solve.
 /// Stack, an estimate: 429 values live at once, 3432 bytes.
-/// Rounding: in 50, 90, 99 of 100 states, as measured, at most 4e-11, 7e-10, 2e-09 in tau; 3e-13,
-///   9e-13, 2e-12 in the ease.
+/// Rounding: in 50, 90, 99 of 100 states, as measured, at most 4e-11, 4e-10, 2e-09 in tau; 3e-13,
+///   1e-12, 2e-12 in the ease.
 inline Real damped_control_torque(const Real (&q)[6], const Real (&qd)[6], const Real (&qdd_0)[6],
     const Real (&xdd_cmd)[kTaskRows], Real (&tau)[kVelocities], const Real (&heaviest)[kTaskRows] =
     kHeaviest) noexcept {

@@ -7,8 +7,9 @@
 namespace treeline {
 namespace {
 
-std::uint32_t copy_node(const Graph& from, Node node, const std::vector<std::uint32_t>& place,
-                        Graph& to) {
+std::uint32_t copy_node(const Graph& from, std::uint32_t index,
+                        const std::vector<std::uint32_t>& place, Graph& to) {
+  Node node = from.nodes()[index];
   if (node.op == Op::input) {
     return to.input(from.inputs()[node.a]).node();
   }
@@ -16,7 +17,7 @@ std::uint32_t copy_node(const Graph& from, Node node, const std::vector<std::uin
     node.a = place[node.a];
     node.b = place[node.b];
   }
-  return to.intern(node);
+  return to.intern(node, from.rest_of(index));
 }
 
 /// Opens a section in `to` if `section` is not the open one.
@@ -101,7 +102,7 @@ Program rebuild(const Program& program, std::span<const std::uint32_t> order) {
   SectionWriter sections(from, to);
   for (const std::uint32_t i : order) {
     sections.enter(i);
-    place[i] = copy_node(from, from.nodes()[i], place, to);
+    place[i] = copy_node(from, i, place, to);
     if (from.names().contains(i)) to.name({place[i], false}, from.names().of(i));
   }
   to.keep_lanes_of(from);

@@ -15,8 +15,7 @@ Expression Rewriter::copy(std::uint32_t node) const {
   const Node& old = program_.graph.nodes()[node];
   switch (old.op) {
     case Op::constant:
-      return limb_constant(old).slot == 0 ? Expression(old.value)
-                                          : Expression(Graph::current().intern(old), false);
+      return {Graph::current().intern(old, program_.graph.rest_of(node)), false};
     case Op::input:
       return Graph::current().input(program_.graph.inputs()[old.a]);
     case Op::add:

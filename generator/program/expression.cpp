@@ -35,8 +35,9 @@ Expression make_commuting(Op op, Expression a, Expression b) {
 /// An expression as coefficient * base. Anything but a product with an ordinary constant is its own
 /// base.
 struct Multiple {
-  double coefficient;
+  double coefficient;  // rounded
   Expression base;
+  std::uint32_t factor = kNoNode;  // the constant; none where the coefficient is 1 or -1
 };
 
 /// Sums and differences take most of the time that a trace takes. This is what they call most.
@@ -46,7 +47,7 @@ Multiple as_multiple(const std::vector<Node>& nodes, Expression e) {
   if (node.op == Op::mul) {
     const Node& factor = nodes[node.a];
     if (factor.op == Op::constant && limb_constant(factor).slot == 0) {
-      return {sign * factor.value, {node.b, false}};
+      return {sign * factor.value, {node.b, false}, node.a};
     }
   }
   return {sign, unsigned_of(e)};
@@ -54,6 +55,11 @@ Multiple as_multiple(const std::vector<Node>& nodes, Expression e) {
 
 Multiple as_multiple(Expression e) {
   return as_multiple(Graph::current().nodes(), e);
+}
+
+DoubleDouble exact_coefficient(const Multiple& multiple) {
+  if (multiple.factor == kNoNode) return multiple.coefficient;
+  return Expression(multiple.factor, multiple.coefficient < 0).exact_constant();
 }
 
 /// The two signed terms of a sum or difference.
@@ -103,8 +109,8 @@ bool add_for_free(Expression a, const Added& b, Expression& result) {
   }
   const Multiple m = as_multiple(nodes, a);
   if (m.base != b.multiple.base) return false;
-  const double coefficient = m.coefficient + b.multiple.coefficient;
-  if (coefficient != 0 && std::fabs(coefficient) != 1) return false;
+  const DoubleDouble coefficient = exact_coefficient(m) + exact_coefficient(b.multiple);
+  if (coefficient.value != 0 && std::fabs(coefficient.value) != 1) return false;
   result = Expression(coefficient) * m.base;
   return true;
 }
@@ -213,12 +219,15 @@ Expression divide_constant(Expression c, Expression x) {
 
 /// Constants are stored without sign. Both zeros are node 0, which has no sign: a zero that is
 /// known while generating is structural and not the outcome of a rounding.
-Expression::Expression(double value) {
-  if (value != 0) {
-    node_ = Graph::current().intern({Op::constant, 0, 0, std::fabs(value)});
-    negative_ = std::signbit(value);
+Expression::Expression(const DoubleDouble& value) {
+  if (value.value != 0) {
+    negative_ = std::signbit(value.value);
+    node_ = Graph::current().intern({Op::constant, 0, 0, std::fabs(value.value)},
+                                    negative_ ? -value.rest : value.rest);
   }
 }
+
+Expression::Expression(double value) : Expression(DoubleDouble(value)) {}
 
 LimbConstant limb_constant(const Node& node) {
   constexpr std::uint32_t kLowHalf = 0xffff;
@@ -242,6 +251,12 @@ double Expression::constant() const {
   return is_zero() ? 0 : (negative_ ? -1 : 1) * look(*this).value;
 }
 
+DoubleDouble Expression::exact_constant() const {
+  if (is_zero()) return 0;
+  const DoubleDouble size(look(*this).value, Graph::current().rest_of(node_));
+  return negative_ ? -size : size;
+}
+
 Expression operator+(Expression a, Expression b) {
   if (a.is_zero()) {  // 0 + x -> x
     return b;
@@ -255,11 +270,11 @@ Expression operator+(Expression a, Expression b) {
   const Multiple m = as_multiple(a);
   const Multiple n = as_multiple(b);
   if (m.base == n.base) {  // c x + d x -> (c + d) x; so x - x -> 0, x + x -> 2 x
-    return Expression(m.coefficient + n.coefficient) * m.base;
+    return Expression(exact_coefficient(m) + exact_coefficient(n)) * m.base;
   }
   if (m.coefficient == n.coefficient &&
       (is_pythagorean(m.base, n.base) || is_pythagorean(n.base, m.base))) {
-    return {m.coefficient};  // c sin^2 x + c cos^2 x -> c
+    return exact_coefficient(m);  // c sin^2 x + c cos^2 x -> c
   }
   Expression merged;
   if (merge_into_sum(a, {b, n}, merged) || merge_into_sum(b, {a, m}, merged) ||
@@ -319,7 +334,7 @@ Expression operator/(Expression a, Expression b) {
   const Multiple m = as_multiple(a);
   const Multiple n = as_multiple(b);
   if (m.base == n.base) {  // (c x) / (d x) -> c / d
-    return with_sign(m.coefficient / n.coefficient, negative);
+    return with_sign(exact_coefficient(m) / exact_coefficient(n), negative);
   }
   Expression other;
   if (remove_factor(look(a), b, other)) {  // (x y) / y -> x

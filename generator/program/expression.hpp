@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "program/double_double.hpp"
 #include "program/node_names.hpp"
 #include "program/section_title.hpp"
 
@@ -78,6 +79,7 @@ class Expression {
  public:
   Expression() = default;    // the constant 0
   Expression(double value);  // NOLINT: implicit on purpose, because Expression is a Scalar
+  Expression(const DoubleDouble& value);  // NOLINT: as above
   Expression(std::uint32_t node, bool negative) : node_(node), negative_(negative && node != 0) {}
 
   [[nodiscard]] std::uint32_t node() const { return node_; }
@@ -88,6 +90,8 @@ class Expression {
   [[nodiscard]] bool is_limb_constant() const;
   /// Value of a constant, including its sign.
   [[nodiscard]] double constant() const;
+  /// The same before it was rounded.
+  [[nodiscard]] DoubleDouble exact_constant() const;
 
   Expression operator-() const { return is_zero() ? *this : Expression(node_, !negative_); }
   Expression& operator+=(Expression other) { return *this = *this + other; }
@@ -159,7 +163,11 @@ class Graph {
     index_.reserve(nodes_, nodes);
   }
   /// Index of the node, which is added if it is new. Its operands must be in canonical order.
-  std::uint32_t intern(Node node);
+  /// `rest`: what rounding left of a constant. Constants that are equal once rounded are one node,
+  /// with the rest of the first.
+  std::uint32_t intern(Node node, double rest = 0);
+  /// What rounding left of the constant at this node.
+  [[nodiscard]] double rest_of(std::uint32_t node) const;
   [[nodiscard]] bool contains(const Node& node) const {
     return index_.find(nodes_, node) != NodeIndex::kNone;
   }
@@ -237,6 +245,7 @@ class Graph {
   void append_lane(std::uint32_t node);
 
   std::vector<Node> nodes_;
+  std::vector<std::pair<std::uint32_t, double>> rests_;  // of constants that have one, by node
   std::vector<std::string> inputs_;
   NodeIndex index_;
   NodeNames names_;

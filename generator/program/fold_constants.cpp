@@ -31,7 +31,7 @@ std::uint32_t slot_of(Op op, Expression a, Expression b) {
 
 /// Makes the constant `value` from two constants. If one of them belongs to a limb, the result does
 /// too; constants of different limbs give an ordinary one. `b` keeps its sign in the slot.
-Expression fold(Op op, double value, Expression a, Expression b) {
+Expression fold(Op op, const DoubleDouble& value, Expression a, Expression b) {
   const LimbConstant of_a = limb_constant(look(a));
   const LimbConstant of_b = limb_constant(look(b));
   const LimbConstant& own = of_a.slot != 0 ? of_a : of_b;
@@ -40,9 +40,8 @@ Expression fold(Op op, double value, Expression a, Expression b) {
   if (own.slot == 0 || mixed) {
     return {value};
   }
-  return {
-      Graph::current().intern(make_limb_constant({slot_of(op, a, b), own.limb, own.limbs}, value)),
-      false};
+  const LimbConstant folded{slot_of(op, a, b), own.limb, own.limbs};
+  return {Graph::current().intern(make_limb_constant(folded, value.value), value.rest), false};
 }
 
 }  // namespace
@@ -58,10 +57,10 @@ Expression fold_sum(Expression a, Expression b) {
   if (key_of(b) < key_of(a)) {
     std::swap(a, b);
   }
-  const Expression sum =
-      fold(Op::add, look(a).value + (a.negative() == b.negative() ? 1 : -1) * look(b).value,
-           unsigned_of(a), with_sign(b, a.negative()));
-  return with_sign(sum, a.negative());
+  const bool negative = a.negative();
+  a = unsigned_of(a);
+  b = with_sign(b, negative);
+  return with_sign(fold(Op::add, a.exact_constant() + b.exact_constant(), a, b), negative);
 }
 
 Expression fold_product(Expression a, Expression b) {
@@ -76,13 +75,14 @@ Expression fold_product(Expression a, Expression b) {
       return with_sign(other, negative);
     }
   }
-  return with_sign(fold(Op::mul, look(a).value * look(b).value, a, b), negative);
+  return with_sign(fold(Op::mul, a.exact_constant() * b.exact_constant(), a, b), negative);
 }
 
 Expression fold_quotient(Expression a, Expression b) {
   const bool negative = a.negative() != b.negative();
-  return with_sign(fold(Op::div, look(a).value / look(b).value, unsigned_of(a), unsigned_of(b)),
-                   negative);
+  a = unsigned_of(a);
+  b = unsigned_of(b);
+  return with_sign(fold(Op::div, a.exact_constant() / b.exact_constant(), a, b), negative);
 }
 
 }  // namespace treeline

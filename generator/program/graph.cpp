@@ -64,8 +64,18 @@ Expression Graph::input(std::string name) {
   return {intern({Op::input, index, 0, 0}), false};
 }
 
-std::uint32_t Graph::intern(Node node) {
-  return index_.find_or_add(nodes_, node);
+std::uint32_t Graph::intern(Node node, double rest) {
+  const std::size_t before = nodes_.size();
+  const std::uint32_t index = index_.find_or_add(nodes_, node);
+  if (rest != 0 && index == before) rests_.emplace_back(index, rest);
+  return index;
+}
+
+double Graph::rest_of(std::uint32_t node) const {
+  const auto found = std::lower_bound(rests_.begin(), rests_.end(), node,
+                                      [](const std::pair<std::uint32_t, double>& each,
+                                         std::uint32_t at) { return each.first < at; });
+  return found != rests_.end() && found->first == node ? found->second : 0;
 }
 
 void Graph::name(Expression value, std::string_view identifier) {

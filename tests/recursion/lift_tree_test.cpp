@@ -71,7 +71,7 @@ TEST(LiftTree, IsTheTreeOfTheMechanism) {
     const RandomMechanism drawn = random_mechanism(seed, options);
     Mechanism mechanism = reduced_mechanism(drawn.robot, drawn.scene);
     mechanism.limbs = find_limbs(mechanism, 8);
-    const auto constants = constant_tree<double>(mechanism);
+    const auto constants = constant_tree<DoubleDouble>(mechanism);
     mechanism.links.back().defers_rotation = true;
     const auto expected = in_new_graph([&] { return constant_tree<Expression>(mechanism); });
     const auto lifted = in_new_graph([&] { return lift_tree(constants, mechanism); });

@@ -124,7 +124,7 @@ class Tracer {
       : mechanism_(mechanism),
         function_(function),
         lanes_(lanes_of(function, lanes)),
-        constants_(constant_tree<double>(*seen_by(function, mechanism))),
+        constants_(constant_tree<DoubleDouble>(*seen_by(function, mechanism))),
         names_(std::make_shared<const ConstantNames>(name_constants(constants_))) {}
 
   [[nodiscard]] std::vector<Route> routes() const {
@@ -221,7 +221,7 @@ class Tracer {
   const Mechanism& mechanism_;
   Function function_;
   int lanes_;
-  Tree<double> constants_;
+  Tree<DoubleDouble> constants_;
   std::shared_ptr<const ConstantNames> names_;
 };
 

@@ -3,36 +3,36 @@
 namespace treeline {
 namespace {
 
-Vector3<Expression> lift(const Vector3<double>& v) {
+Vector3<Expression> lift(const Vector3<DoubleDouble>& v) {
   return {v.x, v.y, v.z};
 }
 
-Matrix3<Expression> lift(const Matrix3<double>& A) {
+Matrix3<Expression> lift(const Matrix3<DoubleDouble>& A) {
   return {lift(A.row_x), lift(A.row_y), lift(A.row_z)};
 }
 
-Symmetric3<Expression> lift(const Symmetric3<double>& A) {
+Symmetric3<Expression> lift(const Symmetric3<DoubleDouble>& A) {
   return {A.xx, A.xy, A.xz, A.yy, A.yz, A.zz};
 }
 
-PlanarRotation<Expression> lift(const PlanarRotation<double>& r) {
+PlanarRotation<Expression> lift(const PlanarRotation<DoubleDouble>& r) {
   return {r.c, r.s};
 }
 
-Rotation<Expression> lift(const Rotation<double>& R) {
+Rotation<Expression> lift(const Rotation<DoubleDouble>& R) {
   return {lift(R.a), lift(R.alpha), lift(R.b)};
 }
 
-TreeInertia<Expression> lift(const TreeInertia<double>& inertia) {
+TreeInertia<Expression> lift(const TreeInertia<DoubleDouble>& inertia) {
   return {inertia.mass, lift(inertia.h), lift(inertia.Sigma), lift(inertia.J)};
 }
 
-TreeDrive<Expression> lift(const TreeDrive<double>& drive) {
+TreeDrive<Expression> lift(const TreeDrive<DoubleDouble>& drive) {
   return {drive.inertia,   drive.damping,   drive.friction,
           drive.sharpness, drive.stiffness, drive.rest};
 }
 
-TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choices) {
+TreeLink<Expression> lift(const TreeLink<DoubleDouble>& link, const MovingLink& choices) {
   return {link,
           link.name,
           link.parent,
@@ -49,18 +49,19 @@ TreeLink<Expression> lift(const TreeLink<double>& link, const MovingLink& choice
           lift(link.drive)};
 }
 
-TreePoint<Expression> lift(const TreePoint<double>& point) {
+TreePoint<Expression> lift(const TreePoint<DoubleDouble>& point) {
   return {point.name, point.link, lift(point.R), lift(point.p),
           point.axes, point.rows, point.priority};
 }
 
-std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<double>>& points) {
+std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<DoubleDouble>>& points) {
   std::vector<TreePoint<Expression>> lifted;
-  for (const TreePoint<double>& point : points) lifted.push_back(lift(point));
+  for (const TreePoint<DoubleDouble>& point : points) lifted.push_back(lift(point));
   return lifted;
 }
 
-std::optional<TreeRolling<Expression>> lift(const std::optional<TreeRolling<double>>& rolling) {
+std::optional<TreeRolling<Expression>> lift(
+    const std::optional<TreeRolling<DoubleDouble>>& rolling) {
   if (!rolling) return std::nullopt;
   TreeRolling<Expression> lifted{rolling->radius, std::nullopt, std::nullopt};
   if (rolling->axis) lifted.axis = lift(*rolling->axis);
@@ -68,13 +69,13 @@ std::optional<TreeRolling<Expression>> lift(const std::optional<TreeRolling<doub
   return lifted;
 }
 
-TreeLoop<Expression> lift(const TreeLoop<double>& loop) {
+TreeLoop<Expression> lift(const TreeLoop<DoubleDouble>& loop) {
   return {lift(loop.first), lift(loop.second), lift(loop.rolling)};
 }
 
 }  // namespace
 
-Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mechanism) {
+Tree<Expression> lift_tree(const Tree<DoubleDouble>& constants, const Mechanism& mechanism) {
   Tree<Expression> tree;
   for (std::size_t i = 0; i < constants.links.size(); ++i) {
     tree.links.push_back(lift(constants.links[i], mechanism.links[i]));
@@ -82,11 +83,11 @@ Tree<Expression> lift_tree(const Tree<double>& constants, const Mechanism& mecha
   tree.operational_points = lift(constants.operational_points);
   tree.external_forces = lift(constants.external_forces);
   tree.contacts = lift(constants.contacts);
-  for (const TreeLoop<double>& loop : constants.loops) tree.loops.push_back(lift(loop));
+  for (const TreeLoop<DoubleDouble>& loop : constants.loops) tree.loops.push_back(lift(loop));
   tree.couplings = constants.couplings;
   tree.link_frames = lift(constants.link_frames);
   tree.payload_frames = lift(constants.payload_frames);
-  for (const TreeMatter<double>& matter : constants.link_matter) {
+  for (const TreeMatter<DoubleDouble>& matter : constants.link_matter) {
     tree.link_matter.push_back({matter.link, matter.mass, lift(matter.h)});
   }
   tree.world_moment = lift(constants.world_moment);

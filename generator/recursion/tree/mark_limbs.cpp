@@ -77,9 +77,9 @@ class Marker {
     const auto limbs = static_cast<std::uint32_t>(of_limbs.size());
     for (std::uint32_t limb = 0; limb < limbs; ++limb) {
       Expression& constant = *of_limbs[limb][i];
-      constant = {
-          Graph::current().intern(make_limb_constant({slot_, limb, limbs}, constant.constant())),
-          false};
+      const DoubleDouble exact = constant.exact_constant();
+      const Node node = make_limb_constant({slot_, limb, limbs}, exact.value);
+      constant = {Graph::current().intern(node, exact.rest), false};
     }
   }
 

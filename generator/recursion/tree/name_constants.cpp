@@ -11,20 +11,20 @@ namespace {
 
 class Namer {
  public:
-  void add(double value, const std::string& name) {
-    const double size = std::abs(value);
-    const std::string own = (value < 0 ? "minus_" : "") + name;
+  void add(const DoubleDouble& number, const std::string& name) {
+    const double size = std::abs(number.value);
+    const std::string own = (number.value < 0 ? "minus_" : "") + name;
     const auto [place, is_new] = names_.try_emplace(size, own);
     if (!is_new && place->second != own) ambiguous_.insert(size);
   }
 
-  void add(const Vector3<double>& v, const std::string& name) {
+  void add(const Vector3<DoubleDouble>& v, const std::string& name) {
     add(v.x, name + "_x");
     add(v.y, name + "_y");
     add(v.z, name + "_z");
   }
 
-  void add(const Symmetric3<double>& A, const std::string& name) {
+  void add(const Symmetric3<DoubleDouble>& A, const std::string& name) {
     add(A.xx, name + "_xx");
     add(A.xy, name + "_xy");
     add(A.xz, name + "_xz");
@@ -46,7 +46,7 @@ class Namer {
   std::set<double> ambiguous_;
 };
 
-void add_link(const TreeLink<double>& link, std::size_t number, Namer& namer) {
+void add_link(const TreeLink<DoubleDouble>& link, std::size_t number, Namer& namer) {
   const std::string before = link.parent < 0 ? "base" : fmt::format("link{}", link.parent + 1);
   namer.add(link.p, fmt::format("{}_to_{}", before, number));
   namer.add(link.inertia.mass, fmt::format("mass_{}", number));
@@ -60,11 +60,11 @@ void add_link(const TreeLink<double>& link, std::size_t number, Namer& namer) {
 
 }  // namespace
 
-ConstantNames name_constants(const Tree<double>& tree) {
+ConstantNames name_constants(const Tree<DoubleDouble>& tree) {
   Namer namer;
   namer.add(tree.gravity, "gravity");
   for (std::size_t i = 0; i < tree.links.size(); ++i) add_link(tree.links[i], i + 1, namer);
-  for (const TreePoint<double>& point : tree.operational_points) {
+  for (const TreePoint<DoubleDouble>& point : tree.operational_points) {
     namer.add(point.p, fmt::format("link{}_to_{}", point.link + 1, point.name));
   }
   return namer.take();

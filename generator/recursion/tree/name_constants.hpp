@@ -10,6 +10,6 @@ namespace treeline {
 /// in the frame before, `rotor_3`; `minus_gravity_z` where the number is negative. A link's numbers
 /// are those of all that is fixed to it, less what its joint does not feel, which is counted with
 /// the link before.
-ConstantNames name_constants(const Tree<double>& tree);
+ConstantNames name_constants(const Tree<DoubleDouble>& tree);
 
 }  // namespace treeline

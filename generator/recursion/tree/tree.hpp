@@ -94,12 +94,15 @@ struct Tree {
   bool has_world_matter = false;  ///< matter fixed to the world counts for the centre of mass
 };
 
-/// The nearest double, as in emitted code. For Digits50 the value itself, so that tests can show
-/// that reductions change nothing.
+/// The nearest double, as in emitted code. Expressions are told also what rounding left, so that
+/// what follows from constants alone is rounded once. For Digits50 the value itself, so that tests
+/// can show that reductions change nothing.
 template <class Scalar>
 Scalar rounded(const Digits50& value) {
   if constexpr (std::is_same_v<Scalar, Digits50>) {
     return value;
+  } else if constexpr (std::is_constructible_v<Scalar, DoubleDouble>) {
+    return Scalar(DoubleDouble::from(value));
   } else {
     return Scalar(static_cast<double>(value));
   }
