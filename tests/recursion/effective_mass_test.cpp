@@ -24,14 +24,15 @@
 namespace treeline::tests {
 namespace {
 
-std::string arm() {
+/// `exponent` of ten of all masses, as in "e-9".
+std::string arm(const std::string& exponent) {
   std::string text = "<robot name='arm'><link name='l0'/>";
   for (int i = 1; i <= 3; ++i) {
     const std::string n = std::to_string(i), before = std::to_string(i - 1);
-    text += "<link name='l" + n +
-            "'><inertial><origin xyz='0.2 0 0'/><mass value='2'/><inertia ixx='0.01' iyy='0.03' "
-            "izz='0.03' ixy='0' ixz='0' iyz='0'/></inertial></link><joint name='j" +
-            n + "' type='revolute'><parent link='l" + before + "'/><child link='l" + n +
+    text += "<link name='l" + n + "'><inertial><origin xyz='0.2 0 0'/><mass value='2" + exponent +
+            "'/><inertia ixx='0.01" + exponent + "' iyy='0.03" + exponent + "' izz='0.03" +
+            exponent + "' ixy='0' ixz='0' iyz='0'/></inertial></link><joint name='j" + n +
+            "' type='revolute'><parent link='l" + before + "'/><child link='l" + n +
             "'/><origin xyz='" + (i == 1 ? "0 0 0" : "0.4 0 0") +
             "'/><axis xyz='0 0 1'/><limit lower='-2' upper='2' effort='9' velocity='3'/></joint>";
   }
@@ -43,9 +44,9 @@ struct Scenery {
   Scene scene;
 };
 
-Scenery read_arm(const std::string& more) {
+Scenery read_arm(const std::string& more, const std::string& exponent = "") {
   Diagnostics diagnostics;
-  const auto robot = parse_urdf(arm(), "arm.urdf", diagnostics);
+  const auto robot = parse_urdf(arm(exponent), "arm.urdf", diagnostics);
   const auto scene = parse_scene(
       "base: fixed\ncontacts: [{name: tip, link: l3, origin: {xyz: [0.4, 0, 0]}}]\n" + more,
       "scene.yaml", *robot, diagnostics);
@@ -119,11 +120,15 @@ TEST(EffectiveMass, GrowsToItsCapAsAnArmIsStretched) {
   EXPECT_GT(1 / programs.front().law->rule.borders.front(), 1e9);
 }
 
+// Of arms of two micrograms too, whose inverse inertias to the fourth are beyond the range of
+// float.
 TEST(EffectiveMass, GrowsInFloatToo) {
-  const Scenery arm = read_arm("real: float\nfunctions: [effective_mass]\n");
-  for (const Program& program :
-       trace_function(reduced_mechanism(arm.robot, arm.scene), Function::effective_mass)) {
-    expect_growth<float>(arm, program);
+  for (const char* const exponent : {"", "e-9", "e6"}) {
+    const Scenery arm = read_arm("real: float\nfunctions: [effective_mass]\n", exponent);
+    for (const Program& program :
+         trace_function(reduced_mechanism(arm.robot, arm.scene), Function::effective_mass)) {
+      expect_growth<float>(arm, program);
+    }
   }
 }
 

@@ -18,6 +18,11 @@ constexpr CappedInverseShape effective_mass_shape(Real real) {
                                : CappedInverseShape{0x1p-34, 0x1p-255};
 }
 
+/// Beyond this border, that of bodies of grams, c^4 exceeds the range of float where normals are a
+/// thousand times as long as they should be. The law is then computed as it stands, by two
+/// divisions.
+inline constexpr double kLargestBorderOfCap = 0x1p-4;
+
 /// 1 / c of a c >= 0, below a cap of 1 / border. With t = c / border,
 ///
 ///     1 / (c + border / (1 + t^3)) = (c^3 + border^3) / (c (c^3 + border^3) + border^4):
@@ -27,6 +32,10 @@ constexpr CappedInverseShape effective_mass_shape(Real real) {
 /// branch or pole, also where rounding makes a vanishing c negative.
 template <class Scalar>
 Scalar capped_inverse(const Scalar& c, double border) {
+  if (border > kLargestBorderOfCap) {
+    const Scalar t = c * Scalar(1 / border);
+    return Scalar(1.0) / (c + Scalar(border) / (Scalar(1.0) + t * t * t));
+  }
   const double border3 = border * border * border;
   const Scalar sum = c * c * c + Scalar(border3);
   return sum / (c * sum + Scalar(border3 * border));

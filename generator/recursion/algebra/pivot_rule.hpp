@@ -36,9 +36,26 @@ constexpr BoundedInverseShape jacobian_shape(Real real) {
                                : BoundedInverseShape{8, 0x1p-10, 0x1p-127};
 }
 
+/// From this border on, which only bodies of milligrams have, powers of c exceed the range of
+/// float: those of c / border, a power of two, are taken in their place. That costs one product.
+inline constexpr double kLargeBorder = 4;
+
+/// x^exponent, which is 3, 5 or 7.
+template <class Scalar>
+Scalar odd_power(const Scalar& x, int exponent) {
+  const Scalar x2 = x * x;
+  Scalar power = x2 * x;
+  for (int i = 3; i < exponent; i += 2) power = power * x2;
+  return power;
+}
+
 /// c^(power - 1) / (c^power + border^power).
 template <class Scalar>
 Scalar bounded_inverse(const Scalar& c, double border, int power) {
+  if (border > kLargeBorder) {
+    const Scalar below = odd_power(c * Scalar(1 / border), power - 1);
+    return below / (c * below + Scalar(border));
+  }
   const double border3 = border * border * border;
   const Scalar c2 = c * c;
   const Scalar c3 = c2 * c;
