@@ -45,7 +45,8 @@ void check_nodes(const Program& program, bool single_precision, Diagnostics& dia
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (live[i] && nodes[i].op == Op::div && nodes[i].b == 0) {
       report(diagnostics, program.name, "the function divides by zero whatever its input",
-             "Give the links behind each joint some mass and inertia about its axis.");
+             "Give the links behind each joint some mass and inertia about its axis; rows that no "
+             "joint moves need `singular: smooth`.");
       return;
     }
     const bool finite = single_precision ? std::isfinite(static_cast<float>(nodes[i].value))
