@@ -28,4 +28,14 @@ std::string describe_limits(const LimitFigures& figures) {
       figures.unsolved, figures.iterations);
 }
 
+std::string rows_of_limits(const LimitFigures& figures) {
+  return fmt::format(
+      "| forces chosen, beyond a cone | below 1e{:.0f} N, {} |\n"
+      "| cycles at a limit | about {}, at most {} iterations, {} |\n",
+      std::floor(std::log10(std::max(figures.beyond, 1e-300))) + 1,
+      figures.slack == 0.0 ? "no cone widened" : fmt::format("by {:.1e} N", figures.slack),
+      (figures.limited + 50) / 100 * 100, figures.iterations,
+      figures.unsolved == 0 ? "all solved" : fmt::format("{} not solved", figures.unsolved));
+}
+
 }  // namespace treeline::experiments

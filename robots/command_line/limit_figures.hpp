@@ -28,6 +28,10 @@ struct LimitFigures {
 /// Three lines for a summary.
 std::string describe_limits(const LimitFigures& figures);
 
+/// Two rows of a page's table: forces beyond a cone, to a power of ten, since they are rounding,
+/// and limits reached.
+std::string rows_of_limits(const LimitFigures& figures);
+
 /// A fault in words, with the joint that it is about: of a coordinate, of a velocity or of neither,
 /// by the lists of NAME_joints.hpp.
 template <std::size_t nq, std::size_t nv>

@@ -1,5 +1,7 @@
 #include "object_outcome.hpp"
 
+#include <fmt/core.h>
+
 namespace treeline::experiments {
 
 ObjectOutcome make_outcome(const std::vector<std::string>& own, double seconds, double rate) {
@@ -21,6 +23,10 @@ ObjectErrors largest_object_errors(const report::Table& table) {
     errors.lift = std::max(errors.lift, table.at(row, kActual + 2) - table.at(0, kActual + 2));
   }
   return errors;
+}
+
+std::string describe_drift(const ObjectErrors& errors) {
+  return fmt::format("below 1e{:.0f}", std::floor(std::log10(errors.drift)) + 1);
 }
 
 std::string describe_stop(const servo::Fault& fault, const char* const* joints) {

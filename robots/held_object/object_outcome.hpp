@@ -62,6 +62,10 @@ struct ObjectErrors {
 };
 ObjectErrors largest_object_errors(const report::Table& table);
 
+/// The power of ten above the largest drift, for a page: drift is rounding, whose digits say
+/// nothing.
+std::string describe_drift(const ObjectErrors& errors);
+
 /// The line of a summary that says why the run stopped; empty if it did not. `joints`: names by
 /// coordinate.
 std::string describe_stop(const servo::Fault& fault, const char* const* joints);

@@ -4,6 +4,10 @@
 # cmake -DPROGRAMS=touch_floor=..;.. -DROBOTS=.. -DFOLDER=.. [-DWRITE=ON] -P make_tables.cmake
 set(page_of_touch_floor humanoid24/README.md)
 set(page_of_put_box humanoid24/README.md)
+set(page_of_carry_ladder humanoid24/README.md)
+set(page_of_puma560_three_arms puma560/README.md)
+set(page_of_turn_ball hands/README.md)
+set(page_of_trot_anymal anymal_c/README.md)
 set(page_of_puma560_singularity puma560/README.md)
 set(page_of_ur10e_singularity ur10e/README.md)
 file(MAKE_DIRECTORY ${FOLDER})

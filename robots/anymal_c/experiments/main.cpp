@@ -10,11 +10,14 @@ int main(int argc, char** argv) {
       "limits\n"
       "in every cycle. Exit status 3 if it does not."};
   OutputPaths paths;
+  std::string table;
   add_outputs(command, paths, "write the run here, 100 lines a second");
-  return run_experiment(command, argc, argv, [&paths] {
+  add_page_table(command, table);
+  return run_experiment(command, argc, argv, [&paths, &table] {
     const TrotPlan plan;
     const TrotRun run = run_trot(plan);
-    return Findings{trot_summary(plan, run), files_of(paths, run.table, trot_figure(run)),
-                    trot_claim_holds(plan, run)};
+    auto files = files_of(paths, run.table, trot_figure(run));
+    files.push_back({table, trot_page_table(run)});
+    return Findings{trot_summary(plan, run), files, trot_claim_holds(plan, run)};
   });
 }

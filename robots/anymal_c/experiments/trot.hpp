@@ -33,6 +33,8 @@ struct TrotRun {
 
 TrotRun run_trot(const TrotPlan& plan);
 std::string trot_summary(const TrotPlan& plan, const TrotRun& run);
+/// The table of the page.
+std::string trot_page_table(const TrotRun& run);
 report::Plot trot_figure(const TrotRun& run);
 bool trot_claim_holds(const TrotPlan& plan, const TrotRun& run);
 

@@ -41,6 +41,22 @@ std::string trot_summary(const TrotPlan& plan, const TrotRun& run) {
       f.end_speed);
 }
 
+std::string trot_page_table(const TrotRun& run) {
+  const TrotFigures& f = run.figures;
+  return fmt::format(
+      "| over {:.0f} s | |\n|---|---|\n"
+      "| torque of the base, largest of a motor | {}; {:.3f} of its limit |\n"
+      "{}"
+      "| largest speed of a joint | {:.2f} of its limit |\n"
+      "| body: tilt, height, off its path | {:.1f} mrad, {:.1f} mm, {:.0f} mm |\n"
+      "| feet: off their paths in the air, sliding at all touch-downs together | {:.1f} mm, {:.0f} "
+      "cm |\n"
+      "| end | {:.3f} m ahead, {:.2f} mm aside |\n",
+      run.table.column(kTime).back(), f.base_torque, f.torque, rows_of_limits(f), f.speed,
+      1e3 * f.tilt, 1e3 * f.height, 1e3 * f.away, 1e3 * f.swing_error, 1e2 * f.slipped, f.way,
+      1e3 * f.aside);
+}
+
 report::Plot trot_figure(const TrotRun& run) {
   const report::Table& table = run.table;
   report::Plot plot;

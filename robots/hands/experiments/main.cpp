@@ -10,11 +10,17 @@ int main(int argc, char** argv) {
   OutputPaths paths;
   std::string hand = "allegro";
   command.add_choice("--hand", hand, {"allegro", "shadow"}, "allegro: three fingers; shadow: five");
+  std::string table;
   add_outputs(command, paths, "write the run here, 100 lines a second");
-  return run_experiment(command, argc, argv, [&paths, &hand] {
+  add_page_table(command, table);
+  return run_experiment(command, argc, argv, [&paths, &hand, &table] {
     const BallRun run = hand == "allegro" ? turn_ball_by_allegro(plan_of_allegro())
                                           : turn_ball_by_shadow(plan_of_shadow());
-    return Findings{ball_summary(run), files_of(paths, run.table, ball_figure(run)),
-                    ball_claim_holds(run)};
+    auto files = files_of(paths, run.table, ball_figure(run));
+    if (!table.empty()) {  // of both hands
+      files.push_back({table, ball_page_table({turn_ball_by_allegro(plan_of_allegro()),
+                                               turn_ball_by_shadow(plan_of_shadow())})});
+    }
+    return Findings{ball_summary(run), files, ball_claim_holds(run)};
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ball_plan.hpp"
 #include "report/plot.hpp"
@@ -48,6 +49,8 @@ BallPlan plan_of_shadow();
 BallRun turn_ball_by_shadow(const BallPlan& plan);
 
 std::string ball_summary(const BallRun& run);
+/// The table of the page, with a column for each run.
+std::string ball_page_table(const std::vector<BallRun>& runs);
 report::Plot ball_figure(const BallRun& run);
 bool ball_claim_holds(const BallRun& run);
 

@@ -56,6 +56,35 @@ std::string ball_summary(const BallRun& run) {
       f.end_turned_away);
 }
 
+std::string ball_page_table(const std::vector<BallRun>& runs) {
+  std::vector<std::string> lines{"| in every cycle |",
+                                 "|---|",
+                                 "| turned to either side, led by |",
+                                 "| forces chosen: least pressure, largest share across |",
+                                 "| forces felt: the same |",
+                                 "| tips slipped, rolled by |",
+                                 "| ball off its path |",
+                                 "| largest torque, speed, of their limits |"};
+  for (const BallRun& run : runs) {
+    const BallFigures& f = run.figures;
+    const std::vector<std::string> cells{
+        fmt::format("{}, {} fingers", run.hand, run.fingers),
+        "",
+        fmt::format("{} rad, {:.0f} mm", run.plan.turn, 1e3 * run.plan.way),
+        fmt::format("{:.2f} N, {:.3f}", f.least_pressure, f.friction),
+        fmt::format("{:.2f} N, {:.3f}", f.least_felt, f.friction_felt),
+        fmt::format("{:.0f} mm, {:.1f} mm", 1e3 * f.slipped, 1e3 * f.rolled),
+        fmt::format("{:.0f} \u00b5m, {:.1f} mrad", 1e6 * f.away, 1e3 * f.turned_away),
+        fmt::format("{:.3f}, {:.3f}", f.torque, f.speed)};
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      lines[i] += i == 1 ? "---|" : " " + cells[i] + " |";
+    }
+  }
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
 report::Plot ball_figure(const BallRun& run) {
   const report::Table& table = run.table;
   report::Plot plot;

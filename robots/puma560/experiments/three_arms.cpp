@@ -138,6 +138,18 @@ std::string summary(const ThreeArmsOutcome& outcome) {
              within_bounds(outcome) ? "kept" : "BROKEN");
 }
 
+std::string page_table(const ThreeArmsOutcome& outcome) {
+  const ThreeArmsErrors errors = largest_errors(outcome);
+  return fmt::format(
+      "| over {:.1f} s | |\n|---|---|\n"
+      "| beam, worst error | {:.1e} m, {:.1e} rad |\n"
+      "| tensions and internal moments, worst error (after a cycle under one torque) | {:.0f} mN, "
+      "{:.1f} mN m |\n"
+      "| drift between the grasps, m and rad | {} |\n",
+      outcome.table.column(kTime).back(), errors.object.position, errors.object.rotation,
+      1e3 * errors.tensions, 1e3 * errors.moments, describe_drift(errors.object));
+}
+
 report::Plot figure(const ThreeArmsOutcome& outcome) {
   const report::Table& table = outcome.table;
   report::Plot plot;

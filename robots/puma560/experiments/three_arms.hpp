@@ -35,6 +35,8 @@ ThreeArmsErrors largest_errors(const ThreeArmsOutcome& outcome);
 /// Whether the run ends without a fault and keeps its bounds.
 bool within_bounds(const ThreeArmsOutcome& outcome);
 std::string summary(const ThreeArmsOutcome& outcome);
+/// The table of the page.
+std::string page_table(const ThreeArmsOutcome& outcome);
 report::Plot figure(const ThreeArmsOutcome& outcome);
 
 }  // namespace treeline::experiments

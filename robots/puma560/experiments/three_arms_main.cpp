@@ -12,12 +12,15 @@ int main(int argc, char** argv) {
       "a bound is broken."};
   ThreeArmsPlan plan;
   OutputPaths paths;
+  std::string table;
   add_substeps(command, plan.substeps);
   add_outputs(command, paths);
+  add_page_table(command, table);
   return run_experiment(command, argc, argv, [&] {
     const auto outcome = carry_with_three_arms(plan);
     const std::string title = fmt::format("three PUMA 560 carry a beam at {:.0f} Hz\n", plan.rate);
-    return Findings{title + summary(outcome), files_of(paths, outcome.table, figure(outcome)),
-                    within_bounds(outcome)};
+    auto files = files_of(paths, outcome.table, figure(outcome));
+    files.push_back({table, page_table(outcome)});
+    return Findings{title + summary(outcome), files, within_bounds(outcome)};
   });
 }

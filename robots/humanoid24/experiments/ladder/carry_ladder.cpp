@@ -162,6 +162,18 @@ std::string summary(const LadderOutcome& outcome) {
              control.count(), within_bounds(outcome) ? "kept" : "BROKEN");
 }
 
+std::string page_table(const LadderOutcome& outcome) {
+  const LadderErrors errors = largest_errors(outcome);
+  return fmt::format(
+      "| over {:.1f} s | |\n|---|---|\n"
+      "| ladder, worst error | {:.1e} m, {:.1e} rad |\n"
+      "| tensions (N) and internal moments (N m), worst error (after a cycle under one torque) | "
+      "{:.3f} |\n"
+      "| drift between the grasps, m and rad | {} |\n",
+      outcome.table.column(kTime).back(), errors.object.position, errors.object.rotation,
+      errors.internal, describe_drift(errors.object));
+}
+
 report::Plot figure(const LadderOutcome& outcome) {
   const report::Table& table = outcome.table;
   report::Plot plot;

@@ -33,6 +33,8 @@ LadderErrors largest_errors(const LadderOutcome& outcome);
 /// Whether the run ends without a fault and keeps its bounds.
 bool within_bounds(const LadderOutcome& outcome);
 std::string summary(const LadderOutcome& outcome);
+/// The table of the page.
+std::string page_table(const LadderOutcome& outcome);
 report::Plot figure(const LadderOutcome& outcome);
 
 }  // namespace treeline::experiments
