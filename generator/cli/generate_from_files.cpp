@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generation/warn_of_size.hpp"
+#include "generation/warn_of_speed_rise.hpp"
 #include "packaging/package_kind.hpp"
 #include "terminal/print_diagnostics.hpp"
 #include "terminal/progress_line.hpp"
@@ -81,6 +82,7 @@ std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
 void tell_size(const InputOptions& options, const GeneratedInputs& made) {
   Diagnostics diagnostics;
   warn_of_size(made.inputs.scene, made.generation, diagnostics);
+  warn_of_speed_rise(made.inputs.scene, made.generation, diagnostics);
   print_diagnostics(diagnostics, options.warnings);
 }
 

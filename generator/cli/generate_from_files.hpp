@@ -28,7 +28,7 @@ std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     Failing failing, Diagnostics& diagnostics);
 
 /// Tells at once, before anything is written or compiled, what there is of it where that is much
-/// (`warn_of_size`).
+/// (`warn_of_size`), and where motors need a longer `speed_rise` than asked for.
 void tell_size(const InputOptions& options, const GeneratedInputs& made);
 
 }  // namespace treeline

@@ -169,6 +169,7 @@ TL_INLINE void tl_begin_compliance(const TlConfig* config, const TlInput* input,
   (void)at;
 #endif
   state->law = TL_COMPLIANCE_LAW;
+  state->fade_ticks = 0;
 }
 
 /// Leads what springs pull to, of joints or of a point.
