@@ -107,7 +107,7 @@ void add_struct_call(const StructCall& call, std::size_t index, PackageFacts& fa
                             call.name, call.result, call.inputs, call.outputs, call.kept,
                             call.operations, call.arguments),
                 0);
-  facts["entries"] += fmt::format(" \\\nENTRY({}, _{})", index, call.name);
+  facts["entries"] += fmt::format("{}ENTRY({}, _{})", index == 0 ? "" : " \\\n", index, call.name);
   facts["struct_docs"] += print_text("doc_of__" + call.name, "See structs.py.\n");
 }
 
@@ -197,8 +197,13 @@ std::string print_flags(const PackageFacts& facts, const Scene& scene) {
   return R"("-O3", "-g0", "-fvisibility=hidden", )" + quote_flags(facts, scene);
 }
 
-/// Adds the example of the package: the first function, at home and at rest.
-void add_example(const Scene& scene, const GeneratedFunction& generated, PackageFacts& facts) {
+/// The example of the package: the first function, at home and at rest, or the controller's step.
+std::string print_python_example(const Scene& scene, const Generation& generation,
+                                 PackageFacts facts) {
+  if (generation.functions.empty()) {
+    return fill_facts(templates::kPythonControllerExample, facts);
+  }
+  const GeneratedFunction& generated = generation.functions.front();
   const Program& program = generated.program;
   facts["call"] = python_name(generated);
   facts["first"] = program.arguments.front().name;
@@ -211,6 +216,7 @@ void add_example(const Scene& scene, const GeneratedFunction& generated, Package
                            : fmt::format("{} = np.zeros({}, {}.dtype)\n", argument.name,
                                          argument.rows * argument.cols, scene.name);
   }
+  return fill_facts(templates::kPythonExample, facts);
 }
 
 PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation& generation,
@@ -227,9 +233,9 @@ PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation&
     facts["types"] += print_types(generated);
   }
   facts["types"] += structs.types;
-  facts["types"].pop_back();
+  if (!facts["types"].empty()) facts["types"].pop_back();
   facts["structs"] = structs.imports;
-  add_example(scene, generation.functions.front(), facts);
+  if (generation.functions.empty()) facts["functions"] = "none beside `Controller.step`";
   return facts;
 }
 
@@ -257,13 +263,14 @@ std::vector<PackageFolder> for_python(PackageFacts facts, const Robot& /*robot*/
     package.push_back({"structs.py", structs.module});
     extension.push_back({"structs.h", structs.header});
   }
+  const std::string example = print_python_example(scene, generation, facts);
   return {{"",
            {fill("pyproject.toml", templates::kPythonProject),
             fill("setup.py", templates::kPythonSetup), fill("README.md", templates::kPythonReadme),
             fill("MANIFEST.in", templates::kPythonManifest)}},
           {"python/" + scene.name, std::move(package)},
           {"extension", std::move(extension)},
-          {"examples", {fill(scene.name + "_time.py", templates::kPythonExample)}}};
+          {"examples", {{scene.name + "_time.py", example}}}};
 }
 
 }  // namespace treeline

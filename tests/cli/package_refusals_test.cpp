@@ -59,7 +59,7 @@ TEST_F(PackageTest, OfOpenClThereIsNone) {
 // Would catch: a package that calls its first function where there is none.
 TEST_F(PackageTest, IsRefusedWithoutAFunctionThatItCalls) {
   std::ofstream(root_ / "alone.yaml") << "{functions: [], controller: {laws: [joint_impedance]}}";
-  for (const char* kind : {"python", "rust", "wasm", "arduino"}) {
+  for (const char* kind : {"rust", "wasm", "arduino"}) {
     const auto refused =
         test::run_program(root_, "generate " + kArm + " alone.yaml --output out --package " + kind);
     EXPECT_EQ(refused.exit_code, 1) << kind << "\n" << refused.err;

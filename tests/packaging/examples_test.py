@@ -13,12 +13,18 @@ def run(*arguments):
     return run.stdout + run.stderr
 
 
+def run_example(package):
+    return run(os.path.join(os.environ["PACKAGES"], "with blanks", package, "examples", f"{package}_time.py"))
+
+
 class ExamplesTest(unittest.TestCase):
     def test_the_example_of_a_package_runs(self):
         for robot in ("ur10e", "humanoid24_floating"):
-            example = os.path.join(os.environ["PACKAGES"], "with blanks", robot, "examples", f"{robot}_time.py")
-            output = run(example)
-            self.assertRegex(output, r"at home: .*(?s:.*)\n\d+ ns for one state\n\d+ ns for each of a thousand\n$")
+            self.assertRegex(run_example(robot),
+                             r"at home: .*(?s:.*)\n\d+ ns for one state\n\d+ ns for each of a thousand\n$")
+
+    def test_that_of_a_controller_alone_runs(self):
+        self.assertRegex(run_example("controller_alone"), r"^torque at home: \[(?s:.*)\]\n\d+ ns for one step\n$")
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import sys
 import tempfile
 import unittest
 
-WITH_STRUCTS = ["puma_controlled", "humanoid_limited"]
+WITH_STRUCTS = ["puma_controlled", "humanoid_limited", "controller_alone"]
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "types")
 
 
