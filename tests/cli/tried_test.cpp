@@ -1,6 +1,7 @@
 // Would catch: a folder that is called out of date because its cheapest algorithm loses digits, so
-// that `generate` took the next; a refusal whose own advice leads to another one; a constant that
-// was rounded before it was combined with others.
+// that `generate` took the next; a refusal whose own advice leads to another one, or that calls a
+// fault of the program what the scene asks for; a constant that was rounded before it was combined
+// with others.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -49,6 +50,8 @@ TEST_F(Tried, AFunctionThatFailsIsShownByCheckAlsoWithASelftest) {
         "selftest: 2\n");
   const Outcome refused = run("generate held.urdf held.yaml -o out");
   ASSERT_EQ(refused.exit_code, 3) << refused.err;
+  EXPECT_NE(refused.err.find("with `singular: smooth` it yields"), std::string::npos)
+      << refused.err;
   const auto begin = refused.err.find("`treeline ") + std::string("`treeline ").size();
   const Outcome shown = run(refused.err.substr(begin, refused.err.find('`', begin) - begin));
   EXPECT_EQ(shown.exit_code, 3) << shown.err;
