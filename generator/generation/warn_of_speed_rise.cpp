@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "emission/controller_unit.hpp"
+
 namespace treeline {
 
 void warn_of_speed_rise(const Scene& scene, const Generation& generation,

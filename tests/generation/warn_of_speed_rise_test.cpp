@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <vector>
+
+#include "emission/controller_unit.hpp"
 
 // Would catch: a speed_rise of the scene that is overridden without a word, and words where it is
 // emitted as asked for or was not asked for.
