@@ -201,7 +201,7 @@ std::string print_flags(const PackageFacts& facts, const Scene& scene) {
 std::string print_python_example(const Scene& scene, const Generation& generation,
                                  PackageFacts facts) {
   if (generation.functions.empty()) {
-    return fill_facts(templates::kPythonControllerExample, facts);
+    return fill_holes(templates::kPythonControllerExample, facts);
   }
   const GeneratedFunction& generated = generation.functions.front();
   const Program& program = generated.program;
@@ -216,7 +216,7 @@ std::string print_python_example(const Scene& scene, const Generation& generatio
                            : fmt::format("{} = np.zeros({}, {}.dtype)\n", argument.name,
                                          argument.rows * argument.cols, scene.name);
   }
-  return fill_facts(templates::kPythonExample, facts);
+  return fill_holes(templates::kPythonExample, facts);
 }
 
 PackageFacts add_facts(PackageFacts facts, const Scene& scene, const Generation& generation,
