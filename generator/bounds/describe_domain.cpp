@@ -102,6 +102,8 @@ std::vector<double> sizes_of(const QuantityInfo& row, const Robot& robot, const 
       return tool_sizes(scene.inputs.contacts);
     case IndexSpace::active_groups:
       return same(scene.inputs.active.size());
+    case IndexSpace::active_tasks:
+      return same(scene.inputs.active_tasks.size());
     default:
       throw std::logic_error(std::string("no sizes of ") + row.symbol);
   }
@@ -189,7 +191,9 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     return std::count(arguments.begin(), arguments.end(), symbol_of(quantity)) > 0;
   };
   if (has(Quantity::payload)) text += ", payload that of a body";
-  if (has(Quantity::active)) text += ", active not negative";
+  for (const Quantity share : {Quantity::active, Quantity::active_tasks}) {
+    if (has(share)) text += fmt::format(", {} not negative", symbol_of(share));
+  }
   if (has(Quantity::tool_orientation)) text += ", tool_orientation of length 1";
   if (has(Quantity::parameters)) {
     text +=

@@ -18,7 +18,8 @@ bool is_taken(Quantity quantity, const Graph& graph) {
 
 bool is_never_negative(const std::string& name) {
   const auto quantity = quantity_of_input(name);
-  return quantity == Quantity::step || quantity == Quantity::active;
+  return quantity == Quantity::step || quantity == Quantity::active ||
+         quantity == Quantity::active_tasks;
 }
 
 /// Whether an input is drawn anywhere in its range. Others are at their limits, where errors are

@@ -48,11 +48,12 @@ void check_limits(const SceneElement& top, const Robot& robot, const Scene& scen
               "the limits");
     return;
   }
-  if (!scene.inputs.active.empty()) {
-    top.error(fmt::format("{} limits the forces of constraints that are held all the time, but "
-                          "inputs lists some under active",
-                          key),
-              "remove active, and make a scene for each set of constraints; or remove the limits");
+  if (!scene.inputs.active.empty() || !scene.inputs.active_tasks.empty()) {
+    top.error(
+        fmt::format("{} limits the forces of constraints that are held, and of tasks that are "
+                    "done, all the time, but inputs lists some under active",
+                    key),
+        "remove active, and make a scene for each set of them; or remove the limits");
     return;
   }
   for (const Function function : functions_of_limits(scene)) {

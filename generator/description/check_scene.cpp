@@ -134,6 +134,11 @@ void check_damped(const SceneElement& top, const Robot& robot, const std::string
               "remove damped: what conflicts yields by priority; or remove the priorities");
     return;
   }
+  if (!scene.inputs.active_tasks.empty()) {
+    top.error("damped does every task all the time, but inputs lists some under active",
+              "remove damped; or remove them, and make a scene for each set of tasks");
+    return;
+  }
   for (const Function function : kDampedFunctions) {
     if (std::count(scene.functions.begin(), scene.functions.end(), function) > 0) continue;
     if (inverts_mass_matrix(function) && !singular.empty()) {

@@ -126,25 +126,35 @@ std::vector<SceneTool> read_places(const SceneElement& element, const Places& pl
   return read;
 }
 
-/// Names of constraints that come and go.
-std::vector<std::string> read_active(const SceneElement& element, const Scene& scene) {
-  std::vector<std::string> known, read;
-  for (const ScenePoint& held : scene.constraints) known.push_back(held.name);
-  for (const SceneLoop& loop : scene.loops) known.push_back(loop.first.name);
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Names of constraints, and of operational points whose tasks, come and go.
+void read_active(const SceneElement& element, Scene& scene) {
+  std::vector<std::string> held, tasks;
+  for (const ScenePoint& point : scene.constraints) held.push_back(point.name);
+  for (const SceneLoop& loop : scene.loops) held.push_back(loop.first.name);
+  for (const ScenePoint& point : scene.operational_points) tasks.push_back(point.name);
+  std::vector<std::string> known = held;
+  known.insert(known.end(), tasks.begin(), tasks.end());
   for (const SceneElement& item : one_or_more(element)) {
     const auto name = item.text();
     if (!name) continue;
-    if (std::count(known.begin(), known.end(), *name) == 0) {
-      item.error(fmt::format("there is no constraint \"{}\"", *name),
-                 known.empty() ? "add a list constraints"
-                               : suggest_name(*name, known, "the constraints are"));
-    } else if (std::count(read.begin(), read.end(), *name) > 0) {
-      item.error(fmt::format("the constraint \"{}\" is listed twice", *name), "list it once");
+    auto& read = contains(held, *name) ? scene.inputs.active : scene.inputs.active_tasks;
+    if (!contains(known, *name)) {
+      item.error(fmt::format("there is no constraint or operational point \"{}\"", *name),
+                 known.empty() ? "add a list constraints or operational_points"
+                               : suggest_name(*name, known, "there are"));
+    } else if (contains(held, *name) && contains(tasks, *name)) {
+      item.error(fmt::format("both a constraint and an operational point are \"{}\"", *name),
+                 "give one another name");
+    } else if (contains(read, *name)) {
+      item.error(fmt::format("\"{}\" is listed twice", *name), "list it once");
     } else {
       read.push_back(*name);
     }
   }
-  return read;
 }
 
 /// `[gravity, base_parameters]`, for what is an input as a whole.
@@ -193,7 +203,7 @@ void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& s
     scene.inputs.contacts = read_places(contact->second, places, scene);
   }
   if (const auto active = fields.find("active"); active != fields.end()) {
-    scene.inputs.active = read_active(active->second, scene);
+    read_active(active->second, scene);
   }
 }
 

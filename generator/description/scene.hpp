@@ -126,10 +126,11 @@ struct SceneInputs {
   std::vector<SceneTool> tools;     ///< operational points, in place of the origins in the scene
   std::vector<SceneTool> contacts;  ///< contacts, in place of the origins in the scene
   std::vector<std::string> active;  ///< constraints that come and go
+  std::vector<std::string> active_tasks;  ///< operational points whose tasks come and go
 
   [[nodiscard]] bool empty() const {
     return !gravity && payloads.empty() && parameters.empty() && !base_parameters &&
-           tools.empty() && contacts.empty() && active.empty();
+           tools.empty() && contacts.empty() && active.empty() && active_tasks.empty();
   }
 };
 

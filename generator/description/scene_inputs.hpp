@@ -31,6 +31,8 @@ inline bool has_input(const Scene& scene, Quantity quantity) {
       return !scene.inputs.contacts.empty();
     case Quantity::active:
       return !scene.inputs.active.empty();
+    case Quantity::active_tasks:
+      return !scene.inputs.active_tasks.empty();
     default:
       return false;
   }
@@ -71,6 +73,7 @@ inline void remove_input(Quantity quantity, Scene& scene) {
   }
   if (quantity == Quantity::contact) scene.inputs.contacts.clear();
   if (quantity == Quantity::active) scene.inputs.active.clear();
+  if (quantity == Quantity::active_tasks) scene.inputs.active_tasks.clear();
 }
 
 }  // namespace treeline

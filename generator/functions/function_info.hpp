@@ -165,6 +165,11 @@ constexpr FunctionInputs with_activity(const FunctionInputs& listed) {
   return with(Quantity::active, listed);
 }
 
+/// Inputs of a function that does the tasks of operational points.
+constexpr FunctionInputs with_tasks(const FunctionInputs& listed) {
+  return with(Quantity::active_tasks, with_tool(listed));
+}
+
 /// All that is known of a function before any algorithm.
 struct FunctionInfo {
   Function function;

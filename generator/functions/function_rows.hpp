@@ -44,8 +44,8 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      with_tool(inertial_inputs(Quantity::q)), "Lambda = (J M^-1 J^T)^-1"},
     {Function::control_torque, "control_torque", FunctionGroup::points, Emitted::by_default,
      Solve::lambda_inverse, frames_by(Function::forward_dynamics), Columns::computed,
-     with_tool(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
-                              Quantity::f_ext)),
+     with_tasks(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
+                               Quantity::f_ext)),
      "tau = J^T F + M qdd_0 + b + g - J_ext^T f_ext, "
      "F = Lambda (xdd_cmd - Jd qd - J qdd_0)"},
     {Function::object_state, "object_state", FunctionGroup::objects, Emitted::by_default,
@@ -91,8 +91,8 @@ inline constexpr auto kFunctions = std::to_array<FunctionInfo>({
      Emitted::by_default, Solve::lambda_inverse, frames_by(Function::forward_dynamics),
      Columns::computed,
      with_activity(
-         with_tool(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
-                                  Quantity::f_wanted, Quantity::f_ext))),
+         with_tasks(weighed_inputs(Quantity::q, Quantity::qd, Quantity::qdd_0, Quantity::xdd_cmd,
+                                   Quantity::f_wanted, Quantity::f_ext))),
      "M qdd + b + g = tau + J_s^T f + J_ext^T f_ext, J_s qdd + Jd_s qd = 0, "
      "J qdd + Jd qd = xdd_cmd, tau = 0 at passive joints, qdd nearest to qdd_0"},
     {Function::constraint_jacobian, "constraint_jacobian", FunctionGroup::constraints,

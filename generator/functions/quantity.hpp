@@ -35,6 +35,7 @@ enum class Quantity {
   tool_orientation,
   contact,
   active,
+  active_tasks,
 };
 
 /// Index space of an argument: the kind of thing to which its entries belong.
@@ -58,6 +59,7 @@ enum class IndexSpace {
   orientations,     ///< 4 an operational point whose orientation the scene makes an input
   contact_places,   ///< 3 a contact whose origin the scene makes an input
   active_groups,    ///< 1 a constraint that comes and goes
+  active_tasks,     ///< 1 an operational point whose task comes and goes
 };
 
 /// All that is known of a quantity. Units are those of rotation and translation where joints or
@@ -153,9 +155,14 @@ inline constexpr auto kQuantities = std::to_array<QuantityInfo>({
      "share, 0 to 1, to which each constraint named is held: at 1 as all others are, at 0 as if it "
      "were not there",
      "1", IndexSpace::active_groups, 1},
+    {Quantity::active_tasks, "active_tasks",
+     "share, 0 to 1, to which the task of each point named is done: at 1 as all others are, at 0 "
+     "as "
+     "if it were not there",
+     "1", IndexSpace::active_tasks, 1},
 });
 
-static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::active) + 1,
+static_assert(kQuantities.size() == static_cast<std::size_t>(Quantity::active_tasks) + 1,
               "every quantity has a row");
 static_assert(
     [] {

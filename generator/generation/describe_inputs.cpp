@@ -108,6 +108,9 @@ void append_input_notes(const Scene& scene, const Mechanism& mechanism,
   for (std::size_t k = 0; k < inputs.active.size(); ++k) {
     notes.push_back(fmt::format("active {}: of constraint {}", k, inputs.active[k]));
   }
+  for (std::size_t k = 0; k < inputs.active_tasks.size(); ++k) {
+    notes.push_back(fmt::format("active_tasks {}: of point {}", k, inputs.active_tasks[k]));
+  }
 }
 
 }  // namespace treeline

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "description/scene_inputs.hpp"
 #include "emission/describe_program.hpp"
 #include "passes/count_operations.hpp"
 #include "program/ending.hpp"
@@ -41,8 +42,9 @@ double count_megabytes(const std::vector<GeneratedFile>& files) {
 }
 
 std::string describe_remedy(const Scene& scene, const GeneratedFunction& longest) {
-  const bool may_loop =
-      scene.optimize != Optimize::size && longest.batch == 0 && has_loop_form(longest.function);
+  const bool may_loop = scene.optimize != Optimize::size && longest.batch == 0 &&
+                        has_loop_form(longest.function) &&
+                        !takes_input(scene, longest.function, Quantity::active_tasks);
   const std::string loops =
       may_loop ? "`optimize: size` makes loops over links of it. " : std::string();
   return loops +

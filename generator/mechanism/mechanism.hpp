@@ -123,7 +123,8 @@ struct MechanismInputs {
   /// are an argument. The links' inertias contain none of it.
   std::vector<MechanismInertia> base;
   std::vector<MechanismTool> tools, contacts;
-  ActiveRows active;  ///< rows of the constraints that come and go
+  ActiveRows active;                      ///< rows of the constraints that come and go
+  std::vector<std::size_t> active_tasks;  ///< operational points whose tasks come and go
 };
 
 /// A contact that rolls, see `SceneRolling`.

@@ -50,6 +50,9 @@ MechanismInputs place_inputs(const Robot& robot, const Scene& scene,
   inputs.tools = place_tools(scene.inputs.tools, scene.operational_points, robot, frames);
   inputs.contacts = place_tools(scene.inputs.contacts, scene.contacts, robot, frames);
   inputs.active = find_active_rows(scene);
+  for (const std::string& name : scene.inputs.active_tasks) {
+    inputs.active_tasks.push_back(index_of_point(scene.operational_points, name));
+  }
   return inputs;
 }
 

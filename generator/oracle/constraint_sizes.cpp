@@ -60,6 +60,10 @@ ConstraintSizes::ConstraintSizes(const Subject<double>& subject, const State& st
       anchored_(interpreter::row_count(subject.constraints)),
       held_(anchored_ + interpreter::row_count(subject.loops)),
       shares_(held_shares(subject, state)) {
+  rows_ = interpreter::task_shares<double>(seen_.points);
+  rows_.s = with_loops<VectorXd>(rows_.s, VectorXd::Ones(held_ - anchored_), anchored_);
+  rows_.point.insert(rows_.point.begin() + anchored_, static_cast<std::size_t>(held_ - anchored_),
+                     -1);
   J_ = with_loops<MatrixXd>(terms_.jacobian(), loops_.J, anchored_);
   bias_ = with_loops<VectorXd>(terms_.bias(state.qd), loops_.bias, anchored_);
   condition_ = std::numeric_limits<double>::infinity();
@@ -111,7 +115,9 @@ std::optional<LawSizes> ConstraintSizes::relaxed(const interpreter::TaskLaw<doub
     if (held_ > 0) others += locked(parts.locked).condition;
   }
   if (held_ > 0 && !subject_.passive.empty()) others += forces(parts.forces).condition;
-  LawSizes found = find_law_sizes(A, terms, parts.rows, shares_);
+  LawSizes found =
+      find_law_sizes(interpreter::with_shares<double>(A, rows_), terms, parts.rows, shares_);
+  found.Lambda = (rows_.s.asDiagonal() * found.Lambda * rows_.s.asDiagonal()).eval();
   found.condition += others;
   // A plain solve for rows that are given twice divides by zero.
   if (!found.Lambda.allFinite() || leaves_no_digit(found.condition, parts.rows, held_)) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "interpreter/task_law.hpp"
+#include "interpreter/task_shares.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/elimination_sizes.hpp"
 #include "oracle/law_sizes.hpp"
@@ -69,6 +70,7 @@ class ConstraintSizes {
   LoopSizes loops_;
   Eigen::Index anchored_ = 0, held_ = 0;  ///< rows held to the world, and all that are held
   Eigen::VectorXd shares_;                ///< to which they are held; empty: 1
+  interpreter::TaskShares<double> rows_;  ///< to which tasks are done; 1 of held rows
   Eigen::MatrixXd J_, Lambda_inverse_;
   Eigen::MatrixXd M_;  ///< of the step, if there is one; empty without loops and step
   Eigen::VectorXd bias_;

@@ -175,6 +175,8 @@ std::vector<double> draw_model(Rng& rng, const SubjectInputs& inputs, Quantity q
       return draw_origins(rng, inputs.contacts);
     case IndexSpace::active_groups:
       return draw_shares(rng, inputs.active.size());
+    case IndexSpace::active_tasks:
+      return draw_shares(rng, inputs.active_tasks.size());
     case IndexSpace::orientations:
       for (const SubjectTool& tool : inputs.tools) {
         if (!tool.orientation) continue;
@@ -241,6 +243,7 @@ auto find_member(AnyState& state, Quantity quantity) -> decltype(&state.q) {
     case Quantity::tool_orientation:
     case Quantity::contact:
     case Quantity::active:
+    case Quantity::active_tasks:
     case Quantity::drift:
     case Quantity::f_wanted:
     case Quantity::step:

@@ -52,18 +52,21 @@ std::vector<Eigen::Index> rows_in_full(const At& at, Matrix50 left) {
   return rows;
 }
 
-/// The rows accelerate as they are told to, by the torque that is the value, beside 1 m/s^2 or
-/// 1 rad/s^2: at rest nothing is left of what holds the weight.
+/// The rows of tasks that are done whole accelerate as they are told to, by the torque that is the
+/// value, beside 1 m/s^2 or 1 rad/s^2: at rest nothing is left of what holds the weight.
 EquationSides commanded(const At& at) {
   const auto& points = at.subject.points;
-  const Matrix50 Lambda_inverse = ip::lambda_inverse<Digits50>(at.model, points, at.q);
+  const auto shares = ip::task_shares<Digits50>(points);
+  const Matrix50 A =
+      ip::with_shares<Digits50>(ip::lambda_inverse<Digits50>(at.model, points, at.q), shares);
   std::vector<Eigen::Index> rows;
   if (ip::has_priorities(points)) {
-    rows = rows_in_full(at, Lambda_inverse);
-  } else if (are_independent(Lambda_inverse)) {
-    rows.resize(static_cast<std::size_t>(Lambda_inverse.rows()));
+    rows = rows_in_full(at, A);
+  } else if (are_independent(A)) {
+    rows.resize(static_cast<std::size_t>(A.rows()));
     std::iota(rows.begin(), rows.end(), 0);
   }
+  std::erase_if(rows, [&](Eigen::Index row) { return shares.s(row) != Digits50(1); });
   const Vector50 qdd = ip::forward_dynamics<Digits50>(at.model, at.q, at.qd, at.value,
                                                       at.subject.external, at.f_ext);
   const Vector50 moved = ip::jacobian<Digits50>(at.model, points, at.q) * qdd + bias(at);

@@ -32,6 +32,7 @@ bool is_member(Quantity quantity) {
     case IndexSpace::orientations:
     case IndexSpace::contact_places:
     case IndexSpace::active_groups:
+    case IndexSpace::active_tasks:
     case IndexSpace::held_rows:
     case IndexSpace::anchored_rows:
     case IndexSpace::step:

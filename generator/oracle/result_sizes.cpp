@@ -67,13 +67,16 @@ ResultSizes::ResultSizes(const Subject<double>& subject, const State& state)
   if (subject.damping.effective_mass_limits.size() > 0) {
     damped_ = find_damped_sizes(Lambda_inverse, lambda_inverse(), subject.damping);
   }
-  control_condition_ = Lambda_condition_;
-  control_Lambda_ = Lambda_;
-  if (!interpreter::has_priorities(subject.points)) return;
-  const Eigen::MatrixXd relaxed = with_relaxed_rows(subject.points, Lambda_inverse);
-  const Eigen::VectorXd scale = lambda_inverse().diagonal() + (relaxed - Lambda_inverse).diagonal();
+  shares_ = interpreter::task_shares<double>(subject.points);
+  control_inverse_ = interpreter::with_shares<double>(Lambda_inverse, shares_);
+  Eigen::MatrixXd relaxed = control_inverse_;
+  if (interpreter::has_priorities(subject.points)) {
+    relaxed = with_relaxed_rows(subject.points, control_inverse_);
+  }
+  const Eigen::VectorXd scale =
+      lambda_inverse().diagonal() + (relaxed - control_inverse_).diagonal();
   control_condition_ = scaled_condition(relaxed, scale);
-  control_Lambda_ = inverse_of_symmetric(relaxed).cwiseAbs();
+  control_Lambda_ = with_shares(inverse_of_symmetric(relaxed).cwiseAbs());
 }
 
 double ResultSizes::border_steps(Function function, double unit) const {
@@ -83,7 +86,7 @@ double ResultSizes::border_steps(Function function, double unit) const {
   }
   const Eigen::VectorXd sizes = control_torque(control_Lambda_);
   const Eigen::MatrixXd of_forces =
-      find_priority_steps(subject_.points, Lambda_inverse_, lambda_inverse().diagonal(), unit);
+      find_priority_steps(subject_.points, control_inverse_, lambda_inverse().diagonal(), unit);
   const Eigen::VectorXd steps = control_torque(control_Lambda_ + of_forces) - sizes;
   double largest = 0;
   for (Eigen::Index i = 0; i < sizes.size(); ++i) {
@@ -101,8 +104,16 @@ std::optional<LawSizes> ResultSizes::relaxed(Function function,
   if (function == Function::control_torque && interpreter::has_priorities(subject_.points)) {
     return std::nullopt;
   }
-  return find_law_sizes(subject_, vector_of<double>(state_.q), Lambda_inverse_, lambda_inverse(),
-                        law);
+  const bool controls = function == Function::control_torque;
+  LawSizes found =
+      find_law_sizes(subject_, vector_of<double>(state_.q),
+                     controls ? control_inverse_ : Lambda_inverse_, lambda_inverse(), law);
+  if (controls) found.Lambda = with_shares(found.Lambda);
+  return found;
+}
+
+Eigen::MatrixXd ResultSizes::with_shares(const Eigen::MatrixXd& Lambda) const {
+  return shares_.s.asDiagonal() * Lambda * shares_.s.asDiagonal();
 }
 
 Conditions ResultSizes::conditions(Function function,

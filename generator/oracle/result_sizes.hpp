@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "interpreter/task_shares.hpp"
 #include "oracle/condition.hpp"
 #include "oracle/constraint_sizes.hpp"
 #include "oracle/damped_sizes.hpp"
@@ -49,6 +50,8 @@ class ResultSizes {
   /// Scales of `control_torque`. `Lambda` has the magnitudes of the matrix that turns the task's
   /// accelerations into forces.
   [[nodiscard]] Eigen::VectorXd control_torque(const Eigen::MatrixXd& Lambda) const;
+  /// S Lambda S with the shares to which tasks are done.
+  [[nodiscard]] Eigen::MatrixXd with_shares(const Eigen::MatrixXd& Lambda) const;
   [[nodiscard]] std::vector<double> damped_control_torque() const;
   /// |M^-1| |J|^T |Lambda|, and with |J| behind it.
   [[nodiscard]] Eigen::MatrixXd dynamically_consistent_inverse(const Eigen::MatrixXd& Lambda) const;
@@ -65,8 +68,10 @@ class ResultSizes {
   std::vector<double> at_rest_;  ///< zeros, a joint velocity each
   /// Magnitudes of the entries. The last one is Lambda after tasks of strict priority.
   Eigen::MatrixXd M_inverse_, Lambda_, control_Lambda_;
-  Eigen::MatrixXd Lambda_inverse_;      ///< the matrix itself; empty if M has no inverse
-  std::optional<ObjectSizes> objects_;  ///< only if the scene has objects
+  Eigen::MatrixXd Lambda_inverse_;  ///< the matrix itself; empty if M has no inverse
+  interpreter::TaskShares<double> shares_;
+  Eigen::MatrixXd control_inverse_;                         ///< Lambda^-1 with these shares
+  std::optional<ObjectSizes> objects_;                      ///< only if the scene has objects
   std::optional<ConstraintSizes> constrained_, supported_;  ///< only where they can be asked for
   std::optional<DampedSizes> damped_;                       ///< only if the scene asks for damping
   double M_condition_ = 1, Lambda_condition_ = 1, control_condition_ = 1;

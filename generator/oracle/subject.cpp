@@ -50,6 +50,11 @@ SubjectInputs inputs_of(const Scene& scene, const interpreter::Model<Scalar>& mo
   inputs.tools = tools_of(scene.inputs.tools, scene.operational_points);
   inputs.contacts = tools_of(scene.inputs.contacts, scene.contacts);
   inputs.active = find_active_rows(scene);
+  for (const std::string& name : scene.inputs.active_tasks) {
+    std::size_t point = 0;
+    while (scene.operational_points[point].name != name) ++point;
+    inputs.active_tasks.push_back(point);
+  }
   return inputs;
 }
 

@@ -46,7 +46,8 @@ struct SubjectInputs {
   std::vector<SubjectInertia> base_bodies;  ///< each with what is fixed to it
   std::vector<double> base_drives;          ///< sizes of rotors and coefficients of friction
   std::vector<SubjectBase> base;
-  ActiveRows active;  ///< rows of the constraints that come and go
+  ActiveRows active;                      ///< rows of the constraints that come and go
+  std::vector<std::size_t> active_tasks;  ///< operational points whose tasks come and go
 };
 
 /// Robot and scene in the interpreter's types.

@@ -141,6 +141,10 @@ void change(const State& state, Subject<Scalar>& subject) {
   place_origins(inputs.tools, values_of(state, Quantity::tool), subject.points);
   place_axes(inputs.tools, values_of(state, Quantity::tool_orientation), subject.points);
   place_origins(inputs.contacts, values_of(state, Quantity::contact), subject.contacts);
+  const std::vector<double>& shares = values_of(state, Quantity::active_tasks);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    subject.points[inputs.active_tasks[i]].share = Scalar(shares[i]);
+  }
 }
 
 }  // namespace

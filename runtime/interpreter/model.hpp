@@ -103,7 +103,8 @@ struct OperationalPoint {
   Vector3<Scalar> p = Vector3<Scalar>::Zero();
   PointAxes axes = PointAxes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
-  int priority = 1;  ///< of the task at the point: 1 comes first, see `control_torque`
+  int priority = 1;          ///< of the task at the point: 1 comes first, see `control_torque`
+  Scalar share = Scalar(1);  ///< 0 to 1, to which the task is done, see `with_shares`
 };
 
 /// The place of an external force, which always has all six rows. The force is positive if it acts
@@ -156,8 +157,8 @@ Points<To> cast(const Points<From>& points) {
   const auto to = [](const From& x) { return static_cast<To>(x); };
   Points<To> result;
   for (const auto& e : points) {
-    result.push_back(
-        {e.name, e.body, e.R.unaryExpr(to), e.p.unaryExpr(to), e.axes, e.rows, e.priority});
+    result.push_back({e.name, e.body, e.R.unaryExpr(to), e.p.unaryExpr(to), e.axes, e.rows,
+                      e.priority, to(e.share)});
   }
   return result;
 }

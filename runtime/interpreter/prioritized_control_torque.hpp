@@ -8,6 +8,7 @@
 #include "interpreter/jacobian.hpp"
 #include "interpreter/mass_matrix.hpp"
 #include "interpreter/point_accelerations.hpp"
+#include "interpreter/task_shares.hpp"
 
 namespace treeline::interpreter {
 
@@ -72,9 +73,10 @@ Scalar relaxed_inverse(const Scalar& c, const Scalar& border) {
 
 /// Control torque of tasks in strict priority: by the points' `priority`, 1 first, and within a
 /// level in the order of rows. The joint accelerations qdd start as the posture's. Row by row they
-/// gain what the row still lacks, in the dynamically consistent null space of all rows before:
+/// gain what the row still lacks, in the dynamically consistent null space N of all rows before:
 ///     c = J_k N M^-1 J_k^T,  qdd += N M^-1 J_k^T (w/c) (xdd_k - Jd_k qd - J_k qdd),
-///     N M^-1 -= N M^-1 J_k^T (w/c) J_k N M^-1.
+///     N M^-1 J^T -= N M^-1 J_k^T (w/c) J_k N M^-1 J^T.
+/// What tasks with shares lack and what they move is s-fold, and J N M^-1 J^T is `with_shares`.
 /// Then tau = M qdd + b + g - J_ext^T f_ext (Khatib, Sentis, Park & Warren 2004, for rows as
 /// tasks). By the Sherman-Morrison formula this equals J^T F with (Lambda^-1 + diag(c (1 - w)/w)) F
 /// = what all rows lack. If all rows are independent it is Chang's table 6.1 in any order. If a row
@@ -88,18 +90,23 @@ Vector<Scalar> prioritized_control_torque(const Model<Scalar>& model, PointsArg<
                                           VectorArg<Scalar> f_ext,
                                           const std::vector<Scalar>& floors = {}) {
   const Matrix<Scalar> J = jacobian<Scalar>(model, points, q);
-  Matrix<Scalar> NM_inverse = inverse_of_positive_definite<Scalar>(mass_matrix<Scalar>(model, q));
-  const Vector<Scalar> mobilities = (J * NM_inverse * J.transpose()).diagonal();
-  const Vector<Scalar> borders = relaxation_borders<Scalar>(points, mobilities, floors);
-  const Vector<Scalar> wanted = xdd_cmd - bias_acceleration<Scalar>(model, points, q, qd);
+  const TaskShares<Scalar> shares = task_shares<Scalar>(points);
+  Matrix<Scalar> moved =
+      inverse_of_positive_definite<Scalar>(mass_matrix<Scalar>(model, q)) * J.transpose();
+  Matrix<Scalar> A = with_shares<Scalar>(J * moved, shares);
+  const Vector<Scalar> borders = relaxation_borders<Scalar>(points, A.diagonal(), floors);
+  moved = (moved * shares.s.asDiagonal()).eval();
+  Vector<Scalar> lacks =
+      shares.s.cwiseProduct(xdd_cmd - bias_acceleration<Scalar>(model, points, q, qd) - J * qdd_0);
   Vector<Scalar> qdd = qdd_0;
   for (const int row : rows_by_priority(points)) {
-    const Vector<Scalar> moved = NM_inverse * J.row(row).transpose();
-    const Scalar c = J.row(row).dot(moved);
-    const Scalar lacks = wanted(row) - J.row(row).dot(qdd);
-    const Scalar inverse = relaxed_inverse<Scalar>(c, borders(row));
-    qdd += moved * Scalar(inverse * lacks);
-    NM_inverse -= moved * (inverse * moved.transpose());
+    const Scalar inverse = relaxed_inverse<Scalar>(A(row, row), borders(row));
+    const Scalar f = inverse * lacks(row);
+    const Vector<Scalar> couplings = A.col(row);
+    qdd += moved.col(row) * f;
+    lacks -= couplings * f;
+    moved -= (moved.col(row) * (inverse * couplings.transpose())).eval();
+    A -= couplings * (inverse * couplings.transpose());
   }
   return inverse_dynamics<Scalar>(model, q, qd, qdd, external_points, f_ext);
 }

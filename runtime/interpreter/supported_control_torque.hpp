@@ -79,6 +79,12 @@ struct SupportedRows {
       asked.head(held) = -held_bias<Scalar>(model, task.constraints, task.loops, q, qd);
     }
     J.bottomRows(J_t.rows()) = J_t(order, Eigen::all);
+    const TaskShares<Scalar> of_tasks_alone = task_shares<Scalar>(task.points);
+    tasks.s = joined<Scalar>(Vector<Scalar>::Ones(held), of_tasks_alone.s(order));
+    tasks.point.assign(static_cast<std::size_t>(held), -1);
+    for (const int row : order) {
+      tasks.point.push_back(of_tasks_alone.point[static_cast<std::size_t>(row)]);
+    }
     asked.tail(J_t.rows()) = of_tasks(order);
     M = mass_matrix<Scalar>(model, q);
     bias = inverse_dynamics<Scalar>(model, q, qd, Vector<Scalar>::Zero(model.nv),
@@ -93,6 +99,7 @@ struct SupportedRows {
   }
 
   Eigen::Index held;
+  TaskShares<Scalar> tasks;  ///< to which tasks are done; 1 of held rows
   Matrix<Scalar> J, J_passive, M;
   Vector<Scalar> asked;  ///< accelerations of the rows less Jd qd
   Vector<Scalar> bias;   ///< b + g - J_ext^T f_ext
@@ -133,8 +140,9 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
                                                  const SupportedTask<Scalar>& task,
                                                  VectorArg<Scalar> q, VectorArg<Scalar> qd) {
   detail::SupportedRows<Scalar> rows(model, task, q, qd);
-  for (Eigen::Index i = 0; i < task.shares.size(); ++i) {
-    if (task.shares(i) == Scalar(0)) rows.leave_out(i);
+  for (Eigen::Index i = 0; i < rows.J.rows(); ++i) {
+    const bool is_held = i >= task.shares.size() || task.shares(i) != Scalar(0);
+    if (!is_held || rows.tasks.s(i) == Scalar(0)) rows.leave_out(i);
   }
   const auto nv = rows.M.rows();
   const auto count = rows.J.rows();
@@ -214,6 +222,17 @@ Matrix<Scalar> passive_mobility(const detail::SupportedRows<Scalar>& rows,
   return K_inverse - carried * inverse * carried.transpose();
 }
 
+/// Multipliers of all rows for what they lack: constraints held and tasks done to their shares.
+template <class Scalar>
+Vector<Scalar> forces_of_all_rows(const detail::SupportedRows<Scalar>& rows,
+                                  const SupportedTask<Scalar>& task, const Matrix<Scalar>& A,
+                                  const Vector<Scalar>& missing, const TaskLaw<Scalar>& law) {
+  const Vector<Scalar>& s = rows.tasks.s;
+  const Matrix<Scalar> Lambda =
+      bordered_inverse<Scalar>(with_shares<Scalar>(A, rows.tasks), law, task.shares);
+  return s.cwiseProduct(Lambda * s.cwiseProduct(missing));
+}
+
 template <class Scalar>
 SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
                                                  const SupportedTask<Scalar>& task,
@@ -233,7 +252,7 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
     const Vector<Scalar> gamma_0 = rows.M * task.qdd_0 + rows.bias;
     const Vector<Scalar> balance = gamma_0(task.passive);
     missing.tail(tasks) += J_tp * (K_s * balance);
-    const Vector<Scalar> f = bordered_inverse<Scalar>(A, law.rows, task.shares) * missing;
+    const Vector<Scalar> f = forces_of_all_rows<Scalar>(rows, task, A, missing, law.rows);
     const Vector<Scalar> passive_motion =
         K_s * Vector<Scalar>(balance + J_tp.transpose() * f.tail(tasks));
     qdd += M_inverse * (rows.J.transpose() * f);
@@ -241,7 +260,7 @@ SupportedTorque<Scalar> supported_control_torque(const Model<Scalar>& model,
       qdd(task.passive[static_cast<std::size_t>(k)]) -= passive_motion(k);
     }
   } else {
-    const Vector<Scalar> f = bordered_inverse<Scalar>(A, law.rows, task.shares) * missing;
+    const Vector<Scalar> f = forces_of_all_rows<Scalar>(rows, task, A, missing, law.rows);
     qdd += M_inverse * (rows.J.transpose() * f);
   }
   Matrix<Scalar> inverse;

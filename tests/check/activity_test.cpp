@@ -7,19 +7,20 @@
 #include "oracle/entries.hpp"
 #include "oracle/graph_run.hpp"
 
-// Constraints that come and go, from the scene to the compiled code. Would catch: shares of other
-// constraints than the scene names, variants (batches, float, C, loops, exact tasks) that do not
-// know them, a set whose values are not those of the code of this set, and torques that step while
-// a robot changes its feet.
+// Constraints and tasks that come and go, from the scene to the compiled code. Would catch: shares
+// of others than the scene names, variants (batches, float, C, loops, exact tasks) that do not know
+// them, a set whose values are not those of the code of this set, and torques that step while a
+// robot changes its feet.
 
 namespace treeline::tests {
 namespace {
 
 constexpr std::array kFeet{"LF", "RF", "LH", "RH"};
 
-/// A quadruped on those of its feet that are true, by name under `active` if `named`.
+/// A quadruped on those of its feet that are true, by name under `active` if `named`, with `tasks`.
 Subjects quadruped_on(const std::array<bool, 4>& feet, bool named, const std::string& more = "",
-                      const std::string& rows = "[x, y, z, rx, ry, rz]") {
+                      const std::string& rows = "[x, y, z, rx, ry, rz]",
+                      const std::string& tasks = "") {
   std::string constraints, active;
   for (std::size_t i = 0; i < kFeet.size(); ++i) {
     if (!feet[i]) continue;
@@ -31,7 +32,7 @@ Subjects quadruped_on(const std::array<bool, 4>& feet, bool named, const std::st
   return in_scene(data_file("published/anymal_c.urdf"),
                   "base: floating\noperational_points: [{name: trunk, link: base, rows: " + rows +
                       "}]\nconstraints:\n" + constraints +
-                      (named ? "inputs: {active: [" + active + "]}\n" : "") +
+                      (named ? "inputs: {active: [" + active + tasks + "]}\n" : "") +
                       "functions: [constrained_forward_dynamics, supported_control_torque]\n" +
                       more);
 }
@@ -64,6 +65,36 @@ TEST(ActivityCheck, LoopThatOpens) {
                         "[0, 0, 0.25]}, other_origin: {xyz: [0.3, 0, 0]}, rows: [x, z]}]\n"
                         "passive: [coupler_joint]\ninputs: {active: closing, gravity: true}\n"
                         "functions: [constrained_forward_dynamics, supported_control_torque]\n"));
+}
+
+/// The arm of robots/ur10e with its hand's tasks under `active`.
+void expect_right_arm(const std::string& points, const std::string& more) {
+  expect_right(in_scene(std::string(TREELINE_ROBOTS_DIR) + "/ur10e/ur10e.urdf",
+                        "operational_points: [" + points + "]\ninputs: {active: [hand, " + more));
+}
+
+// One point with as many rows as joints, with a payload as another argument beside.
+TEST(ActivityCheck, TaskOfAnArmInC) {
+  expect_right_arm("{name: hand, link: tool}",
+                   "], payload: tool}\nlanguage: c\nfunctions: [control_torque]\n");
+}
+
+// Two tasks in the order of priority, and two beside each other, in float.
+TEST(ActivityCheck, TasksByPriorityInBatches) {
+  expect_right_arm(
+      "{name: look, link: tool, rows: [rx, ry, rz], priority: 2}, "
+      "{name: hand, link: tool, rows: [x, y, z]}",
+      "look]}\nbatch: 8\nfunctions: [control_torque]\n");
+}
+TEST(ActivityCheck, TasksBesideEachOtherInFloat) {
+  expect_right_arm(
+      "{name: elbow, link: forearm, rows: [z]}, {name: hand, link: tool, rows: [x, y]}",
+      "elbow]}\nreal: float\nfunctions: [control_torque]\n");
+}
+
+// Feet and tasks together.
+TEST(ActivityCheck, TasksOfAQuadruped) {
+  expect_right(quadruped_on({true, false, false, true}, true, "", "[z, rx, ry]", ", trunk"));
 }
 
 const Program& program_of(const Subjects& subjects, Function function) {

@@ -23,7 +23,7 @@ TEST(ReadInputs, ReadsEverySetting) {
                       "  parameters: [fore, {link: upper, mass: 7}]\n"
                       "  tool: [{point: b, reach: 0.4}, {point: a, orientation: true}]\n"
                       "  contact: {contact: heel, reach: 0.2}\n"
-                      "  active: [hand, palm]\n"
+                      "  active: [hand, b, palm]\n"
                       "contacts: [{name: toe, link: tool}, {name: heel, link: rail}]\n"
                       "constraints: [{name: palm, between: [tool, world]}, {name: hand, between: "
                       "[tool, base]}]\n",
@@ -51,6 +51,7 @@ TEST(ReadInputs, ReadsEverySetting) {
   EXPECT_EQ(inputs.contacts[0].point, "heel");
   EXPECT_EQ(inputs.contacts[0].reach, 0.2);
   EXPECT_EQ(inputs.active, (std::vector<std::string>{"hand", "palm"}));
+  EXPECT_EQ(inputs.active_tasks, (std::vector<std::string>{"b"}));
 }
 
 TEST(ReadInputs, TakesBaseParameters) {
@@ -139,13 +140,22 @@ TEST(ReadInputs, SaysWhatIsWrong) {
            "a}]}]\ninputs: {tool: a}",
        {Severity::error, 3, "inputs/tool", "\"a\" holds an object", "name a point"}},
       {"inputs: {active: foot}",
-       {Severity::error, 1, "inputs/active", "no constraint \"foot\"", "constraints"}},
+       {Severity::error, 1, "inputs/active", "no constraint or operational point \"foot\"",
+        "a list"}},
       {kFoot + "inputs: {active: fot}",
-       {Severity::error, 2, "inputs/active", "no constraint \"fot\"", "\"foot\""}},
+       {Severity::error, 2, "inputs/active", "no constraint or operational point \"fot\"",
+        "\"foot\""}},
       {kFoot + "inputs: {active: [foot, foot]}",
        {Severity::error, 2, "inputs/active[1]", "\"foot\" is listed twice", "once"}},
+      {kFoot + "operational_points: [{name: foot, link: tool}]\ninputs: {active: foot}",
+       {Severity::error, 3, "inputs/active", "both a constraint and", "another name"}},
       {kFoot + "inputs: {active: foot}\ntorque_limits: {shoulder: 10}",
-       {Severity::error, 1, "", "held all the time", "for each set"}},
+       {Severity::error, 1, "", "all the time", "for each set"}},
+      {kFoot + "operational_points: [{name: a, link: tool}]\ninputs: {active: a}\n"
+               "torque_limits: {shoulder: 10}",
+       {Severity::error, 1, "", "all the time", "for each set"}},
+      {kPoints + "inputs: {active: a}\ndamped: {mass: 40, inertia: 4}",
+       {Severity::error, 1, "", "damped does every task all the time", "for each set"}},
       {kFoot + "inputs: {active: foot}\nfunctions: [constraint_jacobian]",
        {Severity::warning, 1, "", "active is listed under inputs", "add a function"}},
       {kPoints + "functions: [jacobian]\ninputs: {tool: {point: a, orientation: true}}",

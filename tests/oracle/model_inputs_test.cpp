@@ -23,6 +23,7 @@ SceneInputs everything(const Scene& scene) {
   inputs.tools = {{scene.operational_points.front().name, 0.5, true}};
   if (!scene.contacts.empty()) inputs.contacts = {{scene.contacts.front().name, 0.5}};
   if (!scene.constraints.empty()) inputs.active = {scene.constraints.front().name};
+  inputs.active_tasks = {scene.operational_points.front().name};
   return inputs;
 }
 
@@ -71,10 +72,10 @@ StateSpace puma_with_everything() {
   const Mechanism mechanism = reduced_mechanism(subjects.robot, subjects.scene);
   StateSpace space = make_state_space(subjects.robot, subjects.scene, mechanism, {}, 1);
   space.subject = make_subject<double>(subjects.robot, subjects.scene);
-  space.others = {
-      {Quantity::gravity, 3}, {Quantity::payload, 10},         {Quantity::parameters, 10},
-      {Quantity::tool, 3},    {Quantity::tool_orientation, 4}, {Quantity::contact, 3},
-      {Quantity::active, 1}};
+  space.others = {{Quantity::gravity, 3},          {Quantity::payload, 10},
+                  {Quantity::parameters, 10},      {Quantity::tool, 3},
+                  {Quantity::tool_orientation, 4}, {Quantity::contact, 3},
+                  {Quantity::active, 1},           {Quantity::active_tasks, 1}};
   return space;
 }
 

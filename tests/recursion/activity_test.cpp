@@ -10,9 +10,10 @@
 #include "recursion/methods/task_law.hpp"
 #include "recursion/routes/trace_function.hpp"
 
-// Constraints that come and go by the argument `active`, every route, as traced. Would catch: a row
-// that is gone and still acts, a row that is held whole and is not the row of a scene without the
-// argument, rows of another constraint that yield, and a step in a result while a share rises.
+// Constraints and tasks that come and go by the arguments `active` and `active_tasks`, every route,
+// as traced. Would catch: a row that is gone and still acts, a row that is whole and is not the row
+// of a scene without the argument, rows of another constraint or task that yield, and a step in a
+// result while a share rises.
 
 namespace treeline::tests {
 namespace {
@@ -25,7 +26,7 @@ std::size_t count_constraints(const Scene& scene) {
   return scene.constraints.size() + scene.loops.size();
 }
 
-/// The robot with all constraints named under `active`.
+/// The robot with all constraints and tasks named under `active`.
 RandomMechanism with_activity(RandomMechanism made) {
   for (const ScenePoint& held : made.scene.constraints) {
     made.scene.inputs.active.push_back(held.name);
@@ -33,14 +34,17 @@ RandomMechanism with_activity(RandomMechanism made) {
   for (const SceneLoop& loop : made.scene.loops) {
     made.scene.inputs.active.push_back(loop.first.name);
   }
+  for (const ScenePoint& point : made.scene.operational_points) {
+    made.scene.inputs.active_tasks.push_back(point.name);
+  }
   return made;
 }
 
-/// Which constraints are held, a bit each.
+/// Which constraints are held, then which tasks are done, a bit each.
 using Mode = unsigned;
 
-bool is_held(Mode mode, std::size_t constraint) {
-  return (mode >> constraint & 1U) != 0;
+bool is_held(Mode mode, std::size_t part) {
+  return (mode >> part & 1U) != 0;
 }
 
 template <class Part>
@@ -52,9 +56,12 @@ void keep_held(Mode mode, std::size_t first, std::vector<Part>& parts) {
   parts = std::move(kept);
 }
 
-/// The mechanism with the constraints of a mode alone, all the time.
+/// The mechanism with the constraints and tasks of a mode alone, all the time.
 Mechanism in_mode(Mechanism mechanism, Mode mode) {
   mechanism.inputs.active.clear();
+  mechanism.inputs.active_tasks.clear();
+  keep_held(mode, mechanism.constraints.size() + mechanism.loops.size(),
+            mechanism.operational_points);
   keep_held(mode, mechanism.constraints.size(), mechanism.loops);
   keep_held(mode, 0, mechanism.constraints);
   return mechanism;
@@ -76,6 +83,17 @@ std::vector<bool> rows_of(const Scene& scene, Mode mode, bool with_loops) {
   return held;
 }
 
+/// By row of the tasks, whether its task is of a mode.
+std::vector<bool> task_rows_of(const Scene& scene, Mode mode) {
+  std::vector<bool> done;
+  std::size_t part = count_constraints(scene);
+  for (const ScenePoint& point : scene.operational_points) {
+    const auto rows = std::count(point.rows.begin(), point.rows.end(), true);
+    done.insert(done.end(), static_cast<std::size_t>(rows), is_held(mode, part++));
+  }
+  return done;
+}
+
 std::vector<double> entries_where(const std::vector<bool>& chosen, const std::vector<double>& all) {
   std::vector<double> entries;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -88,21 +106,24 @@ std::vector<double> in_double(const Vector50& x) {
   return rounded_to<double>(listed(x));
 }
 
-/// Arguments of a program for the constraints of a mode.
+/// Arguments of a program for the constraints and tasks of a mode, with their shares.
 std::vector<std::vector<double>> arguments(const Program& program, const StandingCase& c, Mode mode,
-                                           const std::vector<double>& active) {
+                                           const std::vector<double>& shares) {
   const Scene& scene = c.made.scene;
+  const auto first_task =
+      shares.begin() + (shares.empty() ? 0 : static_cast<std::ptrdiff_t>(count_constraints(scene)));
   const std::map<std::string, std::vector<double>> values{
       {"q", in_double(c.q)},
       {"qd", in_double(c.qd)},
       {"tau", in_double(c.tau)},
       {"qdd_0", in_double(c.task.qdd_0)},
-      {"xdd_cmd", in_double(c.task.xdd_cmd)},
+      {"xdd_cmd", entries_where(task_rows_of(scene, mode), in_double(c.task.xdd_cmd))},
       {"f_ext", in_double(c.task.f_ext)},
       {"stabilisation", {20, 100}},
       {"drift", entries_where(rows_of(scene, mode, false), in_double(c.drift))},
       {"f_wanted", entries_where(rows_of(scene, mode, true), in_double(c.task.f_wanted))},
-      {"active", active}};
+      {"active", {shares.begin(), first_task}},
+      {"active_tasks", {first_task, shares.end()}}};
   std::vector<std::vector<double>> chosen;
   for (const Argument& argument : program.arguments) {
     chosen.push_back(values.at(argument.name));
@@ -112,8 +133,8 @@ std::vector<std::vector<double>> arguments(const Program& program, const Standin
 }
 
 Results<double> results_at(const Program& program, const StandingCase& c, Mode mode,
-                           const std::vector<double>& active = {}) {
-  return evaluate<double>(program, arguments(program, c, mode, active));
+                           const std::vector<double>& shares = {}) {
+  return evaluate<double>(program, arguments(program, c, mode, shares));
 }
 
 /// The program by the same route; null where there is none.
@@ -124,9 +145,10 @@ const Program* find_route(const std::vector<Program>& programs, const Program& l
   return found == programs.end() ? nullptr : &*found;
 }
 
-/// Whether the function of this set is there: nothing else needs something held.
+/// Whether the function of this set is there.
 bool permits(Function function, const Mechanism& mechanism) {
-  return function == Function::supported_control_torque || mechanism.held_rows() > 0;
+  return mechanism.held_rows() > 0 ||
+         (function == Function::supported_control_torque && !mechanism.operational_points.empty());
 }
 
 /// Whether a program lets passive joints move, as those do whose constraints come and go.
@@ -147,13 +169,23 @@ class Activity : public testing::TestWithParam<const char*> {
     }
   }
   [[nodiscard]] std::size_t constraints() const { return count_constraints(c_.made.scene); }
-  [[nodiscard]] Mode whole() const { return (1U << constraints()) - 1; }
+  /// Constraints and tasks.
+  [[nodiscard]] std::size_t parts() const {
+    return constraints() + c_.made.scene.operational_points.size();
+  }
+  /// Cases have points of which no row is left.
+  [[nodiscard]] bool has_rows(std::size_t part) const {
+    if (part < constraints()) return true;
+    const auto& on = c_.made.scene.operational_points[part - constraints()].rows;
+    return std::count(on.begin(), on.end(), true) > 0;
+  }
+  [[nodiscard]] Mode whole() const { return (1U << parts()) - 1; }
 
-  /// Results of a program with all constraints while it holds those of a mode. The forces of
-  /// others, which must be 0, are left out.
+  /// Results of a program with all constraints and tasks while it holds those of a mode. The forces
+  /// of others, which must be 0, are left out.
   [[nodiscard]] Results<double> results_in(Mode mode, const Program& program) const {
     std::vector<double> shares;
-    for (std::size_t i = 0; i < constraints(); ++i) shares.push_back(is_held(mode, i) ? 1 : 0);
+    for (std::size_t i = 0; i < parts(); ++i) shares.push_back(is_held(mode, i) ? 1 : 0);
     Results<double> results = results_at(program, c_, whole(), shares);
     const auto held = rows_of(c_.made.scene, mode, true);
     for (std::size_t i = 0; i < held.size(); ++i) {
@@ -219,11 +251,13 @@ double largest_change(const std::vector<double>& from, const std::vector<double>
 // less the results differ, at least eightfold but for rounding. Shares are nearer than any border,
 // at which rows begin to yield.
 TEST_P(Activity, NothingStepsWhileAShareRises) {
-  for (const auto& programs : programs_) {
-    const Program& program = programs.front();
-    for (std::size_t i = 0; i < constraints(); ++i) {
-      SCOPED_TRACE(program.name + ", constraint " + std::to_string(i));
-      std::vector<double> shares(constraints(), 1);
+  for (std::size_t k = 0; k < kFunctions.size(); ++k) {
+    const Program& program = programs_[k].front();
+    const bool does_tasks = kFunctions[k] == Function::supported_control_torque;
+    for (std::size_t i = 0; i < (does_tasks ? parts() : constraints()); ++i) {
+      if (!has_rows(i)) continue;
+      SCOPED_TRACE(program.name + ", constraint or task " + std::to_string(i));
+      std::vector<double> shares(parts(), 1);
       const auto at = [&](double share) {
         shares[i] = share;
         return all_of(results_at(program, c_, whole(), shares));

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "recursion/algebra/pivot_rule.hpp"
 #include "recursion/methods/forces_of_rows.hpp"
 #include "recursion/methods/lambda_routes.hpp"
+#include "recursion/methods/task_shares.hpp"
 
 namespace treeline {
 
@@ -140,28 +142,32 @@ TaskBasis control_basis(const Tree<Scalar>& tree, const LambdaChoice& choice) {
 
 /// F = Lambda times the acceleration errors; for priorities see `prioritized_task_force`. Chang
 /// table 5.1 gives Lambda itself, at one link's origin and in its axes. All other routes give its
-/// inverse, and `rule` inverts the pivots of the inverse's LDL^T.
+/// inverse, and `rule` inverts the pivots of the inverse's LDL^T. Tasks that are done in part: see
+/// `TaskShares`.
 template <class Scalar>
 std::vector<Scalar> task_force(const Tree<Scalar>& tree,
                                const std::vector<JointTransform<Scalar>>& X,
                                const std::vector<WorldPose<Scalar>>& poses,
                                const LambdaChoice& choice, std::size_t row_count,
                                const PivotRule& rule, const std::vector<Scalar>& errors) {
+  const TaskShares<Scalar> shares(tree);
+  const auto lacking = shares.times(errors);
   if (has_priorities(tree)) {
-    return prioritized_task_force(tree, lambda_inverse_as_asked(tree, X, choice, row_count), errors,
-                                  rule);
+    const auto A = shares.weakened(lambda_inverse_as_asked(tree, X, choice, row_count));
+    return shares.times(prioritized_task_force(tree, A, lacking, rule));
   }
   if (choice.route != LambdaRoute::inertia_propagation) {
-    return solve(factor_ldlt(lambda_inverse(tree, X, poses, choice, row_count), rule), errors);
+    auto A = shares.weakened(lambda_inverse(tree, X, poses, choice, row_count));
+    return shares.times(solve(factor_ldlt(std::move(A), rule), lacking));
   }
   const auto Lambda = dense(propagated_inertia(tree, X, tree.operational_points.front().link));
   std::vector<Scalar> F(6, Scalar(0.0));
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j) {
-      F[i] = F[i] + Lambda(i, j) * errors[j];
+      F[i] = F[i] + Lambda(i, j) * lacking[j];
     }
   }
-  return F;
+  return shares.times(std::move(F));
 }
 
 /// tau = RNEA(q, qd, qdd_0) + J^T F with F = Lambda (xdd_cmd - Jd qd - J qdd_0) (Chang table 6.1).

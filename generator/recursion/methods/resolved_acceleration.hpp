@@ -40,9 +40,23 @@ Vector3<Scalar> solve_columns(const Vector3<Scalar>& a, const Vector3<Scalar>& b
   return Vector3<Scalar>{dot(v, bc), -dot(c, va), dot(b, va)} * inverse_det;
 }
 
+/// The accelerations of a task without a null space that is done to the share of its point, and for
+/// the rest those of the posture: with one point F is s^2-fold, see `TaskShares`.
+template <class Scalar>
+std::vector<Scalar> shared_with_posture(const TreePoint<Scalar>& point, std::vector<Scalar> qdd,
+                                        const JointRates<Scalar>& rates) {
+  const Scalar done = point.share * point.share;
+  const Scalar left = Scalar(1.0) - done;
+  for (std::size_t v = 0; v < qdd.size(); ++v) {
+    qdd[v] = done * qdd[v] + left * rates.acceleration(v);
+  }
+  return qdd;
+}
+
 /// Control torque of a robot without a null space. With as many joints as rows, J^T Lambda J = M,
 /// so tau = J^T F + M qdd_0 + b + g of Chang table 6.1 equals M qdd + b + g with J qdd = xdd_cmd -
-/// Jd qd, whatever qdd_0 is. J is computed at the wrist's centre in the axes of link `axes_link`.
+/// Jd qd, whatever qdd_0 is, unless the task is done in part. J is computed at the wrist's centre
+/// in the axes of link `axes_link`.
 template <class Scalar>
 std::vector<Scalar> control_torque_by_resolved_acceleration(
     const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
@@ -63,7 +77,8 @@ std::vector<Scalar> control_torque_by_resolved_acceleration(
   const Vector3<Scalar> rest = Vector3<Scalar>{error[3], error[4], error[5]} -
                                column(3, 0) * arm.x - column(3, 1) * arm.y - column(3, 2) * arm.z;
   const Vector3<Scalar> wrist = solve_columns(column(3, 3), column(3, 4), column(3, 5), rest);
-  const std::vector<Scalar> qdd{arm.x, arm.y, arm.z, wrist.x, wrist.y, wrist.z};
+  const auto qdd =
+      shared_with_posture(point, {arm.x, arm.y, arm.z, wrist.x, wrist.y, wrist.z}, inputs.rates);
   return inverse_dynamics<Scalar>(tree, X, {inputs.rates.qd, qdd}, inputs.applied);
 }
 

@@ -121,7 +121,8 @@ std::vector<Scalar> control_torque_by_pivots(const Tree<Scalar>& tree,
   const auto wrist = eliminate(
       block_of(wrist_jacobian(tree, X, law.angular_axes_link), 3, 3), {rest.x, rest.y, rest.z},
       last, [&law](std::size_t k, const Scalar& c) { return law.rule(k + 3, c); });
-  const std::vector<Scalar> qdd{arm[0], arm[1], arm[2], wrist[0], wrist[1], wrist[2]};
+  const auto qdd = shared_with_posture(
+      point, {arm[0], arm[1], arm[2], wrist[0], wrist[1], wrist[2]}, inputs.rates);
   return inverse_dynamics<Scalar>(tree, X, {inputs.rates.qd, qdd}, inputs.applied);
 }
 

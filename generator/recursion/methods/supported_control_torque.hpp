@@ -98,6 +98,7 @@ struct SupportedRows {
   DenseMatrix<Scalar> all;         ///< J of all rows, only where loops are held
   std::vector<Scalar> errors;      ///< what the rows lack at qdd_0
   DenseMatrix<Scalar> Lambda_inv;  ///< J M^-1 J^T
+  TaskShares<Scalar> shares;       ///< to which tasks are done
   DenseMatrix<Scalar> J;           ///< columns of passive joints
   std::vector<Scalar> gamma;       ///< M qdd + b + g - J_ext^T f_ext, at qdd_0 at first
   std::vector<Scalar> balance;     ///< gamma of passive joints, which constraints must carry
@@ -132,6 +133,7 @@ SupportedRows<Scalar> supported_rows(const Tree<Scalar>& tree,
   std::vector<Scalar> wanted(anchored, Scalar(0.0));
   wanted.insert(wanted.end(), inputs.xdd_cmd.begin(), inputs.xdd_cmd.end());
   SupportedRows<Scalar> rows;
+  rows.shares = TaskShares<Scalar>(tree, anchored, held - anchored);
   rows.tasks = task_points(tree, {}, world_poses(tree, X));
   const auto of_rows = motions_of_rows(tree, X, motions, inputs.rates.qd, -tree.gravity);
   rows.errors = supported_errors(tree, X, rows.tasks, of_rows, wanted);
@@ -153,12 +155,21 @@ SupportedRows<Scalar> supported_rows(const Tree<Scalar>& tree,
   return rows;
 }
 
+/// Multipliers of all rows: constraints held to `shares`, tasks done to those of their points.
+template <class Scalar>
+std::vector<Scalar> forces_of_all_rows(const SupportedRows<Scalar>& rows, const SupportRules& rules,
+                                       const std::vector<Scalar>& shares) {
+  const TaskShares<Scalar>& of_tasks = rows.shares;
+  return of_tasks.times(solve(factor_shared(of_tasks.weakened(rows.Lambda_inv), rules.rows, shares),
+                              of_tasks.times(rows.errors)));
+}
+
 /// Multipliers of the rows where the constraints can push every passive joint. `rows.balance`
 /// becomes that of the motion.
 template <class Scalar>
 std::vector<Scalar> multipliers_on_supports(SupportedRows<Scalar>& rows, const SupportRules& rules,
                                             const std::vector<Scalar>& shares) {
-  auto f = solve(factor_shared(rows.Lambda_inv, rules.rows, shares), rows.errors);
+  auto f = forces_of_all_rows(rows, rules, shares);
   rows.balance = with_row_forces(rows.J, rows.balance, f);
   return f;
 }
@@ -179,7 +190,7 @@ std::vector<Scalar> multipliers_with_passive_motion(SupportedRows<Scalar>& rows,
       rows.errors[i] = rows.errors[i] + rows.J(i, k) * passive_motion[k];
     }
   }
-  auto f = solve(factor_shared(rows.Lambda_inv, rules.rows, shares), rows.errors);
+  auto f = forces_of_all_rows(rows, rules, shares);
   const auto change = motion.solve_for(with_row_forces(rows.J, rows.balance, f, rules.held));
   rows.balance = with_row_forces(rows.J, rows.balance, f);
   const auto columns = columns_of(M, passive);

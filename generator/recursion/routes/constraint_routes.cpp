@@ -222,6 +222,7 @@ std::string why_not_eliminated(const Mechanism& mechanism, Function function) {
     return choose_dependents(mechanism) ? "" : choose_loop_dependents(mechanism).obstacle;
   }
   if (function != Function::supported_control_torque) return "Nothing is held.";
+  if (!mechanism.inputs.active_tasks.empty()) return "Leave out tasks of the input `active`.";
   if (mechanism.singular == SingularTasks::exact) return "Write `singular: smooth`.";
   const LoopDependents chosen = choose_loop_dependents(mechanism);
   if (!chosen.velocities) return chosen.obstacle;

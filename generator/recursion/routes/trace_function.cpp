@@ -77,6 +77,11 @@ constexpr const char* kSharedRows =
     ", but rows that are held to a share w of active have a compliance, (1 - w) / w of their own "
     "inverse inertia";
 
+/// Added where tasks come and go.
+constexpr const char* kSharedTasks =
+    ", but the task of a point that is done to a share s of active_tasks acts and sees s-fold, and "
+    "has a compliance, (1 - s^2) / s^2 of its own inverse inertia";
+
 /// The equation with an argument `step`.
 std::string implicit_equation(Function function) {
   const std::string equation =
@@ -205,6 +210,7 @@ class Tracer {
       program.equation = implicit_equation(function_);
     }
     if (!trace.in[Quantity::active].empty()) program.equation += kSharedRows;
+    if (!trace.in[Quantity::active_tasks].empty()) program.equation += kSharedTasks;
   }
 
   void describe_singular(const Route& route, Program& program) const {

@@ -121,7 +121,10 @@ bool has_loop_form(Function function) {
 std::optional<Program> trace_loops(const Mechanism& mechanism, Function function,
                                    const Program& lines, bool given_sines) {
   const LoopForm* const form = find_form(function);
-  if (form == nullptr) return std::nullopt;
+  const bool shares_tasks = takes(function, Quantity::active_tasks);
+  if (form == nullptr || (shares_tasks && !mechanism.inputs.active_tasks.empty())) {
+    return std::nullopt;
+  }
   Program program;
   program.name = lines.name;
   program.equation = lines.equation;

@@ -99,6 +99,8 @@ int size_of(IndexSpace space, const Mechanism& mechanism) {
       return 4 * count_orientations(mechanism.inputs);
     case IndexSpace::active_groups:
       return static_cast<int>(mechanism.inputs.active.size());
+    case IndexSpace::active_tasks:
+      return static_cast<int>(mechanism.inputs.active_tasks.size());
     case IndexSpace::contact_places:
       break;
   }
@@ -132,6 +134,7 @@ void apply_inputs(const Mechanism& mechanism, const TracedInputs& inputs, Tree<E
   model.tools = triples(inputs[Quantity::tool]);
   model.orientations = rotations(inputs[Quantity::tool_orientation]);
   model.contacts = triples(inputs[Quantity::contact]);
+  model.shares = inputs[Quantity::active_tasks];
   apply_inputs<Expression>(mechanism, model, tree);
 }
 

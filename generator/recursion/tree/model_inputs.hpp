@@ -38,6 +38,7 @@ struct ModelInputs {
   std::vector<Vector3<Scalar>> tools;
   std::vector<Matrix3<Scalar>> orientations;  ///< of those tools whose axes are an argument
   std::vector<Vector3<Scalar>> contacts;
+  std::vector<Scalar> shares;  ///< to which tasks are done that come and go
 };
 
 template <class Scalar>
@@ -186,6 +187,9 @@ void place_points(const MechanismInputs& places, const ModelInputs<Scalar>& inpu
   }
   for (std::size_t i = 0; i < inputs.contacts.size(); ++i) {
     place_origin(places.contacts[i], inputs.contacts[i], tree.contacts);
+  }
+  for (std::size_t i = 0; i < inputs.shares.size(); ++i) {
+    tree.operational_points[places.active_tasks[i]].share = inputs.shares[i];
   }
   if (inputs.orientations.empty()) return;
   std::size_t next = 0;

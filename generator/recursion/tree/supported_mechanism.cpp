@@ -33,6 +33,7 @@ Mechanism with_supports(Mechanism mechanism) {
     points.back().priority = 1;
   }
   for (MechanismTool& tool : mechanism.inputs.tools) tool.point = places[tool.point];
+  for (std::size_t& point : mechanism.inputs.active_tasks) point = places[point];
   mechanism.operational_points = std::move(points);
   return mechanism;
 }

@@ -52,6 +52,7 @@ struct TreePoint {
   Axes axes = Axes::world;
   std::array<bool, 6> rows{};
   int priority = 1;
+  Scalar share = Scalar(1.0);  ///< to which its task is done, see `TaskShares`
 };
 
 /// Mass and first moment of matter as in the file, about the origin of the link's frame.
