@@ -92,7 +92,7 @@ bool is_arithmetic(const std::string& symbol) {
     return std::any_of(std::begin(kTypes), std::end(kTypes),
                        [&](std::string_view type) { return name.starts_with(type); });
   }
-  constexpr std::string_view kOperations[] = {
+  constexpr std::string_view kSymbolFronts[] = {
       "__add",   "__sub",    "__mul",   "__div",  "__udiv", "__mod",  "__umod",  "__neg",
       "__eq",    "__ne",     "__lt",    "__le",   "__gt",   "__ge",   "__unord", "__fix",
       "__float", "__extend", "__trunc", "__ashl", "__ashr", "__lshr", "__clz"};
@@ -100,7 +100,7 @@ bool is_arithmetic(const std::string& symbol) {
   const std::size_t end = symbol.find_last_not_of("234");
   const bool ends_so = end != symbol.npos && end + 2 >= symbol.size() &&
                        std::string_view("sdtfi").find(symbol[end]) != std::string_view::npos;
-  return ends_so && std::any_of(std::begin(kOperations), std::end(kOperations),
+  return ends_so && std::any_of(std::begin(kSymbolFronts), std::end(kSymbolFronts),
                                 [&](std::string_view front) { return symbol.starts_with(front); });
 }
 
