@@ -22,8 +22,8 @@ TL_INLINE real tl_depth_at_end(const TlConfig* config, real q, int32_t i) {
   const real reach = config->hold_reach;
   const real above = q - (config->upper[i] - reach);
   const real below = (config->lower[i] + reach) - q;
-  const real up = (above > TL_ZERO) ? (above / reach) : TL_ZERO;
-  const real down = (below > TL_ZERO) ? (below / reach) : TL_ZERO;
+  const real up = tl_larger(above, TL_ZERO) / reach;
+  const real down = tl_larger(below, TL_ZERO) / reach;
   return tl_within(down, TL_ONE) - tl_within(up, TL_ONE);
 }
 
@@ -72,7 +72,7 @@ TL_INLINE real tl_guard_speed(
   const real left =
       tl_share_left(tl_seconds(state->fade_ticks, config->period), TL_TEN);
   const real most = (TL_ONE - tl_fade_out(left)) * config->hold_frequency;
-  return (share > TL_ZERO) ? (share * most) : TL_ZERO;
+  return tl_larger(share, TL_ZERO) * most;
 }
 
 #if TL_FORCE
@@ -109,7 +109,7 @@ TL_INLINE void tl_find_inertia(const TlConfig* config, const TlInput* input,
     qdd[i] += TL_ONE;
     tl_joint_torque(input, state, still, qdd, grown);
     const real inertia = grown[i] - tau[i];
-    state->inertia[i] = (inertia > TL_ZERO) ? inertia : TL_ZERO;
+    state->inertia[i] = tl_larger(inertia, TL_ZERO);
   }
   const int32_t next = i + 1;
   state->inertia_joint = (next < TL_JOINTS) ? next : 0;
