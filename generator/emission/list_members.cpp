@@ -25,6 +25,14 @@ bool is_name(std::string_view word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), belongs_to_word);
 }
 
+/// Whether a comment goes on in the next line. `in_comment`: the line begins in one.
+bool ends_in_comment(const std::string& line, bool in_comment) {
+  const std::size_t opened = line.rfind("/*");
+  const std::size_t closed = line.rfind("*/");
+  if (opened == line.npos) return in_comment && closed == line.npos;
+  return closed == line.npos || closed < opened;
+}
+
 /// The comment of a declaration in one line, without its marks. `rest` is what follows the
 /// declaration; the comment may go on in the lines from `next` on.
 std::string join_comment(std::string rest, const std::vector<std::string>& lines,
@@ -71,7 +79,11 @@ std::vector<StructMember> list_members(const std::string& header, const std::str
 std::vector<HeaderEnumerator> list_enumerators(const std::string& header, const std::string& type) {
   std::vector<HeaderEnumerator> enumerators;
   int next = 0;
+  bool in_comment = false;
   for (const std::string& line : lines_of(header, "enum " + type + " {")) {
+    const bool is_comment = in_comment;
+    in_comment = ends_in_comment(line, in_comment);
+    if (is_comment) continue;
     std::istringstream words(line);
     std::string name, equals;
     std::getline(words >> std::ws, name, ' ');
