@@ -107,13 +107,15 @@ def function_text(name, emitted, comment, declaration):
     request = {"by_default": "", "on_request": " *On request.*", "with_damping": " *With the key `damped`.*"}[emitted]
     equation, _, rest = facts[0].partition(": that of ")
     rest = f" That of {rest}" if rest else ""
-    text = f"\n### {name}\n\n`{equation}`{request}{rest}\n"
+    names = ", ".join(re.findall(r"\(?[&*]?(\w+)\)?(?:\[\d+\])?[,)]", declaration[declaration.index("("):]))
+    text = f"\n### {name}\n\n`{equation}`{request}{rest}" + (f" {way[0]}" if way else "")
+    text += f"\n\n`{name}({names})`\n"
     arguments = [match for line in lines if (match := re.match(r"(in|out) (\S+) \(([^)]*)\): (.*)", line))
                  and match[2] + ": " + match[4] not in ARGUMENTS]
     text += "\n" if arguments else ""
     for match in arguments:
         text += f"- {match[1]} `{match[2]}` ({match[3]}): {match[4]}\n"
-    return text + f"\n```cpp\n{declaration};\n```\n" + (f"\n{way[0]}\n" if way else "")
+    return text
 
 
 def functions_page(treeline):
@@ -129,18 +131,25 @@ def functions_page(treeline):
     page = HEAD + (
         """# Functions
 
-Signatures, equations and algorithms are those that the program writes for a PUMA 560: six joints, one operational point
-of six rows, one contact. Sizes, cost, rounding and algorithms of your robot stand in the header of its code. A scene
-has all functions that its content permits, but those *on request* only if the key [`functions`](scene.md#functions)
-lists them. With the keys [`inputs`](inputs.md), [`external_forces`](scene.md#external_forces) and
-[`sin_cos`](scene.md#sin_cos) functions take more arguments. What the functions mean beyond their equations is in
-[functions explained](../explanation/functions.md).
+Equations and algorithms are those that the program writes for a PUMA 560: six joints, one operational point of six
+rows, one contact. Sizes, cost, rounding and algorithms of your robot stand in the header of its code. A scene has all
+functions that its content permits, but those *on request* only if the key [`functions`](scene.md#functions) lists them.
+With the keys [`inputs`](inputs.md), [`external_forces`](scene.md#external_forces) and [`sin_cos`](scene.md#sin_cos)
+functions take more arguments. [What the equations do not say](../explanation/functions.md).
 
-Two functions have headers of their own: `limited_control_torque` with [limits](../explanation/limits.md), and
-`NAME_step` with a [controller](controller.md).
+Results come last. A robot called `arm` is called so, `double` or `float`:
 
-`q` are joint coordinates, rad or m; `qd`, `qdd` and `tau` joint velocities, accelerations and forces. They are listed
-below where they are something else. `Real` is `double` or `float`.
+| language | call of `gravity(q, g)` |
+|---|---|
+| C++ | `arm::gravity(q, g);` arrays of their sizes, by reference |
+| C | `arm_gravity(q, g);` pointers |
+| Python | `g = arm.gravity(q)`, or `arm.gravity(q, out=g)` |
+
+`limited_control_torque` with [limits](../explanation/limits.md) and `NAME_step` with a [controller](controller.md) have
+headers of their own.
+
+`q` are joint coordinates, rad or m; `qd`, `qdd` and `tau` joint velocities, accelerations and forces, unless listed as
+something else.
 """
     )
     text = ""
