@@ -186,9 +186,10 @@ def commands_page(treeline):
     page = HEAD + (
         """# Commands
 
-`treeline help COMMAND` prints what stands here, with what [several commands](#of-several-commands) have. `-` as a file
-name is standard input, or standard output for what `init-scene`, `convert`, `draw` and `simulate --csv` write. No
-command writes over a robot, scene or motion that it was given. SI units and radians.
+`treeline help COMMAND` prints what stands here, with what [several commands](#of-several-commands) have, and which
+options exclude each other. `-` as a file name is standard input, or standard output for what `init-scene`, `convert`,
+`draw` and `simulate --csv` write. No command writes over a robot, scene or motion that it was given. SI units and
+radians.
 
 | command | does |
 |---|---|
@@ -200,7 +201,7 @@ command writes over a robot, scene or motion that it was given. SI units and rad
     (codes,) = re.findall(r"^Exit: (.*)\.$", help_text, re.M)
     for code in codes.split(", "):
         page += "| {} | {} |\n".format(*code.split(" ", 1))
-    helps = {name: call(treeline, "help", name) for name, _ in commands}
+    helps = {name: re.sub(r" Excludes:( --[a-z-]+)+", "", call(treeline, "help", name)) for name, _ in commands}
     every = [entry for text in helps.values() for entry in entries_of(text)]
     shared = [entry for entry in dict.fromkeys(every) if every.count(entry) > 1]
     page += f"\n## Of several commands\n\n```text\n{''.join(shared)}```\n"

@@ -146,7 +146,11 @@ class Model:
 
     def __getattr__(self, name: str) -> Interpreted:
         if name not in self.__dict__.get("functions", ()):
-            raise AttributeError(f"the model has no function {name}; the scene's key `functions` asks for more")
+            have = ", ".join(self.__dict__.get("functions", ()))
+            raise AttributeError(
+                f"the model has no function {name}, but {have}; those of points need `operational_points` in the scene, "
+                "others its key `functions`"
+            )
         made = Interpreted(name, self._describe(name), self._call)
         self.__dict__[name] = made
         return made
