@@ -224,6 +224,7 @@ std::string other_format(std::string_view name) {
   if (name == "sdf" || name == "world" || name == "model") {
     return "this looks like a part of SDF: its root is <sdf>";
   }
+  if (name == "mujocoinclude") return "this is a part of an MJCF: name the file that includes it";
   if (name == "COLLADA") return "this is COLLADA: name the robot's URDF";
   return "the root element of a URDF is <robot>";
 }

@@ -27,7 +27,7 @@ void take_from_file(const SceneElement& element, const Robot& robot, Scene& scen
     if (armature > 0 && can_carry_rotor(joint, scene)) scene.armature.emplace(joint.name, armature);
   }
   if (scene.armature.empty()) {
-    element.error("the URDF states no rotor's inertia",
+    element.error("the robot's file states no rotor's inertia",
                   "give inertias at the joints, lines of the form joint: kg m^2 or kg");
   }
 }
@@ -143,8 +143,9 @@ void note_unused_rotors(const SceneElement& top, const Robot& robot) {
   const auto stated = std::count_if(robot.joints.begin(), robot.joints.end(),
                                     [](const Joint& each) { return armature_of(each) > 0; });
   if (stated == 0) return;
-  top.note(fmt::format("the URDF states rotors of {} joints; no function counts them", stated),
-           "armature: file in the scene adds their inertia to the joints'");
+  top.note(
+      fmt::format("the robot's file states rotors of {} joints; no function counts them", stated),
+      "armature: file in the scene adds their inertia to the joints'");
 }
 
 }  // namespace treeline

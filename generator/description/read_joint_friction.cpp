@@ -105,10 +105,11 @@ class FrictionReader {
       if (!coulomb_ && joint.friction != 0) ++left_out;
     }
     if (left_out == 0) return;
-    element_.note(fmt::format("the URDF states Coulomb friction of {} joints, which viscous "
-                              "friction leaves out",
-                              left_out),
-                  "joint_friction: coulomb counts it");
+    element_.note(
+        fmt::format("the robot's file states Coulomb friction of {} joints, which viscous "
+                    "friction leaves out",
+                    left_out),
+        "joint_friction: coulomb counts it");
   }
 
   void read_joint(const std::string& name, const SceneElement& value) {
@@ -135,9 +136,9 @@ class FrictionReader {
       if (found == scene_.joint_friction.end()) continue;
       const SceneFriction& own = found->second;
       if (own.damping < 0 || own.friction < 0) {
-        element_.error(
-            fmt::format("the URDF states negative damping or friction of \"{}\"", joint.name),
-            "give it under joints");
+        element_.error(fmt::format("the robot's file states negative damping or friction of \"{}\"",
+                                   joint.name),
+                       "give it under joints");
       }
       check_width(joint, own);
       any = any || own.damping > 0 || own.friction > 0;
@@ -174,8 +175,9 @@ void read_joint_friction(const SceneElement& element, const Robot& robot, Scene&
 void note_unused_friction(const SceneElement& top, const Robot& robot) {
   const auto stated = std::count_if(robot.joints.begin(), robot.joints.end(), states_friction);
   if (stated == 0) return;
-  top.note(fmt::format("the URDF states damping or friction of {} joints; no function counts them",
-                       stated),
+  top.note(fmt::format(
+               "the robot's file states damping or friction of {} joints; no function counts them",
+               stated),
            "joint_friction: viscous or coulomb in the scene adds them to the equations of motion");
 }
 

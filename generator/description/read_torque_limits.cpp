@@ -12,7 +12,7 @@ bool is_passive(const Scene& scene, const Joint& joint) {
   return std::count(scene.passive.begin(), scene.passive.end(), joint.name) > 0;
 }
 
-/// Joints that have a motor of their own, with the efforts that the URDF states.
+/// Joints that have a motor of their own, with the efforts that the robot's file states.
 void take_efforts(const SceneElement& element, const Robot& robot, Scene& scene) {
   for (const Joint& joint : robot.joints) {
     if (joint.mimic || scene.locked.contains(joint.name) || is_passive(scene, joint)) continue;
@@ -22,7 +22,7 @@ void take_efforts(const SceneElement& element, const Robot& robot, Scene& scene)
   }
   scene.torque_limits_of_urdf = true;
   if (!scene.torque_limits.empty()) return;
-  element.error("the URDF states no effort of any joint with a motor",
+  element.error("the robot's file states no effort of any joint with a motor",
                 "write torque_limits: {joint: N m}, or <limit effort> in the URDF");
 }
 

@@ -13,10 +13,14 @@ constexpr const char* kPoint =
 constexpr const char* kPayload =
     "inputs: {payload: LINK} makes a body at this link an argument of the functions";
 constexpr const char* kFriction =
-    "joint_friction: viscous or coulomb counts what the URDF states, or a map from joint to "
-    "numbers";
+    "joint_friction: viscous or coulomb counts what the robot's file states, or a map from joint "
+    "to numbers";
 constexpr const char* kRotors =
-    "armature: file counts rotors that the URDF states, or a map from joint to inertia";
+    "armature: file counts rotors that the robot's file states, or a map from joint to inertia";
+constexpr const char* kGains =
+    "controller: {laws: joint_impedance, joint_frequency: 20} has gains; functions have none";
+constexpr const char* kLimits =
+    "the robot's file states them; torque_limits and controller: {laws: ..., limits: ...} use them";
 constexpr const char* kBody =
     "the URDF's <inertial> states it; inputs: {parameters: [LINK]} makes it an argument";
 constexpr const char* kPrefetch =
@@ -30,11 +34,17 @@ struct OtherWord {
 };
 constexpr OtherWord kWords[] = {
     {"damping", "joint_friction", kFriction},
+    {"ee", "operational_points", kPoint},
     {"ee_link", "operational_points", kPoint},
     {"end_effector", "operational_points", kPoint},
     {"end_effectors", "operational_points", kPoint},
     {"friction", "joint_friction", kFriction},
+    {"gains", "controller", kGains},
     {"inertia", "inputs", kBody},
+    {"joint_limits", "torque_limits", kLimits},
+    {"kd", "controller", kGains},
+    {"kp", "controller", kGains},
+    {"limits", "torque_limits", kLimits},
     {"load", "inputs", kPayload},
     {"mass", "inputs", kBody},
     {"motor_inertia", "armature", kRotors},

@@ -50,6 +50,15 @@ bool means_nothing(const std::string& word) {
   return std::find(kWords.begin(), kWords.end(), without_digits(word)) != kWords.end();
 }
 
+/// The word without one that means nothing and is glued to its end: `graspframe`.
+std::string without_glued(const std::string& word) {
+  constexpr std::array<std::string_view, 5> kGlued = {"frame", "target", "site", "point", "link"};
+  for (const std::string_view glued : kGlued) {
+    if (word.ends_with(glued)) return word.substr(0, word.size() - glued.size());
+  }
+  return word;
+}
+
 struct KnownWord {
   std::string_view word;
   EndKind kind;
@@ -57,26 +66,44 @@ struct KnownWord {
 
 /// Known words, the best first. Words of three letters or more may also end a longer word, as in
 /// `lefthand`.
-constexpr std::array<KnownWord, 39> kKnown = {{
-    {"tcp", EndKind::tool},         {"tool0", EndKind::tool},
-    {"grasp", EndKind::tool},       {"grasping", EndKind::tool},
-    {"pinch", EndKind::tool},       {"ee", EndKind::tool},
-    {"eef", EndKind::tool},         {"effector", EndKind::tool},
-    {"endeffector", EndKind::tool}, {"tool", EndKind::tool},
-    {"toolframe", EndKind::tool},   {"hand", EndKind::hand},
-    {"palm", EndKind::hand},        {"gripper", EndKind::hand},
-    {"flange", EndKind::hand},      {"sole", EndKind::foot},
-    {"foot", EndKind::foot},        {"tip", EndKind::tip},
-    {"fingertip", EndKind::tip},    {"pad", EndKind::tip},
-    {"wheel", EndKind::wheel},      {"roller", EndKind::wheel},
-    {"caster", EndKind::wheel},     {"castor", EndKind::wheel},
-    {"prop", EndKind::propeller},   {"propeller", EndKind::propeller},
-    {"rotor", EndKind::propeller},  {"head", EndKind::watching},
-    {"neck", EndKind::watching},    {"camera", EndKind::watching},
-    {"cam", EndKind::watching},     {"laser", EndKind::watching},
-    {"lidar", EndKind::watching},   {"hokuyo", EndKind::watching},
-    {"sensor", EndKind::watching},  {"eye", EndKind::watching},
-    {"imu", EndKind::watching},     {"realsense", EndKind::watching},
+constexpr std::array<KnownWord, 38> kKnown = {{
+    {"tcp", EndKind::tool},
+    {"tool0", EndKind::tool},
+    {"grasp", EndKind::tool},
+    {"grasping", EndKind::tool},
+    {"pinch", EndKind::tool},
+    {"ee", EndKind::tool},
+    {"eef", EndKind::tool},
+    {"effector", EndKind::tool},
+    {"endeffector", EndKind::tool},
+    {"tool", EndKind::tool},
+    {"hand", EndKind::hand},
+    {"palm", EndKind::hand},
+    {"gripper", EndKind::hand},
+    {"flange", EndKind::hand},
+    {"sole", EndKind::foot},
+    {"foot", EndKind::foot},
+    {"tip", EndKind::tip},
+    {"fingertip", EndKind::tip},
+    {"pad", EndKind::tip},
+    {"wheel", EndKind::wheel},
+    {"roller", EndKind::wheel},
+    {"caster", EndKind::wheel},
+    {"castor", EndKind::wheel},
+    {"prop", EndKind::propeller},
+    {"propeller", EndKind::propeller},
+    {"rotor", EndKind::propeller},
+    {"head", EndKind::watching},
+    {"neck", EndKind::watching},
+    {"camera", EndKind::watching},
+    {"cam", EndKind::watching},
+    {"laser", EndKind::watching},
+    {"lidar", EndKind::watching},
+    {"hokuyo", EndKind::watching},
+    {"sensor", EndKind::watching},
+    {"eye", EndKind::watching},
+    {"imu", EndKind::watching},
+    {"realsense", EndKind::watching},
     {"kinect", EndKind::watching},
 }};
 
@@ -195,7 +222,11 @@ bool is_sensor(const std::string& link) {
 
 EndName end_name(const std::string& link) {
   std::vector<std::string> words = words_of(link);
-  while (!words.empty() && means_nothing(words.back())) words.pop_back();
+  while (!words.empty()) {
+    words.back() = without_glued(words.back());
+    if (!words.back().empty() && !means_nothing(words.back())) break;
+    words.pop_back();
+  }
   if (words.empty()) return {};
   const std::string_view last = words.back();
   const std::string_view plain = without_digits(last);

@@ -35,7 +35,8 @@ struct End {
 struct Tree {
   const Robot& robot;
   BodyTree bodies;
-  std::vector<bool> is_frame;  ///< by link: without mass and without links behind it
+  std::vector<bool> is_frame;     ///< by link: without mass and without links behind it
+  std::set<std::string> meeting;  ///< links that are only to meet another and close a loop
 
   explicit Tree(const Robot& of)
       : robot(of), bodies(group_bodies(of)), is_frame(of.links.size(), true) {
@@ -46,9 +47,23 @@ struct Tree {
       const auto& inertial = robot.links[i].inertial;
       if (inertial && inertial->mass > kFrameMass) is_frame[i] = false;
     }
+    for (const LoopHint& hint : robot.hints.loops) {
+      meeting.insert({hint.loop.first.link, hint.loop.second.link});
+    }
   }
 
   [[nodiscard]] const Body& body(int b) const { return bodies.bodies[static_cast<std::size_t>(b)]; }
+  /// Whether a link is a frame that somebody placed for another purpose than a loop.
+  [[nodiscard]] bool is_placed(int link) const {
+    return is_frame[static_cast<std::size_t>(link)] && !meeting.contains(name(link));
+  }
+  /// Whether a body is a rod to where a loop closes: its one frame is of that kind.
+  [[nodiscard]] bool is_rod(const Body& of) const {
+    const auto meets = [&](int link) { return meeting.contains(name(link)); };
+    const auto placed = [&](int link) { return is_placed(link); };
+    return std::count_if(of.links.begin(), of.links.end(), meets) == 1 &&
+           std::none_of(of.links.begin(), of.links.end(), placed);
+  }
   [[nodiscard]] const std::string& name(int link) const {
     return robot.links[static_cast<std::size_t>(link)].name;
   }
@@ -74,7 +89,7 @@ int tip_of(const Tree& tree, const Body& body) {
   double farthest = 1e-3;
   for (const int link : body.links) {
     const double distance = (place(link) - place(body.links.front())).norm();
-    if (!tree.is_frame[static_cast<std::size_t>(link)] || is_sensor(tree.name(link))) continue;
+    if (!tree.is_placed(link) || is_sensor(tree.name(link))) continue;
     if (distance <= farthest) continue;
     farthest = distance;
     tip = link;
@@ -86,7 +101,7 @@ int tip_of(const Tree& tree, const Body& body) {
 /// placed for this, of tools the farthest, and the shortest name; the tip if no name is known.
 End best_of(const Tree& tree, int index) {
   const Body& body = tree.body(index);
-  const auto frame = [&](int link) { return tree.is_frame[static_cast<std::size_t>(link)]; };
+  const auto frame = [&](int link) { return tree.is_placed(link); };
   const auto place = [&](int link) {
     return tree.bodies.frames[static_cast<std::size_t>(link)].translation();
   };
@@ -201,9 +216,11 @@ bool is_minor(const Tree& tree, int base, const Limb& limb) {
 }
 
 /// An end for each limb, in the order of the tree. A minor one gets no point where there are
-/// whole limbs.
+/// whole limbs, and one that ends where a loop closes none where there are others.
 std::vector<End> find_ends(const Tree& tree, const RecognisedRobot& found) {
-  const auto& limbs = found.limbs;
+  std::vector<Limb> limbs = found.limbs;
+  const auto is_rod = [&](const Limb& limb) { return tree.is_rod(tree.body(limb.last)); };
+  if (!std::all_of(limbs.begin(), limbs.end(), is_rod)) std::erase_if(limbs, is_rod);
   const bool whole = std::any_of(limbs.begin(), limbs.end(), [&](const Limb& limb) {
     return limb.role == LimbRole::leg || limb.role == LimbRole::arm || limb.joints > 2 ||
            best_of(tree, limb.last).name.kind == EndKind::tip;

@@ -75,6 +75,41 @@ TEST(ProposeScene, TakesTheHandNotItsFingers) {
   EXPECT_EQ(read_with(robot, proposal, "# locked:").locked.size(), 2U);
 }
 
+/// A frame without mass, fixed to a link.
+std::string frame_on(const std::string& parent, const std::string& name) {
+  return "<link name='" + name + "'/><joint name='" + name +
+         "_at' type='fixed'><origin xyz='0 0 "
+         "0.1'/><parent link='" +
+         parent + "'/><child link='" + name + "'/></joint>";
+}
+
+// Would catch: a word with "frame", "target" or "site" glued to it that is not known, so that the
+// point lies at a joint though the file has a frame at the tip.
+TEST(ProposeScene, TakesTheFrameThatIsNamedAfterGrasping) {
+  for (const std::string frame : {"arm_grasptarget", "gripperframe", "ee_site", "pinchsite"}) {
+    const Robot robot = read(robot_text(
+        "base", joined("base", "a", "0 0 1") + joined("a", "b", "0 1 0") +
+                    joined("b", "c", "0 1 0") + joined("c", "my_gripper", "1 0 0") +
+                    frame_on("my_gripper", frame) + joined("my_gripper", "moving_jaw", "0 1 0")));
+    EXPECT_EQ(propose_scene(robot, std::nullopt).points.at(0).link, frame);
+  }
+}
+
+// Would catch: points at the frames of an export from Onshape that are only to meet, as on the legs
+// of a platform, in place of one on what the legs carry.
+TEST(ProposeScene, GivesNoPointToWhereLoopsClose) {
+  const auto leg = [](const std::string& n) {
+    return joined("base", "crank" + n, "0 1 0") + joined("crank" + n, "rod" + n, "0 1 0");
+  };
+  const Robot robot = read(robot_text(
+      "base", leg("1") + frame_on("rod1", "closing_1_1") + leg("2") +
+                  frame_on("rod2", "closing_2_1") + leg("3") + joined("rod3", "plate", "0 1 0") +
+                  frame_on("plate", "closing_1_2") + frame_on("plate", "closing_2_2")));
+  const SceneProposal proposal = propose_scene(robot, std::nullopt);
+  EXPECT_EQ(list_points(proposal), "plate: x z ry ; ");
+  EXPECT_TRUE(proposal.left_out.empty());
+}
+
 TEST(ProposeScene, TakesFingersWhereThereIsNothingElse) {
   const SceneProposal proposal = propose_scene(
       read(robot_text("palm", joined("palm", "f1", "0 1 0") + joined("f1", "f1_tip", "0 1 0") +

@@ -53,6 +53,11 @@ Mesh read_mesh(const std::string& path) {
                        "Convert it to STL, OBJ or DAE; `treeline drive` shows it as it is.");
   }
   std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    return refuse_mesh("there is no such file",
+                       "Check the path; a relative one starts at the folder "
+                       "of the robot's file.");
+  }
   if (std::filesystem::file_size(path, error) > kLargestMesh && !error) {
     return refuse_mesh("it has more than 256 MiB", "Reduce its triangles.");
   }

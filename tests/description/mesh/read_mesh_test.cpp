@@ -111,7 +111,7 @@ TEST_F(ReadMeshTest, TellsWhatIsWrong) {
               "line 7: a face is not three or more vertices of those above");
   }
   EXPECT_EQ(problem("a.glb", "glTF"), "pictures have no meshes of the format .glb");
-  EXPECT_EQ(read_mesh((root_ / "nowhere.stl").string()).problem, "it cannot be read");
+  EXPECT_EQ(read_mesh((root_ / "nowhere.stl").string()).problem, "there is no such file");
 }
 
 TEST_F(ReadMeshTest, TellsWhatIsWrongInCollada) {
