@@ -107,8 +107,10 @@ def function_text(name, emitted, comment, declaration):
     request = {"by_default": "", "on_request": " *On request.*", "with_damping": " *With the key `damped`.*"}[emitted]
     equation, _, rest = facts[0].partition(": that of ")
     rest = f" That of {rest}" if rest else ""
-    names = ", ".join(re.findall(r"\(?[&*]?(\w+)\)?(?:\[\d+\])?[,)]", declaration[declaration.index("("):]))
-    text = f"\n### {name}\n\n`{equation}`{request}{rest}" + (f" {way[0]}" if way else "")
+    plain = re.sub(r"\s=\s+\w+", "", declaration[declaration.index("("):])  # without defaults
+    names = ", ".join(re.findall(r"\(?[&*]?(\w+)\)?(?:\[\d+\])?[,)]", plain))
+    method = [re.split(r"; Lambda\^-1|, in (?:the|link) axes", line.rstrip("."))[0] + "." for line in way[:1]]
+    text = f"\n### {name}\n\n`{equation}`{request}{rest}" + "".join(f" {line}" for line in method)
     text += f"\n\n`{name}({names})`\n"
     arguments = [match for line in lines if (match := re.match(r"(in|out) (\S+) \(([^)]*)\): (.*)", line))
                  and match[2] + ": " + match[4] not in ARGUMENTS]
